@@ -1,0 +1,65 @@
+#pragma once
+// An environment: a map with positions, labels and marks. Cells are unions of simplices that are never stored: a simplex is
+// itself, any other cell the star of its centre over the simplices of its facets.
+
+#include <cstdint>
+
+#include "base/parallel.h"
+#include "environment/edge_marks.h"
+#include "environment/grid.h"
+#include "map/map.h"
+
+namespace dsw {
+
+template <int D>
+struct Environment {
+  const Memory* memory;
+  Map<D> map;
+  Array<double> owned_points;      // D doubles a vertex; empty when borrowed
+  const double* points = nullptr;  // owned_points or the host's
+  Array<int32_t> regions;          // by cell index; empty: none were given
+  Array<uint32_t> tags;            // by cell index; empty: none were given
+  EdgeMarks edge_marks;            // wires, by their two vertices
+  Array<uint64_t> vertex_marks;    // bits; empty: none
+  uint64_t marked_cells = 0, marked_facets = 0, marked_edges = 0, marked_vertices = 0;
+  uint32_t part_count = 0;
+  double lower[D] = {}, upper[D] = {};  // box of the vertices that cells use
+  Grid<D> grid;                         // empty unless asked for
+
+  explicit Environment(const Memory* source)
+      : memory(source),
+        map(source),
+        owned_points(Allocator<double>(source)),
+        regions(Allocator<int32_t>(source)),
+        tags(Allocator<uint32_t>(source)),
+        edge_marks(source),
+        vertex_marks(Allocator<uint64_t>(source)),
+        grid(source) {}
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+  const double* point(uint32_t vertex) const { return points + size_t{vertex} * D; }
+  const double* point(Cell c, uint32_t local) const { return point(map.vertex(c, local)); }
+  int32_t region(Cell c) const { return regions.empty() ? 0 : regions[map.index(c)]; }
+  uint32_t tag(Cell c) const { return tags.empty() ? 0 : tags[map.index(c)]; }
+  uint64_t memory_bytes() const {
+    const uint64_t borrowed = owned_points.empty() ? uint64_t{map.vertex_count} * D * sizeof(double) : 0;
+    return sizeof(*this) + map.memory_bytes() + array_bytes(owned_points) + borrowed + array_bytes(regions) +
+           array_bytes(tags) + edge_marks.memory_bytes() + array_bytes(vertex_marks) + grid.memory_bytes();
+  }
+};
+
+/** The mean of a cell's vertices, summed in their order: the apex of its star, and where walks from a hint start. The
+ * same bits everywhere, because every use goes through here. Scaled down first, so that it is finite for every
+ * finite input. */
+template <int D>
+void centre(const Environment<D>& env, Cell c, double* out);
+
+/** Points of simplex `simplex` of a cell. */
+template <int D>
+void simplex_points(const Environment<D>& env, Cell c, const Shape& shape, uint32_t simplex, const double* out[D]) {
+  const uint16_t* local = shape.simplices() + simplex * static_cast<uint32_t>(D);
+  for (int i = 0; i < D; ++i) out[i] = env.point(c, local[i]);
+}
+
+}  // namespace dsw

@@ -1,0 +1,15 @@
+#pragma once
+// When a cell is valid, exactly (design 3): every simplex of its star has positive volume and one generic direction from
+// the centre meets exactly one simplex of its boundary (positive stars alone can cover a direction twice).
+
+#include "environment/environment.h"
+
+namespace dsw {
+
+enum class CellState { kValid, kValidConvex, kInverted, kInvalid };
+
+/** kValidConvex: also exactly convex with exactly flat facets. kInverted: every star volume is negative. */
+template <int D>
+CellState check_cell(const Environment<D>& env, Cell c) noexcept;
+
+}  // namespace dsw

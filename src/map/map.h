@@ -1,0 +1,151 @@
+#pragma once
+// The combinatorial map: cells as records in one array of 32-bit words, linked facet to facet.
+//
+// Records are made of units of 8 words (32 bytes) and start on one. Word 0 of every unit that can be pointed at tells
+// what it is: bit 31 the cell's own impassable mark, bits 28 to 30 its Form; of the rest a simplex keeps the index of its
+// vertex 0, any other form bit 27 "convex with flat facets" and in bits 0 to 26 its cuts or its shape number.
+//   simplex            1 unit:  w0..wD vertices, then up to w7 the facets' links (D + 1 of them, ending at w7)
+//   pyramid .. box     2 units: links ending at w7, vertices from w8
+//   general            links in words 1..7 of the first units, then vertices in words 1..7 of the following ones; word 0
+//                      of every unit but the first is a continuation that counts back to the first
+// A facet of a cell (a "half-facet") is named by the address of its link word, which is why a link needs no decoding: it is
+// the address of the half-facet on the other side, with bit 31 for the facet's own mark. kNoFacet: the outer boundary.
+// Nothing else is stored: beta1 and beta2 come from the shape, beta3 from the link.
+
+#include <cstdint>
+
+#include "base/assert.h"
+#include "base/memory.h"
+#include "map/shape.h"
+
+namespace dsw {
+
+constexpr uint32_t kMarkBit = 0x80000000u;
+constexpr uint32_t kNoFacet = 0x7fffffffu;
+constexpr uint32_t kUnitWords = 8;
+constexpr uint32_t kVertexMask = 0x0fffffffu;
+constexpr uint32_t kConvexBit = 0x08000000u;
+constexpr uint32_t kShapeMask = 0x07ffffffu;
+constexpr uint32_t kFormShift = 28;
+constexpr uint32_t kNoCell = 0xffffffffu;
+
+/** A cell of full dimension: the unit its record starts at. */
+struct Cell {
+  uint32_t unit = kNoCell;
+  bool operator==(Cell o) const { return unit == o.unit; }
+  bool operator!=(Cell o) const { return unit != o.unit; }
+  bool valid() const { return unit != kNoCell; }
+};
+
+/** A facet seen from one of its cells: the address of its link word. */
+struct HalfFacet {
+  uint32_t word = kNoFacet;
+  bool operator==(HalfFacet o) const { return word == o.word; }
+  bool operator!=(HalfFacet o) const { return word != o.word; }
+  bool valid() const { return word != kNoFacet; }
+};
+
+/** A dart: its cell and its number in the cell's shape. */
+struct Dart {
+  Cell cell;
+  uint32_t local = 0;
+  bool operator==(Dart o) const { return cell == o.cell && local == o.local; }
+};
+
+constexpr Form form_of(uint32_t word0) { return static_cast<Form>((word0 >> kFormShift) & 7u); }
+
+template <int D>
+struct Map {
+  Array<uint32_t> words;          // all records
+  Array<uint16_t> shape_tables;   // tables of general cells
+  Array<uint32_t> shape_offsets;  // shape number -> start in shape_tables
+  Array<uint32_t> unit_of_cell;   // public index -> unit; empty when all records have the same size
+  Array<uint32_t> cell_of_unit;   // the way back; empty likewise
+  uint32_t cell_count = 0;
+  uint32_t units_per_cell = 0;  // when all records have the same size
+  uint32_t vertex_count = 0;
+  uint32_t boundary_facet_count = 0;
+  uint32_t facet_count = 0;  // a facet between two cells counts once
+
+  explicit Map(const Memory* memory)
+      : words(Allocator<uint32_t>(memory)),
+        shape_tables(Allocator<uint16_t>(memory)),
+        shape_offsets(Allocator<uint32_t>(memory)),
+        unit_of_cell(Allocator<uint32_t>(memory)),
+        cell_of_unit(Allocator<uint32_t>(memory)) {}
+
+  Cell cell(uint32_t index) const {
+    return {unit_of_cell.empty() ? index * units_per_cell : unit_of_cell[index]};
+  }
+  uint32_t index(Cell c) const { return cell_of_unit.empty() ? c.unit / units_per_cell : cell_of_unit[c.unit]; }
+
+  const uint32_t* record(Cell c) const { return words.data() + size_t{c.unit} * kUnitWords; }
+  uint32_t* record(Cell c) { return words.data() + size_t{c.unit} * kUnitWords; }
+  Form form(Cell c) const { return form_of(record(c)[0]); }
+  bool marked(Cell c) const { return (record(c)[0] & kMarkBit) != 0; }
+  /** Exactly convex with exactly flat facets: simplices always, others by a bit set when they were validated. */
+  bool convex(Cell c) const { return form(c) == Form::kSimplex || (record(c)[0] & kConvexBit) != 0; }
+  Shape shape(Cell c) const;
+
+  /** Facets of the standard forms; general cells have as many as their shape says. */
+  static constexpr uint32_t standard_facet_count(Form form) {
+    if (D == 2) return form == Form::kSimplex ? 3u : 4u;
+    return form == Form::kSimplex ? 4u : form == Form::kBox ? 6u : 5u;
+  }
+  static constexpr uint32_t standard_vertex_count(Form form) {
+    if (D == 2) return form == Form::kSimplex ? 3u : 4u;
+    return form == Form::kSimplex ? 4u : form == Form::kPyramid ? 5u : form == Form::kPrism ? 6u : 8u;
+  }
+  uint32_t facets_of(Cell c) const {
+    const Form f = form(c);
+    return f == Form::kGeneral ? shape(c).facet_count() : standard_facet_count(f);
+  }
+
+  HalfFacet half_facet(Cell c, uint32_t local) const {
+    const Form f = form(c);
+    if (f == Form::kGeneral) return {(c.unit + local / 7u) * kUnitWords + 1u + local % 7u};
+    return {c.unit * kUnitWords + kUnitWords - standard_facet_count(f) + local};
+  }
+  Cell cell_of(HalfFacet h) const {
+    const uint32_t unit = h.word / kUnitWords, word0 = words[size_t{unit} * kUnitWords];
+    return {form_of(word0) == Form::kContinuation ? unit - (word0 & kShapeMask) : unit};
+  }
+  uint32_t local_of(HalfFacet h, Cell c) const {
+    const Form f = form(c);
+    const uint32_t slot = h.word % kUnitWords;
+    if (f == Form::kGeneral) return (h.word / kUnitWords - c.unit) * 7u + slot - 1u;
+    return slot - (kUnitWords - standard_facet_count(f));
+  }
+  /** beta_D as a facet: the same facet seen from the other cell; invalid at the outer boundary. */
+  HalfFacet opposite(HalfFacet h) const { return {words[h.word] & ~kMarkBit}; }
+  bool facet_marked(HalfFacet h) const { return (words[h.word] & kMarkBit) != 0; }
+
+  uint32_t vertex(Cell c, uint32_t local) const {
+    const uint32_t* w = record(c);
+    const Form f = form_of(w[0]);
+    if (f == Form::kSimplex) return w[local] & kVertexMask;
+    if (f != Form::kGeneral) return w[kUnitWords + local];
+    const uint32_t link_units = (shape(c).facet_count() + 6u) / 7u;
+    return w[(link_units + local / 7u) * kUnitWords + 1u + local % 7u];
+  }
+  uint64_t memory_bytes() const {
+    return array_bytes(words) + array_bytes(shape_tables) + array_bytes(shape_offsets) + array_bytes(unit_of_cell) +
+           array_bytes(cell_of_unit);
+  }
+};
+
+/** The lower of the two names of a facet: the one that every report gives. */
+template <int D>
+HalfFacet canonical(const Map<D>& map, HalfFacet h) {
+  const HalfFacet o = map.opposite(h);
+  return o.valid() && map.index(map.cell_of(o)) < map.index(map.cell_of(h)) ? o : h;
+}
+
+/** A facet is impassable by its own mark, by that of a cell on either side, or because there is no other side. */
+template <int D>
+bool is_impassable(const Map<D>& map, HalfFacet h) {
+  const HalfFacet o = map.opposite(h);
+  return !o.valid() || map.facet_marked(h) || map.marked(map.cell_of(h)) || map.marked(map.cell_of(o));
+}
+
+}  // namespace dsw

@@ -1,0 +1,94 @@
+#pragma once
+// Shapes: what cells of one form have in common. A shape lists the facets of a cell (faces in space, edges in the
+// plane) with their darts, how the darts are linked inside the cell, and into which simplices the facets are cut. It
+// knows no coordinates. Tetrahedra, pyramids, prisms and hexahedra share tables, one for every way to cut their quads;
+// any other polyhedron has a table of its own.
+
+#include <cstdint>
+
+#include "base/memory.h"
+
+namespace dsw {
+
+/** Form of a cell, as stored in its record. A simplex is a tetrahedron in space and a triangle in the plane; box is a
+ * hexahedron or a quadrilateral, general a polyhedron or a polygon. */
+enum class Form : uint32_t { kSimplex = 0, kPyramid = 1, kPrism = 2, kBox = 3, kGeneral = 4, kContinuation = 5 };
+
+/** View of one shape table: counts, then arrays, all 16 bits wide. Darts are numbered facet by facet, along each facet
+ * counter-clockwise seen from outside; dart d runs from dart_vertex(d) to that of beta1(d). */
+class Shape {
+ public:
+  explicit Shape(const uint16_t* table) : t_(table) {}
+
+  uint32_t vertex_count() const { return t_[0]; }
+  uint32_t facet_count() const { return t_[1]; }
+  uint32_t edge_count() const { return t_[2]; }
+  uint32_t dart_count() const { return t_[3]; }
+  uint32_t simplex_count() const { return t_[4]; }
+
+  /** Darts of facet f are facet_first(f) .. facet_first(f + 1) - 1. */
+  uint32_t facet_first(uint32_t f) const { return t_[kHeader + f]; }
+  uint32_t facet_size(uint32_t f) const { return facet_first(f + 1) - facet_first(f); }
+  /** Simplices of facet f are simplex_first(f) .. simplex_first(f + 1) - 1; D local vertices each. */
+  uint32_t simplex_first(uint32_t f) const { return t_[kHeader + facet_count() + 1 + f]; }
+  const uint16_t* dart_vertices() const { return t_ + kHeader + 2 * (facet_count() + 1); }
+  uint32_t dart_vertex(uint32_t d) const { return dart_vertices()[d]; }
+  uint32_t dart_facet(uint32_t d) const { return dart_vertices()[dart_count() + d]; }
+  uint32_t dart_beta2(uint32_t d) const { return dart_vertices()[2 * dart_count() + d]; }
+  uint32_t dart_edge(uint32_t d) const { return dart_vertices()[3 * dart_count() + d]; }
+  /** Local vertices of all simplices, D each, oriented as their facet. */
+  const uint16_t* simplices() const { return dart_vertices() + 4 * dart_count(); }
+  /** Facet of every simplex. */
+  const uint16_t* simplex_facets(int dimension) const { return simplices() + static_cast<uint32_t>(dimension) * simplex_count(); }
+
+  uint32_t beta1(uint32_t d) const {
+    const uint32_t f = dart_facet(d);
+    return d + 1 == facet_first(f + 1) ? facet_first(f) : d + 1;
+  }
+  uint32_t beta0(uint32_t d) const {
+    const uint32_t f = dart_facet(d);
+    return d == facet_first(f) ? facet_first(f + 1) - 1 : d - 1;
+  }
+  const uint16_t* table() const { return t_; }
+
+  static constexpr uint32_t kHeader = 5;
+
+ private:
+  const uint16_t* t_;
+};
+
+/** Loops of local vertices from which a table is made. */
+struct FacetLoops {
+  const uint16_t* vertices;  // all loops, one after the other
+  const uint16_t* first;     // facet_count + 1
+  uint32_t facet_count;
+  uint32_t vertex_count;
+};
+
+/** Why loops do not make a shape. */
+enum class ShapeDefect { kNone, kTooLarge, kShortFacet, kRepeatedVertex, kOpen, kNotSphere };
+
+/** Appends the table of a polyhedron to `tables`; facet f is cut into a fan from the loop position base[f]. On a defect
+ * `tables` is as before. */
+ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Array<uint16_t>& tables);
+
+/** Cuts facet f of a polyhedron table anew, as a fan from loop position `base`. */
+void set_fan(uint16_t* table, uint32_t facet, uint32_t base);
+
+/** Table of a standard form in space; bit f of `cuts` says that quad facet number f (in the order of facets, triangles
+ * not counted) is cut from its second loop vertex instead of its first. */
+Shape standard_shape(Form form, uint32_t cuts);
+
+/** Table of a triangle (3) or a quadrilateral (4) in the plane. Facets are its edges: facet i is dart i, from vertex i
+ * to the next; there is no beta2 inside a planar cell. */
+Shape planar_shape(uint32_t vertex_count);
+
+/** Appends the table of a polygon. */
+ShapeDefect append_polygon(uint32_t vertex_count, Array<uint16_t>& tables);
+
+/** Number of quad facets of a standard form. */
+constexpr uint32_t quad_count(Form form) {
+  return form == Form::kBox ? 6u : form == Form::kPrism ? 3u : form == Form::kPyramid ? 1u : 0u;
+}
+
+}  // namespace dsw

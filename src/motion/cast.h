@@ -1,0 +1,65 @@
+#pragma once
+// A cast: one straight flight of a point through an environment, cell by cell, to its target or to the first impassable
+// facet [JCD10] 3.3. Exact under the shift of design 2: start and target are thought of as shifted by one infinitesimal,
+// so the start lies in one cell and the segment pierces one simplex of a facet at a time.
+
+#include <cstdint>
+
+#include "environment/environment.h"
+
+namespace dsw {
+
+enum class CastEnd : uint32_t { kReached, kHit, kWorkLimit };
+
+/** Where a flight ended. */
+struct CastResult {
+  CastEnd end = CastEnd::kReached;
+  Cell cell;                     // the last cell entered
+  HalfFacet facet;               // kHit: the impassable facet, seen from `cell`
+  uint32_t simplex = 0;          // kHit: which simplex of `cell` was pierced. kWorkLimit: that through which `cell`
+                                 // was entered, in the numbering of `previous`
+  Cell previous;                 // the cell before `cell`; invalid if it is the first
+  uint32_t cells_visited = 1;    // the first included
+  uint32_t first_facet = kNoFacet;  // local number of the facet through which the first cell was left, or tried to be
+};
+
+/** Counters of casts; plain adds into a struct of the calling thread. */
+struct CastCounters {
+  uint64_t casts = 0, cells_visited = 0, orientation_tests = 0, exact_fallbacks = 0, ties = 0;
+  void add(const CastCounters& o) {
+    casts += o.casts;
+    cells_visited += o.cells_visited;
+    orientation_tests += o.orientation_tests;
+    exact_fallbacks += o.exact_fallbacks;
+    ties += o.ties;
+  }
+};
+
+/** Is told every cell entered after the first: the cell it came from, the simplex of that cell which was pierced, the
+ * cell entered. */
+using CrossingFn = void (*)(void* user, Cell from, uint32_t simplex, Cell to);
+
+struct CastRequest {
+  const double* from;  // D finite doubles, in `start` under the shift
+  const double* to;
+  Cell start;
+  uint32_t max_cells = 0;        // 0: no limit
+  uint32_t forecast = kNoFacet;  // local facet of `start` to test first
+  bool through_walls = false;    // ends only at the target or the outer boundary (locating)
+  CrossingFn crossing = nullptr;
+  void* crossing_user = nullptr;
+};
+
+/** Casts. Work is O(cells crossed). Every step crosses a facet later on the segment than the one before, so it ends. */
+template <int D>
+CastResult cast(const Environment<D>& env, const CastRequest& request, CastCounters* counters) noexcept;
+
+/** Whether a point, shifted, lies in a cell: nothing of the cell's boundary stands between its centre and the point. */
+template <int D>
+bool contains(const Environment<D>& env, Cell cell, const double* point) noexcept;
+
+/** Largest double not later than the time at which the segment crosses simplex `simplex` of `cell`. */
+template <int D>
+double crossing_time(const Environment<D>& env, Cell cell, uint32_t simplex, const double* from, const double* to) noexcept;
+
+}  // namespace dsw
