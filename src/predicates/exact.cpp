@@ -1,0 +1,119 @@
+// Signs by integers; what each function means stands in exact.h.
+//
+// Every predicate is written once, over the integers of integers.h, and runs on machine integers where the coordinates
+// allow it. Where [JCD10] and most libraries would refine floating-point expansions we do not: an expansion of a tie
+// runs to its last component, the dearest case, and ties are what reaches this file.
+#include "predicates/exact.h"
+
+#include "predicates/integers.h"
+
+namespace dsw {
+namespace exact {
+
+namespace {
+
+using integers::cross;
+using integers::dot;
+using integers::Normal;
+using integers::Points;
+using integers::evaluate;
+using integers::sign;
+using integers::turned;
+using integers::Vec;
+using integers::wide;
+
+template <class R, int D, int Count>
+ShiftedSign plane_side_of(const Points<R, D, Count>& x) noexcept {
+  const Normal<R, D> n = x.normal(0);
+  const int s = sign(dot<R>(n, x.difference(D, 0)));
+  if (s != 0) return {s, false};
+  return {n.first_sign(), true};
+}
+
+// Points p, q, ridge.
+template <class R>
+ShiftedSign line_side_of(const Points<R, 3, 4>& x) noexcept {
+  const Vec<R, 3> u = x.difference(1, 0);
+  const int s = sign(dot<R>(cross<R>(u, x.difference(2, 0)), x.difference(3, 0)));
+  if (s != 0) return {s, false};
+  return {cross<R>(u, x.difference(3, 2)).first_sign(), true};
+}
+template <class R>
+ShiftedSign line_side_of(const Points<R, 2, 3>& x) noexcept {
+  // u_x w_y - u_y w_x = -(u_y, -u_x).w for w = a-p; with a-p-s instead, the shift adds +(u_y, -u_x).
+  const Normal<R, 2> n = turned<R>(x.difference(1, 0));
+  const int s = -sign(dot<R>(n, x.difference(2, 0)));
+  if (s != 0) return {s, false};
+  return {n.first_sign(), true};
+}
+
+// Points p, q, a, b. Numerators are n.(a-p), denominators n.u; the shift subtracts n.s from the numerators.
+template <class R, int D, int Count>
+ShiftedSign compare_times_of(const Points<R, D, Count>& x) noexcept {
+  const Vec<R, D> u = x.difference(1, 0);
+  const Normal<R, D> na = x.normal(2);
+  const Normal<R, D> nb = x.normal(2 + D);
+  const auto da = wide(dot<R>(na, u));
+  const auto db = wide(dot<R>(nb, u));
+  const int turn = da.sign() * db.sign();
+  const auto ta = wide(dot<R>(na, x.difference(2, 0)));
+  const auto tb = wide(dot<R>(nb, x.difference(2 + D, 0)));
+  int s = compare(ta * db, tb * da);
+  if (s != 0) return {turn * s, false};
+  for (int k = 0; k < D && s == 0; ++k) s = compare(wide(nb.v[k]) * da, wide(na.v[k]) * db);
+  return {turn * s, true};
+}
+
+template <class R, int D, int Count>
+int orient_of(const Points<R, D, Count>& x) noexcept {
+  return sign(dot<R>(x.normal(0), x.difference(D, 0)));
+}
+
+}  // namespace
+
+template <int D>
+ShiftedSign plane_side(const double* const* simplex, const double* q) noexcept {
+  const double* points[D + 1];
+  for (int i = 0; i < D; ++i) points[i] = simplex[i];
+  points[D] = q;
+  return evaluate<D>(points, [](const auto& x) noexcept { return plane_side_of(x); });
+}
+
+template <int D>
+ShiftedSign line_side(const double* p, const double* q, const double* const* ridge) noexcept {
+  const double* points[D + 1] = {p, q};
+  for (int i = 0; i < D - 1; ++i) points[2 + i] = ridge[i];
+  return evaluate<D>(points, [](const auto& x) noexcept { return line_side_of(x); });
+}
+
+template <int D>
+ShiftedSign compare_times(const double* p, const double* q, const double* const* a, const double* const* b) noexcept {
+  const double* points[2 + 2 * D] = {p, q};
+  for (int i = 0; i < D; ++i) {
+    points[2 + i] = a[i];
+    points[2 + D + i] = b[i];
+  }
+  return evaluate<D>(points, [](const auto& x) noexcept { return compare_times_of(x); });
+}
+
+template <int D>
+int orient(const double* const* simplex, const double* q) noexcept {
+  const double* points[D + 1];
+  for (int i = 0; i < D; ++i) points[i] = simplex[i];
+  points[D] = q;
+  return evaluate<D>(points, [](const auto& x) noexcept { return orient_of(x); });
+}
+
+template ShiftedSign plane_side<2>(const double* const*, const double*) noexcept;
+template ShiftedSign plane_side<3>(const double* const*, const double*) noexcept;
+template ShiftedSign line_side<2>(const double*, const double*, const double* const*) noexcept;
+template ShiftedSign line_side<3>(const double*, const double*, const double* const*) noexcept;
+template ShiftedSign compare_times<2>(const double*, const double*, const double* const*,
+                                      const double* const*) noexcept;
+template ShiftedSign compare_times<3>(const double*, const double*, const double* const*,
+                                      const double* const*) noexcept;
+template int orient<2>(const double* const*, const double*) noexcept;
+template int orient<3>(const double* const*, const double*) noexcept;
+
+}  // namespace exact
+}  // namespace dsw

@@ -1,0 +1,144 @@
+// Times and normals from the exact integers of the predicates, so that nothing has to be proved about their rounding.
+//
+// No floating-point path stands in front: over machine integers the exact quotient is cheap enough for what is computed
+// once per contact, and it also settles times that are doubles themselves, which no error bound can.
+#include "predicates/plane_hit.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "predicates/integers.h"
+
+namespace dsw {
+
+namespace {
+
+using integers::dot;
+using integers::evaluate;
+using integers::Normal;
+using integers::Points;
+using integers::Span;
+using integers::wide;
+
+// significand * 2^exponent: significand 0 or in [0.5, 1].
+struct Scaled {
+  double significand;
+  int exponent;
+};
+
+double from_bits(std::uint64_t bits) noexcept {
+  double x;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
+// 2^e for e in [-1022, 1023].
+double power_of_two(int e) noexcept { return from_bits(static_cast<std::uint64_t>(e + 1023) << 52); }
+
+// Largest double <= numerator / denominator, clamped to [0,1]; 0 if the denominator is not positive.
+template <int A>
+double ratio_down(const WideInt<A>& numerator, const WideInt<A>& denominator) noexcept {
+  if (numerator.sign() <= 0 || denominator.sign() <= 0) return 0;
+  if (compare(numerator, denominator) >= 0) return 1;
+  // The quotient of numerator * 2^k lies in [2^52, 2^54): one bit too many at most. Floors of floors are floors.
+  int k = 53 + denominator.bit_length() - numerator.bit_length();
+  std::uint64_t quotient =
+      limbs::scaled_quotient(numerator.limb(), numerator.size(), k, denominator.limb(), denominator.size());
+  if (quotient >> 53 != 0) {
+    quotient >>= 1;
+    --k;
+  }
+  if (k <= 1074) return from_bits((static_cast<std::uint64_t>(1075 - k) << 52) | (quotient & 0xfffffffffffffu));
+  const int lost = k - 1074;  // subnormal
+  return lost < 64 ? from_bits(quotient >> lost) : 0;
+}
+
+template <int N>
+Scaled scaled(const WideInt<N>& x) noexcept {
+  if (x.sign() == 0) return {0, 0};
+  const int bits = x.bit_length();
+  const double top = static_cast<double>(limbs::bits_from(x.limb(), x.size(), bits - 64)) * 0x1p-64;
+  return {x.sign() < 0 ? -top : top, bits};
+}
+
+// n/|n|, or zero for zero. Each component is rounded from the exact one, at a common scale on which the largest is in
+// [0.5, 1]: squares that underflow do not matter then.
+template <class R, int D>
+void normalize(const Normal<R, D>& n, const Span<D>& span, double* unit) noexcept {
+  // In units of the scaled axes n_k lacks a factor 2^low for each axis but k.
+  Scaled s[D];
+  int highest = 0;
+  bool found = false;
+  for (int k = 0; k < D; ++k) {
+    s[k] = scaled(wide(n.v[k]));
+    if (s[k].significand == 0) continue;
+    for (int j = 0; j < D; ++j) s[k].exponent += j == k ? 0 : span.low[j];
+    highest = !found || s[k].exponent > highest ? s[k].exponent : highest;
+    found = true;
+  }
+  double square = 0;
+  for (int k = 0; k < D; ++k) {
+    const int down = s[k].exponent - highest;
+    unit[k] = s[k].significand == 0 || down < -1022 ? 0 : s[k].significand * power_of_two(down);
+    square += unit[k] * unit[k];
+  }
+  if (square == 0) return;
+  const double length = std::sqrt(square);
+  for (int k = 0; k < D; ++k) unit[k] /= length;
+}
+
+// Points p, q, simplex.
+template <class R, int D, int Count>
+double time_of(const Points<R, D, Count>& x, const Normal<R, D>& n) noexcept {
+  return ratio_down(wide(dot<R>(n, x.difference(2, 0))), wide(dot<R>(n, x.difference(1, 0))));
+}
+
+template <int D>
+struct FlightPoints {
+  const double* points[D + 2];
+
+  FlightPoints(const double* p, const double* q, const double* const* simplex) noexcept : points{p, q} {
+    for (int i = 0; i < D; ++i) points[2 + i] = simplex[i];
+  }
+};
+
+}  // namespace
+
+template <int D>
+PlaneHit<D> plane_hit(const double* p, const double* q, const double* const* simplex) noexcept {
+  const FlightPoints<D> flight(p, q, simplex);
+  return evaluate<D>(flight.points, [](const auto& x) noexcept {
+    const auto n = x.normal(2);
+    PlaneHit<D> hit;
+    hit.time = time_of(x, n);
+    normalize(n, x.span(), hit.normal);
+    for (int k = 0; k < D; ++k) hit.normal[k] = 0 - hit.normal[k];  // never -0
+    return hit;
+  });
+}
+
+template <int D>
+double crossing_time(const double* p, const double* q, const double* const* simplex) noexcept {
+  const FlightPoints<D> flight(p, q, simplex);
+  return evaluate<D>(flight.points, [](const auto& x) noexcept { return time_of(x, x.normal(2)); });
+}
+
+template <int D>
+void unit_normal(const double* const* simplex, double* normal) noexcept {
+  const double* points[D];
+  for (int i = 0; i < D; ++i) points[i] = simplex[i];
+  evaluate<D>(points, [normal](const auto& x) noexcept {
+    normalize(x.normal(0), x.span(), normal);
+    return 0;
+  });
+}
+
+template PlaneHit<2> plane_hit<2>(const double*, const double*, const double* const*) noexcept;
+template PlaneHit<3> plane_hit<3>(const double*, const double*, const double* const*) noexcept;
+template double crossing_time<2>(const double*, const double*, const double* const*) noexcept;
+template double crossing_time<3>(const double*, const double*, const double* const*) noexcept;
+template void unit_normal<2>(const double* const*, double*) noexcept;
+template void unit_normal<3>(const double* const*, double*) noexcept;
+
+}  // namespace dsw
