@@ -1,0 +1,79 @@
+#pragma once
+// Generational slots: an index that is given out again gets a higher generation, so that an old id is recognised. The
+// order in which slots are reused (last released first) depends on the calls alone.
+
+#include <algorithm>
+#include <cstdint>
+#include <new>
+
+#include "base/assert.h"
+#include "base/memory.h"
+
+namespace dsw {
+
+/** Makes room for `more` elements, growing by doubling so that single appends stay cheap. */
+template <class T>
+void reserve_more(Array<T>& array, size_t more) {
+  if (more > array.max_size() - array.size()) throw std::bad_alloc();
+  const size_t wanted = array.size() + more;
+  if (wanted > array.capacity()) array.reserve(std::max(wanted, 2 * array.capacity()));
+}
+
+class SlotPool {
+ public:
+  struct Slot {
+    uint32_t index, generation;
+  };
+  static constexpr uint32_t kLastGeneration = 0x7fffffffu;
+
+  /** Slots are retired after `last_generation`; a lower one is for tests. */
+  explicit SlotPool(const Memory* memory, uint32_t last_generation = kLastGeneration)
+      : words_(Allocator<uint32_t>(memory)), free_(Allocator<uint32_t>(memory)), last_(last_generation) {}
+
+  /** Makes room, so that `more` calls of acquire, and every release, cannot fail. */
+  void reserve(size_t more) {
+    const size_t fresh = more > free_.size() ? more - free_.size() : 0;
+    if (fresh > UINT32_MAX - words_.size()) throw std::bad_alloc();
+    reserve_more(words_, fresh);
+    reserve_more(free_, words_.size() + fresh - free_.size());
+  }
+  /** Room must have been made. */
+  Slot acquire() noexcept {
+    if (!free_.empty()) {
+      const uint32_t index = free_.back();
+      free_.pop_back();
+      words_[index] = (words_[index] & ~kFreeBit) + 1;
+      ++alive_;
+      return {index, words_[index]};
+    }
+    DSW_ASSERT(words_.size() < words_.capacity());
+    words_.push_back(1);
+    ++alive_;
+    return {static_cast<uint32_t>(words_.size() - 1), 1};
+  }
+  void release(uint32_t index) noexcept {
+    DSW_ASSERT(index < words_.size() && (words_[index] & kFreeBit) == 0);
+    if (words_[index] < last_) free_.push_back(index);  // else it is retired: its next generation would wrap
+    words_[index] |= kFreeBit;
+    --alive_;
+  }
+  bool alive(uint32_t index, uint32_t generation) const noexcept {
+    return index < words_.size() && words_[index] == generation && (generation & kFreeBit) == 0;
+  }
+  /** Generation of a slot that is alive. */
+  uint32_t generation(uint32_t index) const noexcept { return words_[index]; }
+  /** Slots ever used: indices are below. */
+  size_t slot_count() const noexcept { return words_.size(); }
+  size_t alive_count() const noexcept { return alive_; }
+  uint64_t memory_bytes() const noexcept { return array_bytes(words_) + array_bytes(free_); }
+
+ private:
+  static constexpr uint32_t kFreeBit = 0x80000000u;
+
+  Array<uint32_t> words_;  // generation; with kFreeBit when the slot is free or retired
+  Array<uint32_t> free_;
+  uint32_t last_;
+  size_t alive_ = 0;
+};
+
+}  // namespace dsw

@@ -1,0 +1,83 @@
+#pragma once
+// Structs that begin with their size: how a program built against an older or newer header is understood.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+
+#include "base/error.h"
+#include "dartsweep/dartsweep.h"
+
+namespace dsw::capi {
+
+/** Size of each struct in the release that introduced it; never changes when members are appended. */
+template <class T>
+constexpr size_t first_size = 0;
+#define DSW_FIRST_SIZE(type, last_member) \
+  template <>                             \
+  inline constexpr size_t first_size<type> = offsetof(type, last_member) + sizeof(type::last_member)
+DSW_FIRST_SIZE(dsw_context_desc, parallel_for);
+DSW_FIRST_SIZE(dsw_environment_desc, reserved);
+DSW_FIRST_SIZE(dsw_build_report, convex_cell_count);
+DSW_FIRST_SIZE(dsw_environment_info, upper);
+DSW_FIRST_SIZE(dsw_cast_options, reserved);
+DSW_FIRST_SIZE(dsw_scene_desc, features);
+DSW_FIRST_SIZE(dsw_statistics, candidates);
+DSW_FIRST_SIZE(dsw_trace_data, triangle_count);
+#undef DSW_FIRST_SIZE
+
+/** No struct will ever be larger: what claims to be is garbage and must not be read. */
+constexpr size_t kLargestStruct = 4096;
+
+/** Checks the struct_size of a caller's struct; `name` is the parameter's. */
+template <class T>
+void check_size(const T* given, const char* name) {
+  static_assert(first_size<T> != 0 && first_size<T> <= sizeof(T) && offsetof(T, struct_size) == 0);
+  if (given->struct_size < first_size<T>) {
+    fail(DSW_STATUS_BAD_STRUCT_SIZE, "%s->struct_size is %u, must be at least %zu", name, given->struct_size,
+         first_size<T>);
+  }
+  if (given->struct_size > kLargestStruct) {
+    fail(DSW_STATUS_UNSUPPORTED, "%s->struct_size is %u, this version knows %zu", name, given->struct_size, sizeof(T));
+  }
+}
+
+/** Reads a caller's struct of any size: members it lacks are 0, members unknown here must be. */
+template <class T>
+T read_struct(const T* given, const char* name) {
+  check_size(given, name);
+  const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+  for (size_t i = sizeof(T); i < given->struct_size; ++i) {
+    if (bytes[i] != 0) {
+      fail(DSW_STATUS_UNSUPPORTED, "%s has a non-zero byte at %zu, in a member this version does not know (it knows %zu)",
+           name, i, sizeof(T));
+    }
+  }
+  T own{};
+  std::memcpy(&own, given, std::min<size_t>(given->struct_size, sizeof(T)));
+  own.struct_size = sizeof(T);
+  return own;
+}
+
+/** Writes into a struct whose size was checked: at most what it can hold, zeros into members unknown here. */
+template <class T>
+void write_struct(T* out, const T& value) {
+  const uint32_t size = out->struct_size;
+  auto* bytes = reinterpret_cast<unsigned char*>(out);
+  std::memcpy(bytes, &value, std::min<size_t>(size, sizeof(T)));
+  if (size > sizeof(T)) std::memset(bytes + sizeof(T), 0, size - sizeof(T));
+  out->struct_size = size;
+}
+
+/** What the _init functions do: defaults into at most `size` bytes. */
+template <class T>
+void init_struct(T* out, size_t size, T defaults) noexcept {
+  if (out == nullptr) return;
+  auto* bytes = reinterpret_cast<unsigned char*>(out);
+  defaults.struct_size = static_cast<uint32_t>(std::min<size_t>(size, UINT32_MAX));
+  std::memcpy(bytes, &defaults, std::min(size, sizeof(T)));
+  if (size > sizeof(T)) std::memset(bytes + sizeof(T), 0, size - sizeof(T));
+}
+
+}  // namespace dsw::capi

@@ -1,0 +1,32 @@
+#pragma once
+// The shape of every entry point: one try, one place that turns what was thrown into a status and a message. Checks of
+// null pointers and handles stand inside the try too.
+
+#include "base/error.h"
+#include "dartsweep/base.h"
+
+namespace dsw::capi {
+
+/** Turns the exception being handled into a status and writes the message of this thread. Allocates nothing. */
+dsw_status status_of_exception(const char* function) noexcept;
+
+/** Text of the last failure on this thread. */
+const char* last_message() noexcept;
+
+/** Runs the body of the entry point named `function`; the body throws Error to fail. */
+template <class Body>
+dsw_status guard(const char* function, Body&& body) noexcept {
+  try {
+    body();
+    return DSW_STATUS_OK;
+  } catch (...) {
+    return status_of_exception(function);
+  }
+}
+
+/** Refuses a null argument; `name` is the parameter's. */
+inline void require(const void* argument, const char* name) {
+  if (argument == nullptr) fail(DSW_STATUS_NULL_ARGUMENT, "%s is null", name);
+}
+
+}  // namespace dsw::capi

@@ -1,0 +1,58 @@
+#include "capi/handle.h"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <thread>
+
+dsw_environment::dsw_environment(dsw_context* owner)
+    : context(owner),
+      engine(dsw::capi::memory_of(owner)),
+      scenes(dsw::Allocator<dsw_scene*>(dsw::capi::memory_of(owner))) {
+  if (owner != nullptr) {
+    parallel = owner->parallel;
+  } else {
+    // Asked once: the answer costs a system call.
+    parallel.thread_count = std::max(1u, std::thread::hardware_concurrency());
+  }
+}
+
+dsw_scene::dsw_scene(dsw_environment* home, dsw::SceneFeatures features)
+    : environment(home), engine(home->engine, home->engine.memory, home->parallel, features) {}
+
+namespace dsw::capi {
+
+void retain(dsw_context* context) noexcept {
+  if (context != nullptr) context->users.fetch_add(1, std::memory_order_relaxed);
+}
+
+void release(dsw_context* context) noexcept {
+  if (context != nullptr) context->users.fetch_sub(1, std::memory_order_release);
+}
+
+EnvironmentOwner::EnvironmentOwner(dsw_context* context)
+    : handle_(create_object<dsw_environment>(memory_of(context), context)) {
+  retain(context);
+}
+
+EnvironmentOwner::~EnvironmentOwner() {
+  if (handle_ != nullptr) destroy_environment(handle_);
+}
+
+void destroy_environment(dsw_environment* environment) noexcept {
+  dsw_context* const context = environment->context;
+  destroy_object(memory_of(context), environment);
+  release(context);
+}
+
+void log_line(const dsw_context* context, dsw_log_level level, const char* format, ...) noexcept {
+  if (context == nullptr || context->log == nullptr) return;
+  char text[512];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  context->log(context->user, level, text);
+}
+
+}  // namespace dsw::capi

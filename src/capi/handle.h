@@ -1,0 +1,108 @@
+#pragma once
+// What the opaque pointers point at. Each begins with a number that tells what it is, so that a wrong or (as far as its
+// memory still tells) a destroyed handle is refused.
+
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <utility>
+
+#include "capi/guard.h"
+#include "dartsweep/scene.h"
+#include "environment/environment.h"
+#include "scene/scene.h"
+
+struct dsw_context {
+  static constexpr uint64_t kMagic = 0x6473775f63747831u;
+  uint64_t magic = kMagic;
+  dsw::Memory memory;
+  dsw::Parallel parallel;
+  dsw_log_fn log = nullptr;
+  void* user = nullptr;
+  std::atomic<uint32_t> users{0};  // environments and traces made with it
+};
+
+struct dsw_environment {
+  static constexpr uint64_t kMagic = 0x6473775f656e7631u;
+  uint64_t magic = kMagic;
+  dsw_context* context;  // may be null
+  dsw::Parallel parallel;
+  dsw::Environment<3> engine;
+  mutable std::mutex scenes_mutex;  // hosts make scenes of a shared environment on several threads
+  dsw::Array<dsw_scene*> scenes;
+
+  explicit dsw_environment(dsw_context* owner);
+};
+
+struct dsw_scene {
+  static constexpr uint64_t kMagic = 0x6473775f73636e31u;
+  uint64_t magic = kMagic;
+  dsw_environment* environment;
+  dsw::Scene<3> engine;
+
+  dsw_scene(dsw_environment* home, dsw::SceneFeatures features);
+};
+
+namespace dsw::capi {
+
+inline const Memory* memory_of(const dsw_context* context) { return context == nullptr ? nullptr : &context->memory; }
+
+/** Refuses null and what is not a live object of this kind; `name` is the parameter's. */
+template <class Handle>
+Handle& check_handle(Handle* handle, const char* name) {
+  require(handle, name);
+  if (handle->magic != Handle::kMagic) fail(DSW_STATUS_STALE_ID, "%s is not a live object of its type", name);
+  return *handle;
+}
+
+/** A context is optional: null passes. */
+inline dsw_context* check_context(dsw_context* context) {
+  return context == nullptr ? nullptr : &check_handle(context, "context");
+}
+
+/** Makes an object in the host's memory. */
+template <class T, class... Arguments>
+T* create_object(const Memory* memory, Arguments&&... arguments) {
+  void* const block = allocate_bytes(memory, sizeof(T), alignof(std::max_align_t));
+  try {
+    return new (block) T(std::forward<Arguments>(arguments)...);
+  } catch (...) {
+    release_bytes(memory, block, sizeof(T), alignof(std::max_align_t));
+    throw;
+  }
+}
+
+/** `memory` must not lie inside the object. */
+template <class T>
+void destroy_object(const Memory* memory, T* object) noexcept {
+  *const_cast<volatile uint64_t*>(&object->magic) = 0;  // else the compiler drops a store into what is about to end
+  object->~T();
+  release_bytes(memory, object, sizeof(T), alignof(std::max_align_t));
+}
+
+/** Something made with a context keeps it from being destroyed. Null is allowed. */
+void retain(dsw_context* context) noexcept;
+void release(dsw_context* context) noexcept;
+
+/** An environment handle that is being made: gone again unless taken. */
+class EnvironmentOwner {
+ public:
+  explicit EnvironmentOwner(dsw_context* context);
+  ~EnvironmentOwner();
+  EnvironmentOwner(const EnvironmentOwner&) = delete;
+  EnvironmentOwner& operator=(const EnvironmentOwner&) = delete;
+  dsw_environment* operator->() const { return handle_; }
+  dsw_environment* take() noexcept { return std::exchange(handle_, nullptr); }
+
+ private:
+  dsw_environment* handle_;
+};
+
+/** Gives back an environment handle that no scene uses. */
+void destroy_environment(dsw_environment* environment) noexcept;
+
+/** One line to the host's log, if it has one. */
+__attribute__((format(printf, 3, 4))) void log_line(const dsw_context* context, dsw_log_level level,
+                                                    const char* format, ...) noexcept;
+
+}  // namespace dsw::capi

@@ -1,0 +1,137 @@
+#include "environment/marking.h"
+
+namespace dsw {
+namespace {
+
+/** Counts a change of one mark. */
+bool count_change(uint64_t& count, bool was, bool marked) noexcept {
+  if (was == marked) return false;
+  count = marked ? count + 1 : count - 1;
+  return true;
+}
+
+void set_bit(uint32_t& word, bool marked) noexcept { word = marked ? word | kMarkBit : word & ~kMarkBit; }
+
+}  // namespace
+
+template <int D>
+void reserve_edge_marks(Environment<D>& env, size_t more) {
+  env.edge_marks.reserve(more);
+}
+
+template <int D>
+void reserve_vertex_marks(Environment<D>& env) {
+  if (env.vertex_marks.empty()) env.vertex_marks.resize((size_t{env.map.vertex_count} + 63) / 64, 0);
+}
+
+template <int D>
+bool set_cell_mark(Environment<D>& env, Cell c, bool marked) noexcept {
+  uint32_t& word = env.map.record(c)[0];
+  const bool changed = count_change(env.marked_cells, (word & kMarkBit) != 0, marked);
+  set_bit(word, marked);
+  return changed;
+}
+
+template <int D>
+bool set_facet_mark(Environment<D>& env, HalfFacet h, bool marked) noexcept {
+  uint32_t& word = env.map.words[h.word];
+  const HalfFacet other = env.map.opposite(h);
+  const bool changed = count_change(env.marked_facets, (word & kMarkBit) != 0, marked);
+  set_bit(word, marked);
+  if (other.valid()) set_bit(env.map.words[other.word], marked);
+  return changed;
+}
+
+template <int D>
+bool set_edge_mark(Environment<D>& env, uint32_t a, uint32_t b, bool marked) noexcept {
+  // Room was made by reserve_edge_marks, so insert does not allocate.
+  const bool changed = marked ? env.edge_marks.insert(a, b) : env.edge_marks.erase(a, b);
+  env.marked_edges = env.edge_marks.size();
+  return changed;
+}
+
+template <int D>
+bool set_vertex_mark(Environment<D>& env, uint32_t vertex, bool marked) noexcept {
+  if (env.vertex_marks.empty()) return false;  // nothing is marked, and marking makes room first
+  const bool changed = count_change(env.marked_vertices, vertex_marked(env, vertex), marked);
+  const uint64_t bit = uint64_t{1} << (vertex % 64);
+  uint64_t& word = env.vertex_marks[vertex / 64];
+  word = marked ? word | bit : word & ~bit;
+  return changed;
+}
+
+template <int D>
+size_t set_region_mark(Environment<D>& env, int32_t region, bool marked) noexcept {
+  size_t count = 0;
+  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
+    const Cell c = env.map.cell(i);
+    if (env.region(c) != region) continue;
+    set_cell_mark(env, c, marked);
+    ++count;
+  }
+  return count;
+}
+
+template <int D>
+size_t set_mark_between(Environment<D>& env, int32_t a, int32_t b, bool marked) noexcept {
+  const Map<D>& map = env.map;
+  size_t count = 0;
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    const Cell c = map.cell(i);
+    const int32_t region = env.region(c);
+    if (region != a && region != b) continue;
+    const int32_t wanted = region == a ? b : a;
+    for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
+      const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
+      // With a == b every facet is met from both sides: it counts from its lower cell.
+      if (!o.valid() || (a == b && canonical(map, h) != h) || (a != b && region != a)) continue;
+      if (env.region(map.cell_of(o)) != wanted) continue;
+      set_facet_mark(env, h, marked);
+      ++count;
+    }
+  }
+  return count;
+}
+
+bool edge_impassable(const Environment<3>& env, Dart d) noexcept {
+  const Map<3>& map = env.map;
+  if (edge_marked(env, dart_vertex(map, d), dart_target(map, d))) return true;
+  bool found = false;
+  for_each_volume_round_edge(map, d, [&](Dart e) {
+    found = is_impassable(map, half_facet(map, e)) || is_impassable(map, half_facet(map, beta2(map, e)));
+    return !found;
+  });
+  return found;
+}
+
+template <int D>
+bool vertex_impassable(const Environment<D>& env, uint32_t vertex) noexcept {
+  if (vertex_marked(env, vertex)) return true;
+  const Map<D>& map = env.map;
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    const Cell c = map.cell(i);
+    const Shape shape = map.shape(c);
+    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+      const uint32_t target = shape.dart_vertex(D == 2 ? (d + 1) % shape.dart_count() : shape.beta1(d));
+      if (map.vertex(c, shape.dart_vertex(d)) != vertex && map.vertex(c, target) != vertex) continue;
+      if (is_impassable(map, map.half_facet(c, shape.dart_facet(d)))) return true;
+    }
+  }
+  return false;
+}
+
+#define DSW_MARKING(D)                                                                      \
+  template void reserve_edge_marks<D>(Environment<D>&, size_t);                             \
+  template void reserve_vertex_marks<D>(Environment<D>&);                                   \
+  template bool set_cell_mark<D>(Environment<D>&, Cell, bool) noexcept;                     \
+  template bool set_facet_mark<D>(Environment<D>&, HalfFacet, bool) noexcept;               \
+  template bool set_edge_mark<D>(Environment<D>&, uint32_t, uint32_t, bool) noexcept;       \
+  template bool set_vertex_mark<D>(Environment<D>&, uint32_t, bool) noexcept;               \
+  template size_t set_region_mark<D>(Environment<D>&, int32_t, bool) noexcept;              \
+  template size_t set_mark_between<D>(Environment<D>&, int32_t, int32_t, bool) noexcept;    \
+  template bool vertex_impassable<D>(const Environment<D>&, uint32_t) noexcept
+DSW_MARKING(2);
+DSW_MARKING(3);
+#undef DSW_MARKING
+
+}  // namespace dsw

@@ -1,0 +1,41 @@
+#pragma once
+// Arrays of points as a host lends them, and the checks of what is in them. Messages name argument, position, value.
+
+#include <cstddef>
+
+#include "base/error.h"
+
+namespace dsw {
+
+/** Points at a fixed distance; `step` counts doubles. */
+struct PointArray {
+  const double* data = nullptr;
+  size_t step = 0;
+  const double* operator[](size_t i) const { return data + i * step; }
+};
+
+/** How messages name an argument: "target", or "targets[17]" when it is an array. */
+struct ArgumentName {
+  const char* name;
+  bool indexed;
+};
+
+/** Text of an argument's name. */
+struct ElementName {
+  char text[64];
+  ElementName(ArgumentName argument, size_t index) noexcept;
+};
+
+/** Index of the first point that is not finite, or `count`. */
+size_t find_non_finite(PointArray points, size_t count, int dimension) noexcept;
+
+/** Fails with NON_FINITE and names the coordinate. */
+[[noreturn]] void fail_non_finite(PointArray points, size_t index, int dimension, ArgumentName argument);
+
+/** Throws unless all points are finite. */
+inline void check_finite(PointArray points, size_t count, int dimension, ArgumentName argument) {
+  const size_t bad = find_non_finite(points, count, dimension);
+  if (bad != count) fail_non_finite(points, bad, dimension, argument);
+}
+
+}  // namespace dsw

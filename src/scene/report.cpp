@@ -1,0 +1,104 @@
+#include "scene/report.h"
+
+#include <cmath>
+
+#include "predicates/plane_hit.h"
+
+namespace dsw {
+namespace {
+
+template <int D>
+void copy_point(const double* from, double* to) noexcept {
+  for (int k = 0; k < D; ++k) to[k] = from[k];
+}
+
+/** p + time * (q - p), also where q - p is too large for a double. */
+template <int D>
+void point_at(const double* p, const double* q, double time, double* out) noexcept {
+  for (int k = 0; k < D; ++k) {
+    const double step = q[k] - p[k];
+    out[k] = std::isfinite(step) ? p[k] + time * step : (1 - time) * p[k] + time * q[k];
+  }
+}
+
+template <int D>
+void report_obstacle(const Environment<D>& env, HalfFacet facet, Cell at, dsw_flight* flight) noexcept {
+  const HalfFacet other = env.map.opposite(facet);
+  const Cell behind = other.valid() ? env.map.cell_of(other) : Cell{};
+  flight->face = face_id(env.map, canonical(env.map, facet));
+  flight->behind = volume_id(env.map, behind);
+  flight->kind = DSW_CONTACT_PLANE;
+  flight->obstacle = !behind.valid() || env.map.facet_marked(facet) ? DSW_CELL_FACE : DSW_CELL_VOLUME;
+  flight->tag = env.tag(behind.valid() ? behind : at);
+}
+
+dsw_outcome outcome_of(CastEnd end) noexcept {
+  return end == CastEnd::kReached ? DSW_OUTCOME_REACHED
+         : end == CastEnd::kHit   ? DSW_OUTCOME_CONTACT
+                                  : DSW_OUTCOME_WORK_LIMIT;
+}
+
+}  // namespace
+
+template <int D>
+void report_cast(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
+                 dsw_flight* flight) noexcept {
+  *flight = dsw_flight{};
+  flight->volume = volume_id(env.map, result.cell);
+  flight->outcome = outcome_of(result.end);
+  flight->cells_visited = result.cells_visited;
+  if (!detail) return;
+  if (result.end == CastEnd::kReached) {
+    copy_point<D>(request.to, flight->position);
+    flight->time = 1;
+    return;
+  }
+  if (result.end == CastEnd::kHit) {
+    const double* simplex[D];
+    simplex_points(env, result.cell, env.map.shape(result.cell), result.simplex, simplex);
+    const PlaneHit<D> hit = plane_hit<D>(request.from, request.to, simplex);
+    flight->time = hit.time;
+    copy_point<D>(hit.normal, flight->normal);
+    report_obstacle(env, result.facet, result.cell, flight);
+  } else if (result.previous.valid()) {
+    flight->time = crossing_time(env, result.previous, result.simplex, request.from, request.to);
+  }
+  point_at<D>(request.from, request.to, flight->time, flight->position);
+}
+
+template <int D>
+void report_no_start(const Environment<D>& env, const double* from, Cell start, dsw_flight* flight) noexcept {
+  *flight = dsw_flight{};
+  copy_point<D>(from, flight->position);
+  flight->volume = volume_id(env.map, start);
+  flight->outcome = start.valid() ? DSW_OUTCOME_IMPASSABLE : DSW_OUTCOME_OUTSIDE;
+}
+
+template <int D>
+void report_move(const Environment<D>& env, const MoveResult<D>& result, bool detail, dsw_flight* flight) noexcept {
+  *flight = dsw_flight{};
+  copy_point<D>(result.position, flight->position);
+  flight->time = result.time;
+  flight->volume = volume_id(env.map, result.cell);
+  flight->outcome = result.work_limited ? DSW_OUTCOME_WORK_LIMIT : outcome_of(result.cast.end);
+  flight->cells_visited = result.cast.cells_visited;
+  if (!detail || flight->outcome != DSW_OUTCOME_CONTACT) return;
+  copy_point<D>(result.normal, flight->normal);
+  report_obstacle(env, result.cast.facet, result.cell, flight);
+}
+
+template <int D>
+dsw_crossing report_crossing(const Environment<D>& env, Cell from, uint32_t simplex, Cell to, const double* start,
+                             const double* target) noexcept {
+  const uint32_t facet = env.map.shape(from).simplex_facets(D)[simplex];
+  return {volume_id(env.map, to), face_id(env.map, canonical(env.map, env.map.half_facet(from, facet))),
+          crossing_time(env, from, simplex, start, target)};
+}
+
+template void report_cast<3>(const Environment<3>&, const CastRequest&, const CastResult&, bool, dsw_flight*) noexcept;
+template void report_no_start<3>(const Environment<3>&, const double*, Cell, dsw_flight*) noexcept;
+template void report_move<3>(const Environment<3>&, const MoveResult<3>&, bool, dsw_flight*) noexcept;
+template dsw_crossing report_crossing<3>(const Environment<3>&, Cell, uint32_t, Cell, const double*,
+                                         const double*) noexcept;
+
+}  // namespace dsw

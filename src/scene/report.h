@@ -1,0 +1,51 @@
+#pragma once
+// The one place where results of the engine become the structs that a host reads: ids and dsw_flight.
+
+#include "dartsweep/contact.h"
+#include "environment/environment.h"
+#include "motion/cast.h"
+#include "motion/move.h"
+
+namespace dsw {
+
+/** Cells do not change in this release, so every generation is the first. */
+constexpr uint32_t kGeneration = 1;
+
+template <int D>
+dsw_volume_id volume_id(const Map<D>& map, Cell c) noexcept {
+  return c.valid() ? dsw_volume_id{map.index(c), kGeneration} : dsw_volume_id{0, 0};
+}
+
+/** Names the half-facet as it is given; reports pass the canonical one. */
+template <int D>
+dsw_face_id face_id(const Map<D>& map, HalfFacet h) noexcept {
+  const Cell c = map.cell_of(h);
+  return {map.index(c), kGeneration, map.local_of(h, c)};
+}
+
+inline bool is_null(dsw_volume_id id) noexcept { return (id.index | id.generation) == 0; }
+
+template <int D>
+bool is_alive(const Map<D>& map, dsw_volume_id id) noexcept {
+  return id.generation == kGeneration && id.index < map.cell_count;
+}
+
+/** Report of a free cast from `request`. Without detail: outcome, volume and cells_visited only. */
+template <int D>
+void report_cast(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
+                 dsw_flight* flight) noexcept;
+
+/** Report of a free cast that could not start: outside, or in the impassable cell `start`. */
+template <int D>
+void report_no_start(const Environment<D>& env, const double* from, Cell start, dsw_flight* flight) noexcept;
+
+/** Report of a particle's move. Without detail it has no normal and no ids of the hit. */
+template <int D>
+void report_move(const Environment<D>& env, const MoveResult<D>& result, bool detail, dsw_flight* flight) noexcept;
+
+/** The crossing of a flight into `to` through simplex `simplex` of `from`. */
+template <int D>
+dsw_crossing report_crossing(const Environment<D>& env, Cell from, uint32_t simplex, Cell to, const double* start,
+                             const double* target) noexcept;
+
+}  // namespace dsw

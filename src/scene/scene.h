@@ -1,0 +1,121 @@
+#pragma once
+// A scene: what moves in one environment. A plain struct and functions over it; the environment is lent. What a cast
+// reads of a particle lies in one compact array, apart from the bookkeeping of ids.
+//
+// Functions that throw do so before they change anything.
+
+#include <cstdint>
+
+#include "base/parallel.h"
+#include "base/slot_pool.h"
+#include "environment/environment.h"
+#include "motion/move.h"
+#include "scene/points.h"
+#include "scene/report.h"
+
+namespace dsw {
+
+/** Where a particle is; two to a cache line in space. A slot without a particle has no cell. */
+template <int D>
+struct ParticleState {
+  double position[D];
+  Cell cell;                      // contains the position, passable
+  uint32_t forecast = kNoFacet;   // local facet of `cell` that the particle was last seen aiming at
+};
+static_assert(sizeof(ParticleState<3>) == 32 && sizeof(ParticleState<2>) == 24);
+
+struct SceneStatistics {
+  CastCounters cast;
+  uint64_t forecast_hits = 0, contacts = 0, candidates = 0;
+  void add(const SceneStatistics& o) {
+    cast.add(o.cast);
+    forecast_hits += o.forecast_hits;
+    contacts += o.contacts;
+    candidates += o.candidates;
+  }
+};
+
+struct SceneFeatures {
+  bool statistics = false, crossings = false;
+};
+
+template <int D>
+struct Scene {
+  const Environment<D>& env;
+  const Memory* memory;
+  Parallel parallel;
+  SceneFeatures features;
+  Array<ParticleState<D>> particles;  // by slot
+  SlotPool slots;
+  Array<uint32_t> stamps;  // by slot: the last batch a particle moved in, to find ids that stand twice
+  uint32_t stamp = 0;
+  SceneStatistics statistics;
+  Array<SceneStatistics> chunk_statistics;  // scratch of a batch
+  Array<dsw_crossing> crossings;            // of the last move
+  Array<size_t> crossing_first;             // flight -> start in crossings; one more at the end
+  Array<dsw_particle_id> occupants;         // of the last marking call
+
+  Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted)
+      : env(environment),
+        memory(source),
+        parallel(sharing),
+        features(wanted),
+        particles(Allocator<ParticleState<D>>(source)),
+        slots(source),
+        stamps(Allocator<uint32_t>(source)),
+        chunk_statistics(Allocator<SceneStatistics>(source)),
+        crossings(Allocator<dsw_crossing>(source)),
+        crossing_first(Allocator<size_t>(source)),
+        occupants(Allocator<dsw_particle_id>(source)) {
+    if (features.crossings) crossing_first.push_back(0);
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  uint64_t memory_bytes() const {
+    return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
+           array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) + array_bytes(occupants);
+  }
+};
+
+struct FlightOptions {
+  uint32_t max_cells = 0;
+  bool detail = true;
+};
+
+/** Creates particles, all or none. `hints` may be null; `indexed` chooses how messages name the arguments (positions[i],
+ * hints[i], or position, hint). `offender` is set when a position or hint is at fault. */
+template <int D>
+void create_particles(Scene<D>& scene, PointArray positions, size_t count, const dsw_volume_id* hints, bool indexed,
+                      dsw_particle_id* ids, size_t* offender);
+
+template <int D>
+void destroy_particle(Scene<D>& scene, uint32_t slot) noexcept;
+
+/** Throws unless the id is alive. */
+template <int D>
+void check_particle(const Scene<D>& scene, dsw_particle_id id);
+
+/** Moves one particle; allocates nothing unless crossings are recorded. */
+template <int D>
+void move_particle(Scene<D>& scene, dsw_particle_id id, const double* target, const FlightOptions& options,
+                   dsw_flight* flight);
+
+/** Moves particles, all or none; `flights` may be null. */
+template <int D>
+void move_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t count, PointArray targets,
+                    const FlightOptions& options, dsw_flight* flights);
+
+/** Casts from particles without moving them. */
+template <int D>
+void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t count, PointArray to,
+                         const FlightOptions& options, dsw_flight* flights);
+
+/** Collects into scene.occupants the particles whose cell is among `cells`. */
+template <int D>
+void find_occupants(Scene<D>& scene, const Cell* cells, size_t count);
+/** The same for all cells with a region label. */
+template <int D>
+void find_occupants_of_region(Scene<D>& scene, int32_t region);
+
+}  // namespace dsw
