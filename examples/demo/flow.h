@@ -1,0 +1,38 @@
+/* Where the lumen leads: directions for the cloud and the chain, found by walking from volume to volume. */
+#ifndef DARTSWEEP_DEMO_FLOW_H
+#define DARTSWEEP_DEMO_FLOW_H
+
+#include <dartsweep/dartsweep.h>
+
+#include "mesh.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Volumes that the cloud can reach, by slot 0 .. count-1, nearest to the inlet first. */
+typedef struct demo_flow {
+  size_t count;
+  dsw_volume_id *volumes;
+  uint32_t *slot_of;  /* slot of every volume of the environment; kNoSlot where the cloud never comes */
+  double *centre;     /* 3 doubles a slot */
+  double *from_inlet; /* length of the way from the inlet */
+  double *along;      /* 3 doubles a slot: unit direction away from the inlet */
+  double *guide;      /* 3 doubles a slot: unit direction to the farthest end, kept off the wall */
+  uint32_t *path;     /* slots from the inlet to the farthest end */
+  size_t path_count;
+  double length; /* largest from_inlet */
+  double step;   /* mean distance between centres of neighbours */
+} demo_flow;
+
+static const uint32_t kNoSlot = 0xffffffffu;
+
+/* Returns DSW_STATUS_OK, or what a call answered. `has_inlet` 0: one of the two ends farthest apart is taken. */
+dsw_status flow_create(const dsw_environment *environment, const demo_mesh *mesh, demo_flow *flow);
+void flow_destroy(demo_flow *flow);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

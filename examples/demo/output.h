@@ -1,0 +1,28 @@
+/* Writes .vtu files (VTK XML, text) that ParaView and PyVista read. */
+#ifndef DARTSWEEP_DEMO_OUTPUT_H
+#define DARTSWEEP_DEMO_OUTPUT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Values at the points: `components` doubles each. */
+typedef struct vtu_field {
+  const char *name;
+  const double *values;
+  int components;
+} vtu_field;
+
+/* Writes points and, with cell_points > 0, cells of that many points each (2: lines, 3: triangles); with
+ * cell_points 0 every point is a dot. Returns 0, or prints why not to stderr and returns 2. */
+int vtu_write(const char *directory, const char *name, const double *points, size_t point_count, const uint32_t *cells,
+              size_t cell_points, size_t cell_count, const vtu_field *fields, size_t field_count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,264 @@
+#if !defined(_POSIX_C_SOURCE)
+#define _POSIX_C_SOURCE 200112L
+#endif
+#include "run.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { kBar = 40, kContactSteps = 4 };
+
+void require(dsw_status status, const char *what, int exit_code) {
+  if (status != DSW_STATUS_OK) {
+    fprintf(stderr, "demo: %s: %s: %s\n", what, dsw_status_string(status), dsw_last_error_message());
+    exit(exit_code);
+  }
+}
+
+static double seconds(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* A number in [0,1) that depends on nothing but its arguments, so runs repeat bit for bit. */
+static double chance(uint32_t particle, uint32_t step, uint32_t use) {
+  uint32_t h = particle * 0x9e3779b1u ^ step * 0x85ebca77u ^ use * 0xc2b2ae3du;
+  for (int round = 0; round < 3; ++round) {
+    h = (h ^ h >> 16) * 0x7feb352du;
+    h = (h ^ h >> 15) * 0x846ca68bu;
+  }
+  return (double)(h ^ h >> 16) / 4294967296.0;
+}
+
+static void show_progress(size_t done, size_t total) {
+  static int shown = -1;
+  int tty = isatty(2), percent = (int)(100 * done / total);
+  if (percent == shown || (!tty && percent % 25 != 0)) {
+    return;
+  }
+  shown = percent;
+  char bar[kBar + 1];
+  memset(bar, '.', kBar);
+  memset(bar, '#', (size_t)(kBar * percent / 100));
+  bar[kBar] = 0;
+  fprintf(stderr, "%s[%s] %3d %%%s", tty ? "\r" : "", bar, percent, tty && done < total ? "" : "\n");
+}
+
+/* The cloud starts in the first tenth of the way, between the centres and the vertices of the volumes there. */
+static void place_cloud(demo_run *run) {
+  const demo_flow *flow = &run->flow;
+  size_t near_inlet = 1;
+  while (near_inlet < flow->count && flow->from_inlet[near_inlet] < 0.1 * flow->length) {
+    ++near_inlet;
+  }
+  for (size_t i = 0; i < run->cloud; ++i) {
+    size_t slot = i % near_inlet, count = 0;
+    double corner[3], part = 0.7 * chance((uint32_t)i, 0, 1);
+    dsw_vertex_id vertices[256];
+    dsw_cell cell;
+    cell.kind = DSW_CELL_VOLUME;
+    cell.index = flow->volumes[slot].index;
+    cell.generation = flow->volumes[slot].generation;
+    cell.local = 0;
+    require(dsw_environment_copy_vertices(run->environment, cell, vertices, 256, &count), "placing the cloud", kFailed);
+    size_t pick = (size_t)(chance((uint32_t)i, 0, 2) * (double)count);
+    require(dsw_environment_get_position(run->environment, vertices[pick], corner), "placing the cloud", kFailed);
+    for (size_t k = 0; k < 3; ++k) {
+      double centre = flow->centre[3 * slot + k];
+      run->position[3 * i + k] = centre + part * (corner[k] - centre);
+    }
+    run->volume[i] = flow->volumes[slot];
+  }
+}
+
+/* The chain lies on the first part of the way to the farthest end. */
+static void place_chain(demo_run *run) {
+  const demo_flow *flow = &run->flow;
+  double total = flow->from_inlet[flow->path[flow->path_count - 1]], at = 0;
+  run->rest = 0.3 * total / (kChain - 1);
+  for (size_t i = 0, piece = 0; i < kChain; ++i) {
+    double *p = run->position + 3 * (run->cloud + i), length = 0;
+    const double *a = NULL, *b = NULL;
+    for (;; ++piece, at += length) {
+      a = flow->centre + 3 * (size_t)flow->path[piece];
+      b = flow->centre + 3 * (size_t)flow->path[piece + 1 < flow->path_count ? piece + 1 : piece];
+      length = sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) + (b[2] - a[2]) * (b[2] - a[2]));
+      if (at + length >= (double)i * run->rest || piece + 2 >= flow->path_count) {
+        break;
+      }
+    }
+    double t = length > 0 ? ((double)i * run->rest - at) / length : 0;
+    t = t < 0 ? 0 : (t > 1 ? 1 : t);
+    dsw_volume_id *volume = run->volume + run->cloud + i;
+    dsw_place place = DSW_PLACE_NONE;
+    for (size_t k = 0; k < 3; ++k) {
+      p[k] = a[k] + t * (b[k] - a[k]);
+    }
+    require(dsw_environment_locate(run->environment, p, flow->volumes[flow->path[piece]], volume, &place),
+            "placing the chain", kFailed);
+    /* Between two centres the way may leave the lumen; a centre never does. */
+    if (place != DSW_PLACE_PASSABLE || flow->slot_of[volume->index] == kNoSlot) {
+      memcpy(p, a, 3 * sizeof(double));
+      *volume = flow->volumes[flow->path[piece]];
+    }
+  }
+}
+
+static void record(demo_run *run, size_t i, int last_steps) {
+  const dsw_flight *flight = run->flight + i;
+  if (flight->outcome == DSW_OUTCOME_CONTACT) {
+    run->contacts[i] += 1;
+    memcpy(run->last_normal + 3 * i, flight->normal, sizeof flight->normal);
+    if (last_steps && i < run->cloud && run->touch_count < run->touch_capacity) {
+      memcpy(run->touch + 3 * run->touch_count, flight->position, sizeof flight->position);
+      memcpy(run->touch_normal + 3 * run->touch_count++, flight->normal, sizeof flight->normal);
+    }
+  }
+  memcpy(run->moved + 3 * i, flight->position, sizeof flight->position);
+}
+
+static void move_cloud(demo_run *run, uint32_t step, double reach) {
+  for (size_t i = 0; i < run->cloud; ++i) {
+    const double *along = run->flow.along + 3 * (size_t)run->flow.slot_of[run->volume[i].index];
+    double speed = reach * (0.15 + 0.85 * chance((uint32_t)i, 0, 3));
+    for (size_t k = 0; k < 3; ++k) {
+      double wander = 2.2 * reach * (chance((uint32_t)i, step, (uint32_t)k + 4) - 0.5);
+      run->target[3 * i + k] = run->position[3 * i + k] + speed * along[k] + wander;
+    }
+  }
+  double start = seconds();
+  require(dsw_scene_move_particles(run->scene, run->ids, run->cloud, run->target, 0, NULL, run->flight),
+          "moving the cloud", kFailed);
+  run->move_seconds += seconds() - start;
+}
+
+/* The tip follows the guide; every other particle is drawn behind the next one, half by its link, half by the guide. */
+static void move_chain(demo_run *run, double reach) {
+  dsw_flight edges[kChain - 1];
+  double ends[3 * (kChain - 1)];
+  const size_t first = run->cloud, tip = run->count - 1;
+  for (size_t i = tip + 1; i-- > first;) {
+    const double *p = run->position + 3 * i, *next = run->moved + 3 * (i + 1);
+    const double *guide = run->flow.guide + 3 * (size_t)run->flow.slot_of[run->volume[i].index];
+    double *q = run->target + 3 * i;
+    for (size_t k = 0; k < 3; ++k) {
+      q[k] = p[k] + reach * guide[k];
+    }
+    if (i < tip) {
+      double x = q[0] - next[0], y = q[1] - next[1], z = q[2] - next[2], length = sqrt(x * x + y * y + z * z);
+      for (size_t k = 0; length > 0 && k < 3; ++k) {
+        q[k] = next[k] + (q[k] - next[k]) * run->rest / length;
+      }
+    }
+    require(dsw_particle_move(run->scene, run->ids[i], q, NULL, run->flight + i), "moving the chain", kFailed);
+    record(run, i, 0);
+  }
+  memcpy(ends, run->moved + 3 * (first + 1), sizeof ends);
+  require(dsw_scene_cast_from_particles(run->scene, run->ids + first, kChain - 1, ends, 0, NULL, edges),
+          "casting the links of the chain", kFailed);
+  run->edge_casts += kChain - 1;
+  for (size_t i = 0; i + 1 < kChain; ++i) {
+    run->edge_contacts += edges[i].outcome == DSW_OUTCOME_CONTACT;
+  }
+}
+
+/* Casts every move of this step again, without the particles: it must be free and end in the volume reported. */
+static void prove_moves(demo_run *run) {
+  require(dsw_environment_cast_segments(run->environment, run->count, run->volume, run->position, run->moved, 0, NULL,
+                                        run->proof),
+          "proving the moves", kFailed);
+  for (size_t i = 0; i < run->count; ++i) {
+    run->wrong_moves += run->proof[i].outcome != DSW_OUTCOME_REACHED ||
+                        run->proof[i].volume.index != run->flight[i].volume.index ||
+                        run->proof[i].volume.generation != run->flight[i].volume.generation;
+    run->volume[i] = run->flight[i].volume;
+  }
+  memcpy(run->position, run->moved, 3 * run->count * sizeof(double));
+}
+
+/* Locates every particle anew, without a hint: in the lumen, in the volume that its particle says. */
+static void prove_places(demo_run *run) {
+  dsw_volume_id *found = (dsw_volume_id *)demo_allocate(run->count, sizeof(dsw_volume_id));
+  dsw_place *places = (dsw_place *)demo_allocate(run->count, sizeof(dsw_place));
+  for (size_t i = 0; i < run->count; ++i) {
+    require(dsw_particle_get(run->scene, run->ids[i], run->position + 3 * i, run->volume + i), "reading a particle",
+            kFailed);
+    run->wrong_moves += memcmp(run->position + 3 * i, run->moved + 3 * i, 3 * sizeof(double)) != 0;
+  }
+  require(dsw_environment_locate_points(run->environment, run->position, run->count, 0, NULL, found, places),
+          "proving the places", kFailed);
+  for (size_t i = 0; i < run->count; ++i) {
+    run->wrong_places += places[i] != DSW_PLACE_PASSABLE || found[i].index != run->volume[i].index ||
+                         found[i].generation != run->volume[i].generation ||
+                         run->flow.slot_of[found[i].index] == kNoSlot;
+  }
+  free(found);
+  free(places);
+}
+
+void create_run(demo_run *run, dsw_environment *environment, const demo_mesh *mesh, size_t cloud) {
+  dsw_scene_desc desc;
+  size_t n = cloud + kChain, offender = 0;
+  memset(run, 0, sizeof *run);
+  run->environment = environment;
+  run->cloud = cloud;
+  run->count = n;
+  require(flow_create(environment, mesh, &run->flow), "finding the way through the lumen", kFailed);
+  if (run->flow.count < 2) {
+    fprintf(stderr, "demo: the lumen has fewer than two volumes; nothing can flow\n");
+    exit(kBadInput);
+  }
+  run->ids = (dsw_particle_id *)demo_allocate(n, sizeof(dsw_particle_id));
+  run->volume = (dsw_volume_id *)demo_allocate(n, sizeof(dsw_volume_id));
+  run->flight = (dsw_flight *)demo_allocate(n, sizeof(dsw_flight));
+  run->proof = (dsw_flight *)demo_allocate(n, sizeof(dsw_flight));
+  run->touch_capacity = kContactSteps * cloud;
+  run->position = (double *)demo_allocate(13 * n + 6 * run->touch_capacity, sizeof(double));
+  memset(run->position, 0, (13 * n + 6 * run->touch_capacity) * sizeof(double));
+  run->target = run->position + 3 * n;
+  run->moved = run->target + 3 * n;
+  run->last_normal = run->moved + 3 * n;
+  run->contacts = run->last_normal + 3 * n;
+  run->touch = run->contacts + n;
+  run->touch_normal = run->touch + 3 * run->touch_capacity;
+  place_cloud(run);
+  place_chain(run);
+  dsw_scene_desc_init(&desc, sizeof desc);
+  desc.features = DSW_FEATURE_STATISTICS;
+  require(dsw_scene_create(environment, &desc, &run->scene), "creating the scene", kFailed);
+  require(dsw_scene_create_particles(run->scene, run->position, n, 0, run->volume, run->ids, &offender),
+          "creating the particles", kFailed);
+  for (size_t i = 0; i < n; ++i) {
+    require(dsw_particle_get(run->scene, run->ids[i], NULL, run->volume + i), "reading a particle", kFailed);
+  }
+}
+
+void destroy_run(demo_run *run) {
+  require(dsw_scene_destroy(run->scene), "destroying the scene", kFailed);
+  flow_destroy(&run->flow);
+  free(run->ids);
+  free(run->volume);
+  free(run->flight);
+  free(run->proof);
+  free(run->position);
+}
+
+void drive(demo_run *run, size_t steps) {
+  double reach = 0.95 * run->flow.length / (double)steps;
+  double chain_reach = 0.62 * run->flow.length / (double)steps;
+  for (size_t step = 0; step < steps; ++step) {
+    move_cloud(run, (uint32_t)step, reach);
+    for (size_t i = 0; i < run->cloud; ++i) {
+      record(run, i, step + kContactSteps >= steps);
+    }
+    move_chain(run, chain_reach);
+    prove_moves(run);
+    show_progress(step + 1, steps);
+  }
+  prove_places(run);
+}
