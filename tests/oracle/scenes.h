@@ -1,0 +1,34 @@
+// Small environments of every kind, made from a seed.
+#pragma once
+
+#include "mesh.h"
+#include "rng.h"
+
+#include <string>
+#include <vector>
+
+namespace dsw::oracle {
+
+/// What is done to all points after a scene was made.
+enum class Transform { kNone, kFar, kLarge, kSmall, kPower, kDenormal };
+const char* transform_name(Transform t);
+
+struct SceneKind {
+  const char* name;
+  Mesh (*make)(Rng& rng);
+  bool denormal_safe;  // integer coordinates with cells wide enough to live in denormals
+};
+
+const std::vector<SceneKind>& scene_kinds();
+void apply_transform(Mesh& mesh, Transform t);
+
+/// Rectilinear hexahedra over three ascending coordinate lists.
+Mesh hex_grid(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z);
+/// Axis 0, s, 2 s, ... with n intervals.
+std::vector<double> axis(int n, double s);
+/// Delaunay tetrahedra of random integer points in 0 .. size.
+Mesh delaunay(Rng& rng, int points, int size);
+/// The same mesh with its cells in another order.
+void shuffle_cells(Mesh& mesh, Rng& rng);
+
+}  // namespace dsw::oracle
