@@ -31,7 +31,7 @@ struct Offenders {
   uint32_t count = 0;
   uint32_t index[kMax] = {};
   void add(uint32_t i) {
-    if (count < kMax) index[count++] = i;
+    if (count < kMax && (count == 0 || index[count - 1] != i)) index[count++] = i;
   }
 };
 

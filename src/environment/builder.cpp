@@ -1,0 +1,214 @@
+#include "environment/builder.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "environment/facet_matcher.h"
+#include "environment/mesh_reader.h"
+#include "environment/validity.h"
+#include "predicates/filtered.h"
+
+namespace dsw {
+namespace {
+
+template <int D>
+void reorient(Environment<D>& env, BuildReport& report) {
+  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
+    const Cell c = env.map.cell(i);
+    if (check_cell(env, c) != CellState::kInverted) continue;
+    mirror_cell(env, c);
+    ++report.reoriented_count;
+  }
+}
+
+/** Two cells on one side of a face are mostly one inverted cell: that is said first, since it is the cause. */
+template <int D>
+[[noreturn]] void fail_match(const Environment<D>& env, MatchDefect defect, const Offenders& offenders, BuildReport& report) {
+  if (defect == MatchDefect::kSameSide) {
+    for (uint32_t i = 0; i < env.map.cell_count; ++i) {
+      if (check_cell(env, env.map.cell(i)) == CellState::kInverted) report.offenders.add(i);
+    }
+    if (report.offenders.count != 0) fail(DSW_STATUS_INVERTED_CELL, "cell %u is turned inside out", report.offenders.index[0]);
+  }
+  report.offenders = offenders;
+  std::sort(report.offenders.index, report.offenders.index + report.offenders.count);
+  const uint32_t a = offenders.index[0], b = offenders.index[1];
+  if (defect == MatchDefect::kSameSide) fail(DSW_STATUS_DUPLICATE_CELL, "cells %u and %u lie on the same side of a face", a, b);
+  fail(DSW_STATUS_SHARED_FACE, "cells %u and %u share a face with a third cell", a, b);
+}
+
+/** Cuts a facet as a fan from loop position `base`, in the numbering of one of its cells. */
+void set_cut(Map<3>& map, Cell c, uint32_t f, uint32_t base) {
+  const Form form = map.form(c);
+  uint32_t* w = map.record(c);
+  if (form == Form::kGeneral) {
+    set_fan(map.shape_tables.data() + map.shape_offsets[w[0] & kShapeMask], f, base);
+    return;
+  }
+  const Shape shape = map.shape(c);
+  uint32_t quad = 0;
+  for (uint32_t g = 0; g < f; ++g) quad += shape.facet_size(g) == 4 ? 1u : 0u;
+  w[0] = (w[0] & ~(1u << quad)) | ((base & 1u) << quad);
+}
+
+bool fan_is_positive(const Environment<3>& env, Cell c, uint32_t f, const double* apex) {
+  const Shape shape = env.map.shape(c);
+  const double* points[3];
+  for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
+    simplex_points(env, c, shape, s, points);
+    if (orient<3>(points, apex) >= 0) return false;
+  }
+  return true;
+}
+
+/** Looks for a fan of facet f that gives positive stars on both sides; whether there is one. */
+bool recut_facet(Environment<3>& env, Cell c, uint32_t f) {
+  Map<3>& map = env.map;
+  const HalfFacet o = map.opposite(map.half_facet(c, f));
+  const Cell oc = o.valid() ? map.cell_of(o) : Cell{};
+  const uint32_t of = o.valid() ? map.local_of(o, oc) : 0;
+  double apex[3], other_apex[3] = {};
+  centre(env, c, apex);
+  if (o.valid()) centre(env, oc, other_apex);
+  const uint32_t size = map.shape(c).facet_size(f);
+  for (uint32_t base = 0; base < size; ++base) {
+    set_cut(map, c, f, base);
+    if (o.valid()) {
+      const Shape shape = map.shape(c), other = map.shape(oc);
+      const uint32_t wanted = map.vertex(c, shape.dart_vertex(shape.facet_first(f) + base));
+      uint32_t k = 0;
+      while (map.vertex(oc, other.dart_vertex(other.facet_first(of) + k)) != wanted) ++k;
+      set_cut(map, oc, of, k);
+    }
+    if (fan_is_positive(env, c, f, apex) && (!o.valid() || fan_is_positive(env, oc, of, other_apex))) return true;
+  }
+  return false;
+}
+
+/** Cuts those facets of a cell anew that spoil its star. */
+void recut_cell(Environment<3>& env, Cell c, Array<Cell>& changed) {
+  double apex[3];
+  centre(env, c, apex);
+  for (uint32_t f = 0; f < env.map.facets_of(c); ++f) {
+    if (env.map.shape(c).facet_size(f) == 3 || fan_is_positive(env, c, f, apex)) continue;
+    recut_facet(env, c, f);
+    const HalfFacet o = env.map.opposite(env.map.half_facet(c, f));
+    if (o.valid()) changed.push_back(env.map.cell_of(o));
+  }
+}
+void recut_cell(Environment<2>&, Cell, Array<Cell>&) {}
+
+/** Validates all cells and notes which are convex. A cell that fails gets its facets cut anew, which can spoil a cell seen
+ * before: those are looked at again. */
+template <int D>
+void validate(Environment<D>& env, BuildReport& report) {
+  Map<D>& map = env.map;
+  Array<Cell> changed{Allocator<Cell>(env.memory)};
+  Offenders inverted, invalid;
+  const auto settle = [&](Cell c, CellState state) {
+    const uint32_t i = map.index(c);
+    if (state == CellState::kInverted) inverted.add(i);
+    if (state == CellState::kInvalid) invalid.add(i);
+    uint32_t& word0 = map.record(c)[0];
+    if (map.form(c) != Form::kSimplex) {
+      word0 = state == CellState::kValidConvex ? word0 | kConvexBit : word0 & ~kConvexBit;
+    }
+  };
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    const Cell c = map.cell(i);
+    CellState state = check_cell(env, c);
+    if (state == CellState::kInvalid) {
+      recut_cell(env, c, changed);
+      state = check_cell(env, c);
+    }
+    settle(c, state);
+    if (state == CellState::kValidConvex) ++report.convex_cell_count;
+  }
+  for (const Cell c : changed) {
+    const bool was_convex = map.convex(c);
+    const CellState state = check_cell(env, c);
+    if (was_convex != (state == CellState::kValidConvex)) report.convex_cell_count += was_convex ? ~0u : 1u;
+    if (state != CellState::kInverted) settle(c, state);
+  }
+  const auto raise = [&](Offenders& offenders, dsw_status status, const char* what) {
+    if (offenders.count == 0) return;
+    std::sort(offenders.index, offenders.index + offenders.count);
+    offenders.count = static_cast<uint32_t>(std::unique(offenders.index, offenders.index + offenders.count) - offenders.index);
+    report.offenders = offenders;
+    fail(status, "cell %u %s", offenders.index[0], what);
+  };
+  raise(inverted, DSW_STATUS_INVERTED_CELL, "is turned inside out");
+  raise(invalid, DSW_STATUS_INVALID_CELL, "is flat, folded, or covers a part of itself twice");
+}
+
+}  // namespace
+
+template <int D>
+void build(Environment<D>& env, const MeshInput& input, BuildReport& report) {
+  read_points(env, input, report);
+  read_cells(env, input, report);
+  if (input.reorient) reorient(env, report);
+  Offenders offenders;
+  const MatchDefect defect = match_facets(env, offenders);
+  if (defect != MatchDefect::kNone) fail_match(env, defect, offenders, report);
+  validate(env, report);
+  if (input.regions != nullptr) env.regions.assign(input.regions, input.regions + input.cell_count);
+  if (input.tags != nullptr) env.tags.assign(input.tags, input.tags + input.cell_count);
+  finish_topology(env, &report);
+}
+
+template <int D>
+void finish_topology(Environment<D>& env, BuildReport* report) {
+  const Map<D>& map = env.map;
+  // Parts: union by the lower index, with path halving; nearly linear.
+  Array<uint32_t> parent(map.cell_count, 0, Allocator<uint32_t>(env.memory));
+  for (uint32_t i = 0; i < map.cell_count; ++i) parent[i] = i;
+  const auto root = [&](uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  env.part_count = map.cell_count;
+  Array<uint64_t> used((size_t{map.vertex_count} + 63) / 64, 0, Allocator<uint64_t>(env.memory));
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    const Cell c = map.cell(i);
+    const uint32_t facets = map.facets_of(c);
+    for (uint32_t f = 0; f < facets; ++f) {
+      const HalfFacet o = map.opposite(map.half_facet(c, f));
+      if (!o.valid()) continue;
+      const uint32_t j = map.index(map.cell_of(o));
+      if (j > i) continue;
+      const uint32_t a = root(i), b = root(j);
+      if (a == b) continue;
+      parent[std::max(a, b)] = std::min(a, b);
+      --env.part_count;
+    }
+    const uint32_t vertices = map.form(c) == Form::kGeneral ? map.shape(c).vertex_count()
+                                                            : Map<D>::standard_vertex_count(map.form(c));
+    for (uint32_t k = 0; k < vertices; ++k) {
+      const uint32_t v = map.vertex(c, k);
+      used[v / 64] |= uint64_t{1} << (v % 64);
+    }
+  }
+  bool any = false;
+  uint32_t unused = 0;
+  for (uint32_t v = 0; v < map.vertex_count; ++v) {
+    if ((used[v / 64] >> (v % 64) & 1) == 0) {
+      ++unused;
+      continue;
+    }
+    for (int k = 0; k < D; ++k) {
+      const double x = env.point(v)[k];
+      env.lower[k] = any ? std::min(env.lower[k], x) : x;
+      env.upper[k] = any ? std::max(env.upper[k], x) : x;
+    }
+    any = true;
+  }
+  if (report != nullptr) report->unused_point_count = unused;
+}
+
+template void build(Environment<2>&, const MeshInput&, BuildReport&);
+template void build(Environment<3>&, const MeshInput&, BuildReport&);
+template void finish_topology(Environment<2>&, BuildReport*);
+template void finish_topology(Environment<3>&, BuildReport*);
+
+}  // namespace dsw

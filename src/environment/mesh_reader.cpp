@@ -1,0 +1,398 @@
+#include "environment/mesh_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "base/error.h"
+
+namespace dsw {
+namespace {
+
+constexpr uint32_t kMaxVertices = kVertexMask;     // 28 bits
+constexpr uint64_t kMaxUnits = uint64_t{1} << 28;  // a link is a word address below 2^31
+
+/** Signed integers of 4 or 8 bytes, as VTK keeps them. */
+class Integers {
+ public:
+  Integers(const void* data, uint32_t bytes) : data_(static_cast<const unsigned char*>(data)), bytes_(bytes) {}
+  int64_t operator[](size_t i) const {
+    if (bytes_ == 4) {
+      int32_t value;
+      std::memcpy(&value, data_ + 4 * i, 4);
+      return value;
+    }
+    int64_t value;
+    std::memcpy(&value, data_ + 8 * i, 8);
+    return value;
+  }
+
+ private:
+  const unsigned char* data_;
+  uint32_t bytes_;
+};
+
+struct CellType {
+  Form form;
+  uint32_t vertex_count;  // 0: as many as its entry has
+  bool known;
+};
+
+template <int D>
+CellType cell_type(uint32_t vtk) {
+  if (D == 3) {
+    switch (vtk) {
+      case 10: return {Form::kSimplex, 4, true};
+      case 12: return {Form::kBox, 8, true};
+      case 13: return {Form::kPrism, 6, true};
+      case 14: return {Form::kPyramid, 5, true};
+      case 42: return {Form::kGeneral, 0, true};
+      default: return {Form::kGeneral, 0, false};
+    }
+  }
+  switch (vtk) {
+    case 5: return {Form::kSimplex, 3, true};
+    case 9: return {Form::kBox, 4, true};
+    case 7: return {Form::kGeneral, 0, true};
+    default: return {Form::kGeneral, 0, false};
+  }
+}
+
+/** Every quad is cut from its lowest vertex, a rule that gives both sides the same diagonal. */
+uint32_t cuts_of(Form form, const uint32_t* vertices) {
+  const Shape shape = standard_shape(form, 0);
+  uint32_t cuts = 0, quad = 0;
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    if (shape.facet_size(f) != 4) continue;
+    const auto at = [&](uint32_t k) { return vertices[shape.dart_vertex(shape.facet_first(f) + k)]; };
+    uint32_t lowest = 0;
+    for (uint32_t k = 1; k < 4; ++k) lowest = at(k) < at(lowest) ? k : lowest;
+    cuts |= (lowest & 1u) << quad++;
+  }
+  return cuts;
+}
+
+/** Reads one mesh. Defects of one kind are collected over all cells, so that the report names the first of them. */
+template <int D>
+class Reader {
+ public:
+  Reader(Environment<D>& env, const MeshInput& input, BuildReport& report)
+      : env_(env),
+        map_(env.map),
+        in_(input),
+        report_(report),
+        offsets_(input.offsets, input.index_bytes),
+        connectivity_(input.connectivity, input.index_bytes) {}
+
+  void read() {
+    scan_types();
+    lay_out();
+    for (uint32_t i = 0; i < map_.cell_count; ++i) {
+      const Form form = type_of(i).form;
+      if (form == Form::kGeneral) {
+        D == 3 ? read_polyhedron(i) : read_polygon(i);
+      } else {
+        read_standard(i, form);
+      }
+    }
+    raise(DSW_STATUS_INDEX_OUT_OF_RANGE, bad_index_, "names a point that does not exist");
+    raise(DSW_STATUS_BAD_CELL, bad_cell_, "repeats a point, or its faces do not close a sphere");
+  }
+
+ private:
+  CellType type_of(uint32_t i) const {
+    return cell_type<D>(in_.cell_types != nullptr ? in_.cell_types[i] : in_.uniform_cell_type);
+  }
+  size_t begin_of(uint32_t i) const {
+    return in_.offsets != nullptr ? static_cast<size_t>(offsets_[i]) : size_t{i} * uniform_vertices_;
+  }
+  size_t end_of(uint32_t i) const { return begin_of(i + 1); }
+
+  void raise(dsw_status status, const Offenders& offenders, const char* what) {
+    if (offenders.count == 0) return;
+    report_.offenders = offenders;
+    fail(status, "cell %u %s", offenders.index[0], what);
+  }
+
+  /** Types and extents of all entries: after this every access to connectivity is inside of it. */
+  void scan_types() {
+    if (in_.cell_count >= kMaxUnits) fail(DSW_STATUS_TOO_LARGE, "cell_count is %zu, must be below 2^28", in_.cell_count);
+    map_.cell_count = static_cast<uint32_t>(in_.cell_count);
+    Offenders bad_type, bad_size;
+    if (in_.offsets == nullptr) uniform_vertices_ = type_of(0).vertex_count;
+    for (uint32_t i = 0; i < map_.cell_count; ++i) {
+      const CellType type = type_of(i);
+      if (!type.known) {
+        bad_type.add(i);
+        continue;
+      }
+      const int64_t begin = in_.offsets != nullptr ? offsets_[i] : static_cast<int64_t>(begin_of(i));
+      const int64_t end = in_.offsets != nullptr ? offsets_[i + 1] : static_cast<int64_t>(begin_of(i + 1));
+      const bool inside = begin >= 0 && begin <= end && static_cast<uint64_t>(end) <= in_.connectivity_count;
+      const bool right = type.vertex_count == 0 || end - begin == static_cast<int64_t>(type.vertex_count);
+      if (!inside || !right) bad_size.add(i);
+    }
+    raise(DSW_STATUS_BAD_CELL_TYPE, bad_type, "has a type that is not supported");
+    raise(DSW_STATUS_WRONG_SIZE, bad_size, "has offsets outside of connectivity, or not as many points as its type");
+  }
+
+  /** Where each record starts. Uniform records are found by multiplication, others by a table each way. */
+  void lay_out() {
+    uint64_t units = 0;
+    bool uniform = true;
+    const uint32_t first_units = units_of(0);
+    for (uint32_t i = 0; i < map_.cell_count; ++i) {
+      const uint32_t n = units_of(i);
+      const bool still = uniform && n == first_units && type_of(i).form != Form::kGeneral;
+      if (uniform && !still) {
+        map_.unit_of_cell.resize(map_.cell_count);
+        for (uint32_t j = 0; j < i; ++j) map_.unit_of_cell[j] = j * first_units;
+      }
+      uniform = still;
+      if (!uniform) map_.unit_of_cell[i] = static_cast<uint32_t>(std::min(units, kMaxUnits));
+      units += n;
+    }
+    if (units >= kMaxUnits) fail(DSW_STATUS_TOO_LARGE, "the cells need %llu records, more than 2^28",
+                                 static_cast<unsigned long long>(units));
+    map_.words.assign(units * kUnitWords, 0);
+    laid_out_ = true;
+    if (uniform) {
+      map_.units_per_cell = first_units;
+      return;
+    }
+    map_.cell_of_unit.assign(units, kNoCell);
+    for (uint32_t i = 0; i < map_.cell_count; ++i) map_.cell_of_unit[map_.unit_of_cell[i]] = i;
+  }
+
+  uint32_t units_of(uint32_t i) {
+    const CellType type = type_of(i);
+    if (type.form == Form::kSimplex) return 1;
+    if (type.form != Form::kGeneral) return 2;
+    uint32_t vertices = 0, facets = 0;
+    if (D == 2) {
+      vertices = facets = static_cast<uint32_t>(std::min<size_t>(end_of(i) - begin_of(i), UINT16_MAX));
+    } else if (parse_stream(i)) {
+      vertices = static_cast<uint32_t>(local_to_point_.size());
+      facets = static_cast<uint32_t>(loop_first_.size() - 1);
+    }
+    return std::max(1u, (facets + 6) / 7) + (vertices + 6) / 7;
+  }
+
+  /** A point index, or recorded as an offence of cell i. */
+  uint32_t checked(uint32_t i, int64_t point) {
+    if (point < 0 || static_cast<uint64_t>(point) >= map_.vertex_count) {
+      if (laid_out_) bad_index_.add(i);
+      return 0;
+    }
+    return static_cast<uint32_t>(point);
+  }
+
+  void read_standard(uint32_t i, Form form) {
+    const uint32_t n = Map<D>::standard_vertex_count(form);
+    const size_t begin = begin_of(i);
+    uint32_t vertices[8];
+    const uint32_t offenders = bad_index_.count;
+    for (uint32_t k = 0; k < n; ++k) {
+      vertices[k] = checked(i, connectivity_[begin + k]);
+      if (bad_index_.count != offenders) return;
+      for (uint32_t j = 0; j < k; ++j) {
+        if (vertices[j] == vertices[k]) {
+          bad_cell_.add(i);
+          return;
+        }
+      }
+    }
+    uint32_t* w = map_.record(map_.cell(i));
+    for (uint32_t k = 0; k < Map<D>::standard_facet_count(form); ++k) w[kUnitWords - 1 - k] = kNoFacet;
+    if (form == Form::kSimplex) {
+      std::copy(vertices, vertices + n, w);
+      return;
+    }
+    std::copy(vertices, vertices + n, w + kUnitWords);
+    w[0] = static_cast<uint32_t>(form) << kFormShift;
+    if (D == 3) w[0] |= cuts_of(form, vertices);
+  }
+
+  /** Splits a face stream into loops of local vertices; false when it is malformed. */
+  bool parse_stream(uint32_t i) {
+    loop_vertices_.clear();
+    loop_first_.assign(1, 0);
+    local_to_point_.clear();
+    const bool separate = in_.faces != nullptr;
+    const Integers stream(separate ? in_.faces : in_.connectivity, in_.index_bytes);
+    int64_t at = static_cast<int64_t>(begin_of(i)), end = static_cast<int64_t>(end_of(i));
+    if (separate) {
+      at = Integers(in_.face_locations, in_.index_bytes)[i];
+      end = static_cast<int64_t>(in_.faces_count);
+    }
+    if (at < 0 || at >= end) return false;
+    const int64_t faces = stream[static_cast<size_t>(at++)];
+    if (faces < 4 || faces >= UINT16_MAX) return false;
+    if (local_of_point_.empty()) local_of_point_.assign(map_.vertex_count, UINT16_MAX);
+    bool sound = true;
+    for (int64_t f = 0; f < faces && sound; ++f) {
+      const int64_t n = at < end ? stream[static_cast<size_t>(at++)] : 0;
+      sound = n >= 3 && n <= end - at && loop_vertices_.size() + static_cast<size_t>(n) < UINT16_MAX;
+      for (int64_t k = 0; k < n && sound; ++k) {
+        const uint32_t point = checked(i, stream[static_cast<size_t>(at++)]);
+        if (local_of_point_[point] == UINT16_MAX) {
+          local_of_point_[point] = static_cast<uint16_t>(local_to_point_.size());
+          local_to_point_.push_back(point);
+        }
+        loop_vertices_.push_back(local_of_point_[point]);
+      }
+      loop_first_.push_back(static_cast<uint16_t>(loop_vertices_.size()));
+    }
+    for (const uint32_t point : local_to_point_) local_of_point_[point] = UINT16_MAX;
+    return sound && (separate || at == end);
+  }
+
+  void read_polyhedron(uint32_t i) {
+    const uint32_t offenders = bad_index_.count;
+    const bool sound = parse_stream(i);
+    if (bad_index_.count != offenders) return;
+    base_.assign(loop_first_.size(), 0);
+    for (size_t f = 0; f + 1 < loop_first_.size(); ++f) {
+      for (uint32_t k = loop_first_[f]; k < loop_first_[f + 1]; ++k) {
+        const uint32_t best = loop_first_[f] + base_[f];
+        if (local_to_point_[loop_vertices_[k]] < local_to_point_[loop_vertices_[best]]) {
+          base_[f] = static_cast<uint16_t>(k - loop_first_[f]);
+        }
+      }
+    }
+    const uint32_t facets = static_cast<uint32_t>(loop_first_.size() - 1);
+    const uint32_t table = static_cast<uint32_t>(map_.shape_tables.size());
+    const FacetLoops loops{loop_vertices_.data(), loop_first_.data(), facets, static_cast<uint32_t>(local_to_point_.size())};
+    if (!sound || append_polyhedron(loops, base_.data(), map_.shape_tables) != ShapeDefect::kNone) {
+      bad_cell_.add(i);
+      return;
+    }
+    write_general(i, table);
+  }
+
+  void read_polygon(uint32_t i) {
+    const size_t begin = begin_of(i), n = end_of(i) - begin;
+    const uint32_t offenders = bad_index_.count;
+    local_to_point_.clear();
+    for (size_t k = 0; k < n && k < UINT16_MAX; ++k) local_to_point_.push_back(checked(i, connectivity_[begin + k]));
+    if (bad_index_.count != offenders) return;
+    std::vector<uint32_t> sorted = local_to_point_;
+    std::sort(sorted.begin(), sorted.end());
+    const uint32_t table = static_cast<uint32_t>(map_.shape_tables.size());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end() ||
+        append_polygon(static_cast<uint32_t>(n), map_.shape_tables) != ShapeDefect::kNone) {
+      bad_cell_.add(i);
+      return;
+    }
+    write_general(i, table);
+  }
+
+  void write_general(uint32_t i, uint32_t table) {
+    const uint32_t number = static_cast<uint32_t>(map_.shape_offsets.size());
+    map_.shape_offsets.push_back(table);
+    const Cell c = map_.cell(i);
+    uint32_t* w = map_.record(c);
+    const Shape shape(map_.shape_tables.data() + table);
+    const uint32_t link_units = (shape.facet_count() + 6) / 7, vertices = shape.vertex_count();
+    const uint32_t units = link_units + (vertices + 6) / 7;
+    w[0] = (static_cast<uint32_t>(Form::kGeneral) << kFormShift) | number;
+    for (uint32_t u = 1; u < units; ++u) w[u * kUnitWords] = (static_cast<uint32_t>(Form::kContinuation) << kFormShift) | u;
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) w[(f / 7) * kUnitWords + 1 + f % 7] = kNoFacet;
+    for (uint32_t k = 0; k < vertices; ++k) w[(link_units + k / 7) * kUnitWords + 1 + k % 7] = local_to_point_[k];
+  }
+
+  Environment<D>& env_;
+  Map<D>& map_;
+  const MeshInput& in_;
+  BuildReport& report_;
+  Integers offsets_, connectivity_;
+  size_t uniform_vertices_ = 0;
+  bool laid_out_ = false;  // offences are recorded by the second pass only
+  Offenders bad_index_, bad_cell_;
+  std::vector<uint16_t> loop_vertices_, loop_first_, base_, local_of_point_;
+  std::vector<uint32_t> local_to_point_;
+};
+
+}  // namespace
+
+template <int D>
+void read_points(Environment<D>& env, const MeshInput& input, BuildReport& report) {
+  if (input.point_count > kMaxVertices) {
+    fail(DSW_STATUS_TOO_LARGE, "point_count is %zu, must be below 2^28", input.point_count);
+  }
+  env.map.vertex_count = static_cast<uint32_t>(input.point_count);
+  const auto* from = reinterpret_cast<const unsigned char*>(input.points);
+  if (!input.borrow_points) env.owned_points.resize(input.point_count * D);
+  for (uint32_t i = 0; i < env.map.vertex_count; ++i) {
+    double xyz[D];
+    std::memcpy(xyz, from + size_t{i} * input.point_stride_bytes, sizeof xyz);
+    bool finite = true;
+    for (int k = 0; k < D; ++k) finite = finite && std::isfinite(xyz[k]);
+    if (!finite) report.offenders.add(i);
+    if (!input.borrow_points) std::memcpy(&env.owned_points[size_t{i} * D], xyz, sizeof xyz);
+  }
+  if (report.offenders.count != 0) {
+    fail(DSW_STATUS_NON_FINITE, "point %u has a coordinate that is not finite", report.offenders.index[0]);
+  }
+  env.points = input.borrow_points ? input.points : env.owned_points.data();
+}
+
+template <int D>
+void read_cells(Environment<D>& env, const MeshInput& input, BuildReport& report) {
+  Reader<D>(env, input, report).read();
+}
+
+template <int D>
+void mirror_cell(Environment<D>& env, Cell c) {
+  Map<D>& map = env.map;
+  const Form form = map.form(c);
+  uint32_t* w = map.record(c);
+  if (form == Form::kSimplex) {
+    const uint32_t first = w[0] & kVertexMask;
+    w[0] = (w[0] & ~kVertexMask) | w[1];
+    w[1] = first;
+    return;
+  }
+  if (form == Form::kGeneral) {
+    Shape shape = map.shape(c);
+    std::vector<uint16_t> vertices, first;
+    for (uint32_t f = 0; f <= shape.facet_count(); ++f) first.push_back(static_cast<uint16_t>(shape.facet_first(f)));
+    std::vector<uint16_t> base(shape.facet_count());
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      const uint32_t apex = D == 3 ? shape.simplices()[3 * shape.simplex_first(f)] : 0;
+      for (uint32_t d = shape.facet_first(f + 1); d-- > shape.facet_first(f);) {
+        if (shape.dart_vertex(d) == apex) base[f] = static_cast<uint16_t>(vertices.size() - first[f]);
+        vertices.push_back(static_cast<uint16_t>(shape.dart_vertex(d)));
+      }
+    }
+    if (D == 3) {
+      // Reversed loops have the same counts, so the new table has the size of the old one and takes its place.
+      Array<uint16_t> table(map.shape_tables.get_allocator());
+      append_polyhedron({vertices.data(), first.data(), shape.facet_count(), shape.vertex_count()}, base.data(), table);
+      std::copy(table.begin(), table.end(), map.shape_tables.begin() + map.shape_offsets[w[0] & kShapeMask]);
+    } else {
+      const uint32_t link_units = (shape.facet_count() + 6) / 7, n = shape.vertex_count();
+      const auto slot = [&](uint32_t k) -> uint32_t& { return w[(link_units + k / 7) * kUnitWords + 1 + k % 7]; };
+      for (uint32_t k = 0; k < n / 2; ++k) std::swap(slot(k), slot(n - 1 - k));
+    }
+    return;
+  }
+  uint32_t* v = w + kUnitWords;
+  if (D == 2 || form == Form::kPyramid) {
+    std::swap(v[1], v[3]);
+  } else {
+    const uint32_t half = Map<D>::standard_vertex_count(form) / 2;
+    std::swap_ranges(v, v + half, v + half);
+  }
+  if (D == 3) w[0] = (w[0] & ~kShapeMask) | cuts_of(form, v);
+}
+
+template void read_points(Environment<2>&, const MeshInput&, BuildReport&);
+template void read_points(Environment<3>&, const MeshInput&, BuildReport&);
+template void read_cells(Environment<2>&, const MeshInput&, BuildReport&);
+template void read_cells(Environment<3>&, const MeshInput&, BuildReport&);
+template void mirror_cell(Environment<2>&, Cell);
+template void mirror_cell(Environment<3>&, Cell);
+
+}  // namespace dsw

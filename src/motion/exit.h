@@ -1,0 +1,225 @@
+#pragma once
+// Through which simplex of its boundary does a segment leave a cell? The boundary walk of design 3: only planes with the
+// target outside are candidates; if there is none, the rest of the segment stays inside. Of several candidates exact line
+// tests tell which is pierced. It needs no centre, and no convexity either: where a cell is not convex the segment can
+// leave it more than once, and the earliest exit after the entry counts.
+
+#include "motion/outside.h"
+
+namespace dsw {
+
+constexpr uint32_t kStays = 0xffffffffu;
+
+struct Exit {
+  uint32_t facet = kStays;  // kStays: the target lies in the cell
+  uint32_t simplex = 0;
+};
+
+/** How the segment came into a cell. */
+template <int D>
+struct Entry {
+  bool may_have_been_here = false;  // by this segment, before this entry
+  const double* simplex[D] = {};    // crossed last
+};
+
+template <int D, class Tally>
+class ExitFinder {
+ public:
+  ExitFinder(const Environment<D>& env, const double* p, const double* q, Tally& tally)
+      : env_(env), map_(env.map), p_(p), q_(q), tally_(tally) {}
+
+  /** `forecast`: a facet to ask first, where that saves asking the others. */
+  Exit find(Cell c, const Entry<D>& entry, uint32_t forecast) noexcept {
+    const uint32_t* w = map_.record(c);
+    const Form form = form_of(w[0]);
+    if constexpr (D == 3) {
+      if (form == Form::kSimplex) {
+        tally_.tests(4);
+        return exit_flat(c, outside_simplex(env_, w, q_, uncounted_));
+      }
+      if (form == Form::kBox && (w[0] & kConvexBit) != 0) {
+        tally_.tests(6);
+        return exit_flat(c, outside_flat_box(env_, w, q_, uncounted_));
+      }
+      if (form == Form::kBox) {
+        tally_.tests(12);
+        return exit_box(c, entry, outside_box(env_, w, q_, uncounted_));
+      }
+    }
+    if (map_.convex(c)) return exit_many_flat(c, forecast);
+    return exit_many(c, entry);
+  }
+
+ private:
+  /** The planes of a kernel are counted before, their fallbacks are not tests of their own. */
+  struct Uncounted {
+    Tally& tally;
+    void test() noexcept {}
+    void exact() noexcept { tally.exact(); }
+    void tie() noexcept { tally.tie(); }
+  };
+
+  void points_of(Cell c, const uint16_t* local, const double* (&out)[D]) const noexcept {
+    for (int i = 0; i < D; ++i) out[i] = env_.point(c, local[i]);
+  }
+
+  /** Whether the segment passes ridge k of a simplex, ridges in order, on the side of the simplex. */
+  bool passes_inside(const double* const (&points)[D], int k) noexcept {
+    if constexpr (D == 3) {
+      const double* ridge[2] = {points[k], points[k == 2 ? 0 : k + 1]};
+      return line_side<3>(p_, q_, ridge, tally_).sign > 0;
+    } else {
+      return line_side<2>(p_, q_, &points[k], tally_).sign == (k == 0 ? -1 : 1);
+    }
+  }
+
+  bool is_outside(const double* const (&points)[D], const double* x) noexcept {
+    return plane_side<D>(points, x, tally_).sign > 0;
+  }
+
+  // Cells that are convex with flat facets: one plane a facet, and p is inside all of them.
+
+  /** Of two facets that share a ridge and both have q outside: whether the segment passes it on the side of f. 0: they share
+   * none. */
+  int keeps(Cell c, const Shape& shape, uint32_t f, uint32_t g) noexcept {
+    if constexpr (D == 3) {
+      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+        if (shape.dart_facet(shape.dart_beta2(d)) != g) continue;
+        const double* ridge[2] = {env_.point(c, shape.dart_vertex(d)), env_.point(c, shape.dart_vertex(shape.beta1(d)))};
+        return line_side<3>(p_, q_, ridge, tally_).sign;
+      }
+    } else {
+      const uint32_t n = shape.facet_count();
+      const bool g_follows = (f + 1) % n == g, f_follows = (g + 1) % n == f;
+      if (g_follows || f_follows) {
+        const double* shared = env_.point(c, g_follows ? g : f);
+        const int side = line_side<D>(p_, q_, &shared, tally_).sign;
+        return g_follows ? side : -side;
+      }
+    }
+    return 0;
+  }
+
+  bool pierces_facet(Cell c, const Shape& shape, uint32_t f) noexcept {
+    if constexpr (D == 3) {
+      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+        const double* ridge[2] = {env_.point(c, shape.dart_vertex(d)), env_.point(c, shape.dart_vertex(shape.beta1(d)))};
+        if (line_side<3>(p_, q_, ridge, tally_).sign < 0) return false;
+      }
+      return true;
+    } else {
+      const double* points[2];
+      points_of(c, shape.simplices() + 2 * f, points);
+      return passes_inside(points, 0) && passes_inside(points, 1);
+    }
+  }
+
+  Exit exit_flat(Cell c, uint32_t outside) noexcept {
+    if (outside == 0) return {};
+    uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
+    if ((outside & (outside - 1)) == 0) return {f, first_simplex(c, f)};
+    const Shape shape = map_.shape(c);
+    for (uint32_t rest = outside & (outside - 1); rest != 0; rest &= rest - 1) {
+      const uint32_t g = static_cast<uint32_t>(__builtin_ctz(rest));
+      const int side = keeps(c, shape, f, g);
+      if (side == 0) return first_pierced(c, shape, outside);
+      if (side < 0) f = g;
+    }
+    return {f, shape.simplex_first(f)};
+  }
+
+  uint32_t first_simplex(Cell c, uint32_t f) const noexcept { return map_.form(c) == Form::kSimplex ? f : 2 * f; }
+
+  /** Facets without a common ridge can both have q outside (a cell that narrows): then each is asked in full. */
+  Exit first_pierced(Cell c, const Shape& shape, uint32_t outside) noexcept {
+    for (; outside != 0; outside &= outside - 1) {
+      const uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
+      if (pierces_facet(c, shape, f)) return {f, shape.simplex_first(f)};
+    }
+    return {};
+  }
+
+  Exit exit_many_flat(Cell c, uint32_t forecast) noexcept {
+    const Shape shape = map_.shape(c);
+    const double* points[D];
+    const auto leaves_through = [&](uint32_t f) {
+      points_of(c, shape.simplices() + D * shape.simplex_first(f), points);
+      return is_outside(points, q_) && pierces_facet(c, shape, f);
+    };
+    if (forecast < shape.facet_count() && leaves_through(forecast)) return {forecast, shape.simplex_first(forecast)};
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      if (f != forecast && leaves_through(f)) return {f, shape.simplex_first(f)};
+    }
+    return {};
+  }
+
+  // Cells that need not be convex: one plane a simplex.
+
+  /** The earliest of the exits seen so far. */
+  struct Earliest {
+    Exit exit;
+    const double* points[D] = {};
+  };
+
+  /** A simplex with q outside that the segment pierces outwards, after the entry: keeps it if it is the earliest. */
+  void consider(uint32_t facet, uint32_t simplex, const double* const (&points)[D], const Entry<D>& entry,
+                Earliest& best) noexcept {
+    if (entry.may_have_been_here && compare_times<D>(p_, q_, points, entry.simplex, tally_).sign <= 0) return;
+    if (best.exit.facet != kStays && compare_times<D>(p_, q_, points, best.points, tally_).sign >= 0) return;
+    best.exit = {facet, simplex};
+    std::copy(points, points + D, best.points);
+  }
+
+  /** Hexahedron: a facet's diagonal first, since it decides between its two triangles. */
+  Exit exit_box(Cell c, const Entry<D>& entry, uint32_t outside) noexcept {
+    Earliest best;
+    const uint32_t* w = map_.record(c);
+    const uint32_t cuts = w[0] & kShapeMask;
+    while (outside != 0) {
+      const uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside)) / 2;
+      uint32_t halves = (outside >> (2 * f)) & 3u;
+      outside &= ~(3u << (2 * f));
+      const uint32_t base = (cuts >> f) & 1u;
+      const double* quad[4];
+      for (uint32_t k = 0; k < 4; ++k) quad[k] = env_.point(w[kUnitWords + kBoxFacets[f][(base + k) & 3u]]);
+      const double* first[3] = {quad[0], quad[1], quad[2]};
+      const double* second[3] = {quad[0], quad[2], quad[3]};
+      if ((halves & 1u) != 0 && is_outside(first, p_)) halves &= 2u;
+      if ((halves & 2u) != 0 && is_outside(second, p_)) halves &= 1u;
+      if (halves == 0) continue;
+      // Triangle 0 1 2 lies on the inner side of its edge 2 -> 0, which is 0 -> 2 turned round for triangle 0 2 3.
+      if (halves == 3u) halves = passes_inside(second, 0) ? 2u : 1u;
+      else if (halves == 2u ? !passes_inside(second, 0) : !passes_inside(first, 2)) continue;
+      if (halves == 1u) {
+        if (passes_inside(first, 0) && passes_inside(first, 1)) consider(f, 2 * f, first, entry, best);
+      } else if (passes_inside(second, 1) && passes_inside(second, 2)) {
+        consider(f, 2 * f + 1, second, entry, best);
+      }
+    }
+    return best.exit;
+  }
+
+  Exit exit_many(Cell c, const Entry<D>& entry) noexcept {
+    Earliest best;
+    const Shape shape = map_.shape(c);
+    const uint16_t* facets = shape.simplex_facets(D);
+    for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
+      const double* points[D];
+      points_of(c, shape.simplices() + static_cast<uint32_t>(D) * s, points);
+      if (!is_outside(points, q_) || is_outside(points, p_)) continue;
+      bool pierced = true;
+      for (int k = 0; k < D && pierced; ++k) pierced = passes_inside(points, k);
+      if (pierced) consider(facets[s], s, points, entry, best);
+    }
+    return best.exit;
+  }
+
+  const Environment<D>& env_;
+  const Map<D>& map_;
+  const double* p_;
+  const double* q_;
+  Tally& tally_;
+  Uncounted uncounted_{tally_};
+};
+
+}  // namespace dsw
