@@ -22,7 +22,8 @@ int main(void) {
   dsw_environment *cube = NULL;
   dsw_flight flight;
   if (create_cube(&cube) || dsw_environment_cast(cube, anywhere, from, to, NULL, &flight)) {
-    return fprintf(stderr, "%s\n", dsw_last_error_message());
+    fprintf(stderr, "%s\n", dsw_last_error_message());
+    return 1;
   }
   printf("the wall is met at z = %g after %g of the way\n", flight.position[2], flight.time);
   return dsw_environment_destroy(cube) != DSW_STATUS_OK || flight.outcome != DSW_OUTCOME_CONTACT || flight.time != 0.25;
