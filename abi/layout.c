@@ -1,0 +1,171 @@
+/* Layout of every public struct on LP64 (Linux, x86-64 and arm64), frozen. A struct that begins with struct_size may
+ * grow at its end: then its size changes here and old offsets stay. Any other change breaks compiled callers. Compiled
+ * as C11 by the ctest abi.layout; check_abi.py fails when a public struct or member is missing here. */
+#include <stddef.h>
+
+#include "dartsweep/dartsweep.h"
+
+#define SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), "size of " #type)
+#define AT(type, member, bytes) _Static_assert(offsetof(type, member) == (bytes), "offset of " #type "." #member)
+
+_Static_assert(sizeof(void *) == 8 && sizeof(size_t) == 8 && sizeof(int) == 4, "numbers below are for LP64");
+
+SIZE(dsw_vec3, 24);
+AT(dsw_vec3, x, 0);
+AT(dsw_vec3, y, 8);
+AT(dsw_vec3, z, 16);
+
+SIZE(dsw_flight, 112);
+AT(dsw_flight, position, 0);
+AT(dsw_flight, time, 24);
+AT(dsw_flight, normal, 32);
+AT(dsw_flight, volume, 56);
+AT(dsw_flight, face, 64);
+AT(dsw_flight, behind, 76);
+AT(dsw_flight, outcome, 84);
+AT(dsw_flight, kind, 88);
+AT(dsw_flight, obstacle, 92);
+AT(dsw_flight, tag, 96);
+AT(dsw_flight, cells_visited, 100);
+AT(dsw_flight, reserved, 104);
+
+SIZE(dsw_crossing, 32);
+AT(dsw_crossing, volume, 0);
+AT(dsw_crossing, face, 8);
+AT(dsw_crossing, time, 24);
+
+SIZE(dsw_context_desc, 48);
+AT(dsw_context_desc, struct_size, 0);
+AT(dsw_context_desc, thread_count, 4);
+AT(dsw_context_desc, user, 8);
+AT(dsw_context_desc, allocate, 16);
+AT(dsw_context_desc, release, 24);
+AT(dsw_context_desc, log, 32);
+AT(dsw_context_desc, parallel_for, 40);
+
+SIZE(dsw_environment_desc, 128);
+AT(dsw_environment_desc, struct_size, 0);
+AT(dsw_environment_desc, dimension, 4);
+AT(dsw_environment_desc, flags, 8);
+AT(dsw_environment_desc, index_bytes, 12);
+AT(dsw_environment_desc, points, 16);
+AT(dsw_environment_desc, point_count, 24);
+AT(dsw_environment_desc, point_stride_bytes, 32);
+AT(dsw_environment_desc, cell_types, 40);
+AT(dsw_environment_desc, cell_count, 48);
+AT(dsw_environment_desc, offsets, 56);
+AT(dsw_environment_desc, connectivity, 64);
+AT(dsw_environment_desc, connectivity_count, 72);
+AT(dsw_environment_desc, faces, 80);
+AT(dsw_environment_desc, faces_count, 88);
+AT(dsw_environment_desc, face_locations, 96);
+AT(dsw_environment_desc, regions, 104);
+AT(dsw_environment_desc, tags, 112);
+AT(dsw_environment_desc, uniform_cell_type, 120);
+AT(dsw_environment_desc, reserved, 124);
+
+SIZE(dsw_build_report, 64);
+AT(dsw_build_report, struct_size, 0);
+AT(dsw_build_report, status, 4);
+AT(dsw_build_report, offender_count, 8);
+AT(dsw_build_report, offenders, 12);
+AT(dsw_build_report, reoriented_count, 44);
+AT(dsw_build_report, part_count, 48);
+AT(dsw_build_report, unused_point_count, 52);
+AT(dsw_build_report, boundary_face_count, 56);
+AT(dsw_build_report, convex_cell_count, 60);
+
+SIZE(dsw_environment_info, 88);
+AT(dsw_environment_info, struct_size, 0);
+AT(dsw_environment_info, dimension, 4);
+AT(dsw_environment_info, vertex_count, 8);
+AT(dsw_environment_info, volume_count, 12);
+AT(dsw_environment_info, face_count, 16);
+AT(dsw_environment_info, boundary_face_count, 20);
+AT(dsw_environment_info, part_count, 24);
+AT(dsw_environment_info, scene_count, 28);
+AT(dsw_environment_info, memory_bytes, 32);
+AT(dsw_environment_info, lower, 40);
+AT(dsw_environment_info, upper, 64);
+
+SIZE(dsw_vertex_id, 8);
+AT(dsw_vertex_id, index, 0);
+AT(dsw_vertex_id, generation, 4);
+
+SIZE(dsw_volume_id, 8);
+AT(dsw_volume_id, index, 0);
+AT(dsw_volume_id, generation, 4);
+
+SIZE(dsw_face_id, 12);
+AT(dsw_face_id, volume, 0);
+AT(dsw_face_id, generation, 4);
+AT(dsw_face_id, local, 8);
+
+SIZE(dsw_edge_id, 12);
+AT(dsw_edge_id, volume, 0);
+AT(dsw_edge_id, generation, 4);
+AT(dsw_edge_id, local, 8);
+
+SIZE(dsw_particle_id, 8);
+AT(dsw_particle_id, index, 0);
+AT(dsw_particle_id, generation, 4);
+
+SIZE(dsw_cell, 16);
+AT(dsw_cell, kind, 0);
+AT(dsw_cell, index, 4);
+AT(dsw_cell, generation, 8);
+AT(dsw_cell, local, 12);
+
+SIZE(dsw_cast_options, 16);
+AT(dsw_cast_options, struct_size, 0);
+AT(dsw_cast_options, flags, 4);
+AT(dsw_cast_options, max_cells, 8);
+AT(dsw_cast_options, reserved, 12);
+
+SIZE(dsw_nearest, 80);
+AT(dsw_nearest, distance, 0);
+AT(dsw_nearest, point, 8);
+AT(dsw_nearest, normal, 32);
+AT(dsw_nearest, cell, 56);
+AT(dsw_nearest, tag, 72);
+AT(dsw_nearest, cells_visited, 76);
+
+SIZE(dsw_scene_desc, 8);
+AT(dsw_scene_desc, struct_size, 0);
+AT(dsw_scene_desc, features, 4);
+
+SIZE(dsw_statistics, 72);
+AT(dsw_statistics, struct_size, 0);
+AT(dsw_statistics, reserved, 4);
+AT(dsw_statistics, casts, 8);
+AT(dsw_statistics, cells_visited, 16);
+AT(dsw_statistics, orientation_tests, 24);
+AT(dsw_statistics, exact_fallbacks, 32);
+AT(dsw_statistics, ties, 40);
+AT(dsw_statistics, forecast_hits, 48);
+AT(dsw_statistics, contacts, 56);
+AT(dsw_statistics, candidates, 64);
+
+SIZE(dsw_trace_data, 96);
+AT(dsw_trace_data, struct_size, 0);
+AT(dsw_trace_data, reserved, 4);
+AT(dsw_trace_data, points, 8);
+AT(dsw_trace_data, point_count, 16);
+AT(dsw_trace_data, vertices, 24);
+AT(dsw_trace_data, vertex_labels, 32);
+AT(dsw_trace_data, vertex_count, 40);
+AT(dsw_trace_data, segments, 48);
+AT(dsw_trace_data, segment_labels, 56);
+AT(dsw_trace_data, segment_count, 64);
+AT(dsw_trace_data, triangles, 72);
+AT(dsw_trace_data, triangle_labels, 80);
+AT(dsw_trace_data, triangle_count, 88);
+
+SIZE(dsw_status, 4);
+SIZE(dsw_outcome, 4);
+SIZE(dsw_contact_kind, 4);
+SIZE(dsw_log_level, 4);
+SIZE(dsw_cell_type, 4);
+SIZE(dsw_cell_kind, 4);
+SIZE(dsw_mark, 4);
+SIZE(dsw_place, 4);
