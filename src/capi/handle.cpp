@@ -6,9 +6,7 @@
 #include <thread>
 
 dsw_environment::dsw_environment(dsw_context* owner)
-    : context(owner),
-      engine(dsw::capi::memory_of(owner)),
-      scenes(dsw::Allocator<dsw_scene*>(dsw::capi::memory_of(owner))) {
+    : context(owner), engine(dsw::capi::memory_of(owner)) {
   if (owner != nullptr) {
     parallel = owner->parallel;
   } else {
@@ -43,6 +41,36 @@ void destroy_environment(dsw_environment* environment) noexcept {
   dsw_context* const context = environment->context;
   destroy_object(memory_of(context), environment);
   release(context);
+}
+
+uint32_t scene_count(const dsw_environment& environment) {
+  const std::lock_guard<std::mutex> lock(environment.scenes_mutex);
+  return environment.scene_count;
+}
+
+dsw_scene* only_scene(const dsw_environment& environment) {
+  const std::lock_guard<std::mutex> lock(environment.scenes_mutex);
+  if (environment.scene_count > 1) {
+    fail(DSW_STATUS_SHARED, "environment is shared by %u scenes and can't be changed", environment.scene_count);
+  }
+  return environment.first_scene;
+}
+
+void attach(dsw_scene& scene) {
+  dsw_environment& home = *scene.environment;
+  const std::lock_guard<std::mutex> lock(home.scenes_mutex);
+  scene.next = home.first_scene;
+  if (scene.next != nullptr) scene.next->previous = &scene;
+  home.first_scene = &scene;
+  ++home.scene_count;
+}
+
+void detach(dsw_scene& scene) {
+  dsw_environment& home = *scene.environment;
+  const std::lock_guard<std::mutex> lock(home.scenes_mutex);
+  if (scene.next != nullptr) scene.next->previous = scene.previous;
+  (scene.previous != nullptr ? scene.previous->next : home.first_scene) = scene.next;
+  --home.scene_count;
 }
 
 void log_line(const dsw_context* context, dsw_log_level level, const char* format, ...) noexcept {

@@ -29,7 +29,8 @@ struct dsw_environment {
   dsw::Parallel parallel;
   dsw::Environment<3> engine;
   mutable std::mutex scenes_mutex;  // hosts make scenes of a shared environment on several threads
-  dsw::Array<dsw_scene*> scenes;
+  dsw_scene* first_scene = nullptr;  // a list through dsw_scene::next
+  uint32_t scene_count = 0;
 
   explicit dsw_environment(dsw_context* owner);
 };
@@ -38,6 +39,8 @@ struct dsw_scene {
   static constexpr uint64_t kMagic = 0x6473775f73636e31u;
   uint64_t magic = kMagic;
   dsw_environment* environment;
+  dsw_scene* previous = nullptr;  // of the same environment
+  dsw_scene* next = nullptr;
   dsw::Scene<3> engine;
 
   dsw_scene(dsw_environment* home, dsw::SceneFeatures features);
@@ -100,6 +103,13 @@ class EnvironmentOwner {
 
 /** Gives back an environment handle that no scene uses. */
 void destroy_environment(dsw_environment* environment) noexcept;
+
+/** Scenes that use an environment now. */
+uint32_t scene_count(const dsw_environment& environment);
+/** The only scene; null if there is none. Throws if there are several. */
+dsw_scene* only_scene(const dsw_environment& environment);
+void attach(dsw_scene& scene);
+void detach(dsw_scene& scene);
 
 /** One line to the host's log, if it has one. */
 __attribute__((format(printf, 3, 4))) void log_line(const dsw_context* context, dsw_log_level level,

@@ -1,0 +1,46 @@
+#include "dartsweep/context.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "capi/describe.h"
+#include "capi/handle.h"
+
+namespace capi = dsw::capi;
+
+void dsw_context_desc_init(dsw_context_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_context_desc{}); }
+
+dsw_status dsw_context_create(const dsw_context_desc* desc, dsw_context** context) {
+  return capi::guard("dsw_context_create", [&] {
+    capi::require(context, "context");
+    const dsw_context_desc d = desc == nullptr ? dsw_context_desc{} : capi::read_struct(desc, "desc");
+    constexpr uint32_t kMostThreads = 256;
+    if (d.thread_count > kMostThreads) {
+      dsw::fail(DSW_STATUS_OUT_OF_RANGE, "desc->thread_count is %u, must be 0 .. %u", d.thread_count, kMostThreads);
+    }
+    if ((d.allocate == nullptr) != (d.release == nullptr)) {
+      dsw::fail(DSW_STATUS_OUT_OF_RANGE, "desc->allocate and desc->release must be set both or none");
+    }
+    const dsw::Memory memory{d.user, d.allocate, d.release};
+    dsw_context* const made = capi::create_object<dsw_context>(&memory);
+    made->memory = memory;
+    made->parallel.user = d.user;
+    made->parallel.run = d.parallel_for;
+    made->parallel.thread_count =
+        d.thread_count != 0 ? d.thread_count : std::min(kMostThreads, std::max(1u, std::thread::hardware_concurrency()));
+    made->log = d.log;
+    made->user = d.user;
+    *context = made;
+  });
+}
+
+dsw_status dsw_context_destroy(dsw_context* context) {
+  return capi::guard("dsw_context_destroy", [&] {
+    if (context == nullptr) return;
+    capi::check_handle(context, "context");
+    const uint32_t users = context->users.load(std::memory_order_acquire);
+    if (users != 0) dsw::fail(DSW_STATUS_IN_USE, "context is still used by %u environments or traces", users);
+    const dsw::Memory memory = context->memory;
+    capi::destroy_object(&memory, context);
+  });
+}

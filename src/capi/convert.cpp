@@ -1,0 +1,117 @@
+#include "capi/convert.h"
+
+namespace dsw::capi {
+namespace {
+
+template <class Id>
+[[noreturn]] void fail_local(const Id& id, uint32_t count, const char* what, ArgumentName argument, size_t index) {
+  fail(DSW_STATUS_STALE_ID, "%s {volume %u, generation %u, local %u}: the volume has %s 0 .. %u",
+       ElementName(argument, index).text, id.volume, id.generation, id.local, what, count - 1);
+}
+
+template <class Id>
+Cell owner_of(const Map<3>& map, const Id& id, ArgumentName argument, size_t index) {
+  if (!is_alive(map, dsw_volume_id{id.volume, id.generation})) {
+    fail(DSW_STATUS_STALE_ID, "%s {volume %u, generation %u, local %u} names no volume that is alive; there are %u",
+         ElementName(argument, index).text, id.volume, id.generation, id.local, map.cell_count);
+  }
+  return map.cell(id.volume);
+}
+
+[[noreturn]] void fail_volume(const Map<3>& map, dsw_volume_id id, ArgumentName argument, size_t index) {
+  fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no volume that is alive; there are %u",
+       ElementName(argument, index).text, id.index, id.generation, map.cell_count);
+}
+
+}  // namespace
+
+Cell to_cell(const Map<3>& map, dsw_volume_id id, ArgumentName argument, size_t index) {
+  if (!is_alive(map, id)) fail_volume(map, id, argument, index);
+  return map.cell(id.index);
+}
+
+HalfFacet to_half_facet(const Map<3>& map, dsw_face_id id, ArgumentName argument, size_t index) {
+  const Cell c = owner_of(map, id, argument, index);
+  const uint32_t facets = map.facets_of(c);
+  if (id.local >= facets) fail_local(id, facets, "faces", argument, index);
+  return map.half_facet(c, id.local);
+}
+
+Dart to_dart(const Map<3>& map, dsw_edge_id id, ArgumentName argument, size_t index) {
+  const Cell c = owner_of(map, id, argument, index);
+  const uint32_t edges = map.shape(c).edge_count();
+  if (id.local >= edges) fail_local(id, edges, "edges", argument, index);
+  return dart_of_edge(map, c, id.local);
+}
+
+uint32_t to_vertex(const Map<3>& map, dsw_vertex_id id, ArgumentName argument, size_t index) {
+  if (id.generation != kGeneration || id.index >= map.vertex_count) {
+    fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no vertex that is alive; there are %u",
+         ElementName(argument, index).text, id.index, id.generation, map.vertex_count);
+  }
+  return id.index;
+}
+
+void fail_kind(const char* name, dsw_cell_kind kind) {
+  fail(DSW_STATUS_UNSUPPORTED, "%s is %d, must be a vertex, edge, face or volume", name, static_cast<int>(kind));
+}
+
+void check_hint(const Map<3>& map, dsw_volume_id id, const char* name) {
+  if (!is_null(id) && !is_alive(map, id)) fail_volume(map, id, {name, false}, 0);
+}
+
+void check_hints(const Map<3>& map, const dsw_volume_id* ids, size_t count, const char* name) {
+  if (ids == nullptr) return;
+  uint32_t bad = 0;  // without branches: this runs over every cast of a batch
+  for (size_t i = 0; i < count; ++i) {
+    bad |= static_cast<uint32_t>(!is_alive(map, ids[i])) & static_cast<uint32_t>(!is_null(ids[i]));
+  }
+  if (bad == 0) return;
+  for (size_t i = 0; i < count; ++i) {
+    if (!is_null(ids[i]) && !is_alive(map, ids[i])) fail_volume(map, ids[i], {name, true}, i);
+  }
+}
+
+dsw_edge_id edge_id(const Map<3>& map, Dart d) noexcept {
+  dsw_edge_id lowest{UINT32_MAX, kGeneration, 0};
+  for_each_volume_round_edge(map, d, [&](Dart e) {
+    const uint32_t volume = map.index(e.cell);
+    if (volume < lowest.volume) {
+      lowest.volume = volume;
+      lowest.local = map.shape(e.cell).dart_edge(e.local);
+    }
+    return true;
+  });
+  return lowest;
+}
+
+void require_array(const void* array, size_t count, const char* name) {
+  if (count != 0) require(array, name);
+}
+
+PointArray to_points(const double* points, size_t count, size_t stride_bytes, const char* name) {
+  constexpr size_t kPoint = 3 * sizeof(double);
+  if (stride_bytes == 0) stride_bytes = kPoint;
+  if (stride_bytes < kPoint || stride_bytes % sizeof(double) != 0 || (count != 0 && stride_bytes > SIZE_MAX / count)) {
+    fail(DSW_STATUS_WRONG_SIZE, "stride_bytes is %zu, must be 0 or a multiple of %zu from %zu on", stride_bytes,
+         sizeof(double), kPoint);
+  }
+  require_array(points, count, name);
+  return {points, stride_bytes / sizeof(double)};
+}
+
+SegmentOptions to_options(const dsw_cast_options* options) {
+  if (options == nullptr) return {};
+  const dsw_cast_options o = read_struct(options, "options");
+  check_flags(o.flags, DSW_CAST_START_KNOWN | DSW_CAST_NO_DETAIL, "options->flags");
+  if (o.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "options->reserved is %u, must be 0", o.reserved);
+  return {o.max_cells, (o.flags & DSW_CAST_NO_DETAIL) == 0, (o.flags & DSW_CAST_START_KNOWN) != 0};
+}
+
+void check_flags(uint32_t flags, uint32_t known, const char* name) {
+  if ((flags & ~known) != 0) {
+    fail(DSW_STATUS_UNSUPPORTED, "%s is 0x%x, this version knows 0x%x", name, flags, known);
+  }
+}
+
+}  // namespace dsw::capi

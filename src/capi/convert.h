@@ -1,0 +1,65 @@
+#pragma once
+// Ids and arrays as the host gives them, checked and turned into the engine's. Every function throws a status that names
+// the argument.
+
+#include "capi/describe.h"
+#include "capi/handle.h"
+#include "map/dart.h"
+#include "scene/points.h"
+#include "scene/report.h"
+#include "scene/segments.h"
+
+namespace dsw::capi {
+
+Cell to_cell(const Map<3>& map, dsw_volume_id id, ArgumentName argument, size_t index = 0);
+HalfFacet to_half_facet(const Map<3>& map, dsw_face_id id, ArgumentName argument, size_t index = 0);
+/** One dart of the edge. */
+Dart to_dart(const Map<3>& map, dsw_edge_id id, ArgumentName argument, size_t index = 0);
+uint32_t to_vertex(const Map<3>& map, dsw_vertex_id id, ArgumentName argument, size_t index = 0);
+
+/** A hint or start: alive or null. */
+void check_hint(const Map<3>& map, dsw_volume_id id, const char* name);
+/** `ids` may be null. */
+void check_hints(const Map<3>& map, const dsw_volume_id* ids, size_t count, const char* name);
+
+[[noreturn]] void fail_kind(const char* name, dsw_cell_kind kind);
+
+/** Calls the function of `visitor` that suits the kind of a cell: vertex(uint32_t), edge(Dart), face(HalfFacet) or
+ * volume(Cell). */
+template <class Visitor>
+auto visit_cell(const Map<3>& map, dsw_cell cell, const Visitor& visitor) {
+  const ArgumentName name{"cell", false};
+  switch (cell.kind) {
+    case DSW_CELL_VERTEX:
+      return visitor.vertex(to_vertex(map, {cell.index, cell.generation}, name));
+    case DSW_CELL_EDGE:
+      return visitor.edge(to_dart(map, {cell.index, cell.generation, cell.local}, name));
+    case DSW_CELL_FACE:
+      return visitor.face(to_half_facet(map, {cell.index, cell.generation, cell.local}, name));
+    case DSW_CELL_VOLUME:
+      return visitor.volume(to_cell(map, {cell.index, cell.generation}, name));
+    default:
+      fail_kind("cell.kind", cell.kind);
+  }
+}
+
+/** The canonical id of an edge: that of the lowest volume round it. */
+dsw_edge_id edge_id(const Map<3>& map, Dart d) noexcept;
+inline dsw_vertex_id vertex_id(uint32_t vertex) noexcept { return {vertex, kGeneration}; }
+inline dsw_cell cell_of_face(dsw_face_id id) noexcept { return {DSW_CELL_FACE, id.volume, id.generation, id.local}; }
+inline dsw_cell cell_of_edge(dsw_edge_id id) noexcept { return {DSW_CELL_EDGE, id.volume, id.generation, id.local}; }
+inline dsw_cell cell_of_vertex(uint32_t vertex) noexcept { return {DSW_CELL_VERTEX, vertex, kGeneration, 0}; }
+
+/** An array of `count` things; null is allowed when there are none. */
+void require_array(const void* array, size_t count, const char* name);
+
+/** An array of points with the host's stride, not yet checked to be finite. */
+PointArray to_points(const double* points, size_t count, size_t stride_bytes, const char* name);
+
+/** Options of a flight; null: defaults. */
+SegmentOptions to_options(const dsw_cast_options* options);
+
+/** Refuses flags that this version does not know. */
+void check_flags(uint32_t flags, uint32_t known, const char* name);
+
+}  // namespace dsw::capi

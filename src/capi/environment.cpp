@@ -1,0 +1,286 @@
+#include "dartsweep/environment.h"
+
+#include "capi/convert.h"
+#include "capi/environment_build.h"
+#include "environment/find_facets.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+const dsw::Map<3>& map_of(const dsw_environment* environment) {
+  return capi::check_handle(environment, "environment").engine.map;
+}
+
+dsw_cell_type type_of(dsw::Form form) {
+  switch (form) {
+    case dsw::Form::kSimplex:
+      return DSW_CELL_TYPE_TETRA;
+    case dsw::Form::kPyramid:
+      return DSW_CELL_TYPE_PYRAMID;
+    case dsw::Form::kPrism:
+      return DSW_CELL_TYPE_WEDGE;
+    case dsw::Form::kBox:
+      return DSW_CELL_TYPE_HEXAHEDRON;
+    default:
+      return DSW_CELL_TYPE_POLYHEDRON;
+  }
+}
+
+/** Calls visit(vertex) for the vertices of a cell in their documented order. */
+template <class Visit>
+struct VertexVisitor {
+  const dsw::Map<3>& map;
+  const Visit& visit;
+
+  void vertex(uint32_t v) const { visit(v); }
+  void edge(dsw::Dart d) const {
+    visit(dart_vertex(map, d));
+    visit(dart_target(map, d));
+  }
+  void face(dsw::HalfFacet h) const {
+    const dsw::Cell c = map.cell_of(h);
+    const dsw::Shape shape = map.shape(c);
+    const uint32_t local = map.local_of(h, c);
+    for (uint32_t d = shape.facet_first(local); d < shape.facet_first(local + 1); ++d) {
+      visit(map.vertex(c, shape.dart_vertex(d)));
+    }
+  }
+  void volume(dsw::Cell c) const {
+    for (uint32_t i = 0, n = map.shape(c).vertex_count(); i < n; ++i) visit(map.vertex(c, i));
+  }
+};
+
+template <class Visit>
+void for_each_vertex(const dsw::Map<3>& map, dsw_cell cell, const Visit& visit) {
+  capi::visit_cell(map, cell, VertexVisitor<Visit>{map, visit});
+}
+
+}  // namespace
+
+void dsw_environment_desc_init(dsw_environment_desc* desc, size_t size) {
+  dsw_environment_desc d{};
+  d.dimension = 3;
+  d.index_bytes = 8;
+  d.uniform_cell_type = DSW_CELL_TYPE_HEXAHEDRON;
+  capi::init_struct(desc, size, d);
+}
+
+dsw_status dsw_environment_create(dsw_context* context, const dsw_environment_desc* desc, dsw_environment** environment,
+                                  dsw_build_report* report) {
+  return capi::guard("dsw_environment_create", [&] {
+    capi::check_context(context);
+    capi::require(desc, "desc");
+    capi::require(environment, "environment");
+    if (report != nullptr) capi::check_size(report, "report");
+    *environment = capi::build_environment(context, capi::read_struct(desc, "desc"), report);
+  });
+}
+
+dsw_status dsw_environment_destroy(dsw_environment* environment) {
+  return capi::guard("dsw_environment_destroy", [&] {
+    if (environment == nullptr) return;
+    const uint32_t scenes = capi::scene_count(capi::check_handle(environment, "environment"));
+    if (scenes != 0) fail(DSW_STATUS_IN_USE, "environment is still used by %u scenes", scenes);
+    capi::destroy_environment(environment);
+  });
+}
+
+dsw_status dsw_environment_get_info(const dsw_environment* environment, dsw_environment_info* info) {
+  return capi::guard("dsw_environment_get_info", [&] {
+    const dsw_environment& handle = capi::check_handle(environment, "environment");
+    const dsw::Environment<3>& env = handle.engine;
+    capi::require(info, "info");
+    capi::check_size(info, "info");
+    dsw_environment_info i{};
+    i.dimension = 3;
+    i.vertex_count = env.map.vertex_count;
+    i.volume_count = env.map.cell_count;
+    i.face_count = env.map.facet_count;
+    i.boundary_face_count = env.map.boundary_facet_count;
+    i.part_count = env.part_count;
+    i.scene_count = capi::scene_count(handle);
+    i.memory_bytes = env.memory_bytes() + sizeof(dsw_environment) - sizeof env;
+    for (int k = 0; k < 3; ++k) {
+      i.lower[k] = env.lower[k];
+      i.upper[k] = env.upper[k];
+    }
+    capi::write_struct(info, i);
+  });
+}
+
+dsw_status dsw_environment_check(const dsw_environment* environment, dsw_build_report* report) {
+  return capi::guard("dsw_environment_check", [&] {
+    const dsw_environment& handle = capi::check_handle(environment, "environment");
+    if (report != nullptr) capi::check_size(report, "report");
+    capi::check_environment(handle, report);
+  });
+}
+
+dsw_status dsw_environment_get_volume(const dsw_environment* environment, uint32_t index, dsw_volume_id* volume) {
+  return capi::guard("dsw_environment_get_volume", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    capi::require(volume, "volume");
+    if (index >= map.cell_count) {
+      fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.cell_count - 1);
+    }
+    *volume = {index, dsw::kGeneration};
+  });
+}
+
+dsw_status dsw_environment_get_vertex(const dsw_environment* environment, uint32_t index, dsw_vertex_id* vertex) {
+  return capi::guard("dsw_environment_get_vertex", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    capi::require(vertex, "vertex");
+    if (index >= map.vertex_count) {
+      fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.vertex_count - 1);
+    }
+    *vertex = capi::vertex_id(index);
+  });
+}
+
+dsw_status dsw_environment_get_position(const dsw_environment* environment, dsw_vertex_id vertex, double* xyz) {
+  return capi::guard("dsw_environment_get_position", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    capi::require(xyz, "xyz");
+    const double* const point = environment->engine.point(capi::to_vertex(map, vertex, {"vertex", false}));
+    std::copy(point, point + 3, xyz);
+  });
+}
+
+dsw_status dsw_environment_get_volume_counts(const dsw_environment* environment, dsw_volume_id volume,
+                                             dsw_cell_type* type, uint32_t* vertices, uint32_t* edges, uint32_t* faces) {
+  return capi::guard("dsw_environment_get_volume_counts", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
+    const dsw::Shape shape = map.shape(c);
+    if (type != nullptr) *type = type_of(map.form(c));
+    if (vertices != nullptr) *vertices = shape.vertex_count();
+    if (edges != nullptr) *edges = shape.edge_count();
+    if (faces != nullptr) *faces = shape.facet_count();
+  });
+}
+
+dsw_status dsw_environment_get_volume_face(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
+                                           dsw_face_id* face) {
+  return capi::guard("dsw_environment_get_volume_face", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
+    capi::require(face, "face");
+    const uint32_t count = map.facets_of(c);
+    if (local >= count) fail(DSW_STATUS_OUT_OF_RANGE, "local is %u, must be 0 .. %u", local, count - 1);
+    *face = face_id(map, canonical(map, map.half_facet(c, local)));
+  });
+}
+
+dsw_status dsw_environment_get_volume_edge(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
+                                           dsw_edge_id* edge) {
+  return capi::guard("dsw_environment_get_volume_edge", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
+    capi::require(edge, "edge");
+    const uint32_t count = map.shape(c).edge_count();
+    if (local >= count) fail(DSW_STATUS_OUT_OF_RANGE, "local is %u, must be 0 .. %u", local, count - 1);
+    *edge = capi::edge_id(map, dart_of_edge(map, c, local));
+  });
+}
+
+dsw_status dsw_environment_copy_vertices(const dsw_environment* environment, dsw_cell cell, dsw_vertex_id* vertices,
+                                         size_t capacity, size_t* count) {
+  return capi::guard("dsw_environment_copy_vertices", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    capi::require(count, "count");
+    capi::require_array(vertices, capacity, "vertices");
+    size_t needed = 0;
+    for_each_vertex(map, cell, [&](uint32_t) { ++needed; });
+    *count = needed;
+    if (capacity == 0) return;
+    if (capacity < needed) {
+      fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity is %zu, must be 0 or at least %zu", capacity, needed);
+    }
+    for_each_vertex(map, cell, [&](uint32_t vertex) { *vertices++ = capi::vertex_id(vertex); });
+  });
+}
+
+dsw_status dsw_environment_get_face_volumes(const dsw_environment* environment, dsw_face_id face,
+                                            dsw_volume_id* near_side, dsw_volume_id* far_side) {
+  return capi::guard("dsw_environment_get_face_volumes", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    const dsw::HalfFacet h = capi::to_half_facet(map, face, {"face", false}), o = map.opposite(h);
+    if (near_side != nullptr) *near_side = volume_id(map, map.cell_of(h));
+    if (far_side != nullptr) *far_side = volume_id(map, o.valid() ? map.cell_of(o) : dsw::Cell{});
+  });
+}
+
+dsw_status dsw_environment_find_faces(const dsw_environment* environment, size_t count, const size_t* offsets,
+                                      const uint32_t* indices, dsw_face_id* faces, size_t* missing) {
+  return capi::guard("dsw_environment_find_faces", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    size_t absent = 0;
+    if (count != 0) {
+      capi::require(offsets, "offsets");
+      capi::require(faces, "faces");
+      for (size_t i = 0; i < count; ++i) {
+        if (offsets[i] > offsets[i + 1]) {
+          fail(DSW_STATUS_WRONG_SIZE, "offsets[%zu] is %zu, must be at least offsets[%zu], which is %zu", i + 1,
+               offsets[i + 1], i, offsets[i]);
+        }
+      }
+      capi::require_array(indices, offsets[count] - offsets[0], "indices");
+      dsw::Array<dsw::HalfFacet> found(count, dsw::HalfFacet{},
+                                       dsw::Allocator<dsw::HalfFacet>(environment->engine.memory));
+      find_facets(environment->engine, count, offsets, indices, found.data(), &absent);
+      for (size_t i = 0; i < count; ++i) {
+        faces[i] = found[i].valid() ? face_id(map, canonical(map, found[i])) : dsw_face_id{0, 0, 0};
+      }
+    }
+    if (missing != nullptr) *missing = absent;
+  });
+}
+
+dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t count, const uint32_t* indices,
+                                      dsw_edge_id* edges, size_t* missing) {
+  return capi::guard("dsw_environment_find_edges", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    size_t absent = 0;
+    if (count != 0) {
+      capi::require(indices, "indices");
+      capi::require(edges, "edges");
+      dsw::Array<dsw::Dart> found(count, dsw::Dart{}, dsw::Allocator<dsw::Dart>(environment->engine.memory));
+      find_edges(environment->engine, count, indices, found.data(), &absent);
+      for (size_t i = 0; i < count; ++i) {
+        edges[i] = found[i].cell.valid() ? capi::edge_id(map, found[i]) : dsw_edge_id{0, 0, 0};
+      }
+    }
+    if (missing != nullptr) *missing = absent;
+  });
+}
+
+dsw_status dsw_environment_get_region(const dsw_environment* environment, dsw_volume_id volume, int32_t* region) {
+  return capi::guard("dsw_environment_get_region", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    capi::require(region, "region");
+    *region = environment->engine.region(capi::to_cell(map, volume, {"volume", false}));
+  });
+}
+
+dsw_status dsw_environment_get_tag(const dsw_environment* environment, dsw_volume_id volume, uint32_t* tag) {
+  return capi::guard("dsw_environment_get_tag", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    capi::require(tag, "tag");
+    *tag = environment->engine.tag(capi::to_cell(map, volume, {"volume", false}));
+  });
+}
+
+dsw_status dsw_environment_set_tag(dsw_environment* environment, dsw_volume_id volume, uint32_t tag) {
+  return capi::guard("dsw_environment_set_tag", [&] {
+    dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
+    if (env.tags.empty()) {
+      if (tag == 0) return;
+      env.tags.resize(env.map.cell_count, 0u);
+    }
+    env.tags[env.map.index(c)] = tag;
+  });
+}

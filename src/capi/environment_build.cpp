@@ -1,0 +1,185 @@
+#include "capi/environment_build.h"
+
+#include <algorithm>
+#include <new>
+#include <optional>
+
+#include "capi/convert.h"
+#include "environment/boundary_check.h"
+#include "environment/builder.h"
+#include "environment/validity.h"
+
+namespace dsw::capi {
+namespace {
+
+constexpr size_t kMostPoints = kVertexMask;
+
+void check_cells(const dsw_environment_desc& d) {
+  if (d.cell_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->cell_count is 0, must be at least 1");
+  if (d.cell_count > kMostPoints) {
+    fail(DSW_STATUS_TOO_LARGE, "desc->cell_count is %zu, must be at most %zu", d.cell_count, kMostPoints);
+  }
+  if (d.index_bytes != 0 && d.index_bytes != 4 && d.index_bytes != 8) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->index_bytes is %u, must be 0, 4 or 8", d.index_bytes);
+  }
+  if (d.cell_types == nullptr) {
+    const uint32_t type = d.uniform_cell_type;
+    if (type != DSW_CELL_TYPE_TETRA && type != DSW_CELL_TYPE_HEXAHEDRON && type != DSW_CELL_TYPE_WEDGE &&
+        type != DSW_CELL_TYPE_PYRAMID) {
+      fail(DSW_STATUS_BAD_CELL_TYPE, "desc->uniform_cell_type is %u, must be 10, 12, 13 or 14 without desc->cell_types",
+           type);
+    }
+  } else if (d.offsets == nullptr) {
+    fail(DSW_STATUS_NULL_ARGUMENT, "desc->offsets is null, which needs a uniform cell type");
+  }
+  require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
+  require_array(d.faces, d.faces_count, "desc->faces");
+  if ((d.faces == nullptr) != (d.face_locations == nullptr)) {
+    fail(DSW_STATUS_WRONG_SIZE, "desc->faces and desc->face_locations must be set both or none");
+  }
+}
+
+void check_points(const dsw_environment_desc& d) {
+  if (d.point_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->point_count is 0, must be at least 1");
+  if (d.point_count > kMostPoints) {
+    fail(DSW_STATUS_TOO_LARGE, "desc->point_count is %zu, must be at most %zu", d.point_count, kMostPoints);
+  }
+  to_points(d.points, d.point_count, d.point_stride_bytes, "desc->points");
+  if ((d.flags & DSW_ENVIRONMENT_BORROW_POINTS) != 0 && d.point_stride_bytes > 3 * sizeof(double)) {
+    fail(DSW_STATUS_WRONG_SIZE, "desc->point_stride_bytes is %zu, must be 0 or 24 for borrowed points",
+         d.point_stride_bytes);
+  }
+}
+
+MeshInput read_input(const dsw_environment_desc& d) {
+  if (d.dimension == 2) {
+    fail(DSW_STATUS_UNSUPPORTED, "desc->dimension is 2: environments in the plane are not available in this version");
+  }
+  if (d.dimension != 0 && d.dimension != 3) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->dimension is %u, must be 3", d.dimension);
+  }
+  check_flags(d.flags,
+              DSW_ENVIRONMENT_BORROW_POINTS | DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_GRID |
+                  DSW_ENVIRONMENT_CHECK_BOUNDARY,
+              "desc->flags");
+  if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
+  check_points(d);
+  check_cells(d);
+  MeshInput input;
+  input.points = d.points;
+  input.point_count = d.point_count;
+  input.point_stride_bytes = d.point_stride_bytes == 0 ? 3 * sizeof(double) : d.point_stride_bytes;
+  input.borrow_points = (d.flags & DSW_ENVIRONMENT_BORROW_POINTS) != 0;
+  input.reorient = (d.flags & DSW_ENVIRONMENT_REORIENT) != 0;
+  input.cell_types = d.cell_types;
+  input.uniform_cell_type = d.uniform_cell_type;
+  input.cell_count = d.cell_count;
+  input.index_bytes = d.index_bytes == 0 ? 8 : d.index_bytes;
+  input.offsets = d.offsets;
+  input.connectivity = d.connectivity;
+  input.connectivity_count = d.connectivity_count;
+  input.faces = d.faces;
+  input.faces_count = d.faces_count;
+  input.face_locations = d.face_locations;
+  input.regions = d.regions;
+  input.tags = d.tags;
+  return input;
+}
+
+/** Fills the caller's report, whatever ended the work. */
+class ReportWriter {
+ public:
+  explicit ReportWriter(dsw_build_report* out) : out_(out) {}
+
+  /** Runs `body(report)`, which returns the environment; its failure goes into the report and on to the caller. */
+  template <class Body>
+  void run(Body body) {
+    try {
+      write(DSW_STATUS_OK, &body(report_));
+    } catch (const Error& error) {
+      write(error.status(), nullptr);
+      throw;
+    } catch (const std::bad_alloc&) {
+      write(DSW_STATUS_OUT_OF_MEMORY, nullptr);
+      throw;
+    }
+  }
+
+ private:
+  void write(dsw_status status, const Environment<3>* env) {
+    if (out_ == nullptr) return;
+    dsw_build_report r{};
+    r.status = status;
+    r.offender_count = report_.offenders.count;
+    std::copy(report_.offenders.index, report_.offenders.index + r.offender_count, r.offenders);
+    r.reoriented_count = report_.reoriented_count;
+    r.unused_point_count = report_.unused_point_count;
+    r.convex_cell_count = report_.convex_cell_count;
+    if (env != nullptr) {
+      r.part_count = env->part_count;
+      r.boundary_face_count = env->map.boundary_facet_count;
+    }
+    write_struct(out_, r);
+  }
+
+  dsw_build_report* out_;
+  BuildReport report_;
+};
+
+void check_boundary(const Environment<3>& env, Offenders& offenders) {
+  if (!boundary_crosses(env, &offenders)) return;
+  fail(DSW_STATUS_BOUNDARY_CROSSES, "the outer boundary passes through itself; first cell %u",
+       offenders.count == 0 ? 0 : offenders.index[0]);
+}
+
+}  // namespace
+
+dsw_environment* build_environment(dsw_context* context, const dsw_environment_desc& desc, dsw_build_report* report) {
+  const MeshInput input = read_input(desc);
+  std::optional<EnvironmentOwner> owner;
+  ReportWriter writer(report);
+  writer.run([&](BuildReport& found) -> const Environment<3>& {
+    owner.emplace(context);
+    Environment<3>& env = (*owner)->engine;
+    build(env, input, found);
+    if ((desc.flags & DSW_ENVIRONMENT_LOCATE_GRID) != 0) build_grid(env);
+    if ((desc.flags & DSW_ENVIRONMENT_CHECK_BOUNDARY) != 0) check_boundary(env, found.offenders);
+    if (found.reoriented_count != 0) {
+      log_line(context, DSW_LOG_WARNING, "dsw_environment_create: %u cells were inside out and have been mirrored",
+               found.reoriented_count);
+    }
+    log_line(context, DSW_LOG_INFO, "dsw_environment_create: %u volumes, %u faces (%u on the boundary), %u parts, %llu bytes",
+             env.map.cell_count, env.map.facet_count, env.map.boundary_facet_count, env.part_count,
+             static_cast<unsigned long long>(env.memory_bytes()));
+    return env;
+  });
+  return owner->take();
+}
+
+void check_environment(const dsw_environment& environment, dsw_build_report* report) {
+  const Environment<3>& env = environment.engine;
+  ReportWriter(report).run([&](BuildReport& found) -> const Environment<3>& {
+    const Map<3>& map = env.map;
+    const auto fail_cells = [&](dsw_status status, const char* what) {
+      if (found.offenders.count != 0) fail(status, "cell %u %s", found.offenders.index[0], what);
+    };
+    for (uint32_t i = 0; i < map.cell_count; ++i) {
+      const Cell c = map.cell(i);
+      for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
+        const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
+        if (o.valid() && map.opposite(o) != h) found.offenders.add(i);
+      }
+    }
+    fail_cells(DSW_STATUS_INTERNAL, "has a link that does not lead back");
+    for (uint32_t i = 0; i < map.cell_count; ++i) {
+      const CellState state = check_cell(env, map.cell(i));
+      if (state == CellState::kInverted || state == CellState::kInvalid) found.offenders.add(i);
+      if (state == CellState::kValidConvex) ++found.convex_cell_count;
+    }
+    fail_cells(DSW_STATUS_INVALID_CELL, "is not valid");
+    check_boundary(env, found.offenders);
+    return env;
+  });
+}
+
+}  // namespace dsw::capi

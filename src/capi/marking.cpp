@@ -1,0 +1,206 @@
+#include "dartsweep/marking.h"
+
+#include "capi/convert.h"
+#include "environment/marking.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+bool to_bool(dsw_mark mark) {
+  if (mark != DSW_MARK_PASSABLE && mark != DSW_MARK_IMPASSABLE) {
+    fail(DSW_STATUS_UNSUPPORTED, "mark is %d, must be DSW_MARK_PASSABLE or DSW_MARK_IMPASSABLE", static_cast<int>(mark));
+  }
+  return mark == DSW_MARK_IMPASSABLE;
+}
+
+/** Refuses a shared environment and begins a marking call: what the last one said about occupants is over. */
+dsw::Scene<3>* begin_marking(dsw_environment& environment) {
+  dsw_scene* const scene = capi::only_scene(environment);
+  if (scene == nullptr) return nullptr;
+  scene->engine.occupants.clear();
+  return &scene->engine;
+}
+
+/** After occupants were collected: fails unless the caller lets them be skipped. */
+void check_occupants(const dsw::Scene<3>* scene, uint32_t flags) {
+  if (scene == nullptr || scene->occupants.empty() || (flags & DSW_MARK_SKIP_OCCUPIED) != 0) return;
+  const dsw_particle_id first = scene->occupants[0];
+  fail(DSW_STATUS_OCCUPIED, "%zu particles are in the way; the first is {index %u, generation %u} in volume %u",
+       scene->occupants.size(), first.index, first.generation, scene->env.map.index(scene->particles[first.index].cell));
+}
+
+/** Takes the marks of occupied cells back: an occupied cell was passable before. Returns how many there were. */
+size_t skip_occupied(dsw::Environment<3>& env, const dsw::Scene<3>* scene) noexcept {
+  size_t skipped = 0;
+  if (scene == nullptr) return skipped;
+  for (const dsw_particle_id id : scene->occupants) {
+    skipped += set_cell_mark(env, scene->particles[id.index].cell, false) ? 1u : 0u;
+  }
+  return skipped;
+}
+
+/** Ids of one call as engine cells, on the stack when they are few. */
+template <class T>
+class Converted {
+ public:
+  Converted(const dsw::Memory* memory, size_t count)
+      : count_(count), many_(count > kFew ? count : 0, T{}, dsw::Allocator<T>(memory)) {}
+  T* data() { return many_.empty() ? few_ : many_.data(); }
+  T* begin() { return data(); }
+  T* end() { return data() + count_; }
+
+ private:
+  static constexpr size_t kFew = 64;
+  size_t count_;
+  T few_[kFew];
+  dsw::Array<T> many_;
+};
+
+struct CellMarked {
+  const dsw::Environment<3>& env;
+  bool vertex(uint32_t v) const { return vertex_marked(env, v); }
+  bool edge(dsw::Dart d) const { return edge_marked(env, dart_vertex(env.map, d), dart_target(env.map, d)); }
+  bool face(dsw::HalfFacet h) const { return env.map.facet_marked(h); }
+  bool volume(dsw::Cell c) const { return env.map.marked(c); }
+};
+
+struct CellImpassable {
+  const dsw::Environment<3>& env;
+  bool vertex(uint32_t v) const { return vertex_impassable(env, v); }
+  bool edge(dsw::Dart d) const { return edge_impassable(env, d); }
+  bool face(dsw::HalfFacet h) const { return is_impassable(env.map, h); }
+  bool volume(dsw::Cell c) const { return env.map.marked(c); }
+};
+
+}  // namespace
+
+dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_volume_id* volumes, size_t count,
+                                        dsw_mark mark, uint32_t flags, size_t* skipped) {
+  return capi::guard("dsw_environment_mark_volumes", [&] {
+    dsw_environment& handle = capi::check_handle(environment, "environment");
+    dsw::Environment<3>& env = handle.engine;
+    capi::require_array(volumes, count, "volumes");
+    const bool marked = to_bool(mark);
+    capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
+    Converted<dsw::Cell> cells(env.memory, count);
+    for (size_t i = 0; i < count; ++i) cells.data()[i] = capi::to_cell(env.map, volumes[i], {"volumes", true}, i);
+    dsw::Scene<3>* const scene = begin_marking(handle);
+    if (marked && scene != nullptr) find_occupants(*scene, cells.data(), count);
+    check_occupants(scene, flags);
+    for (const dsw::Cell c : cells) set_cell_mark(env, c, marked);
+    const size_t left_out = marked ? skip_occupied(env, scene) : 0;
+    if (skipped != nullptr) *skipped = left_out;
+  });
+}
+
+dsw_status dsw_environment_mark_faces(dsw_environment* environment, const dsw_face_id* faces, size_t count,
+                                      dsw_mark mark) {
+  return capi::guard("dsw_environment_mark_faces", [&] {
+    dsw_environment& handle = capi::check_handle(environment, "environment");
+    dsw::Environment<3>& env = handle.engine;
+    capi::require_array(faces, count, "faces");
+    const bool marked = to_bool(mark);
+    Converted<dsw::HalfFacet> facets(env.memory, count);
+    for (size_t i = 0; i < count; ++i) facets.data()[i] = capi::to_half_facet(env.map, faces[i], {"faces", true}, i);
+    begin_marking(handle);
+    for (const dsw::HalfFacet h : facets) set_facet_mark(env, h, marked);
+  });
+}
+
+dsw_status dsw_environment_mark_edges(dsw_environment* environment, const dsw_edge_id* edges, size_t count,
+                                      dsw_mark mark) {
+  return capi::guard("dsw_environment_mark_edges", [&] {
+    dsw_environment& handle = capi::check_handle(environment, "environment");
+    dsw::Environment<3>& env = handle.engine;
+    capi::require_array(edges, count, "edges");
+    const bool marked = to_bool(mark);
+    Converted<dsw::Dart> darts(env.memory, count);
+    for (size_t i = 0; i < count; ++i) darts.data()[i] = capi::to_dart(env.map, edges[i], {"edges", true}, i);
+    begin_marking(handle);
+    if (marked) reserve_edge_marks(env, count);
+    for (const dsw::Dart d : darts) set_edge_mark(env, dart_vertex(env.map, d), dart_target(env.map, d), marked);
+  });
+}
+
+dsw_status dsw_environment_mark_vertices(dsw_environment* environment, const dsw_vertex_id* vertices, size_t count,
+                                         dsw_mark mark) {
+  return capi::guard("dsw_environment_mark_vertices", [&] {
+    dsw_environment& handle = capi::check_handle(environment, "environment");
+    dsw::Environment<3>& env = handle.engine;
+    capi::require_array(vertices, count, "vertices");
+    const bool marked = to_bool(mark);
+    for (size_t i = 0; i < count; ++i) capi::to_vertex(env.map, vertices[i], {"vertices", true}, i);
+    begin_marking(handle);
+    if (marked && count != 0) reserve_vertex_marks(env);
+    for (size_t i = 0; i < count; ++i) set_vertex_mark(env, vertices[i].index, marked);
+  });
+}
+
+dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t region, dsw_mark mark, uint32_t flags,
+                                       size_t* marked, size_t* skipped) {
+  return capi::guard("dsw_environment_mark_region", [&] {
+    dsw_environment& handle = capi::check_handle(environment, "environment");
+    dsw::Environment<3>& env = handle.engine;
+    const bool impassable = to_bool(mark);
+    capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
+    dsw::Scene<3>* const scene = begin_marking(handle);
+    if (impassable && scene != nullptr) find_occupants_of_region(*scene, region);
+    check_occupants(scene, flags);
+    const size_t all = set_region_mark(env, region, impassable);
+    const size_t left_out = impassable ? skip_occupied(env, scene) : 0;
+    if (marked != nullptr) *marked = all - left_out;
+    if (skipped != nullptr) *skipped = left_out;
+  });
+}
+
+dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a, int32_t b, dsw_mark mark,
+                                        size_t* marked) {
+  return capi::guard("dsw_environment_mark_between", [&] {
+    dsw_environment& handle = capi::check_handle(environment, "environment");
+    const bool impassable = to_bool(mark);
+    begin_marking(handle);
+    const size_t all = set_mark_between(handle.engine, a, b, impassable);
+    if (marked != nullptr) *marked = all;
+  });
+}
+
+dsw_status dsw_environment_is_marked(const dsw_environment* environment, dsw_cell cell, int* marked) {
+  return capi::guard("dsw_environment_is_marked", [&] {
+    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    capi::require(marked, "marked");
+    *marked = capi::visit_cell(env.map, cell, CellMarked{env}) ? 1 : 0;
+  });
+}
+
+dsw_status dsw_environment_is_impassable(const dsw_environment* environment, dsw_cell cell, int* impassable) {
+  return capi::guard("dsw_environment_is_impassable", [&] {
+    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    capi::require(impassable, "impassable");
+    *impassable = capi::visit_cell(env.map, cell, CellImpassable{env}) ? 1 : 0;
+  });
+}
+
+dsw_status dsw_environment_get_mark_count(const dsw_environment* environment, dsw_cell_kind kind, size_t* count) {
+  return capi::guard("dsw_environment_get_mark_count", [&] {
+    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    capi::require(count, "count");
+    switch (kind) {
+      case DSW_CELL_VERTEX:
+        *count = env.marked_vertices;
+        return;
+      case DSW_CELL_EDGE:
+        *count = env.marked_edges;
+        return;
+      case DSW_CELL_FACE:
+        *count = env.marked_facets;
+        return;
+      case DSW_CELL_VOLUME:
+        *count = env.marked_cells;
+        return;
+      default:
+        capi::fail_kind("kind", kind);
+    }
+  });
+}

@@ -1,0 +1,119 @@
+#include "dartsweep/particle.h"
+
+#include <algorithm>
+
+#include "capi/convert.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+/** A particle knows its volume, so DSW_CAST_START_KNOWN means nothing here. */
+dsw::FlightOptions to_flight_options(const dsw_cast_options* options) {
+  const dsw::SegmentOptions o = capi::to_options(options);
+  return {o.max_cells, o.detail};
+}
+
+}  // namespace
+
+dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_volume_id hint, dsw_particle_id* particle) {
+  return capi::guard("dsw_particle_create", [&] {
+    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require(position, "position");
+    capi::require(particle, "particle");
+    create_particles(s, {position, 3}, 1, &hint, false, particle, nullptr);
+  });
+}
+
+dsw_status dsw_scene_create_particles(dsw_scene* scene, const double* positions, size_t count, size_t stride_bytes,
+                                      const dsw_volume_id* hints, dsw_particle_id* particles, size_t* offender) {
+  return capi::guard("dsw_scene_create_particles", [&] {
+    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    const dsw::PointArray points = capi::to_points(positions, count, stride_bytes, "positions");
+    capi::require_array(particles, count, "particles");
+    create_particles(s, points, count, hints, true, particles, offender);
+  });
+}
+
+dsw_status dsw_particle_destroy(dsw_scene* scene, dsw_particle_id particle) {
+  return capi::guard("dsw_particle_destroy", [&] {
+    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    check_particle(s, particle);
+    destroy_particle(s, particle.index);
+  });
+}
+
+dsw_status dsw_scene_get_particle_count(const dsw_scene* scene, size_t* count) {
+  return capi::guard("dsw_scene_get_particle_count", [&] {
+    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require(count, "count");
+    *count = s.slots.alive_count();
+  });
+}
+
+dsw_status dsw_particle_get(const dsw_scene* scene, dsw_particle_id particle, double* position, dsw_volume_id* volume) {
+  return capi::guard("dsw_particle_get", [&] {
+    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    check_particle(s, particle);
+    const dsw::ParticleState<3>& state = s.particles[particle.index];
+    if (position != nullptr) std::copy(state.position, state.position + 3, position);
+    if (volume != nullptr) *volume = volume_id(s.env.map, state.cell);
+  });
+}
+
+dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const double* target,
+                             const dsw_cast_options* options, dsw_flight* flight) {
+  return capi::guard("dsw_particle_move", [&] {
+    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require(target, "target");
+    move_particle(s, particle, target, to_flight_options(options), flight);
+  });
+}
+
+dsw_status dsw_scene_move_particles(dsw_scene* scene, const dsw_particle_id* particles, size_t count,
+                                    const double* targets, size_t stride_bytes, const dsw_cast_options* options,
+                                    dsw_flight* flights) {
+  return capi::guard("dsw_scene_move_particles", [&] {
+    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require_array(particles, count, "particles");
+    const dsw::PointArray points = capi::to_points(targets, count, stride_bytes, "targets");
+    move_particles(s, particles, count, points, to_flight_options(options), flights);
+  });
+}
+
+dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id* particles, size_t count,
+                                         const double* to, size_t stride_bytes, const dsw_cast_options* options,
+                                         dsw_flight* flights) {
+  return capi::guard("dsw_scene_cast_from_particles", [&] {
+    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require_array(particles, count, "particles");
+    const dsw::PointArray points = capi::to_points(to, count, stride_bytes, "to");
+    capi::require_array(flights, count, "flights");
+    cast_from_particles(s, particles, count, points, to_flight_options(options), flights);
+  });
+}
+
+dsw_status dsw_scene_get_crossings(const dsw_scene* scene, const dsw_crossing** crossings, const size_t** first,
+                                   size_t* flight_count) {
+  return capi::guard("dsw_scene_get_crossings", [&] {
+    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require(crossings, "crossings");
+    capi::require(first, "first");
+    capi::require(flight_count, "flight_count");
+    if (!s.features.crossings) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_CROSSINGS");
+    *crossings = s.crossings.data();
+    *first = s.crossing_first.data();
+    *flight_count = s.crossing_first.size() - 1;
+  });
+}
+
+dsw_status dsw_scene_get_occupants(const dsw_scene* scene, const dsw_particle_id** particles, size_t* count) {
+  return capi::guard("dsw_scene_get_occupants", [&] {
+    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require(particles, "particles");
+    capi::require(count, "count");
+    *particles = s.occupants.data();
+    *count = s.occupants.size();
+  });
+}

@@ -1,0 +1,153 @@
+#include "dartsweep/query.h"
+
+#include "capi/convert.h"
+#include "environment/classify.h"
+#include "motion/nearest.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+dsw_place place_of(const dsw::Environment<3>& env, dsw::Cell c) noexcept {
+  return !c.valid() ? DSW_PLACE_OUTSIDE : env.map.marked(c) ? DSW_PLACE_IMPASSABLE : DSW_PLACE_PASSABLE;
+}
+
+void check_point(const double* point, const char* name) {
+  capi::require(point, name);
+  dsw::check_finite({point, 3}, 1, 3, {name, false});
+}
+
+/** The public id of what classify and find_nearest name. */
+dsw_cell to_public(const dsw::Environment<3>& env, const dsw::FeatureRef& feature) noexcept {
+  const dsw::Map<3>& map = env.map;
+  switch (feature.dimension) {
+    case 0:
+      return capi::cell_of_vertex(map.vertex(feature.cell, feature.local));
+    case 1:
+      return capi::cell_of_edge(capi::edge_id(map, dart_of_edge(map, feature.cell, feature.local)));
+    case 2:
+      return capi::cell_of_face(face_id(map, canonical(map, map.half_facet(feature.cell, feature.local))));
+    default:
+      return {DSW_CELL_VOLUME, map.index(feature.cell), dsw::kGeneration, 0};
+  }
+}
+
+}  // namespace
+
+void dsw_cast_options_init(dsw_cast_options* options, size_t size) {
+  capi::init_struct(options, size, dsw_cast_options{});
+}
+
+dsw_status dsw_environment_locate(const dsw_environment* environment, const double* point, dsw_volume_id hint,
+                                  dsw_volume_id* volume, dsw_place* place) {
+  return capi::guard("dsw_environment_locate", [&] {
+    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    capi::require(volume, "volume");
+    check_point(point, "point");
+    capi::check_hint(env.map, hint, "hint");
+    const dsw::Cell c = locate_point(env, point, hint);
+    *volume = volume_id(env.map, c);
+    if (place != nullptr) *place = place_of(env, c);
+  });
+}
+
+dsw_status dsw_environment_locate_points(const dsw_environment* environment, const double* points, size_t count,
+                                         size_t stride_bytes, const dsw_volume_id* hints, dsw_volume_id* volumes,
+                                         dsw_place* places) {
+  return capi::guard("dsw_environment_locate_points", [&] {
+    const dsw_environment& handle = capi::check_handle(environment, "environment");
+    const dsw::Environment<3>& env = handle.engine;
+    const dsw::PointArray array = capi::to_points(points, count, stride_bytes, "points");
+    capi::require_array(volumes, count, "volumes");
+    check_finite(array, count, 3, {"points", true});
+    capi::check_hints(env.map, hints, count, "hints");
+    locate_points(env, handle.parallel, array, count, hints, volumes);
+    for (size_t i = 0; places != nullptr && i < count; ++i) {
+      places[i] = place_of(env, dsw::is_null(volumes[i]) ? dsw::Cell{} : env.map.cell(volumes[i].index));
+    }
+  });
+}
+
+dsw_status dsw_environment_classify(const dsw_environment* environment, const double* point, dsw_volume_id volume,
+                                    dsw_cell* cell) {
+  return capi::guard("dsw_environment_classify", [&] {
+    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    check_point(point, "point");
+    const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
+    capi::require(cell, "cell");
+    bool inside = false;
+    const dsw::FeatureRef feature = classify(env, point, c, &inside);
+    if (!inside) {
+      fail(DSW_STATUS_OUTSIDE, "point (%g, %g, %g) is not in the closure of volume %u", point[0], point[1], point[2],
+           volume.index);
+    }
+    *cell = to_public(env, feature);
+  });
+}
+
+dsw_status dsw_environment_cast(const dsw_environment* environment, dsw_volume_id start, const double* from,
+                                const double* to, const dsw_cast_options* options, dsw_flight* flight) {
+  return capi::guard("dsw_environment_cast", [&] {
+    const dsw_environment& handle = capi::check_handle(environment, "environment");
+    check_point(from, "from");
+    check_point(to, "to");
+    capi::require(flight, "flight");
+    capi::check_hint(handle.engine.map, start, "start");
+    cast_segments(handle.engine, handle.parallel, 1, &start, {from, 3}, {to, 3}, capi::to_options(options), flight);
+  });
+}
+
+dsw_status dsw_environment_cast_segments(const dsw_environment* environment, size_t count, const dsw_volume_id* starts,
+                                         const double* from, const double* to, size_t stride_bytes,
+                                         const dsw_cast_options* options, dsw_flight* flights) {
+  return capi::guard("dsw_environment_cast_segments", [&] {
+    const dsw_environment& handle = capi::check_handle(environment, "environment");
+    const dsw::PointArray first = capi::to_points(from, count, stride_bytes, "from");
+    const dsw::PointArray last = capi::to_points(to, count, stride_bytes, "to");
+    capi::require_array(flights, count, "flights");
+    const dsw::SegmentOptions settings = capi::to_options(options);
+    check_finite(first, count, 3, {"from", true});
+    check_finite(last, count, 3, {"to", true});
+    capi::check_hints(handle.engine.map, starts, count, "starts");
+    cast_segments(handle.engine, handle.parallel, count, starts, first, last, settings, flights);
+  });
+}
+
+dsw_status dsw_environment_cast_path(const dsw_environment* environment, dsw_volume_id start, const double* from,
+                                     const double* to, const dsw_cast_options* options, dsw_crossing* crossings,
+                                     size_t capacity, size_t* count, dsw_flight* flight) {
+  return capi::guard("dsw_environment_cast_path", [&] {
+    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    check_point(from, "from");
+    check_point(to, "to");
+    capi::require_array(crossings, capacity, "crossings");
+    capi::require(count, "count");
+    capi::check_hint(env.map, start, "start");
+    dsw_flight report;
+    cast_path(env, start, from, to, capi::to_options(options), crossings, capacity, count, &report);
+    if (capacity != 0 && capacity < *count) {
+      fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity is %zu, must be 0 or at least %zu", capacity, *count);
+    }
+    if (flight != nullptr) *flight = report;
+  });
+}
+
+dsw_status dsw_environment_find_nearest(const dsw_environment* environment, const double* point, dsw_volume_id volume,
+                                        double radius, dsw_nearest* nearest) {
+  return capi::guard("dsw_environment_find_nearest", [&] {
+    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    check_point(point, "point");
+    capi::require(nearest, "nearest");
+    if (!(radius >= 0)) fail(DSW_STATUS_OUT_OF_RANGE, "radius is %g, must be at least 0", radius);
+    capi::check_hint(env.map, volume, "volume");
+    const dsw::Cell c = dsw::is_null(volume) ? locate_point(env, point, volume) : env.map.cell(volume.index);
+    if (!c.valid()) fail(DSW_STATUS_OUTSIDE, "point (%g, %g, %g) lies in no volume", point[0], point[1], point[2]);
+    if (env.map.marked(c)) {
+      fail(DSW_STATUS_IMPASSABLE, "point (%g, %g, %g) lies in volume %u, which is impassable", point[0], point[1],
+           point[2], env.map.index(c));
+    }
+    dsw_nearest answer{};
+    *nearest = answer;
+  });
+}

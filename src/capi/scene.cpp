@@ -1,0 +1,81 @@
+#include "dartsweep/scene.h"
+
+#include "capi/convert.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+const dsw::Scene<3>& counting_scene(const dsw_scene* scene) {
+  const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+  if (!s.features.statistics) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_STATISTICS");
+  return s;
+}
+
+}  // namespace
+
+void dsw_scene_desc_init(dsw_scene_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_scene_desc{}); }
+
+dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* desc, dsw_scene** scene) {
+  return capi::guard("dsw_scene_create", [&] {
+    dsw_environment& home = capi::check_handle(environment, "environment");
+    capi::require(scene, "scene");
+    const dsw_scene_desc d = desc == nullptr ? dsw_scene_desc{} : capi::read_struct(desc, "desc");
+    capi::check_flags(d.features, DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS, "desc->features");
+    const dsw::SceneFeatures features{(d.features & DSW_FEATURE_STATISTICS) != 0, (d.features & DSW_FEATURE_CROSSINGS) != 0};
+    dsw_scene* const made = capi::create_object<dsw_scene>(home.engine.memory, &home, features);
+    capi::attach(*made);
+    *scene = made;
+  });
+}
+
+dsw_status dsw_scene_destroy(dsw_scene* scene) {
+  return capi::guard("dsw_scene_destroy", [&] {
+    if (scene == nullptr) return;
+    const dsw::Memory* const memory = capi::check_handle(scene, "scene").environment->engine.memory;
+    capi::detach(*scene);
+    capi::destroy_object(memory, scene);
+  });
+}
+
+dsw_environment* dsw_scene_get_environment(const dsw_scene* scene) {
+  dsw_environment* environment = nullptr;
+  capi::guard("dsw_scene_get_environment", [&] {
+    if (scene != nullptr) environment = capi::check_handle(scene, "scene").environment;
+  });
+  return environment;
+}
+
+dsw_status dsw_scene_get_statistics(const dsw_scene* scene, dsw_statistics* statistics) {
+  return capi::guard("dsw_scene_get_statistics", [&] {
+    const dsw::SceneStatistics& from = counting_scene(scene).statistics;
+    capi::require(statistics, "statistics");
+    capi::check_size(statistics, "statistics");
+    dsw_statistics s{};
+    s.casts = from.cast.casts;
+    s.cells_visited = from.cast.cells_visited;
+    s.orientation_tests = from.cast.orientation_tests;
+    s.exact_fallbacks = from.cast.exact_fallbacks;
+    s.ties = from.cast.ties;
+    s.forecast_hits = from.forecast_hits;
+    s.contacts = from.contacts;
+    s.candidates = from.candidates;
+    capi::write_struct(statistics, s);
+  });
+}
+
+dsw_status dsw_scene_reset_statistics(dsw_scene* scene) {
+  return capi::guard("dsw_scene_reset_statistics", [&] {
+    counting_scene(scene);
+    scene->engine.statistics = dsw::SceneStatistics{};
+  });
+}
+
+dsw_status dsw_scene_get_memory_bytes(const dsw_scene* scene, uint64_t* bytes) {
+  return capi::guard("dsw_scene_get_memory_bytes", [&] {
+    const dsw_scene& handle = capi::check_handle(scene, "scene");
+    capi::require(bytes, "bytes");
+    *bytes = handle.engine.memory_bytes() + sizeof handle - sizeof handle.engine;
+  });
+}

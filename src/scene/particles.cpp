@@ -1,0 +1,135 @@
+// Creation and removal of particles, and what marking asks about them.
+
+#include <algorithm>
+
+#include "motion/locate.h"
+#include "scene/batch.h"
+#include "scene/scene.h"
+
+namespace dsw {
+namespace {
+
+/** Cells of new particles: on the spot for one, in borrowed memory for many. */
+class CellScratch {
+ public:
+  CellScratch(const Memory* memory, size_t count) : many_(count > 1 ? count : 0, Cell{}, Allocator<Cell>(memory)) {}
+  Cell* data() { return many_.empty() ? &one_ : many_.data(); }
+
+ private:
+  Cell one_;
+  Array<Cell> many_;
+};
+
+void set_offender(size_t* offender, size_t index) noexcept {
+  if (offender != nullptr) *offender = index;
+}
+
+template <int D>
+void check_arguments(const Scene<D>& scene, PointArray positions, size_t count, const dsw_volume_id* hints, bool indexed,
+                     size_t* offender) {
+  const size_t bad = find_non_finite(positions, count, D);
+  if (bad != count) {
+    set_offender(offender, bad);
+    fail_non_finite(positions, bad, D, {indexed ? "positions" : "position", indexed});
+  }
+  for (size_t i = 0; hints != nullptr && i < count; ++i) {
+    if (is_null(hints[i]) || is_alive(scene.env.map, hints[i])) continue;
+    set_offender(offender, i);
+    fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no volume; there are %u",
+         ElementName({indexed ? "hints" : "hint", indexed}, i).text, hints[i].index, hints[i].generation,
+         scene.env.map.cell_count);
+  }
+}
+
+template <int D>
+void check_places(const Scene<D>& scene, PointArray positions, size_t count, const Cell* cells, bool indexed,
+                  size_t* offender) {
+  for (size_t i = 0; i < count; ++i) {
+    const bool inside = cells[i].valid();
+    if (inside && !scene.env.map.marked(cells[i])) continue;
+    set_offender(offender, i);
+    const ElementName name({indexed ? "positions" : "position", indexed}, i);
+    const double* const p = positions[i];
+    const double z = D == 3 ? p[D - 1] : 0;
+    if (!inside) fail(DSW_STATUS_OUTSIDE, "%s (%g, %g, %g) lies in no volume", name.text, p[0], p[1], z);
+    fail(DSW_STATUS_IMPASSABLE, "%s (%g, %g, %g) lies in volume %u, which is impassable", name.text, p[0], p[1], z,
+         scene.env.map.index(cells[i]));
+  }
+}
+
+}  // namespace
+
+template <int D>
+void create_particles(Scene<D>& scene, PointArray positions, size_t count, const dsw_volume_id* hints, bool indexed,
+                      dsw_particle_id* ids, size_t* offender) {
+  check_arguments(scene, positions, count, hints, indexed, offender);
+  scene.slots.reserve(count);
+  reserve_more(scene.particles, count);
+  CellScratch scratch(scene.memory, count);
+  Cell* const cells = scratch.data();
+  auto body = [&](size_t begin, size_t end) noexcept {
+    for (size_t i = begin; i < end; ++i) {
+      const bool hinted = hints != nullptr && !is_null(hints[i]);
+      cells[i] = locate(scene.env, positions[i], hinted ? scene.env.map.cell(hints[i].index) : Cell{}, nullptr).cell;
+    }
+  };
+  share_out(scene.parallel, count, body);
+  check_places(scene, positions, count, cells, indexed, offender);
+
+  for (size_t i = 0; i < count; ++i) {
+    const SlotPool::Slot slot = scene.slots.acquire();
+    if (slot.index == scene.particles.size()) scene.particles.emplace_back();
+    ParticleState<D>& state = scene.particles[slot.index];
+    std::copy(positions[i], positions[i] + D, state.position);
+    state.cell = cells[i];
+    state.forecast = kNoFacet;
+    ids[i] = {slot.index, slot.generation};
+  }
+}
+
+template <int D>
+void destroy_particle(Scene<D>& scene, uint32_t slot) noexcept {
+  scene.slots.release(slot);
+  scene.particles[slot].cell = Cell{};
+}
+
+template <int D>
+void find_occupants(Scene<D>& scene, const Cell* cells, size_t count) {
+  scene.occupants.clear();
+  if (count == 0 || scene.particles.empty()) return;
+  // Most particles are cleared by one bit each; the few left are looked up in a sorted list.
+  constexpr uint32_t kBits = 4096;
+  constexpr size_t kFew = 64;
+  uint64_t seen[kBits / 64] = {};
+  const auto bit_of = [](uint32_t unit) { return (unit * 0x9e3779b1u) >> 20; };
+  uint32_t few[kFew];
+  Array<uint32_t> many(count > kFew ? count : 0, 0u, Allocator<uint32_t>(scene.memory));
+  uint32_t* const units = count > kFew ? many.data() : few;
+  for (size_t i = 0; i < count; ++i) {
+    units[i] = cells[i].unit;
+    const uint32_t bit = bit_of(units[i]);
+    seen[bit / 64] |= uint64_t{1} << (bit % 64);
+  }
+  std::sort(units, units + count);
+  for (uint32_t slot = 0; slot < scene.particles.size(); ++slot) {
+    const uint32_t unit = scene.particles[slot].cell.unit, bit = bit_of(unit);
+    if (((seen[bit / 64] >> (bit % 64)) & 1u) == 0 || !std::binary_search(units, units + count, unit)) continue;
+    scene.occupants.push_back({slot, scene.slots.generation(slot)});
+  }
+}
+
+template <int D>
+void find_occupants_of_region(Scene<D>& scene, int32_t region) {
+  scene.occupants.clear();
+  for (uint32_t slot = 0; slot < scene.particles.size(); ++slot) {
+    const Cell c = scene.particles[slot].cell;
+    if (c.valid() && scene.env.region(c) == region) scene.occupants.push_back({slot, scene.slots.generation(slot)});
+  }
+}
+
+template void create_particles<3>(Scene<3>&, PointArray, size_t, const dsw_volume_id*, bool, dsw_particle_id*, size_t*);
+template void destroy_particle<3>(Scene<3>&, uint32_t) noexcept;
+template void find_occupants<3>(Scene<3>&, const Cell*, size_t);
+template void find_occupants_of_region<3>(Scene<3>&, int32_t);
+
+}  // namespace dsw
