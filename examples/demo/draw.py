@@ -12,7 +12,7 @@ import pyvista
 from PIL import Image
 
 WIDTH, HEIGHT = 1200, 700
-WALL, SLEEVE, CHAIN, NORMAL, INK = "#c8414b", "#8b7d72", "#12324a", "#1f6f54", "#22303a"
+WALL, SLEEVE, CHAIN, NORMAL, INK = "#c8414b", "#8b7d72", "#1c6fa8", "#1e9e6a", "#22303a"
 
 
 def view_axes(points):
@@ -28,7 +28,7 @@ def view_axes(points):
 def glass(surface, towards, colour, least, most):
     """A surface that is clear where it faces the viewer and dense where it turns away."""
     surface = surface.extract_surface(algorithm="dataset_surface").clean()
-    surface = surface.compute_normals(split_vertices=False, auto_orient_normals=False, consistent_normals=False)
+    surface = surface.compute_normals(split_vertices=False, auto_orient_normals=False, consistent_normals=True)
     turned = 1 - np.abs(surface.point_data["Normals"] @ towards)
     rgba = np.empty((surface.n_points, 4), np.uint8)
     rgba[:, :3] = np.array(pyvista.Color(colour).int_rgb)
@@ -61,16 +61,16 @@ def draw(folder, title):
     plot.add_mesh(glass(wall, towards, WALL, 0.07, 0.62), scalars="rgba", rgba=True, smooth_shading=True,
                   specular=0.3, ambient=0.35)
     hits = cloud.point_data["contacts"]
-    dots = plot.add_mesh(cloud, scalars="contacts", cmap="plasma", clim=(0, max(1, np.percentile(hits, 98))),
+    dots = plot.add_mesh(cloud, scalars="contacts", cmap="plasma", clim=(0, max(1, np.percentile(hits, 96))),
                          render_points_as_spheres=True, point_size=4.5, ambient=0.4, show_scalar_bar=False)
     radius = 0.0055 * size
-    plot.add_mesh(chain.extract_surface(algorithm="dataset_surface").tube(radius=0.5 * radius), color=CHAIN)
+    plot.add_mesh(chain.extract_surface(algorithm="dataset_surface").tube(radius=0.5 * radius), color=CHAIN, ambient=0.3)
     plot.add_mesh(pyvista.PolyData(chain.points).glyph(geom=pyvista.Sphere(radius=1.25 * radius), scale=False,
-                                                       orient=False), color=CHAIN, specular=0.6)
+                                                       orient=False), color=CHAIN, ambient=0.3, specular=0.5)
     if contacts.n_points > 0:
         some = contacts.extract_points(np.linspace(0, contacts.n_points - 1, min(160, contacts.n_points)).astype(int))
         arrow = pyvista.Arrow(tip_length=0.35, tip_radius=0.11, shaft_radius=0.035)
-        plot.add_mesh(some.glyph(geom=arrow, orient="normal", scale=False, factor=0.03 * size), color=NORMAL)
+        plot.add_mesh(some.glyph(geom=arrow, orient="normal", scale=False, factor=0.03 * size), color=NORMAL, ambient=0.4)
     plot.add_scalar_bar("wall contacts of a particle", mapper=dots.mapper, title_font_size=15, label_font_size=14,
                         color=INK, n_labels=3, fmt="%.0f", width=0.24, height=0.06, position_x=0.73, position_y=0.03)
     plot.add_text(title, position=(28, HEIGHT - 46), font_size=13, color=INK, font="arial")
@@ -78,7 +78,7 @@ def draw(folder, title):
     fact = lambda key: f"{int(rows[key][0]):,}"
     plot.add_text(f"{fact('casts')} casts, {fact('contacts')} contacts, verified free: {rows['verified free'][0]}",
                   position=(28, HEIGHT - 76), font_size=9, color=INK, font="arial")
-    plot.add_text("chain of 20 (dark), contact normals (green)", position=(28, 24), font_size=9, color=INK,
+    plot.add_text("chain of 20 (blue), contact normals (green)", position=(28, 24), font_size=9, color=INK,
                   font="arial")
     plot.enable_parallel_projection()
     middle = (used.min(axis=0) + used.max(axis=0)) / 2
@@ -88,7 +88,7 @@ def draw(folder, title):
     plot.camera.parallel_scale = scale
     plot.reset_camera_clipping_range()
     picture = Image.fromarray(plot.screenshot(None, return_img=True))
-    picture.quantize(192, dither=Image.Dither.NONE).save(os.path.join(folder, "demo.png"), optimize=True)
+    picture.quantize(256, kmeans=2, dither=Image.Dither.NONE).save(os.path.join(folder, "demo.png"), optimize=True)
 
 
 if __name__ == "__main__":

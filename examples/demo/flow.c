@@ -1,32 +1,12 @@
 /* Shortest ways over the volumes of the lumen. Two volumes are neighbours when they share a face that is passable. */
 #include "flow.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { kMostVertices = 256, kSmoothing = 8 };
+#include "ways.h"
 
-/* Neighbours of slot i are link[first[i] .. first[i + 1] - 1]; hops is the number of volumes between i and a wall. */
-typedef struct graph {
-  size_t count, capacity;
-  size_t *first;
-  uint32_t *link;
-  uint32_t *hops;
-  const double *centre;
-} graph;
-
-static double distance(const double *a, const double *b) {
-  double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-  return sqrt(x * x + y * y + z * z);
-}
-
-static void normalise(double *v) {
-  double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  for (int k = 0; k < 3; ++k) {
-    v[k] = length > 0 ? v[k] / length : 0;
-  }
-}
+enum { kMostVertices = 256 };
 
 /* Mean of a volume's vertices: the library proves that it lies inside. */
 static dsw_status find_centre(const dsw_environment *environment, dsw_volume_id volume, double *centre) {
@@ -75,7 +55,7 @@ static dsw_status find_neighbour(const dsw_environment *environment, dsw_volume_
 }
 
 /* Takes the volumes in reach of `start`, a slot each, with their centres and links. */
-static dsw_status flood(const dsw_environment *environment, dsw_volume_id start, demo_flow *flow, graph *g) {
+static dsw_status flood(const dsw_environment *environment, dsw_volume_id start, demo_flow *flow, demo_graph *g) {
   dsw_status status = DSW_STATUS_OK;
   g->first[0] = 0;
   flow->count = 0;
@@ -115,158 +95,13 @@ static dsw_status flood(const dsw_environment *environment, dsw_volume_id start,
   return status;
 }
 
-static void count_hops(graph *g) {
-  uint32_t *queue = (uint32_t *)demo_allocate(g->count, sizeof(uint32_t));
-  size_t head = 0, tail = 0;
-  for (size_t i = 0; i < g->count; ++i) {
-    if (g->hops[i] == 0) {
-      queue[tail++] = (uint32_t)i;
-    }
-  }
-  for (; head < tail; ++head) {
-    uint32_t i = queue[head];
-    for (size_t k = g->first[i]; k < g->first[i + 1]; ++k) {
-      if (g->hops[g->link[k]] == kNoSlot) {
-        g->hops[g->link[k]] = g->hops[i] + 1;
-        queue[tail++] = g->link[k];
-      }
-    }
-  }
-  free(queue);
-}
-
-static void sift_up(uint32_t *heap, uint32_t *where, const double *cost, size_t at) {
-  uint32_t item = heap[at];
-  while (at > 0 && cost[item] < cost[heap[(at - 1) / 2]]) {
-    heap[at] = heap[(at - 1) / 2];
-    where[heap[at]] = (uint32_t)at;
-    at = (at - 1) / 2;
-  }
-  heap[at] = item;
-  where[item] = (uint32_t)at;
-}
-
-static void sift_down(uint32_t *heap, uint32_t *where, const double *cost, size_t count, size_t at) {
-  uint32_t item = heap[at];
-  for (size_t child = 2 * at + 1; child < count; child = 2 * at + 1) {
-    child += child + 1 < count && cost[heap[child + 1]] < cost[heap[child]];
-    if (cost[heap[child]] >= cost[item]) {
-      break;
-    }
-    heap[at] = heap[child];
-    where[heap[at]] = (uint32_t)at;
-    at = child;
-  }
-  heap[at] = item;
-  where[item] = (uint32_t)at;
-}
-
-/* Dijkstra's algorithm. `off_wall` makes ways near the wall dear. Fills cost and, if not null, the slot each way
- * comes from. Returns the farthest slot. */
-static uint32_t find_ways(const graph *g, uint32_t start, int off_wall, double *cost, uint32_t *comes_from) {
-  uint32_t *heap = (uint32_t *)demo_allocate(g->count, sizeof(uint32_t));
-  uint32_t *where = (uint32_t *)demo_allocate(g->count, sizeof(uint32_t));
-  size_t waiting = 1;
-  uint32_t last = start;
-  for (size_t i = 0; i < g->count; ++i) {
-    cost[i] = -1;
-    where[i] = kNoSlot;
-  }
-  cost[start] = 0;
-  heap[0] = start;
-  where[start] = 0;
-  if (comes_from != NULL) {
-    comes_from[start] = kNoSlot;
-  }
-  while (waiting > 0) {
-    uint32_t i = last = heap[0];
-    heap[0] = heap[--waiting];
-    if (waiting > 0) {
-      sift_down(heap, where, cost, waiting, 0);
-    }
-    for (size_t k = g->first[i]; k < g->first[i + 1]; ++k) {
-      uint32_t j = g->link[k];
-      double way = distance(g->centre + 3 * (size_t)i, g->centre + 3 * (size_t)j);
-      if (off_wall) {
-        way /= (1.0 + g->hops[j]) * (1.0 + g->hops[j]);
-      }
-      if (cost[j] < 0 || cost[i] + way < cost[j]) {
-        if (cost[j] < 0) {
-          heap[waiting] = j;
-          where[j] = (uint32_t)waiting++;
-        }
-        cost[j] = cost[i] + way;
-        sift_up(heap, where, cost, where[j]);
-        if (comes_from != NULL) {
-          comes_from[j] = i;
-        }
-      }
-    }
-  }
-  free(heap);
-  free(where);
-  return last;
-}
-
-/* Unit directions in which `cost` rises (sign 1) or falls (sign -1), smoothed over the neighbours. */
-static void find_directions(const graph *g, const double *cost, double sign, double *direction) {
-  double *smooth = (double *)demo_allocate(3 * g->count, sizeof(double));
-  memset(direction, 0, 3 * g->count * sizeof(double));
-  for (size_t i = 0; i < g->count; ++i) {
-    for (size_t k = g->first[i]; k < g->first[i + 1]; ++k) {
-      const double *a = g->centre + 3 * i, *b = g->centre + 3 * (size_t)g->link[k];
-      double rise = sign * (cost[g->link[k]] - cost[i]) / (distance(a, b) * distance(a, b));
-      for (size_t c = 0; c < 3; ++c) {
-        direction[3 * i + c] += rise * (b[c] - a[c]);
-      }
-    }
-    normalise(direction + 3 * i);
-  }
-  for (int round = 0; round < kSmoothing; ++round) {
-    for (size_t i = 0; i < g->count; ++i) {
-      memcpy(smooth + 3 * i, direction + 3 * i, 3 * sizeof(double));
-      for (size_t k = g->first[i]; k < g->first[i + 1]; ++k) {
-        for (size_t c = 0; c < 3; ++c) {
-          smooth[3 * i + c] += direction[3 * (size_t)g->link[k] + c];
-        }
-      }
-      normalise(smooth + 3 * i);
-    }
-    memcpy(direction, smooth, 3 * g->count * sizeof(double));
-  }
-  free(smooth);
-}
-
-/* The slot where the cloud starts: next to the inlet, or the roomier of the two ends farthest apart. */
-static uint32_t find_start(const graph *g, const demo_mesh *mesh, double *cost) {
-  uint32_t best = 0;
-  if (mesh->has_inlet) {
-    for (uint32_t i = 1; i < g->count; ++i) {
-      if (distance(g->centre + 3 * (size_t)i, mesh->inlet) < distance(g->centre + 3 * (size_t)best, mesh->inlet)) {
-        best = i;
-      }
-    }
-    return best;
-  }
-  uint32_t ends[2];
-  size_t room[2] = {0, 0};
-  ends[0] = find_ways(g, 0, 0, cost, NULL);
-  ends[1] = find_ways(g, ends[0], 0, cost, NULL);
-  double length = cost[ends[1]];
-  for (size_t i = 0; i < g->count; ++i) {
-    room[0] += cost[i] < 0.1 * length;
-    room[1] += cost[i] > 0.9 * length;
-  }
-  return ends[room[1] > room[0] ? 1 : 0];
-}
-
 static int by_cost(const void *a, const void *b) {
   const double *x = (const double *)a, *y = (const double *)b;
   return x[0] < y[0] ? -1 : x[0] > y[0] ? 1 : x[1] < y[1] ? -1 : x[1] > y[1];
 }
 
 /* Slots in the order of their way from the inlet: the order and the number of each are pairs of doubles. */
-static void sort_slots(demo_flow *flow, graph *g) {
+static void sort_slots(demo_flow *flow, demo_graph *g) {
   double *order = (double *)demo_allocate(2 * g->count, sizeof(double));
   uint32_t *number = (uint32_t *)demo_allocate(g->count, sizeof(uint32_t));
   for (size_t i = 0; i < g->count; ++i) {
@@ -302,14 +137,15 @@ static void sort_slots(demo_flow *flow, graph *g) {
   free(values);
 }
 
-static void find_flow(const demo_mesh *mesh, demo_flow *flow, graph *g) {
+static void find_flow(const demo_mesh *mesh, demo_flow *flow, demo_graph *g) {
   double *cost = (double *)demo_allocate(g->count, sizeof(double)), sum = 0;
   uint32_t *towards = (uint32_t *)demo_allocate(g->count, sizeof(uint32_t));
   count_hops(g);
   uint32_t start = find_start(g, mesh, cost);
   uint32_t end = find_ways(g, start, 0, flow->from_inlet, NULL);
   flow->length = flow->from_inlet[end];
-  find_directions(g, flow->from_inlet, 1, flow->along);
+  find_potential(g, flow->from_inlet, flow->length, cost);
+  find_directions(g, cost, 1, flow->along);
   find_ways(g, end, 1, cost, towards);
   find_directions(g, cost, -1, flow->guide);
   for (uint32_t at = start; at != kNoSlot; at = towards[at]) {
@@ -330,7 +166,7 @@ dsw_status flow_create(const dsw_environment *environment, const demo_mesh *mesh
   size_t n = mesh->cell_count, best = 0;
   dsw_status status = DSW_STATUS_OK;
   dsw_volume_id best_start = {0, 0};
-  graph g;
+  demo_graph g;
   memset(flow, 0, sizeof *flow);
   flow->volumes = (dsw_volume_id *)demo_allocate(n, sizeof(dsw_volume_id));
   flow->slot_of = (uint32_t *)demo_allocate(n, sizeof(uint32_t));

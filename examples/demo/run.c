@@ -122,13 +122,19 @@ static void record(demo_run *run, size_t i, int last_steps) {
   memcpy(run->moved + 3 * i, flight->position, sizeof flight->position);
 }
 
+/* Every particle goes with the flow at its own speed and wanders; one that has just met a wall goes along it. */
 static void move_cloud(demo_run *run, uint32_t step, double reach) {
   for (size_t i = 0; i < run->cloud; ++i) {
     const double *along = run->flow.along + 3 * (size_t)run->flow.slot_of[run->volume[i].index];
-    double speed = reach * (0.15 + 0.85 * chance((uint32_t)i, 0, 3));
+    const double *normal = run->last_normal + 3 * i;
+    double speed = reach * (0.15 + 0.85 * chance((uint32_t)i, 0, 3)), move[3], into = 0;
     for (size_t k = 0; k < 3; ++k) {
-      double wander = 2.2 * reach * (chance((uint32_t)i, step, (uint32_t)k + 4) - 0.5);
-      run->target[3 * i + k] = run->position[3 * i + k] + speed * along[k] + wander;
+      move[k] = speed * along[k] + 2.2 * reach * (chance((uint32_t)i, step, (uint32_t)k + 4) - 0.5);
+      into += move[k] * normal[k];
+    }
+    int slides = step > 0 && run->flight[i].outcome == DSW_OUTCOME_CONTACT && into < 0;
+    for (size_t k = 0; k < 3; ++k) {
+      run->target[3 * i + k] = run->position[3 * i + k] + move[k] - (slides ? into * normal[k] : 0);
     }
   }
   double start = seconds();
@@ -249,8 +255,8 @@ void destroy_run(demo_run *run) {
 }
 
 void drive(demo_run *run, size_t steps) {
-  double reach = 0.95 * run->flow.length / (double)steps;
-  double chain_reach = 0.62 * run->flow.length / (double)steps;
+  double reach = 0.8 * run->flow.length / (double)steps;
+  double chain_reach = 0.4 * run->flow.length / (double)steps;
   for (size_t step = 0; step < steps; ++step) {
     move_cloud(run, (uint32_t)step, reach);
     for (size_t i = 0; i < run->cloud; ++i) {
