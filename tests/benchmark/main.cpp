@@ -1,0 +1,61 @@
+// Runs the parts of the benchmark and writes their figures.
+#include "parts.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+int main(int argc, char** argv) {
+  using namespace dsw::bench;
+  Options options;
+  std::string json = "benchmark.json";
+  const std::vector<std::string> known = {"hex", "threads", "tet", "vessel", "change", "create"};
+  std::vector<std::string> parts;
+  CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
+  app.add_flag("--quick", options.quick, "Fewer steps and rounds");
+  app.add_option("--json", json, "File to write");
+  app.add_option("--vessel", options.vessel, "Mesh converted by read_mesh.py");
+  app.add_option("--part", parts, "Parts to run; all if not given")->check(CLI::IsMember(known));
+  CLI11_PARSE(app, argc, argv);
+
+  Report report;
+  Agreement agreement;
+  const auto wanted = [&](const std::string& part) {
+    const bool chosen = parts.empty() || std::find(parts.begin(), parts.end(), part) != parts.end();
+    if (chosen) {
+      std::printf("%s\n", part.c_str());
+    }
+    return chosen;
+  };
+  try {
+    if (wanted("create")) {
+      run_create(options, report);
+    }
+    if (wanted("change")) {
+      run_change(options, report);
+    }
+    if (wanted("threads")) {
+      run_threads(options, report);
+    }
+    if (wanted("tet")) {
+      run_tet(options, report, agreement);
+    }
+    if (wanted("vessel")) {
+      if (options.vessel.empty()) {
+        std::printf("  no data: walk.vessel.* is left out\n");
+      } else {
+        run_vessel(options, report, agreement);
+      }
+    }
+    if (wanted("hex")) {
+      run_hex(options, report, agreement);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  agreement.write(report);
+  return report.write(json) ? 0 : 1;
+}

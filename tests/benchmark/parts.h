@@ -1,0 +1,26 @@
+// The parts of the benchmark. Each adds its figures to the report.
+#ifndef DARTSWEEP_TESTS_BENCHMARK_PARTS_H
+#define DARTSWEEP_TESTS_BENCHMARK_PARTS_H
+
+#include "agreement.h"
+#include "report.h"
+
+#include <string>
+
+namespace dsw::bench {
+
+struct Options {
+  bool quick = false;
+  std::string vessel;  // file of read_mesh.py, or empty
+};
+
+void run_hex(const Options& options, Report& report, Agreement& agreement);
+void run_threads(const Options& options, Report& report);
+void run_tet(const Options& options, Report& report, Agreement& agreement);
+void run_vessel(const Options& options, Report& report, Agreement& agreement);
+void run_change(const Options& options, Report& report);
+void run_create(const Options& options, Report& report);
+
+}  // namespace dsw::bench
+
+#endif

@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# The benchmark: tests/benchmark/run.sh [--quick] [--json FILE]
+#
+# Installs what is missing (Debian 12, as root), builds a release in build/bench, runs ours and the peers on the same
+# queries, and writes one flat JSON object, name: number. --quick stays under 10 minutes on two cores. With
+# DARTSWEEP_DATA naming a folder with vessels/vascular_phantom.msh.gz a real vessel is measured too.
+set -euo pipefail
+
+root=$(cd "$(dirname "$0")/../.." && pwd)
+here=$root/tests/benchmark
+tree=$root/build/bench
+quick=
+json=$tree/benchmark.json
+while [ $# -gt 0 ]; do
+  case $1 in
+    --quick) quick=--quick ;;
+    --json)
+      [ $# -ge 2 ] || { echo "benchmark: --json needs a file" >&2; exit 2; }
+      json=$2
+      shift
+      ;;
+    -h | --help)
+      sed -n '2,6s/^# \{0,1\}//p' "$0"
+      exit 0
+      ;;
+    *)
+      echo "benchmark: unknown argument $1" >&2
+      exit 2
+      ;;
+  esac
+  shift
+done
+case $json in /*) ;; *) json=$PWD/$json ;; esac
+
+install() {
+  [ "$(id -u)" = 0 ] || { echo "benchmark: please install $*" >&2; exit 1; }
+  echo "installing $*"
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get update -qq
+  apt-get install -y -qq --no-install-recommends "$@" > /dev/null
+}
+
+missing=()
+command -v c++ > /dev/null || missing+=(g++)
+for tool in cmake:cmake make:make pkg-config:pkg-config readelf:binutils python3:python3; do
+  command -v "${tool%%:*}" > /dev/null || missing+=("${tool##*:}")
+done
+for header in embree3/rtcore.h:libembree-dev bullet/btBulletCollisionCommon.h:libbullet-dev \
+  CGAL/version.h:libcgal-dev gmpxx.h:libgmp-dev nlohmann/json.hpp:nlohmann-json3-dev CLI/CLI.hpp:libcli11-dev \
+  gtest/gtest.h:libgtest-dev eigen3/Eigen/Core:libeigen3-dev; do
+  found=
+  for folder in /usr/include /usr/local/include /usr/include/*-linux-gnu; do
+    if [ -e "$folder/${header%%:*}" ]; then found=1; fi
+  done
+  [ -n "$found" ] || missing+=("${header##*:}")
+done
+[ ${#missing[@]} = 0 ] || install "${missing[@]}"
+
+vessel=()
+data=${DARTSWEEP_DATA:-}/vessels/vascular_phantom.msh.gz
+if [ -n "${DARTSWEEP_DATA:-}" ] && [ -e "$data" ]; then
+  mkdir -p "$tree"
+  python=
+  for candidate in python3 /usr/bin/python3; do
+    if [ -z "$python" ] && "$candidate" -c 'import meshio' 2> /dev/null; then python=$candidate; fi
+  done
+  if [ -z "$python" ]; then
+    install python3-meshio
+    python=/usr/bin/python3
+  fi
+  "$python" "$here/read_mesh.py" "$data" "$tree/vessel.bin"
+  vessel=(--vessel "$tree/vessel.bin")
+else
+  echo "benchmark: DARTSWEEP_DATA names no folder with vessels/vascular_phantom.msh.gz: no walk.vessel.* figures"
+fi
+
+cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDSW_BUILD_TESTS=ON \
+  -DDSW_BUILD_EXAMPLES=OFF > "$tree-configure.log" || { cat "$tree-configure.log" >&2; exit 1; }
+cmake --build "$tree" -j "$(nproc)" --target dartsweep_bench dartsweep_bench_predicates dartsweep_oracle
+
+bench=$tree/tests/benchmark
+if [ -n "$quick" ]; then casts=120000 cases=110000; else casts=10000000 cases=500000; fi
+"$bench/dartsweep_bench" $quick --json "$tree/walk.json" "${vessel[@]}"
+# The exact parts report what they find and fail on a single difference; their figures are wanted either way.
+failed=0
+"$bench/dartsweep_bench_predicates" --cases "$cases" --json "$tree/predicates.json" || failed=1
+"$tree/tests/oracle/dartsweep_oracle" --casts "$casts" --json "$tree/oracle.json" || failed=1
+
+library=$(find "$tree" -name 'libdartsweep.so' | head -n 1)
+python3 "$here/merge.py" "$json" "$library" "$tree/walk.json" "$tree/predicates.json" "$tree/oracle.json"
+echo "wrote $json"
+exit $failed

@@ -1,0 +1,41 @@
+// Clocks and medians. Engines are timed in turns, round by round, so that a disturbance of the machine meets all of
+// them; ratios are taken within a round and then their median.
+#ifndef DARTSWEEP_TESTS_BENCHMARK_TIMING_H
+#define DARTSWEEP_TESTS_BENCHMARK_TIMING_H
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <vector>
+
+namespace dsw::bench {
+
+/** Nanoseconds that a call takes. */
+template <typename Work>
+double time_ns(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+}
+
+inline double median(std::vector<double> values) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+/** Median of a[i] / b[i]. */
+inline double median_ratio(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {
+    ratios.push_back(a[i] / b[i]);
+  }
+  return median(ratios);
+}
+
+}  // namespace dsw::bench
+
+#endif
