@@ -89,12 +89,14 @@ bool Checker::compare_hit(const Walk& walk, const dsw_flight& flight, const std:
   if (flight.outcome != DSW_OUTCOME_CONTACT) wrong += " outcome " + std::to_string(flight.outcome) + " for a contact";
   if (!(flight.time == walk.time)) wrong += " time " + number(flight.time) + " for " + number(walk.time);
   if (!same_face(flight.face, walk.face)) {
-    wrong += " face " + name(flight.face) + " for " + std::to_string(face.cell[0]) + "/" + std::to_string(face.local[0]);
+    wrong +=
+        " face " + name(flight.face) + " for " + std::to_string(face.cell[0]) + "/" + std::to_string(face.local[0]);
   }
   if (!same_volume(flight.behind, behind)) wrong += " behind " + name(flight.behind) + " for " + std::to_string(behind);
   if (flight.kind != DSW_CONTACT_PLANE) wrong += " kind " + std::to_string(flight.kind);
   const bool by_face = face.marked || behind < 0;
-  if (flight.obstacle != (by_face ? DSW_CELL_FACE : DSW_CELL_VOLUME)) wrong += " obstacle " + std::to_string(flight.obstacle);
+  if (flight.obstacle != (by_face ? DSW_CELL_FACE : DSW_CELL_VOLUME))
+    wrong += " obstacle " + std::to_string(flight.obstacle);
   const auto tagged = static_cast<size_t>(behind >= 0 ? behind : walk.cell);
   const uint32_t tag = world_.mesh.tags.empty() ? 0 : world_.mesh.tags[tagged];
   if (flight.tag != tag) wrong += " tag " + std::to_string(flight.tag) + " for " + std::to_string(tag);
@@ -149,11 +151,12 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
   options.max_cells = max_cells;
   dsw_flight flight;
   std::memset(&flight, 0xee, sizeof flight);
-  dsw_crossing crossings[256];
+  std::vector<dsw_crossing> crossings(walk.steps.size() + 8);
   size_t count = 0;
   dsw_status status;
   if (way == kPath) {
-    status = dsw_environment_cast_path(environment_, hint, p.data(), q.data(), &options, crossings, 256, &count, &flight);
+    status = dsw_environment_cast_path(environment_, hint, p.data(), q.data(), &options, crossings.data(),
+                                       crossings.size(), &count, &flight);
   } else if (way == kBatch) {
     status = dsw_environment_cast_segments(environment_, 1, &hint, p.data(), q.data(), 0, &options, &flight);
   } else {
@@ -170,10 +173,11 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
     }
     return;
   }
-  if (way == kPath) compare_crossings(walk, crossings, count, max_cells, what);
+  if (way == kPath) compare_crossings(walk, crossings.data(), count, max_cells, what);
   const size_t visited = limited(walk, max_cells) ? max_cells : walk.steps.size();
   if (flight.cells_visited != visited) {
-    report_.mismatch(what + " cells_visited " + std::to_string(flight.cells_visited) + " for " + std::to_string(visited));
+    report_.mismatch(what + " cells_visited " + std::to_string(flight.cells_visited) + " for " +
+                     std::to_string(visited));
   }
   const int last = walk.steps[visited - 1].cell;
   if (!same_volume(flight.volume, last)) {
@@ -181,8 +185,9 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
     if (walk.outcome == Walk::kReached && visited == walk.steps.size()) report_.lost(what);
   }
   const bool stopped = limited(walk, max_cells);
-  const dsw_outcome want = stopped ? DSW_OUTCOME_WORK_LIMIT
-                                   : walk.outcome == Walk::kContact ? DSW_OUTCOME_CONTACT : DSW_OUTCOME_REACHED;
+  const dsw_outcome want = stopped                          ? DSW_OUTCOME_WORK_LIMIT
+                           : walk.outcome == Walk::kContact ? DSW_OUTCOME_CONTACT
+                                                            : DSW_OUTCOME_REACHED;
   if (flight.outcome != want) {
     report_.mismatch(what + " outcome " + std::to_string(flight.outcome) + " for " + std::to_string(want));
     return;
@@ -201,7 +206,8 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
     report_.mismatch(what + " reached at time " + number(flight.time) + " position " + hex(flight.position));
   }
   if (stopped && !(flight.time >= 0 && flight.time <= walk.steps[visited - 1].time)) {
-    report_.mismatch(what + " work limit at time " + number(flight.time) + " after " + number(walk.steps[visited - 1].time));
+    report_.mismatch(what + " work limit at time " + number(flight.time) + " after " +
+                     number(walk.steps[visited - 1].time));
   }
   if (flight.reserved != 0) report_.mismatch(what + " reserved is set");
   for (size_t k = 0; k < 3; ++k) {
@@ -225,16 +231,17 @@ void Checker::locate(const Vec& p, dsw_volume_id hint) {
     report_.mismatch(what + " " + dsw_status_string(status) + ": " + dsw_last_error_message());
     return;
   }
-  const dsw_place want = cell < 0 ? DSW_PLACE_OUTSIDE
-                                  : world_.cell_marked[static_cast<size_t>(cell)] != 0 ? DSW_PLACE_IMPASSABLE
-                                                                                       : DSW_PLACE_PASSABLE;
+  const dsw_place want = cell < 0                                             ? DSW_PLACE_OUTSIDE
+                         : world_.cell_marked[static_cast<size_t>(cell)] != 0 ? DSW_PLACE_IMPASSABLE
+                                                                              : DSW_PLACE_PASSABLE;
   if (!same_volume(volume, cell) || place != want) {
     report_.mismatch(what + " " + name(volume) + " place " + std::to_string(place) + " for " + std::to_string(cell) +
                      " place " + std::to_string(want));
   }
 }
 
-void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target, uint32_t max_cells, bool with_crossings) {
+void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target, uint32_t max_cells,
+                   bool with_crossings) {
   Vec old_position, position;
   dsw_volume_id old_volume, volume;
   if (dsw_particle_get(scene, particle, old_position.data(), &old_volume) != DSW_STATUS_OK) {
@@ -268,8 +275,9 @@ void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target
   }
   const bool stopped = limited(walk, max_cells);
   const size_t visited = stopped ? max_cells : walk.steps.size();
-  const dsw_outcome want = stopped ? DSW_OUTCOME_WORK_LIMIT
-                                   : walk.outcome == Walk::kContact ? DSW_OUTCOME_CONTACT : DSW_OUTCOME_REACHED;
+  const dsw_outcome want = stopped                          ? DSW_OUTCOME_WORK_LIMIT
+                           : walk.outcome == Walk::kContact ? DSW_OUTCOME_CONTACT
+                                                            : DSW_OUTCOME_REACHED;
   if (flight.outcome != want) {
     report_.mismatch(what + " outcome " + std::to_string(flight.outcome) + " for " + std::to_string(want));
   } else if (want == DSW_OUTCOME_CONTACT) {
@@ -280,7 +288,8 @@ void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target
     report_.mismatch(what + " work limit at time " + number(flight.time));
   }
   if (flight.cells_visited != visited) {
-    report_.mismatch(what + " cells_visited " + std::to_string(flight.cells_visited) + " for " + std::to_string(visited));
+    report_.mismatch(what + " cells_visited " + std::to_string(flight.cells_visited) + " for " +
+                     std::to_string(visited));
   }
   if (with_crossings) {
     const dsw_crossing* crossings = nullptr;

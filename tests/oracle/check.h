@@ -72,9 +72,7 @@ class Checker {
                          const std::string& what);
   bool same_volume(dsw_volume_id id, int cell) const;
   bool same_face(dsw_face_id id, int face) const;
-  bool limited(const Walk& walk, uint32_t max_cells) const {
-    return max_cells != 0 && walk.steps.size() > max_cells;
-  }
+  bool limited(const Walk& walk, uint32_t max_cells) const { return max_cells != 0 && walk.steps.size() > max_cells; }
 
   World& world_;
   dsw_environment* environment_;

@@ -80,9 +80,9 @@ bool build(Rng& rng, int count, int size, std::vector<Point>& p, std::vector<Tet
     }
     tets = keep;
   }
-  tets.erase(std::remove_if(tets.begin(), tets.end(),
-                            [](const Tet& t) { return *std::min_element(t.begin(), t.end()) < 4; }),
-             tets.end());
+  tets.erase(
+      std::remove_if(tets.begin(), tets.end(), [](const Tet& t) { return *std::min_element(t.begin(), t.end()) < 4; }),
+      tets.end());
   return static_cast<int>(tets.size()) > count;
 }
 

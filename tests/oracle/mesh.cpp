@@ -15,11 +15,16 @@ const std::vector<Loop>& standard_faces(int type) {
   static const std::vector<Loop> pyramid = {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
   static const std::vector<Loop> none;
   switch (type) {
-    case DSW_CELL_TYPE_TETRA: return tetra;
-    case DSW_CELL_TYPE_HEXAHEDRON: return hexahedron;
-    case DSW_CELL_TYPE_WEDGE: return wedge;
-    case DSW_CELL_TYPE_PYRAMID: return pyramid;
-    default: return none;
+    case DSW_CELL_TYPE_TETRA:
+      return tetra;
+    case DSW_CELL_TYPE_HEXAHEDRON:
+      return hexahedron;
+    case DSW_CELL_TYPE_WEDGE:
+      return wedge;
+    case DSW_CELL_TYPE_PYRAMID:
+      return pyramid;
+    default:
+      return none;
   }
 }
 

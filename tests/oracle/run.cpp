@@ -65,8 +65,8 @@ void one_scene(const Turn& turn, uint64_t seed, uint64_t casts, Report& report) 
   layout.separate_faces = rng.chance(0.5);
   layout.stride = rng.chance(0.3) ? 40 : 24;
   const uint32_t flags = rng.chance(0.5) ? DSW_ENVIRONMENT_LOCATE_GRID : 0;
-  report.begin(turn.kind->name, std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " +
-                                    std::to_string(seed));
+  report.begin(turn.kind->name,
+               std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " + std::to_string(seed));
   const EnvironmentPtr environment = create_environment(mesh, layout, flags);
   if (environment == nullptr) {
     report.mismatch("a valid mesh was refused");
@@ -99,9 +99,9 @@ void one_scene(const Turn& turn, uint64_t seed, uint64_t casts, Report& report) 
   for (int tries = 0; tries < 40 && particles.size() < 8; ++tries) {
     const Vec p = motions.start();
     const int cell = world.locate(world.body(p.data()));
-    const dsw_status want = cell < 0 ? DSW_STATUS_OUTSIDE
-                                     : world.cell_marked[static_cast<size_t>(cell)] != 0 ? DSW_STATUS_IMPASSABLE
-                                                                                         : DSW_STATUS_OK;
+    const dsw_status want = cell < 0                                            ? DSW_STATUS_OUTSIDE
+                            : world.cell_marked[static_cast<size_t>(cell)] != 0 ? DSW_STATUS_IMPASSABLE
+                                                                                : DSW_STATUS_OK;
     dsw_particle_id id;
     const dsw_status status = dsw_particle_create(scene.get(), p.data(), any_hint(), &id);
     if (status != want) report.mismatch("particle at " + hex(p) + ": " + dsw_status_string(status));

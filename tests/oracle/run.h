@@ -8,8 +8,8 @@ namespace dsw::oracle {
 struct RunOptions {
   uint64_t casts = 20000;
   uint64_t seed = 1;
-  std::string only;           // a scene's name, or empty
-  uint64_t casts_a_scene = 0; // 0: chosen so that every scene and transform has its turn
+  std::string only;            // a scene's name, or empty
+  uint64_t casts_a_scene = 0;  // 0: chosen so that every scene and transform has its turn
 };
 
 void run(const RunOptions& options, Report& report);

@@ -218,10 +218,12 @@ Mesh waist_slivers(Rng& rng) {
       // Above: the two triangles that the high diagonal makes; below: those of the low diagonal.
       const int above[2][3] = {{1, 3, 0}, {1, 2, 3}}, below[2][3] = {{0, 1, 2}, {0, 2, 3}};
       for (const auto& t : above) {
-        mesh.add_standard(DSW_CELL_TYPE_WEDGE, {v[t[0]][1], v[t[2]][1], v[t[1]][1], v[t[0]][2], v[t[2]][2], v[t[1]][2]});
+        mesh.add_standard(DSW_CELL_TYPE_WEDGE,
+                          {v[t[0]][1], v[t[2]][1], v[t[1]][1], v[t[0]][2], v[t[2]][2], v[t[1]][2]});
       }
       for (const auto& t : below) {
-        mesh.add_standard(DSW_CELL_TYPE_WEDGE, {v[t[0]][0], v[t[2]][0], v[t[1]][0], v[t[0]][1], v[t[2]][1], v[t[1]][1]});
+        mesh.add_standard(DSW_CELL_TYPE_WEDGE,
+                          {v[t[0]][0], v[t[2]][0], v[t[1]][0], v[t[0]][1], v[t[2]][1], v[t[1]][1]});
       }
     }
   }
@@ -326,12 +328,18 @@ void shuffle_cells(Mesh& mesh, Rng& rng) {
 
 const char* transform_name(Transform t) {
   switch (t) {
-    case Transform::kFar: return "+1e8";
-    case Transform::kLarge: return "*1e100";
-    case Transform::kSmall: return "*1e-100";
-    case Transform::kPower: return "*2^900";
-    case Transform::kDenormal: return "*2^-1074";
-    default: return "";
+    case Transform::kFar:
+      return "+1e8";
+    case Transform::kLarge:
+      return "*1e100";
+    case Transform::kSmall:
+      return "*1e-100";
+    case Transform::kPower:
+      return "*2^900";
+    case Transform::kDenormal:
+      return "*2^-1074";
+    default:
+      return "";
   }
 }
 
@@ -339,12 +347,23 @@ void apply_transform(Mesh& mesh, Transform t) {
   for (Vec& p : mesh.points) {
     for (double& x : p) {
       switch (t) {
-        case Transform::kFar: x += 1e8; break;
-        case Transform::kLarge: x *= 1e100; break;
-        case Transform::kSmall: x *= 1e-100; break;
-        case Transform::kPower: x = std::ldexp(x, 900); break;
-        case Transform::kDenormal: x = std::ldexp(x, -1074); break;
-        default: break;
+        case Transform::kFar:
+          x += 1e8;
+          break;
+        case Transform::kLarge:
+          x *= 1e100;
+          break;
+        case Transform::kSmall:
+          x *= 1e-100;
+          break;
+        case Transform::kPower:
+          x = std::ldexp(x, 900);
+          break;
+        case Transform::kDenormal:
+          x = std::ldexp(x, -1074);
+          break;
+        default:
+          break;
       }
     }
   }

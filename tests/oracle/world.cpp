@@ -304,7 +304,8 @@ Vec World::unit_normal(int triangle, double* tolerance) const {
     if (m[k] != 0) most = std::max(most, e[k]);
   }
   Vec n;
-  for (size_t k = 0; k < 3; ++k) n[k] = m[k] == 0 ? 0 : std::ldexp(m[k], static_cast<int>(std::max(e[k] - most, -1000l)));
+  for (size_t k = 0; k < 3; ++k)
+    n[k] = m[k] == 0 ? 0 : std::ldexp(m[k], static_cast<int>(std::max(e[k] - most, -1000l)));
   const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   for (double& x : n) x /= length;
   // What cancels in the cross product is lost to double arithmetic; nothing else may be.

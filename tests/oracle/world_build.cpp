@@ -96,9 +96,8 @@ void World::read_topology(const dsw_environment* environment) {
       size_t f = 0;
       for (; f < mesh.cells[c].faces.size(); ++f) {
         const Loop& loop = mesh.cells[c].faces[f];
-        const bool inside = std::all_of(v.begin(), v.end(), [&](int x) {
-          return std::find(loop.begin(), loop.end(), x) != loop.end();
-        });
+        const bool inside = std::all_of(v.begin(), v.end(),
+                                        [&](int x) { return std::find(loop.begin(), loop.end(), x) != loop.end(); });
         if (inside && in_face[f] + 2 < static_cast<int>(loop.size())) break;
       }
       if (f == mesh.cells[c].faces.size()) {
@@ -195,8 +194,8 @@ void World::prepare_numbers() {
       t.n[k] = l - r;
       t.p[k] = std::fabs(l) + std::fabs(r);
       t.ln[k] = (at_[b][i] - at_[a][i]) * (at_[c][j] - at_[a][j]) - (at_[b][j] - at_[a][j]) * (at_[c][i] - at_[a][i]);
-      t.bn[k] = (big_[b][i] - big_[a][i]) * (big_[c][j] - big_[a][j]) -
-                (big_[b][j] - big_[a][j]) * (big_[c][i] - big_[a][i]);
+      t.bn[k] =
+          (big_[b][i] - big_[a][i]) * (big_[c][j] - big_[a][j]) - (big_[b][j] - big_[a][j]) * (big_[c][i] - big_[a][i]);
     }
     if (sgn(t.bn[0]) == 0 && sgn(t.bn[1]) == 0 && sgn(t.bn[2]) == 0) fault_ = "a boundary triangle is flat";
   }

@@ -1,0 +1,13 @@
+// Reads volume meshes for tests: Gmsh 4.1 ASCII (.msh) and legacy ASCII VTK unstructured grids (.vtk).
+#pragma once
+
+#include "mesh.h"
+
+#include <string>
+
+namespace dsw::oracle {
+
+/// False with a reason if the file cannot be read. Regions are the volumes' entity tags, or the cell array `region`.
+bool read_mesh(const std::string& path, Mesh& mesh, std::string& reason);
+
+}  // namespace dsw::oracle
