@@ -21,8 +21,8 @@ INSTANTIATE_TEST_SUITE_P(All, RealMeshTest,
                                          "vessels/brain_arteries.msh.gz", "vessels/brain_slivers.msh.gz",
                                          "vessels/carotids.msh", "vessels/carotids_slivers.msh",
                                          "vessels/vascular_phantom.msh.gz"),
-                         [](const testing::TestParamInfo<const char*>& info) {
-                           std::string name = info.param;
+                         [](const testing::TestParamInfo<const char*>& file) {
+                           std::string name = file.param;
                            for (char& c : name) {
                              if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
                            }
