@@ -1,0 +1,153 @@
+#include "use.h"
+
+#include <cmath>
+
+namespace dsw_fuzz {
+namespace {
+
+bool is_finite(const double* xyz) { return std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]); }
+
+dsw_volume_id pick_volume(const dsw_environment* environment, Bytes* bytes) {
+  dsw_volume_id id = {0, 0};
+  const uint32_t index = bytes->below(info_of(environment).volume_count + 1);
+  dsw_environment_get_volume(environment, index, &id);  // one past the end leaves null
+  return id;
+}
+
+void mark_something(dsw_environment* environment, Bytes* bytes) {
+  const dsw_volume_id volume = pick_volume(environment, bytes);
+  const dsw_mark mark = bytes->below(4) != 0 ? DSW_MARK_IMPASSABLE : DSW_MARK_PASSABLE;
+  size_t count = 0;
+  switch (bytes->below(6)) {
+    case 0:
+      dsw_environment_mark_volumes(environment, &volume, 1, mark, DSW_MARK_SKIP_OCCUPIED, &count);
+      break;
+    case 1:
+      dsw_environment_mark_region(environment, bytes->byte(), mark, 0, &count, nullptr);
+      break;
+    case 2:
+      dsw_environment_mark_between(environment, bytes->byte() % 3, bytes->byte() % 3, mark, &count);
+      break;
+    case 3: {
+      const dsw_edge_id edge = {volume.index, volume.generation, bytes->byte()};
+      dsw_environment_mark_edges(environment, &edge, 1, mark);
+      break;
+    }
+    case 4: {
+      const dsw_vertex_id vertex = {bytes->byte(), 1};
+      dsw_environment_mark_vertices(environment, &vertex, 1, mark);
+      break;
+    }
+    default: {
+      const dsw_face_id face = {volume.index, volume.generation, bytes->below(8)};
+      dsw_environment_mark_faces(environment, &face, 1, mark);
+    }
+  }
+}
+
+void locate_something(const dsw_environment* environment, bool is_partition, Bytes* bytes) {
+  double point[3];
+  bytes->point(point);
+  dsw_volume_id volume = {0, 0}, hinted = {0, 0};
+  const dsw_volume_id hint = pick_volume(environment, bytes), none = {0, 0};
+  dsw_place place = DSW_PLACE_NONE;
+  const dsw_status status = dsw_environment_locate(environment, point, none, &volume, &place);
+  require((status == DSW_STATUS_OK) == is_finite(point), "locate answers every finite point and no other");
+  if (status != DSW_STATUS_OK) return;
+  require((place == DSW_PLACE_OUTSIDE) == (volume.generation == 0), "outside is the null id");
+  require(dsw_environment_locate(environment, point, hint, &hinted, nullptr) == DSW_STATUS_OK, "locate with a hint");
+  if (is_partition) {
+    require(hinted.index == volume.index && hinted.generation == volume.generation, "a hint changes no answer");
+  }
+  if (place == DSW_PLACE_OUTSIDE) return;
+  dsw_cell cell;
+  require(dsw_environment_classify(environment, point, volume, &cell) == DSW_STATUS_OK, "a located point has a cell");
+  dsw_nearest nearest;
+  const dsw_status near =
+      dsw_environment_find_nearest(environment, point, volume, std::fabs(bytes->number()), &nearest);
+  require(near != DSW_STATUS_OUTSIDE && near != DSW_STATUS_INTERNAL, "nearest from a located point");
+}
+
+void move_particle(dsw_scene* scene, bool is_partition, Bytes* bytes) {
+  const dsw_environment* environment = dsw_scene_get_environment(scene);
+  double position[3], target[3];
+  bytes->point(position);
+  dsw_particle_id particle;
+  if (dsw_particle_create(scene, position, pick_volume(environment, bytes), &particle) != DSW_STATUS_OK) return;
+  for (int step = 0; step < 3 && !bytes->empty(); ++step) {
+    bytes->point(target);
+    dsw_cast_options options;
+    dsw_cast_options_init(&options, sizeof options);
+    options.max_cells = bytes->below(4);
+    dsw_flight flight;
+    const dsw_status status = dsw_particle_move(scene, particle, target, &options, &flight);
+    require((status == DSW_STATUS_OK) == is_finite(target), "a move to every finite target and no other");
+    if (status != DSW_STATUS_OK) continue;
+    dsw_volume_id volume, found;
+    dsw_place place;
+    require(dsw_particle_get(scene, particle, position, &volume) == DSW_STATUS_OK, "a particle can be read");
+    require(is_finite(position) && flight.time >= 0.0 && flight.time <= 1.0, "position and time are numbers");
+    require(dsw_environment_locate(environment, position, volume, &found, &place) == DSW_STATUS_OK,
+            "locate a particle");
+    if (!is_partition) continue;
+    require(found.index == volume.index && found.generation == volume.generation, "a particle lies in its volume");
+    require(place == DSW_PLACE_PASSABLE, "a particle is free");
+  }
+}
+
+}  // namespace
+
+dsw_environment_info info_of(const dsw_environment* environment) {
+  dsw_environment_info info = {};
+  info.struct_size = sizeof info;
+  require(dsw_environment_get_info(environment, &info) == DSW_STATUS_OK, "info");
+  return info;
+}
+
+dsw_flight cast(const dsw_environment* environment, dsw_volume_id start, const double* from, const double* to,
+                dsw_status* status) {
+  dsw_flight flight = {};
+  *status = dsw_environment_cast(environment, start, from, to, nullptr, &flight);
+  require((*status == DSW_STATUS_OK) == (is_finite(from) && is_finite(to)), "a cast between all finite points");
+  if (*status != DSW_STATUS_OK) return flight;
+  require(flight.outcome != DSW_OUTCOME_NONE && flight.outcome != DSW_OUTCOME_WORK_LIMIT, "a cast ends somewhere");
+  require(flight.time >= 0.0 && flight.time <= 1.0, "a time is a fraction");
+  return flight;
+}
+
+void use_environment(dsw_environment* environment, bool is_partition, Bytes* bytes) {
+  dsw_scene* scene = nullptr;
+  require(dsw_scene_create(environment, nullptr, &scene) == DSW_STATUS_OK, "a scene");
+  for (int step = 0; step < 24 && !bytes->empty(); ++step) {
+    switch (bytes->below(4)) {
+      case 0:
+        mark_something(environment, bytes);
+        break;
+      case 1:
+        locate_something(environment, is_partition, bytes);
+        break;
+      case 2: {
+        double from[3], to[3];
+        bytes->point(from);
+        bytes->point(to);
+        dsw_status status;
+        cast(environment, pick_volume(environment, bytes), from, to, &status);
+        break;
+      }
+      default:
+        move_particle(scene, is_partition, bytes);
+    }
+  }
+  require(dsw_scene_destroy(scene) == DSW_STATUS_OK, "the scene goes");
+}
+
+std::vector<uint8_t> save(const dsw_environment* environment) {
+  size_t size = 0;
+  require(dsw_environment_save(environment, nullptr, 0, &size) == DSW_STATUS_OK, "size of a snapshot");
+  std::vector<uint8_t> block(size);
+  require(dsw_environment_save(environment, block.data(), block.size(), &size) == DSW_STATUS_OK, "save");
+  require(size == block.size(), "a snapshot has the size it said");
+  return block;
+}
+
+}  // namespace dsw_fuzz

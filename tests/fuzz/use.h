@@ -1,0 +1,21 @@
+#pragma once
+// A short life of an environment, driven by bytes: what any host may do with it.
+
+#include "bytes.h"
+#include "dartsweep/dartsweep.h"
+
+namespace dsw_fuzz {
+
+/** Marks, locates, casts, moves. `is_partition`: whether dsw_environment_check found nothing. */
+void use_environment(dsw_environment* environment, bool is_partition, Bytes* bytes);
+
+/** Casts one segment and checks what a report always promises. */
+dsw_flight cast(const dsw_environment* environment, dsw_volume_id start, const double* from, const double* to,
+                dsw_status* status);
+
+/** Snapshot of an environment. */
+std::vector<uint8_t> save(const dsw_environment* environment);
+
+dsw_environment_info info_of(const dsw_environment* environment);
+
+}  // namespace dsw_fuzz

@@ -1,0 +1,93 @@
+#!/usr/bin/env bash
+# Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
+# every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
+# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz format; none means all
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-config python3 binutils abigail-tools
+  libeigen3-dev libgtest-dev libgmp-dev)
+steps=("$@")
+[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz format)
+jobs=$(nproc)
+export CMAKE_GENERATOR=Ninja CTEST_PARALLEL_LEVEL=$jobs CMAKE_BUILD_PARALLEL_LEVEL=$jobs
+
+# Real meshes: tests that want them skip, visibly, where there are none.
+if [ -z "${DARTSWEEP_DATA:-}" ] && [ -d ../shared/data ]; then
+  DARTSWEEP_DATA=$(cd ../shared/data && pwd)
+  export DARTSWEEP_DATA
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+done
+if [ ${#missing[@]} -gt 0 ]; then
+  echo "installing ${missing[*]}"
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get update -qq >/dev/null
+  apt-get install -qq --no-install-recommends "${missing[@]}" >/dev/null
+fi
+
+# Sanitizers of this age do not know the address layouts of newer kernels; without randomization they need not.
+plain_addresses=()
+if setarch "$(uname -m)" -R true 2>/dev/null; then plain_addresses=(setarch "$(uname -m)" -R); fi
+
+summary=()
+failed=0
+
+# run_step NAME COMMAND...: keeps the output in build/NAME.log, shows it only when something is wrong.
+run_step() {
+  local name=$1 start=$SECONDS log=build/$1.log status=0
+  shift
+  echo "== $name"
+  "$@" >"$log" 2>&1 || status=$?
+  if [ $status -ne 0 ]; then
+    failed=1
+    tail -n 150 "$log"
+  fi
+  local lines
+  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:' "$log" || true)
+  [ $status -eq 0 ] || lines+=$'\nFAILED, see '$log
+  summary+=("$name ($((SECONDS - start)) s)"$'\n'"$lines")
+  echo "$lines"
+}
+
+# preset NAME CTEST_ARGUMENTS -- TARGETS...
+preset() {
+  local name=$1
+  shift
+  local test_arguments=()
+  while [ "$1" != -- ]; do
+    test_arguments+=("$1")
+    shift
+  done
+  shift
+  cmake --preset "$name" && cmake --build --preset "$name" --target "$@" &&
+    "${plain_addresses[@]}" ctest --preset "$name" --no-tests=error "${test_arguments[@]}"
+}
+
+check_format() {
+  local files
+  mapfile -t files < <(find src include tests examples -regex '.*\.\(h\|c\|cpp\)' | sort)
+  clang-format-14 --dry-run -Werror "${files[@]}" && echo "format: ${#files[@]} files in order"
+}
+
+mkdir -p build
+for step in "${steps[@]}"; do
+  case $step in
+    release) run_step release preset release -- all ;;
+    clang) run_step clang preset clang -- all ;;
+    dev) run_step dev preset dev -- all ;;
+    tsan) run_step tsan preset tsan -- threads_tests ;;
+    abi) run_step abi preset abi -- dartsweep abi_programs ;;
+    fuzz) run_step fuzz preset fuzz -- all ;;
+    format) run_step format check_format ;;
+    *) echo "no step '$step'"; exit 2 ;;
+  esac
+done
+
+echo
+echo "== summary after $SECONDS s"
+printf '%s\n' "${summary[@]}"
+exit $failed
