@@ -28,6 +28,7 @@ class Report {
 
   Tally total;
   std::map<std::string, Tally> scenes;
+  uint64_t refused = 0;  // scenes whose jitter left no valid triangulation
 
  private:
   Tally* scene_ = nullptr;

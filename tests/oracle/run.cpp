@@ -69,7 +69,11 @@ void one_scene(const Turn& turn, uint64_t seed, uint64_t casts, Report& report) 
                std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " + std::to_string(seed));
   const EnvironmentPtr environment = create_environment(mesh, layout, flags);
   if (environment == nullptr) {
-    report.mismatch("a valid mesh was refused");
+    if (may_be_refused(mesh)) {
+      ++report.refused;
+    } else {
+      report.mismatch("a valid mesh was refused");
+    }
     return;
   }
   World world(mesh, environment.get());
@@ -281,6 +285,7 @@ std::string to_json(const Report& report) {
     add("oracle." + name + ".mismatches", static_cast<double>(s.mismatches));
     add("oracle." + name + ".ties", static_cast<double>(s.ties));
   }
+  add("oracle.refused", static_cast<double>(report.refused));
   add("oracle.stuck", static_cast<double>(t.stuck), true);
   return text + "}\n";
 }
