@@ -69,7 +69,7 @@ preset() {
 
 check_format() {
   local files
-  mapfile -t files < <(find src include tests examples -regex '.*\.\(h\|c\|cpp\)' | sort)
+  mapfile -t files < <(find src include tests examples -regex '.*\.\(h\|inl\|c\|cpp\)' | sort)
   clang-format-14 --dry-run -Werror "${files[@]}" && echo "format: ${#files[@]} files in order"
 }
 

@@ -14,7 +14,7 @@ import tempfile
 
 RULES = pathlib.Path(__file__).with_name("layers.ini")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
-CODE = {".h", ".hpp", ".c", ".cpp", ".cc", ".inc"}
+CODE = {".h", ".inl", ".c", ".cpp"}
 COUNTED = CODE | {".py", ".sh", ".cmake", ".i"}
 
 
