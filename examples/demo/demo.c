@@ -83,6 +83,7 @@ static void print_table(FILE *out, const demo_run *run, const demo_mesh *mesh, c
           (unsigned long)info.vertex_count);
   fprintf(out, "  lumen                       %12lu volumes%s\n", (unsigned long)run->flow.count,
           mesh->lumen == 0 ? " (no region is named lumen: all in reach)" : "");
+  fprintf(out, "  radius of the lumen, about  %12.3g\n", run->flow.radius);
   fprintf(out, "  wall                        %12lu faces%s\n",
           (unsigned long)(wall > 0 ? wall : info.boundary_face_count), wall > 0 ? "" : " (the outer boundary)");
   fprintf(out, "  memory of the environment   %12.1f bytes per volume\n",

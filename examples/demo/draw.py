@@ -46,17 +46,20 @@ def counts(folder):
 def draw(folder, title):
     read = lambda name: pyvista.read(os.path.join(folder, name))
     wall, outer, cloud, chain, contacts = map(read, ("wall.vtu", "outer.vtu", "demo.vtu", "chain.vtu", "contacts.vtu"))
+    rows = counts(folder)
     used = wall.points[np.unique(wall.cells_dict[pyvista.CellType.TRIANGLE])]
     right, up, towards = view_axes(used)
-    size = np.ptp(used @ right)
-    span = np.ptp(used @ up)
+    low, high = (np.array([pick(used @ axis) for axis in (right, up, towards)]) for pick in (np.min, np.max))
+    size, span = (high - low)[:2]
     scale = max(span * 1.32, size * 1.12 * HEIGHT / WIDTH) / 2
+    middle = (low + high) / 2 @ np.array([right, up, towards])
 
     plot = pyvista.Plotter(off_screen=True, window_size=(WIDTH, HEIGHT), lighting="light kit")
     plot.set_background("white")
     plot.enable_depth_peeling(12)
     plot.enable_anti_aliasing("ssaa")
-    if outer.n_cells != wall.n_cells:
+    fits = max(np.ptp(outer.points @ right) / size, np.ptp(outer.points @ up) / span) < 1.3
+    if fits and outer.n_cells != wall.n_cells:
         plot.add_mesh(glass(outer, towards, SLEEVE, 0.0, 0.10), scalars="rgba", rgba=True, lighting=False)
     plot.add_mesh(glass(wall, towards, WALL, 0.07, 0.62), scalars="rgba", rgba=True, smooth_shading=True,
                   specular=0.3, ambient=0.35)
@@ -70,18 +73,17 @@ def draw(folder, title):
     if contacts.n_points > 0:
         some = contacts.extract_points(np.linspace(0, contacts.n_points - 1, min(160, contacts.n_points)).astype(int))
         arrow = pyvista.Arrow(tip_length=0.35, tip_radius=0.11, shaft_radius=0.035)
-        plot.add_mesh(some.glyph(geom=arrow, orient="normal", scale=False, factor=0.03 * size), color=NORMAL, ambient=0.4)
+        length = np.clip(1.3 * float(rows["radius of the lumen, about"][0]), 0.012 * size, 0.03 * size)
+        plot.add_mesh(some.glyph(geom=arrow, orient="normal", scale=False, factor=length), color=NORMAL, ambient=0.4)
     plot.add_scalar_bar("wall contacts of a particle", mapper=dots.mapper, title_font_size=15, label_font_size=14,
                         color=INK, n_labels=3, fmt="%.0f", width=0.24, height=0.06, position_x=0.73, position_y=0.03)
     plot.add_text(title, position=(28, HEIGHT - 46), font_size=13, color=INK, font="arial")
-    rows = counts(folder)
     fact = lambda key: f"{int(rows[key][0]):,}"
     plot.add_text(f"{fact('casts')} casts, {fact('contacts')} contacts, verified free: {rows['verified free'][0]}",
                   position=(28, HEIGHT - 76), font_size=9, color=INK, font="arial")
     plot.add_text("chain of 20 (blue), contact normals (green)", position=(28, 24), font_size=9, color=INK,
                   font="arial")
     plot.enable_parallel_projection()
-    middle = (used.min(axis=0) + used.max(axis=0)) / 2
     plot.camera.focal_point = middle
     plot.camera.position = middle + 4 * size * towards
     plot.camera.up = up

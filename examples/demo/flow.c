@@ -1,12 +1,13 @@
 /* Shortest ways over the volumes of the lumen. Two volumes are neighbours when they share a face that is passable. */
 #include "flow.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "ways.h"
 
-enum { kMostVertices = 256 };
+enum { kMostVertices = 256, kSamples = 200 };
 
 /* Mean of a volume's vertices: the library proves that it lies inside. */
 static dsw_status find_centre(const dsw_environment *environment, dsw_volume_id volume, double *centre) {
@@ -137,29 +138,98 @@ static void sort_slots(demo_flow *flow, demo_graph *g) {
   free(values);
 }
 
-static void find_flow(const demo_mesh *mesh, demo_flow *flow, demo_graph *g) {
-  double *cost = (double *)demo_allocate(g->count, sizeof(double)), sum = 0;
+/* How far the wall is from the middle of a volume. */
+static double find_room(const dsw_environment *environment, const demo_flow *flow, size_t slot, dsw_status *status) {
+  dsw_nearest nearest;
+  nearest.distance = 0;
+  if (*status == DSW_STATUS_OK) {
+    *status =
+        dsw_environment_find_nearest(environment, flow->centre + 3 * slot, flow->volumes[slot], HUGE_VAL, &nearest);
+  }
+  return nearest.distance;
+}
+
+/* The slot where the cloud starts: next to the inlet, or the widest end of all branches. */
+static uint32_t find_start(const dsw_environment *environment, const demo_mesh *mesh, const demo_flow *flow,
+                           const demo_graph *g, dsw_status *status) {
+  uint32_t best = 0, start;
+  if (mesh->has_inlet) {
+    for (uint32_t i = 1; i < g->count; ++i) {
+      if (distance(g->centre + 3 * (size_t)i, mesh->inlet) < distance(g->centre + 3 * (size_t)best, mesh->inlet)) {
+        best = i;
+      }
+    }
+    return best;
+  }
+  double *from = (double *)demo_allocate(g->count, sizeof(double)), most = -1;
+  char *is_end = (char *)demo_allocate(2 * g->count, 1), *seen = is_end + g->count;
+  uint32_t *slots = (uint32_t *)demo_allocate(g->count, sizeof(uint32_t));
+  /* From one end all the others are found; that one is found from the farthest of them. */
+  start = find_ways(g, find_ways(g, 0, 0, from, NULL), 0, from, NULL);
+  double length = from[start];
+  for (int turn = 0; turn < 2; ++turn) {
+    memset(seen, 0, g->count);
+    find_ends(g, from, length, is_end);
+    for (uint32_t i = 0; i < g->count; ++i) {
+      size_t count = is_end[i] ? find_end_slots(g, from, length, i, seen, slots) : 0;
+      for (size_t k = 0; k < count; k += 1 + count / kSamples) {
+        double room = find_room(environment, flow, slots[k], status);
+        if (room > most) {
+          most = room;
+          best = i;
+        }
+      }
+    }
+    find_ways(g, start, 0, from, NULL);
+  }
+  free(from);
+  free(is_end);
+  free(slots);
+  return best;
+}
+
+/* Round the inlet ways lead to all sides; there the direction is the mean one of the lumen behind it. */
+static void straighten_inlet(const demo_graph *g, demo_flow *flow, double zone) {
+  double mean[3] = {0, 0, 0};
+  for (size_t i = 0; i < g->count; ++i) {
+    for (size_t k = 0; k < 3 && flow->from_inlet[i] > zone && flow->from_inlet[i] < 1.5 * zone; ++k) {
+      mean[k] += flow->along[3 * i + k];
+    }
+  }
+  double size = sqrt(mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]);
+  for (size_t i = 0; i < g->count; ++i) {
+    for (size_t k = 0; k < 3 && size > 0 && flow->from_inlet[i] <= zone; ++k) {
+      flow->along[3 * i + k] = mean[k] / size;
+    }
+  }
+}
+
+static dsw_status find_flow(const dsw_environment *environment, const demo_mesh *mesh, demo_flow *flow, demo_graph *g) {
+  dsw_status status = DSW_STATUS_OK;
+  size_t samples = 0;
+  double *cost = (double *)demo_allocate(g->count, sizeof(double));
   uint32_t *towards = (uint32_t *)demo_allocate(g->count, sizeof(uint32_t));
   count_hops(g);
-  uint32_t start = find_start(g, mesh, cost);
+  uint32_t start = find_start(environment, mesh, flow, g, &status);
+  for (size_t i = 0; i < g->count; i += 1 + g->count / kSamples, ++samples) {
+    flow->radius += find_room(environment, flow, i, &status);
+  }
+  flow->radius *= 3 / (double)samples; /* as in a tube, where the mean distance to the wall is a third of it */
   uint32_t end = find_ways(g, start, 0, flow->from_inlet, NULL);
   flow->length = flow->from_inlet[end];
-  find_potential(g, flow->from_inlet, flow->length, cost);
-  find_directions(g, cost, 1, flow->along);
+  double zone = 4 * flow->radius < 0.06 * flow->length ? 4 * flow->radius : 0.06 * flow->length;
+  find_potential(g, flow->from_inlet, flow->length, zone, cost);
+  find_directions(g, cost, 1, 12, flow->along);
+  straighten_inlet(g, flow, zone);
   find_ways(g, end, 1, cost, towards);
-  find_directions(g, cost, -1, flow->guide);
+  find_directions(g, cost, -1, 2, flow->guide);
   for (uint32_t at = start; at != kNoSlot; at = towards[at]) {
     flow->path[flow->path_count++] = at;
   }
-  for (size_t i = 0; i < g->count; ++i) {
-    for (size_t k = g->first[i]; k < g->first[i + 1]; ++k) {
-      sum += distance(g->centre + 3 * i, g->centre + 3 * (size_t)g->link[k]);
-    }
-  }
-  flow->step = g->first[g->count] > 0 ? sum / (double)g->first[g->count] : 0;
   sort_slots(flow, g);
   free(cost);
   free(towards);
+  return status;
 }
 
 dsw_status flow_create(const dsw_environment *environment, const demo_mesh *mesh, demo_flow *flow) {
@@ -201,7 +271,7 @@ dsw_status flow_create(const dsw_environment *environment, const demo_mesh *mesh
     status = flood(environment, best_start, flow, &g);
   }
   if (status == DSW_STATUS_OK && best > 0) {
-    find_flow(mesh, flow, &g);
+    status = find_flow(environment, mesh, flow, &g);
   }
   free(g.first);
   free(g.hops);

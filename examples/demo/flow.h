@@ -22,14 +22,16 @@ typedef struct demo_flow {
   uint32_t *path;     /* slots from the inlet to the farthest end */
   size_t path_count;
   double length; /* largest from_inlet */
-  double step;   /* mean distance between centres of neighbours */
+  double radius; /* of the lumen, roughly: three times the mean distance to the wall */
 } demo_flow;
 
 static const uint32_t kNoSlot = 0xffffffffu;
 
-/* Returns DSW_STATUS_OK, or what a call answered. `has_inlet` 0: one of the two ends farthest apart is taken. */
+/* Returns DSW_STATUS_OK, or what a call answered. A mesh without an inlet: the widest end of all branches is taken. */
 dsw_status flow_create(const dsw_environment *environment, const demo_mesh *mesh, demo_flow *flow);
 void flow_destroy(demo_flow *flow);
+
+double distance(const double *a, const double *b);
 
 #ifdef __cplusplus
 }

@@ -3,7 +3,6 @@
 #endif
 #include "run.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -81,13 +80,14 @@ static void place_chain(demo_run *run) {
   const demo_flow *flow = &run->flow;
   double total = flow->from_inlet[flow->path[flow->path_count - 1]], at = 0;
   run->rest = 0.3 * total / (kChain - 1);
+  run->rest = run->rest < 1.5 * flow->radius ? run->rest : 1.5 * flow->radius;
   for (size_t i = 0, piece = 0; i < kChain; ++i) {
     double *p = run->position + 3 * (run->cloud + i), length = 0;
     const double *a = NULL, *b = NULL;
     for (;; ++piece, at += length) {
       a = flow->centre + 3 * (size_t)flow->path[piece];
       b = flow->centre + 3 * (size_t)flow->path[piece + 1 < flow->path_count ? piece + 1 : piece];
-      length = sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) + (b[2] - a[2]) * (b[2] - a[2]));
+      length = distance(a, b);
       if (at + length >= (double)i * run->rest || piece + 2 >= flow->path_count) {
         break;
       }
@@ -122,20 +122,29 @@ static void record(demo_run *run, size_t i, int last_steps) {
   memcpy(run->moved + 3 * i, flight->position, sizeof flight->position);
 }
 
+/* Takes what goes into the wall out of a move, if the last one ended there. */
+static void slide(demo_run *run, size_t i) {
+  const double *normal = run->last_normal + 3 * i;
+  double *q = run->target + 3 * i, into = 0;
+  for (size_t k = 0; k < 3; ++k) {
+    into += (q[k] - run->position[3 * i + k]) * normal[k];
+  }
+  for (size_t k = 0; k < 3 && into < 0 && run->flight[i].outcome == DSW_OUTCOME_CONTACT; ++k) {
+    q[k] -= into * normal[k];
+  }
+}
+
 /* Every particle goes with the flow at its own speed and wanders; one that has just met a wall goes along it. */
 static void move_cloud(demo_run *run, uint32_t step, double reach) {
+  double wander = 1.1 * reach < 0.5 * run->flow.radius ? 1.1 * reach : 0.5 * run->flow.radius;
   for (size_t i = 0; i < run->cloud; ++i) {
     const double *along = run->flow.along + 3 * (size_t)run->flow.slot_of[run->volume[i].index];
-    const double *normal = run->last_normal + 3 * i;
-    double speed = reach * (0.15 + 0.85 * chance((uint32_t)i, 0, 3)), move[3], into = 0;
+    double speed = reach * (0.15 + 0.85 * chance((uint32_t)i, 0, 3));
     for (size_t k = 0; k < 3; ++k) {
-      move[k] = speed * along[k] + 2.2 * reach * (chance((uint32_t)i, step, (uint32_t)k + 4) - 0.5);
-      into += move[k] * normal[k];
+      double random = chance((uint32_t)i, step, (uint32_t)k + 4) - 0.5;
+      run->target[3 * i + k] = run->position[3 * i + k] + speed * along[k] + 2 * wander * random;
     }
-    int slides = step > 0 && run->flight[i].outcome == DSW_OUTCOME_CONTACT && into < 0;
-    for (size_t k = 0; k < 3; ++k) {
-      run->target[3 * i + k] = run->position[3 * i + k] + move[k] - (slides ? into * normal[k] : 0);
-    }
+    slide(run, i);
   }
   double start = seconds();
   require(dsw_scene_move_particles(run->scene, run->ids, run->cloud, run->target, 0, NULL, run->flight),
@@ -143,7 +152,8 @@ static void move_cloud(demo_run *run, uint32_t step, double reach) {
   run->move_seconds += seconds() - start;
 }
 
-/* The tip follows the guide; every other particle is drawn behind the next one, half by its link, half by the guide. */
+/* The tip follows the guide and tows the others; it waits for one that is caught. One that has just met a wall goes
+ * along it. */
 static void move_chain(demo_run *run, double reach) {
   dsw_flight edges[kChain - 1];
   double ends[3 * (kChain - 1)];
@@ -152,15 +162,16 @@ static void move_chain(demo_run *run, double reach) {
     const double *p = run->position + 3 * i, *next = run->moved + 3 * (i + 1);
     const double *guide = run->flow.guide + 3 * (size_t)run->flow.slot_of[run->volume[i].index];
     double *q = run->target + 3 * i;
+    double slack = i < tip ? distance(p, next) / run->rest : 1;
+    int waits = i > first && distance(p, p - 3) > 1.2 * run->rest;
     for (size_t k = 0; k < 3; ++k) {
-      q[k] = p[k] + reach * guide[k];
+      q[k] = p[k] + (slack > 0.9 && !waits ? reach * guide[k] : 0);
     }
-    if (i < tip) {
-      double x = q[0] - next[0], y = q[1] - next[1], z = q[2] - next[2], length = sqrt(x * x + y * y + z * z);
-      for (size_t k = 0; length > 0 && k < 3; ++k) {
-        q[k] = next[k] + (q[k] - next[k]) * run->rest / length;
-      }
+    double length = i < tip && !waits ? distance(q, next) : 0;
+    for (size_t k = 0; length > run->rest && k < 3; ++k) {
+      q[k] = next[k] + (q[k] - next[k]) * run->rest / length;
     }
+    slide(run, i);
     require(dsw_particle_move(run->scene, run->ids[i], q, NULL, run->flight + i), "moving the chain", kFailed);
     record(run, i, 0);
   }
@@ -222,6 +233,7 @@ void create_run(demo_run *run, dsw_environment *environment, const demo_mesh *me
   run->ids = (dsw_particle_id *)demo_allocate(n, sizeof(dsw_particle_id));
   run->volume = (dsw_volume_id *)demo_allocate(n, sizeof(dsw_volume_id));
   run->flight = (dsw_flight *)demo_allocate(n, sizeof(dsw_flight));
+  memset(run->flight, 0, n * sizeof(dsw_flight));
   run->proof = (dsw_flight *)demo_allocate(n, sizeof(dsw_flight));
   run->touch_capacity = kContactSteps * cloud;
   run->position = (double *)demo_allocate(13 * n + 6 * run->touch_capacity, sizeof(double));

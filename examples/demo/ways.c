@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { kSmoothing = 12, kRelaxations = 250 };
+enum { kRelaxations = 250 };
 
-/* Parts of the whole length: how much of it belongs to the inlet and to an end; how long a branch is at least. */
-static const double kInletPart = 0.06, kEndPart = 0.03, kBranchPart = 0.1;
+/* Parts of the whole length: how much of it belongs to an end; how long a branch is at least. */
+static const double kEndPart = 0.03, kBranchPart = 0.1;
 
 double distance(const double *a, const double *b) {
   double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
@@ -112,28 +112,6 @@ uint32_t find_ways(const demo_graph *g, uint32_t start, int off_wall, double *co
   return last;
 }
 
-uint32_t find_start(const demo_graph *g, const demo_mesh *mesh, double *cost) {
-  uint32_t best = 0;
-  if (mesh->has_inlet) {
-    for (uint32_t i = 1; i < g->count; ++i) {
-      if (distance(g->centre + 3 * (size_t)i, mesh->inlet) < distance(g->centre + 3 * (size_t)best, mesh->inlet)) {
-        best = i;
-      }
-    }
-    return best;
-  }
-  uint32_t ends[2];
-  size_t room[2] = {0, 0};
-  ends[0] = find_ways(g, 0, 0, cost, NULL);
-  ends[1] = find_ways(g, ends[0], 0, cost, NULL);
-  double length = cost[ends[1]];
-  for (size_t i = 0; i < g->count; ++i) {
-    room[0] += cost[i] < 0.1 * length;
-    room[1] += cost[i] > 0.9 * length;
-  }
-  return ends[room[1] > room[0] ? 1 : 0];
-}
-
 static int falls(const void *a, const void *b) {
   const double *x = (const double *)a, *y = (const double *)b;
   return x[0] > y[0] ? -1 : x[0] < y[0] ? 1 : x[1] < y[1] ? -1 : x[1] > y[1];
@@ -146,19 +124,17 @@ static uint32_t root_of(uint32_t *parent, uint32_t i) {
   return i;
 }
 
-/* Sets the ends of branches to 1 and the inlet to 0 and fixes both. Slots are taken from the far end on; where two
- * parts meet, the shorter one was a branch of its own if it is long enough, else a bump of the wall. */
-static void fix_ends(const demo_graph *g, const double *from_inlet, double length, double *potential, char *fixed) {
+void find_ends(const demo_graph *g, const double *from, double length, char *is_end) {
   double *order = (double *)demo_allocate(2 * g->count, sizeof(double));
   uint32_t *parent = (uint32_t *)demo_allocate(g->count, sizeof(uint32_t));
   for (size_t i = 0; i < g->count; ++i) {
-    order[2 * i] = from_inlet[i];
+    order[2 * i] = from[i];
     order[2 * i + 1] = (double)i;
     parent[i] = kNoSlot;
-    fixed[i] = from_inlet[i] < kInletPart * length;
-    potential[i] = from_inlet[i] / length;
+    is_end[i] = 0;
   }
   qsort(order, g->count, 2 * sizeof(double), falls);
+  is_end[(size_t)order[1]] = 1;
   for (size_t n = 0; n < g->count; ++n) {
     uint32_t i = (uint32_t)order[2 * n + 1];
     parent[i] = i; /* a root is the farthest slot of its part */
@@ -167,39 +143,49 @@ static void fix_ends(const demo_graph *g, const double *from_inlet, double lengt
         continue;
       }
       uint32_t a = root_of(parent, i), b = root_of(parent, g->link[k]);
-      uint32_t low = from_inlet[a] < from_inlet[b] ? a : b, high = low == a ? b : a;
-      fixed[low] |= a != b && from_inlet[low] - from_inlet[i] > kBranchPart * length ? 2 : 0;
+      uint32_t low = from[a] < from[b] ? a : b, high = low == a ? b : a;
+      if (a != b && from[low] - from[i] > kBranchPart * length) {
+        is_end[low] = 1;
+      }
       parent[low] = high;
     }
-    fixed[i] |= n == 0 ? 2 : 0;
   }
   free(parent);
-  /* An end is more than one slot: all in reach of it that are nearly as far. */
-  uint32_t *queue = (uint32_t *)order;
-  for (size_t n = 0; n < g->count; ++n) {
-    size_t tail = 0;
-    if (fixed[n] & 2) {
-      queue[tail++] = (uint32_t)n;
-    }
-    for (size_t head = 0; head < tail; ++head) {
-      for (size_t k = g->first[queue[head]]; k < g->first[queue[head] + 1]; ++k) {
-        uint32_t j = g->link[k];
-        if (!fixed[j] && from_inlet[j] > from_inlet[n] - kEndPart * length) {
-          fixed[j] = 4;
-          queue[tail++] = j;
-        }
-      }
-    }
-  }
-  for (size_t i = 0; i < g->count; ++i) {
-    potential[i] = fixed[i] & 6 ? 1 : fixed[i] ? 0 : potential[i];
-  }
   free(order);
 }
 
-void find_potential(const demo_graph *g, const double *from_inlet, double length, double *potential) {
-  char *fixed = (char *)demo_allocate(g->count, 1);
-  fix_ends(g, from_inlet, length, potential, fixed);
+size_t find_end_slots(const demo_graph *g, const double *from, double length, uint32_t end, char *seen,
+                      uint32_t *slots) {
+  size_t count = 0;
+  slots[count++] = end;
+  seen[end] = 1;
+  for (size_t head = 0; head < count; ++head) {
+    for (size_t k = g->first[slots[head]]; k < g->first[slots[head] + 1]; ++k) {
+      uint32_t j = g->link[k];
+      if (!seen[j] && from[j] > from[end] - kEndPart * length) {
+        seen[j] = 1;
+        slots[count++] = j;
+      }
+    }
+  }
+  return count;
+}
+
+void find_potential(const demo_graph *g, const double *from_inlet, double length, double zone, double *potential) {
+  char *fixed = (char *)demo_allocate(2 * g->count, 1), *is_end = fixed + g->count;
+  uint32_t *slots = (uint32_t *)demo_allocate(g->count, sizeof(uint32_t));
+  find_ends(g, from_inlet, length, is_end);
+  /* At the inlet the potential just rises with the way; its value does not matter where only directions are used. */
+  for (size_t i = 0; i < g->count; ++i) {
+    potential[i] = (from_inlet[i] - zone) / length;
+    fixed[i] = potential[i] < 0;
+  }
+  for (uint32_t i = 0; i < g->count; ++i) {
+    size_t count = is_end[i] && !fixed[i] ? find_end_slots(g, from_inlet, length, i, fixed, slots) : 0;
+    for (size_t k = 0; k < count; ++k) {
+      potential[slots[k]] = 1;
+    }
+  }
   for (int round = 0; round < kRelaxations; ++round) {
     for (size_t n = 0; n < g->count; ++n) {
       size_t i = round % 2 ? g->count - 1 - n : n;
@@ -215,9 +201,10 @@ void find_potential(const demo_graph *g, const double *from_inlet, double length
     }
   }
   free(fixed);
+  free(slots);
 }
 
-void find_directions(const demo_graph *g, const double *values, double sign, double *direction) {
+void find_directions(const demo_graph *g, const double *values, double sign, int rounds, double *direction) {
   double *smooth = (double *)demo_allocate(3 * g->count, sizeof(double));
   memset(direction, 0, 3 * g->count * sizeof(double));
   for (size_t i = 0; i < g->count; ++i) {
@@ -230,7 +217,7 @@ void find_directions(const demo_graph *g, const double *values, double sign, dou
     }
     normalise(direction + 3 * i);
   }
-  for (int round = 0; round < kSmoothing; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     for (size_t i = 0; i < g->count; ++i) {
       memcpy(smooth + 3 * i, direction + 3 * i, 3 * sizeof(double));
       for (size_t k = g->first[i]; k < g->first[i + 1]; ++k) {

@@ -25,16 +25,20 @@ void count_hops(demo_graph *g);
  * comes from. Returns the farthest slot. */
 uint32_t find_ways(const demo_graph *g, uint32_t start, int off_wall, double *cost, uint32_t *comes_from);
 
-/* The slot where the cloud starts: next to the inlet, or the roomier of the two ends farthest apart. */
-uint32_t find_start(const demo_graph *g, const demo_mesh *mesh, double *cost);
+/* Marks the ends of branches: slots farther from the start than all around them, at the tip of a branch that is long
+ * enough to be one and no bump of the wall. `from` is the way from the start, `length` the longest. */
+void find_ends(const demo_graph *g, const double *from, double length, char *is_end);
 
-/* A potential that is 0 at the inlet, 1 at every end of a branch and in balance everywhere else. */
-void find_potential(const demo_graph *g, const double *from_inlet, double length, double *potential);
+/* The slots that belong to an end: nearly as far and connected. `seen` slots are left out, and marked. */
+size_t find_end_slots(const demo_graph *g, const double *from, double length, uint32_t end, char *seen,
+                      uint32_t *slots);
 
-/* Unit directions in which `values` rises (sign 1) or falls (sign -1), smoothed over the neighbours. */
-void find_directions(const demo_graph *g, const double *values, double sign, double *direction);
+/* A potential that is 0 where the way from the inlet is `zone`, 1 at every end of a branch and in balance between. */
+void find_potential(const demo_graph *g, const double *from_inlet, double length, double zone, double *potential);
 
-double distance(const double *a, const double *b);
+/* Unit directions in which `values` rises (sign 1) or falls (sign -1), smoothed over the
+ * neighbours that many rounds. */
+void find_directions(const demo_graph *g, const double *values, double sign, int rounds, double *direction);
 
 #ifdef __cplusplus
 }
