@@ -16,8 +16,8 @@ cmake --build --preset abi --target dartsweep
 library=build/abi/src/libdartsweep.so
 python3 abi/check_abi.py write-symbols "$library"
 mkdir -p abi/baseline
-abidw --headers-dir include --drop-private-types --no-corpus-path --no-comp-dir-path --no-parameter-names \
-  --out-file build/abi/libdartsweep.abi "$library"
+abidw --headers-dir include --exported-interfaces-only --drop-private-types --no-corpus-path --no-comp-dir-path \
+  --no-parameter-names --out-file build/abi/libdartsweep.abi "$library"
 # Where a type is defined tells public from private, so file names stay, without this machine's folders.
 sed "s#$PWD/##g" build/abi/libdartsweep.abi > abi/baseline/libdartsweep.abi
 # A release that is out keeps its headers for ever; only the version in work follows the current ones.
