@@ -6,11 +6,13 @@ Gmsh files are read by meshio, VTK's own by VTK (general polyhedra too), either 
 Gmsh's volume groups by name, or from the cell array `region`. Exit code 2 with a message if the mesh can't be used.
 """
 import gzip
+import logging
 import os
 import shutil
 import struct
 import sys
 import tempfile
+import warnings
 
 import numpy as np
 
@@ -45,7 +47,7 @@ def read_gmsh(path):
     try:
         source = meshio.gmsh.read(path)
     except Exception as error:
-        raise Refused(f"no Gmsh file that meshio can read ({error or type(error).__name__})") from error
+        raise Refused(f"no Gmsh file that meshio can read ({str(error) or type(error).__name__})") from error
     names = {(int(v[0]), int(v[1])): name.lower() for name, v in source.field_data.items()}
     labels = source.cell_data.get("gmsh:physical")
     types, streams, groups, surfaces = [], [], [], {}
@@ -77,13 +79,14 @@ def read_gmsh(path):
 def read_vtk(path):
     import pyvista
 
-    pyvista.vtk_verbosity("off")
+    logging.disable(logging.CRITICAL)  # VTK's own account of a bad file is long; ours is one line
+    warnings.simplefilter("ignore")
     try:
         grid = pyvista.read(path)
         if not isinstance(grid, pyvista.UnstructuredGrid):
             grid = grid.cast_to_unstructured_grid()
     except Exception as error:
-        raise Refused(f"no VTK file that PyVista can read ({error or type(error).__name__})") from error
+        raise Refused(f"no VTK file that PyVista can read ({str(error) or type(error).__name__})") from error
     types, streams, kept = [], [], []
     ids = pyvista._vtk.vtkIdList()
     offset, connectivity = grid.cell_offsets, grid.cell_connectivity
