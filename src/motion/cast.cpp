@@ -1,72 +1,40 @@
 #include "motion/cast.h"
 
-#include "motion/exit.h"
+#include "motion/walk.h"
 #include "predicates/plane_hit.h"
 
 namespace dsw {
 namespace {
 
-/** One bit of 64 for a cell. All visited cells' bits together say "never entered before" for certain; the opposite is only a
- * suspicion, which costs a comparison of times and nothing else. */
-uint64_t visit_bit(Cell c) { return uint64_t{1} << ((c.unit * 0x9e3779b1u) >> 26); }
-
-template <int D, class Tally>
-CastResult walk(const Environment<D>& env, const CastRequest& request, Tally tally) noexcept {
-  const Map<D>& map = env.map;
-  ExitFinder<D, Tally> finder(env, request.from, request.to, tally);
-  CastResult result;
-  result.cell = request.start;
-  Entry<D> entry;
-  uint64_t visited = visit_bit(request.start);
-  uint32_t forecast = request.forecast, crossed = 0;
-  for (;;) {
-    const Exit exit = finder.find(result.cell, entry, forecast);
-    if (result.cells_visited == 1) result.first_facet = exit.facet;
-    if (exit.facet == kStays) return result;
-    const HalfFacet h = map.half_facet(result.cell, exit.facet), o = map.opposite(h);
-    const Cell next = o.valid() ? map.cell_of(o) : Cell{};
-    if (!o.valid() || (!request.through_walls && (map.facet_marked(h) || map.marked(next)))) {
-      result.end = CastEnd::kHit;
-      result.facet = h;
-      result.simplex = exit.simplex;
-      return result;
+template <int D>
+Walk<D> choose_walk() noexcept {
+#if defined(__x86_64__)
+  if constexpr (D == 3) {
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+      return avx512_walk();
     }
-    if (result.cells_visited == request.max_cells) {  // cells_visited is never 0, so 0 is no limit
-      result.end = CastEnd::kWorkLimit;
-      result.simplex = crossed;
-      return result;
-    }
-    if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, exit.simplex, next);
-    if (!map.convex(next)) {
-      entry.may_have_been_here = (visited & visit_bit(next)) != 0;
-      simplex_points(env, result.cell, map.shape(result.cell), exit.simplex, entry.simplex);
-    }
-    visited |= visit_bit(next);
-    crossed = exit.simplex;
-    forecast = kNoFacet;
-    result.previous = result.cell;
-    result.cell = next;
-    ++result.cells_visited;
+    if (__builtin_cpu_supports("avx2")) return avx2_walk();
   }
+#endif
+  return portable_walk<D>();
 }
+
+template <int D>
+const Walk<D> kWalk = choose_walk<D>();
 
 }  // namespace
 
 template <int D>
 CastResult cast(const Environment<D>& env, const CastRequest& request, CastCounters* counters) noexcept {
-  if (counters == nullptr) return walk(env, request, CountNothing{});
-  const CastResult result = walk(env, request, CountAll{counters});
-  ++counters->casts;
-  counters->cells_visited += result.cells_visited;
-  return result;
+  return counters == nullptr ? kWalk<D>.plain(env, request) : kWalk<D>.counted(env, request, counters);
 }
 
 template <int D>
 bool contains(const Environment<D>& env, Cell cell, const double* point) noexcept {
   double from[D];
   centre(env, cell, from);
-  CountNothing nothing;
-  return ExitFinder<D, CountNothing>(env, from, point, nothing).find(cell, Entry<D>{}, kNoFacet).facet == kStays;
+  return kWalk<D>.stays(env, cell, from, point);
 }
 
 template <int D>

@@ -1,12 +1,7 @@
-#pragma once
-// Through which simplex of its boundary does a segment leave a cell? The boundary walk of design 3: only planes with the
+// Through which simplex of its boundary does a segment leave a cell? The boundary walk : only planes with the
 // target outside are candidates; if there is none, the rest of the segment stays inside. Of several candidates exact line
 // tests tell which is pierced. It needs no centre, and no convexity either: where a cell is not convex the segment can
 // leave it more than once, and the earliest exit after the entry counts.
-
-#include "motion/outside.h"
-
-namespace dsw {
 
 constexpr uint32_t kStays = 0xffffffffu;
 
@@ -34,16 +29,17 @@ class ExitFinder {
     const Form form = form_of(w[0]);
     if constexpr (D == 3) {
       if (form == Form::kSimplex) {
+        const double* points[4];
+        for (uint32_t i = 0; i < 4; ++i) points[i] = env_.point(w[i] & kVertexMask);
         tally_.tests(4);
-        return exit_flat(c, outside_simplex(env_, w, q_, uncounted_));
-      }
-      if (form == Form::kBox && (w[0] & kConvexBit) != 0) {
-        tally_.tests(6);
-        return exit_flat(c, outside_flat_box(env_, w, q_, uncounted_));
+        return exit_flat(c, outside_tetrahedron(points, q_, uncounted_));
       }
       if (form == Form::kBox) {
-        tally_.tests(12);
-        return exit_box(c, entry, outside_box(env_, w, q_, uncounted_));
+        const double* points[8];
+        load_points(env_, w, points);
+        if ((w[0] & kConvexBit) == 0) return exit_box(points, w[0] & kShapeMask, entry);
+        tally_.tests(6);
+        return exit_flat(c, outside_flat_box(points, q_, uncounted_));
       }
     }
     if (map_.convex(c)) return exit_many_flat(c, forecast);
@@ -170,33 +166,36 @@ class ExitFinder {
     std::copy(points, points + D, best.points);
   }
 
-  /** Hexahedron: a facet's diagonal first, since it decides between its two triangles. */
-  Exit exit_box(Cell c, const Entry<D>& entry, uint32_t outside) noexcept {
+  /** Hexahedron: the lanes settle nearly all; what they leave open is asked triangle by triangle. */
+  Exit exit_box(const double* const (&points)[8], uint32_t cuts, const Entry<D>& entry) noexcept {
+    tally_.tests(12);
+    const BoxExits exits = box_exits(points, cuts, p_, q_);
+    tally_.tests(4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
+    const bool one = (exits.pierced & (exits.pierced - 1)) == 0;
+    if (exits.sure && one && !entry.may_have_been_here) {
+      if (exits.pierced == 0) return {};
+      const uint32_t f = static_cast<uint32_t>(__builtin_ctz(exits.pierced));
+      return {f, 2 * f + (exits.second >> f & 1u)};
+    }
     Earliest best;
-    const uint32_t* w = map_.record(c);
-    const uint32_t cuts = w[0] & kShapeMask;
-    while (outside != 0) {
-      const uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside)) / 2;
-      uint32_t halves = (outside >> (2 * f)) & 3u;
-      outside &= ~(3u << (2 * f));
-      const uint32_t base = (cuts >> f) & 1u;
-      const double* quad[4];
-      for (uint32_t k = 0; k < 4; ++k) quad[k] = env_.point(w[kUnitWords + kBoxFacets[f][(base + k) & 3u]]);
-      const double* first[3] = {quad[0], quad[1], quad[2]};
-      const double* second[3] = {quad[0], quad[2], quad[3]};
-      if ((halves & 1u) != 0 && is_outside(first, p_)) halves &= 2u;
-      if ((halves & 2u) != 0 && is_outside(second, p_)) halves &= 1u;
-      if (halves == 0) continue;
-      // Triangle 0 1 2 lies on the inner side of its edge 2 -> 0, which is 0 -> 2 turned round for triangle 0 2 3.
-      if (halves == 3u) halves = passes_inside(second, 0) ? 2u : 1u;
-      else if (halves == 2u ? !passes_inside(second, 0) : !passes_inside(first, 2)) continue;
-      if (halves == 1u) {
-        if (passes_inside(first, 0) && passes_inside(first, 1)) consider(f, 2 * f, first, entry, best);
-      } else if (passes_inside(second, 1) && passes_inside(second, 2)) {
-        consider(f, 2 * f + 1, second, entry, best);
+    for (uint32_t f = 0; f < 6; ++f) {
+      for (uint32_t half = 0; half < 2; ++half) {
+        const double* triangle[3];
+        box_triangle(points, cuts, f, half, triangle);
+        const bool pierced = exits.sure ? (exits.pierced >> f & 1u) != 0 && (exits.second >> f & 1u) == half : pierces(triangle);
+        if (pierced) consider(f, 2 * f + half, triangle, entry, best);
       }
     }
     return best.exit;
+  }
+
+  /** Whether the segment passes through a simplex from inside to outside. */
+  bool pierces(const double* const (&points)[D]) noexcept {
+    if (!is_outside(points, q_) || is_outside(points, p_)) return false;
+    for (int k = 0; k < D; ++k) {
+      if (!passes_inside(points, k)) return false;
+    }
+    return true;
   }
 
   Exit exit_many(Cell c, const Entry<D>& entry) noexcept {
@@ -206,10 +205,7 @@ class ExitFinder {
     for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
       const double* points[D];
       points_of(c, shape.simplices() + static_cast<uint32_t>(D) * s, points);
-      if (!is_outside(points, q_) || is_outside(points, p_)) continue;
-      bool pierced = true;
-      for (int k = 0; k < D && pierced; ++k) pierced = passes_inside(points, k);
-      if (pierced) consider(facets[s], s, points, entry, best);
+      if (pierces(points)) consider(facets[s], s, points, entry, best);
     }
     return best.exit;
   }
@@ -221,5 +217,3 @@ class ExitFinder {
   Tally& tally_;
   Uncounted uncounted_{tally_};
 };
-
-}  // namespace dsw

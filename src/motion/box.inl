@@ -1,0 +1,125 @@
+// Hexahedra: all planes of a cell at once, a lane for each facet. Vertices are taken relative to the target q, so that with
+// a, b, c relative
+//   plane test of q against triangle a b c  = -det(a, b, c) = b . (a x c)
+//   line test of p -> q against edge a -> b = -(p - q) . (a x b)
+// and the two triangles of a facet share the cross product of its diagonal.
+
+/** Three coordinates of six points. */
+struct Points {
+  Lanes x, y, z;
+};
+
+inline Points cross(const Points& a, const Points& b) noexcept {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Lanes dot(const Points& a, const Points& b) noexcept { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+inline Points select(Lanes::Mask m, const Points& yes, const Points& no) noexcept {
+  return {Lanes::select(m, yes.x, no.x), Lanes::select(m, yes.y, no.y), Lanes::select(m, yes.z, no.z)};
+}
+
+template <int K>
+inline Points corner(const BoxVertices& v) noexcept {
+  return {v.corner<K>(0), v.corner<K>(1), v.corner<K>(2)};
+}
+
+/** Largest |component| on every axis, lane by lane. */
+struct Extents {
+  Lanes x, y, z;
+
+  explicit Extents(const Points& p) noexcept
+      : x(Lanes::absolute(p.x)), y(Lanes::absolute(p.y)), z(Lanes::absolute(p.z)) {}
+  void add(const Points& p) noexcept {
+    x = Lanes::larger(x, Lanes::absolute(p.x));
+    y = Lanes::larger(y, Lanes::absolute(p.y));
+    z = Lanes::larger(z, Lanes::absolute(p.z));
+  }
+  /** Lanes in which the bound holds; the filter's range is open here, which is narrower. */
+  Lanes::Mask in_range() const noexcept {
+    const Lanes low = Lanes::smaller(Lanes::smaller(x, y), z), high = Lanes::larger(Lanes::larger(x, y), z);
+    return Lanes::greater(low, Lanes::all(kFilterMin)) & Lanes::greater(Lanes::all(kFilterMax), high);
+  }
+  Lanes bound() const noexcept { return Lanes::all(kPlaneFilter3) * x * y * z; }
+};
+
+constexpr uint32_t kAllFacets = 0x3f;
+
+inline void load_points(const Environment<3>& env, const uint32_t* w, const double* (&points)[8]) noexcept {
+  for (uint32_t i = 0; i < 8; ++i) points[i] = env.point(w[kUnitWords + i]);
+}
+
+/** Convex hexahedron with flat facets: facets with q outside. Any three vertices of a facet give its plane. */
+template <class Tally>
+inline uint32_t outside_flat_box(const double* const (&points)[8], const double* q, Tally& tally) noexcept {
+  const BoxVertices v(points, q);
+  const Points a = corner<0>(v), b = corner<1>(v), c = corner<2>(v);
+  Extents extents(a);
+  extents.add(b);
+  extents.add(c);
+  const Lanes det = dot(cross(a, c), b), bound = extents.bound();
+  uint32_t outside = Lanes::bits(Lanes::greater(det, bound));
+  const uint32_t inside = Lanes::bits(Lanes::greater(Lanes::all(0) - bound, det));
+  uint32_t unsure = kAllFacets & ~((outside | inside) & Lanes::bits(extents.in_range()));
+  outside &= ~unsure;
+  for (; __builtin_expect(unsure != 0, 0); unsure &= unsure - 1) {
+    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(unsure));
+    const double* facet[3] = {points[kBoxFacets[f][0]], points[kBoxFacets[f][1]], points[kBoxFacets[f][2]]};
+    outside |= (plane_side<3>(facet, q, tally).sign > 0 ? 1u : 0u) << f;
+  }
+  return outside;
+}
+
+/** What the lanes say about the exits of a hexahedron that need not be convex. */
+struct BoxExits {
+  uint32_t pierced = 0;   // facets that p -> q pierces outwards
+  uint32_t second = 0;    // of these: through the second triangle
+  uint32_t candidates = 0;  // facets with q outside of one triangle or both
+  bool sure = false;      // false: the filter could not settle all that matters, ask again exactly
+};
+
+inline BoxExits box_exits(const double* const (&points)[8], uint32_t cuts, const double* p, const double* q) noexcept {
+  BoxExits exits;
+  const BoxVertices v(points, q);
+  const Points c0 = corner<0>(v), c1 = corner<1>(v), c2 = corner<2>(v), c3 = corner<3>(v);
+  Extents extents(c0);
+  extents.add(c1);
+  extents.add(c2);
+  extents.add(c3);
+  // a b c d: the loop turned so that the diagonal joins a and c.
+  const Lanes::Mask cut = Lanes::spread(cuts);
+  const Points a = select(cut, c1, c0), b = select(cut, c2, c1), c = select(cut, c3, c2), d = select(cut, c0, c3);
+  const Points diagonal = cross(a, c);
+  const Lanes first = dot(diagonal, b), second = Lanes::all(0) - dot(diagonal, d), bound = extents.bound();
+  const Lanes minus_bound = Lanes::all(0) - bound;
+  const uint32_t out1 = Lanes::bits(Lanes::greater(first, bound)), out2 = Lanes::bits(Lanes::greater(second, bound));
+  const uint32_t in1 = Lanes::bits(Lanes::greater(minus_bound, first)), in2 = Lanes::bits(Lanes::greater(minus_bound, second));
+  if (__builtin_expect((((out1 | in1) & (out2 | in2) & Lanes::bits(extents.in_range())) ^ kAllFacets) != 0, 0)) return exits;
+  exits.sure = true;
+  exits.candidates = out1 | out2;
+  if (exits.candidates == 0) return exits;
+
+  // The diagonal decides between a facet's triangles, two more edges whether that one is pierced.
+  const Points back = {Lanes::all(q[0] - p[0]), Lanes::all(q[1] - p[1]), Lanes::all(q[2] - p[2])};
+  extents.add(back);
+  const Lanes line_bound = extents.bound(), minus_line_bound = Lanes::all(0) - line_bound;
+  const Lanes over = dot(diagonal, back);  // > 0: on the side of the second triangle
+  const Lanes::Mask is_second = Lanes::greater(over, line_bound);
+  const Points from = select(is_second, c, a), tip = select(is_second, d, b), to = select(is_second, a, c);
+  const Lanes edge1 = dot(cross(from, tip), back), edge2 = dot(cross(tip, to), back);
+  const uint32_t on_second = Lanes::bits(is_second), on_first = Lanes::bits(Lanes::greater(minus_line_bound, over));
+  const uint32_t inside1 = Lanes::bits(Lanes::greater(edge1, line_bound)), inside2 = Lanes::bits(Lanes::greater(edge2, line_bound));
+  const uint32_t beside = Lanes::bits(Lanes::greater(minus_line_bound, edge1) | Lanes::greater(minus_line_bound, edge2));
+  const uint32_t q_outside = (on_second & out2) | (on_first & out1);
+  const uint32_t hit = q_outside & inside1 & inside2;
+  // p against the triangle: minus that of q plus the three line tests is minus the volume seen from p, four determinants.
+  const Lanes of_q = Lanes::select(is_second, second, first);
+  const Lanes magnitude = Lanes::absolute(over);
+  const Lanes of_p = ((of_q - edge1) - edge2) - magnitude;
+  const Lanes p_bound = Lanes::all(6) * line_bound;
+  const uint32_t p_inside = Lanes::bits(Lanes::greater(Lanes::all(0) - p_bound, of_p));
+  const uint32_t p_outside = Lanes::bits(Lanes::greater(of_p, p_bound));
+  exits.pierced = hit & p_inside;
+  exits.second = on_second;
+  const uint32_t settled = ((on_first | on_second) & (~q_outside | beside)) | (hit & (p_inside | p_outside));
+  exits.sure = (exits.candidates & ~(settled & Lanes::bits(extents.in_range()))) == 0;
+  return exits;
+}

@@ -1,0 +1,50 @@
+// Tetrahedra: the four planes from the vertices relative to the target, two cross products serving all of them, one filter
+// bound for the cell.
+
+struct RelativeTetrahedron {
+  double x[4], y[4], z[4];
+};
+
+struct Vector {
+  double x, y, z;
+};
+
+inline Vector cross(const RelativeTetrahedron& v, uint32_t a, uint32_t b) noexcept {
+  return {v.y[a] * v.z[b] - v.z[a] * v.y[b], v.z[a] * v.x[b] - v.x[a] * v.z[b], v.x[a] * v.y[b] - v.y[a] * v.x[b]};
+}
+inline double dot(const Vector& c, const RelativeTetrahedron& v, uint32_t i) noexcept {
+  return (c.x * v.x[i] + c.y * v.y[i]) + c.z * v.z[i];
+}
+
+/** Facets with q outside, a bit each. */
+template <class Tally>
+inline uint32_t outside_tetrahedron(const double* const (&points)[4], const double* q, Tally& tally) noexcept {
+  RelativeTetrahedron v;
+  double mx = 0, my = 0, mz = 0;
+  for (uint32_t i = 0; i < 4; ++i) {
+    v.x[i] = points[i][0] - q[0];
+    v.y[i] = points[i][1] - q[1];
+    v.z[i] = points[i][2] - q[2];
+    mx = std::max(mx, std::fabs(v.x[i]));
+    my = std::max(my, std::fabs(v.y[i]));
+    mz = std::max(mz, std::fabs(v.z[i]));
+  }
+  const bool in_range = std::min(std::min(mx, my), mz) >= kFilterMin && std::max(std::max(mx, my), mz) <= kFilterMax;
+  const double bound = kPlaneFilter3 * mx * my * mz;
+  const Vector c01 = cross(v, 0, 1), c23 = cross(v, 2, 3);
+  // Minus the determinants of facets 0 1 3, 1 2 3, 2 0 3, 0 2 1 in that order: positive outside.
+  const double det[4] = {-dot(c01, v, 3), -dot(c23, v, 1), dot(c23, v, 0), dot(c01, v, 2)};
+  uint32_t outside = 0, inside = 0;
+  for (uint32_t f = 0; f < 4; ++f) {
+    outside |= (det[f] > bound ? 1u : 0u) << f;
+    inside |= (det[f] < -bound ? 1u : 0u) << f;
+  }
+  uint32_t unsure = in_range ? 0xfu & ~(outside | inside) : 0xfu;
+  outside &= ~unsure;
+  for (; __builtin_expect(unsure != 0, 0); unsure &= unsure - 1) {
+    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(unsure));
+    const double* facet[3] = {points[kTetrahedronFacets[f][0]], points[kTetrahedronFacets[f][1]], points[kTetrahedronFacets[f][2]]};
+    outside |= (plane_side<3>(facet, q, tally).sign > 0 ? 1u : 0u) << f;
+  }
+  return outside;
+}

@@ -1,0 +1,60 @@
+#pragma once
+// The walk, compiled for several instruction sets. All give the same bits; which one runs is chosen once, when the library
+// is loaded. This header holds what they share, so that the files included per instruction set include nothing.
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/cast.h"
+#include "predicates/filtered.h"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace dsw {
+
+/** Counting in the hot loops: a policy, so that a scene without statistics pays nothing. */
+struct CountNothing {
+  void test() noexcept {}
+  void tests(uint32_t) noexcept {}
+  void exact() noexcept {}
+  void tie() noexcept {}
+};
+
+struct CountAll {
+  CastCounters* counters;
+  void test() noexcept { ++counters->orientation_tests; }
+  void tests(uint32_t n) noexcept { counters->orientation_tests += n; }
+  void exact() noexcept { ++counters->exact_fallbacks; }
+  void tie() noexcept { ++counters->ties; }
+};
+
+/** The facets of standard_shape, for kernels that know them by heart. */
+constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
+constexpr uint8_t kBoxFacets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+
+/** Triangle `half` of facet f, as the standard shape with these cuts has it. */
+inline void box_triangle(const double* const (&points)[8], uint32_t cuts, uint32_t f, uint32_t half,
+                         const double* (&triangle)[3]) noexcept {
+  const uint32_t base = cuts >> f & 1u;
+  triangle[0] = points[kBoxFacets[f][base]];
+  triangle[1] = points[kBoxFacets[f][base + 1 + half]];
+  triangle[2] = points[kBoxFacets[f][(base + 2 + half) & 3u]];
+}
+
+template <int D>
+struct Walk {
+  CastResult (*plain)(const Environment<D>& env, const CastRequest& request) noexcept;
+  CastResult (*counted)(const Environment<D>& env, const CastRequest& request, CastCounters* counters) noexcept;
+  bool (*stays)(const Environment<D>& env, Cell cell, const double* from, const double* to) noexcept;
+};
+
+template <int D>
+Walk<D> portable_walk() noexcept;
+#if defined(__x86_64__)
+Walk<3> avx2_walk() noexcept;
+Walk<3> avx512_walk() noexcept;
+#endif
+
+}  // namespace dsw
