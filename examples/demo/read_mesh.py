@@ -79,6 +79,7 @@ def read_gmsh(path):
 def read_vtk(path):
     import pyvista
 
+    pyvista.vtk_verbosity("off")
     logging.disable(logging.CRITICAL)  # VTK's own account of a bad file is long; ours is one line
     warnings.simplefilter("ignore")
     try:
