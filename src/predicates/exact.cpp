@@ -1,8 +1,8 @@
 // Signs by integers; what each function means stands in exact.h.
 //
 // Every predicate is written once, over the integers of integers.h, and runs on machine integers where the coordinates
-// allow it. Where [JCD10] and most libraries would refine floating-point expansions we do not: an expansion of a tie
-// runs to its last component, the dearest case, and ties are what reaches this file.
+// allow it. Deviation from design 3: integers right after the filter, no floating-point expansions between. What
+// reaches this file is mostly ties, and an expansion of a tie has to be carried to its last component.
 #include "predicates/exact.h"
 
 #include "predicates/integers.h"

@@ -18,148 +18,139 @@ constexpr int kUncertain = 2;
 inline double larger(double a, double b) noexcept { return a < b ? b : a; }
 inline double smaller(double a, double b) noexcept { return b < a ? b : a; }
 
+// Without a branch on the sign, which nobody can predict: a mispredicted one costs more than the determinant.
+inline int sign_of(double value) noexcept { return 2 * static_cast<int>(value > 0) - 1; }
+
 inline int sign_beyond(double value, double bound) noexcept {
-  return value > bound ? 1 : (value < -bound ? -1 : kUncertain);
+  return std::fabs(value) > bound ? sign_of(value) : kUncertain;
 }
 
-// Rounded differences of two points.
+// Rounded differences of two points, or their magnitudes. Components by name, not in an array: g++ 12 keeps loops over
+// three doubles at -O2, and the round trip through memory costs four times the arithmetic.
 template <int D>
-struct Vec {
-  double v[D];
+struct Vec;
+template <>
+struct Vec<2> {
+  double x, y;
+};
+template <>
+struct Vec<3> {
+  double x, y, z;
 };
 
 template <int D>
-Vec<D> difference(const double* x, const double* y) noexcept {
-  Vec<D> r;
-  for (int k = 0; k < D; ++k) r.v[k] = x[k] - y[k];
-  return r;
+inline Vec<D> difference(const double* a, const double* b) noexcept {
+  if constexpr (D == 3) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  } else {
+    return {a[0] - b[0], a[1] - b[1]};
+  }
 }
 
 // Largest |component| per axis over the vectors that meet in one expression.
-template <int D>
-struct Extent {
-  double m[D];
+inline Vec<2> extent(const Vec<2>& a) noexcept { return {std::fabs(a.x), std::fabs(a.y)}; }
+inline Vec<3> extent(const Vec<3>& a) noexcept { return {std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}; }
+template <class V, class... Rest>
+inline V extent(const V& a, const Rest&... rest) noexcept {
+  const V one = extent(a);
+  const V all = extent(rest...);
+  if constexpr (sizeof(V) == sizeof(Vec<3>)) {
+    return {larger(one.x, all.x), larger(one.y, all.y), larger(one.z, all.z)};
+  } else {
+    return {larger(one.x, all.x), larger(one.y, all.y)};
+  }
+}
 
-  void set(const Vec<D>& a) noexcept {
-    for (int k = 0; k < D; ++k) m[k] = std::fabs(a.v[k]);
-  }
-  void add(const Vec<D>& a) noexcept {
-    for (int k = 0; k < D; ++k) m[k] = larger(m[k], std::fabs(a.v[k]));
-  }
-  double lowest() const noexcept {
-    double r = m[0];
-    for (int k = 1; k < D; ++k) r = smaller(r, m[k]);
-    return r;
-  }
-  double highest() const noexcept {
-    double r = m[0];
-    for (int k = 1; k < D; ++k) r = larger(r, m[k]);
-    return r;
-  }
-  // Bound of a determinant made of these vectors.
-  double bound() const noexcept {
-    if constexpr (D == 3) {
-      return kPlaneFilter3 * m[0] * m[1] * m[2];
-    } else {
-      return kPlaneFilter2 * m[0] * m[1];
-    }
-  }
-};
+inline double lowest(const Vec<2>& m) noexcept { return smaller(m.x, m.y); }
+inline double lowest(const Vec<3>& m) noexcept { return smaller(smaller(m.x, m.y), m.z); }
+inline double highest(const Vec<2>& m) noexcept { return larger(m.x, m.y); }
+inline double highest(const Vec<3>& m) noexcept { return larger(larger(m.x, m.y), m.z); }
 
-// n, from the edges of the simplex at its first point.
+// Bound of a determinant made of vectors with this extent.
+inline double bound(const Vec<2>& m) noexcept { return kPlaneFilter2 * m.x * m.y; }
+inline double bound(const Vec<3>& m) noexcept { return kPlaneFilter3 * m.x * m.y * m.z; }
+
+// Whether the sign of a determinant of these vectors is that of its rounded value.
+template <class V>
+inline bool certain(double det, const V& m) noexcept {
+  return lowest(m) >= kFilterMin && highest(m) <= kFilterMax && std::fabs(det) > bound(m);
+}
+
 inline Vec<3> cross(const Vec<3>& a, const Vec<3>& b) noexcept {
-  return {{a.v[1] * b.v[2] - a.v[2] * b.v[1], a.v[2] * b.v[0] - a.v[0] * b.v[2], a.v[0] * b.v[1] - a.v[1] * b.v[0]}};
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline double dot(const Vec<3>& a, const Vec<3>& b) noexcept {
-  return (a.v[0] * b.v[0] + a.v[1] * b.v[1]) + a.v[2] * b.v[2];
-}
-inline double dot(const Vec<2>& a, const Vec<2>& b) noexcept { return a.v[0] * b.v[0] + a.v[1] * b.v[1]; }
+inline double dot(const Vec<3>& a, const Vec<3>& b) noexcept { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+inline double dot(const Vec<2>& a, const Vec<2>& b) noexcept { return a.x * b.x + a.y * b.y; }
 
-// Sign of a[i] b[j] - a[j] b[i].
-inline int minor_sign(const Vec<3>& a, const Vec<3>& b, int i, int j) noexcept {
-  const double mi = larger(std::fabs(a.v[i]), std::fabs(b.v[i]));
-  const double mj = larger(std::fabs(a.v[j]), std::fabs(b.v[j]));
-  if (mi == 0 || mj == 0) return 0;
-  if (smaller(mi, mj) < kFilterMin || larger(mi, mj) > kFilterMax) return kUncertain;
-  return sign_beyond(a.v[i] * b.v[j] - a.v[j] * b.v[i], kPlaneFilter2 * mi * mj);
+// Sign of ai bj - aj bi.
+inline int minor_sign(double ai, double aj, double bi, double bj) noexcept {
+  const Vec<2> m = extent(Vec<2>{ai, aj}, Vec<2>{bi, bj});
+  const double det = ai * bj - aj * bi;
+  if (certain(det, m)) return sign_of(det);
+  return lowest(m) == 0 ? 0 : kUncertain;
 }
 
 // First sign of a x b that is not 0.
 inline int first_sign(const Vec<3>& a, const Vec<3>& b) noexcept {
-  int s = minor_sign(a, b, 1, 2);
-  if (s == 0) s = minor_sign(a, b, 2, 0);
-  if (s == 0) s = minor_sign(a, b, 0, 1);
+  int s = minor_sign(a.y, a.z, b.y, b.z);
+  if (s == 0) s = minor_sign(a.z, a.x, b.z, b.x);
+  if (s == 0) s = minor_sign(a.x, a.y, b.x, b.y);
   return s;
 }
 
-// First sign of (y, -x); a rounded difference has the sign of the true one.
+// First sign of (y, -x) that is not 0; a rounded difference has the sign of the true one.
 inline int first_turned_sign(const Vec<2>& a) noexcept {
-  if (a.v[1] != 0) return a.v[1] > 0 ? 1 : -1;
-  return a.v[0] < 0 ? 1 : (a.v[0] > 0 ? -1 : 0);
+  if (a.y != 0) return sign_of(a.y);
+  return a.x != 0 ? -sign_of(a.x) : 0;
 }
+
+// The vectors of n.(q-a).
+template <int D>
+struct Plane;
+template <>
+struct Plane<2> {
+  Vec<2> w, e;
+
+  Plane(const double* const* simplex, const double* q) noexcept
+      : w(difference<2>(q, simplex[0])), e(difference<2>(simplex[1], simplex[0])) {}
+  double det() const noexcept { return e.y * w.x - e.x * w.y; }
+  Vec<2> reach() const noexcept { return extent(w, e); }
+  int shift_sign() const noexcept { return first_turned_sign(e); }
+};
+template <>
+struct Plane<3> {
+  Vec<3> w, e1, e2;
+
+  Plane(const double* const* simplex, const double* q) noexcept
+      : w(difference<3>(q, simplex[0])),
+        e1(difference<3>(simplex[1], simplex[0])),
+        e2(difference<3>(simplex[2], simplex[0])) {}
+  double det() const noexcept { return dot(cross(e1, e2), w); }
+  Vec<3> reach() const noexcept { return extent(w, e1, e2); }
+  int shift_sign() const noexcept { return first_sign(e1, e2); }
+};
 
 // Numerator and denominator of the time at one simplex, and the bound for both.
 struct Ratio {
   double numerator, denominator, bound;
 };
 
-// Sign of n.(q-a): `exact zero` (0) when one axis has no extent.
 template <int D>
-int settle(double det, const Extent<D>& extent) noexcept {
-  const double low = extent.lowest();
-  if (low >= kFilterMin && extent.highest() <= kFilterMax) return sign_beyond(det, extent.bound());
-  return low == 0 ? 0 : kUncertain;
-}
-
-template <int D>
-struct Plane {
-  Vec<D> w, e1, e2;  // e2 in space only
-  Extent<D> extent;
-
-  Plane(const double* const* simplex, const double* q) noexcept {
-    w = difference<D>(q, simplex[0]);
-    e1 = difference<D>(simplex[1], simplex[0]);
-    extent.set(w);
-    extent.add(e1);
-    if constexpr (D == 3) {
-      e2 = difference<D>(simplex[2], simplex[0]);
-      extent.add(e2);
-    }
-  }
-  double det() const noexcept {
-    if constexpr (D == 3) {
-      return dot(cross(e1, e2), w);
-    } else {
-      return e1.v[1] * w.v[0] - e1.v[0] * w.v[1];
-    }
-  }
-  int shift_sign() const noexcept {
-    if constexpr (D == 3) {
-      return first_sign(e1, e2);
-    } else {
-      return first_turned_sign(e1);
-    }
-  }
-};
-
-template <int D>
-Ratio time_ratio(const double* p, const Vec<D>& u, const double* const* simplex, bool& in_range) noexcept {
+inline Ratio time_ratio(const double* p, const Vec<D>& u, const double* const* simplex, bool& in_range) noexcept {
   const Vec<D> w = difference<D>(simplex[0], p);
   const Vec<D> e1 = difference<D>(simplex[1], simplex[0]);
-  Extent<D> extent;
-  extent.set(u);
-  extent.add(w);
-  extent.add(e1);
   Vec<D> n;
+  Vec<D> m;
   if constexpr (D == 3) {
     const Vec<D> e2 = difference<D>(simplex[2], simplex[0]);
-    extent.add(e2);
     n = cross(e1, e2);
+    m = extent(u, w, e1, e2);
   } else {
-    n = {{e1.v[1], -e1.v[0]}};
+    n = {e1.y, -e1.x};
+    m = extent(u, w, e1);
   }
-  in_range = in_range && extent.lowest() >= kTimeFilterMin && extent.highest() <= kTimeFilterMax;
-  return {dot(n, w), dot(n, u), extent.bound()};
+  in_range = in_range && lowest(m) >= kTimeFilterMin && highest(m) <= kTimeFilterMax;
+  return {dot(n, w), dot(n, u), bound(m)};
 }
 
 template <class Tally>
@@ -176,9 +167,10 @@ template <int D, class Tally>
 inline ShiftedSign plane_side(const double* const* simplex, const double* q, Tally&& tally) noexcept {
   tally.test();
   const filter::Plane<D> plane(simplex, q);
-  const int s = filter::settle<D>(plane.det(), plane.extent);
-  if (s == 1 || s == -1) return {s, false};
-  if (s == 0) {
+  const double det = plane.det();
+  const filter::Vec<D> m = plane.reach();
+  if (filter::certain(det, m)) return {filter::sign_of(det), false};
+  if (filter::lowest(m) == 0) {  // then the determinant is exactly 0
     const int shifted = plane.shift_sign();
     if (shifted != filter::kUncertain) return filter::count({shifted, true}, false, tally);
   }
@@ -190,19 +182,18 @@ inline ShiftedSign line_side(const double* p, const double* q, const double* con
   tally.test();
   const filter::Vec<D> u = filter::difference<D>(q, p);
   const filter::Vec<D> a = filter::difference<D>(ridge[0], p);
-  filter::Extent<D> extent;
-  extent.set(u);
-  extent.add(a);
-  int s;
+  double det;
+  filter::Vec<D> m;
   if constexpr (D == 3) {
     const filter::Vec<D> b = filter::difference<D>(ridge[1], p);
-    extent.add(b);
-    s = filter::settle<D>(filter::dot(filter::cross(u, a), b), extent);
+    det = filter::dot(filter::cross(u, a), b);
+    m = filter::extent(u, a, b);
   } else {
-    s = filter::settle<D>(u.v[0] * a.v[1] - u.v[1] * a.v[0], extent);
+    det = u.x * a.y - u.y * a.x;
+    m = filter::extent(u, a);
   }
-  if (s == 1 || s == -1) return {s, false};
-  if (s == 0) {
+  if (filter::certain(det, m)) return {filter::sign_of(det), false};
+  if (filter::lowest(m) == 0) {
     int shifted;
     if constexpr (D == 3) {
       shifted = filter::first_sign(u, filter::difference<D>(ridge[1], ridge[0]));
@@ -239,8 +230,10 @@ inline ShiftedSign compare_times(const double* p, const double* q, const double*
 template <int D>
 inline int orient(const double* const* simplex, const double* q) noexcept {
   const filter::Plane<D> plane(simplex, q);
-  const int s = filter::settle<D>(plane.det(), plane.extent);
-  return s != filter::kUncertain ? s : exact::orient<D>(simplex, q);
+  const double det = plane.det();
+  const filter::Vec<D> m = plane.reach();
+  if (filter::certain(det, m)) return filter::sign_of(det);
+  return filter::lowest(m) == 0 ? 0 : exact::orient<D>(simplex, q);
 }
 
 }  // namespace dsw

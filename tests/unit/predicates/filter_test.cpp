@@ -1,0 +1,126 @@
+// What the filter promises: a bound that holds for every order of evaluation, few fallbacks, honest counts.
+#include "predicates/filtered.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "cases.h"
+#include "oracle.h"
+
+namespace dsw {
+namespace {
+
+template <int D>
+void count_generic(CountingTally& tally, Scale scale) {
+  Random random(11);
+  PointSet<D> s;
+  for (int i = 0; i < 50000; ++i) {
+    draw(random, Shape::kUniform, scale, 2 + 2 * D, s);
+    plane_side<D>(s.at, s.at[D], tally);
+    line_side<D>(s.at[0], s.at[1], s.at + 2, tally);
+    compare_times<D>(s.at[0], s.at[1], s.at + 2, s.at + 2 + D, tally);
+  }
+}
+
+TEST(Filter, SettlesGenericInput) {
+  CountingTally plane, space;
+  count_generic<2>(plane, Scale::kOne);
+  count_generic<3>(space, Scale::kOne);
+  EXPECT_EQ(plane.tests, 150000u);
+  EXPECT_EQ(space.tests, 150000u);
+  EXPECT_LT(plane.exacts, 150u);
+  EXPECT_LT(space.exacts, 150u);
+  EXPECT_EQ(space.ties, 0u);
+}
+
+TEST(Filter, LeavesWhatMayOverflowToIntegers) {
+  CountingTally tally;
+  count_generic<3>(tally, Scale::kThreeHundred);
+  EXPECT_EQ(tally.exacts, tally.tests);
+}
+
+TEST(Filter, SettlesAPlaneAcrossAnAxisWithoutIntegers) {
+  CountingTally tally;
+  const double a[] = {0.1, 0.2, 0.7}, b[] = {0.9, 0.3, 0.7}, c[] = {0.4, 0.8, 0.7}, q[] = {3, 4, 0.7};
+  const double* const triangle[] = {a, b, c};
+  const ShiftedSign side = plane_side<3>(triangle, q, tally);
+  EXPECT_EQ(side.sign, 1);
+  EXPECT_TRUE(side.tie);
+  const double* const edge[] = {a, b};
+  EXPECT_TRUE(line_side<3>(c, q, edge, tally).tie);
+  EXPECT_EQ(tally.tests, 2u);
+  EXPECT_EQ(tally.ties, 2u);
+  EXPECT_EQ(tally.exacts, 0u);
+}
+
+TEST(Filter, CountsATieOfASlantedPlaneAsExactAndTie) {
+  CountingTally tally;
+  const double a[] = {0, 0, 0}, b[] = {1, 2, 3}, c[] = {-1, 5, 4}, q[] = {0, 7, 7};
+  const double* const triangle[] = {a, b, c};
+  EXPECT_TRUE(plane_side<3>(triangle, q, tally).tie);
+  const double off[] = {0, 7, std::nextafter(7.0, 8.0)};
+  EXPECT_FALSE(plane_side<3>(triangle, off, tally).tie);
+  EXPECT_EQ(tally.tests, 2u);
+  EXPECT_EQ(tally.exacts, 2u);
+  EXPECT_EQ(tally.ties, 1u);
+}
+
+// One of the three cofactor expansions of the rows w, e1, e2.
+double expanded(const double (&m)[3][3], int row) {
+  const double* r = m[row];
+  const double* s = m[(row + 1) % 3];
+  const double* t = m[(row + 2) % 3];
+  const double x = s[1] * t[2] - s[2] * t[1];
+  const double y = s[2] * t[0] - s[0] * t[2];
+  const double z = s[0] * t[1] - s[1] * t[0];
+  return row == 1 ? r[2] * z + (r[1] * y + r[0] * x) : (r[0] * x + r[1] * y) + r[2] * z;
+}
+
+// Entries near +-1 with noise in the last bits come closest to the bound: the largest determinant has size 4 there.
+TEST(Filter, BoundHoldsForEveryRowAndIsNotFarTooLarge) {
+  Random random(5);
+  double worst = 0;
+  for (int i = 0; i < 200000; ++i) {
+    double x[4][3];
+    for (auto& point : x) {
+      for (double& c : point) {
+        c = random.below(2) != 0 ? random.uniform() : (random.below(2) != 0 ? 0.5 : -0.5) + random.between(-9, 9) * 0x1p-53;
+      }
+    }
+    double m[3][3];
+    mpz_class exact[3][3];
+    double bound = kPlaneFilter3;
+    for (int k = 0; k < 3; ++k) {
+      double extent = 0;
+      for (int r = 0; r < 3; ++r) {
+        m[r][k] = x[r + 1][k] - x[0][k];
+        exact[r][k] = oracle::integer(x[r + 1][k]) - oracle::integer(x[0][k]);
+        extent = std::fmax(extent, std::fabs(m[r][k]));
+      }
+      bound *= extent;
+    }
+    mpz_class det = 0;
+    for (int k = 0; k < 3; ++k) {
+      const int y = (k + 1) % 3;
+      const int z = (k + 2) % 3;
+      det += exact[0][k] * (exact[1][y] * exact[2][z] - exact[1][z] * exact[2][y]);
+    }
+    if (bound == 0) {
+      ASSERT_EQ(sgn(det), 0);
+      continue;
+    }
+    for (int row = 0; row < 3; ++row) {
+      const mpz_class error = (oracle::integer(expanded(m, row)) << 2148) - det;
+      // Both at 2^-3222; the error is small beside the bound, so that rounding it to a double is of no consequence.
+      const mpf_class ratio = mpf_class(abs(error), 128) / mpf_class(oracle::integer(bound) << 2148, 128);
+      worst = std::fmax(worst, ratio.get_d());
+    }
+  }
+  EXPECT_LE(worst, 1.0);
+  EXPECT_GT(worst, 0.04);
+}
+
+}  // namespace
+}  // namespace dsw

@@ -1,0 +1,136 @@
+#include "predicates/plane_hit.h"
+
+#include <gtest/gtest.h>
+
+#include <cfloat>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+#include "cases.h"
+#include "oracle.h"
+
+namespace dsw {
+namespace {
+
+std::uint64_t case_count() {
+  const char* text = std::getenv("DSW_PREDICATE_CASES");
+  const std::uint64_t count = text != nullptr ? std::strtoull(text, nullptr, 10) : 0;
+  return count > 0 ? count : 100000;
+}
+
+double vertical_time(double from, double to, double plane) {
+  const double a[] = {0, 0, plane}, b[] = {1, 0, plane}, c[] = {0, 1, plane};
+  const double* const triangle[] = {a, b, c};
+  const double p[] = {0.3, 0.3, from}, q[] = {0.3, 0.3, to};
+  return crossing_time<3>(p, q, triangle);
+}
+
+TEST(PlaneHit, TimeInThePlaneIsTheLargestDoubleBelow) {
+  const PredicateTally tally = run_crossing_time<2>(case_count(), 3);
+  EXPECT_EQ(tally.wrong, 0u);
+  EXPECT_GE(tally.cases, case_count());
+}
+
+TEST(PlaneHit, TimeInSpaceIsTheLargestDoubleBelow) {
+  const PredicateTally tally = run_crossing_time<3>(case_count(), 3);
+  EXPECT_EQ(tally.wrong, 0u);
+  EXPECT_GE(tally.cases, case_count());
+}
+
+TEST(PlaneHit, TimesThatAreDoublesComeOutAsThey) {
+  EXPECT_EQ(vertical_time(-1, 1, 0), 0.5);
+  EXPECT_EQ(vertical_time(0, 4, 3), 0.75);
+  EXPECT_EQ(vertical_time(0, 1, 0.1), 0.1);
+  EXPECT_EQ(vertical_time(0, 1, 0), 0.0);
+  EXPECT_EQ(vertical_time(0, 1, 1), 1.0);
+  EXPECT_EQ(vertical_time(0, 0x1p53, 1), 0x1p-53);
+  EXPECT_FALSE(std::signbit(vertical_time(-0.0, 1, 0)));
+}
+
+TEST(PlaneHit, OtherTimesAreRoundedDownNeverToNearest) {
+  EXPECT_EQ(vertical_time(0, 3, 1), 0x1.5555555555555p-2);
+  EXPECT_EQ(vertical_time(0, 3, 2), 0x1.5555555555555p-1);  // to nearest it would be ...556
+  // A hair before the end of the flight, and a hair before its middle.
+  EXPECT_EQ(vertical_time(-0x1p30, std::nextafter(1.0, 2.0), 1), std::nextafter(1.0, 0.0));
+  EXPECT_EQ(vertical_time(-0x1p30, 0x1p30, -0x1p-60), std::nextafter(0.5, 0.0));
+}
+
+TEST(PlaneHit, TinyAndHugeFlightsHaveTimes) {
+  EXPECT_EQ(vertical_time(0, DBL_TRUE_MIN * 2, DBL_TRUE_MIN), 0.5);
+  EXPECT_EQ(vertical_time(-DBL_MAX, DBL_MAX, 0), 0.5);
+  EXPECT_EQ(vertical_time(0, DBL_MAX, DBL_TRUE_MIN), 0.0);          // below every double but 0
+  EXPECT_EQ(vertical_time(0, 2, DBL_TRUE_MIN * 3), DBL_TRUE_MIN);   // 1.5 of the smallest one
+  EXPECT_EQ(vertical_time(0, 0x1p1000, 0x1p-60), 0x1p-1060);        // subnormal
+  EXPECT_EQ(vertical_time(0, 3, 0x1p-1040), std::floor(0x1p34 / 3) * 0x1p-1074);
+}
+
+// Component-wise, against 320-bit arithmetic.
+template <int D>
+void expect_normal(const double* const* simplex, const double* unit) {
+  mpz_class n[D];
+  oracle::normal<D>(simplex, n);
+  mpf_class square(0, 320);
+  mpf_class wanted[D];
+  for (int k = 0; k < D; ++k) {
+    wanted[k] = mpf_class(n[k], 320);
+    square += wanted[k] * wanted[k];
+  }
+  ASSERT_GT(sgn(square), 0);
+  const mpf_class length = sqrt(square);
+  mpf_class unit_square(0, 320);
+  for (int k = 0; k < D; ++k) {
+    ASSERT_TRUE(std::isfinite(unit[k]));
+    const mpf_class given(unit[k], 320);
+    unit_square += given * given;
+    const mpf_class error = abs(given - mpf_class(wanted[k] / length));
+    EXPECT_LE(mpf_class(error / mpf_class(1, 320)).get_d(), 4 * DBL_EPSILON / 2 * std::fabs(unit[k]) + DBL_MIN);
+  }
+  EXPECT_LE(std::fabs(mpf_class(sqrt(unit_square) - 1).get_d()), 1e-15);
+}
+
+template <int D>
+void check_normals() {
+  Random random(17);
+  PointSet<D> s;
+  int checked = 0;
+  for (int i = 0; i < 20000; ++i) {
+    draw(random, D + 2, s);
+    double unit[D];
+    unit_normal<D>(s.at, unit);
+    mpz_class n[D];
+    oracle::normal<D>(s.at, n);
+    bool flat = true;
+    for (const mpz_class& c : n) flat = flat && sgn(c) == 0;
+    if (flat) {
+      for (const double c : unit) EXPECT_EQ(c, 0.0);
+      continue;
+    }
+    ++checked;
+    expect_normal<D>(s.at, unit);
+    const PlaneHit<D> hit = plane_hit<D>(s.at[D], s.at[D + 1], s.at);
+    for (int k = 0; k < D; ++k) {
+      EXPECT_EQ(hit.normal[k], -unit[k]);
+      EXPECT_FALSE(hit.normal[k] == 0 && std::signbit(hit.normal[k]));
+    }
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(checked, 10000);
+}
+
+TEST(PlaneHit, NormalInThePlaneIsAccurateAtEveryScale) { check_normals<2>(); }
+TEST(PlaneHit, NormalInSpaceIsAccurateAtEveryScale) { check_normals<3>(); }
+
+TEST(PlaneHit, NormalPointsBackToTheFlightAndIsExactAcrossAnAxis) {
+  const double a[] = {0, 0, 7}, b[] = {0.1, 0, 7}, c[] = {0, 0.3, 7};
+  const double* const triangle[] = {a, b, c};
+  const double p[] = {0.01, 0.01, 0}, q[] = {0.01, 0.01, 28};
+  const PlaneHit<3> hit = plane_hit<3>(p, q, triangle);
+  EXPECT_EQ(hit.time, 0.25);
+  EXPECT_EQ(hit.normal[0], 0.0);
+  EXPECT_EQ(hit.normal[1], 0.0);
+  EXPECT_EQ(hit.normal[2], -1.0);
+}
+
+}  // namespace
+}  // namespace dsw
