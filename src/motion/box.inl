@@ -43,29 +43,33 @@ struct Extents {
 
 constexpr uint32_t kAllFacets = 0x3f;
 
-inline void load_points(const Environment<3>& env, const uint32_t* w, const double* (&points)[8]) noexcept {
-  for (uint32_t i = 0; i < 8; ++i) points[i] = env.point(w[kUnitWords + i]);
+/** Asks exactly about the facets that the filter left open. */
+template <class Tally>
+DSW_COLD uint32_t settle_flat_box(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t sure,
+                                  uint32_t outside, Tally& tally) noexcept {
+  outside &= sure;
+  for (uint32_t unsure = kAllFacets & ~sure; unsure != 0; unsure &= unsure - 1) {
+    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(unsure));
+    const double* facet[3];
+    for (uint32_t k = 0; k < 3; ++k) facet[k] = env.point(w[kUnitWords + kBoxFacets[f][k]]);
+    outside |= (plane_side<3>(facet, q, tally).sign > 0 ? 1u : 0u) << f;
+  }
+  return outside;
 }
 
 /** Convex hexahedron with flat facets: facets with q outside. Any three vertices of a facet give its plane. */
 template <class Tally>
-inline uint32_t outside_flat_box(const double* const (&points)[8], const double* q, Tally& tally) noexcept {
-  const BoxVertices v(points, q);
+inline uint32_t outside_flat_box(const Environment<3>& env, const uint32_t* w, const double* q, Tally& tally) noexcept {
+  const BoxVertices v(env.points, w + kUnitWords, q);
   const Points a = corner<0>(v), b = corner<1>(v), c = corner<2>(v);
   Extents extents(a);
   extents.add(b);
   extents.add(c);
   const Lanes det = dot(cross(a, c), b), bound = extents.bound();
-  uint32_t outside = Lanes::bits(Lanes::greater(det, bound));
+  const uint32_t outside = Lanes::bits(Lanes::greater(det, bound));
   const uint32_t inside = Lanes::bits(Lanes::greater(Lanes::all(0) - bound, det));
-  uint32_t unsure = kAllFacets & ~((outside | inside) & Lanes::bits(extents.in_range()));
-  outside &= ~unsure;
-  for (; __builtin_expect(unsure != 0, 0); unsure &= unsure - 1) {
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(unsure));
-    const double* facet[3] = {points[kBoxFacets[f][0]], points[kBoxFacets[f][1]], points[kBoxFacets[f][2]]};
-    outside |= (plane_side<3>(facet, q, tally).sign > 0 ? 1u : 0u) << f;
-  }
-  return outside;
+  const uint32_t sure = (outside | inside) & Lanes::bits(extents.in_range());
+  return __builtin_expect(sure == kAllFacets, 1) ? outside : settle_flat_box(env, w, q, sure, outside, tally);
 }
 
 /** What the lanes say about the exits of a hexahedron that need not be convex. */
@@ -76,16 +80,16 @@ struct BoxExits {
   bool sure = false;      // false: the filter could not settle all that matters, ask again exactly
 };
 
-inline BoxExits box_exits(const double* const (&points)[8], uint32_t cuts, const double* p, const double* q) noexcept {
+inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const double* p, const double* q) noexcept {
   BoxExits exits;
-  const BoxVertices v(points, q);
+  const BoxVertices v(env.points, w + kUnitWords, q);
   const Points c0 = corner<0>(v), c1 = corner<1>(v), c2 = corner<2>(v), c3 = corner<3>(v);
   Extents extents(c0);
   extents.add(c1);
   extents.add(c2);
   extents.add(c3);
   // a b c d: the loop turned so that the diagonal joins a and c.
-  const Lanes::Mask cut = Lanes::spread(cuts);
+  const Lanes::Mask cut = Lanes::spread(w[0] & kShapeMask);
   const Points a = select(cut, c1, c0), b = select(cut, c2, c1), c = select(cut, c3, c2), d = select(cut, c0, c3);
   const Points diagonal = cross(a, c);
   const Lanes first = dot(diagonal, b), second = Lanes::all(0) - dot(diagonal, d), bound = extents.bound();

@@ -11,10 +11,10 @@ struct Exit {
 };
 
 /** How the segment came into a cell. */
-template <int D>
 struct Entry {
   bool may_have_been_here = false;  // by this segment, before this entry
-  const double* simplex[D] = {};    // crossed last
+  Cell from;                        // the cell before
+  uint32_t simplex = 0;             // of that cell, crossed last
 };
 
 template <int D, class Tally>
@@ -24,22 +24,18 @@ class ExitFinder {
       : env_(env), map_(env.map), p_(p), q_(q), tally_(tally) {}
 
   /** `forecast`: a facet to ask first, where that saves asking the others. */
-  Exit find(Cell c, const Entry<D>& entry, uint32_t forecast) noexcept {
+  DSW_HOT Exit find(Cell c, const Entry& entry, uint32_t forecast) noexcept {
     const uint32_t* w = map_.record(c);
     const Form form = form_of(w[0]);
     if constexpr (D == 3) {
       if (form == Form::kSimplex) {
-        const double* points[4];
-        for (uint32_t i = 0; i < 4; ++i) points[i] = env_.point(w[i] & kVertexMask);
         tally_.tests(4);
-        return exit_flat(c, outside_tetrahedron(points, q_, uncounted_));
+        return exit_flat(c, outside_tetrahedron(env_, w, q_, uncounted_));
       }
       if (form == Form::kBox) {
-        const double* points[8];
-        load_points(env_, w, points);
-        if ((w[0] & kConvexBit) == 0) return exit_box(points, w[0] & kShapeMask, entry);
+        if ((w[0] & kConvexBit) == 0) return exit_box(w, entry);
         tally_.tests(6);
-        return exit_flat(c, outside_flat_box(points, q_, uncounted_));
+        return exit_flat(c, outside_flat_box(env_, w, q_, uncounted_));
       }
     }
     if (map_.convex(c)) return exit_many_flat(c, forecast);
@@ -110,11 +106,16 @@ class ExitFinder {
     }
   }
 
-  Exit exit_flat(Cell c, uint32_t outside) noexcept {
+  DSW_HOT Exit exit_flat(Cell c, uint32_t outside) noexcept {
     if (outside == 0) return {};
-    uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
-    if ((outside & (outside - 1)) == 0) return {f, first_simplex(c, f)};
+    if (__builtin_expect((outside & (outside - 1)) != 0, 0)) return exit_of_several(c, outside);
+    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
+    return {f, map_.form(c) == Form::kSimplex ? f : 2 * f};
+  }
+
+  __attribute__((noinline)) Exit exit_of_several(Cell c, uint32_t outside) noexcept {
     const Shape shape = map_.shape(c);
+    uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
     for (uint32_t rest = outside & (outside - 1); rest != 0; rest &= rest - 1) {
       const uint32_t g = static_cast<uint32_t>(__builtin_ctz(rest));
       const int side = keeps(c, shape, f, g);
@@ -123,8 +124,6 @@ class ExitFinder {
     }
     return {f, shape.simplex_first(f)};
   }
-
-  uint32_t first_simplex(Cell c, uint32_t f) const noexcept { return map_.form(c) == Form::kSimplex ? f : 2 * f; }
 
   /** Facets without a common ridge can both have q outside (a cell that narrows): then each is asked in full. */
   Exit first_pierced(Cell c, const Shape& shape, uint32_t outside) noexcept {
@@ -135,7 +134,7 @@ class ExitFinder {
     return {};
   }
 
-  Exit exit_many_flat(Cell c, uint32_t forecast) noexcept {
+  __attribute__((noinline)) Exit exit_many_flat(Cell c, uint32_t forecast) noexcept {
     const Shape shape = map_.shape(c);
     const double* points[D];
     const auto leaves_through = [&](uint32_t f) {
@@ -158,33 +157,37 @@ class ExitFinder {
   };
 
   /** A simplex with q outside that the segment pierces outwards, after the entry: keeps it if it is the earliest. */
-  void consider(uint32_t facet, uint32_t simplex, const double* const (&points)[D], const Entry<D>& entry,
+  void consider(uint32_t facet, uint32_t simplex, const double* const (&points)[D], const Entry& entry,
                 Earliest& best) noexcept {
-    if (entry.may_have_been_here && compare_times<D>(p_, q_, points, entry.simplex, tally_).sign <= 0) return;
+    if (entry.may_have_been_here) {
+      const double* entered[D];
+      simplex_points(env_, entry.from, map_.shape(entry.from), entry.simplex, entered);
+      if (compare_times<D>(p_, q_, points, entered, tally_).sign <= 0) return;
+    }
     if (best.exit.facet != kStays && compare_times<D>(p_, q_, points, best.points, tally_).sign >= 0) return;
     best.exit = {facet, simplex};
     std::copy(points, points + D, best.points);
   }
 
   /** Hexahedron: the lanes settle nearly all; what they leave open is asked triangle by triangle. */
-  Exit exit_box(const double* const (&points)[8], uint32_t cuts, const Entry<D>& entry) noexcept {
-    tally_.tests(12);
-    const BoxExits exits = box_exits(points, cuts, p_, q_);
-    tally_.tests(4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
-    const bool one = (exits.pierced & (exits.pierced - 1)) == 0;
-    if (exits.sure && one && !entry.may_have_been_here) {
-      if (exits.pierced == 0) return {};
-      const uint32_t f = static_cast<uint32_t>(__builtin_ctz(exits.pierced));
-      return {f, 2 * f + (exits.second >> f & 1u)};
-    }
+  DSW_HOT Exit exit_box(const uint32_t* w, const Entry& entry) noexcept {
+    const BoxExits exits = box_exits(env_, w, p_, q_);
+    tally_.tests(12 + 4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
+    const bool several = (exits.pierced & (exits.pierced - 1)) != 0;
+    if (__builtin_expect(!exits.sure || several || entry.may_have_been_here, 0)) return exit_box_in_full(w, exits, entry);
+    if (exits.pierced == 0) return {};
+    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(exits.pierced));
+    return {f, 2 * f + (exits.second >> f & 1u)};
+  }
+
+  DSW_COLD Exit exit_box_in_full(const uint32_t* w, const BoxExits& exits, const Entry& entry) noexcept {
     Earliest best;
-    for (uint32_t f = 0; f < 6; ++f) {
-      for (uint32_t half = 0; half < 2; ++half) {
-        const double* triangle[3];
-        box_triangle(points, cuts, f, half, triangle);
-        const bool pierced = exits.sure ? (exits.pierced >> f & 1u) != 0 && (exits.second >> f & 1u) == half : pierces(triangle);
-        if (pierced) consider(f, 2 * f + half, triangle, entry, best);
-      }
+    for (uint32_t i = 0; i < 12; ++i) {
+      const uint32_t f = i / 2, half = i % 2;
+      const double* triangle[3];
+      box_triangle(env_, w, f, half, triangle);
+      const bool pierced = exits.sure ? (exits.pierced >> f & 1u) != 0 && (exits.second >> f & 1u) == half : pierces(triangle);
+      if (pierced) consider(f, i, triangle, entry, best);
     }
     return best.exit;
   }
@@ -198,7 +201,7 @@ class ExitFinder {
     return true;
   }
 
-  Exit exit_many(Cell c, const Entry<D>& entry) noexcept {
+  __attribute__((noinline)) Exit exit_many(Cell c, const Entry& entry) noexcept {
     Earliest best;
     const Shape shape = map_.shape(c);
     const uint16_t* facets = shape.simplex_facets(D);

@@ -29,7 +29,11 @@ inline Lanes operator*(Lanes a, Lanes b) noexcept { return {_mm512_mul_pd(a.v, b
 struct BoxVertices {
   __m512d axis[3];
 
-  BoxVertices(const double* const (&p)[8], const double* q) noexcept {
+  BoxVertices(const double* points, const uint32_t* vertices, const double* q) noexcept {
+    const double* const p[8] = {points + size_t{vertices[0]} * 3, points + size_t{vertices[1]} * 3,
+                                points + size_t{vertices[2]} * 3, points + size_t{vertices[3]} * 3,
+                                points + size_t{vertices[4]} * 3, points + size_t{vertices[5]} * 3,
+                                points + size_t{vertices[6]} * 3, points + size_t{vertices[7]} * 3};
     const auto xy = [&](int a, int b) {
       return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p[a])), _mm_loadu_pd(p[b]), 1);
     };
@@ -106,51 +110,53 @@ inline Lanes operator*(Lanes x, Lanes y) noexcept { return {_mm256_mul_pd(x.a, y
 
 #else
 
-/** Plain doubles, for any machine. */
+/** Three pairs, which any machine of today has. */
 struct Lanes {
+  using Pair = double __attribute__((vector_size(16)));
+  using PairMask = int64_t __attribute__((vector_size(16)));
   struct Mask {
-    uint32_t m;
+    PairMask a, b, c;
   };
-  double v[6];
+  Pair a, b, c;
 
-  template <class Operation>
-  static Lanes each(Operation operation) noexcept {
-    return {{operation(0), operation(1), operation(2), operation(3), operation(4), operation(5)}};
+  static Pair choose(PairMask m, Pair yes, Pair no) noexcept { return (Pair)(((PairMask)yes & m) | ((PairMask)no & ~m)); }
+  static Lanes all(double x) noexcept { return {Pair{x, x}, Pair{x, x}, Pair{x, x}}; }
+  static Mask greater(const Lanes& x, const Lanes& y) noexcept { return {x.a > y.a, x.b > y.b, x.c > y.c}; }
+  static Lanes select(const Mask& m, const Lanes& yes, const Lanes& no) noexcept {
+    return {choose(m.a, yes.a, no.a), choose(m.b, yes.b, no.b), choose(m.c, yes.c, no.c)};
   }
-  static Lanes all(double x) noexcept { return {{x, x, x, x, x, x}}; }
-  static Lanes absolute(const Lanes& x) noexcept { return each([&](int i) { return std::fabs(x.v[i]); }); }
-  static Lanes larger(const Lanes& x, const Lanes& y) noexcept {
-    return each([&](int i) { return x.v[i] > y.v[i] ? x.v[i] : y.v[i]; });
+  static Lanes absolute(const Lanes& x) noexcept {
+    const PairMask rest = {INT64_MAX, INT64_MAX};
+    return {(Pair)((PairMask)x.a & rest), (Pair)((PairMask)x.b & rest), (Pair)((PairMask)x.c & rest)};
   }
-  static Lanes smaller(const Lanes& x, const Lanes& y) noexcept {
-    return each([&](int i) { return x.v[i] < y.v[i] ? x.v[i] : y.v[i]; });
+  static Lanes larger(const Lanes& x, const Lanes& y) noexcept { return select(greater(x, y), x, y); }
+  static Lanes smaller(const Lanes& x, const Lanes& y) noexcept { return select(greater(y, x), x, y); }
+  static Mask spread(uint32_t bits) noexcept {
+    const auto lane = [&](uint32_t i) { return -static_cast<int64_t>(bits >> i & 1u); };
+    return {PairMask{lane(0), lane(1)}, PairMask{lane(2), lane(3)}, PairMask{lane(4), lane(5)}};
   }
-  static Mask greater(const Lanes& x, const Lanes& y) noexcept {
-    uint32_t m = 0;
-    for (uint32_t i = 0; i < 6; ++i) m |= (x.v[i] > y.v[i] ? 1u : 0u) << i;
-    return {m};
-  }
-  static Mask spread(uint32_t bits) noexcept { return {bits}; }
-  static uint32_t bits(Mask m) noexcept { return m.m; }
-  static Lanes select(Mask m, const Lanes& yes, const Lanes& no) noexcept {
-    return each([&](int i) { return (m.m >> i & 1u) != 0 ? yes.v[i] : no.v[i]; });
+  static uint32_t bits(const Mask& m) noexcept {
+    const auto pair = [](PairMask p) { return static_cast<uint32_t>((p[0] & 1) | (p[1] & 2)); };
+    return pair(m.a) | pair(m.b) << 2 | pair(m.c) << 4;
   }
 };
 
-inline Lanes::Mask operator&(Lanes::Mask x, Lanes::Mask y) noexcept { return {x.m & y.m}; }
-inline Lanes::Mask operator|(Lanes::Mask x, Lanes::Mask y) noexcept { return {x.m | y.m}; }
-inline Lanes operator+(const Lanes& x, const Lanes& y) noexcept { return Lanes::each([&](int i) { return x.v[i] + y.v[i]; }); }
-inline Lanes operator-(const Lanes& x, const Lanes& y) noexcept { return Lanes::each([&](int i) { return x.v[i] - y.v[i]; }); }
-inline Lanes operator*(const Lanes& x, const Lanes& y) noexcept { return Lanes::each([&](int i) { return x.v[i] * y.v[i]; }); }
+inline Lanes operator+(const Lanes& x, const Lanes& y) noexcept { return {x.a + y.a, x.b + y.b, x.c + y.c}; }
+inline Lanes operator-(const Lanes& x, const Lanes& y) noexcept { return {x.a - y.a, x.b - y.b, x.c - y.c}; }
+inline Lanes operator*(const Lanes& x, const Lanes& y) noexcept { return {x.a * y.a, x.b * y.b, x.c * y.c}; }
+inline Lanes::Mask operator&(const Lanes::Mask& x, const Lanes::Mask& y) noexcept { return {x.a & y.a, x.b & y.b, x.c & y.c}; }
+inline Lanes::Mask operator|(const Lanes::Mask& x, const Lanes::Mask& y) noexcept { return {x.a | y.a, x.b | y.b, x.c | y.c}; }
 
 #endif
 
 /** The vertices of a hexahedron relative to a point. */
 struct BoxVertices {
-  const double* const (&p)[8];
+  const double* p[8];
   const double* q;
 
-  BoxVertices(const double* const (&points)[8], const double* origin) noexcept : p(points), q(origin) {}
+  BoxVertices(const double* points, const uint32_t* vertices, const double* origin) noexcept : q(origin) {
+    for (uint32_t i = 0; i < 8; ++i) p[i] = points + size_t{vertices[i]} * 3;
+  }
 
   template <int K>
   Lanes corner(int k) const noexcept {
@@ -158,7 +164,7 @@ struct BoxVertices {
 #if defined(DSW_ISA_AVX2)
       const Lanes raw{_mm256_setr_pd(p[a][k], p[b][k], p[c][k], p[d][k]), _mm_setr_pd(p[e][k], p[f][k])};
 #else
-      const Lanes raw{{p[a][k], p[b][k], p[c][k], p[d][k], p[e][k], p[f][k]}};
+      const Lanes raw{Lanes::Pair{p[a][k], p[b][k]}, Lanes::Pair{p[c][k], p[d][k]}, Lanes::Pair{p[e][k], p[f][k]}};
 #endif
       return raw - Lanes::all(q[k]);
     });

@@ -16,15 +16,30 @@ inline double dot(const Vector& c, const RelativeTetrahedron& v, uint32_t i) noe
   return (c.x * v.x[i] + c.y * v.y[i]) + c.z * v.z[i];
 }
 
+/** Asks exactly about the facets that the filter left open. */
+template <class Tally>
+DSW_COLD uint32_t settle_tetrahedron(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t sure,
+                                     uint32_t outside, Tally& tally) noexcept {
+  outside &= sure;
+  for (uint32_t unsure = 0xfu & ~sure; unsure != 0; unsure &= unsure - 1) {
+    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(unsure));
+    const double* facet[3];
+    for (uint32_t k = 0; k < 3; ++k) facet[k] = env.point(w[kTetrahedronFacets[f][k]] & kVertexMask);
+    outside |= (plane_side<3>(facet, q, tally).sign > 0 ? 1u : 0u) << f;
+  }
+  return outside;
+}
+
 /** Facets with q outside, a bit each. */
 template <class Tally>
-inline uint32_t outside_tetrahedron(const double* const (&points)[4], const double* q, Tally& tally) noexcept {
+inline uint32_t outside_tetrahedron(const Environment<3>& env, const uint32_t* w, const double* q, Tally& tally) noexcept {
   RelativeTetrahedron v;
   double mx = 0, my = 0, mz = 0;
   for (uint32_t i = 0; i < 4; ++i) {
-    v.x[i] = points[i][0] - q[0];
-    v.y[i] = points[i][1] - q[1];
-    v.z[i] = points[i][2] - q[2];
+    const double* point = env.point(w[i] & kVertexMask);
+    v.x[i] = point[0] - q[0];
+    v.y[i] = point[1] - q[1];
+    v.z[i] = point[2] - q[2];
     mx = std::max(mx, std::fabs(v.x[i]));
     my = std::max(my, std::fabs(v.y[i]));
     mz = std::max(mz, std::fabs(v.z[i]));
@@ -39,12 +54,6 @@ inline uint32_t outside_tetrahedron(const double* const (&points)[4], const doub
     outside |= (det[f] > bound ? 1u : 0u) << f;
     inside |= (det[f] < -bound ? 1u : 0u) << f;
   }
-  uint32_t unsure = in_range ? 0xfu & ~(outside | inside) : 0xfu;
-  outside &= ~unsure;
-  for (; __builtin_expect(unsure != 0, 0); unsure &= unsure - 1) {
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(unsure));
-    const double* facet[3] = {points[kTetrahedronFacets[f][0]], points[kTetrahedronFacets[f][1]], points[kTetrahedronFacets[f][2]]};
-    outside |= (plane_side<3>(facet, q, tally).sign > 0 ? 1u : 0u) << f;
-  }
-  return outside;
+  const uint32_t sure = in_range ? outside | inside : 0;
+  return __builtin_expect(sure == 0xfu, 1) ? outside : settle_tetrahedron(env, w, q, sure, outside, tally);
 }

@@ -12,6 +12,10 @@
 #include <immintrin.h>
 #endif
 
+// What runs for every cell is inlined into the walk; what runs for one in a thousand stays out of its registers.
+#define DSW_HOT inline __attribute__((always_inline))
+#define DSW_COLD __attribute__((noinline, cold))
+
 namespace dsw {
 
 /** Counting in the hot loops: a policy, so that a scene without statistics pays nothing. */
@@ -34,13 +38,13 @@ struct CountAll {
 constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
 constexpr uint8_t kBoxFacets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
-/** Triangle `half` of facet f, as the standard shape with these cuts has it. */
-inline void box_triangle(const double* const (&points)[8], uint32_t cuts, uint32_t f, uint32_t half,
+/** Triangle `half` of facet f of a hexahedron, as its standard shape has it. */
+inline void box_triangle(const Environment<3>& env, const uint32_t* w, uint32_t f, uint32_t half,
                          const double* (&triangle)[3]) noexcept {
-  const uint32_t base = cuts >> f & 1u;
-  triangle[0] = points[kBoxFacets[f][base]];
-  triangle[1] = points[kBoxFacets[f][base + 1 + half]];
-  triangle[2] = points[kBoxFacets[f][(base + 2 + half) & 3u]];
+  const uint32_t base = w[0] >> f & 1u;
+  triangle[0] = env.point(w[kUnitWords + kBoxFacets[f][base]]);
+  triangle[1] = env.point(w[kUnitWords + kBoxFacets[f][base + 1 + half]]);
+  triangle[2] = env.point(w[kUnitWords + kBoxFacets[f][(base + 2 + half) & 3u]]);
 }
 
 template <int D>

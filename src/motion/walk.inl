@@ -16,9 +16,9 @@ CastResult walk(const Environment<D>& env, const CastRequest& request, Tally tal
   ExitFinder<D, Tally> finder(env, request.from, request.to, tally);
   CastResult result;
   result.cell = request.start;
-  Entry<D> entry;
+  Entry entry;
   uint64_t visited = visit_bit(request.start);
-  uint32_t forecast = request.forecast, crossed = 0;
+  uint32_t forecast = request.forecast;
   for (;;) {
     const Exit exit = finder.find(result.cell, entry, forecast);
     if (result.cells_visited == 1) result.first_facet = exit.facet;
@@ -33,16 +33,12 @@ CastResult walk(const Environment<D>& env, const CastRequest& request, Tally tal
     }
     if (result.cells_visited == request.max_cells) {  // cells_visited is never 0, so 0 is no limit
       result.end = CastEnd::kWorkLimit;
-      result.simplex = crossed;
+      result.simplex = entry.simplex;
       return result;
     }
     if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, exit.simplex, next);
-    if (!map.convex(next)) {
-      entry.may_have_been_here = (visited & visit_bit(next)) != 0;
-      simplex_points(env, result.cell, map.shape(result.cell), exit.simplex, entry.simplex);
-    }
+    entry = {(visited & visit_bit(next)) != 0, result.cell, exit.simplex};
     visited |= visit_bit(next);
-    crossed = exit.simplex;
     forecast = kNoFacet;
     result.previous = result.cell;
     result.cell = next;
@@ -64,7 +60,7 @@ CastResult walk_counted(const Environment<D>& env, const CastRequest& request, C
 template <int D>
 bool stays(const Environment<D>& env, Cell cell, const double* from, const double* to) noexcept {
   CountNothing nothing;
-  return ExitFinder<D, CountNothing>(env, from, to, nothing).find(cell, Entry<D>{}, kNoFacet).facet == kStays;
+  return ExitFinder<D, CountNothing>(env, from, to, nothing).find(cell, Entry{}, kNoFacet).facet == kStays;
 }
 template <int D>
 Walk<D> this_walk() noexcept {
