@@ -286,9 +286,10 @@ Mesh make_mixed(Rng& rng) { return maybe_sheared(mixed_grid(rng), rng); }
 Mesh make_mixed_warped(Rng& rng) {
   Mesh mesh = mixed_grid(rng);
   if (rng.chance(0.5)) {
+    mesh = scaled(std::move(mesh), 4, 4, 4);
     jitter_lattice(mesh, rng, 1);
   } else {
-    jitter(mesh, rng, 0.03 * kSide);
+    jitter(mesh, rng, 0.015 * kSide);
   }
   return mesh;
 }
