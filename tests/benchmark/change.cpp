@@ -141,13 +141,7 @@ void run_change(const Options& options, Report& report) {
   few.insert(few.end(), changes.end() - 4, changes.end());
   std::unique_ptr<EmbreeUpdater> best;
   double best_ns = 0.0;
-  for (int way = 0; way < 8; ++way) {
-    std::unique_ptr<EmbreeUpdater> updater = way < 2 ? make_embree_single(scene.walls, list.slots(), way == 1)
-                                                     : make_embree_chunks(scene.walls,
-                                                                          way % 3 == 2   ? 5.0
-                                                                          : way % 3 == 0 ? 10.0
-                                                                                         : 20.0,
-                                                                          way >= 5);
+  const auto try_out = [&](std::unique_ptr<EmbreeUpdater> updater) {
     std::vector<double> ns;
     for (int round = 0; round < 3; ++round) {
       ns.push_back(time_changes(few, [&](const WallChange& change) { updater->apply(change); }));
@@ -156,6 +150,14 @@ void run_change(const Options& options, Report& report) {
     if (!best || median(ns) < best_ns) {
       best = std::move(updater);
       best_ns = median(ns);
+    }
+  };
+  for (const bool refit : {false, true}) {
+    try_out(make_embree_single(scene.walls, list.slots(), refit));
+  }
+  for (const bool instances : {false, true}) {
+    for (const double chunk : {5.0, 8.0, 10.0, 13.0, 20.0}) {
+      try_out(make_embree_chunks(scene.walls, chunk, instances));
     }
   }
 
