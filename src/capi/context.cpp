@@ -1,5 +1,3 @@
-#include "dartsweep/context.h"
-
 #include <algorithm>
 #include <thread>
 

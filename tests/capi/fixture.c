@@ -1,0 +1,208 @@
+#include "fixture.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const dsw_volume_id no_volume = {0, 0}, stale_volume = {0, 7};
+const dsw_particle_id stale_particle = {0, 7};
+
+static void stop_unless(int passed, const char *what) {
+  if (passed) return;
+  fprintf(stderr, "fixture: %s: %s\n", what, dsw_last_error_message());
+  exit(2);
+}
+
+uint32_t grid_point(const grid *g, unsigned x, unsigned y, unsigned z) {
+  return x + (g->nx + 1) * (y + (g->ny + 1) * z);
+}
+
+grid grid_create(unsigned nx, unsigned ny, unsigned nz) {
+  static const unsigned corners[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                         {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  grid g;
+  unsigned x, y, z, k;
+  size_t cell = 0;
+  g.nx = nx;
+  g.ny = ny;
+  g.nz = nz;
+  g.cell_count = (size_t)nx * ny * nz;
+  g.point_count = (size_t)(nx + 1) * (ny + 1) * (nz + 1);
+  g.points = (double *)malloc(g.point_count * 3 * sizeof(double));
+  g.cells = (int64_t *)malloc(g.cell_count * 8 * sizeof(int64_t));
+  g.regions = (int32_t *)malloc(g.cell_count * sizeof(int32_t));
+  g.tags = (uint32_t *)malloc(g.cell_count * sizeof(uint32_t));
+  stop_unless(g.points != NULL && g.cells != NULL && g.regions != NULL && g.tags != NULL, "malloc");
+  for (z = 0; z <= nz; ++z) {
+    for (y = 0; y <= ny; ++y) {
+      for (x = 0; x <= nx; ++x) {
+        double *const p = g.points + 3 * (size_t)grid_point(&g, x, y, z);
+        p[0] = x;
+        p[1] = y;
+        p[2] = z;
+      }
+    }
+  }
+  for (z = 0; z < nz; ++z) {
+    for (y = 0; y < ny; ++y) {
+      for (x = 0; x < nx; ++x, ++cell) {
+        for (k = 0; k < 8; ++k) {
+          g.cells[8 * cell + k] = grid_point(&g, x + corners[k][0], y + corners[k][1], z + corners[k][2]);
+        }
+        g.regions[cell] = (int32_t)x;
+        g.tags[cell] = 100 + (uint32_t)cell;
+      }
+    }
+  }
+  return g;
+}
+
+void grid_destroy(grid *g) {
+  free(g->points);
+  free(g->cells);
+  free(g->regions);
+  free(g->tags);
+}
+
+dsw_environment_desc grid_desc(const grid *g) {
+  dsw_environment_desc d;
+  dsw_environment_desc_init(&d, sizeof d);
+  d.points = g->points;
+  d.point_count = g->point_count;
+  d.cell_count = g->cell_count;
+  d.connectivity = g->cells;
+  d.connectivity_count = 8 * g->cell_count;
+  d.regions = g->regions;
+  d.tags = g->tags;
+  return d;
+}
+
+dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny, unsigned nz) {
+  grid g = grid_create(nx, ny, nz);
+  const dsw_environment_desc d = grid_desc(&g);
+  dsw_environment *environment = NULL;
+  stop_unless(dsw_environment_create(context, &d, &environment, NULL) == DSW_STATUS_OK, "environment");
+  grid_destroy(&g);
+  return environment;
+}
+
+dsw_scene *make_scene(dsw_environment *environment, uint32_t features) {
+  dsw_scene_desc d;
+  dsw_scene *scene = NULL;
+  dsw_scene_desc_init(&d, sizeof d);
+  d.features = features;
+  stop_unless(dsw_scene_create(environment, &d, &scene) == DSW_STATUS_OK, "scene");
+  return scene;
+}
+
+dsw_volume_id volume_at(uint32_t index) {
+  dsw_volume_id id;
+  id.index = index;
+  id.generation = 1;
+  return id;
+}
+
+dsw_face_id face_at(uint32_t volume, uint32_t local) {
+  dsw_face_id id;
+  id.volume = volume;
+  id.generation = 1;
+  id.local = local;
+  return id;
+}
+
+dsw_edge_id edge_at(uint32_t volume, uint32_t local) {
+  dsw_edge_id id;
+  id.volume = volume;
+  id.generation = 1;
+  id.local = local;
+  return id;
+}
+
+dsw_vertex_id vertex_at(uint32_t index) {
+  dsw_vertex_id id;
+  id.index = index;
+  id.generation = 1;
+  return id;
+}
+
+dsw_cell cell_at(dsw_cell_kind kind, uint32_t index, uint32_t local) {
+  dsw_cell cell;
+  cell.kind = kind;
+  cell.index = index;
+  cell.generation = 1;
+  cell.local = local;
+  return cell;
+}
+
+/* Sizes are kept in front of a block, so that what comes back can be compared. */
+typedef struct block_head {
+  void *base;
+  size_t size, alignment;
+} block_head;
+
+static void *host_allocate(void *user, size_t size, size_t alignment) {
+  host *const h = (host *)user;
+  char *base;
+  uintptr_t at;
+  block_head *head;
+  if (size == 0 || alignment == 0 || alignment > 64 || (alignment & (alignment - 1)) != 0) h->broken = 1;
+  if (++h->calls == h->refuse) return NULL;
+  base = (char *)malloc(size + sizeof(block_head) + 64);
+  stop_unless(base != NULL, "malloc");
+  at = ((uintptr_t)base + sizeof(block_head) + alignment - 1) & ~((uintptr_t)alignment - 1);
+  if (at % sizeof(void *) != 0) at += sizeof(void *) - at % sizeof(void *);
+  head = (block_head *)at - 1;
+  head->base = base;
+  head->size = size;
+  head->alignment = alignment;
+  ++h->alive;
+  h->alive_bytes += size;
+  return (void *)at;
+}
+
+static void host_release(void *user, void *memory, size_t size, size_t alignment) {
+  host *const h = (host *)user;
+  block_head *head;
+  if (memory == NULL) {
+    h->broken = 1;
+    return;
+  }
+  head = (block_head *)memory - 1;
+  if (head->size != size || head->alignment != alignment) h->broken = 1;
+  --h->alive;
+  h->alive_bytes -= head->size;
+  free(head->base);
+}
+
+static void host_log(void *user, dsw_log_level level, const char *text) {
+  host *const h = (host *)user;
+  ++h->log_lines;
+  h->last_level = level;
+  strncpy(h->last_line, text, sizeof h->last_line - 1);
+}
+
+static void host_parallel_for(void *user, dsw_task_fn task, void *task_data, size_t task_count) {
+  host *const h = (host *)user;
+  ++h->parallel_calls;
+  h->tasks += task_count;
+  while (task_count-- > 0) task(task_data, task_count);
+}
+
+dsw_context_desc host_desc(host *h) {
+  dsw_context_desc d;
+  memset(h, 0, sizeof *h);
+  dsw_context_desc_init(&d, sizeof d);
+  d.user = h;
+  d.allocate = host_allocate;
+  d.release = host_release;
+  d.log = host_log;
+  d.parallel_for = host_parallel_for;
+  return d;
+}
+
+dsw_context *make_context(host *h) {
+  const dsw_context_desc d = host_desc(h);
+  dsw_context *context = NULL;
+  stop_unless(dsw_context_create(&d, &context) == DSW_STATUS_OK, "context");
+  return context;
+}

@@ -1,0 +1,53 @@
+/* What the tests of the C interface share: a grid of unit cubes, and a host that counts, and refuses, memory. */
+#ifndef DARTSWEEP_TESTS_CAPI_FIXTURE_H
+#define DARTSWEEP_TESTS_CAPI_FIXTURE_H
+
+#include "dartsweep/dartsweep.h"
+
+/* nx * ny * nz unit cubes; cube (x, y, z) is cell x + nx * (y + ny * z), its region is x and its tag 100 + cell. */
+typedef struct grid {
+  unsigned nx, ny, nz;
+  double *points;
+  int64_t *cells;
+  int32_t *regions;
+  uint32_t *tags;
+  size_t point_count, cell_count;
+} grid;
+
+grid grid_create(unsigned nx, unsigned ny, unsigned nz);
+void grid_destroy(grid *g);
+/* Index of the point at a corner. */
+uint32_t grid_point(const grid *g, unsigned x, unsigned y, unsigned z);
+dsw_environment_desc grid_desc(const grid *g);
+/* An environment of the grid; stops the program if that fails. */
+dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny, unsigned nz);
+dsw_scene *make_scene(dsw_environment *environment, uint32_t features);
+
+dsw_volume_id volume_at(uint32_t index);
+dsw_face_id face_at(uint32_t volume, uint32_t local);
+dsw_edge_id edge_at(uint32_t volume, uint32_t local);
+dsw_vertex_id vertex_at(uint32_t index);
+dsw_cell cell_at(dsw_cell_kind kind, uint32_t index, uint32_t local);
+/* Ids that name nothing: the null id where null means "none", and otherwise a generation never given out. */
+extern const dsw_volume_id no_volume, stale_volume;
+extern const dsw_particle_id stale_particle;
+
+/* Faces of a hexahedron, in the order of its type. */
+enum { FACE_X0 = 0, FACE_X1 = 1, FACE_Y0 = 2, FACE_Y1 = 3, FACE_Z0 = 4, FACE_Z1 = 5 };
+
+/* Memory of a host: counts what is alive and refuses the call number `refuse` (counted from 1; 0: none). Not for
+   several threads. */
+typedef struct host {
+  size_t calls, refuse, alive, alive_bytes;
+  int broken; /* a block came back with other sizes, or was asked for with bad ones */
+  size_t log_lines;
+  dsw_log_level last_level;
+  char last_line[256];
+  size_t parallel_calls, tasks;
+} host;
+
+/* A description whose callbacks use the host; parallel_for runs the tasks here, last one first. */
+dsw_context_desc host_desc(host *h);
+dsw_context *make_context(host *h);
+
+#endif
