@@ -14,9 +14,9 @@ namespace {
 
 using integers::cross;
 using integers::dot;
+using integers::evaluate;
 using integers::Normal;
 using integers::Points;
-using integers::evaluate;
 using integers::sign;
 using integers::turned;
 using integers::Vec;

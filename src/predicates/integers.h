@@ -130,8 +130,8 @@ struct Small {
     const std::uint64_t low = static_cast<std::uint64_t>(a);
     const std::int64_t high = static_cast<std::int64_t>(a >> 64);
     const Uint128 bottom = static_cast<Uint128>(low) * static_cast<std::uint64_t>(b);
-    const Int128 top = static_cast<Int128>(high) * b + static_cast<Int128>(bottom >> 64) -
-                       static_cast<Int128>(b < 0 ? low : 0);
+    const Int128 top =
+        static_cast<Int128>(high) * b + static_cast<Int128>(bottom >> 64) - static_cast<Int128>(b < 0 ? low : 0);
     const std::uint64_t part[4] = {static_cast<std::uint64_t>(bottom), static_cast<std::uint64_t>(top),
                                    static_cast<std::uint64_t>(top >> 64), top < 0 ? ~std::uint64_t{0} : 0};
     Uint128 carry = 0;

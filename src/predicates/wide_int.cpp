@@ -113,8 +113,8 @@ std::uint64_t scaled_quotient(const std::uint64_t* a, int a_size, int shift, con
   const int b_bits = bit_length(b, b_size);
   const int s = b_bits > 64 ? b_bits - 64 : 0;
   const std::uint64_t top = bits_from(b, b_size, s);
-  const Uint128 cut = (static_cast<Uint128>(bits_from(a, a_size, s - shift + 64)) << 64) |
-                      bits_from(a, a_size, s - shift);
+  const Uint128 cut =
+      (static_cast<Uint128>(bits_from(a, a_size, s - shift + 64)) << 64) | bits_from(a, a_size, s - shift);
   std::uint64_t quotient = static_cast<std::uint64_t>(cut / top);
   // a * 2^shift - quotient * b < 0 ?
   std::uint64_t carry = 0;
@@ -122,8 +122,8 @@ std::uint64_t scaled_quotient(const std::uint64_t* a, int a_size, int shift, con
   for (int i = 0; i <= b_size; ++i) {
     const Uint128 product = static_cast<Uint128>(quotient) * (i < b_size ? b[i] : 0) + carry;
     carry = static_cast<std::uint64_t>(product >> 64);
-    const Uint128 d = static_cast<Uint128>(bits_from(a, a_size, 64 * i - shift)) -
-                      static_cast<std::uint64_t>(product) - borrow;
+    const Uint128 d =
+        static_cast<Uint128>(bits_from(a, a_size, 64 * i - shift)) - static_cast<std::uint64_t>(product) - borrow;
     borrow = static_cast<std::uint64_t>(d >> 64) & 1;
   }
   return quotient - borrow;

@@ -16,7 +16,8 @@ __extension__ typedef unsigned __int128 Uint128;
 namespace limbs {
 int compare(const std::uint64_t* a, int a_size, const std::uint64_t* b, int b_size) noexcept;
 int add(std::uint64_t* r, const std::uint64_t* a, int a_size, const std::uint64_t* b, int b_size) noexcept;
-int subtract(std::uint64_t* r, const std::uint64_t* a, int a_size, const std::uint64_t* b, int b_size) noexcept;  // a >= b
+int subtract(std::uint64_t* r, const std::uint64_t* a, int a_size, const std::uint64_t* b,
+             int b_size) noexcept;  // a >= b
 int multiply(std::uint64_t* r, const std::uint64_t* a, int a_size, const std::uint64_t* b, int b_size) noexcept;
 int shift_left(std::uint64_t* r, const std::uint64_t* a, int a_size, int bits) noexcept;  // r may not overlap a
 int bit_length(const std::uint64_t* a, int a_size) noexcept;

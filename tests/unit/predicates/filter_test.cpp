@@ -86,7 +86,8 @@ TEST(Filter, BoundHoldsForEveryRowAndIsNotFarTooLarge) {
     double x[4][3];
     for (auto& point : x) {
       for (double& c : point) {
-        c = random.below(2) != 0 ? random.uniform() : (random.below(2) != 0 ? 0.5 : -0.5) + random.between(-9, 9) * 0x1p-53;
+        c = random.below(2) != 0 ? random.uniform()
+                                 : (random.below(2) != 0 ? 0.5 : -0.5) + random.between(-9, 9) * 0x1p-53;
       }
     }
     double m[3][3];

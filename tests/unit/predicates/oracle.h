@@ -51,8 +51,7 @@ template <int D>
 void normal(const double* const* simplex, mpz_class* n);
 // Numerator and denominator of the time.
 template <int D>
-void time(const double* p, const double* q, const double* const* simplex, mpz_class& numerator,
-          mpz_class& denominator);
+void time(const double* p, const double* q, const double* const* simplex, mpz_class& numerator, mpz_class& denominator);
 // Whether t is the largest double <= numerator / denominator, clamped to [0,1]; denominator > 0.
 bool is_time_below(double t, const mpz_class& numerator, const mpz_class& denominator);
 

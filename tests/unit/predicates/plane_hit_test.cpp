@@ -59,9 +59,9 @@ TEST(PlaneHit, OtherTimesAreRoundedDownNeverToNearest) {
 TEST(PlaneHit, TinyAndHugeFlightsHaveTimes) {
   EXPECT_EQ(vertical_time(0, DBL_TRUE_MIN * 2, DBL_TRUE_MIN), 0.5);
   EXPECT_EQ(vertical_time(-DBL_MAX, DBL_MAX, 0), 0.5);
-  EXPECT_EQ(vertical_time(0, DBL_MAX, DBL_TRUE_MIN), 0.0);          // below every double but 0
-  EXPECT_EQ(vertical_time(0, 2, DBL_TRUE_MIN * 3), DBL_TRUE_MIN);   // 1.5 of the smallest one
-  EXPECT_EQ(vertical_time(0, 0x1p1000, 0x1p-60), 0x1p-1060);        // subnormal
+  EXPECT_EQ(vertical_time(0, DBL_MAX, DBL_TRUE_MIN), 0.0);         // below every double but 0
+  EXPECT_EQ(vertical_time(0, 2, DBL_TRUE_MIN * 3), DBL_TRUE_MIN);  // 1.5 of the smallest one
+  EXPECT_EQ(vertical_time(0, 0x1p1000, 0x1p-60), 0x1p-1060);       // subnormal
   EXPECT_EQ(vertical_time(0, 3, 0x1p-1040), std::floor(0x1p34 / 3) * 0x1p-1074);
 }
 

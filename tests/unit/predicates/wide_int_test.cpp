@@ -32,8 +32,8 @@ WideInt<N> any(Random& random) {
 template <int A, int B>
 void check_arithmetic(Random& random) {
   const WideInt<A> a = any<A>(random);
-  const WideInt<B> b = random.below(8) == 0 && A <= B ? WideInt<B>(a.limb(), a.size() < B ? a.size() : B, a.sign() > 0)
-                                                      : any<B>(random);
+  const WideInt<B> b =
+      random.below(8) == 0 && A <= B ? WideInt<B>(a.limb(), a.size() < B ? a.size() : B, a.sign() > 0) : any<B>(random);
   const mpz_class x = value(a);
   const mpz_class y = value(b);
   ASSERT_EQ(a.sign(), sgn(x));
@@ -105,8 +105,7 @@ TEST(WideInt, ScaledQuotientIsTheFloor) {
     const WideInt<20> divisor = shifted_left<20>(b, shift);
     const mpz_class wanted = (value(a) << static_cast<mp_bitcnt_t>(shift)) / abs(value(divisor));
     if (mpz_sizeinbase(wanted.get_mpz_t(), 2) > 60) continue;
-    const std::uint64_t given =
-        limbs::scaled_quotient(a.limb(), a.size(), shift, divisor.limb(), divisor.size());
+    const std::uint64_t given = limbs::scaled_quotient(a.limb(), a.size(), shift, divisor.limb(), divisor.size());
     ASSERT_EQ(given, mpz_get_ui(wanted.get_mpz_t()));
   }
 }
