@@ -182,9 +182,7 @@ void finish_topology(Environment<D>& env, BuildReport* report) {
       parent[std::max(a, b)] = std::min(a, b);
       --env.part_count;
     }
-    const uint32_t vertices = map.form(c) == Form::kGeneral ? map.shape(c).vertex_count()
-                                                            : Map<D>::standard_vertex_count(map.form(c));
-    for (uint32_t k = 0; k < vertices; ++k) {
+    for (uint32_t k = 0; k < map.vertices_of(c); ++k) {
       const uint32_t v = map.vertex(c, k);
       used[v / 64] |= uint64_t{1} << (v % 64);
     }

@@ -6,8 +6,7 @@ namespace dsw {
 
 template <int D>
 void centre(const Environment<D>& env, Cell c, double* out) {
-  const uint32_t n = env.map.form(c) == Form::kGeneral ? env.map.shape(c).vertex_count()
-                                                       : Map<D>::standard_vertex_count(env.map.form(c));
+  const uint32_t n = env.map.vertices_of(c);
   const double count = n;
   for (int k = 0; k < D; ++k) {
     double sum = 0;

@@ -25,13 +25,13 @@ struct Grid {
   uint64_t memory_bytes() const { return array_bytes(first) + array_bytes(cells); }
 };
 
-/** Fills env.grid with about one bucket a cell. */
+/** Fills env.grid with about one bucket a cell, fewer where large cells would be listed too often. */
 template <int D>
 void build_grid(Environment<D>& env);
 
-/** Bucket of a point; false when the point lies outside of the grid's box. Monotone in every coordinate, so a cell is
- * listed in every bucket that a point of it can fall into. */
+/** Bucket of a point; false when the point lies outside of the box from grid.lower to `upper`, that of the environment.
+ * Monotone in every coordinate, so a cell is listed in every bucket that a point of it can fall into. */
 template <int D>
-bool find_bucket(const Grid<D>& grid, const double* point, size_t* bucket) noexcept;
+bool find_bucket(const Grid<D>& grid, const double* upper, const double* point, size_t* bucket) noexcept;
 
 }  // namespace dsw

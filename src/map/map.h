@@ -101,6 +101,11 @@ struct Map {
     return f == Form::kGeneral ? shape(c).facet_count() : standard_facet_count(f);
   }
 
+  uint32_t vertices_of(Cell c) const {
+    const Form f = form(c);
+    return f == Form::kGeneral ? shape(c).vertex_count() : standard_vertex_count(f);
+  }
+
   HalfFacet half_facet(Cell c, uint32_t local) const {
     const Form f = form(c);
     if (f == Form::kGeneral) return {(c.unit + local / 7u) * kUnitWords + 1u + local % 7u};

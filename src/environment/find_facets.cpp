@@ -1,0 +1,90 @@
+#include "environment/find_facets.h"
+
+#include <algorithm>
+
+namespace dsw {
+namespace {
+
+constexpr uint32_t kEnd = 0xffffffffu;
+
+/** Queries in a chain for each lowest vertex: one pass over the environment answers all. */
+class Queries {
+ public:
+  Queries(const Environment<3>& env, size_t count)
+      : head_(env.map.vertex_count, kEnd, Allocator<uint32_t>(env.memory)), next_(count, kEnd, head_.get_allocator()) {}
+
+  void add(uint32_t query, uint32_t lowest) {
+    next_[query] = head_[lowest];
+    head_[lowest] = query;
+  }
+  uint32_t first(uint32_t lowest) const { return head_[lowest]; }
+  uint32_t next(uint32_t query) const { return next_[query]; }
+
+ private:
+  Array<uint32_t> head_, next_;
+};
+
+}  // namespace
+
+void find_facets(const Environment<3>& env, size_t count, const size_t* offsets, const uint32_t* indices, HalfFacet* out,
+                 size_t* missing) {
+  const Map<3>& map = env.map;
+  Array<uint32_t> sorted{indices + offsets[0], indices + offsets[count], Allocator<uint32_t>(env.memory)};
+  const auto begin = [&](size_t i) { return sorted.begin() + static_cast<ptrdiff_t>(offsets[i] - offsets[0]); };
+  Queries queries(env, count);
+  for (size_t i = 0; i < count; ++i) {
+    out[i] = {};
+    std::sort(begin(i), begin(i + 1));
+    if (begin(i) != begin(i + 1) && *(begin(i + 1) - 1) < map.vertex_count) queries.add(static_cast<uint32_t>(i), *begin(i));
+  }
+  Array<uint32_t> face{Allocator<uint32_t>(env.memory)};
+  size_t found = 0;
+  for (uint32_t c = 0; c < map.cell_count; ++c) {
+    const Cell cell = map.cell(c);
+    const Shape shape = map.shape(cell);
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      const HalfFacet h = map.half_facet(cell, f);
+      if (canonical(map, h) != h) continue;
+      face.clear();
+      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+        face.push_back(map.vertex(cell, shape.dart_vertex(d)));
+      }
+      const uint32_t lowest = *std::min_element(face.begin(), face.end());
+      if (queries.first(lowest) == kEnd) continue;
+      std::sort(face.begin(), face.end());
+      for (uint32_t i = queries.first(lowest); i != kEnd; i = queries.next(i)) {
+        if (out[i].valid() || !std::equal(face.begin(), face.end(), begin(i), begin(i + 1))) continue;
+        out[i] = h;
+        ++found;
+      }
+    }
+  }
+  *missing = count - found;
+}
+
+void find_edges(const Environment<3>& env, size_t count, const uint32_t* indices, Dart* out, size_t* missing) {
+  const Map<3>& map = env.map;
+  Queries queries(env, count);
+  for (size_t i = 0; i < count; ++i) {
+    out[i] = {};
+    const uint32_t a = std::min(indices[2 * i], indices[2 * i + 1]), b = std::max(indices[2 * i], indices[2 * i + 1]);
+    if (a < b && b < map.vertex_count) queries.add(static_cast<uint32_t>(i), a);
+  }
+  size_t found = 0;
+  for (uint32_t c = 0; c < map.cell_count; ++c) {
+    const Cell cell = map.cell(c);
+    const Shape shape = map.shape(cell);
+    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+      if (shape.dart_beta2(d) < d) continue;
+      const uint32_t u = map.vertex(cell, shape.dart_vertex(d)), v = map.vertex(cell, shape.dart_vertex(shape.beta1(d)));
+      for (uint32_t i = queries.first(std::min(u, v)); i != kEnd; i = queries.next(i)) {
+        if (out[i].cell.valid() || std::max(indices[2 * i], indices[2 * i + 1]) != std::max(u, v)) continue;
+        out[i] = {cell, d};
+        ++found;
+      }
+    }
+  }
+  *missing = count - found;
+}
+
+}  // namespace dsw

@@ -1,0 +1,212 @@
+#include "motion/nearest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "environment/marking.h"
+#include "map/dart.h"
+
+namespace dsw {
+namespace {
+
+struct Vec {
+  double x, y, z;
+};
+Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vec along(const Vec& a, double t, const Vec& d) { return {a.x + t * d.x, a.y + t * d.y, a.z + t * d.z}; }
+double dot(const Vec& a, const Vec& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+
+/** Nearest point of segment ab to the origin. */
+Vec nearest_on(const Vec& a, const Vec& b) {
+  const Vec d = b - a;
+  const double length = dot(d, d), t = -dot(a, d);
+  if (!(t > 0)) return a;
+  return t >= length ? b : along(a, t / length, d);
+}
+
+/** Nearest point of triangle abc to the origin: inside the wedge of both edges at a corner it is found by barycentric
+ * coordinates, otherwise it lies on an edge. */
+Vec nearest_on(const Vec& a, const Vec& b, const Vec& c) {
+  const Vec ab = b - a, ac = c - a;
+  const double d1 = -dot(ab, a), d2 = -dot(ac, a), d3 = -dot(ab, b), d4 = -dot(ac, b), d5 = -dot(ab, c), d6 = -dot(ac, c);
+  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+  const double sum = va + vb + vc;
+  if (va > 0 && vb > 0 && vc > 0 && sum > 0) {
+    const Vec on_ab = along(a, vb / sum, ab);
+    return along(on_ab, vc / sum, ac);
+  }
+  Vec best = nearest_on(a, b);
+  for (const Vec& other : {nearest_on(b, c), nearest_on(c, a)}) {
+    if (dot(other, other) < dot(best, best)) best = other;
+  }
+  return best;
+}
+
+/** A cell to visit, and how near it may hold something. */
+struct Visit {
+  double distance;
+  Cell cell;
+  bool operator<(const Visit& o) const { return distance != o.distance ? distance > o.distance : cell.unit > o.cell.unit; }
+};
+
+class Flood {
+ public:
+  Flood(const Environment<3>& env, const double* point, double radius, NearestResult& result)
+      : env_(env),
+        map_(env.map),
+        point_(point),
+        result_(result),
+        heap_(Allocator<Visit>(env.memory)),
+        seen_(64, kNoCell, Allocator<uint32_t>(env.memory)) {
+    // One power of two brings all coordinates to where squares neither over- nor underflow.
+    double largest = 0;
+    for (int k = 0; k < 3; ++k) {
+      largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k]), std::fabs(point[k])});
+    }
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    scale_ = exponent > 300 || exponent < -300 ? std::ldexp(1.0, std::clamp(-exponent, -1000, 1000)) : 1;
+    best_ = radius * scale_;
+  }
+
+  bool run(Cell start) {
+    see(start);
+    heap_.push_back({0, start});
+    while (!heap_.empty() && heap_.front().distance <= best_) {
+      std::pop_heap(heap_.begin(), heap_.end());
+      const Cell c = heap_.back().cell;
+      heap_.pop_back();
+      ++result_.cells_visited;
+      visit(c);
+    }
+    if (found_) finish();
+    return found_;
+  }
+
+ private:
+  Vec relative(Cell c, uint32_t local) const {
+    const double* v = env_.point(c, local);
+    return {v[0] * scale_ - point_[0] * scale_, v[1] * scale_ - point_[1] * scale_, v[2] * scale_ - point_[2] * scale_};
+  }
+
+  void visit(Cell c) {
+    const Shape shape = map_.shape(c);
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      const Vec at = nearest_of_facet(c, shape, f);
+      const double distance = std::sqrt(dot(at, at));
+      if (!(distance <= best_)) continue;
+      const HalfFacet h = map_.half_facet(c, f);
+      if (is_impassable(map_, h)) {
+        const HalfFacet first = canonical(map_, h);
+        const Cell owner = map_.cell_of(first);
+        offer(distance, at, {2, owner, map_.local_of(first, owner)});
+      } else if (const Cell next = map_.cell_of(map_.opposite(h)); see(next)) {
+        heap_.push_back({distance, next});
+        std::push_heap(heap_.begin(), heap_.end());
+      }
+    }
+    if (env_.marked_edges != 0) visit_wires(c, shape);
+    if (env_.marked_vertices != 0) visit_vertices(c, shape);
+  }
+
+  Vec nearest_of_facet(Cell c, const Shape& shape, uint32_t f) const {
+    Vec best{};
+    for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
+      const uint16_t* local = shape.simplices() + 3 * s;
+      const Vec at = nearest_on(relative(c, local[0]), relative(c, local[1]), relative(c, local[2]));
+      if (s == shape.simplex_first(f) || dot(at, at) < dot(best, best)) best = at;
+    }
+    return best;
+  }
+
+  void visit_wires(Cell c, const Shape& shape) {
+    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+      const uint32_t from = shape.dart_vertex(d), to = shape.dart_vertex(shape.beta1(d));
+      if (shape.dart_beta2(d) < d || !edge_marked(env_, map_.vertex(c, from), map_.vertex(c, to))) continue;
+      const Vec at = nearest_on(relative(c, from), relative(c, to));
+      Dart lowest{c, d};
+      for_each_volume_round_edge(map_, {c, d}, [&](Dart e) {
+        if (map_.index(e.cell) < map_.index(lowest.cell)) lowest = e;
+        return true;
+      });
+      offer(std::sqrt(dot(at, at)), at, {1, lowest.cell, map_.shape(lowest.cell).dart_edge(lowest.local)});
+    }
+  }
+
+  void visit_vertices(Cell c, const Shape& shape) {
+    for (uint32_t i = 0; i < shape.vertex_count(); ++i) {
+      if (!vertex_marked(env_, map_.vertex(c, i))) continue;
+      const Vec at = relative(c, i);
+      offer(std::sqrt(dot(at, at)), at, {0, c, i});
+    }
+  }
+
+  /** What decides between features at the same distance. */
+  bool precedes(const FeatureRef& a, const FeatureRef& b) const {
+    if (a.dimension != b.dimension) return a.dimension < b.dimension;
+    if (a.dimension == 0) return map_.vertex(a.cell, a.local) < map_.vertex(b.cell, b.local);
+    if (a.cell != b.cell) return map_.index(a.cell) < map_.index(b.cell);
+    return a.local < b.local;
+  }
+
+  void offer(double distance, const Vec& at, const FeatureRef& feature) {
+    if (!(distance <= best_)) return;
+    if (found_ && distance == best_ && !precedes(feature, result_.feature)) return;
+    found_ = true;
+    best_ = distance;
+    at_ = at;
+    result_.feature = feature;
+  }
+
+  void finish() {
+    result_.distance = best_ / scale_;
+    const double* at = &at_.x;
+    for (int k = 0; k < 3; ++k) {
+      result_.point[k] = point_[k] + at[k] / scale_;
+      result_.normal[k] = best_ > 0 ? -at[k] / best_ : 0;
+    }
+  }
+
+  /** Enters a cell into the set of seen ones; whether it is new. Open addressing, at most half full. */
+  bool see(Cell c) {
+    if (2 * (seen_count_ + 1) > seen_.size()) {
+      Array<uint32_t> old(2 * seen_.size(), kNoCell, seen_.get_allocator());
+      old.swap(seen_);
+      for (const uint32_t unit : old) {
+        if (unit != kNoCell) seen_[slot_of(unit)] = unit;
+      }
+    }
+    uint32_t& slot = seen_[slot_of(c.unit)];
+    if (slot == c.unit) return false;
+    slot = c.unit;
+    ++seen_count_;
+    return true;
+  }
+  size_t slot_of(uint32_t unit) const {
+    const size_t mask = seen_.size() - 1;
+    size_t slot = (unit * 0x9e3779b1u) & mask;
+    while (seen_[slot] != kNoCell && seen_[slot] != unit) slot = (slot + 1) & mask;
+    return slot;
+  }
+
+  const Environment<3>& env_;
+  const Map<3>& map_;
+  const double* point_;
+  NearestResult& result_;
+  Array<Visit> heap_;
+  Array<uint32_t> seen_;
+  size_t seen_count_ = 0;
+  double scale_ = 1, best_ = 0;
+  Vec at_{};
+  bool found_ = false;
+};
+
+}  // namespace
+
+bool find_nearest(const Environment<3>& env, const double* point, Cell start, double radius, NearestResult& result) {
+  result = {};
+  return Flood(env, point, radius, result).run(start);
+}
+
+}  // namespace dsw
