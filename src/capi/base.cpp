@@ -2,9 +2,7 @@
 
 #include "capi/guard.h"
 
-uint32_t dsw_version(void) {
-  return DSW_VERSION_MAJOR * 1000000u + DSW_VERSION_MINOR * 1000u + DSW_VERSION_PATCH;
-}
+uint32_t dsw_version(void) { return DSW_VERSION_MAJOR * 1000000u + DSW_VERSION_MINOR * 1000u + DSW_VERSION_PATCH; }
 
 const char* dsw_status_string(dsw_status status) {
   // No default: a status without a name is a warning here.

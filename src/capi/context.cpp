@@ -24,8 +24,9 @@ dsw_status dsw_context_create(const dsw_context_desc* desc, dsw_context** contex
     made->memory = memory;
     made->parallel.user = d.user;
     made->parallel.run = d.parallel_for;
-    made->parallel.thread_count =
-        d.thread_count != 0 ? d.thread_count : std::min(kMostThreads, std::max(1u, std::thread::hardware_concurrency()));
+    made->parallel.thread_count = d.thread_count != 0
+                                      ? d.thread_count
+                                      : std::min(kMostThreads, std::max(1u, std::thread::hardware_concurrency()));
     made->log = d.log;
     made->user = d.user;
     *context = made;

@@ -1,6 +1,6 @@
 #pragma once
-// Ids and arrays as the host gives them, checked and turned into the engine's. Every function throws a status that names
-// the argument.
+// Ids and arrays as the host gives them, checked and turned into the engine's. Every function throws a status that
+// names the argument.
 
 #include "capi/describe.h"
 #include "capi/handle.h"

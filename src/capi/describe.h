@@ -50,8 +50,8 @@ T read_struct(const T* given, const char* name) {
   const auto* bytes = reinterpret_cast<const unsigned char*>(given);
   for (size_t i = sizeof(T); i < given->struct_size; ++i) {
     if (bytes[i] != 0) {
-      fail(DSW_STATUS_UNSUPPORTED, "%s has a non-zero byte at %zu, in a member this version does not know (it knows %zu)",
-           name, i, sizeof(T));
+      fail(DSW_STATUS_UNSUPPORTED,
+           "%s has a non-zero byte at %zu, in a member this version does not know (it knows %zu)", name, i, sizeof(T));
     }
   }
   T own{};

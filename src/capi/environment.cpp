@@ -150,7 +150,8 @@ dsw_status dsw_environment_get_position(const dsw_environment* environment, dsw_
 }
 
 dsw_status dsw_environment_get_volume_counts(const dsw_environment* environment, dsw_volume_id volume,
-                                             dsw_cell_type* type, uint32_t* vertices, uint32_t* edges, uint32_t* faces) {
+                                             dsw_cell_type* type, uint32_t* vertices, uint32_t* edges,
+                                             uint32_t* faces) {
   return capi::guard("dsw_environment_get_volume_counts", [&] {
     const dsw::Map<3>& map = map_of(environment);
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
@@ -247,10 +248,12 @@ dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t
     if (count != 0) {
       capi::require(indices, "indices");
       capi::require(edges, "edges");
-      dsw::Array<dsw::Dart> found(count, dsw::Dart{}, dsw::Allocator<dsw::Dart>(environment->engine.memory));
+      const dsw::Allocator<dsw::EdgeRef> allocator(environment->engine.memory);
+      dsw::Array<dsw::EdgeRef> found(count, dsw::EdgeRef{}, allocator);
       find_edges(environment->engine, count, indices, found.data(), &absent);
       for (size_t i = 0; i < count; ++i) {
-        edges[i] = found[i].cell.valid() ? capi::edge_id(map, found[i]) : dsw_edge_id{0, 0, 0};
+        const dsw::EdgeRef e = found[i];
+        edges[i] = e.cell.valid() ? capi::edge_id(map, dart_of_edge(map, e.cell, e.local)) : dsw_edge_id{0, 0, 0};
       }
     }
     if (missing != nullptr) *missing = absent;

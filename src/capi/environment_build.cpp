@@ -148,7 +148,8 @@ dsw_environment* build_environment(dsw_context* context, const dsw_environment_d
       log_line(context, DSW_LOG_WARNING, "dsw_environment_create: %u cells were inside out and have been mirrored",
                found.reoriented_count);
     }
-    log_line(context, DSW_LOG_INFO, "dsw_environment_create: %u volumes, %u faces (%u on the boundary), %u parts, %llu bytes",
+    log_line(context, DSW_LOG_INFO,
+             "dsw_environment_create: %u volumes, %u faces (%u on the boundary), %u parts, %llu bytes",
              env.map.cell_count, env.map.facet_count, env.map.boundary_facet_count, env.part_count,
              static_cast<unsigned long long>(env.memory_bytes()));
     return env;

@@ -5,8 +5,7 @@
 #include <cstdio>
 #include <thread>
 
-dsw_environment::dsw_environment(dsw_context* owner)
-    : context(owner), engine(dsw::capi::memory_of(owner)) {
+dsw_environment::dsw_environment(dsw_context* owner) : context(owner), engine(dsw::capi::memory_of(owner)) {
   if (owner != nullptr) {
     parallel = owner->parallel;
   } else {

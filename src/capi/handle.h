@@ -28,7 +28,7 @@ struct dsw_environment {
   dsw_context* context;  // may be null
   dsw::Parallel parallel;
   dsw::Environment<3> engine;
-  mutable std::mutex scenes_mutex;  // hosts make scenes of a shared environment on several threads
+  mutable std::mutex scenes_mutex;   // hosts make scenes of a shared environment on several threads
   dsw_scene* first_scene = nullptr;  // a list through dsw_scene::next
   uint32_t scene_count = 0;
 
@@ -112,7 +112,7 @@ void attach(dsw_scene& scene);
 void detach(dsw_scene& scene);
 
 /** One line to the host's log, if it has one. */
-__attribute__((format(printf, 3, 4))) void log_line(const dsw_context* context, dsw_log_level level,
-                                                    const char* format, ...) noexcept;
+__attribute__((format(printf, 3, 4))) void log_line(const dsw_context* context, dsw_log_level level, const char* format,
+                                                    ...) noexcept;
 
 }  // namespace dsw::capi

@@ -10,7 +10,8 @@ namespace {
 
 bool to_bool(dsw_mark mark) {
   if (mark != DSW_MARK_PASSABLE && mark != DSW_MARK_IMPASSABLE) {
-    fail(DSW_STATUS_UNSUPPORTED, "mark is %d, must be DSW_MARK_PASSABLE or DSW_MARK_IMPASSABLE", static_cast<int>(mark));
+    fail(DSW_STATUS_UNSUPPORTED, "mark is %d, must be DSW_MARK_PASSABLE or DSW_MARK_IMPASSABLE",
+         static_cast<int>(mark));
   }
   return mark == DSW_MARK_IMPASSABLE;
 }
@@ -28,7 +29,8 @@ void check_occupants(const dsw::Scene<3>* scene, uint32_t flags) {
   if (scene == nullptr || scene->occupants.empty() || (flags & DSW_MARK_SKIP_OCCUPIED) != 0) return;
   const dsw_particle_id first = scene->occupants[0];
   fail(DSW_STATUS_OCCUPIED, "%zu particles are in the way; the first is {index %u, generation %u} in volume %u",
-       scene->occupants.size(), first.index, first.generation, scene->env.map.index(scene->particles[first.index].cell));
+       scene->occupants.size(), first.index, first.generation,
+       scene->env.map.index(scene->particles[first.index].cell));
 }
 
 /** Takes the marks of occupied cells back: an occupied cell was passable before. Returns how many there were. */

@@ -17,7 +17,8 @@ dsw::FlightOptions to_flight_options(const dsw_cast_options* options) {
 
 }  // namespace
 
-dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_volume_id hint, dsw_particle_id* particle) {
+dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_volume_id hint,
+                               dsw_particle_id* particle) {
   return capi::guard("dsw_particle_create", [&] {
     dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
     capi::require(position, "position");

@@ -1,8 +1,12 @@
 #include "dartsweep/query.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "capi/convert.h"
-#include "environment/classify.h"
+#include "motion/classify.h"
 #include "motion/nearest.h"
+#include "predicates/plane_hit.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -31,6 +35,19 @@ dsw_cell to_public(const dsw::Environment<3>& env, const dsw::FeatureRef& featur
     default:
       return {DSW_CELL_VOLUME, map.index(feature.cell), dsw::kGeneration, 0};
   }
+}
+
+/** The side of a facet that a viewer in the direction of `normal` sees. Behind a marked cell there is no viewer. */
+dsw::HalfFacet seen_side(const dsw::Environment<3>& env, const dsw::FeatureRef& facet, const double* normal) noexcept {
+  const dsw::HalfFacet h = env.map.half_facet(facet.cell, facet.local), o = env.map.opposite(h);
+  if (!o.valid() || env.map.marked(env.map.cell_of(o))) return h;
+  if (env.map.marked(facet.cell)) return o;
+  const dsw::Shape shape = env.map.shape(facet.cell);
+  const double* simplex[3];
+  simplex_points(env, facet.cell, shape, shape.simplex_first(facet.local), simplex);
+  double outward[3];
+  dsw::unit_normal<3>(simplex, outward);
+  return outward[0] * normal[0] + outward[1] * normal[1] + outward[2] * normal[2] > 0 ? o : h;
 }
 
 }  // namespace
@@ -147,7 +164,21 @@ dsw_status dsw_environment_find_nearest(const dsw_environment* environment, cons
       fail(DSW_STATUS_IMPASSABLE, "point (%g, %g, %g) lies in volume %u, which is impassable", point[0], point[1],
            point[2], env.map.index(c));
     }
+    dsw::NearestResult found;
     dsw_nearest answer{};
+    if (find_nearest(env, point, c, radius, found)) {
+      answer.distance = found.distance;
+      std::copy(found.point, found.point + 3, answer.point);
+      std::copy(found.normal, found.normal + 3, answer.normal);
+      answer.cell = to_public(env, found.feature);
+      if (found.feature.dimension == 2) {
+        const dsw::HalfFacet seen = seen_side(env, found.feature, found.normal);
+        answer.tag = obstacle_tag(env, seen, env.map.cell_of(seen));
+      }
+    } else {
+      answer.distance = std::numeric_limits<double>::infinity();
+    }
+    answer.cells_visited = found.cells_visited;
     *nearest = answer;
   });
 }

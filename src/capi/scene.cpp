@@ -23,7 +23,8 @@ dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* 
     capi::require(scene, "scene");
     const dsw_scene_desc d = desc == nullptr ? dsw_scene_desc{} : capi::read_struct(desc, "desc");
     capi::check_flags(d.features, DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS, "desc->features");
-    const dsw::SceneFeatures features{(d.features & DSW_FEATURE_STATISTICS) != 0, (d.features & DSW_FEATURE_CROSSINGS) != 0};
+    const dsw::SceneFeatures features{(d.features & DSW_FEATURE_STATISTICS) != 0,
+                                      (d.features & DSW_FEATURE_CROSSINGS) != 0};
     dsw_scene* const made = capi::create_object<dsw_scene>(home.engine.memory, &home, features);
     capi::attach(*made);
     *scene = made;

@@ -120,15 +120,15 @@ bool vertex_impassable(const Environment<D>& env, uint32_t vertex) noexcept {
   return false;
 }
 
-#define DSW_MARKING(D)                                                                      \
-  template void reserve_edge_marks<D>(Environment<D>&, size_t);                             \
-  template void reserve_vertex_marks<D>(Environment<D>&);                                   \
-  template bool set_cell_mark<D>(Environment<D>&, Cell, bool) noexcept;                     \
-  template bool set_facet_mark<D>(Environment<D>&, HalfFacet, bool) noexcept;               \
-  template bool set_edge_mark<D>(Environment<D>&, uint32_t, uint32_t, bool) noexcept;       \
-  template bool set_vertex_mark<D>(Environment<D>&, uint32_t, bool) noexcept;               \
-  template size_t set_region_mark<D>(Environment<D>&, int32_t, bool) noexcept;              \
-  template size_t set_mark_between<D>(Environment<D>&, int32_t, int32_t, bool) noexcept;    \
+#define DSW_MARKING(D)                                                                   \
+  template void reserve_edge_marks<D>(Environment<D>&, size_t);                          \
+  template void reserve_vertex_marks<D>(Environment<D>&);                                \
+  template bool set_cell_mark<D>(Environment<D>&, Cell, bool) noexcept;                  \
+  template bool set_facet_mark<D>(Environment<D>&, HalfFacet, bool) noexcept;            \
+  template bool set_edge_mark<D>(Environment<D>&, uint32_t, uint32_t, bool) noexcept;    \
+  template bool set_vertex_mark<D>(Environment<D>&, uint32_t, bool) noexcept;            \
+  template size_t set_region_mark<D>(Environment<D>&, int32_t, bool) noexcept;           \
+  template size_t set_mark_between<D>(Environment<D>&, int32_t, int32_t, bool) noexcept; \
   template bool vertex_impassable<D>(const Environment<D>&, uint32_t) noexcept
 DSW_MARKING(2);
 DSW_MARKING(3);

@@ -10,8 +10,8 @@ namespace dsw {
 namespace {
 
 [[noreturn]] void fail_stale(dsw_particle_id id, ArgumentName argument, size_t index) {
-  fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no particle", ElementName(argument, index).text, id.index,
-       id.generation);
+  fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no particle", ElementName(argument, index).text,
+       id.index, id.generation);
 }
 
 template <int D>
@@ -70,7 +70,8 @@ CastRequest request_of(const ParticleState<D>& state, const double* target, uint
   return request;
 }
 
-/** The facet a particle keeps aiming at: the wall that stopped it, or what it aimed at before if it stayed in its cell. */
+/** The facet a particle keeps aiming at: the wall that stopped it, or what it aimed at before if it stayed in its
+ * cell. */
 template <int D>
 uint32_t next_forecast(const Environment<D>& env, const ParticleState<D>& state, const MoveResult<D>& result) noexcept {
   if (result.cast.end == CastEnd::kHit && result.cell == result.cast.cell) {
@@ -81,7 +82,8 @@ uint32_t next_forecast(const Environment<D>& env, const ParticleState<D>& state,
 
 template <int D>
 void move_one(const Scene<D>& scene, ParticleState<D>& state, const double* target, const FlightOptions& options,
-              dsw_crossing* crossings, dsw_crossing* crossings_end, dsw_flight* flight, SceneStatistics* statistics) noexcept {
+              dsw_crossing* crossings, dsw_crossing* crossings_end, dsw_flight* flight,
+              SceneStatistics* statistics) noexcept {
   CastRequest request = request_of(state, target, options.max_cells);
   CrossingWriter<D> writer{&scene.env, state.position, target, crossings, crossings_end};
   if (crossings != nullptr) {
@@ -103,14 +105,16 @@ void move_one(const Scene<D>& scene, ParticleState<D>& state, const double* targ
   if (flight != nullptr) report_move(scene.env, result, options.detail, flight);
 }
 
-/** Counts the cells of every flight and makes room for them, so that recording them later cannot fail. Costs a second cast,
- * but only where crossings are asked for, and no memory beyond the answer. */
+/** Counts the cells of every flight and makes room for them, so that recording them later cannot fail. Costs a second
+ * cast, but only where crossings are asked for, and no memory beyond the answer. */
 template <int D>
-void prepare_crossings(Scene<D>& scene, const dsw_particle_id* ids, size_t count, PointArray targets, uint32_t max_cells) {
+void prepare_crossings(Scene<D>& scene, const dsw_particle_id* ids, size_t count, PointArray targets,
+                       uint32_t max_cells) {
   Array<size_t> first(count + 1, size_t{0}, scene.crossing_first.get_allocator());
   auto body = [&](size_t begin, size_t end) noexcept {
     for (size_t i = begin; i < end; ++i) {
-      first[i + 1] = cast(scene.env, request_of(scene.particles[ids[i].index], targets[i], max_cells), nullptr).cells_visited;
+      first[i + 1] =
+          cast(scene.env, request_of(scene.particles[ids[i].index], targets[i], max_cells), nullptr).cells_visited;
     }
   };
   share_out(scene.parallel, count, body);
@@ -194,7 +198,8 @@ void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t cou
 
 template void check_particle<3>(const Scene<3>&, dsw_particle_id);
 template void move_particle<3>(Scene<3>&, dsw_particle_id, const double*, const FlightOptions&, dsw_flight*);
-template void move_particles<3>(Scene<3>&, const dsw_particle_id*, size_t, PointArray, const FlightOptions&, dsw_flight*);
+template void move_particles<3>(Scene<3>&, const dsw_particle_id*, size_t, PointArray, const FlightOptions&,
+                                dsw_flight*);
 template void cast_from_particles<3>(Scene<3>&, const dsw_particle_id*, size_t, PointArray, const FlightOptions&,
                                      dsw_flight*);
 

@@ -25,8 +25,8 @@ void set_offender(size_t* offender, size_t index) noexcept {
 }
 
 template <int D>
-void check_arguments(const Scene<D>& scene, PointArray positions, size_t count, const dsw_volume_id* hints, bool indexed,
-                     size_t* offender) {
+void check_arguments(const Scene<D>& scene, PointArray positions, size_t count, const dsw_volume_id* hints,
+                     bool indexed, size_t* offender) {
   const size_t bad = find_non_finite(positions, count, D);
   if (bad != count) {
     set_offender(offender, bad);

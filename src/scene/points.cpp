@@ -51,7 +51,9 @@ void fail_non_finite(PointArray points, size_t index, int dimension, ArgumentNam
   int k = 0;
   while (k + 1 < dimension && std::isfinite(p[k])) ++k;
   fail(DSW_STATUS_NON_FINITE, "%s[%d] is %s, must be finite", ElementName(argument, index).text, k,
-       std::isnan(p[k]) ? "nan" : p[k] > 0 ? "inf" : "-inf");
+       std::isnan(p[k]) ? "nan"
+       : p[k] > 0       ? "inf"
+                        : "-inf");
 }
 
 }  // namespace dsw

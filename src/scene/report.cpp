@@ -29,7 +29,7 @@ void report_obstacle(const Environment<D>& env, HalfFacet facet, Cell at, dsw_fl
   flight->behind = volume_id(env.map, behind);
   flight->kind = DSW_CONTACT_PLANE;
   flight->obstacle = !behind.valid() || env.map.facet_marked(facet) ? DSW_CELL_FACE : DSW_CELL_VOLUME;
-  flight->tag = env.tag(behind.valid() ? behind : at);
+  flight->tag = obstacle_tag(env, facet, at);
 }
 
 dsw_outcome outcome_of(CastEnd end) noexcept {

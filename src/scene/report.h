@@ -30,6 +30,13 @@ bool is_alive(const Map<D>& map, dsw_volume_id id) noexcept {
   return id.generation == kGeneration && id.index < map.cell_count;
 }
 
+/** Host tag of what stands behind an impassable facet; at the outer boundary that of `in_front`. */
+template <int D>
+uint32_t obstacle_tag(const Environment<D>& env, HalfFacet facet, Cell in_front) noexcept {
+  const HalfFacet other = env.map.opposite(facet);
+  return env.tag(other.valid() ? env.map.cell_of(other) : in_front);
+}
+
 /** Report of a free cast from `request`. Without detail: outcome, volume and cells_visited only. */
 template <int D>
 void report_cast(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,

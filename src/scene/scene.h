@@ -19,8 +19,8 @@ namespace dsw {
 template <int D>
 struct ParticleState {
   double position[D];
-  Cell cell;                      // contains the position, passable
-  uint32_t forecast = kNoFacet;   // local facet of `cell` that the particle was last seen aiming at
+  Cell cell;                     // contains the position, passable
+  uint32_t forecast = kNoFacet;  // local facet of `cell` that the particle was last seen aiming at
 };
 static_assert(sizeof(ParticleState<3>) == 32 && sizeof(ParticleState<2>) == 24);
 
@@ -74,7 +74,8 @@ struct Scene {
 
   uint64_t memory_bytes() const {
     return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
-           array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) + array_bytes(occupants);
+           array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) +
+           array_bytes(occupants);
   }
 };
 
@@ -83,8 +84,8 @@ struct FlightOptions {
   bool detail = true;
 };
 
-/** Creates particles, all or none. `hints` may be null; `indexed` chooses how messages name the arguments (positions[i],
- * hints[i], or position, hint). `offender` is set when a position or hint is at fault. */
+/** Creates particles, all or none. `hints` may be null; `indexed` chooses how messages name the arguments
+ * (positions[i], hints[i], or position, hint). `offender` is set when a position or hint is at fault. */
 template <int D>
 void create_particles(Scene<D>& scene, PointArray positions, size_t count, const dsw_volume_id* hints, bool indexed,
                       dsw_particle_id* ids, size_t* offender);

@@ -97,8 +97,8 @@ void locate_points(const Environment<D>& env, const Parallel& parallel, PointArr
 }
 
 template Cell locate_point<3>(const Environment<3>&, const double*, dsw_volume_id) noexcept;
-template void cast_segments<3>(const Environment<3>&, const Parallel&, size_t, const dsw_volume_id*, PointArray, PointArray,
-                               const SegmentOptions&, dsw_flight*);
+template void cast_segments<3>(const Environment<3>&, const Parallel&, size_t, const dsw_volume_id*, PointArray,
+                               PointArray, const SegmentOptions&, dsw_flight*);
 template void cast_path<3>(const Environment<3>&, dsw_volume_id, const double*, const double*, const SegmentOptions&,
                            dsw_crossing*, size_t, size_t*, dsw_flight*) noexcept;
 template void locate_points<3>(const Environment<3>&, const Parallel&, PointArray, size_t, const dsw_volume_id*,

@@ -19,8 +19,8 @@ template <int D>
 void cast_segments(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                    PointArray from, PointArray to, const SegmentOptions& options, dsw_flight* flights);
 
-/** One segment and the volumes it enters, in order. `*count` is how many there are; they are written only if `capacity` is
- * enough. */
+/** One segment and the volumes it enters, in order. `*count` is how many there are; they are written only if
+ * `capacity` is enough. */
 template <int D>
 void cast_path(const Environment<D>& env, dsw_volume_id start, const double* from, const double* to,
                const SegmentOptions& options, dsw_crossing* crossings, size_t capacity, size_t* count,

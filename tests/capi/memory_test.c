@@ -7,23 +7,23 @@
 
 /* Repeats `call` with a refusal one allocation later each time, until it succeeds; `unchanged` must hold after each
    failure. Counts the failures into `refusals`. */
-#define UNTIL_IT_SUCCEEDS(h, call, unchanged, refusals)                              \
-  do {                                                                               \
-    dsw_status status_;                                                              \
-    (refusals) = 0;                                                                  \
-    for (;;) {                                                                       \
-      const size_t alive_ = (h).alive;                                               \
-      (h).refuse = (h).calls + (refusals) + 1;                                       \
-      status_ = (call);                                                              \
-      if (status_ == DSW_STATUS_OK || (refusals) > 1000) break;                      \
-      CHECK(status_ == DSW_STATUS_OUT_OF_MEMORY && !(h).broken);                     \
-      CHECK_MESSAGE("allocator returned null");                                      \
-      CHECK((h).alive <= alive_ + MAY_KEEP);                                         \
-      CHECK(unchanged);                                                              \
-      ++(refusals);                                                                  \
-    }                                                                                \
-    (h).refuse = 0;                                                                  \
-    CHECK(status_ == DSW_STATUS_OK);                                                 \
+#define UNTIL_IT_SUCCEEDS(h, call, unchanged, refusals)          \
+  do {                                                           \
+    dsw_status status_;                                          \
+    (refusals) = 0;                                              \
+    for (;;) {                                                   \
+      const size_t alive_ = (h).alive;                           \
+      (h).refuse = (h).calls + (refusals) + 1;                   \
+      status_ = (call);                                          \
+      if (status_ == DSW_STATUS_OK || (refusals) > 1000) break;  \
+      CHECK(status_ == DSW_STATUS_OUT_OF_MEMORY && !(h).broken); \
+      CHECK_MESSAGE("allocator returned null");                  \
+      CHECK((h).alive <= alive_ + MAY_KEEP);                     \
+      CHECK(unchanged);                                          \
+      ++(refusals);                                              \
+    }                                                            \
+    (h).refuse = 0;                                              \
+    CHECK(status_ == DSW_STATUS_OK);                             \
   } while (0)
 
 /* Room that a failed call made and keeps for the next one, in blocks. */

@@ -29,7 +29,8 @@ static void particles_come_and_go(void) {
   double position[3];
   CHECK(first.index == 0 && first.generation == 1 && second.index == 1 && particle_count(scene) == 2);
   CHECK_OK(dsw_particle_get(scene, first, position, &volume));
-  CHECK(memcmp(position, g_middle, sizeof position) == 0 && volume.index == 1 + 4 * (1 + 4 * 1) && volume.generation == 1);
+  CHECK(memcmp(position, g_middle, sizeof position) == 0 && volume.index == 1 + 4 * (1 + 4 * 1) &&
+        volume.generation == 1);
   CHECK_OK(dsw_particle_get(scene, first, NULL, NULL));
   CHECK_OK(dsw_particle_destroy(scene, first));
   CHECK(particle_count(scene) == 1);
@@ -270,7 +271,8 @@ static dsw_statistics run_cloud(dsw_context *context, cloud *c, size_t *crossing
     size_t k;
     CHECK(first[i + 1] - first[i] == c->flights[i].cells_visited);
     CHECK(list[first[i]].face.generation == 0 && list[first[i]].time == 0);
-    for (k = first[i] + 1; k < first[i + 1]; ++k) CHECK(list[k].time >= list[k - 1].time && list[k].face.generation == 1);
+    for (k = first[i] + 1; k < first[i + 1]; ++k)
+      CHECK(list[k].time >= list[k - 1].time && list[k].face.generation == 1);
   }
   *crossings = first[BATCH];
   s.struct_size = sizeof s;
@@ -418,7 +420,8 @@ static void crossings_tell_the_way(void) {
   CHECK_OK(dsw_scene_get_crossings(scene, &list, &first, &flights));
   CHECK(flights == 1 && first[0] == 0 && first[1] == 3);
   CHECK(list[0].volume.index == 21 && list[0].face.generation == 0 && list[0].time == 0);
-  CHECK(list[1].volume.index == 22 && list[1].face.volume == 21 && list[1].face.local == FACE_X1 && list[1].time == 0.25);
+  CHECK(list[1].volume.index == 22 && list[1].face.volume == 21 && list[1].face.local == FACE_X1 &&
+        list[1].time == 0.25);
   CHECK(list[2].volume.index == 23 && list[2].time == 0.75);
   CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_scene_get_crossings(plain, &list, &first, &flights));
   CHECK_MESSAGE("DSW_FEATURE_CROSSINGS");

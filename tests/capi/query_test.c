@@ -83,8 +83,8 @@ static void a_non_finite_point_of_many_is_named(void) {
 }
 
 static void what_a_point_lies_on_is_told(void) {
-  const double inside[3] = {0.5, 0.5, 0.5}, on_face[3] = {1, 0.5, 0.5}, on_edge[3] = {1, 1, 0.5}, on_vertex[3] = {1, 1, 1},
-               away[3] = {1.5, 0.5, 0.5}, bad[3] = {NAN, 0, 0};
+  const double inside[3] = {0.5, 0.5, 0.5}, on_face[3] = {1, 0.5, 0.5}, on_edge[3] = {1, 1, 0.5},
+               on_vertex[3] = {1, 1, 1}, away[3] = {1.5, 0.5, 0.5}, bad[3] = {NAN, 0, 0};
   dsw_cell cell;
   CHECK_OK(dsw_environment_classify(g_env, inside, volume_at(0), &cell));
   CHECK(cell.kind == DSW_CELL_VOLUME && cell.index == 0 && cell.generation == 1 && cell.local == 0);
@@ -242,7 +242,8 @@ static void batches_are_the_same_for_any_sharing(void) {
   host h;
   dsw_context *const own = make_context(&h);
   dsw_environment *env[3];
-  double *const from = (double *)malloc(COUNT * 3 * sizeof(double)), *const to = (double *)malloc(COUNT * 3 * sizeof(double));
+  double *const from = (double *)malloc(COUNT * 3 * sizeof(double)), *const to =
+                                                                         (double *)malloc(COUNT * 3 * sizeof(double));
   dsw_flight *const flights = (dsw_flight *)malloc(2 * COUNT * sizeof(dsw_flight));
   dsw_volume_id *const starts = (dsw_volume_id *)malloc(COUNT * sizeof(dsw_volume_id));
   uint32_t random = 12345;
@@ -337,9 +338,12 @@ static void a_path_without_a_start_is_empty(void) {
   CHECK(count == 0 && f.outcome == DSW_OUTCOME_OUTSIDE);
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT,
               dsw_environment_cast_path(g_env, no_volume, g_from, g_from, NULL, NULL, 1, &count, &f));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_cast_path(g_env, no_volume, g_from, g_from, NULL, path, 4, NULL, &f));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_cast_path(NULL, no_volume, g_from, g_from, NULL, path, 4, &count, &f));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_cast_path(g_env, stale_volume, g_from, g_from, NULL, path, 4, &count, &f));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT,
+              dsw_environment_cast_path(g_env, no_volume, g_from, g_from, NULL, path, 4, NULL, &f));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT,
+              dsw_environment_cast_path(NULL, no_volume, g_from, g_from, NULL, path, 4, &count, &f));
+  CHECK_FAILS(DSW_STATUS_STALE_ID,
+              dsw_environment_cast_path(g_env, stale_volume, g_from, g_from, NULL, path, 4, &count, &f));
 }
 
 static void the_nearest_impassable_thing_is_found(void) {

@@ -143,16 +143,20 @@ static void a_small_buffer_gets_nothing(void) {
   CHECK(count == 8 && v[0].index == 0x55555555u);
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT,
               dsw_environment_copy_vertices(g_env, cell_at(DSW_CELL_VOLUME, 0, 0), NULL, 8, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_copy_vertices(g_env, cell_at(DSW_CELL_VOLUME, 0, 0), v, 8, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT,
+              dsw_environment_copy_vertices(g_env, cell_at(DSW_CELL_VOLUME, 0, 0), v, 8, NULL));
 }
 
 static void a_cell_of_no_kind_is_refused(void) {
   size_t count = 77;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_copy_vertices(g_env, cell_at(DSW_CELL_NONE, 0, 0), NULL, 0, &count));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED,
+              dsw_environment_copy_vertices(g_env, cell_at(DSW_CELL_NONE, 0, 0), NULL, 0, &count));
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED,
               dsw_environment_copy_vertices(g_env, cell_at((dsw_cell_kind)5, 0, 0), NULL, 0, &count));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_copy_vertices(g_env, cell_at(DSW_CELL_EDGE, 0, 12), NULL, 0, &count));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_copy_vertices(g_env, cell_at(DSW_CELL_FACE, 12, 0), NULL, 0, &count));
+  CHECK_FAILS(DSW_STATUS_STALE_ID,
+              dsw_environment_copy_vertices(g_env, cell_at(DSW_CELL_EDGE, 0, 12), NULL, 0, &count));
+  CHECK_FAILS(DSW_STATUS_STALE_ID,
+              dsw_environment_copy_vertices(g_env, cell_at(DSW_CELL_FACE, 12, 0), NULL, 0, &count));
   CHECK(count == 77);
 }
 

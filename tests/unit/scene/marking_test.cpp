@@ -1,5 +1,5 @@
-// Marks against brute force over the definition, on the map itself: facets from both sides, edges and vertices through all
-// cells. In space and in the plane.
+// Marks against brute force over the definition, on the map itself: facets from both sides, edges and vertices through
+// all cells. In space and in the plane.
 
 #include "environment/marking.h"
 
@@ -102,9 +102,11 @@ TYPED_TEST(MarkingTest, CountsStayExactOverRandomMarks) {
     const Cell c = env.map.cell(static_cast<uint32_t>(random() % env.map.cell_count));
     const HalfFacet h = facets[random() % facets.size()];
     const uint32_t v = static_cast<uint32_t>(random() % env.map.vertex_count);
-    EXPECT_EQ(env.map.marked(c) != mark, set_cell_mark(env, c, mark));
-    EXPECT_EQ(env.map.facet_marked(h) != mark, set_facet_mark(env, h, mark));
-    EXPECT_EQ(vertex_marked(env, v) != mark, set_vertex_mark(env, v, mark));
+    const bool c_changes = env.map.marked(c) != mark, h_changes = env.map.facet_marked(h) != mark;
+    const bool v_changes = vertex_marked(env, v) != mark;
+    EXPECT_EQ(set_cell_mark(env, c, mark), c_changes);
+    EXPECT_EQ(set_facet_mark(env, h, mark), h_changes);
+    EXPECT_EQ(set_vertex_mark(env, v, mark), v_changes);
   }
   uint64_t cells = 0, sides = 0, boundary = 0, vertices = 0;
   for (uint32_t i = 0; i < env.map.cell_count; ++i) cells += env.map.marked(env.map.cell(i)) ? 1u : 0u;
