@@ -248,12 +248,10 @@ dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t
     if (count != 0) {
       capi::require(indices, "indices");
       capi::require(edges, "edges");
-      const dsw::Allocator<dsw::EdgeRef> allocator(environment->engine.memory);
-      dsw::Array<dsw::EdgeRef> found(count, dsw::EdgeRef{}, allocator);
+      dsw::Array<dsw::Dart> found(count, dsw::Dart{}, dsw::Allocator<dsw::Dart>(environment->engine.memory));
       find_edges(environment->engine, count, indices, found.data(), &absent);
       for (size_t i = 0; i < count; ++i) {
-        const dsw::EdgeRef e = found[i];
-        edges[i] = e.cell.valid() ? capi::edge_id(map, dart_of_edge(map, e.cell, e.local)) : dsw_edge_id{0, 0, 0};
+        edges[i] = found[i].cell.valid() ? capi::edge_id(map, found[i]) : dsw_edge_id{0, 0, 0};
       }
     }
     if (missing != nullptr) *missing = absent;
