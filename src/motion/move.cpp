@@ -22,15 +22,6 @@ double first_step(const double* p, const double* q) noexcept {
   return std::min(std::max(step, std::numeric_limits<double>::epsilon() / 2), 1.0);
 }
 
-/** p + t (q - p), rounded; the difference may overflow where p and q are finite. */
-template <int D>
-void point_at(const double* p, const double* q, double t, double* out) noexcept {
-  for (int k = 0; k < D; ++k) {
-    const double difference = q[k] - p[k];
-    out[k] = std::isfinite(difference) ? p[k] + t * difference : (1 - t) * p[k] + t * q[k];
-  }
-}
-
 /** Candidates recede from `time` by doubling steps; the first from which nothing impassable is met on the way is taken,
  * and after 60 of them the start, which is always free. */
 template <int D>

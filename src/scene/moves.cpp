@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "motion/prefetch.h"
 #include "scene/batch.h"
 #include "scene/scene.h"
 
@@ -169,6 +170,7 @@ void move_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t count, P
   if (scene.features.crossings) prepare_crossings(scene, ids, count, targets, options.max_cells);
   run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
     for (size_t i = begin; i < end; ++i) {
+      prefetch_ahead(scene.env, i, end, [&](size_t k) { return scene.particles[ids[k].index].cell; });
       dsw_crossing *first = nullptr, *last = nullptr;
       if (scene.features.crossings) {
         first = scene.crossings.data() + scene.crossing_first[i];
@@ -188,6 +190,7 @@ void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t cou
   prepare_statistics(scene, count);
   run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
     for (size_t i = begin; i < end; ++i) {
+      prefetch_ahead(scene.env, i, end, [&](size_t k) { return scene.particles[ids[k].index].cell; });
       const CastRequest request = request_of(scene.particles[ids[i].index], to[i], options.max_cells);
       const CastResult result = cast(scene.env, request, statistics == nullptr ? nullptr : &statistics->cast);
       if (statistics != nullptr) statistics->contacts += result.end == CastEnd::kHit ? 1 : 0;

@@ -1,7 +1,5 @@
 #include "scene/report.h"
 
-#include <cmath>
-
 #include "predicates/plane_hit.h"
 
 namespace dsw {
@@ -10,15 +8,6 @@ namespace {
 template <int D>
 void copy_point(const double* from, double* to) noexcept {
   for (int k = 0; k < D; ++k) to[k] = from[k];
-}
-
-/** p + time * (q - p), also where q - p is too large for a double. */
-template <int D>
-void point_at(const double* p, const double* q, double time, double* out) noexcept {
-  for (int k = 0; k < D; ++k) {
-    const double step = q[k] - p[k];
-    out[k] = std::isfinite(step) ? p[k] + time * step : (1 - time) * p[k] + time * q[k];
-  }
 }
 
 template <int D>

@@ -1,6 +1,7 @@
 #include "scene/segments.h"
 
 #include "motion/locate.h"
+#include "motion/prefetch.h"
 #include "scene/batch.h"
 
 namespace dsw {
@@ -54,8 +55,10 @@ Cell locate_point(const Environment<D>& env, const double* point, dsw_volume_id 
 template <int D>
 void cast_segments(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                    PointArray from, PointArray to, const SegmentOptions& options, dsw_flight* flights) {
+  const bool known = starts != nullptr && options.start_known;
   auto body = [&](size_t begin, size_t end) noexcept {
     for (size_t i = begin; i < end; ++i) {
+      if (known) prefetch_ahead(env, i, end, [&](size_t k) { return env.map.cell(is_null(starts[k]) ? 0 : starts[k].index); });
       cast_one(env, starts == nullptr ? kNull : starts[i], from[i], to[i], options, flights + i);
     }
   };
