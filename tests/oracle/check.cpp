@@ -38,6 +38,12 @@ void Report::flight(const Walk& walk) {
   }
 }
 
+void Report::stuck(const std::string& text) {
+  ++total.stuck;
+  ++scene_->stuck;
+  if (show_stuck) std::printf("STUCK [%s] %s\n", reproduce_.c_str(), text.c_str());
+}
+
 void Report::mismatch(const std::string& text) {
   ++total.mismatches;
   ++scene_->mismatches;
@@ -97,7 +103,8 @@ bool Checker::compare_hit(const Walk& walk, const dsw_flight& flight, const std:
   const bool by_face = face.marked || behind < 0;
   if (flight.obstacle != (by_face ? DSW_CELL_FACE : DSW_CELL_VOLUME))
     wrong += " obstacle " + std::to_string(flight.obstacle);
-  const auto tagged = static_cast<size_t>(behind >= 0 ? behind : walk.cell);
+  // At the outer boundary the tag is that of the volume reported, which for a particle is the one it was pulled back to.
+  const auto tagged = static_cast<size_t>(behind >= 0 ? behind : static_cast<int>(flight.volume.index));
   const uint32_t tag = world_.mesh.tags.empty() ? 0 : world_.mesh.tags[tagged];
   if (flight.tag != tag) wrong += " tag " + std::to_string(flight.tag) + " for " + std::to_string(tag);
   double tolerance = 0;
@@ -312,7 +319,7 @@ void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target
   if (want == DSW_OUTCOME_CONTACT && same_bits(position.data(), old_position.data())) {
     double gone = 0;
     for (size_t k = 0; k < 3; ++k) gone = std::max(gone, std::fabs(walk.time * (target[k] - old_position[k])));
-    if (gone > 1e-6 * world_.size) report_.stuck();
+    if (gone > 1e-6 * world_.size) report_.stuck(what);
   }
 }
 

@@ -22,12 +22,14 @@ class Report {
   explicit Report(int print_most = 20) : print_most_(print_most) {}
   void begin(const std::string& scene, const std::string& reproduce);
   void flight(const Walk& walk);
-  void stuck() { ++total.stuck; }
+  /// A stopped particle that stayed where it was although the way was free for a good part of the scene.
+  void stuck(const std::string& text);
   void mismatch(const std::string& text);
   void lost(const std::string& text);
 
   Tally total;
   std::map<std::string, Tally> scenes;
+  bool show_stuck = false;
   uint64_t refused = 0;  // scenes whose jitter left no valid triangulation
 
  private:

@@ -339,6 +339,8 @@ const char* transform_name(Transform t) {
       return "*2^900";
     case Transform::kDenormal:
       return "*2^-1074";
+    case Transform::kCoarse:
+      return "+2^52";
     default:
       return "";
   }
@@ -362,6 +364,9 @@ void apply_transform(Mesh& mesh, Transform t) {
           break;
         case Transform::kDenormal:
           x = std::ldexp(x, -1074);
+          break;
+        case Transform::kCoarse:  // neighbouring doubles are 1 apart
+          x += 0x1p52 + 0x1p20;
           break;
         default:
           break;

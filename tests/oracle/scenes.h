@@ -10,13 +10,13 @@
 namespace dsw::oracle {
 
 /// What is done to all points after a scene was made.
-enum class Transform { kNone, kFar, kLarge, kSmall, kPower, kDenormal };
+enum class Transform { kNone, kFar, kLarge, kSmall, kPower, kDenormal, kCoarse };
 const char* transform_name(Transform t);
 
 struct SceneKind {
   const char* name;
   Mesh (*make)(Rng& rng);
-  bool denormal_safe;  // integer coordinates with cells wide enough to live in denormals
+  bool integer;  // integer coordinates, and cells that bear their centre rounded to integers
 };
 
 const std::vector<SceneKind>& scene_kinds();
