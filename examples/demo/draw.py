@@ -64,7 +64,7 @@ def draw(folder, title):
     plot.add_mesh(glass(wall, towards, WALL, 0.07, 0.62), scalars="rgba", rgba=True, smooth_shading=True,
                   specular=0.3, ambient=0.35)
     hits = cloud.point_data["contacts"]
-    dots = plot.add_mesh(cloud, scalars="contacts", cmap="plasma", clim=(0, max(1, np.percentile(hits, 96))),
+    dots = plot.add_mesh(cloud, scalars="contacts", cmap="plasma", clim=(0, max(1, np.percentile(hits, 90))),
                          render_points_as_spheres=True, point_size=4.5, ambient=0.4, show_scalar_bar=False)
     radius = 0.0055 * size
     plot.add_mesh(chain.extract_surface(algorithm="dataset_surface").tube(radius=0.5 * radius), color=CHAIN, ambient=0.3)

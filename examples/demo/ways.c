@@ -183,7 +183,7 @@ void find_potential(const demo_graph *g, const double *from_inlet, double length
   for (uint32_t i = 0; i < g->count; ++i) {
     size_t count = is_end[i] && !fixed[i] ? find_end_slots(g, from_inlet, length, i, fixed, slots) : 0;
     for (size_t k = 0; k < count; ++k) {
-      potential[slots[k]] = 1;
+      potential[slots[k]] = (from_inlet[i] - zone) / length;
     }
   }
   for (int round = 0; round < kRelaxations; ++round) {

@@ -33,7 +33,8 @@ void find_ends(const demo_graph *g, const double *from, double length, char *is_
 size_t find_end_slots(const demo_graph *g, const double *from, double length, uint32_t end, char *seen,
                       uint32_t *slots);
 
-/* A potential that is 0 where the way from the inlet is `zone`, 1 at every end of a branch and in balance between. */
+/* A potential in balance between the inlet and the ends of branches, where it is as high as the way from the inlet is
+ * long, so that long branches get their share. `zone` is the length of the way that still belongs to the inlet. */
 void find_potential(const demo_graph *g, const double *from_inlet, double length, double zone, double *potential);
 
 /* Unit directions in which `values` rises (sign 1) or falls (sign -1), smoothed over the
