@@ -74,6 +74,7 @@ else
   echo "benchmark: DARTSWEEP_DATA names no folder with vessels/vascular_phantom.msh.gz: no walk.vessel.* figures"
 fi
 
+mkdir -p "$tree"
 cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDSW_BUILD_TESTS=ON \
   -DDSW_BUILD_EXAMPLES=OFF > "$tree-configure.log" || { cat "$tree-configure.log" >&2; exit 1; }
 cmake --build "$tree" -j "$(nproc)" --target dartsweep_bench dartsweep_bench_predicates dartsweep_oracle
