@@ -1,0 +1,292 @@
+// Checked in an order in which nothing is followed before it is known to be sound: shapes, then records and the tables that
+// find them, then links.
+
+#include "map/integrity.h"
+
+#include <algorithm>
+
+namespace dsw {
+namespace {
+
+constexpr uint64_t kMostUnits = uint64_t{1} << 28;
+
+/** Loop position of the vertex that the fan of facet f begins at. */
+uint32_t fan_base(const Shape& shape, uint32_t f) {
+  const uint32_t apex = shape.simplices()[3 * shape.simplex_first(f)], first = shape.facet_first(f);
+  uint32_t k = 0;
+  while (k < shape.facet_size(f) && shape.dart_vertex(first + k) != apex) ++k;
+  return k;
+}
+
+/** Makes the table anew from the loops and cuts of one whose counts fit into what may be read. */
+bool remake(const Shape& shape, Array<uint16_t>& out) {
+  const uint32_t facets = shape.facet_count(), n = shape.dart_count(), vertices = shape.vertex_count();
+  uint32_t end = 0;
+  for (uint32_t f = 0; f <= facets; ++f) {
+    const uint32_t first = shape.facet_first(f);
+    if (f == 0 ? first != 0 : first < end + 3) return false;
+    if (first > n || shape.simplex_first(f) != first - 2 * f) return false;
+    end = first;
+  }
+  if (end != n || shape.simplex_count() != n - 2 * facets) return false;
+  // append_polyhedron takes every number below vertex_count for a vertex in use.
+  Array<uint8_t> used(vertices, 0, out.get_allocator());
+  uint32_t used_count = 0;
+  for (uint32_t d = 0; d < n; ++d) {
+    const uint32_t v = shape.dart_vertex(d);
+    if (v >= vertices) return false;
+    used_count += used[v] == 0 ? 1u : 0u;
+    used[v] = 1;
+  }
+  if (used_count != vertices) return false;
+  Array<uint16_t> base(facets, 0, out.get_allocator());
+  for (uint32_t f = 0; f < facets; ++f) {
+    const uint32_t k = fan_base(shape, f);
+    if (k == shape.facet_size(f)) return false;
+    base[f] = static_cast<uint16_t>(k);
+  }
+  const FacetLoops loops{shape.dart_vertices(), shape.table() + Shape::kHeader, facets, vertices};
+  return append_polyhedron(loops, base.data(), out) == ShapeDefect::kNone;
+}
+
+template <int D>
+bool shapes_sound(const Map<D>& map) {
+  Array<uint16_t> scratch(map.shape_tables.get_allocator());
+  size_t at = 0;
+  for (const uint32_t offset : map.shape_offsets) {
+    if (offset != at || at >= map.shape_tables.size()) return false;
+    const size_t length = sound_table_length<D>(map.shape_tables.data() + at, map.shape_tables.size() - at, scratch);
+    if (length == 0) return false;
+    at += length;
+  }
+  return at == map.shape_tables.size();
+}
+
+/** Links end at the first unit's last word in standard records. */
+template <int D>
+uint32_t first_link_slot(Form form) {
+  return kUnitWords - Map<D>::standard_facet_count(form);
+}
+
+/** Checks the record of one cell, whose units lie inside of the words. */
+template <int D>
+const char* check_record(const Map<D>& map, Cell c, uint32_t units) {
+  const uint32_t* w = map.record(c);
+  const Form form = form_of(w[0]);
+  const uint32_t vertices = map.vertices_of(c);
+  const auto all_zero = [&](uint32_t begin, uint32_t end) {
+    return std::all_of(w + begin, w + end, [](uint32_t word) { return word == 0; });
+  };
+  bool clear = true;
+  if (form == Form::kSimplex) {
+    for (uint32_t k = 1; k <= static_cast<uint32_t>(D); ++k) clear = clear && w[k] <= kVertexMask;
+    clear = clear && all_zero(D + 1, first_link_slot<D>(form));
+  } else if (form == Form::kGeneral) {
+    const uint32_t link_units = (map.facets_of(c) + 6) / 7;
+    for (uint32_t u = 1; u < units; ++u) {
+      if (w[u * kUnitWords] != ((static_cast<uint32_t>(Form::kContinuation) << kFormShift) | u)) {
+        return "a continuation does not lead back to its record";
+      }
+    }
+    const uint32_t links_end = link_units * 7, facets = map.facets_of(c), vertices_end = (units - link_units) * 7;
+    for (uint32_t k = facets; k < links_end; ++k) clear = clear && w[(k / 7) * kUnitWords + 1 + k % 7] == 0;
+    for (uint32_t k = vertices; k < vertices_end; ++k) {
+      clear = clear && w[(link_units + k / 7) * kUnitWords + 1 + k % 7] == 0;
+    }
+  } else {
+    const uint32_t cuts = w[0] & kShapeMask;
+    if (cuts >= (D == 3 ? 1u << quad_count(form) : 1u)) return "a record has cuts that its form does not have";
+    clear = all_zero(1, first_link_slot<D>(form)) && all_zero(kUnitWords + vertices, 2 * kUnitWords);
+  }
+  if (!clear) return "an unused word of a record is not zero";
+  return nullptr;
+}
+
+/** Whether vertices exist and differ. `sorted` is overwritten. */
+template <int D>
+bool vertices_sound(const Map<D>& map, Cell c, Array<uint32_t>& sorted) {
+  sorted.clear();
+  for (uint32_t k = 0, n = map.vertices_of(c); k < n; ++k) sorted.push_back(map.vertex(c, k));
+  std::sort(sorted.begin(), sorted.end());
+  return sorted.back() < map.vertex_count && std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+}
+
+/** Records follow each other without gaps, in the order of cells, and the tables say where. */
+template <int D>
+const char* check_records(const Map<D>& map) {
+  const uint64_t units = map.words.size() / kUnitWords;
+  const bool uniform = map.unit_of_cell.empty();
+  if (uniform) {
+    const uint32_t n = map.units_per_cell;
+    if (n == 0 || !map.cell_of_unit.empty() || uint64_t{map.cell_count} * n != units) return "records and cells differ in number";
+  } else if (map.units_per_cell != 0 || map.unit_of_cell.size() != map.cell_count || map.cell_of_unit.size() != units) {
+    return "the tables of records have the wrong size";
+  }
+  Array<uint8_t> shape_used(map.shape_offsets.size(), 0, map.words.get_allocator());
+  Array<uint32_t> sorted(map.words.get_allocator());
+  size_t shapes = 0;
+  uint64_t unit = 0;
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    if (unit >= units) return "records and cells differ in number";
+    const Cell c{static_cast<uint32_t>(unit)};
+    if (!uniform && (map.unit_of_cell[i] != c.unit || map.cell_of_unit[c.unit] != i)) return "a cell and its record disagree";
+    const uint32_t word0 = map.record(c)[0], n = record_units(map, word0);
+    if (n == 0 || n > units - unit) return "a record has no form, or no room";
+    if (uniform && (n != map.units_per_cell || form_of(word0) == Form::kGeneral)) return "records differ in size";
+    if (const char* broken = check_record(map, c, n)) return broken;
+    if (!vertices_sound(map, c, sorted)) return "a cell names a vertex twice, or one that does not exist";
+    for (uint32_t u = 1; !uniform && u < n; ++u) {
+      if (map.cell_of_unit[c.unit + u] != kNoCell) return "a cell begins inside of a record";
+    }
+    if (form_of(word0) == Form::kGeneral) {
+      ++shapes;
+      uint8_t& used = shape_used[word0 & kShapeMask];
+      if (used++ != 0) return "two cells share a shape of their own";
+    }
+    unit += n;
+  }
+  if (unit != units) return "records and cells differ in number";
+  return shapes == map.shape_offsets.size() ? nullptr : "a shape belongs to no cell";
+}
+
+/** The cell to whose link words a half-facet belongs; invalid if it is none. Records are sound. */
+template <int D>
+Cell owner_of_link(const Map<D>& map, HalfFacet h) {
+  if (h.word >= map.words.size()) return {};
+  uint32_t unit = h.word / kUnitWords;
+  if (map.unit_of_cell.empty()) {
+    unit -= unit % map.units_per_cell;
+  } else if (map.cell_of_unit[unit] == kNoCell) {
+    // A vertex, which is what the second unit of a standard record begins with, is too small to look like this.
+    const uint32_t word0 = map.words[size_t{unit} * kUnitWords];
+    if (form_of(word0) != Form::kContinuation) return {};
+    unit -= word0 & kShapeMask;
+  }
+  const Cell c{unit};
+  const Form form = map.form(c);
+  const uint32_t slot = h.word - unit * kUnitWords;
+  if (form == Form::kGeneral) {
+    return slot % kUnitWords != 0 && map.local_of(h, c) < map.facets_of(c) ? c : Cell{};
+  }
+  return slot >= first_link_slot<D>(form) && slot < kUnitWords ? c : Cell{};
+}
+
+/** Whether two facets run through the same vertices in opposite order and are cut alike. */
+bool facets_fit(const Map<3>& map, Cell a, uint32_t fa, Cell b, uint32_t fb) {
+  const Shape sa = map.shape(a), sb = map.shape(b);
+  const uint32_t n = sa.facet_size(fa);
+  if (sb.facet_size(fb) != n) return false;
+  const auto at = [&](Cell c, const Shape& s, uint32_t f, uint32_t k) {
+    return map.vertex(c, s.dart_vertex(s.facet_first(f) + k % n));
+  };
+  uint32_t turn = 0;
+  while (turn < n && at(b, sb, fb, turn) != at(a, sa, fa, 0)) ++turn;
+  if (turn == n) return false;
+  for (uint32_t k = 1; k < n; ++k) {
+    if (at(a, sa, fa, k) != at(b, sb, fb, turn + n - k)) return false;
+  }
+  if (n == 3) return true;
+  // Loop position k of a is position turn - k of b. Of a quad both ends of a diagonal give the same cut.
+  const uint32_t wanted = (turn + n - fan_base(sa, fa)) % n, base = fan_base(sb, fb);
+  return base == wanted || (n == 4 && base == (wanted + 2) % n);
+}
+
+bool facets_fit(const Map<2>& map, Cell a, uint32_t fa, Cell b, uint32_t fb) {
+  const uint32_t na = map.facets_of(a), nb = map.facets_of(b);
+  return map.vertex(a, fa) == map.vertex(b, (fb + 1) % nb) && map.vertex(a, (fa + 1) % na) == map.vertex(b, fb);
+}
+
+template <int D>
+const char* check_links(const Map<D>& map) {
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    const Cell c = map.cell(i);
+    for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
+      const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
+      if (!o.valid()) continue;
+      const Cell other = owner_of_link(map, o);
+      if (!other.valid()) return "a link leads to no facet";
+      if (other == c) return "a cell is linked to itself";
+      if (map.opposite(o) != h) return "a link does not lead back";
+      if (map.facet_marked(o) != map.facet_marked(h)) return "a facet is marked on one side only";
+      if (o.word > h.word && !facets_fit(map, c, f, other, map.local_of(o, other))) {
+        return "two linked facets do not have the same vertices in opposite order, cut alike";
+      }
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+template <int D>
+size_t sound_table_length(const uint16_t* table, size_t available, Array<uint16_t>& scratch) {
+  if (available < Shape::kHeader) return 0;
+  const Shape shape(table);
+  const size_t length = Shape::kHeader + 2 * (size_t{shape.facet_count()} + 1) + 4 * size_t{shape.dart_count()} +
+                        (D + 1) * size_t{shape.simplex_count()};
+  if (length > available) return 0;
+  scratch.clear();
+  if constexpr (D == 3) {
+    if (!remake(shape, scratch)) return 0;
+  } else {
+    if (append_polygon(shape.vertex_count(), scratch) != ShapeDefect::kNone) return 0;
+  }
+  return scratch.size() == length && std::equal(scratch.begin(), scratch.end(), table) ? length : 0;
+}
+
+template <int D>
+uint32_t record_units(const Map<D>& map, uint32_t word0) {
+  const Form form = form_of(word0);
+  switch (form) {
+    case Form::kSimplex:
+      return 1;
+    case Form::kPyramid:
+    case Form::kPrism:
+      return D == 3 ? 2 : 0;
+    case Form::kBox:
+      return 2;
+    case Form::kGeneral: {
+      if ((word0 & kShapeMask) >= map.shape_offsets.size()) return 0;
+      const Shape shape(map.shape_tables.data() + map.shape_offsets[word0 & kShapeMask]);
+      return (shape.facet_count() + 6) / 7 + (shape.vertex_count() + 6) / 7;
+    }
+    default:
+      return 0;
+  }
+}
+
+template <int D>
+void count_facets(const Map<D>& map, uint32_t* facets, uint32_t* boundary_facets) {
+  uint64_t sides = 0, boundary = 0;
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    const Cell c = map.cell(i);
+    const uint32_t n = map.facets_of(c);
+    sides += n;
+    for (uint32_t f = 0; f < n; ++f) boundary += map.opposite(map.half_facet(c, f)).valid() ? 0u : 1u;
+  }
+  *facets = static_cast<uint32_t>((sides - boundary) / 2 + boundary);
+  *boundary_facets = static_cast<uint32_t>(boundary);
+}
+
+template <int D>
+const char* check_integrity(const Map<D>& map) {
+  if (map.words.size() % kUnitWords != 0 || map.words.size() / kUnitWords >= kMostUnits) return "records are cut off, or too many";
+  if (map.cell_count == 0 || map.vertex_count > kVertexMask) return "no cells, or too many vertices";
+  if (!shapes_sound(map)) return "a shape is not sound";
+  if (const char* broken = check_records(map)) return broken;
+  if (const char* broken = check_links(map)) return broken;
+  uint32_t facets, boundary;
+  count_facets(map, &facets, &boundary);
+  return facets == map.facet_count && boundary == map.boundary_facet_count ? nullptr : "facets are counted wrongly";
+}
+
+template const char* check_integrity(const Map<2>&);
+template const char* check_integrity(const Map<3>&);
+template size_t sound_table_length<2>(const uint16_t*, size_t, Array<uint16_t>&);
+template size_t sound_table_length<3>(const uint16_t*, size_t, Array<uint16_t>&);
+template uint32_t record_units(const Map<2>&, uint32_t);
+template uint32_t record_units(const Map<3>&, uint32_t);
+template void count_facets(const Map<2>&, uint32_t*, uint32_t*);
+template void count_facets(const Map<3>&, uint32_t*, uint32_t*);
+
+}  // namespace dsw
