@@ -9,6 +9,7 @@ function(expect_refusal pattern)
   endif()
 endfunction()
 
+file(MAKE_DIRECTORY ${OUT})
 file(WRITE ${OUT}/not_a_mesh.bin "DSWMESH1 and then nothing of use")
 expect_refusal("cannot open mesh file" --mesh ${OUT}/there-is-none.bin)
 expect_refusal("not a mesh array file" --mesh ${OUT}/not_a_mesh.bin)
