@@ -1,0 +1,144 @@
+#include "environment/boundary_surface.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dsw {
+namespace {
+
+constexpr uint32_t kLeaf = 4;
+
+/** Triangles of facets, so that a dart finds its triangle again. */
+struct FacetStart {
+  uint32_t word, first;
+  bool operator<(const FacetStart& o) const { return word < o.word; }
+};
+
+/** Edge of a facet's triangles that runs from local vertex u to v; the triangle's number in the shape times 3, plus k. */
+uint32_t find_edge(const Shape& shape, uint32_t facet, uint32_t u, uint32_t v) {
+  for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
+    const uint16_t* local = shape.simplices() + 3 * s;
+    for (uint32_t k = 0; k < 3; ++k) {
+      if (local[k] == u && local[(k + 1) % 3] == v) return 3 * s + k;
+    }
+  }
+  return 0;
+}
+
+/** The boundary dart met by turning from the boundary dart d about its edge, through the cells behind it. */
+Dart turn(const Map<3>& map, Dart d) {
+  Dart e = beta2(map, d);
+  for (Dart next = beta3(map, e); next.cell.valid(); next = beta3(map, e)) e = beta2(map, next);
+  return e;
+}
+
+}  // namespace
+
+BoundarySurface::BoundarySurface(const Environment<3>& env)
+    : triangles(Allocator<BoundaryTriangle>(env.memory)), sheet(Allocator<uint32_t>(env.memory)) {
+  const Map<3>& map = env.map;
+  Array<FacetStart> starts{Allocator<FacetStart>(env.memory)};
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    const Cell c = map.cell(i);
+    const Shape shape = map.shape(c);
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      const HalfFacet h = map.half_facet(c, f);
+      if (map.opposite(h).valid()) continue;
+      starts.push_back({h.word, static_cast<uint32_t>(triangles.size())});
+      for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
+        const uint16_t* local = shape.simplices() + 3 * s;
+        triangles.push_back({{map.vertex(c, local[0]), map.vertex(c, local[1]), map.vertex(c, local[2])}, {}, c});
+      }
+    }
+  }
+  std::sort(starts.begin(), starts.end());
+  const auto first_of = [&](HalfFacet h) {
+    return std::lower_bound(starts.begin(), starts.end(), FacetStart{h.word, 0})->first;
+  };
+  for (const FacetStart& start : starts) {
+    const Cell c = map.cell_of({start.word});
+    const Shape shape = map.shape(c);
+    const uint32_t f = map.local_of({start.word}, c), first = shape.simplex_first(f);
+    for (uint32_t s = first; s < shape.simplex_first(f + 1); ++s) {
+      const uint16_t* local = shape.simplices() + 3 * s;
+      for (uint32_t k = 0; k < 3; ++k) {
+        const uint32_t u = local[k], v = local[(k + 1) % 3];
+        uint32_t& mate = triangles[start.first + s - first].mate[k];
+        uint32_t d = shape.facet_first(f);
+        while (d < shape.facet_first(f + 1) && (shape.dart_vertex(d) != u || shape.dart_vertex(shape.beta1(d)) != v)) ++d;
+        if (d == shape.facet_first(f + 1)) {  // a cut inside the facet
+          mate = 3 * (start.first - first) + find_edge(shape, f, v, u);
+          continue;
+        }
+        const Dart other = turn(map, {c, d});
+        const Shape other_shape = map.shape(other.cell);
+        const uint32_t g = other_shape.dart_facet(other.local);
+        const uint32_t edge = find_edge(other_shape, g, other_shape.dart_vertex(other.local),
+                                        other_shape.dart_vertex(other_shape.beta1(other.local)));
+        mate = 3 * (first_of(map.half_facet(other.cell, g)) - other_shape.simplex_first(g)) + edge;
+      }
+    }
+  }
+  sheet.resize(triangles.size());
+  for (uint32_t i = 0; i < sheet.size(); ++i) sheet[i] = i;
+  const auto root = [&](uint32_t i) {
+    while (sheet[i] != i) i = sheet[i] = sheet[sheet[i]];
+    return i;
+  };
+  for (uint32_t i = 0; i < sheet.size(); ++i) {
+    for (const uint32_t mate : triangles[i].mate) {
+      const uint32_t a = root(i), b = root(mate / 3);
+      sheet[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (uint32_t i = 0; i < sheet.size(); ++i) sheet[i] = root(i);
+}
+
+BoundaryTree::BoundaryTree(const Environment<3>& env, const BoundarySurface& surface)
+    : nodes_(Allocator<Node>(env.memory)), order_(surface.triangles.size(), 0, Allocator<uint32_t>(env.memory)) {
+  const uint32_t count = static_cast<uint32_t>(order_.size());
+  if (count == 0) return;
+  for (uint32_t i = 0; i < count; ++i) order_[i] = i;
+  const auto box_of = [&](Node& node) {
+    for (uint32_t i = 0; i < node.count; ++i) {
+      for (const uint32_t v : surface.triangles[order_[node.first + i]].vertex) {
+        const double* p = env.point(v);
+        const bool start = i == 0 && v == surface.triangles[order_[node.first]].vertex[0];
+        for (int k = 0; k < 3; ++k) {
+          node.lower[k] = start ? p[k] : std::min(node.lower[k], p[k]);
+          node.upper[k] = start ? p[k] : std::max(node.upper[k], p[k]);
+        }
+      }
+    }
+  };
+  nodes_.push_back({{}, {}, 0, count});
+  for (size_t at = 0; at < nodes_.size(); ++at) {  // nodes are appended behind while they are split
+    box_of(nodes_[at]);
+    const Node node = nodes_[at];
+    if (node.count <= kLeaf) continue;
+    int axis = 0;
+    double widest = -1;
+    for (int k = 0; k < 3; ++k) {
+      const double width = node.upper[k] / 2 - node.lower[k] / 2;
+      if (width > widest) {
+        widest = width;
+        axis = k;
+      }
+    }
+    const auto lowest = [&](uint32_t t) {
+      const uint32_t* v = surface.triangles[t].vertex;
+      return std::min({env.point(v[0])[axis], env.point(v[1])[axis], env.point(v[2])[axis]});
+    };
+    const auto begin = order_.begin() + node.first;
+    const uint32_t half = node.count / 2;
+    std::nth_element(begin, begin + half, begin + node.count,
+                     [&](uint32_t a, uint32_t b) { return std::make_pair(lowest(a), a) < std::make_pair(lowest(b), b); });
+    const uint32_t child = static_cast<uint32_t>(nodes_.size());
+    nodes_.push_back({{}, {}, node.first, half});
+    nodes_.push_back({{}, {}, node.first + half, node.count - half});
+    nodes_[at].first = child;
+    nodes_[at].count = 0;
+  }
+}
+
+}  // namespace dsw
