@@ -201,7 +201,7 @@ int main(int argc, char** argv) {
   };
   for (const auto& seed : seeds) {
     write(folder / "create" / seed.name, encode(seed.mesh, seed.layout, seed.flags));
-    const uint32_t flags = seed.flags & ~uint32_t{DSW_ENVIRONMENT_BORROW_POINTS};
+    const uint32_t flags = seed.flags & uint32_t{DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_GRID};
     write(folder / "snapshot" / seed.name, snapshot(seed.mesh, flags, (seed.layout & kLabelled) != 0));
   }
   return 0;
