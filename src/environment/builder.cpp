@@ -5,8 +5,8 @@
 #include "base/error.h"
 #include "environment/facet_matcher.h"
 #include "environment/mesh_reader.h"
+#include "environment/recut.h"
 #include "environment/validity.h"
-#include "predicates/filtered.h"
 
 namespace dsw {
 namespace {
@@ -36,67 +36,6 @@ template <int D>
   if (defect == MatchDefect::kSameSide) fail(DSW_STATUS_DUPLICATE_CELL, "cells %u and %u lie on the same side of a face", a, b);
   fail(DSW_STATUS_SHARED_FACE, "cells %u and %u share a face with a third cell", a, b);
 }
-
-/** Cuts a facet as a fan from loop position `base`, in the numbering of one of its cells. */
-void set_cut(Map<3>& map, Cell c, uint32_t f, uint32_t base) {
-  const Form form = map.form(c);
-  uint32_t* w = map.record(c);
-  if (form == Form::kGeneral) {
-    set_fan(map.shape_tables.data() + map.shape_offsets[w[0] & kShapeMask], f, base);
-    return;
-  }
-  const Shape shape = map.shape(c);
-  uint32_t quad = 0;
-  for (uint32_t g = 0; g < f; ++g) quad += shape.facet_size(g) == 4 ? 1u : 0u;
-  w[0] = (w[0] & ~(1u << quad)) | ((base & 1u) << quad);
-}
-
-bool fan_is_positive(const Environment<3>& env, Cell c, uint32_t f, const double* apex) {
-  const Shape shape = env.map.shape(c);
-  const double* points[3];
-  for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
-    simplex_points(env, c, shape, s, points);
-    if (orient<3>(points, apex) >= 0) return false;
-  }
-  return true;
-}
-
-/** Looks for a fan of facet f that gives positive stars on both sides; whether there is one. */
-bool recut_facet(Environment<3>& env, Cell c, uint32_t f) {
-  Map<3>& map = env.map;
-  const HalfFacet o = map.opposite(map.half_facet(c, f));
-  const Cell oc = o.valid() ? map.cell_of(o) : Cell{};
-  const uint32_t of = o.valid() ? map.local_of(o, oc) : 0;
-  double apex[3], other_apex[3] = {};
-  centre(env, c, apex);
-  if (o.valid()) centre(env, oc, other_apex);
-  const uint32_t size = map.shape(c).facet_size(f);
-  for (uint32_t base = 0; base < size; ++base) {
-    set_cut(map, c, f, base);
-    if (o.valid()) {
-      const Shape shape = map.shape(c), other = map.shape(oc);
-      const uint32_t wanted = map.vertex(c, shape.dart_vertex(shape.facet_first(f) + base));
-      uint32_t k = 0;
-      while (map.vertex(oc, other.dart_vertex(other.facet_first(of) + k)) != wanted) ++k;
-      set_cut(map, oc, of, k);
-    }
-    if (fan_is_positive(env, c, f, apex) && (!o.valid() || fan_is_positive(env, oc, of, other_apex))) return true;
-  }
-  return false;
-}
-
-/** Cuts those facets of a cell anew that spoil its star. */
-void recut_cell(Environment<3>& env, Cell c, Array<Cell>& changed) {
-  double apex[3];
-  centre(env, c, apex);
-  for (uint32_t f = 0; f < env.map.facets_of(c); ++f) {
-    if (env.map.shape(c).facet_size(f) == 3 || fan_is_positive(env, c, f, apex)) continue;
-    recut_facet(env, c, f);
-    const HalfFacet o = env.map.opposite(env.map.half_facet(c, f));
-    if (o.valid()) changed.push_back(env.map.cell_of(o));
-  }
-}
-void recut_cell(Environment<2>&, Cell, Array<Cell>&) {}
 
 /** Validates all cells and notes which are convex. A cell that fails gets its facets cut anew, which can spoil a cell seen
  * before: those are looked at again. */

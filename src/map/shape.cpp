@@ -156,7 +156,11 @@ ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Arr
   return ShapeDefect::kNone;
 }
 
-void set_fan(uint16_t* table, uint32_t facet, uint32_t base) { write_fan(table, facet, base); }
+void set_triangles(uint16_t* table, uint32_t facet, const uint16_t* triangles) {
+  const Shape shape(table);
+  const uint32_t first = 3 * shape.simplex_first(facet), last = 3 * shape.simplex_first(facet + 1);
+  std::copy(triangles, triangles + (last - first), table + (shape.simplices() - table) + first);
+}
 
 ShapeDefect append_polygon(uint32_t vertex_count, Array<uint16_t>& tables) {
   if (vertex_count >= kLimit) return ShapeDefect::kTooLarge;

@@ -72,8 +72,8 @@ enum class ShapeDefect { kNone, kTooLarge, kShortFacet, kRepeatedVertex, kOpen, 
  * `tables` is as before. */
 ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Array<uint16_t>& tables);
 
-/** Cuts facet f of a polyhedron table anew, as a fan from loop position `base`. */
-void set_fan(uint16_t* table, uint32_t facet, uint32_t base);
+/** Cuts a facet of a polyhedron table anew, into the given triangles: three local vertices each, oriented as the facet. */
+void set_triangles(uint16_t* table, uint32_t facet, const uint16_t* triangles);
 
 /** Table of a standard form in space; bit f of `cuts` says that quad facet number f (in the order of facets, triangles
  * not counted) is cut from its second loop vertex instead of its first. */
