@@ -1,0 +1,68 @@
+/** @file contact.h
+ * What a move or a cast reports. The structs here are frozen: new data means a new getter.
+ */
+#ifndef DARTSWEEP_CONTACT_H
+#define DARTSWEEP_CONTACT_H
+
+#include "dartsweep/base.h"
+#include "dartsweep/ids.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How a flight ended. */
+typedef enum dsw_outcome {
+  DSW_OUTCOME_NONE = 0,
+  DSW_OUTCOME_REACHED = 1,    /**< The target was reached; nothing impassable was met. */
+  DSW_OUTCOME_CONTACT = 2,    /**< Stopped at the first impassable face. */
+  DSW_OUTCOME_WORK_LIMIT = 3, /**< Stopped early, free: the work limit was reached. */
+  DSW_OUTCOME_OUTSIDE = 4,    /**< The start lies in no cell: nothing was done (free casts only). */
+  DSW_OUTCOME_IMPASSABLE = 5, /**< The start lies in an impassable volume: nothing was done (free casts only). */
+  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff
+} dsw_outcome;
+
+/** What of the environment was touched. */
+typedef enum dsw_contact_kind {
+  DSW_CONTACT_NONE = 0,
+  DSW_CONTACT_PLANE = 1,  /**< The inside of a face. A particle meets nothing else. */
+  DSW_CONTACT_EDGE = 2,
+  DSW_CONTACT_VERTEX = 3,
+  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff
+} dsw_contact_kind;
+
+/** Report of one flight from p towards its target. Without a contact the members from `normal` on are zero or null,
+ * but for `volume`. */
+typedef struct dsw_flight {
+  /** Where it ended. For a particle: the verified position, free and on this side of the wall. For a free cast: p +
+   * time * (target - p), rounded. */
+  double position[3];
+  /** Fraction of the move: 1 when the target was reached. At a contact the largest double that is not later than the
+   * true first time (exact arithmetic decides); at a work limit, not later than the last face crossed. */
+  double time;
+  /** Unit normal of the boundary triangle that was hit, pointing out of the obstacle, towards p. */
+  double normal[3];
+  dsw_volume_id volume;  /**< The volume it ended in. */
+  dsw_face_id face;      /**< Canonical id of the face that was hit. */
+  dsw_volume_id behind;  /**< The volume behind that face; null at the outer boundary. */
+  dsw_outcome outcome;
+  dsw_contact_kind kind;
+  dsw_cell_kind obstacle; /**< What makes it impassable: DSW_CELL_FACE (its own mark, or the outer boundary), or
+                               DSW_CELL_VOLUME (the volume behind is marked and the face is not). */
+  uint32_t tag;           /**< Host tag of the volume behind; at the outer boundary of `volume`. */
+  uint32_t cells_visited; /**< Volumes entered, the first included; the verification of a stop is not counted. */
+  uint32_t reserved;
+} dsw_flight;
+
+/** One cell of a flight, in order. */
+typedef struct dsw_crossing {
+  dsw_volume_id volume; /**< The volume entered. */
+  dsw_face_id face;     /**< Canonical id of the face it was entered through; null for the first. */
+  double time;          /**< When, a fraction of the move, rounded down; 0 for the first. */
+} dsw_crossing;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,19 @@
+/** @file dartsweep.h
+ * All of Dartsweep: exact contacts of moving vertices and edges with a convex subdivision of space.
+ */
+#ifndef DARTSWEEP_DARTSWEEP_H
+#define DARTSWEEP_DARTSWEEP_H
+
+#include "dartsweep/base.h"
+#include "dartsweep/contact.h"
+#include "dartsweep/context.h"
+#include "dartsweep/environment.h"
+#include "dartsweep/ids.h"
+#include "dartsweep/marking.h"
+#include "dartsweep/particle.h"
+#include "dartsweep/query.h"
+#include "dartsweep/scene.h"
+#include "dartsweep/snapshot.h"
+#include "dartsweep/trace.h"
+
+#endif

@@ -1,0 +1,64 @@
+/** @file ids.h
+ * Ids are small values: an index and a generation. {0,0} is null, since generations start at 1. An id stays
+ * valid until the thing it names is removed; from then on it answers DSW_STATUS_STALE_ID. Ids do not name
+ * their environment or scene: pass the one that gave them. Stands alone.
+ */
+#ifndef DARTSWEEP_IDS_H
+#define DARTSWEEP_IDS_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A vertex of an environment; index is the point's index at creation. */
+typedef struct dsw_vertex_id {
+  uint32_t index, generation;
+} dsw_vertex_id;
+
+/** A volume of an environment; index is the cell's index at creation. */
+typedef struct dsw_volume_id {
+  uint32_t index, generation;
+} dsw_volume_id;
+
+/** A face: face number `local` of a volume. A face between two volumes has two such names; every report
+ * gives the canonical one, that of the volume with the lower index. Either is accepted. Face numbers follow
+ * the VTK order of the cell type; for polyhedra the order of the face stream. */
+typedef struct dsw_face_id {
+  uint32_t volume, generation, local;
+} dsw_face_id;
+
+/** An edge: edge number `local` of a volume, named as faces are. Edge numbers run over the faces in order, each
+ * face's boundary in its order seen from outside, counting an edge when it is first met. */
+typedef struct dsw_edge_id {
+  uint32_t volume, generation, local;
+} dsw_edge_id;
+
+/** A particle of a scene. */
+typedef struct dsw_particle_id {
+  uint32_t index, generation;
+} dsw_particle_id;
+
+/** Dimension of a cell. */
+typedef enum dsw_cell_kind {
+  DSW_CELL_NONE = 0,
+  DSW_CELL_VERTEX = 1,
+  DSW_CELL_EDGE = 2,
+  DSW_CELL_FACE = 3,
+  DSW_CELL_VOLUME = 4,
+  DSW_CELL_KIND_FORCE_INT32 = 0x7fffffff
+} dsw_cell_kind;
+
+/** A cell of any dimension. For vertices and volumes `index` is theirs and `local` is 0; for faces and edges
+ * `index` is the volume's. */
+typedef struct dsw_cell {
+  dsw_cell_kind kind;
+  uint32_t index, generation, local;
+} dsw_cell;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,84 @@
+/** @file marking.h
+ * Passable and impassable cells. A mark is set on one cell; what follows from it is derived, never stored: a face
+ * of an impassable volume and an edge or vertex of an impassable face count as impassable, and unmarking removes only
+ * what was set. Faces with one volume (the outer boundary) are always impassable. A marked edge is a wire, a
+ * marked vertex a point obstacle; a particle meets neither (only sweeps of edges and faces do).
+ *
+ * While exactly one scene uses the environment, marking is allowed and checked against what that scene holds;
+ * with several scenes it answers DSW_STATUS_SHARED.
+ */
+#ifndef DARTSWEEP_MARKING_H
+#define DARTSWEEP_MARKING_H
+
+#include "dartsweep/environment.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The mark of one cell. */
+typedef enum dsw_mark {
+  DSW_MARK_PASSABLE = 0,
+  DSW_MARK_IMPASSABLE = 1,
+  DSW_MARK_FORCE_INT32 = 0x7fffffff
+} dsw_mark;
+
+/** Flags of the marking calls. */
+enum {
+  /** Volumes that a particle occupies keep their mark and the rest is marked; without this flag one occupied
+   * volume makes the call return DSW_STATUS_OCCUPIED with nothing changed. */
+  DSW_MARK_SKIP_OCCUPIED = 0x1
+};
+
+/** Sets the mark of volumes. An id may stand twice.
+ * @param volumes [in] `count` live ids. @param mark [in] the mark they get. @param flags [in] DSW_MARK_...
+ * @param skipped [out] may be null: how many occupied volumes were left out.
+ * @return DSW_STATUS_STALE_ID (the message names the position), DSW_STATUS_OCCUPIED, DSW_STATUS_SHARED.
+ * @note O(count), plus one pass over the scene's particles when volumes become impassable. Thread: writer of the
+ * environment and of its scene. @since 0.1 */
+DSW_API dsw_status dsw_environment_mark_volumes(dsw_environment *environment, const dsw_volume_id *volumes, size_t count,
+                                                dsw_mark mark, uint32_t flags, size_t *skipped);
+
+/** Sets the mark of faces. @note O(count). Errors and thread as dsw_environment_mark_volumes. @since 0.1 */
+DSW_API dsw_status dsw_environment_mark_faces(dsw_environment *environment, const dsw_face_id *faces, size_t count,
+                                              dsw_mark mark);
+
+/** Sets the mark of edges. @note O(count), expected; a marked edge costs about 16 bytes. Errors and thread as
+ * dsw_environment_mark_volumes. @since 0.1 */
+DSW_API dsw_status dsw_environment_mark_edges(dsw_environment *environment, const dsw_edge_id *edges, size_t count,
+                                              dsw_mark mark);
+
+/** Sets the mark of vertices. @note O(count); the first marked vertex costs one bit for every vertex. Errors and
+ * thread as dsw_environment_mark_volumes. @since 0.1 */
+DSW_API dsw_status dsw_environment_mark_vertices(dsw_environment *environment, const dsw_vertex_id *vertices,
+                                                 size_t count, dsw_mark mark);
+
+/** Sets the mark of every volume whose region label is `region`. @param flags, skipped [in,out] as
+ * dsw_environment_mark_volumes. @param marked [out] may be null: volumes that have that label and now that mark.
+ * @note O(volumes). Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_environment_mark_region(dsw_environment *environment, int32_t region, dsw_mark mark,
+                                               uint32_t flags, size_t *marked, size_t *skipped);
+
+/** Sets the mark of every face between a volume of region `a` and one of region `b`; the order does not matter.
+ * @param marked [out] may be null: how many faces there are.
+ * @note O(volumes). Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_environment_mark_between(dsw_environment *environment, int32_t a, int32_t b, dsw_mark mark,
+                                                size_t *marked);
+
+/** Whether this very cell carries a mark (what was set, without what follows from it).
+ * @param marked [out] 0 or 1. @note O(1), expected. Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_environment_is_marked(const dsw_environment *environment, dsw_cell cell, int *marked);
+
+/** Whether a cell is impassable, by its own mark or by what follows from others or from the outer boundary.
+ * @param impassable [out] 0 or 1. @note O(volumes round the cell); a vertex: O(volumes). Thread: reader.
+ * @since 0.1 */
+DSW_API dsw_status dsw_environment_is_impassable(const dsw_environment *environment, dsw_cell cell, int *impassable);
+
+/** How many cells of one kind carry a mark. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_environment_get_mark_count(const dsw_environment *environment, dsw_cell_kind kind, size_t *count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

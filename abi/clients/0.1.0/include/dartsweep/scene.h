@@ -1,0 +1,77 @@
+/** @file scene.h
+ * A scene: one environment and what moves in it. A scene names the features it wants; what it does not name costs no
+ * memory and no time.
+ */
+#ifndef DARTSWEEP_SCENE_H
+#define DARTSWEEP_SCENE_H
+
+#include "dartsweep/environment.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Opaque. Owned by the caller from dsw_scene_create to dsw_scene_destroy. */
+typedef struct dsw_scene dsw_scene;
+
+/** Features of a scene. */
+enum {
+  /** Counters, see dsw_statistics. */
+  DSW_FEATURE_STATISTICS = 0x1,
+  /** Moves record every volume crossed, see dsw_scene_get_crossings. */
+  DSW_FEATURE_CROSSINGS = 0x2
+};
+
+/** Describes a scene. */
+typedef struct dsw_scene_desc {
+  uint32_t struct_size; /**< sizeof(dsw_scene_desc). */
+  uint32_t features;    /**< DSW_FEATURE_...; 0: none. */
+} dsw_scene_desc;
+
+/** Counters since creation or the last reset; exact and the same for any number of threads. */
+typedef struct dsw_statistics {
+  uint32_t struct_size; /**< Set by the caller: sizeof(dsw_statistics). */
+  uint32_t reserved;
+  uint64_t casts;             /**< Flights, those that verify a stop included. */
+  uint64_t cells_visited;     /**< Volumes entered, the first of each cast included. */
+  uint64_t orientation_tests; /**< Plane and line tests, whatever their form; both comparisons of times. */
+  uint64_t exact_fallbacks;   /**< Of these: decided by exact arithmetic because the filter could not. */
+  uint64_t ties;              /**< Of these: exactly zero, decided by the shift. */
+  uint64_t forecast_hits;     /**< Moves that left their first volume through the face the particle aimed at. */
+  uint64_t contacts;          /**< Flights stopped by something impassable. */
+  uint64_t candidates;        /**< Positions tried when pulling stopped particles back. */
+} dsw_statistics;
+
+/** Writes the defaults and struct_size into at most `size` bytes. @note Thread: any. @since 0.1 */
+DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
+
+/** Creates a scene.
+ * @param environment [in] retained until the scene is destroyed; may be shared with other scenes.
+ * @param desc [in] null: no features. @param scene [out] owned by the caller.
+ * @return DSW_STATUS_NULL_ARGUMENT, DSW_STATUS_BAD_STRUCT_SIZE, DSW_STATUS_UNSUPPORTED, DSW_STATUS_OUT_OF_MEMORY.
+ * @note O(1). Thread: writer of the environment. @since 0.1 */
+DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc, dsw_scene **scene);
+
+/** Destroys a scene with all it holds. @param scene [in] null is allowed. @note Thread: writer of the environment.
+ * @since 0.1 */
+DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);
+
+/** The environment of a scene. @return null for a null scene. @note Thread: reader. @since 0.1 */
+DSW_API dsw_environment *dsw_scene_get_environment(const dsw_scene *scene);
+
+/** Copies the counters. @param statistics [in,out] its struct_size set.
+ * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_STATISTICS. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_scene_get_statistics(const dsw_scene *scene, dsw_statistics *statistics);
+
+/** Sets the counters to zero. @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_STATISTICS. @note Thread: writer.
+ * @since 0.1 */
+DSW_API dsw_status dsw_scene_reset_statistics(dsw_scene *scene);
+
+/** Memory the scene holds, its environment excluded. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_scene_get_memory_bytes(const dsw_scene *scene, uint64_t *bytes);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
