@@ -4,6 +4,7 @@
 #include "support.h"
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 
@@ -29,6 +30,35 @@ INSTANTIATE_TEST_SUITE_P(All, RealMeshTest,
                            return name;
                          });
 
+/// Cells may only be refused where some face has no fan that suits both of its volumes; then the mesh is tried without
+/// them, so that the rest is walked with holes in it.
+EnvironmentPtr create_or_thin_out(Mesh& mesh) {
+  size_t refused = 0;
+  for (int round = 0; round < 10; ++round) {
+    const DescArrays arrays(mesh, {});
+    dsw_environment_desc desc = arrays.desc;
+    desc.flags = DSW_ENVIRONMENT_LOCATE_GRID;
+    dsw_build_report report;
+    report.struct_size = sizeof report;
+    dsw_environment* environment = nullptr;
+    const dsw_status status = dsw_environment_create(nullptr, &desc, &environment, &report);
+    if (status == DSW_STATUS_OK) {
+      if (refused > 0) std::printf("%zu cells were refused and left out\n", refused);
+      return EnvironmentPtr(environment);
+    }
+    EXPECT_EQ(status, DSW_STATUS_INVALID_CELL) << dsw_last_error_message();
+    EXPECT_TRUE(may_be_refused(mesh)) << dsw_last_error_message();
+    if (status != DSW_STATUS_INVALID_CELL || !may_be_refused(mesh)) return nullptr;
+    for (uint32_t i = report.offender_count; i-- > 0;) {
+      const auto cell = static_cast<std::ptrdiff_t>(report.offenders[i]);
+      mesh.cells.erase(mesh.cells.begin() + cell);
+      if (!mesh.regions.empty()) mesh.regions.erase(mesh.regions.begin() + cell);
+    }
+    refused += report.offender_count;
+  }
+  return nullptr;
+}
+
 TEST_P(RealMeshTest, CastsAndMovesAgreeWithTheOracle) {
   const char* folder = std::getenv("DARTSWEEP_DATA");
   if (folder == nullptr) GTEST_SKIP() << "DARTSWEEP_DATA is not set";
@@ -37,7 +67,7 @@ TEST_P(RealMeshTest, CastsAndMovesAgreeWithTheOracle) {
   Place place;
   std::string reason;
   ASSERT_TRUE(read_mesh(path, place.mesh, reason)) << reason;
-  place.environment = create_environment(place.mesh, {}, DSW_ENVIRONMENT_LOCATE_GRID);
+  place.environment = create_or_thin_out(place.mesh);
   ASSERT_NE(place.environment, nullptr);
   place.world = std::make_unique<World>(place.mesh, place.get());
   ASSERT_PLACE(place);
