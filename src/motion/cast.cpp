@@ -34,7 +34,7 @@ template <int D>
 bool contains(const Environment<D>& env, Cell cell, const double* point) noexcept {
   double from[D];
   centre(env, cell, from);
-  return kWalk<D>.stays(env, cell, from, point);
+  return kWalk<D>.contains(env, cell, from, point);
 }
 
 template <int D>

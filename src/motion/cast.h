@@ -54,7 +54,8 @@ struct CastRequest {
 template <int D>
 CastResult cast(const Environment<D>& env, const CastRequest& request, CastCounters* counters) noexcept;
 
-/** Whether a point, shifted, lies in a cell: nothing of the cell's boundary stands between its centre and the point. */
+/** Whether a point, shifted, lies in a cell: inside all planes of a convex one; else nothing of the cell's boundary stands
+ * between its centre and the point. */
 template <int D>
 bool contains(const Environment<D>& env, Cell cell, const double* point) noexcept;
 

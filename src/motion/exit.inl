@@ -42,6 +42,23 @@ class ExitFinder {
     return exit_many(c, entry);
   }
 
+  /** Whether q lies in a cell, p being its centre. Where planes alone decide the centre is not asked: that of a sliver can
+   * round to a point outside. */
+  bool contains(Cell c) noexcept {
+    const uint32_t* w = map_.record(c);
+    if constexpr (D == 3) {
+      if (form_of(w[0]) == Form::kSimplex) return outside_tetrahedron(env_, w, q_, uncounted_) == 0;
+    }
+    if (!map_.convex(c)) return find(c, Entry{}, kNoFacet).facet == kStays;
+    const Shape shape = map_.shape(c);
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      const double* points[D];
+      points_of(c, shape.simplices() + D * shape.simplex_first(f), points);
+      if (is_outside(points, q_)) return false;
+    }
+    return true;
+  }
+
  private:
   /** The planes of a kernel are counted before, their fallbacks are not tests of their own. */
   struct Uncounted {

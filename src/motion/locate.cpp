@@ -31,9 +31,10 @@ bool holds(const Environment<D>& env, uint32_t index, const double* point) noexc
 
 template <int D>
 LocateResult locate(const Environment<D>& env, const double* point, Cell hint, CastCounters* counters) noexcept {
-  if (hint.valid()) {
-    double from[D];
-    centre(env, hint, from);
+  double from[D];
+  if (hint.valid()) centre(env, hint, from);
+  // The centre of a sliver can round to a point outside of it, from where no walk may start.
+  if (hint.valid() && (env.map.form(hint) != Form::kSimplex || contains(env, hint, from))) {
     CastRequest request{from, point, hint};
     request.through_walls = true;
     const CastResult walked = cast(env, request, counters);

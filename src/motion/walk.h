@@ -51,7 +51,7 @@ template <int D>
 struct Walk {
   CastResult (*plain)(const Environment<D>& env, const CastRequest& request) noexcept;
   CastResult (*counted)(const Environment<D>& env, const CastRequest& request, CastCounters* counters) noexcept;
-  bool (*stays)(const Environment<D>& env, Cell cell, const double* from, const double* to) noexcept;
+  bool (*contains)(const Environment<D>& env, Cell cell, const double* centre, const double* point) noexcept;
 };
 
 template <int D>

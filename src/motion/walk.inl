@@ -58,11 +58,11 @@ CastResult walk_counted(const Environment<D>& env, const CastRequest& request, C
   return result;
 }
 template <int D>
-bool stays(const Environment<D>& env, Cell cell, const double* from, const double* to) noexcept {
+bool contains(const Environment<D>& env, Cell cell, const double* centre, const double* point) noexcept {
   CountNothing nothing;
-  return ExitFinder<D, CountNothing>(env, from, to, nothing).find(cell, Entry{}, kNoFacet).facet == kStays;
+  return ExitFinder<D, CountNothing>(env, centre, point, nothing).contains(cell);
 }
 template <int D>
 Walk<D> this_walk() noexcept {
-  return {walk_plain<D>, walk_counted<D>, stays<D>};
+  return {walk_plain<D>, walk_counted<D>, contains<D>};
 }
