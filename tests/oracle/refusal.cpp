@@ -1,5 +1,5 @@
-// Whether a mesh may be refused: some face has no fan that leaves the stars of its volumes positive. In plain double
-// arithmetic: scenes have wide margins or are built to be certain.
+// Whether a mesh may be refused: some face has no triangulation that leaves the stars of its volumes positive. In plain
+// double arithmetic: scenes have wide margins or are built to be certain.
 #include "scenes.h"
 
 #include <algorithm>
@@ -35,7 +35,11 @@ bool may_be_refused(const Mesh& mesh) {
     for (double& x : p) x = std::ldexp(x, -std::ilogb(most));
   }
   const auto at = [&](int v) -> const Vec& { return points[static_cast<size_t>(v)]; };
-  std::map<std::vector<int>, std::vector<char>> fans;  // by face: which bases suit all volumes seen so far
+  struct Sides {
+    Loop loop;                 // seen from outside of the first volume
+    std::vector<Vec> centres;  // of one or two volumes
+  };
+  std::map<std::vector<int>, Sides> faces;
   for (const Cell& cell : mesh.cells) {
     std::vector<int> used;
     for (const Loop& f : cell.faces) used.insert(used.end(), f.begin(), f.end());
@@ -48,16 +52,32 @@ bool may_be_refused(const Mesh& mesh) {
     for (const Loop& f : cell.faces) {
       std::vector<int> key = f;
       std::sort(key.begin(), key.end());
-      std::vector<char>& good = fans.insert({key, std::vector<char>(f.size(), 1)}).first->second;
-      for (size_t b = 0; b < f.size(); ++b) {
-        const auto place = static_cast<size_t>(std::lower_bound(key.begin(), key.end(), f[b]) - key.begin());
-        for (size_t i = 1; i + 1 < f.size(); ++i) {
-          const int second = f[(b + i) % f.size()], third = f[(b + i + 1) % f.size()];
-          if (!(volume(at(f[b]), at(second), at(third), centre) < 0)) good[place] = 0;
+      Sides& sides = faces.insert({key, {f, {}}}).first->second;
+      sides.centres.push_back(centre);
+    }
+  }
+  for (const auto& entry : faces) {
+    const Loop& f = entry.second.loop;
+    const size_t n = f.size();
+    const auto positive = [&](size_t a, size_t b, size_t c) {
+      double wanted = -1;
+      for (const Vec& centre : entry.second.centres) {
+        if (!(wanted * volume(at(f[a]), at(f[b]), at(f[c]), centre) > 0)) return false;
+        wanted = 1;
+      }
+      return true;
+    };
+    // reach[i][j]: the part of the face between corners i and j can be cut well.
+    std::vector<std::vector<char>> reach(n, std::vector<char>(n, 0));
+    for (size_t i = 0; i + 1 < n; ++i) reach[i][i + 1] = 1;
+    for (size_t span = 2; span < n; ++span) {
+      for (size_t i = 0; i + span < n; ++i) {
+        for (size_t m = i + 1; m < i + span && reach[i][i + span] == 0; ++m) {
+          if (reach[i][m] != 0 && reach[m][i + span] != 0 && positive(i, m, i + span)) reach[i][i + span] = 1;
         }
       }
-      if (std::find(good.begin(), good.end(), 1) == good.end()) return true;
     }
+    if (reach[0][n - 1] == 0) return true;
   }
   return false;
 }

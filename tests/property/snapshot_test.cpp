@@ -117,11 +117,8 @@ TEST_P(SnapshotTest, EveryTruncationAndEveryDamagedByteIsAnError) {
   const size_t step = std::max<size_t>(1, block.size() / 400);
   for (size_t size = 0; size < block.size(); size += size < 256 ? 1 : step) {
     // An exact copy of the part, so that a reader past the end is seen by a checker of memory.
-    std::vector<unsigned char> part;
-    part.reserve(size + 1);  // never a null pointer
-    part.assign(block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size));
-    part.shrink_to_fit();
-    if (size == 0) part.push_back(0);
+    std::vector<unsigned char> part(block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size));
+    if (size == 0) part.push_back(0);  // no null pointer
     ASSERT_TRUE(refused(part, size)) << "first " << size << " of " << block.size();
   }
   Rng rng(73);
