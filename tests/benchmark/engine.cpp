@@ -25,12 +25,12 @@ WallMesh::WallMesh(const std::vector<double>& mesh_points, std::vector<scenes::W
 double time_casts(Engine& engine, const Segments& segments) {
   const std::size_t count = segments.count();
   engine.run(0, std::min(segments.batch, count));
-  const double total = time_ns([&] {
-    for (std::size_t first = 0; first < count; first += segments.batch) {
-      engine.run(first, std::min(segments.batch, count - first));
-    }
-  });
-  return total / static_cast<double>(count);
+  std::vector<double> times;
+  for (std::size_t first = 0; first < count; first += segments.batch) {
+    const std::size_t now = std::min(segments.batch, count - first);
+    times.push_back(time_ns([&] { engine.run(first, now); }) / static_cast<double>(now));
+  }
+  return median(std::move(times));
 }
 
 std::unique_ptr<Engine> keep_fastest(std::vector<std::unique_ptr<Engine>> engines, const Segments& segments) {

@@ -19,7 +19,12 @@ HexCase::HexCase(std::string case_label, const scenes::HexGridOptions& grid_opti
       grid(scenes::make_hex_grid(grid_options)),
       world(grid.mesh, threads),
       motion(grid, body_options),
-      walls(marked_walls(grid, world)) {}
+      walls(marked_walls(grid, world)) {
+  // Until as many bodies press against something as will ever do.
+  for (int step = 0; step < 200; ++step) {
+    motion.advance();
+  }
+}
 
 std::size_t HexCase::next_block(std::size_t steps, Segments& segments) {
   segments = {};
