@@ -4,21 +4,41 @@
 #include "map/integrity.h"
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace dsw {
 namespace {
 
 constexpr uint64_t kMostUnits = uint64_t{1} << 28;
 
-/** Loop position of the vertex that the fan of facet f begins at. */
-uint32_t fan_base(const Shape& shape, uint32_t f) {
-  const uint32_t apex = shape.simplices()[3 * shape.simplex_first(f)], first = shape.facet_first(f);
-  uint32_t k = 0;
-  while (k < shape.facet_size(f) && shape.dart_vertex(first + k) != apex) ++k;
-  return k;
+uint32_t side_key(uint32_t from, uint32_t to) { return from << 16 | to; }
+
+/** Whether the triangles of facet f fill its loop: they have each of its darts for a side, and every other side twice, once
+ * in either direction. As there are two less than vertices, that leaves no room for anything but a disc. */
+bool fills_loop(const Shape& shape, uint32_t f, Array<uint32_t>& sides, Array<uint32_t>& darts) {
+  sides.clear();
+  darts.clear();
+  for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
+    const uint16_t* v = shape.simplices() + 3 * s;
+    for (uint32_t k = 0; k < 3; ++k) sides.push_back(side_key(v[k], v[(k + 1) % 3]));
+  }
+  const uint32_t first = shape.facet_first(f), n = shape.facet_size(f);
+  for (uint32_t k = 0; k < n; ++k) {
+    darts.push_back(side_key(shape.dart_vertex(first + k), shape.dart_vertex(first + (k + 1) % n)));
+  }
+  std::sort(sides.begin(), sides.end());
+  std::sort(darts.begin(), darts.end());
+  if (std::adjacent_find(sides.begin(), sides.end()) != sides.end()) return false;
+  if (!std::includes(sides.begin(), sides.end(), darts.begin(), darts.end())) return false;
+  return std::all_of(sides.begin(), sides.end(), [&](uint32_t side) {
+    const uint32_t turned = side_key(side & 0xffffu, side >> 16);
+    if (std::binary_search(darts.begin(), darts.end(), side)) return true;
+    return std::binary_search(sides.begin(), sides.end(), turned) && !std::binary_search(darts.begin(), darts.end(), turned);
+  });
 }
 
-/** Makes the table anew from the loops and cuts of one whose counts fit into what may be read. */
+/** Makes the table anew from the loops and triangles of one whose counts fit into what may be read. */
 bool remake(const Shape& shape, Array<uint16_t>& out) {
   const uint32_t facets = shape.facet_count(), n = shape.dart_count(), vertices = shape.vertex_count();
   uint32_t end = 0;
@@ -39,14 +59,14 @@ bool remake(const Shape& shape, Array<uint16_t>& out) {
     used[v] = 1;
   }
   if (used_count != vertices) return false;
-  Array<uint16_t> base(facets, 0, out.get_allocator());
-  for (uint32_t f = 0; f < facets; ++f) {
-    const uint32_t k = fan_base(shape, f);
-    if (k == shape.facet_size(f)) return false;
-    base[f] = static_cast<uint16_t>(k);
-  }
   const FacetLoops loops{shape.dart_vertices(), shape.table() + Shape::kHeader, facets, vertices};
-  return append_polyhedron(loops, base.data(), out) == ShapeDefect::kNone;
+  if (append_polyhedron(loops, nullptr, out) != ShapeDefect::kNone) return false;
+  Array<uint32_t> sides(out.get_allocator()), darts(out.get_allocator());
+  for (uint32_t f = 0; f < facets; ++f) {
+    if (!fills_loop(shape, f, sides, darts)) return false;
+    set_triangles(out.data(), f, shape.simplices() + 3 * shape.simplex_first(f));
+  }
+  return true;
 }
 
 template <int D>
@@ -171,6 +191,30 @@ Cell owner_of_link(const Map<D>& map, HalfFacet h) {
   return slot >= first_link_slot<D>(form) && slot < kUnitWords ? c : Cell{};
 }
 
+/** Whether two facets with the same vertices, more than three, have the same triangles. */
+bool cut_alike(const Map<3>& map, Cell a, uint32_t fa, Cell b, uint32_t fb) {
+  const auto triangle = [&](Cell c, const Shape& shape, uint32_t s) {
+    const uint16_t* v = shape.simplices() + 3 * s;
+    std::array<uint32_t, 3> t{map.vertex(c, v[0]), map.vertex(c, v[1]), map.vertex(c, v[2])};
+    std::sort(t.begin(), t.end());
+    return t;
+  };
+  const Shape sa = map.shape(a), sb = map.shape(b);
+  const uint32_t at = sa.simplex_first(fa), bt = sb.simplex_first(fb), n = sa.facet_size(fa) - 2;
+  if (n == 2) {  // each triangle leaves out one end of the other diagonal
+    const auto first = triangle(b, sb, bt);
+    return triangle(a, sa, at) == first || triangle(a, sa, at + 1) == first;
+  }
+  std::vector<std::array<uint32_t, 3>> ta, tb;
+  for (uint32_t k = 0; k < n; ++k) {
+    ta.push_back(triangle(a, sa, at + k));
+    tb.push_back(triangle(b, sb, bt + k));
+  }
+  std::sort(ta.begin(), ta.end());
+  std::sort(tb.begin(), tb.end());
+  return ta == tb;
+}
+
 /** Whether two facets run through the same vertices in opposite order and are cut alike. */
 bool facets_fit(const Map<3>& map, Cell a, uint32_t fa, Cell b, uint32_t fb) {
   const Shape sa = map.shape(a), sb = map.shape(b);
@@ -185,10 +229,7 @@ bool facets_fit(const Map<3>& map, Cell a, uint32_t fa, Cell b, uint32_t fb) {
   for (uint32_t k = 1; k < n; ++k) {
     if (at(a, sa, fa, k) != at(b, sb, fb, turn + n - k)) return false;
   }
-  if (n == 3) return true;
-  // Loop position k of a is position turn - k of b. Of a quad both ends of a diagonal give the same cut.
-  const uint32_t wanted = (turn + n - fan_base(sa, fa)) % n, base = fan_base(sb, fb);
-  return base == wanted || (n == 4 && base == (wanted + 2) % n);
+  return n == 3 || cut_alike(map, a, fa, b, fb);
 }
 
 bool facets_fit(const Map<2>& map, Cell a, uint32_t fa, Cell b, uint32_t fb) {
