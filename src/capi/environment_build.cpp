@@ -5,18 +5,10 @@
 #include <optional>
 
 #include "capi/convert.h"
+#include "environment/boundary_check.h"
 #include "environment/builder.h"
 #include "environment/validity.h"
-#if __has_include("environment/boundary_check.h")
-#include "environment/boundary_check.h"
-#else
-namespace dsw {
-// Until the check exists its answer is that it does not.
-inline bool boundary_crosses(const Environment<3>&, Offenders*) {
-  fail(DSW_STATUS_NOT_BUILT, "the check of the outer boundary is not built");
-}
-}  // namespace dsw
-#endif
+#include "map/integrity.h"
 
 namespace dsw::capi {
 namespace {
@@ -170,23 +162,15 @@ void check_environment(const dsw_environment& environment, dsw_build_report* rep
   const Environment<3>& env = environment.engine;
   ReportWriter(report).run([&](BuildReport& found) -> const Environment<3>& {
     const Map<3>& map = env.map;
-    const auto fail_cells = [&](dsw_status status, const char* what) {
-      if (found.offenders.count != 0) fail(status, "cell %u %s", found.offenders.index[0], what);
-    };
-    for (uint32_t i = 0; i < map.cell_count; ++i) {
-      const Cell c = map.cell(i);
-      for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
-        const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
-        if (o.valid() && map.opposite(o) != h) found.offenders.add(i);
-      }
-    }
-    fail_cells(DSW_STATUS_INTERNAL, "has a link that does not lead back");
+    if (const char* const broken = check_integrity(map)) fail(DSW_STATUS_INTERNAL, "the map is broken: %s", broken);
     for (uint32_t i = 0; i < map.cell_count; ++i) {
       const CellState state = check_cell(env, map.cell(i));
       if (state == CellState::kInverted || state == CellState::kInvalid) found.offenders.add(i);
       if (state == CellState::kValidConvex) ++found.convex_cell_count;
     }
-    fail_cells(DSW_STATUS_INVALID_CELL, "is not valid");
+    if (found.offenders.count != 0) {
+      fail(DSW_STATUS_INVALID_CELL, "cell %u is not valid", found.offenders.index[0]);
+    }
     check_boundary(env, found.offenders);
     return env;
   });

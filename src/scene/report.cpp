@@ -32,16 +32,15 @@ dsw_outcome outcome_of(CastEnd end) noexcept {
 template <int D>
 void report_cast(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
                  dsw_flight* flight) noexcept {
+  const dsw_volume_id volume = volume_id(env.map, result.cell);
+  if (result.end == CastEnd::kReached) {
+    return report_reached<D>(request.to, volume, result.cells_visited, detail, flight);
+  }
   *flight = dsw_flight{};
-  flight->volume = volume_id(env.map, result.cell);
+  flight->volume = volume;
   flight->outcome = outcome_of(result.end);
   flight->cells_visited = result.cells_visited;
   if (!detail) return;
-  if (result.end == CastEnd::kReached) {
-    copy_point<D>(request.to, flight->position);
-    flight->time = 1;
-    return;
-  }
   if (result.end == CastEnd::kHit) {
     const double* simplex[D];
     simplex_points(env, result.cell, env.map.shape(result.cell), result.simplex, simplex);

@@ -42,6 +42,19 @@ template <int D>
 void report_cast(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
                  dsw_flight* flight) noexcept;
 
+/** The report of most casts, for the loop over a batch: the target was reached, in `volume`. */
+template <int D>
+void report_reached(const double* to, dsw_volume_id volume, uint32_t cells_visited, bool detail,
+                    dsw_flight* flight) noexcept {
+  *flight = dsw_flight{};
+  flight->volume = volume;
+  flight->outcome = DSW_OUTCOME_REACHED;
+  flight->cells_visited = cells_visited;
+  if (!detail) return;
+  for (int k = 0; k < D; ++k) flight->position[k] = to[k];
+  flight->time = 1;
+}
+
 /** Report of a free cast that could not start: outside, or in the impassable cell `start`. */
 template <int D>
 void report_no_start(const Environment<D>& env, const double* from, Cell start, dsw_flight* flight) noexcept;

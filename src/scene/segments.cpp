@@ -20,16 +20,33 @@ bool can_start(const Environment<D>& env, Cell start) noexcept {
   return start.valid() && !env.map.marked(start);
 }
 
+/** Casts segments begin .. end-1. The loop that queries live in: a request is filled once, and most casts end in the
+ * volume they began in, whose id is at hand. */
 template <int D>
-void cast_one(const Environment<D>& env, dsw_volume_id start, const double* from, const double* to,
-              const SegmentOptions& options, dsw_flight* flight) noexcept {
+void cast_range(const Environment<D>& env, const dsw_volume_id* starts, PointArray from, PointArray to,
+                const SegmentOptions& options, size_t begin, size_t end, dsw_flight* flights) noexcept {
   CastRequest request;
-  request.from = from;
-  request.to = to;
-  request.start = start_cell(env, start, from, options.start_known);
   request.max_cells = options.max_cells;
-  if (!can_start(env, request.start)) return report_no_start(env, from, request.start, flight);
-  report_cast(env, request, cast(env, request, nullptr), options.detail, flight);
+  const bool detail = options.detail, known = starts != nullptr && options.start_known;
+  for (size_t i = begin; i < end; ++i) {
+    if (known) {
+      prefetch_ahead(env, i, end, [&](size_t k) { return env.map.cell(is_null(starts[k]) ? 0 : starts[k].index); });
+    }
+    const dsw_volume_id start = starts == nullptr ? kNull : starts[i];
+    request.from = from[i];
+    request.to = to[i];
+    request.start = start_cell(env, start, request.from, known);
+    if (!can_start(env, request.start)) {
+      report_no_start(env, request.from, request.start, flights + i);
+      continue;
+    }
+    const CastResult result = cast(env, request, nullptr);
+    if (result.end == CastEnd::kReached && result.cells_visited == 1 && known && !is_null(start)) {
+      report_reached<D>(request.to, start, 1, detail, flights + i);
+    } else {
+      report_cast(env, request, result, detail, flights + i);
+    }
+  }
 }
 
 template <int D>
@@ -55,12 +72,8 @@ Cell locate_point(const Environment<D>& env, const double* point, dsw_volume_id 
 template <int D>
 void cast_segments(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                    PointArray from, PointArray to, const SegmentOptions& options, dsw_flight* flights) {
-  const bool known = starts != nullptr && options.start_known;
   auto body = [&](size_t begin, size_t end) noexcept {
-    for (size_t i = begin; i < end; ++i) {
-      if (known) prefetch_ahead(env, i, end, [&](size_t k) { return env.map.cell(is_null(starts[k]) ? 0 : starts[k].index); });
-      cast_one(env, starts == nullptr ? kNull : starts[i], from[i], to[i], options, flights + i);
-    }
+    cast_range(env, starts, from, to, options, begin, end, flights);
   };
   share_out(parallel, count, body);
 }
