@@ -1,0 +1,135 @@
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "fixture.h"
+
+static dsw_environment *marked_environment(void) {
+  dsw_environment *const env = make_environment(NULL, 3, 2, 2);
+  const dsw_volume_id volume = volume_at(4);
+  const dsw_face_id face = face_at(0, FACE_X1);
+  const dsw_edge_id edge = edge_at(2, 3);
+  const dsw_vertex_id vertex = vertex_at(17);
+  CHECK_OK(dsw_environment_mark_volumes(env, &volume, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  CHECK_OK(dsw_environment_mark_faces(env, &face, 1, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_environment_mark_edges(env, &edge, 1, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_environment_mark_vertices(env, &vertex, 1, DSW_MARK_IMPASSABLE));
+  return env;
+}
+
+static unsigned char *saved(const dsw_environment *env, size_t *size) {
+  unsigned char *block;
+  CHECK_OK(dsw_environment_save(env, NULL, 0, size));
+  block = (unsigned char *)malloc(*size);
+  CHECK_OK(dsw_environment_save(env, block, *size, size));
+  return block;
+}
+
+static int is_marked(const dsw_environment *env, dsw_cell cell) {
+  int marked = -1;
+  CHECK_OK(dsw_environment_is_marked(env, cell, &marked));
+  return marked;
+}
+
+static void what_was_saved_is_loaded(void) {
+  dsw_environment *const env = marked_environment();
+  dsw_environment *loaded = NULL;
+  size_t size = 0, again = 0, count = 0;
+  unsigned char *const block = saved(env, &size);
+  unsigned char *second;
+  int32_t region = -1;
+  uint32_t tag = 0;
+  const double from[3] = {0.5, 0.5, 0.5}, to[3] = {2.5, 1.25, 1.75};
+  dsw_flight a, b;
+  memset(&a, 0, sizeof a);
+  memset(&b, 0, sizeof b);
+  CHECK_OK(dsw_environment_load(NULL, block, size, &loaded));
+  CHECK(is_marked(loaded, cell_at(DSW_CELL_VOLUME, 4, 0)) && !is_marked(loaded, cell_at(DSW_CELL_VOLUME, 5, 0)));
+  CHECK(is_marked(loaded, cell_at(DSW_CELL_FACE, 1, FACE_X0)) && is_marked(loaded, cell_at(DSW_CELL_EDGE, 2, 3)));
+  CHECK(is_marked(loaded, cell_at(DSW_CELL_VERTEX, 17, 0)) && !is_marked(loaded, cell_at(DSW_CELL_VERTEX, 16, 0)));
+  CHECK_OK(dsw_environment_get_mark_count(loaded, DSW_CELL_FACE, &count));
+  CHECK(count == 1);
+  CHECK_OK(dsw_environment_get_region(loaded, volume_at(5), &region));
+  CHECK_OK(dsw_environment_get_tag(loaded, volume_at(5), &tag));
+  CHECK(region == 2 && tag == 105);
+  CHECK_OK(dsw_environment_cast(env, no_volume, from, to, NULL, &a));
+  CHECK_OK(dsw_environment_cast(loaded, no_volume, from, to, NULL, &b));
+  CHECK(memcmp(&a, &b, sizeof a) == 0);
+  second = saved(loaded, &again);
+  CHECK(again == size && memcmp(block, second, size) == 0);
+  CHECK_OK(dsw_environment_destroy(loaded));
+  CHECK_OK(dsw_environment_destroy(env));
+  free(block);
+  free(second);
+}
+
+static void a_small_buffer_gets_nothing(void) {
+  dsw_environment *const env = marked_environment();
+  unsigned char block[16];
+  size_t size = 0;
+  memset(block, 0x55, sizeof block);
+  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_environment_save(env, block, sizeof block, &size));
+  CHECK(size > sizeof block && block[0] == 0x55);
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_save(env, NULL, 16, &size));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_save(env, block, 16, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_save(NULL, block, 16, &size));
+  CHECK_OK(dsw_environment_destroy(env));
+}
+
+static void a_damaged_block_is_refused(void) {
+  dsw_environment *const env = marked_environment();
+  dsw_environment *loaded = NULL;
+  size_t size = 0, i;
+  unsigned char *const block = saved(env, &size);
+  for (i = 0; i < size; i += i < 128 ? 1 : 37) { /* every truncation ends in an error */
+    const dsw_status status = dsw_environment_load(NULL, block, i, &loaded);
+    CHECK(status == DSW_STATUS_TRUNCATED || status == DSW_STATUS_CORRUPT);
+  }
+  for (i = 0; i < size; i += i < 128 ? 1 : 13) { /* and every flipped byte */
+    dsw_status status;
+    block[i] ^= 0x40;
+    status = dsw_environment_load(NULL, block, size, &loaded);
+    CHECK(status == DSW_STATUS_TRUNCATED || status == DSW_STATUS_CORRUPT || status == DSW_STATUS_BAD_VERSION);
+    block[i] ^= 0x40;
+  }
+  CHECK(loaded == NULL);
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_load(NULL, block, size, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_load(NULL, NULL, size, &loaded));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_load((dsw_context *)(void *)env, block, size, &loaded));
+  CHECK_OK(dsw_environment_load(NULL, block, size, &loaded));
+  CHECK_OK(dsw_environment_destroy(loaded));
+  CHECK_OK(dsw_environment_destroy(env));
+  free(block);
+}
+
+static void a_context_is_used_and_kept(void) {
+  host h;
+  dsw_context *const context = make_context(&h);
+  dsw_environment *const env = marked_environment();
+  dsw_environment *loaded = NULL;
+  size_t size = 0, refusals;
+  unsigned char *const block = saved(env, &size);
+  for (refusals = 0; refusals < 1000; ++refusals) { /* memory runs out at every point once */
+    dsw_status status;
+    h.refuse = h.calls + refusals + 1;
+    status = dsw_environment_load(context, block, size, &loaded);
+    if (status == DSW_STATUS_OK) break;
+    CHECK(status == DSW_STATUS_OUT_OF_MEMORY && loaded == NULL && h.alive == 1);
+  }
+  h.refuse = 0;
+  CHECK(refusals >= 3 && refusals < 1000 && loaded != NULL);
+  CHECK_FAILS(DSW_STATUS_IN_USE, dsw_context_destroy(context));
+  CHECK_OK(dsw_environment_destroy(loaded));
+  CHECK_OK(dsw_context_destroy(context));
+  CHECK(h.alive == 0 && !h.broken);
+  CHECK_OK(dsw_environment_destroy(env));
+  free(block);
+}
+
+int main(void) {
+  what_was_saved_is_loaded();
+  a_small_buffer_gets_nothing();
+  a_damaged_block_is_refused();
+  a_context_is_used_and_kept();
+  return check_result();
+}
