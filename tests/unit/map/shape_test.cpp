@@ -183,7 +183,9 @@ TEST(Shape, DefectsAreNamedAndLeaveTheTablesAlone) {
 
 TEST(Shape, SizesBeyondSixteenBitsAreRefused) {
   Array<uint16_t> table;
-  EXPECT_EQ(append(prism_over(10923), table), ShapeDefect::kTooLarge);  // 6 * 10923 darts
+  Loops loops = prism_over(10922);  // 65532 darts
+  loops.push_back({0, 1, 2});
+  EXPECT_EQ(append(loops, table), ShapeDefect::kTooLarge);
   EXPECT_TRUE(table.empty());
   EXPECT_EQ(append_polygon(0xffff, table), ShapeDefect::kTooLarge);
   EXPECT_EQ(append_polygon(2, table), ShapeDefect::kShortFacet);
