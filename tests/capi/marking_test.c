@@ -268,7 +268,7 @@ static void bad_arguments_change_nothing(void) {
   CHECK_MESSAGE("vertices[1]");
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_mark_volumes(g_env, volumes, 1, (dsw_mark)2, 0, &count));
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_mark_volumes(g_env, volumes, 1, DSW_MARK_IMPASSABLE, 2, &count));
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_mark_faces(g_env, faces, 1, (dsw_mark)-1));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_mark_faces(g_env, faces, 1, (dsw_mark)0x7ffffffe));
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_mark_edges(g_env, edges, 1, (dsw_mark)2));
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_mark_vertices(g_env, vertices, 1, (dsw_mark)2));
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_mark_region(g_env, 0, (dsw_mark)2, 0, NULL, NULL));
