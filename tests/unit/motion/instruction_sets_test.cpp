@@ -1,0 +1,208 @@
+// The walk gives the same results and counts the same work whatever instruction set it was compiled for.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "environment/marking.h"
+#include "motion/locate.h"
+#include "motion/walk.h"
+#include "small_meshes.h"
+
+namespace {
+
+using namespace dsw;
+using namespace dsw::testing_meshes;
+
+constexpr int kSize = 5;
+constexpr int kCasts = 3300;  // for each of the scenes and scales below: more than 1e5 in all
+
+struct NamedWalk {
+  const char* name;
+  Walk<3> walk;
+};
+
+std::vector<NamedWalk> walks() {
+  std::vector<NamedWalk> all{{"portable", portable_walk<3>()}};
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2")) all.push_back({"avx2", avx2_walk()});
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+    all.push_back({"avx512", avx512_walk()});
+  }
+#endif
+  return all;
+}
+
+struct Crossing {
+  uint32_t from, simplex, to;
+  bool operator==(const Crossing& o) const { return from == o.from && simplex == o.simplex && to == o.to; }
+};
+
+void note(void* user, Cell from, uint32_t simplex, Cell to) {
+  static_cast<std::vector<Crossing>*>(user)->push_back({from.unit, simplex, to.unit});
+}
+
+void expect_same(const CastResult& a, const CastResult& b) {
+  EXPECT_EQ(a.end, b.end);
+  EXPECT_EQ(a.cell, b.cell);
+  EXPECT_EQ(a.facet, b.facet);
+  EXPECT_EQ(a.simplex, b.simplex);
+  EXPECT_EQ(a.previous, b.previous);
+  EXPECT_EQ(a.cells_visited, b.cells_visited);
+  EXPECT_EQ(a.first_facet, b.first_facet);
+}
+
+void expect_same(const CastCounters& a, const CastCounters& b) {
+  EXPECT_EQ(a.casts, b.casts);
+  EXPECT_EQ(a.cells_visited, b.cells_visited);
+  EXPECT_EQ(a.orientation_tests, b.orientation_tests);
+  EXPECT_EQ(a.exact_fallbacks, b.exact_fallbacks);
+  EXPECT_EQ(a.ties, b.ties);
+}
+
+/** Random points; where ties are wanted, on the lattice of half cells or on a vertex. */
+class Points {
+ public:
+  Points(const SmallMesh& mesh, double scale, uint32_t seed) : mesh_(mesh), scale_(scale), random_(seed) {}
+  void next(double (&p)[3], bool tie, double margin) {
+    if (tie && random_() % 2 == 0) {
+      const size_t vertex = below(static_cast<uint32_t>(mesh_.points.size() / 3));
+      std::copy_n(mesh_.points.begin() + static_cast<std::ptrdiff_t>(3 * vertex), 3, p);
+      return;
+    }
+    for (double& x : p) {
+      const double low = -margin, high = kSize + margin;
+      const double at = low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+      x = (tie ? std::round(2 * at) / 2 : at) * scale_;
+    }
+  }
+  uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
+
+ private:
+  const SmallMesh& mesh_;
+  double scale_;
+  std::mt19937 random_;
+};
+
+SmallMesh mixed_lattice() {
+  SmallMesh mesh = lattice(kSize, kHexahedron);
+  SmallMesh mixed = mesh;
+  mixed.name = "pyramids, polyhedra and hexahedra";
+  mixed.types.clear();
+  mixed.offsets = {0};
+  mixed.connectivity.clear();
+  for (size_t i = 0; i < mesh.types.size(); ++i) {
+    const std::vector<int64_t> c(mesh.connectivity.begin() + static_cast<std::ptrdiff_t>(8 * i),
+                                 mesh.connectivity.begin() + static_cast<std::ptrdiff_t>(8 * i + 8));
+    switch (i % 3) {
+      case 0:
+        mixed.cell(kHexahedron, c);
+        break;
+      case 1:
+        mixed.polyhedron(box_faces(c));
+        break;
+      default: {
+        const int64_t apex = static_cast<int64_t>(mixed.points.size() / 3);
+        const auto corner = [&](size_t k, size_t axis) { return mixed.points[3 * static_cast<size_t>(c[k]) + axis]; };
+        const double middle[3] = {corner(0, 0) + 0.5, corner(0, 1) + 0.5, corner(0, 2) + 0.5};
+        mixed.point(middle[0], middle[1], middle[2]);
+        for (const auto& face : box_faces(c)) mixed.cell(kPyramid, {face[3], face[2], face[1], face[0], apex});
+        break;
+      }
+    }
+  }
+  return mixed;
+}
+
+/** Columns of wedges: every cell of a lattice cut along a vertical diagonal. */
+SmallMesh wedge_lattice() {
+  const SmallMesh mesh = lattice(kSize, kHexahedron);
+  SmallMesh wedges = mesh;
+  wedges.name = "wedges";
+  wedges.types.clear();
+  wedges.offsets = {0};
+  wedges.connectivity.clear();
+  for (size_t i = 0; i < mesh.types.size(); ++i) {
+    const int64_t* c = mesh.connectivity.data() + 8 * i;
+    wedges.cell(kWedge, {c[0], c[3], c[1], c[4], c[7], c[5]});
+    wedges.cell(kWedge, {c[1], c[3], c[2], c[5], c[7], c[6]});
+  }
+  return wedges;
+}
+
+class InstructionSetTest : public testing::TestWithParam<double> {};
+
+TEST_P(InstructionSetTest, SameResultsAndCounters) {
+  const std::vector<NamedWalk> all = walks();
+  if (all.size() == 1) GTEST_SKIP() << "this processor has one walk only";
+  const double scale = GetParam();
+  const std::vector<SmallMesh> meshes = {lattice(kSize, kHexahedron), lattice(kSize, kHexahedron, 0.12),
+                                         lattice(kSize, kTetra),      lattice(kSize, kTetra, 0.03),
+                                         lattice(kSize, kPolyhedron), lattice(kSize, kPolyhedron, 0.12),
+                                         wedge_lattice(),             mixed_lattice()};
+  uint32_t seed = 17;
+  for (SmallMesh mesh : meshes) {
+    SCOPED_TRACE(mesh.name);
+    for (double& x : mesh.points) x *= scale;
+    Environment<3> env(nullptr);
+    build_mesh(env, mesh);
+    const Map<3>& map = env.map;
+    Points points(mesh, scale, ++seed);
+    for (uint32_t i = 0; i < map.cell_count; ++i) {
+      const Cell c = map.cell(i);
+      if (points.below(30) == 0) set_cell_mark(env, c, true);
+      if (points.below(20) == 0) set_facet_mark(env, map.half_facet(c, points.below(map.facets_of(c))), true);
+    }
+    CastCounters total;
+    uint32_t hits = 0;
+    for (int n = 0; n < kCasts; ++n) {
+      double from[3], to[3];
+      points.next(from, n % 2 == 0, 0);
+      points.next(to, n % 4 < 2, n % 3 == 0 ? 1 : 0);
+      const Cell start = locate(env, from, Cell{}, nullptr).cell;
+      if (!start.valid()) continue;  // on the far boundary, shifted out
+      CastRequest request;
+      request.from = from;
+      request.to = to;
+      request.start = start;
+      request.max_cells = n % 7 == 0 ? 1 + points.below(6) : 0;
+      request.forecast = n % 5 == 0 ? points.below(map.facets_of(start)) : kNoFacet;
+      request.through_walls = n % 6 == 0;
+      std::vector<Crossing> expected_crossings;
+      request.crossing = note;
+      request.crossing_user = &expected_crossings;
+      CastCounters expected_counters;
+      const CastResult expected = all[0].walk.counted(env, request, &expected_counters);
+      double apex[3];
+      centre(env, expected.cell, apex);
+      const bool contained = all[0].walk.contains(env, expected.cell, apex, to);
+      EXPECT_EQ(contained, expected.end == CastEnd::kReached);
+      for (const NamedWalk& other : all) {
+        SCOPED_TRACE(testing::Message() << other.name << " cast " << n << std::hexfloat << " from " << from[0] << " " << from[1]
+                                        << " " << from[2] << " to " << to[0] << " " << to[1] << " " << to[2]);
+        std::vector<Crossing> crossings;
+        request.crossing_user = &crossings;
+        CastCounters counters;
+        expect_same(expected, other.walk.counted(env, request, &counters));
+        expect_same(expected_counters, counters);
+        EXPECT_EQ(crossings, expected_crossings);
+        request.crossing = nullptr;
+        expect_same(expected, other.walk.plain(env, request));
+        request.crossing = note;
+        EXPECT_EQ(other.walk.contains(env, expected.cell, apex, to), contained);
+        if (HasFailure()) return;
+      }
+      total.add(expected_counters);
+      hits += expected.end == CastEnd::kHit ? 1u : 0u;
+    }
+    EXPECT_GT(total.casts, kCasts * 4u / 5u);
+    EXPECT_GT(total.cells_visited, 2 * total.casts);
+    EXPECT_GT(total.ties, total.casts / 5);
+    EXPECT_GT(hits, kCasts / 10u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scales, InstructionSetTest, testing::Values(1.0, 0x1p-3, 1e100, 1e-100, 1e-300));
+
+}  // namespace
