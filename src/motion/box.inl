@@ -57,18 +57,20 @@ DSW_COLD uint32_t settle_flat_box(const Environment<3>& env, const uint32_t* w, 
   return outside;
 }
 
-/** Convex hexahedron with flat facets: facets with q outside. Any three vertices of a facet give its plane. */
+/** Convex hexahedron with flat facets: facets with q outside, but for those in `known`, which have it inside. Any three
+ * vertices of a facet give its plane. */
 template <class Tally>
-inline uint32_t outside_flat_box(const Environment<3>& env, const uint32_t* w, const double* q, Tally& tally) noexcept {
+inline uint32_t outside_flat_box(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t known,
+                                 Tally& tally) noexcept {
   const BoxVertices v(env.points, w + kUnitWords, q);
   const Points a = corner<0>(v), b = corner<1>(v), c = corner<2>(v);
   Extents extents(a);
   extents.add(b);
   extents.add(c);
   const Lanes det = dot(cross(a, c), b), bound = extents.bound();
-  const uint32_t outside = Lanes::bits(Lanes::greater(det, bound));
+  const uint32_t outside = Lanes::bits(Lanes::greater(det, bound)) & ~known;
   const uint32_t inside = Lanes::bits(Lanes::greater(Lanes::all(0) - bound, det));
-  const uint32_t sure = (outside | inside) & Lanes::bits(extents.in_range());
+  const uint32_t sure = ((outside | inside) & Lanes::bits(extents.in_range())) | known;
   return __builtin_expect(sure == kAllFacets, 1) ? outside : settle_flat_box(env, w, q, sure, outside, tally);
 }
 

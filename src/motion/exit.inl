@@ -15,6 +15,13 @@ struct Entry {
   bool may_have_been_here = false;  // by this segment, before this entry
   Cell from;                        // the cell before
   uint32_t simplex = 0;             // of that cell, crossed last
+  HalfFacet through;                // the facet crossed last, seen from the cell entered; invalid for the first cell
+
+  /** The facet crossed has the target inside, since the segment came in through it: its bit, for a form whose links end a
+   * unit. Nothing is asked about it. */
+  uint32_t known_inside(uint32_t facet_count) const noexcept {
+    return through.valid() ? 1u << (through.word % kUnitWords - (kUnitWords - facet_count)) : 0;
+  }
 };
 
 template <int D, class Tally>
@@ -29,13 +36,15 @@ class ExitFinder {
     const Form form = form_of(w[0]);
     if constexpr (D == 3) {
       if (form == Form::kSimplex) {
-        tally_.tests(4);
-        return exit_flat(c, outside_tetrahedron(env_, w, q_, uncounted_));
+        const uint32_t known = entry.known_inside(4);
+        tally_.tests(known == 0 ? 4 : 3);
+        return exit_flat(c, outside_tetrahedron(env_, w, q_, known, uncounted_));
       }
       if (form == Form::kBox) {
         if ((w[0] & kConvexBit) == 0) return exit_box(w, entry);
-        tally_.tests(6);
-        return exit_flat(c, outside_flat_box(env_, w, q_, uncounted_));
+        const uint32_t known = entry.known_inside(6);
+        tally_.tests(known == 0 ? 6 : 5);
+        return exit_flat(c, outside_flat_box(env_, w, q_, known, uncounted_));
       }
     }
     if (map_.convex(c)) return exit_many_flat(c, forecast);
@@ -47,7 +56,7 @@ class ExitFinder {
   bool contains(Cell c) noexcept {
     const uint32_t* w = map_.record(c);
     if constexpr (D == 3) {
-      if (form_of(w[0]) == Form::kSimplex) return outside_tetrahedron(env_, w, q_, uncounted_) == 0;
+      if (form_of(w[0]) == Form::kSimplex) return outside_tetrahedron(env_, w, q_, 0, uncounted_) == 0;
     }
     if (!map_.convex(c)) return find(c, Entry{}, kNoFacet).facet == kStays;
     const Shape shape = map_.shape(c);

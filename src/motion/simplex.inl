@@ -30,9 +30,10 @@ DSW_COLD uint32_t settle_tetrahedron(const Environment<3>& env, const uint32_t* 
   return outside;
 }
 
-/** Facets with q outside, a bit each. */
+/** Facets with q outside, a bit each, but for those in `known`, which have it inside. */
 template <class Tally>
-inline uint32_t outside_tetrahedron(const Environment<3>& env, const uint32_t* w, const double* q, Tally& tally) noexcept {
+inline uint32_t outside_tetrahedron(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t known,
+                                    Tally& tally) noexcept {
   RelativeTetrahedron v;
   double mx = 0, my = 0, mz = 0;
   for (uint32_t i = 0; i < 4; ++i) {
@@ -54,6 +55,7 @@ inline uint32_t outside_tetrahedron(const Environment<3>& env, const uint32_t* w
     outside |= (det[f] > bound ? 1u : 0u) << f;
     inside |= (det[f] < -bound ? 1u : 0u) << f;
   }
-  const uint32_t sure = in_range ? outside | inside : 0;
+  outside &= ~known;
+  const uint32_t sure = (in_range ? outside | inside : 0) | known;
   return __builtin_expect(sure == 0xfu, 1) ? outside : settle_tetrahedron(env, w, q, sure, outside, tally);
 }

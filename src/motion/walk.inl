@@ -37,7 +37,7 @@ CastResult walk(const Environment<D>& env, const CastRequest& request, Tally tal
       return result;
     }
     if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, exit.simplex, next);
-    entry = {(visited & visit_bit(next)) != 0, result.cell, exit.simplex};
+    entry = {(visited & visit_bit(next)) != 0, result.cell, exit.simplex, o};
     visited |= visit_bit(next);
     forecast = kNoFacet;
     result.previous = result.cell;
