@@ -129,7 +129,8 @@ class Check {
   bool separated(const Triangle& t, const Triangle& s, int axis, int sense) const {
     for (uint32_t k = 0; k < 3; ++k) {
       bool beyond = true;
-      for (const uint32_t v : s.vertex) beyond = beyond && turn(t.vertex[k], t.vertex[(k + 1) % 3], v, axis) * sense <= 0;
+      for (const uint32_t v : s.vertex)
+        beyond = beyond && turn(t.vertex[k], t.vertex[(k + 1) % 3], v, axis) * sense <= 0;
       if (beyond) return true;
     }
     return false;

@@ -65,7 +65,8 @@ BoundarySurface::BoundarySurface(const Environment<3>& env)
         const uint32_t u = local[k], v = local[(k + 1) % 3];
         uint32_t& mate = triangles[start.first + s - first].mate[k];
         uint32_t d = shape.facet_first(f);
-        while (d < shape.facet_first(f + 1) && (shape.dart_vertex(d) != u || shape.dart_vertex(shape.beta1(d)) != v)) ++d;
+        while (d < shape.facet_first(f + 1) && (shape.dart_vertex(d) != u || shape.dart_vertex(shape.beta1(d)) != v))
+          ++d;
         if (d == shape.facet_first(f + 1)) {  // a cut inside the facet
           mate = 3 * (start.first - first) + find_edge(shape, f, v, u);
           continue;
@@ -131,8 +132,9 @@ BoundaryTree::BoundaryTree(const Environment<3>& env, const BoundarySurface& sur
     };
     const auto begin = order_.begin() + node.first;
     const uint32_t half = node.count / 2;
-    std::nth_element(begin, begin + half, begin + node.count,
-                     [&](uint32_t a, uint32_t b) { return std::make_pair(lowest(a), a) < std::make_pair(lowest(b), b); });
+    std::nth_element(begin, begin + half, begin + node.count, [&](uint32_t a, uint32_t b) {
+      return std::make_pair(lowest(a), a) < std::make_pair(lowest(b), b);
+    });
     const uint32_t child = static_cast<uint32_t>(nodes_.size());
     nodes_.push_back({{}, {}, node.first, half});
     nodes_.push_back({{}, {}, node.first + half, node.count - half});

@@ -46,7 +46,8 @@ TEST(BoundaryCheck, EveryPlaceOfTwoBoxes) {
     Mesh3 mesh;
     add_box(mesh, lower_a, upper_a);
     add_box(mesh, lower, upper);
-    ASSERT_EQ(crosses(mesh), overlap) << "box " << lower[0] << lower[1] << lower[2] << " - " << upper[0] << upper[1] << upper[2];
+    ASSERT_EQ(crosses(mesh), overlap) << "box " << lower[0] << lower[1] << lower[2] << " - " << upper[0] << upper[1]
+                                      << upper[2];
     if (code % 7 == 0) {
       shear(mesh);
       ASSERT_EQ(crosses(mesh), overlap) << "sheared, " << code;
@@ -193,9 +194,8 @@ TEST(BoundaryCheck, ShellInsideOfAShell) {
   const auto shell = [](int x, int y, int z) { return x % 4 == 0 || y % 4 == 0 || z % 4 == 0; };
   add_boxes(mesh, 5, 5, 5, 0, 0, 0, 4, shell);
   Mesh3 inside = mesh;
-  add_boxes(inside, 16, 16, 16, 2, 2, 2, 1, [](int x, int y, int z) {
-    return x % 15 == 0 || y % 15 == 0 || z % 15 == 0;
-  });
+  add_boxes(inside, 16, 16, 16, 2, 2, 2, 1,
+            [](int x, int y, int z) { return x % 15 == 0 || y % 15 == 0 || z % 15 == 0; });
   EXPECT_FALSE(crosses(mesh));
   EXPECT_TRUE(crosses(inside));
 }

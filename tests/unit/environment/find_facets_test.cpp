@@ -25,7 +25,8 @@ std::map<Vertices, HalfFacet> facets_of(const Environment<3>& env) {
     const Shape shape = env.map.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       Vertices v;
-      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) v.push_back(env.map.vertex(c, shape.dart_vertex(d)));
+      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d)
+        v.push_back(env.map.vertex(c, shape.dart_vertex(d)));
       std::sort(v.begin(), v.end());
       all[v] = canonical(env.map, env.map.half_facet(c, f));
     }
@@ -42,7 +43,8 @@ TEST(FindFacets, FindsEachInAnyOrderAndNothingElse) {
   std::vector<size_t> offsets{0};
   std::vector<HalfFacet> expected;
   const auto ask = [&](Vertices v, HalfFacet answer) {
-    for (size_t i = v.size(); i > 1; --i) std::swap(v[i - 1], v[static_cast<size_t>(random.below(static_cast<int>(i)))]);
+    for (size_t i = v.size(); i > 1; --i)
+      std::swap(v[i - 1], v[static_cast<size_t>(random.below(static_cast<int>(i)))]);
     indices.insert(indices.end(), v.begin(), v.end());
     offsets.push_back(indices.size());
     expected.push_back(answer);

@@ -97,7 +97,8 @@ void add_boxes(Mesh3& mesh, int nx, int ny, int nz, double origin_x, double orig
     }
   }
 }
-inline void add_boxes(Mesh3& mesh, int nx, int ny, int nz, double x = 0, double y = 0, double z = 0, double spacing = 1) {
+inline void add_boxes(Mesh3& mesh, int nx, int ny, int nz, double x = 0, double y = 0, double z = 0,
+                      double spacing = 1) {
   add_boxes(mesh, nx, ny, nz, x, y, z, spacing, [](int, int, int) { return true; });
 }
 

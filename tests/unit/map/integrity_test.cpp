@@ -37,51 +37,85 @@ TEST(Integrity, EveryInvariantIsMissed) {
     }
   };
   for (const Mesh3& mesh : {boxes(), mixed_mesh()}) {
-    expect_broken(mesh, [&](Map<3>& m) { m.words[inner(m).word] = kNoFacet; }, "one-sided link");
-    expect_broken(mesh, [&](Map<3>& m) { m.words[inner(m).word] |= kMarkBit; }, "one-sided mark");
-    expect_broken(mesh, [&](Map<3>& m) { m.words[inner(m).word] ^= 1; }, "link to another facet");
-    expect_broken(mesh, [&](Map<3>& m) { m.words[inner(m).word] = inner(m).word; }, "link to itself");
-    expect_broken(mesh, [&](Map<3>& m) { m.words[inner(m).word] = static_cast<uint32_t>(m.words.size()); }, "link beyond");
-    expect_broken(mesh, [&](Map<3>& m) {
-      const HalfFacet h = inner(m), o = m.opposite(h);
-      m.words[h.word] = m.words[o.word] = kNoFacet;
-    }, "counts");
-    expect_broken(mesh, [](Map<3>& m) { ++m.facet_count; }, "facets");
-    expect_broken(mesh, [](Map<3>& m) { --m.boundary_facet_count; }, "boundary facets");
-    expect_broken(mesh, [](Map<3>& m) { ++m.cell_count; }, "one cell more");
-    expect_broken(mesh, [](Map<3>& m) { --m.cell_count; }, "one cell less");
-    expect_broken(mesh, [](Map<3>& m) { m.cell_count = 0; }, "no cells");
-    expect_broken(mesh, [](Map<3>& m) { m.vertex_count = 5; }, "vertices that do not exist");
-    expect_broken(mesh, [](Map<3>& m) { m.words.pop_back(); }, "a record cut off");
-    expect_broken(mesh, [](Map<3>& m) { m.words.resize(m.words.size() + kUnitWords, 0); }, "words behind");
-    expect_broken(mesh, [](Map<3>& m) { m.words.clear(); }, "no words");
-    expect_broken(mesh, [](Map<3>& m) { m.words[0] = 7u << kFormShift; }, "no form");
-    expect_broken(mesh, [](Map<3>& m) { m.words[0] = static_cast<uint32_t>(Form::kGeneral) << kFormShift | 1000; }, "no shape");
-    expect_broken(mesh, [](Map<3>& m) { m.words[0] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | 5; },
-                  "continues nothing");
-    expect_broken(mesh, [](Map<3>& m) { m.shape_offsets.push_back(0); }, "a shape too many");
-    expect_broken(mesh, [](Map<3>& m) { m.shape_tables.push_back(0); }, "words behind the shapes");
+    expect_broken(
+        mesh, [&](Map<3>& m) { m.words[inner(m).word] = kNoFacet; }, "one-sided link");
+    expect_broken(
+        mesh, [&](Map<3>& m) { m.words[inner(m).word] |= kMarkBit; }, "one-sided mark");
+    expect_broken(
+        mesh, [&](Map<3>& m) { m.words[inner(m).word] ^= 1; }, "link to another facet");
+    expect_broken(
+        mesh, [&](Map<3>& m) { m.words[inner(m).word] = inner(m).word; }, "link to itself");
+    expect_broken(
+        mesh, [&](Map<3>& m) { m.words[inner(m).word] = static_cast<uint32_t>(m.words.size()); }, "link beyond");
+    expect_broken(
+        mesh,
+        [&](Map<3>& m) {
+          const HalfFacet h = inner(m), o = m.opposite(h);
+          m.words[h.word] = m.words[o.word] = kNoFacet;
+        },
+        "counts");
+    expect_broken(
+        mesh, [](Map<3>& m) { ++m.facet_count; }, "facets");
+    expect_broken(
+        mesh, [](Map<3>& m) { --m.boundary_facet_count; }, "boundary facets");
+    expect_broken(
+        mesh, [](Map<3>& m) { ++m.cell_count; }, "one cell more");
+    expect_broken(
+        mesh, [](Map<3>& m) { --m.cell_count; }, "one cell less");
+    expect_broken(
+        mesh, [](Map<3>& m) { m.cell_count = 0; }, "no cells");
+    expect_broken(
+        mesh, [](Map<3>& m) { m.vertex_count = 5; }, "vertices that do not exist");
+    expect_broken(
+        mesh, [](Map<3>& m) { m.words.pop_back(); }, "a record cut off");
+    expect_broken(
+        mesh, [](Map<3>& m) { m.words.resize(m.words.size() + kUnitWords, 0); }, "words behind");
+    expect_broken(
+        mesh, [](Map<3>& m) { m.words.clear(); }, "no words");
+    expect_broken(
+        mesh, [](Map<3>& m) { m.words[0] = 7u << kFormShift; }, "no form");
+    expect_broken(
+        mesh, [](Map<3>& m) { m.words[0] = static_cast<uint32_t>(Form::kGeneral) << kFormShift | 1000; }, "no shape");
+    expect_broken(
+        mesh, [](Map<3>& m) { m.words[0] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | 5; },
+        "continues nothing");
+    expect_broken(
+        mesh, [](Map<3>& m) { m.shape_offsets.push_back(0); }, "a shape too many");
+    expect_broken(
+        mesh, [](Map<3>& m) { m.shape_tables.push_back(0); }, "words behind the shapes");
   }
   const Mesh3 mixed = mixed_mesh();
-  expect_broken(mixed, [](Map<3>& m) { m.shape_tables.clear(); }, "a shape without table");
-  expect_broken(mixed, [](Map<3>& m) { std::swap(m.unit_of_cell[0], m.unit_of_cell[1]); }, "cells swapped");
-  expect_broken(mixed, [](Map<3>& m) { m.unit_of_cell[0] = 0xffffffffu; }, "a cell beyond");
-  expect_broken(mixed, [](Map<3>& m) { m.cell_of_unit.clear(); }, "no way back");
-  expect_broken(mixed, [](Map<3>& m) { m.cell_of_unit[1] = 3; }, "a cell inside of a record");
-  expect_broken(boxes(), [](Map<3>& m) { m.units_per_cell = 0; }, "no size");
-  expect_broken(boxes(), [](Map<3>& m) { m.words[0] ^= 2; }, "cut unlike the neighbour");
-  expect_broken(boxes(), [](Map<3>& m) { std::swap(m.words[kUnitWords], m.words[kUnitWords + 1]); }, "vertices swapped");
-  expect_broken(boxes(), [](Map<3>& m) { m.words[kUnitWords] = m.words[kUnitWords + 1]; }, "a vertex twice");
+  expect_broken(
+      mixed, [](Map<3>& m) { m.shape_tables.clear(); }, "a shape without table");
+  expect_broken(
+      mixed, [](Map<3>& m) { std::swap(m.unit_of_cell[0], m.unit_of_cell[1]); }, "cells swapped");
+  expect_broken(
+      mixed, [](Map<3>& m) { m.unit_of_cell[0] = 0xffffffffu; }, "a cell beyond");
+  expect_broken(
+      mixed, [](Map<3>& m) { m.cell_of_unit.clear(); }, "no way back");
+  expect_broken(
+      mixed, [](Map<3>& m) { m.cell_of_unit[1] = 3; }, "a cell inside of a record");
+  expect_broken(
+      boxes(), [](Map<3>& m) { m.units_per_cell = 0; }, "no size");
+  expect_broken(
+      boxes(), [](Map<3>& m) { m.words[0] ^= 2; }, "cut unlike the neighbour");
+  expect_broken(
+      boxes(), [](Map<3>& m) { std::swap(m.words[kUnitWords], m.words[kUnitWords + 1]); }, "vertices swapped");
+  expect_broken(
+      boxes(), [](Map<3>& m) { m.words[kUnitWords] = m.words[kUnitWords + 1]; }, "a vertex twice");
 }
 
 TEST(Integrity, MarksAreNoDamage) {
   for (const Mesh3& mesh : {boxes(), mixed_mesh()}) {
     EXPECT_EQ(broken_by(mesh, [](Map<3>& m) { m.words[0] |= kMarkBit; }), nullptr);
-    EXPECT_EQ(broken_by(mesh, [](Map<3>& m) {
-      for (uint32_t i = 0; i < m.cell_count; ++i) {
-        for (uint32_t f = 0; f < m.facets_of(m.cell(i)); ++f) m.words[m.half_facet(m.cell(i), f).word] |= kMarkBit;
-      }
-    }), nullptr);
+    EXPECT_EQ(broken_by(mesh,
+                        [](Map<3>& m) {
+                          for (uint32_t i = 0; i < m.cell_count; ++i) {
+                            for (uint32_t f = 0; f < m.facets_of(m.cell(i)); ++f)
+                              m.words[m.half_facet(m.cell(i), f).word] |= kMarkBit;
+                          }
+                        }),
+              nullptr);
   }
 }
 
@@ -127,8 +161,15 @@ TEST(Integrity, AnyBytesAreSafe) {
     Map<3>& map = env->map;
     for (int changes = 1 + random.below(3); changes > 0; --changes) {
       const auto word = [&] {
-        const uint32_t interesting[] = {0, 1, kNoFacet, kMarkBit, 0xffffffffu, map.vertex_count, map.cell_count,
-                                        static_cast<uint32_t>(random.below(256)), static_cast<uint32_t>(random.below(1 << 30)),
+        const uint32_t interesting[] = {0,
+                                        1,
+                                        kNoFacet,
+                                        kMarkBit,
+                                        0xffffffffu,
+                                        map.vertex_count,
+                                        map.cell_count,
+                                        static_cast<uint32_t>(random.below(256)),
+                                        static_cast<uint32_t>(random.below(1 << 30)),
                                         static_cast<uint32_t>(random.below(8)) << kFormShift};
         return interesting[random.below(10)];
       };
@@ -138,13 +179,27 @@ TEST(Integrity, AnyBytesAreSafe) {
         array[static_cast<size_t>(random.below(static_cast<int>(array.size())))] = static_cast<Value>(word());
       };
       switch (random.below(8)) {
-        case 0: damage(map.shape_tables); break;
-        case 1: damage(map.shape_offsets); break;
-        case 2: damage(map.unit_of_cell); break;
-        case 3: damage(map.cell_of_unit); break;
-        case 4: map.cell_count = word(); break;
-        case 5: map.units_per_cell = word(); break;
-        default: damage(map.words); break;
+        case 0:
+          damage(map.shape_tables);
+          break;
+        case 1:
+          damage(map.shape_offsets);
+          break;
+        case 2:
+          damage(map.unit_of_cell);
+          break;
+        case 3:
+          damage(map.cell_of_unit);
+          break;
+        case 4:
+          map.cell_count = word();
+          break;
+        case 5:
+          map.units_per_cell = word();
+          break;
+        default:
+          damage(map.words);
+          break;
       }
     }
     if (check_integrity(map) == nullptr) ++accepted;

@@ -25,9 +25,7 @@ inline ShapeDefect append(const Loops& loops, Array<uint16_t>& tables, const uin
 }
 
 inline Loops tetrahedron() { return {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}}; }
-inline Loops box() {
-  return {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
-}
+inline Loops box() { return {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}; }
 
 /** Two n-gons and n quads between them. */
 inline Loops prism_over(int n) {

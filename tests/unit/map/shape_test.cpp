@@ -85,7 +85,8 @@ void expect_cuts(const Shape& shape) {
 }
 
 TEST(Shape, StandardFormsWithEveryCut) {
-  const std::pair<Form, uint32_t> forms[] = {{Form::kSimplex, 4}, {Form::kPyramid, 5}, {Form::kPrism, 6}, {Form::kBox, 8}};
+  const std::pair<Form, uint32_t> forms[] = {
+      {Form::kSimplex, 4}, {Form::kPyramid, 5}, {Form::kPrism, 6}, {Form::kBox, 8}};
   for (const auto& [form, vertices] : forms) {
     std::set<std::vector<uint16_t>> all_cuts;
     for (uint32_t cuts = 0; cuts < 1u << quad_count(form); ++cuts) {
@@ -133,12 +134,13 @@ TEST(Shape, AFacetIsCutAnewAloneAndSoundnessFollows) {
   size_t changed = 0;
   for (size_t i = 0; i < table.size(); ++i) changed += table[i] != before[i] ? 1u : 0u;
   EXPECT_LE(changed, 12u);
-  EXPECT_TRUE(std::equal(three_ears, three_ears + 12, Shape(table.data()).simplices() + 3 * Shape(table.data()).simplex_first(1)));
+  EXPECT_TRUE(std::equal(three_ears, three_ears + 12,
+                         Shape(table.data()).simplices() + 3 * Shape(table.data()).simplex_first(1)));
   const uint16_t bad[][12] = {
-      {6, 7, 8, 8, 9, 10, 10, 11, 6, 6, 10, 8},   // the middle turned
-      {6, 7, 8, 8, 9, 10, 10, 11, 6, 6, 7, 8},    // one twice, the middle missing
-      {6, 7, 8, 6, 8, 9, 6, 9, 10, 6, 10, 10},    // one without area
-      {6, 7, 8, 6, 8, 9, 6, 9, 10, 6, 10, 5},     // a vertex of another facet
+      {6, 7, 8, 8, 9, 10, 10, 11, 6, 6, 10, 8},  // the middle turned
+      {6, 7, 8, 8, 9, 10, 10, 11, 6, 6, 7, 8},   // one twice, the middle missing
+      {6, 7, 8, 6, 8, 9, 6, 9, 10, 6, 10, 10},   // one without area
+      {6, 7, 8, 6, 8, 9, 6, 9, 10, 6, 10, 5},    // a vertex of another facet
       {6, 7, 8, 6, 8, 9, 6, 9, 10, 6, 10, 0xffff},
   };
   for (const auto& triangles : bad) {
@@ -197,7 +199,8 @@ TEST(Shape, Polygons) {
     Array<uint16_t> table;
     ASSERT_EQ(append_polygon(n, table), ShapeDefect::kNone);
     const Shape shape(table.data());
-    for (const uint32_t count : {shape.vertex_count(), shape.facet_count(), shape.edge_count(), shape.dart_count(), shape.simplex_count()}) {
+    for (const uint32_t count :
+         {shape.vertex_count(), shape.facet_count(), shape.edge_count(), shape.dart_count(), shape.simplex_count()}) {
       EXPECT_EQ(count, n);
     }
     for (uint32_t i = 0; i < n; ++i) {
