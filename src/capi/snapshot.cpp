@@ -6,7 +6,8 @@
 namespace capi = dsw::capi;
 using dsw::fail;
 
-dsw_status dsw_environment_save(const dsw_environment* environment, void* block, size_t capacity_bytes, size_t* size_bytes) {
+dsw_status dsw_environment_save(const dsw_environment* environment, void* block, size_t capacity_bytes,
+                                size_t* size_bytes) {
   return capi::guard("dsw_environment_save", [&] {
     const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
     capi::require(size_bytes, "size_bytes");
@@ -21,7 +22,8 @@ dsw_status dsw_environment_save(const dsw_environment* environment, void* block,
   });
 }
 
-dsw_status dsw_environment_load(dsw_context* context, const void* block, size_t size_bytes, dsw_environment** environment) {
+dsw_status dsw_environment_load(dsw_context* context, const void* block, size_t size_bytes,
+                                dsw_environment** environment) {
   return capi::guard("dsw_environment_load", [&] {
     capi::check_context(context);
     capi::require(block, "block");

@@ -74,8 +74,9 @@ dsw_status dsw_trace_add_impassable(dsw_trace* trace, const dsw_environment* env
   });
 }
 
-dsw_status dsw_trace_add_walk(dsw_trace* trace, const dsw_environment* environment, dsw_volume_id start, const double* from,
-                              const double* to, const dsw_cast_options* options, double normal_length, uint32_t label) {
+dsw_status dsw_trace_add_walk(dsw_trace* trace, const dsw_environment* environment, dsw_volume_id start,
+                              const double* from, const double* to, const dsw_cast_options* options,
+                              double normal_length, uint32_t label) {
   return capi::guard("dsw_trace_add_walk", [&] {
     dsw::Trace& engine = engine_of(trace);
     const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;

@@ -34,7 +34,8 @@ bool fills_loop(const Shape& shape, uint32_t f, Array<uint32_t>& sides, Array<ui
   return std::all_of(sides.begin(), sides.end(), [&](uint32_t side) {
     const uint32_t turned = side_key(side & 0xffffu, side >> 16);
     if (std::binary_search(darts.begin(), darts.end(), side)) return true;
-    return std::binary_search(sides.begin(), sides.end(), turned) && !std::binary_search(darts.begin(), darts.end(), turned);
+    return std::binary_search(sides.begin(), sides.end(), turned) &&
+           !std::binary_search(darts.begin(), darts.end(), turned);
   });
 }
 
@@ -138,7 +139,8 @@ const char* check_records(const Map<D>& map) {
   const bool uniform = map.unit_of_cell.empty();
   if (uniform) {
     const uint32_t n = map.units_per_cell;
-    if (n == 0 || !map.cell_of_unit.empty() || uint64_t{map.cell_count} * n != units) return "records and cells differ in number";
+    if (n == 0 || !map.cell_of_unit.empty() || uint64_t{map.cell_count} * n != units)
+      return "records and cells differ in number";
   } else if (map.units_per_cell != 0 || map.unit_of_cell.size() != map.cell_count || map.cell_of_unit.size() != units) {
     return "the tables of records have the wrong size";
   }
@@ -149,7 +151,8 @@ const char* check_records(const Map<D>& map) {
   for (uint32_t i = 0; i < map.cell_count; ++i) {
     if (unit >= units) return "records and cells differ in number";
     const Cell c{static_cast<uint32_t>(unit)};
-    if (!uniform && (map.unit_of_cell[i] != c.unit || map.cell_of_unit[c.unit] != i)) return "a cell and its record disagree";
+    if (!uniform && (map.unit_of_cell[i] != c.unit || map.cell_of_unit[c.unit] != i))
+      return "a cell and its record disagree";
     const uint32_t word0 = map.record(c)[0], n = record_units(map, word0);
     if (n == 0 || n > units - unit) return "a record has no form, or no room";
     if (uniform && (n != map.units_per_cell || form_of(word0) == Form::kGeneral)) return "records differ in size";
@@ -311,7 +314,8 @@ void count_facets(const Map<D>& map, uint32_t* facets, uint32_t* boundary_facets
 
 template <int D>
 const char* check_integrity(const Map<D>& map) {
-  if (map.words.size() % kUnitWords != 0 || map.words.size() / kUnitWords >= kMostUnits) return "records are cut off, or too many";
+  if (map.words.size() % kUnitWords != 0 || map.words.size() / kUnitWords >= kMostUnits)
+    return "records are cut off, or too many";
   if (map.cell_count == 0 || map.vertex_count > kVertexMask) return "no cells, or too many vertices";
   if (!shapes_sound(map)) return "a shape is not sound";
   if (const char* broken = check_records(map)) return broken;

@@ -112,7 +112,8 @@ void check_sizes(const Header& h) {
   if (h.vertex_count > kVertexMask) corrupt("it has too many vertices");
   if (h.bytes[kWords] % (kUnitWords * sizeof(uint32_t)) != 0 || units >= kMostUnits) corrupt("records: size");
   if (h.cell_count == 0 || h.cell_count > units) corrupt("number of cells");
-  if (h.bytes[kShapes] % sizeof(uint16_t) != 0 || h.bytes[kShapes] / sizeof(uint16_t) > UINT32_MAX) corrupt("shapes: size");
+  if (h.bytes[kShapes] % sizeof(uint16_t) != 0 || h.bytes[kShapes] / sizeof(uint16_t) > UINT32_MAX)
+    corrupt("shapes: size");
   if (h.bytes[kPoints] != uint64_t{h.vertex_count} * D * sizeof(double)) corrupt("points: size");
   for (const Section s : {kRegions, kTags}) {
     if (h.bytes[s] != 0 && h.bytes[s] != uint64_t{h.cell_count} * sizeof(uint32_t)) corrupt("labels: size");

@@ -38,12 +38,14 @@ std::vector<uint32_t> vertices_of(const Map<3>& map, HalfFacet h) {
   const Shape shape = map.shape(c);
   const uint32_t f = map.local_of(h, c);
   std::vector<uint32_t> vertices;
-  for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) vertices.push_back(map.vertex(c, shape.dart_vertex(d)));
+  for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d)
+    vertices.push_back(map.vertex(c, shape.dart_vertex(d)));
   return vertices;
 }
 
 /** Cuts one side of a polyhedron's facet; triangles by positions in the loop of `like`, turned round if `turned`. */
-void cut(Map<3>& map, HalfFacet h, const std::vector<uint32_t>& like, const std::vector<size_t>& triangles, bool turned) {
+void cut(Map<3>& map, HalfFacet h, const std::vector<uint32_t>& like, const std::vector<size_t>& triangles,
+         bool turned) {
   const std::vector<uint16_t> loop = loop_like(map, h, like);
   std::vector<uint16_t> local;
   for (size_t t = 0; t < triangles.size(); t += 3) {
@@ -51,14 +53,16 @@ void cut(Map<3>& map, HalfFacet h, const std::vector<uint32_t>& like, const std:
   }
   const Cell c = map.cell_of(h);
   ASSERT_EQ(map.form(c), Form::kGeneral);
-  set_triangles(map.shape_tables.data() + map.shape_offsets[map.record(c)[0] & kShapeMask], map.local_of(h, c), local.data());
+  set_triangles(map.shape_tables.data() + map.shape_offsets[map.record(c)[0] & kShapeMask], map.local_of(h, c),
+                local.data());
 }
 
 constexpr const char* kUnlike = "two linked facets do not have the same vertices in opposite order, cut alike";
 
 TEST(LinkedCuts, TheSameTrianglesInAnyOrderOnBothSides) {
   const std::vector<size_t> fan = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5}, zigzag = {0, 1, 5, 1, 2, 5, 5, 2, 4, 2, 3, 4};
-  const std::vector<size_t> zigzag_again = {2, 4, 5, 3, 4, 2, 5, 0, 1, 5, 1, 2}, ears = {0, 1, 2, 2, 3, 4, 4, 5, 0, 0, 2, 4};
+  const std::vector<size_t> zigzag_again = {2, 4, 5, 3, 4, 2, 5, 0, 1, 5, 1, 2},
+                            ears = {0, 1, 2, 2, 3, 4, 4, 5, 0, 0, 2, 4};
   const std::vector<std::vector<size_t>> all = {fan, zigzag, zigzag_again, ears};
   for (size_t near = 0; near < all.size(); ++near) {
     for (size_t far = 0; far < all.size(); ++far) {
@@ -126,7 +130,8 @@ TEST(LinkedCuts, AVertexInTwoDiscsIsSeenThoughTheNumbersFit) {
   const uint16_t first[] = {0, 4, 8, 12, 16, 20, 24};
   Array<uint16_t> table, scratch;
   EXPECT_EQ(append_polyhedron({loops, first, 6, 7}, nullptr, table), ShapeDefect::kNotSphere);
-  if (append_polyhedron({loops, first, 6, 8}, nullptr, table) != ShapeDefect::kNone) return;  // refused earlier: as good
+  if (append_polyhedron({loops, first, 6, 8}, nullptr, table) != ShapeDefect::kNone)
+    return;  // refused earlier: as good
   EXPECT_EQ(sound_table_length<3>(table.data(), table.size(), scratch), 0u);
 }
 

@@ -80,7 +80,10 @@ inline std::vector<int64_t> lattice_corners(int64_t x, int64_t y, int64_t z, int
 
 inline SmallMesh lattice(int64_t n, uint8_t type, double jitter = 0) {
   SmallMesh mesh;
-  mesh.name = (type == kPolyhedron ? "lattice of polyhedra " : jitter == 0 ? "lattice " : "warped lattice ") + std::to_string(n);
+  mesh.name = (type == kPolyhedron ? "lattice of polyhedra "
+               : jitter == 0       ? "lattice "
+                                   : "warped lattice ") +
+              std::to_string(n);
   uint64_t state = 88172645463325252ull;
   const auto noise = [&] {
     state ^= state << 13;

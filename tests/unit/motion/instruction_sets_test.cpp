@@ -137,10 +137,14 @@ TEST_P(InstructionSetTest, SameResultsAndCounters) {
   const std::vector<NamedWalk> all = walks();
   if (all.size() == 1) GTEST_SKIP() << "this processor has one walk only";
   const double scale = GetParam();
-  const std::vector<SmallMesh> meshes = {lattice(kSize, kHexahedron), lattice(kSize, kHexahedron, 0.12),
-                                         lattice(kSize, kTetra),      lattice(kSize, kTetra, 0.03),
-                                         lattice(kSize, kPolyhedron), lattice(kSize, kPolyhedron, 0.12),
-                                         wedge_lattice(),             mixed_lattice()};
+  const std::vector<SmallMesh> meshes = {lattice(kSize, kHexahedron),
+                                         lattice(kSize, kHexahedron, 0.12),
+                                         lattice(kSize, kTetra),
+                                         lattice(kSize, kTetra, 0.03),
+                                         lattice(kSize, kPolyhedron),
+                                         lattice(kSize, kPolyhedron, 0.12),
+                                         wedge_lattice(),
+                                         mixed_lattice()};
   uint32_t seed = 17;
   for (SmallMesh mesh : meshes) {
     SCOPED_TRACE(mesh.name);
@@ -179,8 +183,9 @@ TEST_P(InstructionSetTest, SameResultsAndCounters) {
       const bool contained = all[0].walk.contains(env, expected.cell, apex, to);
       EXPECT_EQ(contained, expected.end == CastEnd::kReached);
       for (const NamedWalk& other : all) {
-        SCOPED_TRACE(testing::Message() << other.name << " cast " << n << std::hexfloat << " from " << from[0] << " " << from[1]
-                                        << " " << from[2] << " to " << to[0] << " " << to[1] << " " << to[2]);
+        SCOPED_TRACE(testing::Message() << other.name << " cast " << n << std::hexfloat << " from " << from[0] << " "
+                                        << from[1] << " " << from[2] << " to " << to[0] << " " << to[1] << " "
+                                        << to[2]);
         std::vector<Crossing> crossings;
         request.crossing_user = &crossings;
         CastCounters counters;

@@ -62,8 +62,8 @@ void put(std::vector<uint8_t>& block, size_t at, uint32_t value) { store(block.d
 std::vector<uint8_t> repaired(std::vector<uint8_t> block) {
   const uint64_t size = block.size();
   store(block.data() + kAtSize, &size, 1);
-  const uint64_t sum = checksum(checksum(0, block.data(), kAtChecksum), block.data() + kAtChecksum + 8,
-                                block.size() - kAtChecksum - 8);
+  const uint64_t sum =
+      checksum(checksum(0, block.data(), kAtChecksum), block.data() + kAtChecksum + 8, block.size() - kAtChecksum - 8);
   store(block.data() + kAtChecksum, &sum, 1);
   return block;
 }
@@ -278,10 +278,10 @@ TEST(Snapshot, ClaimedSizesAskForNoMemory) {
   Environment<3> env(nullptr);
   make(env, two_polygon_prisms(6), true, true);
   const std::vector<uint8_t> block = saved(env);
-  for (const size_t at : {kAtVersion, kAtDimension, kAtSize, kAtSize + 4, kAtFlags, kAtVertexCount, kAtCellCount,
-                          kAtSectionCount, kAtSections, kAtSections + 4, kAtSections + 8, kAtSections + 12, kAtSections + 16,
-                          kAtSections + 20, kAtSections + 24, kAtSections + 32, kAtSections + 40, kAtSections + 44,
-                          kAtSections + 48, kAtSections + 52}) {
+  for (const size_t at : {kAtVersion,       kAtDimension,     kAtSize,          kAtSize + 4,      kAtFlags,
+                          kAtVertexCount,   kAtCellCount,     kAtSectionCount,  kAtSections,      kAtSections + 4,
+                          kAtSections + 8,  kAtSections + 12, kAtSections + 16, kAtSections + 20, kAtSections + 24,
+                          kAtSections + 32, kAtSections + 40, kAtSections + 44, kAtSections + 48, kAtSections + 52}) {
     for (const uint32_t value : {0u, 1u, 8u, 0x0fffffffu, 0x7fffffffu, 0x80000000u, 0xfffffff8u, 0xffffffffu}) {
       std::vector<uint8_t> damaged = block;
       put(damaged, at, value);
@@ -356,7 +356,8 @@ TEST(Snapshot, OnlyWhatSaveWritesIsAccepted) {
   EXPECT_EQ(status_of(vertices, 1u << 12), DSW_STATUS_CORRUPT) << "a mark beyond the last vertex";
   std::vector<uint8_t> swapped = block;
   ASSERT_GE(edge_count, 2u);
-  std::swap_ranges(swapped.begin() + static_cast<std::ptrdiff_t>(edges), swapped.begin() + static_cast<std::ptrdiff_t>(edges + 8),
+  std::swap_ranges(swapped.begin() + static_cast<std::ptrdiff_t>(edges),
+                   swapped.begin() + static_cast<std::ptrdiff_t>(edges + 8),
                    swapped.begin() + static_cast<std::ptrdiff_t>(edges + 8));
   EXPECT_EQ(load_status(repaired(swapped)), DSW_STATUS_CORRUPT) << "edges out of order";
   for (const double value : {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {

@@ -173,7 +173,8 @@ TEST(Trace, AWalkIsDotsPiecesAndItsContact) {
 TEST(Trace, ContactsOnly) {
   Trace trace(nullptr);
   dsw_flight flight{};
-  for (const dsw_outcome outcome : {DSW_OUTCOME_NONE, DSW_OUTCOME_REACHED, DSW_OUTCOME_WORK_LIMIT, DSW_OUTCOME_OUTSIDE}) {
+  for (const dsw_outcome outcome :
+       {DSW_OUTCOME_NONE, DSW_OUTCOME_REACHED, DSW_OUTCOME_WORK_LIMIT, DSW_OUTCOME_OUTSIDE}) {
     flight.outcome = outcome;
     add_contact(trace, flight, 1, 1);
   }
@@ -224,7 +225,8 @@ TEST(Trace, AnAdditionWithoutMemoryAddsNothing) {
       Trace trace(&source.memory);
       source.left = SIZE_MAX;
       add(trace, 2);
-      const size_t points = trace.point_count(), dots = trace.vertex_labels.size(), segments = trace.segment_labels.size();
+      const size_t points = trace.point_count(), dots = trace.vertex_labels.size(),
+                   segments = trace.segment_labels.size();
       source.left = left;
       bool added = false;
       try {
