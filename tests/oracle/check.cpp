@@ -103,8 +103,7 @@ bool Checker::compare_hit(const Walk& walk, const dsw_flight& flight, const std:
   const bool by_face = face.marked || behind < 0;
   if (flight.obstacle != (by_face ? DSW_CELL_FACE : DSW_CELL_VOLUME))
     wrong += " obstacle " + std::to_string(flight.obstacle);
-  // At the outer boundary the tag is that of the volume reported, which for a particle is the one it was pulled back to.
-  const auto tagged = static_cast<size_t>(behind >= 0 ? behind : static_cast<int>(flight.volume.index));
+  const auto tagged = static_cast<size_t>(behind >= 0 ? behind : walk.cell);
   const uint32_t tag = world_.mesh.tags.empty() ? 0 : world_.mesh.tags[tagged];
   if (flight.tag != tag) wrong += " tag " + std::to_string(flight.tag) + " for " + std::to_string(tag);
   double tolerance = 0;
@@ -216,7 +215,7 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
     report_.mismatch(what + " work limit at time " + number(flight.time) + " after " +
                      number(walk.steps[visited - 1].time));
   }
-  if (flight.reserved != 0) report_.mismatch(what + " reserved is set");
+  if (flight.reserved[0] != 0 || flight.reserved[1] != 0) report_.mismatch(what + " reserved is set");
   for (size_t k = 0; k < 3; ++k) {
     const double u = q[k] - p[k], at = p[k] + flight.time * u;
     const double allowed = 1e-15 * (std::fabs(p[k]) + std::fabs(flight.time * u)) + 2 * DBL_TRUE_MIN;

@@ -175,7 +175,8 @@ inline std::string bits_of(const dsw_flight& f) {
   char rest[400];
   std::snprintf(rest, sizeof rest, " t %a v %u.%u f %u.%u/%u b %u.%u o %d k %d c %d tag %u n %u r %u", f.time,
                 f.volume.index, f.volume.generation, f.face.volume, f.face.generation, f.face.local, f.behind.index,
-                f.behind.generation, f.outcome, f.kind, f.obstacle, f.tag, f.cells_visited, f.reserved);
+                f.behind.generation, f.outcome, f.kind, f.obstacle, f.tag, f.cells_visited,
+                f.reserved[0] | f.reserved[1]);
   return text + rest;
 }
 
