@@ -25,7 +25,7 @@ typedef enum dsw_outcome {
 /** What of the environment was touched. */
 typedef enum dsw_contact_kind {
   DSW_CONTACT_NONE = 0,
-  DSW_CONTACT_PLANE = 1,  /**< The inside of a face. A particle meets nothing else. */
+  DSW_CONTACT_PLANE = 1, /**< The inside of a face. A particle meets nothing else. */
   DSW_CONTACT_EDGE = 2,
   DSW_CONTACT_VERTEX = 3,
   DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff
@@ -42,16 +42,16 @@ typedef struct dsw_flight {
   double time;
   /** Unit normal of the boundary triangle that was hit, pointing out of the obstacle, towards p. */
   double normal[3];
-  dsw_volume_id volume;  /**< The volume it ended in. */
-  dsw_face_id face;      /**< Canonical id of the face that was hit. */
-  dsw_volume_id behind;  /**< The volume behind that face; null at the outer boundary. */
+  dsw_volume_id volume; /**< The volume it ended in. */
+  dsw_face_id face;     /**< Canonical id of the face that was hit. */
+  dsw_volume_id behind; /**< The volume behind that face; null at the outer boundary. */
   dsw_outcome outcome;
   dsw_contact_kind kind;
   dsw_cell_kind obstacle; /**< What makes it impassable: DSW_CELL_FACE (its own mark, or the outer boundary), or
                                DSW_CELL_VOLUME (the volume behind is marked and the face is not). */
-  uint32_t tag;           /**< Host tag of the volume behind; at the outer boundary of `volume`. */
+  uint32_t tag;           /**< Host tag of the volume behind; at the outer boundary of the volume in front. */
   uint32_t cells_visited; /**< Volumes entered, the first included; the verification of a stop is not counted. */
-  uint32_t reserved;
+  uint32_t reserved[2];   /**< 0; no byte of a report is left undefined. */
 } dsw_flight;
 
 /** One cell of a flight, in order. */

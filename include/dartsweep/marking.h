@@ -17,11 +17,7 @@ extern "C" {
 #endif
 
 /** The mark of one cell. */
-typedef enum dsw_mark {
-  DSW_MARK_PASSABLE = 0,
-  DSW_MARK_IMPASSABLE = 1,
-  DSW_MARK_FORCE_INT32 = 0x7fffffff
-} dsw_mark;
+typedef enum dsw_mark { DSW_MARK_PASSABLE = 0, DSW_MARK_IMPASSABLE = 1, DSW_MARK_FORCE_INT32 = 0x7fffffff } dsw_mark;
 
 /** Flags of the marking calls. */
 enum {
@@ -36,8 +32,8 @@ enum {
  * @return DSW_STATUS_STALE_ID (the message names the position), DSW_STATUS_OCCUPIED, DSW_STATUS_SHARED.
  * @note O(count), plus one pass over the scene's particles when volumes become impassable. Thread: writer of the
  * environment and of its scene. @since 0.1 */
-DSW_API dsw_status dsw_environment_mark_volumes(dsw_environment *environment, const dsw_volume_id *volumes, size_t count,
-                                                dsw_mark mark, uint32_t flags, size_t *skipped);
+DSW_API dsw_status dsw_environment_mark_volumes(dsw_environment *environment, const dsw_volume_id *volumes,
+                                                size_t count, dsw_mark mark, uint32_t flags, size_t *skipped);
 
 /** Sets the mark of faces. @note O(count). Errors and thread as dsw_environment_mark_volumes. @since 0.1 */
 DSW_API dsw_status dsw_environment_mark_faces(dsw_environment *environment, const dsw_face_id *faces, size_t count,
@@ -75,7 +71,8 @@ DSW_API dsw_status dsw_environment_is_marked(const dsw_environment *environment,
 DSW_API dsw_status dsw_environment_is_impassable(const dsw_environment *environment, dsw_cell cell, int *impassable);
 
 /** How many cells of one kind carry a mark. @note O(1). Thread: reader. @since 0.1 */
-DSW_API dsw_status dsw_environment_get_mark_count(const dsw_environment *environment, dsw_cell_kind kind, size_t *count);
+DSW_API dsw_status dsw_environment_get_mark_count(const dsw_environment *environment, dsw_cell_kind kind,
+                                                  size_t *count);
 
 #ifdef __cplusplus
 }

@@ -41,6 +41,13 @@ DSW_API dsw_status dsw_scene_get_particle_count(const dsw_scene *scene, size_t *
 DSW_API dsw_status dsw_particle_get(const dsw_scene *scene, dsw_particle_id particle, double *position,
                                     dsw_volume_id *volume);
 
+/** Positions and volumes of many particles. @param particles [in] `count` live ids; an id may stand many times.
+ * @param positions [out] null, or `count` points, stride_bytes apart (0 means 24). @param volumes [out] null, or `count`
+ * ids. @return DSW_STATUS_STALE_ID (the message names the position), DSW_STATUS_WRONG_SIZE (stride): nothing was written.
+ * @note O(count). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_scene_get_particles(const dsw_scene *scene, const dsw_particle_id *particles, size_t count,
+                                           double *positions, size_t stride_bytes, dsw_volume_id *volumes);
+
 /** Moves a particle towards a target.
  * @param target [in] 3 finite doubles; 1e300 is a move that ends at the first wall.
  * @param options [in] null: defaults; DSW_CAST_START_KNOWN has no effect. With DSW_CAST_NO_DETAIL the report has no
@@ -60,16 +67,16 @@ DSW_API dsw_status dsw_particle_move(dsw_scene *scene, dsw_particle_id particle,
  * DSW_STATUS_OUT_OF_MEMORY: nothing has moved.
  * @note Thread: writer; uses the parallel-for; the same bits for any number of threads. @since 0.1 */
 DSW_API dsw_status dsw_scene_move_particles(dsw_scene *scene, const dsw_particle_id *particles, size_t count,
-                                            const double *targets, size_t stride_bytes,
-                                            const dsw_cast_options *options, dsw_flight *flights);
+                                            const double *targets, size_t stride_bytes, const dsw_cast_options *options,
+                                            dsw_flight *flights);
 
 /** Casts segments from particles without moving them: segment i goes from the position of particles[i] to point i.
  * An id may stand many times (the edges of a body). @param flights [out] `count` reports.
  * @return as dsw_scene_move_particles, without DSW_STATUS_DUPLICATE_ID. @note Thread: writer (statistics); uses the
  * parallel-for. @since 0.1 */
 DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_particle_id *particles, size_t count,
-                                                 const double *to, size_t stride_bytes,
-                                                 const dsw_cast_options *options, dsw_flight *flights);
+                                                 const double *to, size_t stride_bytes, const dsw_cast_options *options,
+                                                 dsw_flight *flights);
 
 /** The volumes that the particles of the last move call entered, in the order of the batch, with DSW_FEATURE_CROSSINGS.
  * Flight i has crossings[first[i] .. first[i+1]-1].

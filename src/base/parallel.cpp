@@ -51,7 +51,8 @@ void parallel_chunks(const Parallel& parallel, size_t count, size_t chunk_size, 
     parallel.run(parallel.user, run_task, &job, chunk_count);
     return;
   }
-  const unsigned wanted = parallel.thread_count != 0 ? parallel.thread_count : std::max(1u, std::thread::hardware_concurrency());
+  const unsigned wanted =
+      parallel.thread_count != 0 ? parallel.thread_count : std::max(1u, std::thread::hardware_concurrency());
   const unsigned threads = static_cast<unsigned>(std::min<size_t>(wanted, chunk_count));
   if (threads == 1) {
     body(context, 0, count);

@@ -89,15 +89,20 @@ void require_array(const void* array, size_t count, const char* name) {
   if (count != 0) require(array, name);
 }
 
-PointArray to_points(const double* points, size_t count, size_t stride_bytes, const char* name) {
+size_t to_step(size_t count, size_t stride_bytes) {
   constexpr size_t kPoint = 3 * sizeof(double);
   if (stride_bytes == 0) stride_bytes = kPoint;
   if (stride_bytes < kPoint || stride_bytes % sizeof(double) != 0 || (count != 0 && stride_bytes > SIZE_MAX / count)) {
     fail(DSW_STATUS_WRONG_SIZE, "stride_bytes is %zu, must be 0 or a multiple of %zu from %zu on", stride_bytes,
          sizeof(double), kPoint);
   }
+  return stride_bytes / sizeof(double);
+}
+
+PointArray to_points(const double* points, size_t count, size_t stride_bytes, const char* name) {
+  const size_t step = to_step(count, stride_bytes);
   require_array(points, count, name);
-  return {points, stride_bytes / sizeof(double)};
+  return {points, step};
 }
 
 SegmentOptions to_options(const dsw_cast_options* options) {

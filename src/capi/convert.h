@@ -53,6 +53,9 @@ inline dsw_cell cell_of_vertex(uint32_t vertex) noexcept { return {DSW_CELL_VERT
 /** An array of `count` things; null is allowed when there are none. */
 void require_array(const void* array, size_t count, const char* name);
 
+/** The host's stride in doubles. */
+size_t to_step(size_t count, size_t stride_bytes);
+
 /** An array of points with the host's stride, not yet checked to be finite. */
 PointArray to_points(const double* points, size_t count, size_t stride_bytes, const char* name);
 

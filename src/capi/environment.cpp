@@ -13,6 +13,13 @@ const dsw::Map<3>& map_of(const dsw_environment* environment) {
   return capi::check_handle(environment, "environment").engine.map;
 }
 
+/** Facet `local` of a volume, or OUT_OF_RANGE. */
+dsw::HalfFacet facet_of(const dsw::Map<3>& map, dsw::Cell c, uint32_t local) {
+  const uint32_t count = map.facets_of(c);
+  if (local >= count) dsw::fail(DSW_STATUS_OUT_OF_RANGE, "local is %u, must be 0 .. %u", local, count - 1);
+  return map.half_facet(c, local);
+}
+
 dsw_cell_type type_of(dsw::Form form) {
   switch (form) {
     case dsw::Form::kSimplex:
@@ -169,9 +176,27 @@ dsw_status dsw_environment_get_volume_face(const dsw_environment* environment, d
     const dsw::Map<3>& map = map_of(environment);
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
     capi::require(face, "face");
-    const uint32_t count = map.facets_of(c);
-    if (local >= count) fail(DSW_STATUS_OUT_OF_RANGE, "local is %u, must be 0 .. %u", local, count - 1);
-    *face = face_id(map, canonical(map, map.half_facet(c, local)));
+    *face = face_id(map, canonical(map, facet_of(map, c, local)));
+  });
+}
+
+dsw_status dsw_environment_get_neighbour(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
+                                         dsw_volume_id* neighbour, int* impassable) {
+  return capi::guard("dsw_environment_get_neighbour", [&] {
+    const dsw::Map<3>& map = map_of(environment);
+    const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
+    const dsw::HalfFacet h = facet_of(map, c, local);
+    const dsw::HalfFacet o = map.opposite(h);
+    if (neighbour != nullptr) *neighbour = volume_id(map, o.valid() ? map.cell_of(o) : dsw::Cell{});
+    if (impassable != nullptr) *impassable = is_impassable(map, h) ? 1 : 0;
+  });
+}
+
+dsw_status dsw_environment_get_centre(const dsw_environment* environment, dsw_volume_id volume, double* xyz) {
+  return capi::guard("dsw_environment_get_centre", [&] {
+    const dsw::Cell c = capi::to_cell(map_of(environment), volume, {"volume", false});
+    capi::require(xyz, "xyz");
+    centre(environment->engine, c, xyz);
   });
 }
 

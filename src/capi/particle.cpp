@@ -63,6 +63,21 @@ dsw_status dsw_particle_get(const dsw_scene* scene, dsw_particle_id particle, do
   });
 }
 
+dsw_status dsw_scene_get_particles(const dsw_scene* scene, const dsw_particle_id* particles, size_t count,
+                                   double* positions, size_t stride_bytes, dsw_volume_id* volumes) {
+  return capi::guard("dsw_scene_get_particles", [&] {
+    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require_array(particles, count, "particles");
+    const size_t step = capi::to_step(count, stride_bytes);
+    check_particles(s, particles, count);
+    for (size_t i = 0; i < count; ++i) {
+      const dsw::ParticleState<3>& state = s.particles[particles[i].index];
+      if (positions != nullptr) std::copy(state.position, state.position + 3, positions + i * step);
+      if (volumes != nullptr) volumes[i] = volume_id(s.env.map, state.cell);
+    }
+  });
+}
+
 dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const double* target,
                              const dsw_cast_options* options, dsw_flight* flight) {
   return capi::guard("dsw_particle_move", [&] {

@@ -207,7 +207,7 @@ class Check {
     return turn(a, b, from, axis) == turn(a, b, x, axis) ? 0 : 2;
   }
 
-  /** How a segment goes through a triangle: 1 outwards, -1 inwards, 0 not at all. Its ends are shifted (design 2). */
+  /** How a segment goes through a triangle: 1 outwards, -1 inwards, 0 not at all. Its ends are shifted. */
   int pierced(const Triangle& t, const double* p, const double* q) const {
     NoTally none;
     const double* points[3] = {at(t.vertex[0]), at(t.vertex[1]), at(t.vertex[2])};

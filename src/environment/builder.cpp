@@ -23,17 +23,20 @@ void reorient(Environment<D>& env, BuildReport& report) {
 
 /** Two cells on one side of a face are mostly one inverted cell: that is said first, since it is the cause. */
 template <int D>
-[[noreturn]] void fail_match(const Environment<D>& env, MatchDefect defect, const Offenders& offenders, BuildReport& report) {
+[[noreturn]] void fail_match(const Environment<D>& env, MatchDefect defect, const Offenders& offenders,
+                             BuildReport& report) {
   if (defect == MatchDefect::kSameSide) {
     for (uint32_t i = 0; i < env.map.cell_count; ++i) {
       if (check_cell(env, env.map.cell(i)) == CellState::kInverted) report.offenders.add(i);
     }
-    if (report.offenders.count != 0) fail(DSW_STATUS_INVERTED_CELL, "cell %u is turned inside out", report.offenders.index[0]);
+    if (report.offenders.count != 0)
+      fail(DSW_STATUS_INVERTED_CELL, "cell %u is turned inside out", report.offenders.index[0]);
   }
   report.offenders = offenders;
   std::sort(report.offenders.index, report.offenders.index + report.offenders.count);
   const uint32_t a = offenders.index[0], b = offenders.index[1];
-  if (defect == MatchDefect::kSameSide) fail(DSW_STATUS_DUPLICATE_CELL, "cells %u and %u lie on the same side of a face", a, b);
+  if (defect == MatchDefect::kSameSide)
+    fail(DSW_STATUS_DUPLICATE_CELL, "cells %u and %u lie on the same side of a face", a, b);
   fail(DSW_STATUS_SHARED_FACE, "cells %u and %u share a face with a third cell", a, b);
 }
 
@@ -67,12 +70,13 @@ void validate(Environment<D>& env, BuildReport& report) {
     const bool was_convex = map.convex(c);
     const CellState state = check_cell(env, c);
     if (was_convex != (state == CellState::kValidConvex)) report.convex_cell_count += was_convex ? ~0u : 1u;
-    if (state != CellState::kInverted) settle(c, state);
+    settle(c, state);
   }
   const auto raise = [&](Offenders& offenders, dsw_status status, const char* what) {
     if (offenders.count == 0) return;
     std::sort(offenders.index, offenders.index + offenders.count);
-    offenders.count = static_cast<uint32_t>(std::unique(offenders.index, offenders.index + offenders.count) - offenders.index);
+    offenders.count =
+        static_cast<uint32_t>(std::unique(offenders.index, offenders.index + offenders.count) - offenders.index);
     report.offenders = offenders;
     fail(status, "cell %u %s", offenders.index[0], what);
   };

@@ -6,9 +6,10 @@ namespace {
 /** One facet seen for the first time, in the chain of its lowest vertex. Its two neighbours round the loop tell it from
  * the others there; loops of four and more are compared in full. */
 struct Candidate {
-  uint32_t next;             // in the chain
-  uint32_t word;             // the half-facet
-  uint32_t after, before;    // vertices next to the lowest one; in the plane the other vertex, and which of them is first
+  uint32_t next;           // in the chain
+  uint32_t word;           // the half-facet
+  uint32_t after, before;  // vertices next to the lowest one; in the plane the other vertex, and which of them is first
+  uint32_t size;           // of the loop
 };
 
 struct Loop {
@@ -43,7 +44,9 @@ bool same_cycle(const Map<3>& map, HalfFacet a, Cell ca, HalfFacet b, uint32_t l
   const Shape sa = map.shape(ca), sb = map.shape(cb);
   const uint32_t fa = map.local_of(a, ca), fb = map.local_of(b, cb), size = sa.facet_size(fa);
   if (sb.facet_size(fb) != size) return false;
-  const auto at = [&](Cell c, const Shape& s, uint32_t f, uint32_t k) { return map.vertex(c, s.dart_vertex(s.facet_first(f) + k)); };
+  const auto at = [&](Cell c, const Shape& s, uint32_t f, uint32_t k) {
+    return map.vertex(c, s.dart_vertex(s.facet_first(f) + k));
+  };
   uint32_t ka = 0, kb = 0;
   while (at(ca, sa, fa, ka) != lowest) ++ka;
   while (at(cb, sb, fb, kb) != lowest) ++kb;
@@ -84,12 +87,14 @@ MatchDefect match_facets(Environment<D>& env, Offenders& offenders) {
       bool opposite = false, same = false;
       for (; n != kEnd; n = candidates[n].next) {
         const Candidate& candidate = candidates[n];
+        if (candidate.size != loop.size) continue;
         opposite = candidate.after == loop.before && candidate.before == loop.after;
         same = candidate.after == loop.after && candidate.before == loop.before;
-        if ((opposite || same) && (loop.size < 4 || same_cycle(map, h, c, {candidate.word}, loop.lowest, opposite))) break;
+        if ((opposite || same) && (loop.size < 4 || same_cycle(map, h, c, {candidate.word}, loop.lowest, opposite)))
+          break;
       }
       if (n == kEnd) {
-        candidates.push_back({chain[loop.lowest], h.word, loop.after, loop.before});
+        candidates.push_back({chain[loop.lowest], h.word, loop.after, loop.before, loop.size});
         chain[loop.lowest] = static_cast<uint32_t>(candidates.size() - 1);
         continue;
       }

@@ -26,8 +26,8 @@ class Queries {
 
 }  // namespace
 
-void find_facets(const Environment<3>& env, size_t count, const size_t* offsets, const uint32_t* indices, HalfFacet* out,
-                 size_t* missing) {
+void find_facets(const Environment<3>& env, size_t count, const size_t* offsets, const uint32_t* indices,
+                 HalfFacet* out, size_t* missing) {
   const Map<3>& map = env.map;
   Array<uint32_t> sorted{indices + offsets[0], indices + offsets[count], Allocator<uint32_t>(env.memory)};
   const auto begin = [&](size_t i) { return sorted.begin() + static_cast<ptrdiff_t>(offsets[i] - offsets[0]); };
@@ -35,7 +35,8 @@ void find_facets(const Environment<3>& env, size_t count, const size_t* offsets,
   for (size_t i = 0; i < count; ++i) {
     out[i] = {};
     std::sort(begin(i), begin(i + 1));
-    if (begin(i) != begin(i + 1) && *(begin(i + 1) - 1) < map.vertex_count) queries.add(static_cast<uint32_t>(i), *begin(i));
+    if (begin(i) != begin(i + 1) && *(begin(i + 1) - 1) < map.vertex_count)
+      queries.add(static_cast<uint32_t>(i), *begin(i));
   }
   Array<uint32_t> face{Allocator<uint32_t>(env.memory)};
   size_t found = 0;
@@ -76,7 +77,8 @@ void find_edges(const Environment<3>& env, size_t count, const uint32_t* indices
     const Shape shape = map.shape(cell);
     for (uint32_t d = 0; d < shape.dart_count(); ++d) {
       if (shape.dart_beta2(d) < d) continue;
-      const uint32_t u = map.vertex(cell, shape.dart_vertex(d)), v = map.vertex(cell, shape.dart_vertex(shape.beta1(d)));
+      const uint32_t u = map.vertex(cell, shape.dart_vertex(d)),
+                     v = map.vertex(cell, shape.dart_vertex(shape.beta1(d)));
       for (uint32_t i = queries.first(std::min(u, v)); i != kEnd; i = queries.next(i)) {
         if (out[i].cell.valid() || std::max(indices[2 * i], indices[2 * i + 1]) != std::max(u, v)) continue;
         out[i] = {cell, d};

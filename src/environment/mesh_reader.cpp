@@ -43,19 +43,29 @@ template <int D>
 CellType cell_type(uint32_t vtk) {
   if (D == 3) {
     switch (vtk) {
-      case 10: return {Form::kSimplex, 4, true};
-      case 12: return {Form::kBox, 8, true};
-      case 13: return {Form::kPrism, 6, true};
-      case 14: return {Form::kPyramid, 5, true};
-      case 42: return {Form::kGeneral, 0, true};
-      default: return {Form::kGeneral, 0, false};
+      case 10:
+        return {Form::kSimplex, 4, true};
+      case 12:
+        return {Form::kBox, 8, true};
+      case 13:
+        return {Form::kPrism, 6, true};
+      case 14:
+        return {Form::kPyramid, 5, true};
+      case 42:
+        return {Form::kGeneral, 0, true};
+      default:
+        return {Form::kGeneral, 0, false};
     }
   }
   switch (vtk) {
-    case 5: return {Form::kSimplex, 3, true};
-    case 9: return {Form::kBox, 4, true};
-    case 7: return {Form::kGeneral, 0, true};
-    default: return {Form::kGeneral, 0, false};
+    case 5:
+      return {Form::kSimplex, 3, true};
+    case 9:
+      return {Form::kBox, 4, true};
+    case 7:
+      return {Form::kGeneral, 0, true};
+    default:
+      return {Form::kGeneral, 0, false};
   }
 }
 
@@ -117,7 +127,8 @@ class Reader {
 
   /** Types and extents of all entries: after this every access to connectivity is inside of it. */
   void scan_types() {
-    if (in_.cell_count >= kMaxUnits) fail(DSW_STATUS_TOO_LARGE, "cell_count is %zu, must be below 2^28", in_.cell_count);
+    if (in_.cell_count >= kMaxUnits)
+      fail(DSW_STATUS_TOO_LARGE, "cell_count is %zu, must be below 2^28", in_.cell_count);
     map_.cell_count = static_cast<uint32_t>(in_.cell_count);
     Offenders bad_type, bad_size;
     if (in_.offsets == nullptr) uniform_vertices_ = type_of(0).vertex_count;
@@ -153,8 +164,8 @@ class Reader {
       if (!uniform) map_.unit_of_cell[i] = static_cast<uint32_t>(std::min(units, kMaxUnits));
       units += n;
     }
-    if (units >= kMaxUnits) fail(DSW_STATUS_TOO_LARGE, "the cells need %llu records, more than 2^28",
-                                 static_cast<unsigned long long>(units));
+    if (units >= kMaxUnits)
+      fail(DSW_STATUS_TOO_LARGE, "the cells need %llu records, more than 2^28", static_cast<unsigned long long>(units));
     map_.words.assign(units * kUnitWords, 0);
     laid_out_ = true;
     if (uniform) {
@@ -263,7 +274,8 @@ class Reader {
     }
     const uint32_t facets = static_cast<uint32_t>(loop_first_.size() - 1);
     const uint32_t table = static_cast<uint32_t>(map_.shape_tables.size());
-    const FacetLoops loops{loop_vertices_.data(), loop_first_.data(), facets, static_cast<uint32_t>(local_to_point_.size())};
+    const FacetLoops loops{loop_vertices_.data(), loop_first_.data(), facets,
+                           static_cast<uint32_t>(local_to_point_.size())};
     if (!sound || append_polyhedron(loops, base_.data(), map_.shape_tables) != ShapeDefect::kNone) {
       bad_cell_.add(i);
       return;
@@ -297,7 +309,8 @@ class Reader {
     const uint32_t link_units = (shape.facet_count() + 6) / 7, vertices = shape.vertex_count();
     const uint32_t units = link_units + (vertices + 6) / 7;
     w[0] = (static_cast<uint32_t>(Form::kGeneral) << kFormShift) | number;
-    for (uint32_t u = 1; u < units; ++u) w[u * kUnitWords] = (static_cast<uint32_t>(Form::kContinuation) << kFormShift) | u;
+    for (uint32_t u = 1; u < units; ++u)
+      w[u * kUnitWords] = (static_cast<uint32_t>(Form::kContinuation) << kFormShift) | u;
     for (uint32_t f = 0; f < shape.facet_count(); ++f) w[(f / 7) * kUnitWords + 1 + f % 7] = kNoFacet;
     for (uint32_t k = 0; k < vertices; ++k) w[(link_units + k / 7) * kUnitWords + 1 + k % 7] = local_to_point_[k];
   }

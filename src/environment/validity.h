@@ -1,5 +1,5 @@
 #pragma once
-// When a cell is valid, exactly (design 3): every simplex of its star has positive volume and one generic direction from
+// When a cell is valid, exactly: every simplex of its star has positive volume and one generic direction from
 // the centre meets exactly one simplex of its boundary (positive stars alone can cover a direction twice).
 
 #include "environment/environment.h"

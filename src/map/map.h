@@ -74,9 +74,7 @@ struct Map {
         unit_of_cell(Allocator<uint32_t>(memory)),
         cell_of_unit(Allocator<uint32_t>(memory)) {}
 
-  Cell cell(uint32_t index) const {
-    return {unit_of_cell.empty() ? index * units_per_cell : unit_of_cell[index]};
-  }
+  Cell cell(uint32_t index) const { return {unit_of_cell.empty() ? index * units_per_cell : unit_of_cell[index]}; }
   uint32_t index(Cell c) const { return cell_of_unit.empty() ? c.unit / units_per_cell : cell_of_unit[c.unit]; }
 
   const uint32_t* record(Cell c) const { return words.data() + size_t{c.unit} * kUnitWords; }

@@ -32,8 +32,9 @@ ShapeDefect link_darts(const std::vector<uint32_t>& origin, const std::vector<ui
 }
 
 /** Connected, one disc round every vertex, and V - E + F = 2: then the loops close a sphere. */
-bool is_sphere(const std::vector<uint32_t>& facet, const std::vector<uint32_t>& next, const std::vector<uint32_t>& beta2,
-               uint32_t facet_count, uint32_t vertex_count, uint32_t edge_count) {
+bool is_sphere(const std::vector<uint32_t>& origin, const std::vector<uint32_t>& facet,
+               const std::vector<uint32_t>& next, const std::vector<uint32_t>& beta2, uint32_t facet_count,
+               uint32_t vertex_count, uint32_t edge_count) {
   const uint32_t n = static_cast<uint32_t>(facet.size());
   std::vector<char> seen(n, 0);
   std::vector<uint32_t> stack{0};
@@ -52,9 +53,12 @@ bool is_sphere(const std::vector<uint32_t>& facet, const std::vector<uint32_t>& 
   }
   if (reached != n) return false;
   uint32_t discs = 0;
+  std::vector<char> has_disc(vertex_count, 0);
   std::fill(seen.begin(), seen.end(), static_cast<char>(0));
   for (uint32_t d = 0; d < n; ++d) {
     if (seen[d]) continue;
+    if (has_disc[origin[d]]) return false;
+    has_disc[origin[d]] = 1;
     ++discs;
     for (uint32_t e = d; !seen[e]; e = next[beta2[e]]) seen[e] = 1;
   }
@@ -114,6 +118,7 @@ ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Arr
   if (facets >= kLimit || n >= kLimit || loops.vertex_count >= kLimit) return ShapeDefect::kTooLarge;
   if (facets < 4) return ShapeDefect::kOpen;
   std::vector<uint32_t> origin(n), target(n), facet(n), next(n), beta2(n), edge(n);
+  std::vector<uint32_t> last_facet(loops.vertex_count, facets);
   uint32_t simplices = 0;
   for (uint32_t f = 0; f < facets; ++f) {
     const uint32_t begin = loops.first[f], end = loops.first[f + 1];
@@ -124,15 +129,15 @@ ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Arr
       next[d] = d + 1 == end ? begin : d + 1;
       target[d] = loops.vertices[next[d]];
       facet[d] = f;
-      for (uint32_t e = begin; e < d; ++e) {
-        if (origin[e] == origin[d]) return ShapeDefect::kRepeatedVertex;
-      }
+      if (origin[d] >= loops.vertex_count) return ShapeDefect::kOpen;
+      if (last_facet[origin[d]] == f) return ShapeDefect::kRepeatedVertex;
+      last_facet[origin[d]] = f;
     }
   }
   uint32_t edge_count = 0;
   const ShapeDefect defect = link_darts(origin, target, beta2, edge, edge_count);
   if (defect != ShapeDefect::kNone) return defect;
-  if (!is_sphere(facet, next, beta2, facets, loops.vertex_count, edge_count)) return ShapeDefect::kNotSphere;
+  if (!is_sphere(origin, facet, next, beta2, facets, loops.vertex_count, edge_count)) return ShapeDefect::kNotSphere;
 
   const size_t at = tables.size();
   tables.resize(at + Shape::kHeader + 2 * (facets + 1) + 4 * n + 4 * simplices);

@@ -39,7 +39,9 @@ class Shape {
   /** Local vertices of all simplices, D each, oriented as their facet. */
   const uint16_t* simplices() const { return dart_vertices() + 4 * dart_count(); }
   /** Facet of every simplex. */
-  const uint16_t* simplex_facets(int dimension) const { return simplices() + static_cast<uint32_t>(dimension) * simplex_count(); }
+  const uint16_t* simplex_facets(int dimension) const {
+    return simplices() + static_cast<uint32_t>(dimension) * simplex_count();
+  }
 
   uint32_t beta1(uint32_t d) const {
     const uint32_t f = dart_facet(d);

@@ -76,10 +76,10 @@ inline uint32_t outside_flat_box(const Environment<3>& env, const uint32_t* w, c
 
 /** What the lanes say about the exits of a hexahedron that need not be convex. */
 struct BoxExits {
-  uint32_t pierced = 0;   // facets that p -> q pierces outwards
-  uint32_t second = 0;    // of these: through the second triangle
+  uint32_t pierced = 0;     // facets that p -> q pierces outwards
+  uint32_t second = 0;      // of these: through the second triangle
   uint32_t candidates = 0;  // facets with q outside of one triangle or both
-  bool sure = false;      // false: the filter could not settle all that matters, ask again exactly
+  bool sure = false;        // false: the filter could not settle all that matters, ask again exactly
 };
 
 inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const double* p, const double* q) noexcept {
@@ -97,8 +97,10 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   const Lanes first = dot(diagonal, b), second = Lanes::all(0) - dot(diagonal, d), bound = extents.bound();
   const Lanes minus_bound = Lanes::all(0) - bound;
   const uint32_t out1 = Lanes::bits(Lanes::greater(first, bound)), out2 = Lanes::bits(Lanes::greater(second, bound));
-  const uint32_t in1 = Lanes::bits(Lanes::greater(minus_bound, first)), in2 = Lanes::bits(Lanes::greater(minus_bound, second));
-  if (__builtin_expect((((out1 | in1) & (out2 | in2) & Lanes::bits(extents.in_range())) ^ kAllFacets) != 0, 0)) return exits;
+  const uint32_t in1 = Lanes::bits(Lanes::greater(minus_bound, first)),
+                 in2 = Lanes::bits(Lanes::greater(minus_bound, second));
+  if (__builtin_expect((((out1 | in1) & (out2 | in2) & Lanes::bits(extents.in_range())) ^ kAllFacets) != 0, 0))
+    return exits;
   exits.sure = true;
   exits.candidates = out1 | out2;
   if (exits.candidates == 0) return exits;
@@ -112,8 +114,10 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   const Points from = select(is_second, c, a), tip = select(is_second, d, b), to = select(is_second, a, c);
   const Lanes edge1 = dot(cross(from, tip), back), edge2 = dot(cross(tip, to), back);
   const uint32_t on_second = Lanes::bits(is_second), on_first = Lanes::bits(Lanes::greater(minus_line_bound, over));
-  const uint32_t inside1 = Lanes::bits(Lanes::greater(edge1, line_bound)), inside2 = Lanes::bits(Lanes::greater(edge2, line_bound));
-  const uint32_t beside = Lanes::bits(Lanes::greater(minus_line_bound, edge1) | Lanes::greater(minus_line_bound, edge2));
+  const uint32_t inside1 = Lanes::bits(Lanes::greater(edge1, line_bound)),
+                 inside2 = Lanes::bits(Lanes::greater(edge2, line_bound));
+  const uint32_t beside =
+      Lanes::bits(Lanes::greater(minus_line_bound, edge1) | Lanes::greater(minus_line_bound, edge2));
   const uint32_t q_outside = (on_second & out2) | (on_first & out1);
   const uint32_t hit = q_outside & inside1 & inside2;
   // p against the triangle: minus that of q plus the three line tests is minus the volume seen from p, four determinants.

@@ -1,6 +1,6 @@
 #pragma once
 // A cast: one straight flight of a point through an environment, cell by cell, to its target or to the first impassable
-// facet [JCD10] 3.3. Exact under the shift of design 2: start and target are thought of as shifted by one infinitesimal,
+// facet [JCD10] 3.3. Exact under the shift of predicates/: start and target are thought of as shifted by one infinitesimal,
 // so the start lies in one cell and the segment pierces one simplex of a facet at a time.
 
 #include <cstdint>
@@ -14,12 +14,12 @@ enum class CastEnd : uint32_t { kReached, kHit, kWorkLimit };
 /** Where a flight ended. */
 struct CastResult {
   CastEnd end = CastEnd::kReached;
-  Cell cell;                     // the last cell entered
-  HalfFacet facet;               // kHit: the impassable facet, seen from `cell`
-  uint32_t simplex = 0;          // kHit: which simplex of `cell` was pierced. kWorkLimit: that through which `cell`
-                                 // was entered, in the numbering of `previous`
-  Cell previous;                 // the cell before `cell`; invalid if it is the first
-  uint32_t cells_visited = 1;    // the first included
+  Cell cell;                        // the last cell entered
+  HalfFacet facet;                  // kHit: the impassable facet, seen from `cell`
+  uint32_t simplex = 0;             // kHit: which simplex of `cell` was pierced. kWorkLimit: that through which `cell`
+                                    // was entered, in the numbering of `previous`
+  Cell previous;                    // the cell before `cell`; invalid if it is the first
+  uint32_t cells_visited = 1;       // the first included
   uint32_t first_facet = kNoFacet;  // local number of the facet through which the first cell was left, or tried to be
 };
 
@@ -61,6 +61,7 @@ bool contains(const Environment<D>& env, Cell cell, const double* point) noexcep
 
 /** Largest double not later than the time at which the segment crosses simplex `simplex` of `cell`. */
 template <int D>
-double crossing_time(const Environment<D>& env, Cell cell, uint32_t simplex, const double* from, const double* to) noexcept;
+double crossing_time(const Environment<D>& env, Cell cell, uint32_t simplex, const double* from,
+                     const double* to) noexcept;
 
 }  // namespace dsw

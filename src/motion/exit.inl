@@ -103,7 +103,8 @@ class ExitFinder {
     if constexpr (D == 3) {
       for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
         if (shape.dart_facet(shape.dart_beta2(d)) != g) continue;
-        const double* ridge[2] = {env_.point(c, shape.dart_vertex(d)), env_.point(c, shape.dart_vertex(shape.beta1(d)))};
+        const double* ridge[2] = {env_.point(c, shape.dart_vertex(d)),
+                                  env_.point(c, shape.dart_vertex(shape.beta1(d)))};
         return line_side<3>(p_, q_, ridge, tally_).sign;
       }
     } else {
@@ -121,7 +122,8 @@ class ExitFinder {
   bool pierces_facet(Cell c, const Shape& shape, uint32_t f) noexcept {
     if constexpr (D == 3) {
       for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-        const double* ridge[2] = {env_.point(c, shape.dart_vertex(d)), env_.point(c, shape.dart_vertex(shape.beta1(d)))};
+        const double* ridge[2] = {env_.point(c, shape.dart_vertex(d)),
+                                  env_.point(c, shape.dart_vertex(shape.beta1(d)))};
         if (line_side<3>(p_, q_, ridge, tally_).sign < 0) return false;
       }
       return true;
@@ -200,7 +202,8 @@ class ExitFinder {
     const BoxExits exits = box_exits(env_, w, p_, q_);
     tally_.tests(12 + 4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
     const bool several = (exits.pierced & (exits.pierced - 1)) != 0;
-    if (__builtin_expect(!exits.sure || several || entry.may_have_been_here, 0)) return exit_box_in_full(w, exits, entry);
+    if (__builtin_expect(!exits.sure || several || entry.may_have_been_here, 0))
+      return exit_box_in_full(w, exits, entry);
     if (exits.pierced == 0) return {};
     const uint32_t f = static_cast<uint32_t>(__builtin_ctz(exits.pierced));
     return {f, 2 * f + (exits.second >> f & 1u)};
@@ -212,7 +215,8 @@ class ExitFinder {
       const uint32_t f = i / 2, half = i % 2;
       const double* triangle[3];
       box_triangle(env_, w, f, half, triangle);
-      const bool pierced = exits.sure ? (exits.pierced >> f & 1u) != 0 && (exits.second >> f & 1u) == half : pierces(triangle);
+      const bool pierced =
+          exits.sure ? (exits.pierced >> f & 1u) != 0 && (exits.second >> f & 1u) == half : pierces(triangle);
       if (pierced) consider(f, i, triangle, entry, best);
     }
     return best.exit;

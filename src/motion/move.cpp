@@ -25,7 +25,8 @@ double first_step(const double* p, const double* q) noexcept {
 /** Candidates recede from `time` by doubling steps; the first from which nothing impassable is met on the way is taken,
  * and after 60 of them the start, which is always free. */
 template <int D>
-void pull_back(const Environment<D>& env, const CastRequest& request, MoveResult<D>& result, CastCounters* counters) noexcept {
+void pull_back(const Environment<D>& env, const CastRequest& request, MoveResult<D>& result,
+               CastCounters* counters) noexcept {
   CastRequest trial = request;
   trial.crossing = nullptr;
   trial.max_cells = 0;
@@ -74,7 +75,8 @@ MoveResult<D> move_point(const Environment<D>& env, const CastRequest& request, 
   } else {
     result.work_limited = true;
     const CastResult& stopped = result.cast;
-    result.time = stopped.previous.valid() ? crossing_time(env, stopped.previous, stopped.simplex, request.from, request.to) : 0;
+    result.time =
+        stopped.previous.valid() ? crossing_time(env, stopped.previous, stopped.simplex, request.from, request.to) : 0;
   }
   pull_back(env, request, result, counters);
   return result;

@@ -1,5 +1,5 @@
 #pragma once
-// A particle's move: a cast, and at a contact the search for a position that is verified free (design 2, guarantee 1).
+// A particle's move: a cast, and at a contact the search for a position that is verified free.
 
 #include <cmath>
 

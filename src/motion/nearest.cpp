@@ -29,7 +29,8 @@ Vec nearest_on(const Vec& a, const Vec& b) {
  * coordinates, otherwise it lies on an edge. */
 Vec nearest_on(const Vec& a, const Vec& b, const Vec& c) {
   const Vec ab = b - a, ac = c - a;
-  const double d1 = -dot(ab, a), d2 = -dot(ac, a), d3 = -dot(ab, b), d4 = -dot(ac, b), d5 = -dot(ab, c), d6 = -dot(ac, c);
+  const double d1 = -dot(ab, a), d2 = -dot(ac, a), d3 = -dot(ab, b), d4 = -dot(ac, b), d5 = -dot(ab, c),
+               d6 = -dot(ac, c);
   const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
   const double sum = va + vb + vc;
   if (va > 0 && vb > 0 && vc > 0 && sum > 0) {
@@ -47,7 +48,9 @@ Vec nearest_on(const Vec& a, const Vec& b, const Vec& c) {
 struct Visit {
   double distance;
   Cell cell;
-  bool operator<(const Visit& o) const { return distance != o.distance ? distance > o.distance : cell.unit > o.cell.unit; }
+  bool operator<(const Visit& o) const {
+    return distance != o.distance ? distance > o.distance : cell.unit > o.cell.unit;
+  }
 };
 
 class Flood {

@@ -36,7 +36,8 @@ struct CountAll {
 
 /** The facets of standard_shape, for kernels that know them by heart. */
 constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
-constexpr uint8_t kBoxFacets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+constexpr uint8_t kBoxFacets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
+                                      {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
 /** Triangle `half` of facet f of a hexahedron, as its standard shape has it. */
 inline void box_triangle(const Environment<3>& env, const uint32_t* w, uint32_t f, uint32_t half,

@@ -1,10 +1,13 @@
 // One cast from its start to its end; see cast.h. Included once for each instruction set, in a namespace of its own, after
 // the headers it needs: nothing that another translation unit might share is compiled for a machine it may not run on.
 
+// Each needs the one before.
+// clang-format off
 #include "motion/lanes.inl"
 #include "motion/box.inl"
 #include "motion/simplex.inl"
 #include "motion/exit.inl"
+// clang-format on
 
 /** One bit of 64 for a cell. All visited cells' bits together say "never entered before" for certain; the opposite is only a
  * suspicion, which costs a comparison of times and nothing else. */

@@ -1,7 +1,7 @@
 // Signs by integers; what each function means stands in exact.h.
 //
 // Every predicate is written once, over the integers of integers.h, and runs on machine integers where the coordinates
-// allow it. Deviation from design 3: integers right after the filter, no floating-point expansions between. What
+// allow it. Integers right after the filter, no floating-point expansions between. What
 // reaches this file is mostly ties, and an expansion of a tie has to be carried to its last component.
 #include "predicates/exact.h"
 

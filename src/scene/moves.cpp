@@ -15,13 +15,6 @@ namespace {
        id.index, id.generation);
 }
 
-template <int D>
-void check_ids(const Scene<D>& scene, const dsw_particle_id* ids, size_t count) {
-  for (size_t i = 0; i < count; ++i) {
-    if (!scene.slots.alive(ids[i].index, ids[i].generation)) fail_stale(ids[i], {"particles", true}, i);
-  }
-}
-
 /** Also stamps every particle with the number of this batch: one that already has it stands twice. */
 template <int D>
 void check_distinct_ids(Scene<D>& scene, const dsw_particle_id* ids, size_t count) {
@@ -151,6 +144,13 @@ void check_particle(const Scene<D>& scene, dsw_particle_id id) {
 }
 
 template <int D>
+void check_particles(const Scene<D>& scene, const dsw_particle_id* ids, size_t count) {
+  for (size_t i = 0; i < count; ++i) {
+    if (!scene.slots.alive(ids[i].index, ids[i].generation)) fail_stale(ids[i], {"particles", true}, i);
+  }
+}
+
+template <int D>
 void move_particle(Scene<D>& scene, dsw_particle_id id, const double* target, const FlightOptions& options,
                    dsw_flight* flight) {
   check_particle(scene, id);
@@ -185,7 +185,7 @@ void move_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t count, P
 template <int D>
 void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t count, PointArray to,
                          const FlightOptions& options, dsw_flight* flights) {
-  check_ids(scene, ids, count);
+  check_particles(scene, ids, count);
   check_finite(to, count, D, {"to", true});
   prepare_statistics(scene, count);
   run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
@@ -200,6 +200,7 @@ void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t cou
 }
 
 template void check_particle<3>(const Scene<3>&, dsw_particle_id);
+template void check_particles<3>(const Scene<3>&, const dsw_particle_id*, size_t);
 template void move_particle<3>(Scene<3>&, dsw_particle_id, const double*, const FlightOptions&, dsw_flight*);
 template void move_particles<3>(Scene<3>&, const dsw_particle_id*, size_t, PointArray, const FlightOptions&,
                                 dsw_flight*);

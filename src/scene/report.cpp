@@ -72,7 +72,7 @@ void report_move(const Environment<D>& env, const MoveResult<D>& result, bool de
   flight->cells_visited = result.cast.cells_visited;
   if (!detail || flight->outcome != DSW_OUTCOME_CONTACT) return;
   copy_point<D>(result.normal, flight->normal);
-  report_obstacle(env, result.cast.facet, result.cell, flight);
+  report_obstacle(env, result.cast.facet, result.cast.cell, flight);
 }
 
 template <int D>

@@ -96,6 +96,9 @@ void destroy_particle(Scene<D>& scene, uint32_t slot) noexcept;
 /** Throws unless the id is alive. */
 template <int D>
 void check_particle(const Scene<D>& scene, dsw_particle_id id);
+/** Throws unless all ids are alive; the message names the position of the first that is not. */
+template <int D>
+void check_particles(const Scene<D>& scene, const dsw_particle_id* ids, size_t count);
 
 /** Moves one particle; allocates nothing unless crossings are recorded. */
 template <int D>

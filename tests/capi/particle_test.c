@@ -21,6 +21,35 @@ static size_t particle_count(const dsw_scene *scene) {
   return count;
 }
 
+static void positions_come_in_bulk(void) {
+  dsw_scene *const scene = make_scene(g_env, 0);
+  dsw_particle_id ids[3];
+  double positions[3][4] = {{0}}, one[3];
+  dsw_volume_id volumes[3], volume;
+  size_t i;
+  ids[0] = particle_at(scene, g_middle);
+  ids[1] = particle_at(scene, g_middle);
+  ids[2] = ids[0]; /* an id may stand many times */
+  positions[0][3] = positions[2][3] = 7;
+  CHECK_OK(dsw_scene_get_particles(scene, ids, 3, positions[0], sizeof positions[0], volumes));
+  for (i = 0; i < 3; ++i) {
+    CHECK_OK(dsw_particle_get(scene, ids[i], one, &volume));
+    CHECK(memcmp(one, positions[i], sizeof one) == 0 && memcmp(&volume, &volumes[i], sizeof volume) == 0);
+  }
+  CHECK(positions[0][3] == 7 && positions[2][3] == 7);
+  CHECK_OK(dsw_scene_get_particles(scene, ids, 3, NULL, 0, NULL));
+  CHECK_OK(dsw_scene_get_particles(scene, NULL, 0, NULL, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_get_particles(scene, ids, 3, positions[0], 20, volumes));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_particles(scene, NULL, 1, positions[0], 0, volumes));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_particles(NULL, ids, 3, positions[0], 0, volumes));
+  CHECK_OK(dsw_particle_destroy(scene, ids[1]));
+  positions[0][0] = -1;
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_scene_get_particles(scene, ids, 3, positions[0], 0, volumes));
+  CHECK_MESSAGE("particles[1]");
+  CHECK(positions[0][0] == -1);
+  CHECK_OK(dsw_scene_destroy(scene));
+}
+
 static void particles_come_and_go(void) {
   dsw_scene *const scene = make_scene(g_env, 0);
   const dsw_particle_id first = particle_at(scene, g_middle), second = particle_at(scene, g_middle);
@@ -172,7 +201,7 @@ static void options_are_obeyed(void) {
   memset(&f, 0x55, sizeof f);
   CHECK_OK(dsw_particle_move(scene, id, to, &o, &f));
   CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.position[2] < 4 && f.position[2] > 3.9 && f.time > 0 && f.time < 1);
-  CHECK(f.normal[2] == 0 && f.face.generation == 0 && f.behind.generation == 0 && f.reserved == 0);
+  CHECK(f.normal[2] == 0 && f.face.generation == 0 && f.behind.generation == 0 && f.reserved[1] == 0);
   o.flags = DSW_CAST_START_KNOWN; /* no effect */
   CHECK_OK(dsw_particle_move(scene, id, g_middle, &o, &f));
   o.flags = 0x4;
@@ -448,6 +477,7 @@ static void occupants_are_none_at_first(void) {
 int main(void) {
   g_env = make_environment(NULL, 4, 4, 4);
   particles_come_and_go();
+  positions_come_in_bulk();
   ids_that_were_never_given_out_are_stale();
   a_bad_particle_is_refused();
   many_are_created_or_none();

@@ -125,7 +125,7 @@ static void a_cast_stops_at_the_outer_boundary(void) {
   CHECK(f.time == 0.4375 && f.position[0] == 4 && f.position[1] == 0.5);
   CHECK(f.normal[0] == -1 && f.normal[1] == 0 && f.normal[2] == 0);
   CHECK(f.volume.index == 3 && f.face.volume == 3 && f.face.local == FACE_X1 && f.face.generation == 1);
-  CHECK(f.behind.generation == 0 && f.tag == 103 && f.cells_visited == 4 && f.reserved == 0);
+  CHECK(f.behind.generation == 0 && f.tag == 103 && f.cells_visited == 4 && f.reserved[0] == 0 && f.reserved[1] == 0);
 }
 
 static void a_cast_tells_what_makes_a_face_impassable(void) {

@@ -61,6 +61,27 @@ static void a_volume_counts_its_cells(void) {
   CHECK_MESSAGE("volume {index 12, generation 1}");
 }
 
+static void neighbours_and_centres(void) {
+  dsw_volume_id neighbour;
+  double centre[3], again[3];
+  int impassable = -1;
+  dsw_volume_id found;
+  CHECK_OK(dsw_environment_get_neighbour(g_env, volume_at(1), FACE_X1, &neighbour, &impassable));
+  CHECK(neighbour.index == 2 && neighbour.generation == 1 && impassable == 0);
+  CHECK_OK(dsw_environment_get_neighbour(g_env, volume_at(2), FACE_X1, &neighbour, &impassable));
+  CHECK(neighbour.index == 0 && neighbour.generation == 0 && impassable == 1);
+  CHECK_OK(dsw_environment_get_neighbour(g_env, volume_at(2), FACE_X1, NULL, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_get_neighbour(g_env, volume_at(1), 6, &neighbour, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_neighbour(g_env, no_volume, 0, &neighbour, NULL));
+  CHECK_OK(dsw_environment_get_centre(g_env, volume_at(1), centre));
+  CHECK_OK(dsw_environment_locate(g_env, centre, no_volume, &found, NULL));
+  CHECK(found.index == 1);
+  CHECK_OK(dsw_environment_get_centre(g_env, volume_at(1), again));
+  CHECK(memcmp(centre, again, sizeof centre) == 0);
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_get_centre(g_env, no_volume, centre));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_centre(g_env, volume_at(1), NULL));
+}
+
 static void faces_have_two_sides_and_one_canonical_name(void) {
   dsw_face_id face;
   dsw_volume_id near_side, far_side;
@@ -235,6 +256,7 @@ int main(void) {
   info_counts_and_measures();
   ids_come_from_indices();
   a_volume_counts_its_cells();
+  neighbours_and_centres();
   faces_have_two_sides_and_one_canonical_name();
   an_edge_has_one_canonical_name();
   vertices_come_in_the_order_of_the_type();

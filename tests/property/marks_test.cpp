@@ -16,7 +16,7 @@ bool asked(const dsw_environment* environment, dsw_cell cell, bool own) {
   return answer == 1;
 }
 
-/// The marks as the test set them, and the closure of design 1 worked out from them.
+/// The marks as the test set them, and their closure worked out from them.
 struct Marks {
   explicit Marks(Place& p) : place(p), edges(*p.world), edge(edges.edges.size()), vertex(p.mesh.points.size()) {}
 

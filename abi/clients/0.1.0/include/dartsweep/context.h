@@ -43,12 +43,12 @@ typedef void (*dsw_parallel_for_fn)(void *user, dsw_task_fn task, void *task_dat
 
 /** Describes a context. Fill with dsw_context_desc_init, then set what you need. */
 typedef struct dsw_context_desc {
-  uint32_t struct_size;  /**< sizeof(dsw_context_desc). */
-  uint32_t thread_count; /**< Threads of the built-in parallel-for, 1 .. 256; 0: one per processor. */
-  void *user;            /**< Handed to every callback. */
-  dsw_allocate_fn allocate;        /**< Null: the C++ runtime's. Set both or none. */
-  dsw_release_fn release;          /**< See allocate. */
-  dsw_log_fn log;                  /**< Null: no log. */
+  uint32_t struct_size;             /**< sizeof(dsw_context_desc). */
+  uint32_t thread_count;            /**< Threads of the built-in parallel-for, 1 .. 256; 0: one per processor. */
+  void *user;                       /**< Handed to every callback. */
+  dsw_allocate_fn allocate;         /**< Null: the C++ runtime's. Set both or none. */
+  dsw_release_fn release;           /**< See allocate. */
+  dsw_log_fn log;                   /**< Null: no log. */
   dsw_parallel_for_fn parallel_for; /**< Null: the built-in one. */
 } dsw_context_desc;
 

@@ -79,13 +79,13 @@ typedef struct dsw_environment_desc {
 
 /** What creation found. Filled on success and on failure. */
 typedef struct dsw_build_report {
-  uint32_t struct_size;      /**< Set by the caller: sizeof(dsw_build_report). */
-  dsw_status status;         /**< As returned. */
-  uint32_t offender_count;   /**< How many of offenders are set. */
-  uint32_t offenders[8];     /**< First offending cells, by index, ascending (points, for a non-finite point). */
-  uint32_t reoriented_count; /**< Cells that DSW_ENVIRONMENT_REORIENT mirrored. */
-  uint32_t part_count;       /**< Parts connected through faces. */
-  uint32_t unused_point_count; /**< Points that no cell names. */
+  uint32_t struct_size;         /**< Set by the caller: sizeof(dsw_build_report). */
+  dsw_status status;            /**< As returned. */
+  uint32_t offender_count;      /**< How many of offenders are set. */
+  uint32_t offenders[8];        /**< First offending cells, by index, ascending (points, for a non-finite point). */
+  uint32_t reoriented_count;    /**< Cells that DSW_ENVIRONMENT_REORIENT mirrored. */
+  uint32_t part_count;          /**< Parts connected through faces. */
+  uint32_t unused_point_count;  /**< Points that no cell names. */
   uint32_t boundary_face_count; /**< Faces with one volume. */
   uint32_t convex_cell_count;   /**< Volumes that are exactly convex with exactly flat faces: these walk fastest. */
 } dsw_build_report;
@@ -175,6 +175,18 @@ DSW_API dsw_status dsw_environment_copy_vertices(const dsw_environment *environm
 DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *environment, dsw_face_id face,
                                                     dsw_volume_id *near_side, dsw_volume_id *far_side);
 
+/** What lies behind face `local` of a volume.
+ * @param neighbour [out] the volume there, null id at the outer boundary; may be null. @param impassable [out] 0 or 1: the
+ * face counts as impassable (its own mark, that of a volume on either side, or the outer boundary); may be null.
+ * @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environment, dsw_volume_id volume,
+                                                 uint32_t local, dsw_volume_id *neighbour, int *impassable);
+
+/** A point strictly inside a volume: the mean of its vertices, rounded, which is the apex of its star. (That of a
+ * tetrahedron thinner than the rounding of its coordinates can come to lie outside.)
+ * @param xyz [out] 3 doubles. @note O(vertices of the volume). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment, dsw_volume_id volume, double *xyz);
+
 /** Finds faces by their vertices, in bulk: face i has the points indices[offsets[i] .. offsets[i+1]-1], in any
  * order. This is how boundary groups of a mesh file become face ids.
  * @param offsets [in] count + 1 ascending values. @param faces [out] count canonical ids; null ids where no face
@@ -188,8 +200,8 @@ DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment
 /** Finds edges by their two vertices, in bulk: edge i joins points indices[2 i] and indices[2 i + 1].
  * @param edges [out] count canonical ids; null ids where there is no such edge. @param missing [out] may be null.
  * @note O(edges of the environment + count), expected. Thread: reader. @since 0.1 */
-DSW_API dsw_status dsw_environment_find_edges(const dsw_environment *environment, size_t count,
-                                              const uint32_t *indices, dsw_edge_id *edges, size_t *missing);
+DSW_API dsw_status dsw_environment_find_edges(const dsw_environment *environment, size_t count, const uint32_t *indices,
+                                              dsw_edge_id *edges, size_t *missing);
 
 /** Region label of a volume (0 if none were given). @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_region(const dsw_environment *environment, dsw_volume_id volume,
