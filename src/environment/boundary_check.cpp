@@ -1,8 +1,9 @@
 // Every boundary triangle has a solid inner side, and so has every edge between two mates: the sector between them. Where
-// two such solids round a common line, or two equally turned triangles of one plane, overlap, the boundary crosses
-// itself; nothing else needs a look at pairs. If they never do, walking along a connected sheet of the boundary never
-// changes how often the space just inside of it is covered (contacts in single points can be walked round), and one ray
-// for every sheet tells whether that is once. No tolerance, and no shift where contact is judged.
+// two such solids round a common line overlap, the boundary crosses itself; nothing else needs a look at pairs (two equally
+// turned triangles of one plane that overlap do so round an edge of one of them as well). If they never do, walking along
+// a connected sheet of the boundary never changes how often the space just inside of it is covered (contacts in single
+// points can be walked round), and one ray for every sheet tells whether that is once. No tolerance, and no shift where
+// contact is judged.
 
 #include "environment/boundary_check.h"
 
@@ -84,8 +85,6 @@ class Check {
     for (int k = 0; k < 3; ++k) of_s[k] = side(t, s.vertex[k]);
     if (on_one_side(of_s)) return false;
     if (straddles(of_t) && straddles(of_s)) return pierce(t, of_t, s, of_s);
-    const bool flat = of_t[0] == 0 && of_t[1] == 0 && of_t[2] == 0;
-    if (flat && same_side_overlap(t, s)) return true;
     for (uint32_t k = 0; k < 3; ++k) {
       if (of_t[k] == 0 && of_t[(k + 1) % 3] == 0 && edge_against(i, k, j)) return true;
       if (of_s[k] == 0 && of_s[(k + 1) % 3] == 0 && edge_in_face(j, k, t)) return true;
@@ -117,23 +116,6 @@ class Check {
       if (of[k] != 0 && of[(k + 1) % 3] != of[k] && of[(k + 2) % 3] != of[k]) return k;
     }
     return 0;
-  }
-
-  /** Two triangles of one plane, turned alike, with inner points in common. */
-  bool same_side_overlap(const Triangle& t, const Triangle& s) const {
-    const int axis = projection(t), sense = turn(t, axis);
-    if (turn(s, axis) != sense) return false;
-    return !separated(t, s, axis, sense) && !separated(s, t, axis, sense);
-  }
-  /** Whether some edge of t has all of s beyond it. */
-  bool separated(const Triangle& t, const Triangle& s, int axis, int sense) const {
-    for (uint32_t k = 0; k < 3; ++k) {
-      bool beyond = true;
-      for (const uint32_t v : s.vertex)
-        beyond = beyond && turn(t.vertex[k], t.vertex[(k + 1) % 3], v, axis) * sense <= 0;
-      if (beyond) return true;
-    }
-    return false;
   }
 
   /** The solid round a line: from `from` right-handed about the line to `to`; all round if both point the same way. */

@@ -200,6 +200,49 @@ TEST(BoundaryCheck, ShellInsideOfAShell) {
   EXPECT_TRUE(crosses(inside));
 }
 
+/** Two solids that have one closed line in common and pass through each other along it; the cells that a ray meets first
+ * are not those that overlap. */
+TEST(BoundaryCheck, SheetsThatCrossInEdgesOnly) {
+  const auto square = [](Mesh3& mesh, double low, double high, double z) {
+    return std::vector<int64_t>{mesh.point({low, low, z}), mesh.point({high, low, z}), mesh.point({high, high, z}),
+                                mesh.point({low, high, z})};
+  };
+  const auto pyramid = [](Mesh3& mesh, const std::vector<int64_t>& base, double z) {
+    const int64_t apex = mesh.point({1, 1, z});
+    if (z > mesh.points[3 * static_cast<size_t>(base[0]) + 2]) {
+      mesh.cell(kPyramid, {base[0], base[1], base[2], base[3], apex});
+    } else {
+      mesh.cell(kPyramid, {base[3], base[2], base[1], base[0], apex});
+    }
+  };
+  for (const int order : {0, 1, 2, 3}) {
+    for (const bool sheared : {false, true}) {
+      Mesh3 edges;  // two double pyramids over one square
+      const auto a = square(edges, 0, 2, 0);
+      pyramid(edges, a, order % 2 == 0 ? -3 : 1);
+      pyramid(edges, a, order % 2 == 0 ? 1 : -3);
+      const auto b = square(edges, 0, 2, 0);
+      pyramid(edges, b, order / 2 == 0 ? 3 : -1);
+      pyramid(edges, b, order / 2 == 0 ? -1 : 3);
+      if (sheared) shear(edges);
+      EXPECT_TRUE(crosses(edges)) << order;
+
+      Mesh3 faces;  // a box, and a solid whose edges run round it: its roof inside, its base around the box
+      const double lower[3] = {0, 0, 0}, upper[3] = {2, 2, 2};
+      if (order % 2 == 0) add_box(faces, lower, upper);
+      const auto base = square(faces, -1, 3, -1), top = square(faces, 0, 2, 1);
+      std::vector<int64_t> frustum = base;
+      frustum.insert(frustum.end(), top.begin(), top.end());
+      if (order / 2 == 0) faces.cell(kHexahedron, frustum);
+      pyramid(faces, top, 1.5);
+      if (order / 2 != 0) faces.cell(kHexahedron, frustum);
+      if (order % 2 != 0) add_box(faces, lower, upper);
+      if (sheared) shear(faces);
+      EXPECT_TRUE(crosses(faces)) << order;
+    }
+  }
+}
+
 /** Wedges round an axis, `turns` of them a quarter turn each, at growing radius so that no outer faces meet. */
 Mesh3 winding(int quarters, bool closed, bool growing) {
   Mesh3 mesh;
