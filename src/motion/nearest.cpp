@@ -25,23 +25,35 @@ Vec nearest_on(const Vec& a, const Vec& b) {
   return t >= length ? b : along(a, t / length, d);
 }
 
-/** Nearest point of triangle abc to the origin: inside the wedge of both edges at a corner it is found by barycentric
- * coordinates, otherwise it lies on an edge. */
-Vec nearest_on(const Vec& a, const Vec& b, const Vec& c) {
+/** `v` without its part along `d`. Done twice, because the first time leaves a rounding error of the size of v. */
+Vec without(const Vec& v, const Vec& d, double length) {
+  const Vec once = along(v, -dot(v, d) / length, d);
+  return along(once, -dot(once, d) / length, d);
+}
+
+/** Nearest point of triangle abc to the origin, ab its longest edge. In coordinates x along ab and y along the height over it
+ * the foot of the origin is found to a rounding error over the height, where barycentric coordinates lose it twice. */
+Vec nearest_over_longest(const Vec& a, const Vec& b, const Vec& c) {
   const Vec ab = b - a, ac = c - a;
-  const double d1 = -dot(ab, a), d2 = -dot(ac, a), d3 = -dot(ab, b), d4 = -dot(ac, b), d5 = -dot(ab, c),
-               d6 = -dot(ac, c);
-  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-  const double sum = va + vb + vc;
-  if (va > 0 && vb > 0 && vc > 0 && sum > 0) {
-    const Vec on_ab = along(a, vb / sum, ab);
-    return along(on_ab, vc / sum, ac);
+  const double length = dot(ab, ab);
+  const Vec height = without(ac, ab, length);
+  const double square = dot(height, height);
+  if (length > 0 && square > 0) {
+    const double apex = dot(ac, ab) / length, y = -dot(a, height) / square, x = -dot(a, ab) / length;
+    if (y > 0 && y < 1 && x > apex * y && x < apex * y + (1 - y)) return along(along(a, x, ab), y, height);
   }
   Vec best = nearest_on(a, b);
   for (const Vec& other : {nearest_on(b, c), nearest_on(c, a)}) {
     if (dot(other, other) < dot(best, best)) best = other;
   }
   return best;
+}
+
+Vec nearest_on(const Vec& a, const Vec& b, const Vec& c) {
+  const Vec ab = b - a, bc = c - b, ca = a - c;
+  const double lab = dot(ab, ab), lbc = dot(bc, bc), lca = dot(ca, ca);
+  if (lab >= lbc && lab >= lca) return nearest_over_longest(a, b, c);
+  return lbc >= lca ? nearest_over_longest(b, c, a) : nearest_over_longest(c, a, b);
 }
 
 /** A cell to visit, and how near it may hold something. */
@@ -74,12 +86,12 @@ class Flood {
   }
 
   bool run(Cell start) {
-    see(start);
     heap_.push_back({0, start});
     while (!heap_.empty() && heap_.front().distance <= best_) {
       std::pop_heap(heap_.begin(), heap_.end());
       const Cell c = heap_.back().cell;
       heap_.pop_back();
+      if (!see(c)) continue;
       ++result_.cells_visited;
       visit(c);
     }
@@ -104,8 +116,9 @@ class Flood {
         const HalfFacet first = canonical(map_, h);
         const Cell owner = map_.cell_of(first);
         offer(distance, at, {2, owner, map_.local_of(first, owner)});
-      } else if (const Cell next = map_.cell_of(map_.opposite(h)); see(next)) {
-        heap_.push_back({distance, next});
+      } else {
+        // A cell can stand in the heap once for each of its facets: a nearer way in must not be lost to a farther one.
+        heap_.push_back({distance, map_.cell_of(map_.opposite(h))});
         std::push_heap(heap_.begin(), heap_.end());
       }
     }
