@@ -141,7 +141,7 @@ class Reader {
       const int64_t begin = in_.offsets != nullptr ? offsets_[i] : static_cast<int64_t>(begin_of(i));
       const int64_t end = in_.offsets != nullptr ? offsets_[i + 1] : static_cast<int64_t>(begin_of(i + 1));
       const bool inside = begin >= 0 && begin <= end && static_cast<uint64_t>(end) <= in_.connectivity_count;
-      const bool right = type.vertex_count == 0 || end - begin == static_cast<int64_t>(type.vertex_count);
+      const bool right = inside && (type.vertex_count == 0 || end - begin == static_cast<int64_t>(type.vertex_count));
       if (!inside || !right) bad_size.add(i);
     }
     raise(DSW_STATUS_BAD_CELL_TYPE, bad_type, "has a type that is not supported");
