@@ -25,35 +25,34 @@ inline Lanes operator+(Lanes a, Lanes b) noexcept { return {_mm512_add_pd(a.v, b
 inline Lanes operator-(Lanes a, Lanes b) noexcept { return {_mm512_sub_pd(a.v, b.v)}; }
 inline Lanes operator*(Lanes a, Lanes b) noexcept { return {_mm512_mul_pd(a.v, b.v)}; }
 
-/** The vertices of a hexahedron relative to a point, eight lanes an axis. */
+/** The vertices of a hexahedron relative to a point, two in the halves of a register, then paired so that one permutation
+ * of two registers takes any corner of all facets out of them. */
 struct BoxVertices {
-  __m512d axis[3];
+  __m512d xz[2], y[2];  // x0 x1 z0 z1 x4 x5 z4 z5 and the same of 2 3 6 7; y0 y1 . . y4 y5 . . likewise
 
   BoxVertices(const double* points, const uint32_t* vertices, const double* q) noexcept {
-    const double* const p[8] = {points + size_t{vertices[0]} * 3, points + size_t{vertices[1]} * 3,
-                                points + size_t{vertices[2]} * 3, points + size_t{vertices[3]} * 3,
-                                points + size_t{vertices[4]} * 3, points + size_t{vertices[5]} * 3,
-                                points + size_t{vertices[6]} * 3, points + size_t{vertices[7]} * 3};
-    const auto xy = [&](int a, int b) {
-      return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p[a])), _mm_loadu_pd(p[b]), 1);
+    // Masked, so that the last point of the host's array is not read past.
+    const auto load = [&](uint32_t i) { return _mm256_maskz_loadu_pd(7, points + size_t{vertices[i]} * 3); };
+    const __m512d origin = _mm512_broadcast_f64x4(_mm256_maskz_loadu_pd(7, q));
+    const auto both = [&](uint32_t i, uint32_t j) {
+      return _mm512_sub_pd(_mm512_insertf64x4(_mm512_castpd256_pd512(load(i)), load(j), 1), origin);
     };
-    const auto z = [&](int a) { return _mm_loadh_pd(_mm_load_sd(p[a] + 2), p[a + 1] + 2); };
-    const auto zz = [&](int a) { return _mm256_insertf128_pd(_mm256_castpd128_pd256(z(a)), z(a + 2), 1); };
-    const __m512d even = _mm512_insertf64x4(_mm512_castpd256_pd512(xy(0, 2)), xy(4, 6), 1);
-    const __m512d odd = _mm512_insertf64x4(_mm512_castpd256_pd512(xy(1, 3)), xy(5, 7), 1);
-    axis[0] = _mm512_sub_pd(_mm512_unpacklo_pd(even, odd), _mm512_set1_pd(q[0]));
-    axis[1] = _mm512_sub_pd(_mm512_unpackhi_pd(even, odd), _mm512_set1_pd(q[1]));
-    axis[2] = _mm512_sub_pd(_mm512_insertf64x4(_mm512_castpd256_pd512(zz(0)), zz(4), 1), _mm512_set1_pd(q[2]));
+    const __m512d v04 = both(0, 4), v15 = both(1, 5), v26 = both(2, 6), v37 = both(3, 7);
+    xz[0] = _mm512_unpacklo_pd(v04, v15);
+    xz[1] = _mm512_unpacklo_pd(v26, v37);
+    y[0] = _mm512_unpackhi_pd(v04, v15);
+    y[1] = _mm512_unpackhi_pd(v26, v37);
   }
 
-  /** Loop position k of all facets. */
+  /** Loop position K of all facets on axis k. */
   template <int K>
   Lanes corner(int k) const noexcept {
-    const __m512i index = K == 0   ? _mm512_setr_epi64(0, 1, 0, 3, 0, 4, 0, 0)
-                          : K == 1 ? _mm512_setr_epi64(4, 2, 1, 7, 3, 5, 0, 0)
-                          : K == 2 ? _mm512_setr_epi64(7, 6, 5, 6, 2, 6, 0, 0)
-                                   : _mm512_setr_epi64(3, 5, 4, 2, 1, 7, 0, 0);
-    return {_mm512_permutexvar_pd(index, axis[k])};
+    constexpr int x[8] = {0, 1, 8, 9, 4, 5, 12, 13};  // where a vertex's x and y stand; z two places on
+    const int shift = k == 2 ? 2 : 0;
+    const auto at = [&](int f) { return x[kBoxFacets[f][K]] + shift; };
+    const __m512i index = _mm512_setr_epi64(at(0), at(1), at(2), at(3), at(4), at(5), 0, 0);
+    const __m512d* const pair = k == 1 ? y : xz;
+    return {_mm512_permutex2var_pd(pair[0], index, pair[1])};
   }
 };
 

@@ -36,7 +36,7 @@ void report_cast(const Environment<D>& env, const CastRequest& request, const Ca
   if (result.end == CastEnd::kReached) {
     return report_reached<D>(request.to, volume, result.cells_visited, detail, flight);
   }
-  *flight = dsw_flight{};
+  clear(flight);
   flight->volume = volume;
   flight->outcome = outcome_of(result.end);
   flight->cells_visited = result.cells_visited;
@@ -56,7 +56,7 @@ void report_cast(const Environment<D>& env, const CastRequest& request, const Ca
 
 template <int D>
 void report_no_start(const Environment<D>& env, const double* from, Cell start, dsw_flight* flight) noexcept {
-  *flight = dsw_flight{};
+  clear(flight);
   copy_point<D>(from, flight->position);
   flight->volume = volume_id(env.map, start);
   flight->outcome = start.valid() ? DSW_OUTCOME_IMPASSABLE : DSW_OUTCOME_OUTSIDE;
@@ -64,7 +64,7 @@ void report_no_start(const Environment<D>& env, const double* from, Cell start, 
 
 template <int D>
 void report_move(const Environment<D>& env, const MoveResult<D>& result, bool detail, dsw_flight* flight) noexcept {
-  *flight = dsw_flight{};
+  clear(flight);
   copy_point<D>(result.position, flight->position);
   flight->time = result.time;
   flight->volume = volume_id(env.map, result.cell);
