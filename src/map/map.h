@@ -59,10 +59,10 @@ struct Map {
   Array<uint32_t> words;          // all records
   Array<uint16_t> shape_tables;   // tables of general cells
   Array<uint32_t> shape_offsets;  // shape number -> start in shape_tables
-  Array<uint32_t> unit_of_cell;   // public index -> unit; empty when all records have the same size
+  Array<uint32_t> unit_of_cell;   // public index -> unit; empty: records of one size in the order of cells
   Array<uint32_t> cell_of_unit;   // the way back; empty likewise
   uint32_t cell_count = 0;
-  uint32_t units_per_cell = 0;  // when all records have the same size
+  uint32_t units_per_cell = 0;  // when there are no such tables
   uint32_t vertex_count = 0;
   uint32_t boundary_facet_count = 0;
   uint32_t facet_count = 0;  // a facet between two cells counts once
