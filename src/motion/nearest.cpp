@@ -59,10 +59,8 @@ Vec nearest_on(const Vec& a, const Vec& b, const Vec& c) {
 /** A cell to visit, and how near it may hold something. */
 struct Visit {
   double distance;
-  Cell cell;
-  bool operator<(const Visit& o) const {
-    return distance != o.distance ? distance > o.distance : cell.unit > o.cell.unit;
-  }
+  uint32_t index;  // of the cell: the order of ties must not depend on where records lie
+  bool operator<(const Visit& o) const { return distance != o.distance ? distance > o.distance : index > o.index; }
 };
 
 class Flood {
@@ -86,10 +84,10 @@ class Flood {
   }
 
   bool run(Cell start) {
-    heap_.push_back({0, start});
+    heap_.push_back({0, map_.index(start)});
     while (!heap_.empty() && heap_.front().distance <= best_) {
       std::pop_heap(heap_.begin(), heap_.end());
-      const Cell c = heap_.back().cell;
+      const Cell c = map_.cell(heap_.back().index);
       heap_.pop_back();
       if (!see(c)) continue;
       ++result_.cells_visited;
@@ -118,7 +116,7 @@ class Flood {
         offer(distance, at, {2, owner, map_.local_of(first, owner)});
       } else {
         // A cell can stand in the heap once for each of its facets: a nearer way in must not be lost to a farther one.
-        heap_.push_back({distance, map_.cell_of(map_.opposite(h))});
+        heap_.push_back({distance, map_.index(map_.cell_of(map_.opposite(h)))});
         std::push_heap(heap_.begin(), heap_.end());
       }
     }

@@ -27,7 +27,7 @@ void compare_casts(const dsw_environment* a, const dsw_environment* b) {
 
 /** Sets the size and the checksum of format version 1 right; empty when the bytes are too few to have them. */
 std::vector<uint8_t> repaired(const uint8_t* data, size_t size) {
-  constexpr size_t kAtSize = 16, kAtChecksum = 24, kHeaderBytes = 104;
+  constexpr size_t kAtSize = 16, kAtChecksum = 24, kHeaderBytes = 112;
   std::vector<uint8_t> block(data, data + size / 8 * 8);
   if (block.size() < kHeaderBytes) return {};
   const auto put = [&](size_t at, uint64_t value) {
