@@ -230,7 +230,7 @@ TEST_P(MarksTest, OccupiedVolumesRefuseAndSkip) {
   size_t expected = 0;
   for (size_t c = 0; c < held.size(); ++c) {
     world.cell_marked[c] = !held[c];
-    expected += held[c];
+    expected += held[c] != 0 ? 1u : 0u;
   }
   EXPECT_EQ(skipped, expected);
   ASSERT_EQ(dsw_scene_get_occupants(scene.get(), &who, &occupants), DSW_STATUS_OK);
