@@ -62,7 +62,7 @@ struct Map {
   Array<uint32_t> unit_of_cell;   // public index -> unit; empty: records of one size in the order of cells
   Array<uint32_t> cell_of_unit;   // the way back; empty likewise
   uint32_t cell_count = 0;
-  uint32_t units_per_cell = 0;  // when there are no such tables
+  uint32_t units_per_cell = 0;  // 1 or 2, when there are no such tables
   uint32_t vertex_count = 0;
   uint32_t boundary_facet_count = 0;
   uint32_t facet_count = 0;  // a facet between two cells counts once
@@ -75,7 +75,7 @@ struct Map {
         cell_of_unit(Allocator<uint32_t>(memory)) {}
 
   Cell cell(uint32_t index) const { return {unit_of_cell.empty() ? index * units_per_cell : unit_of_cell[index]}; }
-  uint32_t index(Cell c) const { return cell_of_unit.empty() ? c.unit / units_per_cell : cell_of_unit[c.unit]; }
+  uint32_t index(Cell c) const { return cell_of_unit.empty() ? c.unit >> (units_per_cell - 1) : cell_of_unit[c.unit]; }
 
   const uint32_t* record(Cell c) const { return words.data() + size_t{c.unit} * kUnitWords; }
   uint32_t* record(Cell c) { return words.data() + size_t{c.unit} * kUnitWords; }

@@ -22,25 +22,6 @@ inline Points corner(const BoxVertices& v) noexcept {
   return {v.corner<K>(0), v.corner<K>(1), v.corner<K>(2)};
 }
 
-/** Largest |component| on every axis, lane by lane. */
-struct Extents {
-  Lanes x, y, z;
-
-  explicit Extents(const Points& p) noexcept
-      : x(Lanes::absolute(p.x)), y(Lanes::absolute(p.y)), z(Lanes::absolute(p.z)) {}
-  void add(const Points& p) noexcept {
-    x = Lanes::larger(x, Lanes::absolute(p.x));
-    y = Lanes::larger(y, Lanes::absolute(p.y));
-    z = Lanes::larger(z, Lanes::absolute(p.z));
-  }
-  /** Lanes in which the bound holds; the filter's range is open here, which is narrower. */
-  Lanes::Mask in_range() const noexcept {
-    const Lanes low = Lanes::smaller(Lanes::smaller(x, y), z), high = Lanes::larger(Lanes::larger(x, y), z);
-    return Lanes::greater(low, Lanes::all(kFilterMin)) & Lanes::greater(Lanes::all(kFilterMax), high);
-  }
-  Lanes bound() const noexcept { return Lanes::all(kPlaneFilter3) * x * y * z; }
-};
-
 constexpr uint32_t kAllFacets = 0x3f;
 
 /** Asks exactly about the facets that the filter left open. */
@@ -64,13 +45,10 @@ inline uint32_t outside_flat_box(const Environment<3>& env, const uint32_t* w, c
                                  Tally& tally) noexcept {
   const BoxVertices v(env.points, w + kUnitWords, q);
   const Points a = corner<0>(v), b = corner<1>(v), c = corner<2>(v);
-  Extents extents(a);
-  extents.add(b);
-  extents.add(c);
-  const Lanes det = dot(cross(a, c), b), bound = extents.bound();
+  const Lanes det = dot(cross(a, c), b), bound = Lanes::all(v.extent.bound());
   const uint32_t outside = Lanes::bits(Lanes::greater(det, bound)) & ~known;
   const uint32_t inside = Lanes::bits(Lanes::greater(Lanes::all(0) - bound, det));
-  const uint32_t sure = ((outside | inside) & Lanes::bits(extents.in_range())) | known;
+  const uint32_t sure = (v.extent.in_range() ? outside | inside : 0) | known;
   return __builtin_expect(sure == kAllFacets, 1) ? outside : settle_flat_box(env, w, q, sure, outside, tally);
 }
 
@@ -86,29 +64,27 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   BoxExits exits;
   const BoxVertices v(env.points, w + kUnitWords, q);
   const Points c0 = corner<0>(v), c1 = corner<1>(v), c2 = corner<2>(v), c3 = corner<3>(v);
-  Extents extents(c0);
-  extents.add(c1);
-  extents.add(c2);
-  extents.add(c3);
+  if (__builtin_expect(!v.extent.in_range(), 0)) return exits;
   // a b c d: the loop turned so that the diagonal joins a and c.
   const Lanes::Mask cut = Lanes::spread(w[0] & kShapeMask);
   const Points a = select(cut, c1, c0), b = select(cut, c2, c1), c = select(cut, c3, c2), d = select(cut, c0, c3);
   const Points diagonal = cross(a, c);
-  const Lanes first = dot(diagonal, b), second = Lanes::all(0) - dot(diagonal, d), bound = extents.bound();
+  const Lanes first = dot(diagonal, b), second = Lanes::all(0) - dot(diagonal, d), bound = Lanes::all(v.extent.bound());
   const Lanes minus_bound = Lanes::all(0) - bound;
   const uint32_t out1 = Lanes::bits(Lanes::greater(first, bound)), out2 = Lanes::bits(Lanes::greater(second, bound));
   const uint32_t in1 = Lanes::bits(Lanes::greater(minus_bound, first)),
                  in2 = Lanes::bits(Lanes::greater(minus_bound, second));
-  if (__builtin_expect((((out1 | in1) & (out2 | in2) & Lanes::bits(extents.in_range())) ^ kAllFacets) != 0, 0))
-    return exits;
+  if (__builtin_expect((((out1 | in1) & (out2 | in2)) ^ kAllFacets) != 0, 0)) return exits;
   exits.sure = true;
   exits.candidates = out1 | out2;
   if (exits.candidates == 0) return exits;
 
   // The diagonal decides between a facet's triangles, two more edges whether that one is pierced.
-  const Points back = {Lanes::all(q[0] - p[0]), Lanes::all(q[1] - p[1]), Lanes::all(q[2] - p[2])};
-  extents.add(back);
-  const Lanes line_bound = extents.bound(), minus_line_bound = Lanes::all(0) - line_bound;
+  const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  const Points back = {Lanes::all(u[0]), Lanes::all(u[1]), Lanes::all(u[2])};
+  const Extent reach = {std::max(v.extent.x, std::fabs(u[0])), std::max(v.extent.y, std::fabs(u[1])),
+                        std::max(v.extent.z, std::fabs(u[2]))};
+  const Lanes line_bound = Lanes::all(reach.bound()), minus_line_bound = Lanes::all(0) - line_bound;
   const Lanes over = dot(diagonal, back);  // > 0: on the side of the second triangle
   const Lanes::Mask is_second = Lanes::greater(over, line_bound);
   const Points from = select(is_second, c, a), tip = select(is_second, d, b), to = select(is_second, a, c);
@@ -130,6 +106,6 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   exits.pierced = hit & p_inside;
   exits.second = on_second;
   const uint32_t settled = ((on_first | on_second) & (~q_outside | beside)) | (hit & (p_inside | p_outside));
-  exits.sure = (exits.candidates & ~(settled & Lanes::bits(extents.in_range()))) == 0;
+  exits.sure = reach.in_range() && (exits.candidates & ~settled) == 0;
   return exits;
 }

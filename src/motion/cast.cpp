@@ -27,7 +27,20 @@ const Walk<D> kWalk = choose_walk<D>();
 
 template <int D>
 CastResult cast(const Environment<D>& env, const CastRequest& request, CastCounters* counters) noexcept {
-  return counters == nullptr ? kWalk<D>.plain(env, request) : kWalk<D>.counted(env, request, counters);
+  CastResult result;
+  cast_side_by_side(env, &request, 1, &result, counters);
+  return result;
+}
+
+template <int D>
+void cast_side_by_side(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
+                       CastCounters* counters) noexcept {
+  DSW_ASSERT(count <= kWave);
+  if (counters == nullptr) {
+    kWalk<D>.plain(env, requests, count, results);
+  } else {
+    kWalk<D>.counted(env, requests, count, results, counters);
+  }
 }
 
 template <int D>
@@ -47,7 +60,11 @@ double crossing_time(const Environment<D>& env, Cell cell, uint32_t simplex, con
 
 template CastResult cast(const Environment<2>&, const CastRequest&, CastCounters*) noexcept;
 template CastResult cast(const Environment<3>&, const CastRequest&, CastCounters*) noexcept;
+template void cast_side_by_side(const Environment<2>&, const CastRequest*, uint32_t, CastResult*,
+                                CastCounters*) noexcept;
 template bool contains(const Environment<2>&, Cell, const double*) noexcept;
+template void cast_side_by_side(const Environment<3>&, const CastRequest*, uint32_t, CastResult*,
+                                CastCounters*) noexcept;
 template bool contains(const Environment<3>&, Cell, const double*) noexcept;
 template double crossing_time(const Environment<2>&, Cell, uint32_t, const double*, const double*) noexcept;
 template double crossing_time(const Environment<3>&, Cell, uint32_t, const double*, const double*) noexcept;

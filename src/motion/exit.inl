@@ -24,28 +24,50 @@ struct Entry {
   }
 };
 
+enum class LookKind : uint32_t { kNothing, kPlanes, kBox };
+
+/** What the planes of a cell say about the target. */
+struct Look {
+  uint32_t facets;  // kPlanes: with the target outside. kBox: pierced outwards; all ones: not known
+  uint32_t second;  // kBox, of these: through the second triangle
+  LookKind kind;
+  bool settled;  // kBox: at most one facet is pierced, for certain
+
+  static Look of_planes(uint32_t outside) { return {outside, 0, LookKind::kPlanes, true}; }
+  static Look of_nothing() { return {~0u, 0, LookKind::kNothing, false}; }
+};
+
 template <int D, class Tally>
 class ExitFinder {
  public:
   ExitFinder(const Environment<D>& env, const double* p, const double* q, Tally& tally)
       : env_(env), map_(env.map), p_(p), q_(q), tally_(tally) {}
 
-  /** `forecast`: a facet to ask first, where that saves asking the others. */
-  DSW_HOT Exit find(Cell c, const Entry& entry, uint32_t forecast) noexcept {
+  /** The first half of finding the exit: all planes of a cell that has a kernel, without a branch on their signs. */
+  DSW_HOT Look look(Cell c, const Entry& entry) noexcept {
     const uint32_t* w = map_.record(c);
     const Form form = form_of(w[0]);
     if constexpr (D == 3) {
       if (form == Form::kSimplex) {
         const uint32_t known = entry.known_inside(4);
         tally_.tests(known == 0 ? 4 : 3);
-        return exit_flat(c, outside_tetrahedron(env_, w, q_, known, uncounted_));
+        return Look::of_planes(outside_tetrahedron(env_, w, q_, known, uncounted_));
       }
       if (form == Form::kBox) {
-        if ((w[0] & kConvexBit) == 0) return exit_box(w, entry);
+        if ((w[0] & kConvexBit) == 0) return look_through_box(w);
         const uint32_t known = entry.known_inside(6);
         tally_.tests(known == 0 ? 6 : 5);
-        return exit_flat(c, outside_flat_box(env_, w, q_, known, uncounted_));
+        return Look::of_planes(outside_flat_box(env_, w, q_, known, uncounted_));
       }
+    }
+    return Look::of_nothing();
+  }
+
+  /** The second half: which facet it is. `forecast`: a facet to ask first, where that saves asking the others. */
+  DSW_HOT Exit choose(Cell c, const Look& look, const Entry& entry, uint32_t forecast) noexcept {
+    if (look.kind == LookKind::kPlanes) return exit_flat(c, look.facets);
+    if constexpr (D == 3) {
+      if (look.kind == LookKind::kBox) return exit_box(map_.record(c), look, entry);
     }
     if (map_.convex(c)) return exit_many_flat(c, forecast);
     return exit_many(c, entry);
@@ -58,7 +80,7 @@ class ExitFinder {
     if constexpr (D == 3) {
       if (form_of(w[0]) == Form::kSimplex) return outside_tetrahedron(env_, w, q_, 0, uncounted_) == 0;
     }
-    if (!map_.convex(c)) return find(c, Entry{}, kNoFacet).facet == kStays;
+    if (!map_.convex(c)) return choose(c, look(c, Entry{}), Entry{}, kNoFacet).facet == kStays;
     const Shape shape = map_.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const double* points[D];
@@ -98,25 +120,26 @@ class ExitFinder {
   // Cells that are convex with flat facets: one plane a facet, and p is inside all of them.
 
   /** Of two facets that share a ridge and both have q outside: whether the segment passes it on the side of f. 0: they share
-   * none. */
-  int keeps(Cell c, const Shape& shape, uint32_t f, uint32_t g) noexcept {
+   * none. Cells of general shape do not come here. */
+  DSW_HOT int keeps(Cell c, uint32_t f, uint32_t g) noexcept {
+    const uint32_t* w = map_.record(c);
     if constexpr (D == 3) {
-      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-        if (shape.dart_facet(shape.dart_beta2(d)) != g) continue;
-        const double* ridge[2] = {env_.point(c, shape.dart_vertex(d)),
-                                  env_.point(c, shape.dart_vertex(shape.beta1(d)))};
-        return line_side<3>(p_, q_, ridge, tally_).sign;
-      }
+      const bool simplex = form_of(w[0]) == Form::kSimplex;
+      const Ridge shared = simplex ? kTetrahedronRidges.of[f][g] : kBoxRidges.of[f][g];
+      if (shared.a == shared.b) return 0;
+      w += simplex ? 0 : kUnitWords;
+      const double* ridge[2] = {env_.point(w[shared.a] & kVertexMask), env_.point(w[shared.b] & kVertexMask)};
+      return line_side<3>(p_, q_, ridge, tally_).sign;
     } else {
-      const uint32_t n = shape.facet_count();
+      const uint32_t n = map_.facets_of(c);
       const bool g_follows = (f + 1) % n == g, f_follows = (g + 1) % n == f;
       if (g_follows || f_follows) {
         const double* shared = env_.point(c, g_follows ? g : f);
         const int side = line_side<D>(p_, q_, &shared, tally_).sign;
         return g_follows ? side : -side;
       }
+      return 0;
     }
-    return 0;
   }
 
   bool pierces_facet(Cell c, const Shape& shape, uint32_t f) noexcept {
@@ -136,25 +159,25 @@ class ExitFinder {
 
   DSW_HOT Exit exit_flat(Cell c, uint32_t outside) noexcept {
     if (outside == 0) return {};
-    if (__builtin_expect((outside & (outside - 1)) != 0, 0)) return exit_of_several(c, outside);
+    if ((outside & (outside - 1)) != 0) return exit_of_several(c, outside);
     const uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
     return {f, map_.form(c) == Form::kSimplex ? f : 2 * f};
   }
 
-  __attribute__((noinline)) Exit exit_of_several(Cell c, uint32_t outside) noexcept {
-    const Shape shape = map_.shape(c);
+  DSW_HOT Exit exit_of_several(Cell c, uint32_t outside) noexcept {
     uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
     for (uint32_t rest = outside & (outside - 1); rest != 0; rest &= rest - 1) {
       const uint32_t g = static_cast<uint32_t>(__builtin_ctz(rest));
-      const int side = keeps(c, shape, f, g);
-      if (side == 0) return first_pierced(c, shape, outside);
-      if (side < 0) f = g;
+      const int side = keeps(c, f, g);
+      if (__builtin_expect(side == 0, 0)) return first_pierced(c, outside);
+      f = side < 0 ? g : f;
     }
-    return {f, shape.simplex_first(f)};
+    return {f, map_.form(c) == Form::kSimplex ? f : 2 * f};
   }
 
   /** Facets without a common ridge can both have q outside (a cell that narrows): then each is asked in full. */
-  Exit first_pierced(Cell c, const Shape& shape, uint32_t outside) noexcept {
+  DSW_COLD Exit first_pierced(Cell c, uint32_t outside) noexcept {
+    const Shape shape = map_.shape(c);
     for (; outside != 0; outside &= outside - 1) {
       const uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
       if (pierces_facet(c, shape, f)) return {f, shape.simplex_first(f)};
@@ -198,25 +221,28 @@ class ExitFinder {
   }
 
   /** Hexahedron: the lanes settle nearly all; what they leave open is asked triangle by triangle. */
-  DSW_HOT Exit exit_box(const uint32_t* w, const Entry& entry) noexcept {
+  DSW_HOT Look look_through_box(const uint32_t* w) noexcept {
     const BoxExits exits = box_exits(env_, w, p_, q_);
     tally_.tests(12 + 4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
     const bool several = (exits.pierced & (exits.pierced - 1)) != 0;
-    if (__builtin_expect(!exits.sure || several || entry.may_have_been_here, 0))
-      return exit_box_in_full(w, exits, entry);
-    if (exits.pierced == 0) return {};
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(exits.pierced));
-    return {f, 2 * f + (exits.second >> f & 1u)};
+    return {exits.sure ? exits.pierced : ~0u, exits.second, LookKind::kBox, exits.sure && !several};
   }
 
-  DSW_COLD Exit exit_box_in_full(const uint32_t* w, const BoxExits& exits, const Entry& entry) noexcept {
+  DSW_HOT Exit exit_box(const uint32_t* w, const Look& look, const Entry& entry) noexcept {
+    if (__builtin_expect(!look.settled || entry.may_have_been_here, 0)) return exit_box_in_full(w, look, entry);
+    if (look.facets == 0) return {};
+    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(look.facets));
+    return {f, 2 * f + (look.second >> f & 1u)};
+  }
+
+  DSW_COLD Exit exit_box_in_full(const uint32_t* w, const Look& look, const Entry& entry) noexcept {
+    const bool sure = look.facets != ~0u;
     Earliest best;
     for (uint32_t i = 0; i < 12; ++i) {
       const uint32_t f = i / 2, half = i % 2;
       const double* triangle[3];
       box_triangle(env_, w, f, half, triangle);
-      const bool pierced =
-          exits.sure ? (exits.pierced >> f & 1u) != 0 && (exits.second >> f & 1u) == half : pierces(triangle);
+      const bool pierced = sure ? (look.facets >> f & 1u) != 0 && (look.second >> f & 1u) == half : pierces(triangle);
       if (pierced) consider(f, i, triangle, entry, best);
     }
     return best.exit;

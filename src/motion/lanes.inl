@@ -2,6 +2,17 @@
 // set, so the bits are the same. Included once for each instruction set, inside a namespace of its own. (Operators are
 // not friends defined in the class, because GCC compiles those for the wrong target.)
 
+/** Largest |component| on every axis over the vectors that meet in the determinants of a cell. */
+struct Extent {
+  double x, y, z;
+
+  /** Whether bound() holds. */
+  bool in_range() const noexcept {
+    return (std::min(std::min(x, y), z) >= kFilterMin) & (std::max(std::max(x, y), z) <= kFilterMax);
+  }
+  double bound() const noexcept { return kPlaneFilter3 * x * y * z; }
+};
+
 #if defined(DSW_ISA_AVX512)
 
 /** One 512-bit register; the last two lanes are idle. */
@@ -28,6 +39,7 @@ inline Lanes operator*(Lanes a, Lanes b) noexcept { return {_mm512_mul_pd(a.v, b
 /** The vertices of a hexahedron relative to a point, two in the halves of a register, then paired so that one permutation
  * of two registers takes any corner of all facets out of them. */
 struct BoxVertices {
+  Extent extent;
   __m512d xz[2], y[2];  // x0 x1 z0 z1 x4 x5 z4 z5 and the same of 2 3 6 7; y0 y1 . . y4 y5 . . likewise
 
   BoxVertices(const double* points, const uint32_t* vertices, const double* q) noexcept {
@@ -38,6 +50,12 @@ struct BoxVertices {
       return _mm512_sub_pd(_mm512_insertf64x4(_mm512_castpd256_pd512(load(i)), load(j), 1), origin);
     };
     const __m512d v04 = both(0, 4), v15 = both(1, 5), v26 = both(2, 6), v37 = both(3, 7);
+    const __m512d m = _mm512_max_pd(_mm512_max_pd(_mm512_abs_pd(v04), _mm512_abs_pd(v15)),
+                                    _mm512_max_pd(_mm512_abs_pd(v26), _mm512_abs_pd(v37)));
+    const __m256d both_halves = _mm256_max_pd(_mm512_castpd512_pd256(m), _mm512_extractf64x4_pd(m, 1));
+    const __m128d xy = _mm256_castpd256_pd128(both_halves);
+    extent = {_mm_cvtsd_f64(xy), _mm_cvtsd_f64(_mm_unpackhi_pd(xy, xy)),
+              _mm_cvtsd_f64(_mm256_extractf128_pd(both_halves, 1))};
     xz[0] = _mm512_unpacklo_pd(v04, v15);
     xz[1] = _mm512_unpacklo_pd(v26, v37);
     y[0] = _mm512_unpackhi_pd(v04, v15);
@@ -160,11 +178,17 @@ inline Lanes::Mask operator|(const Lanes::Mask& x, const Lanes::Mask& y) noexcep
 
 /** The vertices of a hexahedron relative to a point. */
 struct BoxVertices {
+  Extent extent;
   const double* p[8];
   const double* q;
 
-  BoxVertices(const double* points, const uint32_t* vertices, const double* origin) noexcept : q(origin) {
-    for (uint32_t i = 0; i < 8; ++i) p[i] = points + size_t{vertices[i]} * 3;
+  BoxVertices(const double* points, const uint32_t* vertices, const double* origin) noexcept
+      : extent{0, 0, 0}, q(origin) {
+    for (uint32_t i = 0; i < 8; ++i) {
+      p[i] = points + size_t{vertices[i]} * 3;
+      extent = {std::max(extent.x, std::fabs(p[i][0] - q[0])), std::max(extent.y, std::fabs(p[i][1] - q[1])),
+                std::max(extent.z, std::fabs(p[i][2] - q[2]))};
+    }
   }
 
   template <int K>

@@ -53,10 +53,10 @@ void pull_back(const Environment<D>& env, const CastRequest& request, MoveResult
 }  // namespace
 
 template <int D>
-MoveResult<D> move_point(const Environment<D>& env, const CastRequest& request, bool with_normal,
-                         CastCounters* counters) noexcept {
+MoveResult<D> finish_move(const Environment<D>& env, const CastRequest& request, const CastResult& flight,
+                          bool with_normal, CastCounters* counters) noexcept {
   MoveResult<D> result;
-  result.cast = cast(env, request, counters);
+  result.cast = flight;
   result.cell = result.cast.cell;
   if (result.cast.end == CastEnd::kReached) {
     std::copy(request.to, request.to + D, result.position);
@@ -82,6 +82,16 @@ MoveResult<D> move_point(const Environment<D>& env, const CastRequest& request, 
   return result;
 }
 
+template <int D>
+MoveResult<D> move_point(const Environment<D>& env, const CastRequest& request, bool with_normal,
+                         CastCounters* counters) noexcept {
+  return finish_move(env, request, cast(env, request, counters), with_normal, counters);
+}
+
+template MoveResult<2> finish_move(const Environment<2>&, const CastRequest&, const CastResult&, bool,
+                                   CastCounters*) noexcept;
+template MoveResult<3> finish_move(const Environment<3>&, const CastRequest&, const CastResult&, bool,
+                                   CastCounters*) noexcept;
 template MoveResult<2> move_point(const Environment<2>&, const CastRequest&, bool, CastCounters*) noexcept;
 template MoveResult<3> move_point(const Environment<3>&, const CastRequest&, bool, CastCounters*) noexcept;
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "motion/cast.h"
+#include "motion/prefetch.h"
 #include "predicates/filtered.h"
 
 #if defined(__x86_64__)
@@ -39,6 +41,32 @@ constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {
 constexpr uint8_t kBoxFacets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
                                       {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
+/** The ridge that two facets share: its vertices in the order of the first facet; a == b if there is none. */
+struct Ridge {
+  uint8_t a = 0, b = 0;
+};
+
+template <uint32_t Facets>
+struct RidgeTable {
+  Ridge of[Facets][Facets];
+};
+
+template <uint32_t Facets, uint32_t Vertices>
+constexpr RidgeTable<Facets> make_ridges(const uint8_t (&facets)[Facets][Vertices]) {
+  RidgeTable<Facets> table{};
+  for (uint32_t f = 0; f < Facets; ++f) {
+    for (uint32_t g = 0; g < Facets; ++g) {
+      for (uint32_t i = 0; i < Vertices * Vertices; ++i) {
+        const uint8_t a = facets[f][i / Vertices], b = facets[f][(i / Vertices + 1) % Vertices];
+        if (facets[g][i % Vertices] == b && facets[g][(i % Vertices + 1) % Vertices] == a) table.of[f][g] = {a, b};
+      }
+    }
+  }
+  return table;
+}
+constexpr RidgeTable<4> kTetrahedronRidges = make_ridges(kTetrahedronFacets);
+constexpr RidgeTable<6> kBoxRidges = make_ridges(kBoxFacets);
+
 /** Triangle `half` of facet f of a hexahedron, as its standard shape has it. */
 inline void box_triangle(const Environment<3>& env, const uint32_t* w, uint32_t f, uint32_t half,
                          const double* (&triangle)[3]) noexcept {
@@ -50,8 +78,9 @@ inline void box_triangle(const Environment<3>& env, const uint32_t* w, uint32_t 
 
 template <int D>
 struct Walk {
-  CastResult (*plain)(const Environment<D>& env, const CastRequest& request) noexcept;
-  CastResult (*counted)(const Environment<D>& env, const CastRequest& request, CastCounters* counters) noexcept;
+  void (*plain)(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results) noexcept;
+  void (*counted)(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
+                  CastCounters* counters) noexcept;
   bool (*contains)(const Environment<D>& env, Cell cell, const double* centre, const double* point) noexcept;
 };
 

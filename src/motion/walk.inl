@@ -13,52 +13,133 @@
  * suspicion, which costs a comparison of times and nothing else. */
 inline uint64_t visit_bit(Cell c) { return uint64_t{1} << ((c.unit * 0x9e3779b1u) >> 26); }
 
-template <int D, class Tally>
-CastResult walk(const Environment<D>& env, const CastRequest& request, Tally tally) noexcept {
-  const Map<D>& map = env.map;
-  ExitFinder<D, Tally> finder(env, request.from, request.to, tally);
-  CastResult result;
-  result.cell = request.start;
+/** A cast that has left its first cell, or is about to. */
+struct Flight {
+  Look look;
+  Exit exit;
+  HalfFacet through;  // the facet of `exit`, seen from beyond
   Entry entry;
-  uint64_t visited = visit_bit(request.start);
-  uint32_t forecast = request.forecast;
-  for (;;) {
-    const Exit exit = finder.find(result.cell, entry, forecast);
-    if (result.cells_visited == 1) result.first_facet = exit.facet;
-    if (exit.facet == kStays) return result;
-    const HalfFacet h = map.half_facet(result.cell, exit.facet), o = map.opposite(h);
-    const Cell next = o.valid() ? map.cell_of(o) : Cell{};
-    if (!o.valid() || (!request.through_walls && (map.facet_marked(h) || map.marked(next)))) {
-      result.end = CastEnd::kHit;
-      result.facet = h;
-      result.simplex = exit.simplex;
-      return result;
+  uint64_t visited;
+};
+
+/** Casts side by side. One step of a cast is three waits (for a cell's record, for its vertices, for the sign of a plane
+ * that nobody can predict); a pass over many casts for each of the three overlaps what one cast alone would sit through. */
+template <int D, class Tally>
+class Walkers {
+ public:
+  Walkers(const Environment<D>& env, const CastRequest* requests, CastResult* results, Tally tally)
+      : env_(env), map_(env.map), requests_(requests), results_(results), tally_(tally) {}
+
+  void run(uint32_t count) noexcept {
+    uint32_t leaving = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+      new (results_ + i) CastResult;
+      results_[i].cell = requests_[i].start;
+      active_[leaving] = static_cast<uint8_t>(i);
+      leaving += look(i, Entry{}) ? 1 : 0;
     }
+    count = keep(leaving, [&](uint32_t i) { return leave_first(i); });
+    for (;;) {
+      count = keep(count, [&](uint32_t i) { return enter(i); });
+      if (count == 0) return;
+      count = keep(count, [&](uint32_t i) { return look(i, flight(i).entry); });
+      count = keep(count, [&](uint32_t i) { return leave(i, flight(i).entry, kNoFacet); });
+    }
+  }
+
+ private:
+  /** Of the first `count` active casts keeps those for which a step says so. */
+  template <class Step>
+  DSW_HOT uint32_t keep(uint32_t count, Step step) noexcept {
+    uint32_t kept = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      const uint32_t i = active_[k];
+      active_[kept] = static_cast<uint8_t>(i);
+      kept += step(i) ? 1 : 0;
+    }
+    return kept;
+  }
+
+  Flight& flight(uint32_t i) noexcept { return flights_[i]; }
+  ExitFinder<D, Tally> finder(uint32_t i) noexcept { return {env_, requests_[i].from, requests_[i].to, tally_}; }
+
+  /** Whether the segment may leave its cell. */
+  DSW_HOT bool look(uint32_t i, const Entry& entry) noexcept {
+    const Look seen = finder(i).look(results_[i].cell, entry);
+    flight(i).look = seen;
+    return seen.facets != 0;
+  }
+
+  DSW_HOT bool leave_first(uint32_t i) noexcept {
+    const bool leaves = leave(i, Entry{}, requests_[i].forecast);
+    results_[i].first_facet = flight(i).exit.facet;
+    flight(i).entry = Entry{};
+    flight(i).visited = visit_bit(results_[i].cell);
+    return leaves;
+  }
+
+  /** Whether it does, and where to. */
+  DSW_HOT bool leave(uint32_t i, const Entry& entry, uint32_t forecast) noexcept {
+    const Cell cell = results_[i].cell;
+    const Exit exit = finder(i).choose(cell, flight(i).look, entry, forecast);
+    flight(i).exit = exit;
+    if (exit.facet == kStays) return false;
+    const HalfFacet h = map_.half_facet(cell, exit.facet), o = map_.opposite(h);
+    results_[i].facet = h;
+    flight(i).through = o;
+    if (o.valid()) __builtin_prefetch(&map_.words[o.word & ~(kUnitWords - 1)]);
+    return true;
+  }
+
+  /** Whether it may come in there. */
+  DSW_HOT bool enter(uint32_t i) noexcept {
+    const CastRequest& request = requests_[i];
+    Flight& f = flight(i);
+    CastResult& result = results_[i];
+    const HalfFacet o = f.through;
+    const Cell next = o.valid() ? map_.cell_of(o) : Cell{};
+    if (!o.valid() || (!request.through_walls && (map_.facet_marked(result.facet) || map_.marked(next)))) {
+      result.end = CastEnd::kHit;
+      result.simplex = f.exit.simplex;
+      return false;
+    }
+    result.facet = HalfFacet{};
     if (result.cells_visited == request.max_cells) {  // cells_visited is never 0, so 0 is no limit
       result.end = CastEnd::kWorkLimit;
-      result.simplex = entry.simplex;
-      return result;
+      result.simplex = f.entry.simplex;
+      return false;
     }
-    if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, exit.simplex, next);
-    entry = {(visited & visit_bit(next)) != 0, result.cell, exit.simplex, o};
-    visited |= visit_bit(next);
-    forecast = kNoFacet;
+    prefetch_vertices(env_, next);
+    if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, f.exit.simplex, next);
+    f.entry = {(f.visited & visit_bit(next)) != 0, result.cell, f.exit.simplex, o};
+    f.visited |= visit_bit(next);
     result.previous = result.cell;
     result.cell = next;
     ++result.cells_visited;
+    return true;
   }
-}
+
+  const Environment<D>& env_;
+  const Map<D>& map_;
+  const CastRequest* requests_;
+  CastResult* results_;
+  Tally tally_;
+  union {  // constructs nothing
+    Flight flights_[kWave];
+  };
+  uint8_t active_[kWave];
+};
 
 template <int D>
-CastResult walk_plain(const Environment<D>& env, const CastRequest& request) noexcept {
-  return walk(env, request, CountNothing{});
+void walk_plain(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results) noexcept {
+  Walkers<D, CountNothing>(env, requests, results, {}).run(count);
 }
 template <int D>
-CastResult walk_counted(const Environment<D>& env, const CastRequest& request, CastCounters* counters) noexcept {
-  const CastResult result = walk(env, request, CountAll{counters});
-  ++counters->casts;
-  counters->cells_visited += result.cells_visited;
-  return result;
+void walk_counted(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
+                  CastCounters* counters) noexcept {
+  Walkers<D, CountAll>(env, requests, results, {counters}).run(count);
+  counters->casts += count;
+  for (uint32_t i = 0; i < count; ++i) counters->cells_visited += results[i].cells_visited;
 }
 template <int D>
 bool contains(const Environment<D>& env, Cell cell, const double* centre, const double* point) noexcept {

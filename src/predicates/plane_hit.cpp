@@ -1,19 +1,20 @@
-// Times and normals from the exact integers of the predicates, so that nothing has to be proved about their rounding.
-//
-// No floating-point path stands in front: over machine integers the exact quotient is cheap enough for what is computed
-// once per contact, and it also settles times that are doubles themselves, which no error bound can.
+// Times and normals: double-double where its bound leaves one answer, else the exact integers of the predicates, which also
+// settle times that are doubles themselves. Both give the same bits.
 #include "predicates/plane_hit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 
+#include "predicates/certified_hit.h"
 #include "predicates/integers.h"
 
 namespace dsw {
 
 namespace {
 
+using integers::decode;
 using integers::dot;
 using integers::evaluate;
 using integers::Normal;
@@ -58,8 +59,19 @@ template <int N>
 Scaled scaled(const WideInt<N>& x) noexcept {
   if (x.sign() == 0) return {0, 0};
   const int bits = x.bit_length();
-  const double top = static_cast<double>(limbs::bits_from(x.limb(), x.size(), bits - 64)) * 0x1p-64;
+  // The conversion rounds to nearest what has a bit below for all that was cut off.
+  const std::uint64_t sticky = limbs::any_below(x.limb(), x.size(), bits - 64) ? 1 : 0;
+  const double top = static_cast<double>(limbs::bits_from(x.limb(), x.size(), bits - 64) | sticky) * 0x1p-64;
   return {x.sign() < 0 ? -top : top, bits};
+}
+
+// Divides by the length components that are at most 1, the largest at least a half.
+template <int D>
+void divide_by_length(double* unit) noexcept {
+  double square = 0;
+  for (int k = 0; k < D; ++k) square += unit[k] * unit[k];
+  const double length = std::sqrt(square);
+  for (int k = 0; k < D; ++k) unit[k] /= length;
 }
 
 // n/|n|, or zero for zero. Each component is rounded from the exact one, at a common scale on which the largest is in
@@ -77,15 +89,20 @@ void normalize(const Normal<R, D>& n, const Span<D>& span, double* unit) noexcep
     highest = !found || s[k].exponent > highest ? s[k].exponent : highest;
     found = true;
   }
-  double square = 0;
   for (int k = 0; k < D; ++k) {
     const int down = s[k].exponent - highest;
     unit[k] = s[k].significand == 0 || down < -1022 ? 0 : s[k].significand * power_of_two(down);
-    square += unit[k] * unit[k];
   }
-  if (square == 0) return;
-  const double length = std::sqrt(square);
-  for (int k = 0; k < D; ++k) unit[k] /= length;
+  if (found) divide_by_length<D>(unit);
+}
+
+// -n/|n| of certified components: each is 0 or between 2^-700 and 2^330.
+void point_back(const double* n, double* unit) noexcept {
+  const double largest = std::max(std::max(std::fabs(n[0]), std::fabs(n[1])), std::fabs(n[2]));
+  const double scale = power_of_two(1022 - decode(largest).exponent);
+  for (int k = 0; k < 3; ++k) unit[k] = n[k] * scale;
+  divide_by_length<3>(unit);
+  for (int k = 0; k < 3; ++k) unit[k] = 0 - unit[k];  // never -0
 }
 
 // Points p, q, simplex.
@@ -107,6 +124,15 @@ struct FlightPoints {
 
 template <int D>
 PlaneHit<D> plane_hit(const double* p, const double* q, const double* const* simplex) noexcept {
+  if constexpr (D == 3) {
+    CertifiedHit certified;
+    if (certified_hit(p, q, simplex, true, &certified)) {
+      PlaneHit<D> hit;
+      hit.time = certified.time;
+      point_back(certified.normal, hit.normal);
+      return hit;
+    }
+  }
   const FlightPoints<D> flight(p, q, simplex);
   return evaluate<D>(flight.points, [](const auto& x) noexcept {
     const auto n = x.normal(2);
@@ -120,6 +146,10 @@ PlaneHit<D> plane_hit(const double* p, const double* q, const double* const* sim
 
 template <int D>
 double crossing_time(const double* p, const double* q, const double* const* simplex) noexcept {
+  if constexpr (D == 3) {
+    CertifiedHit certified;
+    if (certified_hit(p, q, simplex, false, &certified)) return certified.time;
+  }
   const FlightPoints<D> flight(p, q, simplex);
   return evaluate<D>(flight.points, [](const auto& x) noexcept { return time_of(x, x.normal(2)); });
 }

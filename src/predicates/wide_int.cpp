@@ -106,6 +106,14 @@ std::uint64_t bits_from(const std::uint64_t* a, int a_size, int bit) noexcept {
   return (low >> rest) | (high << (64 - rest));
 }
 
+bool any_below(const std::uint64_t* a, int a_size, int bit) noexcept {
+  for (int i = 0; i < a_size && 64 * i < bit; ++i) {
+    const int kept = bit - 64 * i;
+    if ((kept >= 64 ? a[i] : a[i] << (64 - kept)) != 0) return true;
+  }
+  return false;
+}
+
 std::uint64_t scaled_quotient(const std::uint64_t* a, int a_size, int shift, const std::uint64_t* b,
                               int b_size) noexcept {
   // With the top 64 bits t of b = t * 2^s + ..., and the numerator cut at the same place, floor(cut / t) is the

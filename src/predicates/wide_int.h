@@ -23,6 +23,8 @@ int shift_left(std::uint64_t* r, const std::uint64_t* a, int a_size, int bits) n
 int bit_length(const std::uint64_t* a, int a_size) noexcept;
 // The 64 bits of a from `bit` upwards; bits beyond either end are 0 (bit may be negative).
 std::uint64_t bits_from(const std::uint64_t* a, int a_size, int bit) noexcept;
+// Whether a has a bit set below `bit`.
+bool any_below(const std::uint64_t* a, int a_size, int bit) noexcept;
 // floor(a * 2^shift / b) for shift >= 0, a >= 0, b > 0, when that is below 2^60. Allocates nothing, copies nothing.
 std::uint64_t scaled_quotient(const std::uint64_t* a, int a_size, int shift, const std::uint64_t* b,
                               int b_size) noexcept;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "motion/prefetch.h"
+#include "motion/wave.h"
 #include "scene/batch.h"
 #include "scene/scene.h"
 
@@ -46,23 +46,21 @@ struct CrossingWriter {
   dsw_crossing* next;
   dsw_crossing* end;
 
+  /** For flight i of a batch: the cell it starts in, and every cell that the cast will enter. */
+  void start(Scene<D>& scene, size_t i, CastRequest& request) noexcept {
+    dsw_crossing* const all = scene.crossings.data();
+    *this = {&scene.env, request.from, request.to, all + scene.crossing_first[i], all + scene.crossing_first[i + 1]};
+    *next++ = {volume_id(scene.env.map, request.start), {0, 0, 0}, 0};
+    request.crossing = write;
+    request.crossing_user = this;
+  }
+
   static void write(void* user, Cell from_cell, uint32_t simplex, Cell to_cell) {
     CrossingWriter& w = *static_cast<CrossingWriter*>(user);
     DSW_ASSERT(w.next != w.end);
     if (w.next != w.end) *w.next++ = report_crossing(*w.env, from_cell, simplex, to_cell, w.from, w.to);
   }
 };
-
-template <int D>
-CastRequest request_of(const ParticleState<D>& state, const double* target, uint32_t max_cells) noexcept {
-  CastRequest request;
-  request.from = state.position;
-  request.to = target;
-  request.start = state.cell;
-  request.max_cells = max_cells;
-  request.forecast = state.forecast;
-  return request;
-}
 
 /** The facet a particle keeps aiming at: the wall that stopped it, or what it aimed at before if it stayed in its
  * cell. */
@@ -74,19 +72,12 @@ uint32_t next_forecast(const Environment<D>& env, const ParticleState<D>& state,
   return result.cell == state.cell ? state.forecast : kNoFacet;
 }
 
+/** What follows the cast of a move: the verified position, the particle's new state, the report. */
 template <int D>
-void move_one(const Scene<D>& scene, ParticleState<D>& state, const double* target, const FlightOptions& options,
-              dsw_crossing* crossings, dsw_crossing* crossings_end, dsw_flight* flight,
-              SceneStatistics* statistics) noexcept {
-  CastRequest request = request_of(state, target, options.max_cells);
-  CrossingWriter<D> writer{&scene.env, state.position, target, crossings, crossings_end};
-  if (crossings != nullptr) {
-    *writer.next++ = {volume_id(scene.env.map, state.cell), {0, 0, 0}, 0};
-    request.crossing = CrossingWriter<D>::write;
-    request.crossing_user = &writer;
-  }
-  const MoveResult<D> result = move_point(scene.env, request, options.detail && flight != nullptr,
-                                          statistics == nullptr ? nullptr : &statistics->cast);
+void finish_one(const Scene<D>& scene, ParticleState<D>& state, const CastRequest& request, const CastResult& flight,
+                bool detail, dsw_flight* report, SceneStatistics* statistics) noexcept {
+  const MoveResult<D> result = finish_move(scene.env, request, flight, detail && report != nullptr,
+                                           statistics == nullptr ? nullptr : &statistics->cast);
   if (statistics != nullptr) {
     const bool left = result.cast.cells_visited > 1;
     statistics->forecast_hits += left && result.cast.first_facet == state.forecast ? 1 : 0;
@@ -96,7 +87,29 @@ void move_one(const Scene<D>& scene, ParticleState<D>& state, const double* targ
   state.forecast = next_forecast(scene.env, state, result);
   state.cell = result.cell;
   std::copy(result.position, result.position + D, state.position);
-  if (flight != nullptr) report_move(scene.env, result, options.detail, flight);
+  if (report != nullptr) report_move(scene.env, result, detail, report);
+}
+
+/** Casts of particles' moves, a wave at a time; `done(i, request, result)` is called for each in its order. */
+template <int D, class Done>
+void cast_particles(Scene<D>& scene, const dsw_particle_id* ids, PointArray targets, uint32_t max_cells,
+                    bool with_crossings, size_t begin, size_t end, CastCounters* counters, const Done& done) noexcept {
+  Wave<D> wave;
+  CrossingWriter<D> writers[kWave];
+  while (begin < end) {
+    const size_t first = begin;
+    for (wave.clear(); begin < end && !wave.full(); ++begin) {
+      if (begin + kRecordAhead < end) prefetch_record(scene.env, scene.particles[ids[begin + kRecordAhead].index].cell);
+      const ParticleState<D>& state = scene.particles[ids[begin].index];
+      CrossingWriter<D>& writer = writers[wave.count()];
+      CastRequest& request = wave.add(scene.env, state.cell, state.position, targets[begin]);
+      request.max_cells = max_cells;
+      request.forecast = state.forecast;
+      if (with_crossings) writer.start(scene, begin, request);
+    }
+    wave.run(scene.env, counters);
+    for (uint32_t i = 0; i < wave.count(); ++i) done(first + i, wave.request(i), wave.result(i));
+  }
 }
 
 /** Counts the cells of every flight and makes room for them, so that recording them later cannot fail. Costs a second
@@ -106,10 +119,9 @@ void prepare_crossings(Scene<D>& scene, const dsw_particle_id* ids, size_t count
                        uint32_t max_cells) {
   Array<size_t> first(count + 1, size_t{0}, scene.crossing_first.get_allocator());
   auto body = [&](size_t begin, size_t end) noexcept {
-    for (size_t i = begin; i < end; ++i) {
-      first[i + 1] =
-          cast(scene.env, request_of(scene.particles[ids[i].index], targets[i], max_cells), nullptr).cells_visited;
-    }
+    cast_particles(
+        scene, ids, targets, max_cells, false, begin, end, nullptr,
+        [&](size_t i, const CastRequest&, const CastResult& result) { first[i + 1] = result.cells_visited; });
   };
   share_out(scene.parallel, count, body);
   for (size_t i = 0; i < count; ++i) first[i + 1] += first[i];
@@ -121,6 +133,7 @@ void prepare_crossings(Scene<D>& scene, const dsw_particle_id* ids, size_t count
 /** Runs body(begin, end, statistics) over a batch; statistics is null unless the scene counts. */
 template <int D, class Body>
 void run_batch(Scene<D>& scene, size_t count, const Body& body) noexcept {
+  if (count <= kChunk) return body(size_t{0}, count, scene.features.statistics ? &scene.statistics : nullptr);
   auto chunk = [&](size_t begin, size_t end) noexcept {
     if (!scene.features.statistics) return body(begin, end, nullptr);
     SceneStatistics part;  // on this thread's stack: neighbours in the array share cache lines
@@ -128,12 +141,30 @@ void run_batch(Scene<D>& scene, size_t count, const Body& body) noexcept {
     scene.chunk_statistics[begin / kChunk] = part;
   };
   share_out(scene.parallel, count, chunk);
+  if (!scene.features.statistics) return;
   for (const SceneStatistics& part : scene.chunk_statistics) scene.statistics.add(part);
 }
 
+/** Room for the counters of every chunk; a batch of one needs none. */
 template <int D>
 void prepare_statistics(Scene<D>& scene, size_t count) {
-  if (scene.features.statistics) scene.chunk_statistics.assign(chunk_count(count), SceneStatistics{});
+  if (scene.features.statistics && count > kChunk) scene.chunk_statistics.assign(chunk_count(count), SceneStatistics{});
+}
+
+/** Moves particles whose ids and targets are in order. */
+template <int D>
+void move_checked(Scene<D>& scene, const dsw_particle_id* ids, size_t count, PointArray targets,
+                  const FlightOptions& options, dsw_flight* flights) {
+  prepare_statistics(scene, count);
+  if (scene.features.crossings) prepare_crossings(scene, ids, count, targets, options.max_cells);
+  run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
+    cast_particles(scene, ids, targets, options.max_cells, scene.features.crossings, begin, end,
+                   statistics == nullptr ? nullptr : &statistics->cast,
+                   [&](size_t i, const CastRequest& request, const CastResult& result) {
+                     finish_one(scene, scene.particles[ids[i].index], request, result, options.detail,
+                                flights == nullptr ? nullptr : flights + i, statistics);
+                   });
+  });
 }
 
 }  // namespace
@@ -155,10 +186,7 @@ void move_particle(Scene<D>& scene, dsw_particle_id id, const double* target, co
                    dsw_flight* flight) {
   check_particle(scene, id);
   check_finite({target, D}, 1, D, {"target", false});
-  if (scene.features.crossings) prepare_crossings(scene, &id, 1, {target, D}, options.max_cells);
-  dsw_crossing* const crossings = scene.features.crossings ? scene.crossings.data() : nullptr;
-  move_one(scene, scene.particles[id.index], target, options, crossings, crossings + scene.crossings.size(), flight,
-           scene.features.statistics ? &scene.statistics : nullptr);
+  move_checked(scene, &id, 1, {target, D}, options, flight);
 }
 
 template <int D>
@@ -166,20 +194,7 @@ void move_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t count, P
                     const FlightOptions& options, dsw_flight* flights) {
   check_distinct_ids(scene, ids, count);
   check_finite(targets, count, D, {"targets", true});
-  prepare_statistics(scene, count);
-  if (scene.features.crossings) prepare_crossings(scene, ids, count, targets, options.max_cells);
-  run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
-    for (size_t i = begin; i < end; ++i) {
-      prefetch_ahead(scene.env, i, end, [&](size_t k) { return scene.particles[ids[k].index].cell; });
-      dsw_crossing *first = nullptr, *last = nullptr;
-      if (scene.features.crossings) {
-        first = scene.crossings.data() + scene.crossing_first[i];
-        last = scene.crossings.data() + scene.crossing_first[i + 1];
-      }
-      move_one(scene, scene.particles[ids[i].index], targets[i], options, first, last,
-               flights == nullptr ? nullptr : flights + i, statistics);
-    }
-  });
+  move_checked(scene, ids, count, targets, options, flights);
 }
 
 template <int D>
@@ -189,13 +204,12 @@ void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t cou
   check_finite(to, count, D, {"to", true});
   prepare_statistics(scene, count);
   run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
-    for (size_t i = begin; i < end; ++i) {
-      prefetch_ahead(scene.env, i, end, [&](size_t k) { return scene.particles[ids[k].index].cell; });
-      const CastRequest request = request_of(scene.particles[ids[i].index], to[i], options.max_cells);
-      const CastResult result = cast(scene.env, request, statistics == nullptr ? nullptr : &statistics->cast);
-      if (statistics != nullptr) statistics->contacts += result.end == CastEnd::kHit ? 1 : 0;
-      report_cast(scene.env, request, result, options.detail, flights + i);
-    }
+    cast_particles(scene, ids, to, options.max_cells, false, begin, end,
+                   statistics == nullptr ? nullptr : &statistics->cast,
+                   [&](size_t i, const CastRequest& request, const CastResult& result) {
+                     if (statistics != nullptr) statistics->contacts += result.end == CastEnd::kHit ? 1 : 0;
+                     report_cast(scene.env, request, result, options.detail, flights + i);
+                   });
   });
 }
 

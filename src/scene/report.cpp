@@ -27,20 +27,26 @@ dsw_outcome outcome_of(CastEnd end) noexcept {
                                   : DSW_OUTCOME_WORK_LIMIT;
 }
 
-}  // namespace
-
+/** What every report of a free cast holds, and the rest of one that reached its target. */
 template <int D>
-void report_cast(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
-                 dsw_flight* flight) noexcept {
-  const dsw_volume_id volume = volume_id(env.map, result.cell);
-  if (result.end == CastEnd::kReached) {
-    return report_reached<D>(request.to, volume, result.cells_visited, detail, flight);
-  }
+void report_arrival(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
+                    dsw_flight* flight) noexcept {
   clear(flight);
-  flight->volume = volume;
-  flight->outcome = outcome_of(result.end);
+  flight->volume = {env.map.index(result.cell), kGeneration};
+  flight->outcome = DSW_OUTCOME_REACHED;
   flight->cells_visited = result.cells_visited;
   if (!detail) return;
+  copy_point<D>(request.to, flight->position);
+  flight->time = 1;
+}
+
+/** What is different for one that did not. */
+template <int D>
+void report_stop(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
+                 dsw_flight* flight) noexcept {
+  flight->outcome = outcome_of(result.end);
+  if (!detail) return;
+  flight->time = 0;
   if (result.end == CastEnd::kHit) {
     const double* simplex[D];
     simplex_points(env, result.cell, env.map.shape(result.cell), result.simplex, simplex);
@@ -52,6 +58,29 @@ void report_cast(const Environment<D>& env, const CastRequest& request, const Ca
     flight->time = crossing_time(env, result.previous, result.simplex, request.from, request.to);
   }
   point_at<D>(request.from, request.to, flight->time, flight->position);
+}
+
+}  // namespace
+
+template <int D>
+void report_cast(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
+                 dsw_flight* flight) noexcept {
+  report_arrival(env, request, result, detail, flight);
+  if (result.end != CastEnd::kReached) report_stop(env, request, result, detail, flight);
+}
+
+template <int D>
+void report_wave(const Environment<D>& env, const Wave<D>& wave, bool detail, dsw_flight* const* flights) noexcept {
+  uint32_t stops[kWave], stop_count = 0;
+  for (uint32_t i = 0; i < wave.count(); ++i) {
+    report_arrival(env, wave.request(i), wave.result(i), detail, flights[i]);
+    stops[stop_count] = i;
+    stop_count += wave.result(i).end != CastEnd::kReached ? 1 : 0;
+  }
+  for (uint32_t k = 0; k < stop_count; ++k) {
+    const uint32_t i = stops[k];
+    report_stop(env, wave.request(i), wave.result(i), detail, flights[i]);
+  }
 }
 
 template <int D>
@@ -84,6 +113,7 @@ dsw_crossing report_crossing(const Environment<D>& env, Cell from, uint32_t simp
 }
 
 template void report_cast<3>(const Environment<3>&, const CastRequest&, const CastResult&, bool, dsw_flight*) noexcept;
+template void report_wave<3>(const Environment<3>&, const Wave<3>&, bool, dsw_flight* const*) noexcept;
 template void report_no_start<3>(const Environment<3>&, const double*, Cell, dsw_flight*) noexcept;
 template void report_move<3>(const Environment<3>&, const MoveResult<3>&, bool, dsw_flight*) noexcept;
 template dsw_crossing report_crossing<3>(const Environment<3>&, Cell, uint32_t, Cell, const double*,

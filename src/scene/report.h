@@ -7,6 +7,7 @@
 #include "environment/environment.h"
 #include "motion/cast.h"
 #include "motion/move.h"
+#include "motion/wave.h"
 
 namespace dsw {
 
@@ -52,18 +53,10 @@ template <int D>
 void report_cast(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
                  dsw_flight* flight) noexcept;
 
-/** The report of most casts, for the loop over a batch: the target was reached, in `volume`. */
+/** Reports of a wave of free casts. First as if all had reached their targets, then those that did not: their work overlaps
+ * when it is not scattered. */
 template <int D>
-void report_reached(const double* to, dsw_volume_id volume, uint32_t cells_visited, bool detail,
-                    dsw_flight* flight) noexcept {
-  clear(flight);
-  flight->volume = volume;
-  flight->outcome = DSW_OUTCOME_REACHED;
-  flight->cells_visited = cells_visited;
-  if (!detail) return;
-  for (int k = 0; k < D; ++k) flight->position[k] = to[k];
-  flight->time = 1;
-}
+void report_wave(const Environment<D>& env, const Wave<D>& wave, bool detail, dsw_flight* const* flights) noexcept;
 
 /** Report of a free cast that could not start: outside, or in the impassable cell `start`. */
 template <int D>

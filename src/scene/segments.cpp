@@ -1,51 +1,58 @@
 #include "scene/segments.h"
 
 #include "motion/locate.h"
-#include "motion/prefetch.h"
+#include "motion/wave.h"
 #include "scene/batch.h"
 
 namespace dsw {
 namespace {
 
-constexpr dsw_volume_id kNull{0, 0};
-
-/** Where a cast starts: known, or located with or without a hint. */
+/** Whether a cast can start there. */
 template <int D>
-Cell start_cell(const Environment<D>& env, dsw_volume_id start, const double* from, bool known) noexcept {
-  return known && !is_null(start) ? env.map.cell(start.index) : locate_point(env, from, start);
-}
-
-template <int D>
-bool can_start(const Environment<D>& env, Cell start) noexcept {
+bool is_passable(const Environment<D>& env, Cell start) noexcept {
   return start.valid() && !env.map.marked(start);
 }
 
-/** Casts segments begin .. end-1. The loop that queries live in: a request is filled once, and most casts end in the
- * volume they began in, whose id is at hand. */
+/** Where casts start: known, or located with or without a hint. */
 template <int D>
-void cast_range(const Environment<D>& env, const dsw_volume_id* starts, PointArray from, PointArray to,
+class Starts {
+ public:
+  Starts(const Environment<D>& env, const dsw_volume_id* ids, bool known) noexcept
+      : env_(env), ids_(ids), known_(known && ids != nullptr) {}
+
+  Cell find(size_t i, const double* from) const noexcept {
+    const dsw_volume_id id = ids_ == nullptr ? dsw_volume_id{0, 0} : ids_[i];
+    return known_ && !is_null(id) ? env_.map.cell(id.index) : locate_point(env_, from, id);
+  }
+  void prefetch(size_t i) const noexcept {
+    if (known_ && !is_null(ids_[i])) prefetch_record(env_, env_.map.cell(ids_[i].index));
+  }
+
+ private:
+  const Environment<D>& env_;
+  const dsw_volume_id* ids_;
+  bool known_;
+};
+
+/** Casts segments begin .. end-1, a wave at a time. */
+template <int D>
+void cast_range(const Environment<D>& env, const Starts<D>& starts, PointArray from, PointArray to,
                 const SegmentOptions& options, size_t begin, size_t end, dsw_flight* flights) noexcept {
-  CastRequest request;
-  request.max_cells = options.max_cells;
-  const bool detail = options.detail, known = starts != nullptr && options.start_known;
-  for (size_t i = begin; i < end; ++i) {
-    if (known) {
-      prefetch_ahead(env, i, end, [&](size_t k) { return env.map.cell(is_null(starts[k]) ? 0 : starts[k].index); });
+  Wave<D> wave;
+  dsw_flight* reports[kWave];
+  while (begin < end) {
+    for (wave.clear(); begin < end && !wave.full(); ++begin) {
+      if (begin + kRecordAhead < end) starts.prefetch(begin + kRecordAhead);
+      const Cell cell = starts.find(begin, from[begin]);
+      if (is_passable(env, cell)) {
+        reports[wave.count()] = flights + begin;
+        wave.add(env, cell, from[begin], to[begin]).max_cells = options.max_cells;
+      } else {
+        report_no_start(env, from[begin], cell, flights + begin);
+      }
     }
-    const dsw_volume_id start = starts == nullptr ? kNull : starts[i];
-    request.from = from[i];
-    request.to = to[i];
-    request.start = start_cell(env, start, request.from, known);
-    if (!can_start(env, request.start)) {
-      report_no_start(env, request.from, request.start, flights + i);
-      continue;
-    }
-    const CastResult result = cast(env, request, nullptr);
-    if (result.end == CastEnd::kReached && result.cells_visited == 1 && known && !is_null(start)) {
-      report_reached<D>(request.to, start, 1, detail, flights + i);
-    } else {
-      report_cast(env, request, result, detail, flights + i);
-    }
+    wave.run(env, nullptr);
+    report_wave(env, wave, options.detail, reports);
   }
 }
 
@@ -72,8 +79,9 @@ Cell locate_point(const Environment<D>& env, const double* point, dsw_volume_id 
 template <int D>
 void cast_segments(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                    PointArray from, PointArray to, const SegmentOptions& options, dsw_flight* flights) {
+  const Starts<D> where(env, starts, options.start_known);
   auto body = [&](size_t begin, size_t end) noexcept {
-    cast_range(env, starts, from, to, options, begin, end, flights);
+    cast_range(env, where, from, to, options, begin, end, flights);
   };
   share_out(parallel, count, body);
 }
@@ -85,10 +93,10 @@ void cast_path(const Environment<D>& env, dsw_volume_id start, const double* fro
   CastRequest request;
   request.from = from;
   request.to = to;
-  request.start = start_cell(env, start, from, options.start_known);
+  request.start = Starts<D>(env, &start, options.start_known).find(0, from);
   request.max_cells = options.max_cells;
   *count = 0;
-  if (!can_start(env, request.start)) return report_no_start(env, from, request.start, flight);
+  if (!is_passable(env, request.start)) return report_no_start(env, from, request.start, flight);
   CastResult result = cast(env, request, nullptr);
   report_cast(env, request, result, options.detail, flight);
   *count = result.cells_visited;
@@ -106,7 +114,7 @@ void locate_points(const Environment<D>& env, const Parallel& parallel, PointArr
                    const dsw_volume_id* hints, dsw_volume_id* volumes) {
   auto body = [&](size_t begin, size_t end) noexcept {
     for (size_t i = begin; i < end; ++i) {
-      volumes[i] = volume_id(env.map, locate_point(env, points[i], hints == nullptr ? kNull : hints[i]));
+      volumes[i] = volume_id(env.map, locate_point(env, points[i], hints == nullptr ? dsw_volume_id{0, 0} : hints[i]));
     }
   };
   share_out(parallel, count, body);

@@ -1,4 +1,5 @@
-// The walk gives the same results and counts the same work whatever instruction set it was compiled for.
+// The walk gives the same results and counts the same work whatever instruction set it was compiled for and however casts are
+// grouped.
 
 #include <gtest/gtest.h>
 
@@ -131,11 +132,52 @@ SmallMesh wedge_lattice() {
   return wedges;
 }
 
+/** A cast and what the portable walk said of it, alone. */
+struct Flown {
+  double from[3], to[3], apex[3];
+  bool contained;
+  CastResult expected;
+  std::vector<Crossing> expected_crossings, crossings;
+};
+
+struct Group {
+  uint32_t count = 0;
+  Flown casts[kWave];
+  CastRequest requests[kWave];
+  CastCounters counters;  // of all together
+};
+
+/** Casts a group side by side, counted and not. */
+void compare(const Environment<3>& env, Group& group, const Walk<3>& walk) {
+  CastResult results[kWave];
+  CastCounters counters;
+  for (uint32_t i = 0; i < group.count; ++i) {
+    group.casts[i].crossings.clear();
+    group.requests[i].crossing_user = &group.casts[i].crossings;
+  }
+  walk.counted(env, group.requests, group.count, results, &counters);
+  expect_same(group.counters, counters);
+  for (uint32_t i = 0; i < group.count; ++i) {
+    const Flown& cast = group.casts[i];
+    SCOPED_TRACE(testing::Message() << i << " of " << group.count << std::hexfloat << " from " << cast.from[0] << " "
+                                    << cast.from[1] << " " << cast.from[2] << " to " << cast.to[0] << " " << cast.to[1]
+                                    << " " << cast.to[2]);
+    expect_same(cast.expected, results[i]);
+    EXPECT_EQ(cast.crossings, cast.expected_crossings);
+    EXPECT_EQ(walk.contains(env, cast.expected.cell, cast.apex, cast.to), cast.contained);
+    group.requests[i].crossing = nullptr;
+  }
+  walk.plain(env, group.requests, group.count, results);
+  for (uint32_t i = 0; i < group.count; ++i) {
+    expect_same(group.casts[i].expected, results[i]);
+    group.requests[i].crossing = note;
+  }
+}
+
 class InstructionSetTest : public testing::TestWithParam<double> {};
 
-TEST_P(InstructionSetTest, SameResultsAndCounters) {
+TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
   const std::vector<NamedWalk> all = walks();
-  if (all.size() == 1) GTEST_SKIP() << "this processor has one walk only";
   const double scale = GetParam();
   const std::vector<SmallMesh> meshes = {lattice(kSize, kHexahedron),
                                          lattice(kSize, kHexahedron, 0.12),
@@ -160,46 +202,39 @@ TEST_P(InstructionSetTest, SameResultsAndCounters) {
     }
     CastCounters total;
     uint32_t hits = 0;
+    Group group;
     for (int n = 0; n < kCasts; ++n) {
-      double from[3], to[3];
-      points.next(from, n % 2 == 0, 0);
-      points.next(to, n % 4 < 2, n % 3 == 0 ? 1 : 0);
-      const Cell start = locate(env, from, Cell{}, nullptr).cell;
+      Flown& cast = group.casts[group.count];
+      points.next(cast.from, n % 2 == 0, 0);
+      points.next(cast.to, n % 4 < 2, n % 3 == 0 ? 1 : 0);
+      const Cell start = locate(env, cast.from, Cell{}, nullptr).cell;
       if (!start.valid()) continue;  // on the far boundary, shifted out
-      CastRequest request;
-      request.from = from;
-      request.to = to;
+      CastRequest& request = group.requests[group.count] = CastRequest{};
+      request.from = cast.from;
+      request.to = cast.to;
       request.start = start;
       request.max_cells = n % 7 == 0 ? 1 + points.below(6) : 0;
       request.forecast = n % 5 == 0 ? points.below(map.facets_of(start)) : kNoFacet;
       request.through_walls = n % 6 == 0;
-      std::vector<Crossing> expected_crossings;
       request.crossing = note;
-      request.crossing_user = &expected_crossings;
-      CastCounters expected_counters;
-      const CastResult expected = all[0].walk.counted(env, request, &expected_counters);
-      double apex[3];
-      centre(env, expected.cell, apex);
-      const bool contained = all[0].walk.contains(env, expected.cell, apex, to);
-      EXPECT_EQ(contained, expected.end == CastEnd::kReached);
+      cast.expected_crossings.clear();
+      request.crossing_user = &cast.expected_crossings;
+      const CastCounters before = group.counters;
+      all[0].walk.counted(env, &request, 1, &cast.expected, &group.counters);
+      EXPECT_EQ(group.counters.casts, before.casts + 1);
+      centre(env, cast.expected.cell, cast.apex);
+      cast.contained = all[0].walk.contains(env, cast.expected.cell, cast.apex, cast.to);
+      EXPECT_EQ(cast.contained, cast.expected.end == CastEnd::kReached);
+      hits += cast.expected.end == CastEnd::kHit ? 1u : 0u;
+      if (++group.count < 1 + static_cast<uint32_t>(n) % kWave) continue;  // groups of all sizes
       for (const NamedWalk& other : all) {
-        SCOPED_TRACE(testing::Message() << other.name << " cast " << n << std::hexfloat << " from " << from[0] << " "
-                                        << from[1] << " " << from[2] << " to " << to[0] << " " << to[1] << " "
-                                        << to[2]);
-        std::vector<Crossing> crossings;
-        request.crossing_user = &crossings;
-        CastCounters counters;
-        expect_same(expected, other.walk.counted(env, request, &counters));
-        expect_same(expected_counters, counters);
-        EXPECT_EQ(crossings, expected_crossings);
-        request.crossing = nullptr;
-        expect_same(expected, other.walk.plain(env, request));
-        request.crossing = note;
-        EXPECT_EQ(other.walk.contains(env, expected.cell, apex, to), contained);
+        SCOPED_TRACE(testing::Message() << other.name << ", cast " << n);
+        compare(env, group, other.walk);
         if (HasFailure()) return;
       }
-      total.add(expected_counters);
-      hits += expected.end == CastEnd::kHit ? 1u : 0u;
+      total.add(group.counters);
+      group.count = 0;
+      group.counters = {};
     }
     EXPECT_GT(total.casts, kCasts * 4u / 5u);
     EXPECT_GT(total.cells_visited, 2 * total.casts);

@@ -1,0 +1,19 @@
+// Times and normals of ordinary contacts without integers: double-double arithmetic with a bound of its error, which
+// answers only where the bound leaves one answer. Private to this folder.
+#pragma once
+
+namespace dsw {
+
+// The exact value of a contact rounded as plane_hit.h says, but for the normal: its components rounded to nearest, not
+// normalized.
+struct CertifiedHit {
+  double time;
+  double normal[3];  // n, outward
+};
+
+// False if it cannot tell: extreme ranges, times within 2^-90 or so of a double, components that cancel to next to
+// nothing. `hit` is undefined then. Without `with_normal` only the time.
+bool certified_hit(const double* p, const double* q, const double* const* triangle, bool with_normal,
+                   CertifiedHit* hit) noexcept;
+
+}  // namespace dsw

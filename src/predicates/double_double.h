@@ -1,0 +1,60 @@
+// Numbers as unevaluated sums of two doubles, |low| <= half an ulp of high. Private to this folder.
+//
+// Sources: T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971); M.
+// Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building blocks of double-word arithmetic,
+// ACM TOMS 44 (2017). The bounds that matter here are derived where they are used.
+#pragma once
+
+namespace dsw {
+namespace dd {
+
+// Everything is inlined into functions that are compiled for machines with and without fused multiply-add.
+#define DSW_DD inline __attribute__((always_inline))
+
+struct Number {
+  double high, low;
+};
+
+// a + b exactly.
+DSW_DD Number sum(double a, double b) noexcept {
+  const double s = a + b, from_b = s - a;
+  return {s, (a - (s - from_b)) + (b - from_b)};
+}
+// a + b exactly if |a| >= |b| or a = 0.
+DSW_DD Number fast_sum(double a, double b) noexcept {
+  const double s = a + b;
+  return {s, b - (s - a)};
+}
+
+// a * b exactly, if nothing under- or overflows: for machines with FMA ...
+struct Fused {
+  static DSW_DD Number product(double a, double b) noexcept {
+    const double p = a * b;
+    return {p, __builtin_fma(a, b, -p)};
+  }
+};
+
+// ... and for all others, for |a|, |b| < 2^970.
+struct Split {
+  static DSW_DD Number product(double a, double b) noexcept {
+    const double p = a * b;
+    const Number x = halves(a), y = halves(b);
+    return {p, ((x.high * y.high - p) + x.high * y.low + x.low * y.high) + x.low * y.low};
+  }
+
+ private:
+  static DSW_DD Number halves(double a) noexcept {
+    const double scaled = a * 0x1.0000002p27, high = scaled - (scaled - a);
+    return {high, a - high};
+  }
+};
+
+// a * b with an error below 8u^2 |a b|; |low| < 3.01u |a b|, not normalized.
+template <class Exact>
+DSW_DD Number product(const Number& a, const Number& b) noexcept {
+  const Number p = Exact::product(a.high, b.high);
+  return {p.high, p.low + (a.high * b.low + a.low * b.high)};
+}
+
+}  // namespace dd
+}  // namespace dsw
