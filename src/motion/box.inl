@@ -17,9 +17,9 @@ inline Points select(Lanes::Mask m, const Points& yes, const Points& no) noexcep
   return {Lanes::select(m, yes.x, no.x), Lanes::select(m, yes.y, no.y), Lanes::select(m, yes.z, no.z)};
 }
 
-template <int K>
-inline Points corner(const BoxVertices& v) noexcept {
-  return {v.corner<K>(0), v.corner<K>(1), v.corner<K>(2)};
+template <int K, class Vertices>
+inline Points corner(const Vertices& v) noexcept {
+  return {v.template corner<K>(0), v.template corner<K>(1), v.template corner<K>(2)};
 }
 
 constexpr uint32_t kAllFacets = 0x3f;
@@ -38,12 +38,11 @@ DSW_COLD uint32_t settle_flat_box(const Environment<3>& env, const uint32_t* w, 
   return outside;
 }
 
-/** Convex hexahedron with flat facets: facets with q outside, but for those in `known`, which have it inside. Any three
- * vertices of a facet give its plane. */
+/** Convex hexahedron with flat facets: facets with q outside, but for those in `known`, which have it inside. */
 template <class Tally>
 inline uint32_t outside_flat_box(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t known,
                                  Tally& tally) noexcept {
-  const BoxVertices v(env.points, w + kUnitWords, q);
+  const FlatBoxVertices v(env.points, w + kUnitWords, q);
   const Points a = corner<0>(v), b = corner<1>(v), c = corner<2>(v);
   const Lanes det = dot(cross(a, c), b), bound = Lanes::all(v.extent.bound());
   const uint32_t outside = Lanes::bits(Lanes::greater(det, bound)) & ~known;

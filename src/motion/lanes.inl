@@ -36,6 +36,53 @@ inline Lanes operator+(Lanes a, Lanes b) noexcept { return {_mm512_add_pd(a.v, b
 inline Lanes operator-(Lanes a, Lanes b) noexcept { return {_mm512_sub_pd(a.v, b.v)}; }
 inline Lanes operator*(Lanes a, Lanes b) noexcept { return {_mm512_mul_pd(a.v, b.v)}; }
 
+/** Of two points side by side. */
+inline Extent larger_extent(__m512d m) noexcept {
+  const __m256d half = _mm256_max_pd(_mm512_castpd512_pd256(m), _mm512_extractf64x4_pd(m, 1));
+  const __m128d xy = _mm256_castpd256_pd128(half);
+  return {_mm_cvtsd_f64(xy), _mm_cvtsd_f64(_mm_unpackhi_pd(xy, xy)), _mm_cvtsd_f64(_mm256_extractf128_pd(half, 1))};
+}
+
+/** Loads two vertices relative to a point. Masked, so that the last point of the host's array is not read past. */
+struct PairLoader {
+  const double* points;
+  const uint32_t* vertices;
+  __m512d origin;
+
+  PairLoader(const double* all, const uint32_t* indices, const double* q) noexcept
+      : points(all), vertices(indices), origin(_mm512_broadcast_f64x4(_mm256_maskz_loadu_pd(7, q))) {}
+  __m256d load(uint32_t i) const noexcept { return _mm256_maskz_loadu_pd(7, points + size_t{vertices[i]} * 3); }
+  __m512d operator()(uint32_t i, uint32_t j) const noexcept {
+    return _mm512_sub_pd(_mm512_insertf64x4(_mm512_castpd256_pd512(load(i)), load(j), 1), origin);
+  }
+};
+
+/** The six vertices that kFlatFacets needs, relative to a point. */
+struct FlatBoxVertices {
+  Extent extent;
+  __m512d xz, y, v57;  // x1 x3 z1 z3 x2 x4 z2 z4; y1 y3 . . y2 y4 . .; vertices 5 and 7
+
+  FlatBoxVertices(const double* points, const uint32_t* vertices, const double* q) noexcept {
+    const PairLoader both(points, vertices, q);
+    const __m512d v12 = both(1, 2), v34 = both(3, 4);
+    v57 = both(5, 7);
+    extent = larger_extent(_mm512_max_pd(_mm512_max_pd(_mm512_abs_pd(v12), _mm512_abs_pd(v34)), _mm512_abs_pd(v57)));
+    xz = _mm512_unpacklo_pd(v12, v34);
+    y = _mm512_unpackhi_pd(v12, v34);
+  }
+
+  template <int K>
+  Lanes corner(int k) const noexcept {
+    constexpr int x[8] = {0, 0, 4, 1, 5, 8, 0, 12};  // where a vertex's x stands; y there or one place on, z two
+    const auto at = [&](int f) {
+      const int v = kFlatFacets[K][f];
+      return x[v] + (k == 2 ? 2 : k == 1 && v >= 5 ? 1 : 0);
+    };
+    const __m512i index = _mm512_setr_epi64(at(0), at(1), at(2), at(3), at(4), at(5), 0, 0);
+    return {_mm512_permutex2var_pd(k == 1 ? y : xz, index, v57)};
+  }
+};
+
 /** The vertices of a hexahedron relative to a point, two in the halves of a register, then paired so that one permutation
  * of two registers takes any corner of all facets out of them. */
 struct BoxVertices {
@@ -43,19 +90,10 @@ struct BoxVertices {
   __m512d xz[2], y[2];  // x0 x1 z0 z1 x4 x5 z4 z5 and the same of 2 3 6 7; y0 y1 . . y4 y5 . . likewise
 
   BoxVertices(const double* points, const uint32_t* vertices, const double* q) noexcept {
-    // Masked, so that the last point of the host's array is not read past.
-    const auto load = [&](uint32_t i) { return _mm256_maskz_loadu_pd(7, points + size_t{vertices[i]} * 3); };
-    const __m512d origin = _mm512_broadcast_f64x4(_mm256_maskz_loadu_pd(7, q));
-    const auto both = [&](uint32_t i, uint32_t j) {
-      return _mm512_sub_pd(_mm512_insertf64x4(_mm512_castpd256_pd512(load(i)), load(j), 1), origin);
-    };
+    const PairLoader both(points, vertices, q);
     const __m512d v04 = both(0, 4), v15 = both(1, 5), v26 = both(2, 6), v37 = both(3, 7);
-    const __m512d m = _mm512_max_pd(_mm512_max_pd(_mm512_abs_pd(v04), _mm512_abs_pd(v15)),
-                                    _mm512_max_pd(_mm512_abs_pd(v26), _mm512_abs_pd(v37)));
-    const __m256d both_halves = _mm256_max_pd(_mm512_castpd512_pd256(m), _mm512_extractf64x4_pd(m, 1));
-    const __m128d xy = _mm256_castpd256_pd128(both_halves);
-    extent = {_mm_cvtsd_f64(xy), _mm_cvtsd_f64(_mm_unpackhi_pd(xy, xy)),
-              _mm_cvtsd_f64(_mm256_extractf128_pd(both_halves, 1))};
+    extent = larger_extent(_mm512_max_pd(_mm512_max_pd(_mm512_abs_pd(v04), _mm512_abs_pd(v15)),
+                                         _mm512_max_pd(_mm512_abs_pd(v26), _mm512_abs_pd(v37))));
     xz[0] = _mm512_unpacklo_pd(v04, v15);
     xz[1] = _mm512_unpacklo_pd(v26, v37);
     y[0] = _mm512_unpackhi_pd(v04, v15);
@@ -75,15 +113,6 @@ struct BoxVertices {
 };
 
 #else
-
-/** Loads corner K of every facet for one axis: positions of kBoxFacets. */
-template <int K, class Load>
-inline auto load_corner(Load load) noexcept {
-  if constexpr (K == 0) return load(0, 1, 0, 3, 0, 4);
-  if constexpr (K == 1) return load(4, 2, 1, 7, 3, 5);
-  if constexpr (K == 2) return load(7, 6, 5, 6, 2, 6);
-  if constexpr (K == 3) return load(3, 5, 4, 2, 1, 7);
-}
 
 #if defined(DSW_ISA_AVX2)
 
@@ -176,15 +205,29 @@ inline Lanes::Mask operator|(const Lanes::Mask& x, const Lanes::Mask& y) noexcep
 
 #endif
 
+/** One coordinate of six vertices, a lane each. */
+inline Lanes gather(const double* const* p, const uint8_t (&at)[6], int k) noexcept {
+#if defined(DSW_ISA_AVX2)
+  return {_mm256_setr_pd(p[at[0]][k], p[at[1]][k], p[at[2]][k], p[at[3]][k]), _mm_setr_pd(p[at[4]][k], p[at[5]][k])};
+#else
+  return {Lanes::Pair{p[at[0]][k], p[at[1]][k]}, Lanes::Pair{p[at[2]][k], p[at[3]][k]},
+          Lanes::Pair{p[at[4]][k], p[at[5]][k]}};
+#endif
+}
+
+constexpr uint8_t kBoxCorners[4][6] = {{0, 1, 0, 3, 0, 4}, {4, 2, 1, 7, 3, 5}, {7, 6, 5, 6, 2, 6}, {3, 5, 4, 2, 1, 7}};
+
 /** The vertices of a hexahedron relative to a point. */
-struct BoxVertices {
+template <bool Flat>
+struct RelativeVertices {
   Extent extent;
   const double* p[8];
   const double* q;
 
-  BoxVertices(const double* points, const uint32_t* vertices, const double* origin) noexcept
+  RelativeVertices(const double* points, const uint32_t* vertices, const double* origin) noexcept
       : extent{0, 0, 0}, q(origin) {
     for (uint32_t i = 0; i < 8; ++i) {
+      if (Flat && (i == 0 || i == 6)) continue;
       p[i] = points + size_t{vertices[i]} * 3;
       extent = {std::max(extent.x, std::fabs(p[i][0] - q[0])), std::max(extent.y, std::fabs(p[i][1] - q[1])),
                 std::max(extent.z, std::fabs(p[i][2] - q[2]))};
@@ -193,15 +236,11 @@ struct BoxVertices {
 
   template <int K>
   Lanes corner(int k) const noexcept {
-    return load_corner<K>([&](int a, int b, int c, int d, int e, int f) {
-#if defined(DSW_ISA_AVX2)
-      const Lanes raw{_mm256_setr_pd(p[a][k], p[b][k], p[c][k], p[d][k]), _mm_setr_pd(p[e][k], p[f][k])};
-#else
-      const Lanes raw{Lanes::Pair{p[a][k], p[b][k]}, Lanes::Pair{p[c][k], p[d][k]}, Lanes::Pair{p[e][k], p[f][k]}};
-#endif
-      return raw - Lanes::all(q[k]);
-    });
+    if constexpr (Flat) return gather(p, kFlatFacets[K], k) - Lanes::all(q[k]);
+    return gather(p, kBoxCorners[K], k) - Lanes::all(q[k]);
   }
 };
+using BoxVertices = RelativeVertices<false>;
+using FlatBoxVertices = RelativeVertices<true>;
 
 #endif

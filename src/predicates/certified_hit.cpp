@@ -107,11 +107,6 @@ __attribute__((target("fma"))) bool certify_fused(const double* p, const double*
 }
 #endif
 
-bool certify_split(const double* p, const double* q, const double* const* triangle, bool with_normal,
-                   CertifiedHit* hit) noexcept {
-  return certify<dd::Split>(p, q, triangle, with_normal, hit);
-}
-
 using Certify = bool (*)(const double*, const double*, const double* const*, bool, CertifiedHit*) noexcept;
 
 Certify choose() noexcept {
@@ -119,12 +114,17 @@ Certify choose() noexcept {
   __builtin_cpu_init();
   if (__builtin_cpu_supports("fma")) return certify_fused;
 #endif
-  return certify_split;
+  return certified_hit_without_fma;
 }
 
 const Certify kCertify = choose();
 
 }  // namespace
+
+bool certified_hit_without_fma(const double* p, const double* q, const double* const* triangle, bool with_normal,
+                               CertifiedHit* hit) noexcept {
+  return certify<dd::Split>(p, q, triangle, with_normal, hit);
+}
 
 bool certified_hit(const double* p, const double* q, const double* const* triangle, bool with_normal,
                    CertifiedHit* hit) noexcept {

@@ -16,4 +16,8 @@ struct CertifiedHit {
 bool certified_hit(const double* p, const double* q, const double* const* triangle, bool with_normal,
                    CertifiedHit* hit) noexcept;
 
+// The same on machines without fused multiply-add; for tests.
+bool certified_hit_without_fma(const double* p, const double* q, const double* const* triangle, bool with_normal,
+                               CertifiedHit* hit) noexcept;
+
 }  // namespace dsw

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <random>
 
 #include "cases.h"
 #include "oracle.h"
+#include "predicates/certified_hit.h"
+#include "predicates/filtered.h"
 
 namespace dsw {
 namespace {
@@ -120,6 +123,48 @@ void check_normals() {
 
 TEST(PlaneHit, NormalInThePlaneIsAccurateAtEveryScale) { check_normals<2>(); }
 TEST(PlaneHit, NormalInSpaceIsAccurateAtEveryScale) { check_normals<3>(); }
+
+/** Random flights through random triangles, ordinary ones: general ones, or flat across an axis as the walls of a lattice. */
+void check_certified(bool across_an_axis) {
+  std::mt19937_64 random(23);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  int contacts = 0, settled = 0;
+  for (int i = 0; i < 20000; ++i) {
+    double x[5][3];
+    for (auto& point : x) {
+      for (double& c : point) c = coordinate(random);
+    }
+    if (across_an_axis) x[3][i % 3] = x[4][i % 3] = x[2][i % 3];
+    const double* const triangle[] = {x[2], x[3], x[4]};
+    const double *p = x[0], *q = x[1];
+    if (orient<3>(triangle, p) >= 0 || orient<3>(triangle, q) <= 0) continue;
+    ++contacts;
+    CertifiedHit fast, split;
+    const bool is_settled = certified_hit(p, q, triangle, true, &fast);
+    ASSERT_EQ(certified_hit_without_fma(p, q, triangle, true, &split), is_settled);
+    if (!is_settled) continue;
+    ++settled;
+    ASSERT_EQ(fast.time, split.time);
+    mpz_class numerator, denominator;
+    oracle::time<3>(p, q, triangle, numerator, denominator);
+    ASSERT_TRUE(oracle::is_time_below(fast.time, numerator, denominator));
+    mpz_class n[3];
+    oracle::normal<3>(triangle, n);
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_EQ(fast.normal[k], split.normal[k]);
+      EXPECT_EQ(sgn(n[k]) == 0, fast.normal[k] == 0);
+    }
+    double unit[3];
+    unit_normal<3>(triangle, unit);
+    const PlaneHit<3> hit = plane_hit<3>(p, q, triangle);
+    for (int k = 0; k < 3; ++k) ASSERT_EQ(hit.normal[k], -unit[k]);
+  }
+  EXPECT_GT(contacts, 3000);
+  EXPECT_EQ(settled, contacts);
+}
+
+TEST(PlaneHit, OrdinaryContactsAreSettledWithoutIntegers) { check_certified(false); }
+TEST(PlaneHit, WallsAcrossAnAxisAreSettledWithoutIntegers) { check_certified(true); }
 
 TEST(PlaneHit, NormalPointsBackToTheFlightAndIsExactAcrossAnAxis) {
   const double a[] = {0, 0, 7}, b[] = {0.1, 0, 7}, c[] = {0, 0.3, 7};
