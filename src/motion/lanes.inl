@@ -8,7 +8,8 @@ struct Extent {
 
   /** Whether bound() holds. */
   bool in_range() const noexcept {
-    return (std::min(std::min(x, y), z) >= kFilterMin) & (std::max(std::max(x, y), z) <= kFilterMax);
+    const double least = std::min(std::min(x, y), z), largest = std::max(std::max(x, y), z);
+    return (least >= kFilterMin) & (largest <= kFilterMax);
   }
   double bound() const noexcept { return kPlaneFilter3 * x * y * z; }
 };

@@ -16,7 +16,9 @@ struct CertifiedHit {
 bool certified_hit(const double* p, const double* q, const double* const* triangle, bool with_normal,
                    CertifiedHit* hit) noexcept;
 
-// The same on machines without fused multiply-add; for tests.
+// The two it chooses from: the first wants AVX2 and FMA.
+bool certified_hit_with_fma(const double* p, const double* q, const double* const* triangle, bool with_normal,
+                            CertifiedHit* hit) noexcept;
 bool certified_hit_without_fma(const double* p, const double* q, const double* const* triangle, bool with_normal,
                                CertifiedHit* hit) noexcept;
 
