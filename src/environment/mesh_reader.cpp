@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "environment/record_order.h"
 
 namespace dsw {
 namespace {
@@ -149,36 +148,12 @@ class Reader {
     raise(DSW_STATUS_WRONG_SIZE, bad_size, "has offsets outside of connectivity, or not as many points as its type");
   }
 
-  /** What tells where cell i lies, read without trusting its entries. */
-  CellSample sample_of(uint32_t i) const {
-    const CellType type = type_of(i);
-    const size_t begin = begin_of(i), end = end_of(i);
-    if (type.form != Form::kGeneral || D == 2) {
-      if (end - begin < 3) return {};
-      return {connectivity_[begin], connectivity_[begin + 1], connectivity_[end - 1]};
-    }
-    // The first face's first three points follow the number of faces and its own size.
-    const bool separate = in_.faces != nullptr;
-    const Integers stream(separate ? in_.faces : in_.connectivity, in_.index_bytes);
-    const int64_t at = separate ? Integers(in_.face_locations, in_.index_bytes)[i] : static_cast<int64_t>(begin);
-    const uint64_t stop = separate ? in_.faces_count : end;
-    if (at < 0 || static_cast<uint64_t>(at) >= stop || stop - static_cast<uint64_t>(at) < 5) return {};
-    const size_t point = static_cast<size_t>(at) + 2;
-    return {stream[point], stream[point + 1], stream[point + 2]};
-  }
-
-  /** Where each record starts. Uniform records in the order of cells are found by multiplication, others by a table each
-   * way. */
+  /** Where each record starts. Uniform records are found by multiplication, others by a table each way. */
   void lay_out() {
     uint64_t units = 0;
-    Array<uint32_t> order{Allocator<uint32_t>(env_.memory)};
-    const bool ordered = choose_record_order(
-        env_, map_.cell_count, [this](uint32_t i) { return sample_of(i); }, order);
-    bool uniform = !ordered;
-    if (ordered) map_.unit_of_cell.resize(map_.cell_count);
+    bool uniform = true;
     const uint32_t first_units = units_of(0);
-    for (uint32_t k = 0; k < map_.cell_count; ++k) {
-      const uint32_t i = ordered ? order[k] : k;
+    for (uint32_t i = 0; i < map_.cell_count; ++i) {
       const uint32_t n = units_of(i);
       const bool still = uniform && n == first_units && type_of(i).form != Form::kGeneral;
       if (uniform && !still) {

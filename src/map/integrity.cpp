@@ -132,7 +132,7 @@ bool vertices_sound(const Map<D>& map, Cell c, Array<uint32_t>& sorted) {
   return sorted.back() < map.vertex_count && std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
 }
 
-/** Records follow each other without gaps, in the order of cells or in that of the tables, which name each cell once. */
+/** Records follow each other without gaps, in the order of cells, and the tables say where. */
 template <int D>
 const char* check_records(const Map<D>& map) {
   const uint64_t units = map.words.size() / kUnitWords;
@@ -148,15 +148,11 @@ const char* check_records(const Map<D>& map) {
   Array<uint32_t> sorted(map.words.get_allocator());
   size_t shapes = 0;
   uint64_t unit = 0;
-  uint32_t cells = 0;
-  for (; unit < units; ++cells) {
-    if (cells == map.cell_count) return "records and cells differ in number";
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    if (unit >= units) return "records and cells differ in number";
     const Cell c{static_cast<uint32_t>(unit)};
-    if (!uniform) {
-      // Every record has a cell that leads back to it, so no two have the same.
-      const uint32_t i = map.cell_of_unit[c.unit];
-      if (i >= map.cell_count || map.unit_of_cell[i] != c.unit) return "a cell and its record disagree";
-    }
+    if (!uniform && (map.unit_of_cell[i] != c.unit || map.cell_of_unit[c.unit] != i))
+      return "a cell and its record disagree";
     const uint32_t word0 = map.record(c)[0], n = record_units(map, word0);
     if (n == 0 || n > units - unit) return "a record has no form, or no room";
     if (uniform && (n != map.units_per_cell || form_of(word0) == Form::kGeneral)) return "records differ in size";
@@ -172,7 +168,7 @@ const char* check_records(const Map<D>& map) {
     }
     unit += n;
   }
-  if (cells != map.cell_count) return "records and cells differ in number";
+  if (unit != units) return "records and cells differ in number";
   return shapes == map.shape_offsets.size() ? nullptr : "a shape belongs to no cell";
 }
 

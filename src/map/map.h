@@ -59,7 +59,7 @@ struct Map {
   Array<uint32_t> words;          // all records
   Array<uint16_t> shape_tables;   // tables of general cells
   Array<uint32_t> shape_offsets;  // shape number -> start in shape_tables
-  Array<uint32_t> unit_of_cell;   // public index -> unit; empty: records of one size in the order of cells
+  Array<uint32_t> unit_of_cell;   // public index -> unit; empty when all records have the same size
   Array<uint32_t> cell_of_unit;   // the way back; empty likewise
   uint32_t cell_count = 0;
   uint32_t units_per_cell = 0;  // 1 or 2, when there are no such tables

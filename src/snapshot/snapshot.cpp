@@ -21,7 +21,7 @@ constexpr uint32_t kFormatVersion = 1;
 constexpr uint32_t kHasGrid = 1;
 constexpr uint64_t kMostUnits = uint64_t{1} << 28;
 
-enum Section { kWords, kShapes, kPoints, kRegions, kTags, kEdgeMarks, kVertexMarks, kOrder, kSectionCount };
+enum Section { kWords, kShapes, kPoints, kRegions, kTags, kEdgeMarks, kVertexMarks, kSectionCount };
 
 /** Positions in the header. */
 constexpr size_t kAtVersion = 8, kAtDimension = 12, kAtSize = 16, kAtChecksum = 24, kAtFlags = 32, kAtVertexCount = 36,
@@ -39,12 +39,6 @@ constexpr uint64_t vertex_mark_words(uint64_t vertices) { return (vertices + 63)
 
 [[noreturn]] void corrupt(const char* what) { fail(DSW_STATUS_CORRUPT, "the snapshot is damaged: %s", what); }
 
-/** Whether records stand in another order than cells. */
-template <int D>
-bool is_ordered(const Map<D>& map) {
-  return !std::is_sorted(map.unit_of_cell.begin(), map.unit_of_cell.end());
-}
-
 template <int D>
 Header header_of(const Environment<D>& env) {
   Header h;
@@ -58,7 +52,6 @@ Header header_of(const Environment<D>& env) {
   h.bytes[kTags] = env.tags.size() * sizeof(uint32_t);
   h.bytes[kEdgeMarks] = env.edge_marks.size() * sizeof(uint64_t);
   h.bytes[kVertexMarks] = env.marked_vertices == 0 ? 0 : env.vertex_marks.size() * sizeof(uint64_t);
-  h.bytes[kOrder] = is_ordered(env.map) ? uint64_t{env.map.cell_count} * sizeof(uint32_t) : 0;
   return h;
 }
 
@@ -122,8 +115,8 @@ void check_sizes(const Header& h) {
   if (h.bytes[kShapes] % sizeof(uint16_t) != 0 || h.bytes[kShapes] / sizeof(uint16_t) > UINT32_MAX)
     corrupt("shapes: size");
   if (h.bytes[kPoints] != uint64_t{h.vertex_count} * D * sizeof(double)) corrupt("points: size");
-  for (const Section s : {kRegions, kTags, kOrder}) {
-    if (h.bytes[s] != 0 && h.bytes[s] != uint64_t{h.cell_count} * sizeof(uint32_t)) corrupt("labels, order: size");
+  for (const Section s : {kRegions, kTags}) {
+    if (h.bytes[s] != 0 && h.bytes[s] != uint64_t{h.cell_count} * sizeof(uint32_t)) corrupt("labels: size");
   }
   if (h.bytes[kEdgeMarks] % sizeof(uint64_t) != 0) corrupt("marked edges: size");
   if (h.bytes[kVertexMarks] != 0 && h.bytes[kVertexMarks] != vertex_mark_words(h.vertex_count) * sizeof(uint64_t)) {
@@ -151,10 +144,9 @@ class SectionReader {
   const uint8_t* at_;
 };
 
-/** Finds the shapes and where each record starts, by the rules of creation. Record k is that of cell order[k], without an
- * order that of cell k. */
+/** Finds the shapes and where each record starts, by the rules of creation. */
 template <int D>
-void restore_layout(Map<D>& map, const Array<uint32_t>& order) {
+void restore_layout(Map<D>& map) {
   Array<uint16_t> scratch(map.shape_tables.get_allocator());
   for (size_t at = 0; at < map.shape_tables.size();) {
     const size_t length = sound_table_length<D>(map.shape_tables.data() + at, map.shape_tables.size() - at, scratch);
@@ -165,7 +157,7 @@ void restore_layout(Map<D>& map, const Array<uint32_t>& order) {
   const uint32_t units = static_cast<uint32_t>(map.words.size() / kUnitWords);
   const auto units_at = [&](uint32_t unit) { return record_units(map, map.words[size_t{unit} * kUnitWords]); };
   const uint32_t first_units = units_at(0);
-  bool uniform = order.empty() && first_units != 0 && uint64_t{map.cell_count} * first_units == units;
+  bool uniform = first_units != 0 && uint64_t{map.cell_count} * first_units == units;
   for (uint32_t unit = 0; uniform && unit < units; unit += first_units) {
     const uint32_t word0 = map.words[size_t{unit} * kUnitWords];
     uniform = form_of(word0) != Form::kGeneral && units_at(unit) == first_units;
@@ -174,13 +166,10 @@ void restore_layout(Map<D>& map, const Array<uint32_t>& order) {
     map.units_per_cell = first_units;
     return;
   }
-  map.unit_of_cell.assign(map.cell_count, kNoCell);
+  map.unit_of_cell.resize(map.cell_count);
   map.cell_of_unit.assign(units, kNoCell);
   uint64_t unit = 0;
-  for (uint32_t k = 0; k < map.cell_count; ++k) {
-    const uint32_t i = order.empty() ? k : order[k];
-    if (i >= map.cell_count || map.unit_of_cell[i] != kNoCell)
-      corrupt("the order of records names a cell twice, or none");
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
     if (unit >= units) corrupt("records: fewer than cells");
     const uint32_t n = units_at(static_cast<uint32_t>(unit));
     if (n == 0) corrupt("a record's form");
@@ -189,12 +178,11 @@ void restore_layout(Map<D>& map, const Array<uint32_t>& order) {
     unit += n;
   }
   if (unit != units) corrupt("records: another number than cells");
-  if (!order.empty() && !is_ordered(map)) corrupt("the order of records is that of cells");
 }
 
 template <int D>
-void load_map(Map<D>& map, const Array<uint32_t>& order) {
-  restore_layout(map, order);
+void load_map(Map<D>& map) {
+  restore_layout(map);
   count_facets(map, &map.facet_count, &map.boundary_facet_count);
   const char* const broken = check_integrity(map);
   if (broken != nullptr) corrupt(broken);
@@ -280,13 +268,6 @@ void save(const Environment<D>& env, uint8_t* out) {
   Array<uint64_t> edges{Allocator<uint64_t>(env.memory)};
   edges.reserve(env.edge_marks.size());
   env.edge_marks.copy_sorted(edges);
-  Array<uint32_t> order{Allocator<uint32_t>(env.memory)};
-  if (h.bytes[kOrder] != 0) {
-    order.reserve(env.map.cell_count);
-    for (const uint32_t cell : env.map.cell_of_unit) {
-      if (cell != kNoCell) order.push_back(cell);
-    }
-  }
 
   std::memset(out, 0, kHeaderBytes);
   std::memcpy(out, kMagic, sizeof kMagic);
@@ -313,7 +294,6 @@ void save(const Environment<D>& env, uint8_t* out) {
   write(kTags, env.tags.data());
   write(kEdgeMarks, edges.data());
   write(kVertexMarks, env.vertex_marks.data());
-  write(kOrder, order.data());
   const uint64_t sum = block_checksum(out, static_cast<size_t>(total));
   store(out + kAtChecksum, &sum, 1);
 }
@@ -326,7 +306,6 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   map.vertex_count = h.vertex_count;
   map.cell_count = h.cell_count;
   Array<uint64_t> edges{Allocator<uint64_t>(env.memory)};
-  Array<uint32_t> order{Allocator<uint32_t>(env.memory)};
   SectionReader reader(h, block + kHeaderBytes);
   reader.read(kWords, map.words);
   reader.read(kShapes, map.shape_tables);
@@ -335,12 +314,11 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   reader.read(kTags, env.tags);
   reader.read(kEdgeMarks, edges);
   reader.read(kVertexMarks, env.vertex_marks);
-  reader.read(kOrder, order);
   env.points = env.owned_points.data();
   for (const double x : env.owned_points) {
     if (!std::isfinite(x)) corrupt("a point is not finite");
   }
-  load_map(map, order);
+  load_map(map);
   check_cells(env);
   load_edge_marks(env, edges);
   count_marks(env);

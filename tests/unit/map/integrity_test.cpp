@@ -105,50 +105,6 @@ TEST(Integrity, EveryInvariantIsMissed) {
       boxes(), [](Map<3>& m) { m.words[kUnitWords] = m.words[kUnitWords + 1]; }, "a vertex twice");
 }
 
-/** Boxes in random order, enough for their records to be laid out in another. */
-Mesh3 shuffled_boxes() {
-  Mesh3 mesh;
-  add_boxes(mesh, 16, 16, 17);
-  Random random(3);
-  for (size_t i = mesh.types.size(); i-- > 1;) {
-    const size_t j = static_cast<size_t>(random.below(static_cast<int>(i)));
-    for (size_t k = 0; k < 8; ++k) std::swap(mesh.connectivity[8 * i + k], mesh.connectivity[8 * j + k]);
-  }
-  return mesh;
-}
-
-TEST(Integrity, OrderOfRecordsIsAPermutation) {
-  const auto env = shuffled_boxes().build();
-  Map<3>& map = env->map;
-  ASSERT_EQ(map.units_per_cell, 0u);
-  ASSERT_EQ(map.unit_of_cell.size(), map.cell_count);
-  EXPECT_EQ(check_integrity(map), nullptr);
-  const auto expect_broken = [&](Array<uint32_t>& table, uint32_t at, uint32_t value) {
-    const uint32_t was = table[at];
-    ASSERT_NE(was, value);
-    table[at] = value;
-    EXPECT_NE(check_integrity(map), nullptr) << at << " " << value;
-    table[at] = was;
-  };
-  for (const uint32_t i : {0u, 1u, map.cell_count / 2, map.cell_count - 1}) {
-    const uint32_t unit = map.unit_of_cell[i];
-    for (const uint32_t wrong : {unit + 1, unit + 2, kNoCell, map.cell_count * 2})
-      expect_broken(map.unit_of_cell, i, wrong);
-    for (const uint32_t wrong : {i + 1, kNoCell, map.cell_count}) expect_broken(map.cell_of_unit, unit, wrong);
-    expect_broken(map.cell_of_unit, unit + 1, i);
-  }
-  std::swap(map.unit_of_cell[0], map.unit_of_cell[1]);
-  EXPECT_NE(check_integrity(map), nullptr);
-  std::swap(map.cell_of_unit[map.unit_of_cell[0]], map.cell_of_unit[map.unit_of_cell[1]]);
-  EXPECT_EQ(check_integrity(map), nullptr) << "both tables swapped: other indices, as sound";
-  map.unit_of_cell.clear();
-  EXPECT_NE(check_integrity(map), nullptr) << "a way back only";
-  map.cell_of_unit.clear();
-  EXPECT_NE(check_integrity(map), nullptr) << "no tables, no size";
-  map.units_per_cell = 2;
-  EXPECT_EQ(check_integrity(map), nullptr) << "in the order of cells";
-}
-
 TEST(Integrity, MarksAreNoDamage) {
   for (const Mesh3& mesh : {boxes(), mixed_mesh()}) {
     EXPECT_EQ(broken_by(mesh, [](Map<3>& m) { m.words[0] |= kMarkBit; }), nullptr);

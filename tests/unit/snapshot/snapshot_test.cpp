@@ -24,7 +24,7 @@ using namespace dsw::testing_meshes;
 
 // Positions of format version 1.
 constexpr size_t kAtVersion = 8, kAtDimension = 12, kAtSize = 16, kAtChecksum = 24, kAtFlags = 32, kAtVertexCount = 36,
-                 kAtCellCount = 40, kAtSectionCount = 44, kAtSections = 48, kHeaderBytes = 112;
+                 kAtCellCount = 40, kAtSectionCount = 44, kAtSections = 48, kHeaderBytes = 104;
 
 template <int D>
 std::vector<uint8_t> saved(const Environment<D>& env) {
@@ -278,11 +278,10 @@ TEST(Snapshot, ClaimedSizesAskForNoMemory) {
   Environment<3> env(nullptr);
   make(env, two_polygon_prisms(6), true, true);
   const std::vector<uint8_t> block = saved(env);
-  for (const size_t at :
-       {kAtVersion,       kAtDimension,     kAtSize,          kAtSize + 4,      kAtFlags,         kAtVertexCount,
-        kAtCellCount,     kAtSectionCount,  kAtSections,      kAtSections + 4,  kAtSections + 8,  kAtSections + 12,
-        kAtSections + 16, kAtSections + 20, kAtSections + 24, kAtSections + 32, kAtSections + 40, kAtSections + 44,
-        kAtSections + 48, kAtSections + 52, kAtSections + 56, kAtSections + 60}) {
+  for (const size_t at : {kAtVersion,       kAtDimension,     kAtSize,          kAtSize + 4,      kAtFlags,
+                          kAtVertexCount,   kAtCellCount,     kAtSectionCount,  kAtSections,      kAtSections + 4,
+                          kAtSections + 8,  kAtSections + 12, kAtSections + 16, kAtSections + 20, kAtSections + 24,
+                          kAtSections + 32, kAtSections + 40, kAtSections + 44, kAtSections + 48, kAtSections + 52}) {
     for (const uint32_t value : {0u, 1u, 8u, 0x0fffffffu, 0x7fffffffu, 0x80000000u, 0xfffffff8u, 0xffffffffu}) {
       std::vector<uint8_t> damaged = block;
       put(damaged, at, value);
@@ -370,79 +369,6 @@ TEST(Snapshot, OnlyWhatSaveWritesIsAccepted) {
   std::vector<uint8_t> inverted = block;
   for (const size_t v : {0u, 3u, 6u, 9u}) store(inverted.data() + points + 24 * v, &far, 1);
   EXPECT_EQ(load_status(repaired(inverted)), DSW_STATUS_CORRUPT);
-}
-
-/** Enough tetrahedra in random order for their records to be laid out in another. */
-SmallMesh shuffled_tetrahedra() {
-  SmallMesh mesh = lattice(9, kTetra);
-  std::mt19937 random(7);
-  for (size_t i = mesh.types.size(); i-- > 1;) {
-    const size_t j = random() % (i + 1);
-    if (i == j) continue;
-    std::swap_ranges(mesh.connectivity.begin() + static_cast<std::ptrdiff_t>(4 * i),
-                     mesh.connectivity.begin() + static_cast<std::ptrdiff_t>(4 * i + 4),
-                     mesh.connectivity.begin() + static_cast<std::ptrdiff_t>(4 * j));
-  }
-  mesh.label();
-  return mesh;
-}
-
-TEST(Snapshot, OrderOfRecordsComesBack) {
-  const SmallMesh mesh = shuffled_tetrahedra();
-  expect_round_trips<3>(mesh);
-  Environment<3> env(nullptr), again(nullptr);
-  make(env, mesh, true, true);
-  ASSERT_FALSE(std::is_sorted(env.map.unit_of_cell.begin(), env.map.unit_of_cell.end()));
-  const std::vector<uint8_t> block = saved(env);
-  ASSERT_EQ(load_status(block, again), DSW_STATUS_OK);
-  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
-    ASSERT_EQ(env.map.cell(i), again.map.cell(i));
-    for (uint32_t k = 0; k < 4; ++k) {
-      ASSERT_EQ(again.map.vertex(again.map.cell(i), k), static_cast<uint32_t>(mesh.connectivity[4 * i + k]));
-    }
-  }
-}
-
-TEST(Snapshot, OrderOfRecordsMustNameEachCellOnce) {
-  const SmallMesh mesh = shuffled_tetrahedra();
-  Environment<3> env(nullptr);
-  make(env, mesh, false, false);
-  const std::vector<uint8_t> block = saved(env);
-  const uint32_t cells = env.map.cell_count;
-  ASSERT_EQ(cells % 2, 0u) << "no bytes behind the order";
-  const size_t order = block.size() - 4 * size_t{cells};
-  uint32_t first, second;
-  fetch(&first, block.data() + order, 1);
-  fetch(&second, block.data() + order + 4, 1);
-  ASSERT_EQ(env.map.index({0}), first);
-  for (const uint32_t wrong : {second, cells, 0xffffffffu}) {
-    std::vector<uint8_t> damaged = block;
-    put(damaged, order, wrong);
-    EXPECT_EQ(load_status(repaired(damaged)), DSW_STATUS_CORRUPT) << wrong;
-  }
-  std::vector<uint8_t> other = block;  // another permutation, as sound as this one
-  put(other, order, second);
-  put(other, order + 4, first);
-  Environment<3> swapped(nullptr);
-  ASSERT_EQ(load_status(repaired(other), swapped), DSW_STATUS_OK);
-  EXPECT_EQ(saved(swapped), repaired(other));
-  std::vector<uint8_t> none = block;  // an order that is none has no place
-  for (uint32_t i = 0; i < cells; ++i) put(none, order + 4 * size_t{i}, i);
-  EXPECT_EQ(load_status(repaired(none)), DSW_STATUS_CORRUPT);
-  // Without the section the records are those of other cells, but a sound mesh.
-  std::vector<uint8_t> bare(block.begin(), block.begin() + static_cast<std::ptrdiff_t>(order));
-  put(bare, kAtSections + 56, 0);
-  Environment<3> unordered(nullptr);
-  ASSERT_EQ(load_status(repaired(bare), unordered), DSW_STATUS_OK);
-  EXPECT_TRUE(unordered.map.unit_of_cell.empty());
-  std::mt19937 random(11);
-  for (int round = 0; round < 40; ++round) {
-    std::vector<uint8_t> damaged = block;
-    put(damaged, order + 4 * (random() % cells), static_cast<uint32_t>(random() % (cells + 2)));
-    if (damaged != block) {
-      EXPECT_EQ(load_status(repaired(damaged)), DSW_STATUS_CORRUPT);
-    }
-  }
 }
 
 TEST(Snapshot, ScaledAndDenormalCoordinatesComeBack) {
