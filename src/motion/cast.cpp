@@ -54,7 +54,7 @@ template <int D>
 double crossing_time(const Environment<D>& env, Cell cell, uint32_t simplex, const double* from,
                      const double* to) noexcept {
   const double* points[D];
-  simplex_points(env, cell, env.map.shape(cell), simplex, points);
+  boundary_points(env, cell, simplex, points);
   return crossing_time<D>(from, to, points);
 }
 

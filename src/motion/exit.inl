@@ -212,7 +212,7 @@ class ExitFinder {
                 Earliest& best) noexcept {
     if (entry.may_have_been_here) {
       const double* entered[D];
-      simplex_points(env_, entry.from, map_.shape(entry.from), entry.simplex, entered);
+      boundary_points(env_, entry.from, entry.simplex, entered);
       if (compare_times<D>(p_, q_, points, entered, tally_).sign <= 0) return;
     }
     if (best.exit.facet != kStays && compare_times<D>(p_, q_, points, best.points, tally_).sign >= 0) return;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/standard_facets.h"
 #include "predicates/plane_hit.h"
 
 namespace dsw {
@@ -64,7 +65,7 @@ MoveResult<D> finish_move(const Environment<D>& env, const CastRequest& request,
   }
   if (result.cast.end == CastEnd::kHit) {
     const double* points[D];
-    simplex_points(env, result.cast.cell, env.map.shape(result.cast.cell), result.cast.simplex, points);
+    boundary_points(env, result.cast.cell, result.cast.simplex, points);
     if (with_normal) {
       const PlaneHit<D> hit = plane_hit<D>(request.from, request.to, points);
       result.time = hit.time;

@@ -1,5 +1,6 @@
 #include "scene/report.h"
 
+#include "motion/standard_facets.h"
 #include "predicates/plane_hit.h"
 
 namespace dsw {
@@ -49,7 +50,7 @@ void report_stop(const Environment<D>& env, const CastRequest& request, const Ca
   flight->time = 0;
   if (result.end == CastEnd::kHit) {
     const double* simplex[D];
-    simplex_points(env, result.cell, env.map.shape(result.cell), result.simplex, simplex);
+    boundary_points(env, result.cell, result.simplex, simplex);
     const PlaneHit<D> hit = plane_hit<D>(request.from, request.to, simplex);
     flight->time = hit.time;
     copy_point<D>(hit.normal, flight->normal);

@@ -1,0 +1,67 @@
+#pragma once
+// Facets of tetrahedra and hexahedra as constants: for code that meets them too often to ask a shape.
+
+#include "environment/environment.h"
+
+namespace dsw {
+
+/** As standard_shape has them. */
+constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
+constexpr uint8_t kBoxFacets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
+                                      {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+
+/** Of a flat facet any three vertices give the plane, so that vertices 0 and 6 of a box need not be read: what remains of a
+ * facet are three neighbours on the ring 1 2 3 7 4 5. */
+constexpr uint8_t kFlatFacets[3][6] = {{4, 5, 1, 2, 3, 7}, {7, 1, 5, 3, 2, 4}, {3, 2, 4, 7, 1, 5}};
+
+/** The ridge that two facets share: its vertices in the order of the first facet; a == b if there is none. */
+struct Ridge {
+  uint8_t a = 0, b = 0;
+};
+
+template <uint32_t Facets>
+struct RidgeTable {
+  Ridge of[Facets][Facets];
+};
+
+template <uint32_t Facets, uint32_t Vertices>
+constexpr RidgeTable<Facets> make_ridges(const uint8_t (&facets)[Facets][Vertices]) {
+  RidgeTable<Facets> table{};
+  for (uint32_t f = 0; f < Facets; ++f) {
+    for (uint32_t g = 0; g < Facets; ++g) {
+      for (uint32_t i = 0; i < Vertices * Vertices; ++i) {
+        const uint8_t a = facets[f][i / Vertices], b = facets[f][(i / Vertices + 1) % Vertices];
+        if (facets[g][i % Vertices] == b && facets[g][(i % Vertices + 1) % Vertices] == a) table.of[f][g] = {a, b};
+      }
+    }
+  }
+  return table;
+}
+constexpr RidgeTable<4> kTetrahedronRidges = make_ridges(kTetrahedronFacets);
+constexpr RidgeTable<6> kBoxRidges = make_ridges(kBoxFacets);
+
+/** Triangle `half` of facet f of a hexahedron, as its standard shape has it. */
+inline void box_triangle(const Environment<3>& env, const uint32_t* w, uint32_t f, uint32_t half,
+                         const double* (&triangle)[3]) noexcept {
+  const uint32_t base = w[0] >> f & 1u;
+  triangle[0] = env.point(w[kUnitWords + kBoxFacets[f][base]]);
+  triangle[1] = env.point(w[kUnitWords + kBoxFacets[f][base + 1 + half]]);
+  triangle[2] = env.point(w[kUnitWords + kBoxFacets[f][(base + 2 + half) & 3u]]);
+}
+
+/** Points of simplex `simplex` of a cell, without its shape where that is a standard one. */
+template <int D>
+inline void boundary_points(const Environment<D>& env, Cell c, uint32_t simplex, const double* (&out)[D]) noexcept {
+  if constexpr (D == 3) {
+    const uint32_t* w = env.map.record(c);
+    const Form form = form_of(w[0]);
+    if (form == Form::kBox) return box_triangle(env, w, simplex / 2, simplex % 2, out);
+    if (form == Form::kSimplex) {
+      for (int i = 0; i < 3; ++i) out[i] = env.point(w[kTetrahedronFacets[simplex][i]] & kVertexMask);
+      return;
+    }
+  }
+  simplex_points(env, c, env.map.shape(c), simplex, out);
+}
+
+}  // namespace dsw
