@@ -1,0 +1,24 @@
+#pragma once
+// Edges swept without a body. Arguments have been checked: ids are alive or null, coordinates finite.
+
+#include "base/parallel.h"
+#include "dartsweep/sweep.h"
+#include "environment/environment.h"
+#include "scene/points.h"
+
+namespace dsw {
+
+struct SweepOptions {
+  dsw_level level = DSW_LEVEL_EDGES_SWEPT;
+  uint32_t max_cells = 0;
+  bool start_known = false;  // starts contain the moving ends; else they are hints
+  bool start_free = false;   // the edges are free where they start
+};
+
+/** Sweeps edges from[i] fixed[i] to to[i] fixed[i]; `starts` may be null. Throws when memory runs out; `sweeps` is undefined
+ * then. */
+template <int D>
+void sweep_edges(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
+                 PointArray from, PointArray to, PointArray fixed, const SweepOptions& options, dsw_sweep* sweeps);
+
+}  // namespace dsw
