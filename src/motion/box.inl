@@ -32,7 +32,7 @@ DSW_COLD uint32_t settle_flat_box(const Environment<3>& env, const uint32_t* w, 
   for (uint32_t unsure = kAllFacets & ~sure; unsure != 0; unsure &= unsure - 1) {
     const uint32_t f = static_cast<uint32_t>(__builtin_ctz(unsure));
     const double* facet[3];
-    for (uint32_t k = 0; k < 3; ++k) facet[k] = env.point(w[kUnitWords + kBoxFacets[f][k]]);
+    box_triangle(env, w, f, 0, facet);  // its star is positive; any other three vertices may lie in a row
     outside |= (plane_side<3>(facet, q, tally).sign > 0 ? 1u : 0u) << f;
   }
   return outside;

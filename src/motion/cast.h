@@ -44,7 +44,7 @@ struct CastRequest {
   const double* to;
   Cell start;
   uint32_t max_cells = 0;        // 0: no limit
-  uint32_t forecast = kNoFacet;  // local facet of `start` to test first
+  uint32_t forecast = kNoFacet;  // local facet of `start` to test first, in convex cells of other than the common forms
   bool through_walls = false;    // ends only at the target or the outer boundary (locating)
   CrossingFn crossing = nullptr;
   void* crossing_user = nullptr;

@@ -3,7 +3,7 @@
 // tests tell which is pierced. It needs no centre, and no convexity either: where a cell is not convex the segment can
 // leave it more than once, and the earliest exit after the entry counts.
 
-constexpr uint32_t kStays = 0xffffffffu;
+constexpr uint32_t kStays = kNoFacet;
 
 struct Exit {
   uint32_t facet = kStays;  // kStays: the target lies in the cell
@@ -65,8 +65,8 @@ class ExitFinder {
 
   /** The second half: which facet it is. `forecast`: a facet to ask first, where that saves asking the others. */
   DSW_HOT Exit choose(Cell c, const Look& look, const Entry& entry, uint32_t forecast) noexcept {
-    if (look.kind == LookKind::kPlanes) return exit_flat(c, look.facets);
     if constexpr (D == 3) {
+      if (look.kind == LookKind::kPlanes) return exit_flat(c, look.facets);
       if (look.kind == LookKind::kBox) return exit_box(map_.record(c), look, entry);
     }
     if (map_.convex(c)) return exit_many_flat(c, forecast);
@@ -120,26 +120,15 @@ class ExitFinder {
   // Cells that are convex with flat facets: one plane a facet, and p is inside all of them.
 
   /** Of two facets that share a ridge and both have q outside: whether the segment passes it on the side of f. 0: they share
-   * none. Cells of general shape do not come here. */
+   * none. Tetrahedra and boxes only. */
   DSW_HOT int keeps(Cell c, uint32_t f, uint32_t g) noexcept {
     const uint32_t* w = map_.record(c);
-    if constexpr (D == 3) {
-      const bool simplex = form_of(w[0]) == Form::kSimplex;
-      const Ridge shared = simplex ? kTetrahedronRidges.of[f][g] : kBoxRidges.of[f][g];
-      if (shared.a == shared.b) return 0;
-      w += simplex ? 0 : kUnitWords;
-      const double* ridge[2] = {env_.point(w[shared.a] & kVertexMask), env_.point(w[shared.b] & kVertexMask)};
-      return line_side<3>(p_, q_, ridge, tally_).sign;
-    } else {
-      const uint32_t n = map_.facets_of(c);
-      const bool g_follows = (f + 1) % n == g, f_follows = (g + 1) % n == f;
-      if (g_follows || f_follows) {
-        const double* shared = env_.point(c, g_follows ? g : f);
-        const int side = line_side<D>(p_, q_, &shared, tally_).sign;
-        return g_follows ? side : -side;
-      }
-      return 0;
-    }
+    const bool simplex = form_of(w[0]) == Form::kSimplex;
+    const Ridge shared = simplex ? kTetrahedronRidges.of[f][g] : kBoxRidges.of[f][g];
+    if (shared.a == shared.b) return 0;
+    w += simplex ? 0 : kUnitWords;
+    const double* ridge[2] = {env_.point(w[shared.a] & kVertexMask), env_.point(w[shared.b] & kVertexMask)};
+    return line_side<3>(p_, q_, ridge, tally_).sign;
   }
 
   bool pierces_facet(Cell c, const Shape& shape, uint32_t f) noexcept {

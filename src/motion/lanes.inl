@@ -23,8 +23,6 @@ struct Lanes {
 
   static Lanes all(double a) noexcept { return {_mm512_set1_pd(a)}; }
   static Lanes absolute(Lanes a) noexcept { return {_mm512_abs_pd(a.v)}; }
-  static Lanes larger(Lanes a, Lanes b) noexcept { return {_mm512_max_pd(a.v, b.v)}; }
-  static Lanes smaller(Lanes a, Lanes b) noexcept { return {_mm512_min_pd(a.v, b.v)}; }
   static Mask greater(Lanes a, Lanes b) noexcept { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ); }
   static Mask spread(uint32_t bits) noexcept { return bits; }
   static uint32_t bits(Mask m) noexcept { return m & 0x3fu; }
@@ -130,8 +128,6 @@ struct Lanes {
   static Lanes absolute(Lanes x) noexcept {
     return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), x.a), _mm_andnot_pd(_mm_set1_pd(-0.0), x.b)};
   }
-  static Lanes larger(Lanes x, Lanes y) noexcept { return {_mm256_max_pd(x.a, y.a), _mm_max_pd(x.b, y.b)}; }
-  static Lanes smaller(Lanes x, Lanes y) noexcept { return {_mm256_min_pd(x.a, y.a), _mm_min_pd(x.b, y.b)}; }
   static Mask greater(Lanes x, Lanes y) noexcept {
     return {_mm256_cmp_pd(x.a, y.a, _CMP_GT_OQ), _mm_cmp_pd(x.b, y.b, _CMP_GT_OQ)};
   }
@@ -182,8 +178,6 @@ struct Lanes {
     const PairMask rest = {INT64_MAX, INT64_MAX};
     return {(Pair)((PairMask)x.a & rest), (Pair)((PairMask)x.b & rest), (Pair)((PairMask)x.c & rest)};
   }
-  static Lanes larger(const Lanes& x, const Lanes& y) noexcept { return select(greater(x, y), x, y); }
-  static Lanes smaller(const Lanes& x, const Lanes& y) noexcept { return select(greater(y, x), x, y); }
   static Mask spread(uint32_t bits) noexcept {
     const auto lane = [&](uint32_t i) { return -static_cast<int64_t>(bits >> i & 1u); };
     return {PairMask{lane(0), lane(1)}, PairMask{lane(2), lane(3)}, PairMask{lane(4), lane(5)}};

@@ -83,17 +83,9 @@ MoveResult<D> finish_move(const Environment<D>& env, const CastRequest& request,
   return result;
 }
 
-template <int D>
-MoveResult<D> move_point(const Environment<D>& env, const CastRequest& request, bool with_normal,
-                         CastCounters* counters) noexcept {
-  return finish_move(env, request, cast(env, request, counters), with_normal, counters);
-}
-
 template MoveResult<2> finish_move(const Environment<2>&, const CastRequest&, const CastResult&, bool,
                                    CastCounters*) noexcept;
 template MoveResult<3> finish_move(const Environment<3>&, const CastRequest&, const CastResult&, bool,
                                    CastCounters*) noexcept;
-template MoveResult<2> move_point(const Environment<2>&, const CastRequest&, bool, CastCounters*) noexcept;
-template MoveResult<3> move_point(const Environment<3>&, const CastRequest&, bool, CastCounters*) noexcept;
 
 }  // namespace dsw

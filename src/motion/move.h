@@ -27,15 +27,10 @@ inline void point_at(const double* p, const double* q, double time, double* out)
   }
 }
 
-/** The move of which `flight` was the cast. */
+/** The move of a point, of which `flight` was the cast; `request.from` lies in `request.start`. The cell and position of the
+ * result are always valid; in the worst case they are those of the start. */
 template <int D>
 MoveResult<D> finish_move(const Environment<D>& env, const CastRequest& request, const CastResult& flight,
                           bool with_normal, CastCounters* counters) noexcept;
-
-/** Moves a point; `request.from` lies in `request.start`. The cell and position of the result are always valid; in the
- * worst case they are those of the start. */
-template <int D>
-MoveResult<D> move_point(const Environment<D>& env, const CastRequest& request, bool with_normal,
-                         CastCounters* counters) noexcept;
 
 }  // namespace dsw

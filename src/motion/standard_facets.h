@@ -10,8 +10,8 @@ constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {
 constexpr uint8_t kBoxFacets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
                                       {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
-/** Of a flat facet any three vertices give the plane, so that vertices 0 and 6 of a box need not be read: what remains of a
- * facet are three neighbours on the ring 1 2 3 7 4 5. */
+/** Three vertices give the plane of a flat facet, so that vertices 0 and 6 of a box need not be read: what remains of a facet
+ * are three neighbours on the ring 1 2 3 7 4 5. They may lie in a row; then no filter settles the facet. */
 constexpr uint8_t kFlatFacets[3][6] = {{4, 5, 1, 2, 3, 7}, {7, 1, 5, 3, 2, 4}, {3, 2, 4, 7, 1, 5}};
 
 /** The ridge that two facets share: its vertices in the order of the first facet; a == b if there is none. */

@@ -15,7 +15,6 @@ inline uint64_t visit_bit(Cell c) { return uint64_t{1} << ((c.unit * 0x9e3779b1u
 
 /** A cast that has left its first cell, or is about to. */
 struct Flight {
-  Look look;
   Exit exit;
   HalfFacet through;  // the facet of `exit`, seen from beyond
   Entry entry;
@@ -66,22 +65,21 @@ class Walkers {
   /** Whether the segment may leave its cell. */
   DSW_HOT bool look(uint32_t i, const Entry& entry) noexcept {
     const Look seen = finder(i).look(results_[i].cell, entry);
-    flight(i).look = seen;
+    looks_[i] = seen;
     return seen.facets != 0;
   }
 
   DSW_HOT bool leave_first(uint32_t i) noexcept {
+    new (flights_ + i) Flight{{}, {}, {}, visit_bit(results_[i].cell)};
     const bool leaves = leave(i, Entry{}, requests_[i].forecast);
     results_[i].first_facet = flight(i).exit.facet;
-    flight(i).entry = Entry{};
-    flight(i).visited = visit_bit(results_[i].cell);
     return leaves;
   }
 
   /** Whether it does, and where to. */
   DSW_HOT bool leave(uint32_t i, const Entry& entry, uint32_t forecast) noexcept {
     const Cell cell = results_[i].cell;
-    const Exit exit = finder(i).choose(cell, flight(i).look, entry, forecast);
+    const Exit exit = finder(i).choose(cell, looks_[i], entry, forecast);
     flight(i).exit = exit;
     if (exit.facet == kStays) return false;
     const HalfFacet h = map_.half_facet(cell, exit.facet), o = map_.opposite(h);
@@ -127,6 +125,7 @@ class Walkers {
   union {  // constructs nothing
     Flight flights_[kWave];
   };
+  Look looks_[kWave];
   uint8_t active_[kWave];
 };
 

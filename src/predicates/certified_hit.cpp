@@ -20,14 +20,13 @@ DSW_DD Vector difference(const double* a, const double* b) noexcept {
 
 // ai bj - aj bi, not normalized.
 DSW_DD Number minor(const Number& ai, const Number& aj, const Number& bi, const Number& bj) noexcept {
-  const Number left = dd::product<dd::Split>(ai, bj), right = dd::product<dd::Split>(aj, bi);
+  const Number left = dd::product(ai, bj), right = dd::product(aj, bi);
   const Number top = dd::sum(left.high, -right.high);
   return dd::sum(top.high, top.low + (left.low - right.low));
 }
 
 DSW_DD Number dot(const Vector& a, const Vector& b) noexcept {
-  const Number x = dd::product<dd::Split>(a.x, b.x), y = dd::product<dd::Split>(a.y, b.y),
-               z = dd::product<dd::Split>(a.z, b.z);
+  const Number x = dd::product(a.x, b.x), y = dd::product(a.y, b.y), z = dd::product(a.z, b.z);
   const Number xy = dd::sum(x.high, y.high), xyz = dd::sum(xy.high, z.high);
   return dd::sum(xyz.high, (xy.low + xyz.low) + ((x.low + y.low) + z.low));
 }

@@ -9,8 +9,8 @@
 // With roundings in M and S_k themselves: kTimeError = 320u^2 and kNormalError = 24u^2. Products of numbers in
 // [2^-140, 2^160] that underflow add less than 2^-740, against u^2 M > 2^-526; S_k is tested against 2^-500 for the same
 // reason.
-//   t = N/d: quotient of the high parts, residual N - t0 d with an error below 8u^2 N, its quotient by the high part of d
-//        (4u^2), and the sum: < 32u^2 t. With E the error of N and d, t <= 1:  error < 2.01 E / d + 32u^2.
+//   t = N/d: quotient of the high parts, residual N - t0 d with an error below 9u^2 N, its quotient by the high part of d
+//        (6u^2), and the sum: 15u^2, called 32u^2 t. With E the error of N and d, t <= 1:  error < 2.01 E / d + 32u^2.
 #pragma once
 
 #include <cmath>

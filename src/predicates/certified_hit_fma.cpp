@@ -75,7 +75,7 @@ inline bool certify(const double* p, const double* q, const double* const* trian
                                        _mm256_cmp_pd(extent, _mm256_set1_pd(kTimeFilterMax), _CMP_LE_OQ)));
   if (in_range != 7) return false;
 
-  // Component k of the normal stands on axis k - 1 until it is turned.
+  // Component k of the normal stands on axis k + 1 until it is turned.
   const Vector next_a = {next_axis(a.high), next_axis(a.low)}, next_b = {next_axis(b.high), next_axis(b.low)};
   const Vector left = product(a, next_b), right = product(next_a, b);
   const Vector top = difference(left.high, right.high);

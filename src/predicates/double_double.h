@@ -50,9 +50,8 @@ struct Split {
 };
 
 // a * b with an error below 8u^2 |a b|; |low| < 3.01u |a b|, not normalized.
-template <class Exact>
 DSW_DD Number product(const Number& a, const Number& b) noexcept {
-  const Number p = Exact::product(a.high, b.high);
+  const Number p = Split::product(a.high, b.high);
   return {p.high, p.low + (a.high * b.low + a.low * b.high)};
 }
 
