@@ -151,8 +151,8 @@ class Sweeper {
 
   /** Whether the triangle has to be looked at; sets the outcome if even that stays open. */
   bool needs_flood(const EdgeMotion& m, const CastResult& path, dsw_sweep& sweep) const {
-    if (options_.level == DSW_LEVEL_POINTS) return false;
-    if (options_.level == DSW_LEVEL_EDGES_SWEPT || path.end == CastEnd::kHit) return true;
+    if (options_.level == SweepLevel::kPoints) return false;
+    if (options_.level == SweepLevel::kEdgesSwept || path.end == CastEnd::kHit) return true;
     const CastResult edge = fly(m.to, m.q, path.cell, sweep);
     if (edge.end == CastEnd::kWorkLimit) stop_early(sweep);
     return edge.end == CastEnd::kHit;

@@ -2,14 +2,17 @@
 // Edges swept without a body. Arguments have been checked: ids are alive or null, coordinates finite.
 
 #include "base/parallel.h"
-#include "dartsweep/sweep.h"
+#include "dartsweep/contact.h"
 #include "environment/environment.h"
 #include "scene/points.h"
 
 namespace dsw {
 
+/** What of a sweep is looked at; see dsw_level. */
+enum class SweepLevel : uint32_t { kPoints, kEdges, kEdgesSwept };
+
 struct SweepOptions {
-  dsw_level level = DSW_LEVEL_EDGES_SWEPT;
+  SweepLevel level = SweepLevel::kEdgesSwept;
   uint32_t max_cells = 0;
   bool start_known = false;  // starts contain the moving ends; else they are hints
   bool start_free = false;   // the edges are free where they start
