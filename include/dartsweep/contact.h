@@ -66,7 +66,7 @@ typedef struct dsw_sweep {
   /** Where the moving end is at `time`: p + time * (p' - p), rounded. */
   double position[3];
   /** Fraction of the move: 1 when the edge came through; 0 when it stopped early or could not start. At a contact the largest
-   * double that is not later than the true first time; where the shift alone decides, than its limit. */
+   * double that is not later than the true first time; where the shift alone decides, then its limit. */
   double time;
   /** Where the edge touches, rounded. */
   double point[3];
@@ -80,7 +80,8 @@ typedef struct dsw_sweep {
   dsw_volume_id front;  /**< Contact: the volume from which the obstacle was met; null without. */
   dsw_face_id face;     /**< Canonical id of the impassable face; null for a wire. */
   dsw_edge_id edge;     /**< DSW_CONTACT_EDGE: canonical id of the obstacle's edge. */
-  dsw_outcome outcome;  /**< REACHED, CONTACT, WORK_LIMIT, OUTSIDE (p lies in no volume), IMPASSABLE (p does, or p q is not free
+  dsw_outcome
+      outcome; /**< REACHED, CONTACT, WORK_LIMIT, OUTSIDE (p lies in no volume), IMPASSABLE (p does, or p q is not free
                              where it starts). */
   dsw_contact_kind kind;  /**< PLANE: the moving end on a face, or the edge on the diagonal of a warped one; EDGE. */
   dsw_cell_kind obstacle; /**< As in dsw_flight; DSW_CELL_EDGE for a wire. */

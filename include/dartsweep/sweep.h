@@ -15,10 +15,11 @@ extern "C" {
 
 /** How much of what an edge sweeps is looked at when its end p moves to p' while its other end q stays. */
 typedef enum dsw_level {
-  DSW_LEVEL_POINTS = 1,      /**< The path p p' of the moving end. */
-  DSW_LEVEL_EDGES = 2,       /**< That and the edge in its new place, p' q [JCD10] 4.1. What lies inside the triangle only is
+  DSW_LEVEL_POINTS = 1, /**< The path p p' of the moving end. */
+  DSW_LEVEL_EDGES = 2,  /**< That and the edge in its new place, p' q [JCD10] 4.1. What lies inside the triangle only is
                                   missed. When one of the two hits, the contact is that of EDGES_SWEPT. */
-  DSW_LEVEL_EDGES_SWEPT = 3, /**< The whole triangle p p' q: impassable faces, and marked edges that no face belongs to. */
+  DSW_LEVEL_EDGES_SWEPT =
+      3, /**< The whole triangle p p' q: impassable faces, and marked edges that no face belongs to. */
   DSW_LEVEL_FORCE_INT32 = 0x7fffffff
 } dsw_level;
 
