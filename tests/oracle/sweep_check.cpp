@@ -32,6 +32,20 @@ bool none(dsw_edge_id f) { return f.volume == 0 && f.generation == 0 && f.local 
 double dot(const Vec& x, const Vec& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 double length(const Vec& x) { return std::sqrt(dot(x, x)); }
 
+/// Of a point from segment a b.
+double distance(const Vec& a, const Vec& b, const double* point) {
+  double most = DBL_MIN;
+  for (size_t k = 0; k < 3; ++k) most = std::max({most, std::fabs(b[k] - a[k]), std::fabs(point[k] - a[k])});
+  Vec u, w;
+  for (size_t k = 0; k < 3; ++k) {
+    u[k] = (b[k] - a[k]) / most;
+    w[k] = (point[k] - a[k]) / most;
+  }
+  const double square = dot(u, u), by = square > 0 ? std::min(1.0, std::max(0.0, dot(u, w) / square)) : 0;
+  for (size_t k = 0; k < 3; ++k) w[k] -= by * u[k];
+  return length(w) * most;
+}
+
 bool same_feature(const SweepEvent& x, const SweepEvent& y) {
   return x.triangle == y.triangle && x.a == y.a && x.b == y.b;
 }
@@ -230,23 +244,33 @@ std::string SweepChecker::wrong_contact(const Sweep& s, const SweepEvent& event,
   return " normal " + hex(got.normal) + " at a diagonal";
 }
 
-/// Position, point and the place along the edge, where doubles can say.
+/// Position and point: at its time and place along the edge, and on the obstacle's edge.
 std::string SweepChecker::wrong_place(const Sweep& s, const SweepEvent* event, const dsw_sweep& got) const {
-  if (!(got.along >= 0 && got.along <= 1)) return " along " + number(got.along);
-  for (size_t k = 0; k < 3; ++k) {
-    const double u = s.to[k] - s.from[k], at = s.from[k] + got.time * u;
-    const double allowed = 1e-15 * (std::fabs(s.from[k]) + std::fabs(got.time * u)) + 2 * DBL_TRUE_MIN;
-    if (std::isfinite(u) && !(std::fabs(got.position[k] - at) <= allowed)) return " position " + hex(got.position);
-    if (event == nullptr) continue;
-    const double v = s.fixed[k] - at, there = at + got.along * v;
-    const double span = std::fabs(s.fixed[k]) + std::fabs(s.from[k]) + std::fabs(s.to[k]);
-    if (std::isfinite(u) && std::isfinite(v) && !(std::fabs(got.point[k] - there) <= 1e-14 * span + 4 * DBL_TRUE_MIN)) {
-      return " point " + hex(got.point) + " is not at along " + number(got.along);
-    }
+  double most = 0;
+  for (const Vec* p : {&s.from, &s.to, &s.fixed}) {
+    for (double x : *p) most = std::max(most, std::fabs(x));
   }
-  if (event == nullptr || !event->regular) return "";
-  return std::fabs(got.along - event->along) <= 1e-9 ? ""
-                                                     : " along " + number(got.along) + " for " + number(event->along);
+  if (!(most < DBL_MAX / 4)) return "";
+  for (size_t k = 0; k < 3; ++k) {
+    const double way = got.time * (s.to[k] - s.from[k]), at = s.from[k] + way;
+    const double allowed = 1e-15 * (std::fabs(s.from[k]) + std::fabs(way)) + 2 * DBL_TRUE_MIN;
+    if (!(std::fabs(got.position[k] - at) <= allowed)) return " position " + hex(got.position);
+  }
+  if (event == nullptr) return "";
+  if (!(got.along >= 0 && got.along <= 1)) return " along " + number(got.along);
+  const double allowed = 32 * DBL_EPSILON * most;
+  Vec there;
+  for (size_t k = 0; k < 3; ++k) there[k] = got.position[k] + got.along * (s.fixed[k] - got.position[k]);
+  const double off = distance(there, there, got.point);
+  if (!(off <= allowed)) {
+    return " point " + hex(got.point) + " is not at along " + number(got.along) + ", off by " +
+           number(off / world_.size);
+  }
+  if (event->triangle >= 0) return "";
+  const std::vector<Vec>& points = world_.mesh.points;
+  const double away = distance(points[static_cast<size_t>(event->a)], points[static_cast<size_t>(event->b)], got.point);
+  if (away <= allowed) return "";
+  return " point " + hex(got.point) + " is not on the obstacle's edge, off by " + number(away / world_.size);
 }
 
 void SweepChecker::compare(const Sweep& s, dsw_level level, const dsw_sweep& got, const std::string& how) {
@@ -298,13 +322,15 @@ void SweepChecker::compare(const Sweep& s, dsw_level level, const dsw_sweep& got
 
 void SweepChecker::compare_limited(const Sweep& s, uint32_t max_cells, const dsw_sweep& whole, const dsw_sweep& got,
                                    const std::string& how) {
-  const bool stops = whole.cells_visited > max_cells;
+  // The casts and the flood may have a limit each.
+  const bool may_stop = whole.cells_visited > max_cells, stopped = got.outcome == DSW_OUTCOME_WORK_LIMIT;
   std::string wrong;
-  if (stops != (got.outcome == DSW_OUTCOME_WORK_LIMIT)) wrong += " outcome " + std::to_string(got.outcome);
-  if (stops && (got.cells_visited != max_cells || got.time != 0 || !same(got.position, s.from.data()))) {
-    wrong += " stopped after " + std::to_string(got.cells_visited) + " at " + number(got.time);
+  if (stopped && !may_stop) wrong += " stopped without need";
+  if (stopped && (got.time != 0 || !same(got.position, s.from.data()) || !none(got.face) || !none(got.edge))) {
+    wrong += " stopped at " + number(got.time);
   }
-  if (!stops && (got.outcome != whole.outcome || got.time != whole.time || got.cells_visited != whole.cells_visited)) {
+  if (!stopped &&
+      (got.outcome != whole.outcome || got.time != whole.time || got.cells_visited != whole.cells_visited)) {
     wrong += " another answer than without a limit";
   }
   if (wrong.empty()) return;

@@ -237,20 +237,15 @@ void SweepWorld::add_edge_events(const Box& box, std::vector<SweepEvent>& events
     SweepEvent e;
     e.a = edge.a;
     e.b = edge.b;
-    // Weights of p, p' and q where the edge goes through: they have one sign.
-    Shifted weight[3] = {line(kTo, kQ, e.a, e.b), line(kQ, kP, e.a, e.b), line(kP, kTo, e.a, e.b)};
+    // Weights of p and p' where the edge goes through: they have one sign, and that of q.
+    Shifted weight[2] = {line(kTo, kQ, e.a, e.b), line(kQ, kP, e.a, e.b)};
     for (Shifted& w : weight) {
       if (first < 0) w.negate();
     }
-    Shifted all;
-    for (size_t k = 0; k < 4; ++k) {
-      e.denominator.c[k] = weight[0].c[k] + weight[1].c[k];
-      all.c[k] = e.denominator.c[k] + weight[2].c[k];
-    }
+    for (size_t k = 0; k < 4; ++k) e.denominator.c[k] = weight[0].c[k] + weight[1].c[k];
     e.numerator = weight[1];
-    const size_t k = order(e.denominator), l = order(all);
+    const size_t k = order(e.denominator);
     e.time = std::min(1.0, floor_to_double(e.numerator.c[k], e.denominator.c[k]));
-    e.along = mpq_class(weight[2].c[l], all.c[l]).get_d();
     e.regular = k == 0;
     events.push_back(std::move(e));
   }

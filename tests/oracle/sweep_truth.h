@@ -21,7 +21,6 @@ struct SweepEvent {
   int a = -1, b = -1;              // of the inside: the two vertices, a < b
   Shifted numerator, denominator;  // time; the denominator is positive
   double time = 0;                 // its standard part, rounded down
-  double along = 0;                // standard part of the place on the edge, rounded
   bool regular = true;             // the standard part needs no shift
 };
 
