@@ -28,12 +28,13 @@ bool passes_through(const double* p, const double* q, const double* const* trian
   return true;
 }
 
-/** Order of contacts at one time: by the canonical name of the facet, then by the cell it is seen from, then inside that. */
+/** Order of contacts at one time: facets before wires; those that p sees; then by the canonical name of the facet, the cell it
+ * is seen from, and inside that. */
 auto order_of(const Map<3>& map, const SweepContact& c) {
   const HalfFacet h = c.facet.valid() ? canonical(map, c.facet) : HalfFacet{};
   const Cell owner = h.valid() ? map.cell_of(h) : c.front;
-  return std::make_tuple(h.valid() ? 0 : 1, map.index(owner), h.valid() ? map.local_of(h, owner) : c.dart,
-                         map.index(c.front), c.simplex, c.dart);
+  return std::make_tuple(h.valid() ? 0 : 1, c.faces_start ? 0 : 1, map.index(owner),
+                         h.valid() ? map.local_of(h, owner) : c.dart, map.index(c.front), c.simplex, c.dart);
 }
 
 }  // namespace
@@ -147,6 +148,7 @@ void SweepFlood::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet) {
     if (sides[0] == sides[1] && sides[1] == sides[2]) continue;
     const double* triangle[3];
     simplex_points(env_, c, shape, found.simplex, triangle);
+    found.faces_start = side_of_plane(triangle, m_.p) < 0;
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
       if (sides[k] == sides[next] || !edge_pierces(triangle[k], triangle[next])) continue;
@@ -158,7 +160,7 @@ void SweepFlood::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet) {
       consider(found);
     }
     // Seen from the side it comes from; from the other the same event belongs to the cell on this side.
-    if (side_of_plane(triangle, m_.p) < 0 && passes_through(m_.p, m_.to, triangle)) {
+    if (found.faces_start && passes_through(m_.p, m_.to, triangle)) {
       found.event = {{triangle[0], triangle[1], triangle[2]}, false};
       found.dart = kNoFacet;
       consider(found);

@@ -11,6 +11,7 @@ struct SweepContact {
   SweepEvent event;
   Cell front;                // the cell from which it is met
   HalfFacet facet;           // impassable, seen from `front`; invalid for a wire
+  bool faces_start = false;  // p lies on this side of the plane
   uint32_t simplex = 0;      // of `front`, in `facet`
   uint32_t dart = kNoFacet;  // of `front`, along the obstacle's edge; kNoFacet for a vertex event and on a diagonal
 };

@@ -37,12 +37,29 @@ Vec unit(const Vec& a) {
 }
 bool is_zero(const Vec& a) { return a.x == 0 && a.y == 0 && a.z == 0; }
 
-/** Where segment ab pierces the swept plane, by its rounded distances. */
-void crossing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
-  const Vec n = cross(unit(difference(m.to, m.p)), unit(difference(m.q, m.p)));
-  const double from = dot(n, difference(a, m.p)), to = dot(n, difference(b, m.p));
-  const double share = from / (from - to);
-  point_at<3>(a, b, share >= 0 && share <= 1 ? share : 0.5, point);
+/** Where the edge, now from `end` to q, touches segment ab, if ab does not lie in the swept plane: where it pierces that, by the
+ * exact ratio. */
+void piercing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
+  const double* const swept[3] = {m.p, m.to, m.q};
+  if (swept_side(m, b).sign < 0) std::swap(a, b);
+  point_at<3>(a, b, crossing_time<3>(a, b, swept), point);
+}
+
+/** The same if it does: where the two lines meet, or, where they are one, the first common point from `end` on. */
+void common_point(const double* end, const double* q, const double* a, const double* b, double* point) {
+  const Vec along = unit(difference(q, end)), line = unit(difference(b, a)), normal = cross(line, along);
+  const double square = dot(normal, normal);
+  const bool parallel = !(square > 0x1p-80);
+  const double length = std::sqrt(dot(difference(b, a), difference(b, a)));
+  const auto clamped = [](double x, double most) { return x > 0 ? std::min(x, most) : 0; };
+  if (!parallel) {
+    const double from_a = dot(cross(difference(end, a), along), normal) / square;
+    point_at<3>(a, b, clamped(from_a / length, 1), point);
+    return;
+  }
+  const double to_a = dot(difference(a, end), along), to_b = dot(difference(b, end), along);
+  const double* const nearer = to_a < to_b ? a : b;
+  std::copy_n(std::min(to_a, to_b) > 0 ? nearer : end, 3, point);
 }
 
 /** How far along the edge, which runs from `end` to q, a point on it lies: by the axis it is longest on. */
@@ -94,7 +111,12 @@ void report_contact(const Environment<3>& env, const EdgeMotion& m, const SweepC
   sweep.normal[1] = normal.y;
   sweep.normal[2] = normal.z;
   if (contact.event.of_edge) {
-    crossing_point(m, contact.event.points[0], contact.event.points[1], sweep.point);
+    const double *a = contact.event.points[0], *b = contact.event.points[1];
+    if (swept_side(m, a).tie && swept_side(m, b).tie) {
+      common_point(sweep.position, m.q, a, b, sweep.point);
+    } else {
+      piercing_point(m, a, b, sweep.point);
+    }
     sweep.along = share_along(sweep.position, m.q, sweep.point);
   } else {
     std::copy_n(sweep.position, 3, sweep.point);
@@ -115,21 +137,23 @@ class Sweeper {
       return;
     }
     if (!options_.start_free) {
-      const CastResult edge = fly(m.p, m.q, start, sweep);
-      if (edge.end != CastEnd::kReached) {
-        sweep.outcome = edge.end == CastEnd::kHit ? DSW_OUTCOME_IMPASSABLE : DSW_OUTCOME_WORK_LIMIT;
-        return;
-      }
+      const CastEnd edge = fly(m.p, m.q, start, sweep).end;
+      if (edge == CastEnd::kHit) sweep.outcome = DSW_OUTCOME_IMPASSABLE;
+      if (edge != CastEnd::kReached) return;
     }
     const CastResult path = fly(m.p, m.to, start, sweep);
-    if (path.end == CastEnd::kWorkLimit) return stop_early(sweep);
-    if (needs_flood(m, path, sweep)) {
-      const SweepResult swept = flood_.sweep(m, start, options_.max_cells);
-      sweep.cells_visited += swept.cells_visited;
-      if (swept.end == SweepEnd::kWorkLimit) return stop_early(sweep);
-      if (swept.end == SweepEnd::kContact) return report_contact(env_, m, swept.contact, sweep);
-    }
+    if (path.end == CastEnd::kWorkLimit) return;
+    const bool flooded = needs_flood(m, path, sweep);
     if (sweep.outcome == DSW_OUTCOME_WORK_LIMIT) return;
+    if (flooded) {
+      uint32_t left = 0;
+      if (!work_left(sweep, left)) return;
+      const SweepResult swept = flood_.sweep(m, start, left);
+      sweep.cells_visited += swept.cells_visited;
+      if (swept.end == SweepEnd::kWorkLimit) sweep.outcome = DSW_OUTCOME_WORK_LIMIT;
+      if (swept.end == SweepEnd::kContact) report_contact(env_, m, swept.contact, sweep);
+      if (swept.end != SweepEnd::kFree) return;
+    }
     if (path.end == CastEnd::kHit) return report_path(m, path, sweep);
     sweep.outcome = DSW_OUTCOME_REACHED;
     sweep.time = 1;
@@ -138,27 +162,34 @@ class Sweeper {
   }
 
  private:
+  /** How many cells may still be looked at; 0: as many as it takes. False, and the outcome is set, if none may. */
+  bool work_left(dsw_sweep& sweep, uint32_t& left) const {
+    left = options_.max_cells == 0 ? 0 : options_.max_cells - sweep.cells_visited;
+    if (options_.max_cells == 0 || left != 0) return true;
+    sweep.outcome = DSW_OUTCOME_WORK_LIMIT;
+    return false;
+  }
+
   CastResult fly(const double* from, const double* to, Cell start, dsw_sweep& sweep) const {
+    CastResult result;
+    result.end = CastEnd::kWorkLimit;
     CastRequest request;
     request.from = from;
     request.to = to;
     request.start = start;
-    request.max_cells = options_.max_cells;
-    const CastResult result = cast(env_, request, nullptr);
+    if (!work_left(sweep, request.max_cells)) return result;
+    result = cast(env_, request, nullptr);
     sweep.cells_visited += result.cells_visited;
+    if (result.end == CastEnd::kWorkLimit) sweep.outcome = DSW_OUTCOME_WORK_LIMIT;
     return result;
   }
 
-  /** Whether the triangle has to be looked at; sets the outcome if even that stays open. */
+  /** Whether the triangle has to be looked at; the outcome is set if the work limit leaves that open. */
   bool needs_flood(const EdgeMotion& m, const CastResult& path, dsw_sweep& sweep) const {
     if (options_.level == SweepLevel::kPoints) return false;
     if (options_.level == SweepLevel::kEdgesSwept || path.end == CastEnd::kHit) return true;
-    const CastResult edge = fly(m.to, m.q, path.cell, sweep);
-    if (edge.end == CastEnd::kWorkLimit) stop_early(sweep);
-    return edge.end == CastEnd::kHit;
+    return fly(m.to, m.q, path.cell, sweep).end == CastEnd::kHit;
   }
-
-  static void stop_early(dsw_sweep& sweep) { sweep.outcome = DSW_OUTCOME_WORK_LIMIT; }
 
   /** The contact of the moving end alone. */
   void report_path(const EdgeMotion& m, const CastResult& path, dsw_sweep& sweep) const {
