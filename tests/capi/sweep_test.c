@@ -333,7 +333,7 @@ static void options_are_checked(void) {
 static void bad_arguments_change_nothing(void) {
   const double points[6] = {0.5, 0.5, 0.5, 1.5, 0.5, 0.5};
   const double nan_point[6] = {0.5, 0.5, 0.5, 1.5, 0.5, NAN}, infinite[6] = {0.5, -INFINITY, 0.5, 1.5, 0.5, 0.5};
-  const dsw_volume_id starts[2] = {{0, 1}, {NX * NY * NZ, 1}};
+  const dsw_volume_id starts[2] = {{0, 1}, {NX * NY * NZ, 1}}, stale[2] = {{0, 7}, {0, 0}};
   dsw_sweep s[2], before[2];
   memset(s, 0x55, sizeof s);
   memcpy(before, s, sizeof s);
@@ -347,7 +347,7 @@ static void bad_arguments_change_nothing(void) {
   CHECK_MESSAGE("fixed[1][2] is nan");
   CHECK_FAILS(DSW_STATUS_STALE_ID, SWEEP(g_env, starts, points, points, points, 0, s));
   CHECK_MESSAGE("starts[1] {index 48, generation 1}");
-  CHECK_FAILS(DSW_STATUS_STALE_ID, SWEEP(g_env, &stale_volume, points, points, points, 0, s));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, SWEEP(g_env, stale, points, points, points, 0, s));
   CHECK_MESSAGE("starts[0] {index 0, generation 7}");
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, SWEEP(g_env, NULL, points, points, points, 8, s));
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, SWEEP(g_env, NULL, points, points, points, 28, s));
