@@ -146,6 +146,29 @@ AT(dsw_statistics, forecast_hits, 48);
 AT(dsw_statistics, contacts, 56);
 AT(dsw_statistics, candidates, 64);
 
+SIZE(dsw_sweep_options, 16);
+AT(dsw_sweep_options, struct_size, 0);
+AT(dsw_sweep_options, flags, 4);
+AT(dsw_sweep_options, level, 8);
+AT(dsw_sweep_options, max_cells, 12);
+
+SIZE(dsw_sweep, 152);
+AT(dsw_sweep, position, 0);
+AT(dsw_sweep, time, 24);
+AT(dsw_sweep, point, 32);
+AT(dsw_sweep, along, 56);
+AT(dsw_sweep, normal, 64);
+AT(dsw_sweep, volume, 88);
+AT(dsw_sweep, front, 96);
+AT(dsw_sweep, face, 104);
+AT(dsw_sweep, edge, 116);
+AT(dsw_sweep, outcome, 128);
+AT(dsw_sweep, kind, 132);
+AT(dsw_sweep, obstacle, 136);
+AT(dsw_sweep, tag, 140);
+AT(dsw_sweep, cells_visited, 144);
+AT(dsw_sweep, reserved, 148);
+
 SIZE(dsw_trace_data, 96);
 AT(dsw_trace_data, struct_size, 0);
 AT(dsw_trace_data, reserved, 4);
@@ -169,3 +192,4 @@ SIZE(dsw_cell_type, 4);
 SIZE(dsw_cell_kind, 4);
 SIZE(dsw_mark, 4);
 SIZE(dsw_place, 4);
+SIZE(dsw_level, 4);

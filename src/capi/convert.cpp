@@ -72,19 +72,6 @@ void check_hints(const Map<3>& map, const dsw_volume_id* ids, size_t count, cons
   }
 }
 
-dsw_edge_id edge_id(const Map<3>& map, Dart d) noexcept {
-  dsw_edge_id lowest{UINT32_MAX, kGeneration, 0};
-  for_each_volume_round_edge(map, d, [&](Dart e) {
-    const uint32_t volume = map.index(e.cell);
-    if (volume < lowest.volume) {
-      lowest.volume = volume;
-      lowest.local = map.shape(e.cell).dart_edge(e.local);
-    }
-    return true;
-  });
-  return lowest;
-}
-
 void require_array(const void* array, size_t count, const char* name) {
   if (count != 0) require(array, name);
 }

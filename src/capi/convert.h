@@ -43,8 +43,7 @@ auto visit_cell(const Map<3>& map, dsw_cell cell, const Visitor& visitor) {
   }
 }
 
-/** The canonical id of an edge: that of the lowest volume round it. */
-dsw_edge_id edge_id(const Map<3>& map, Dart d) noexcept;
+using dsw::edge_id;
 inline dsw_vertex_id vertex_id(uint32_t vertex) noexcept { return {vertex, kGeneration}; }
 inline dsw_cell cell_of_face(dsw_face_id id) noexcept { return {DSW_CELL_FACE, id.volume, id.generation, id.local}; }
 inline dsw_cell cell_of_edge(dsw_edge_id id) noexcept { return {DSW_CELL_EDGE, id.volume, id.generation, id.local}; }

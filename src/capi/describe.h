@@ -22,6 +22,7 @@ DSW_FIRST_SIZE(dsw_environment_desc, reserved);
 DSW_FIRST_SIZE(dsw_build_report, convex_cell_count);
 DSW_FIRST_SIZE(dsw_environment_info, upper);
 DSW_FIRST_SIZE(dsw_cast_options, reserved);
+DSW_FIRST_SIZE(dsw_sweep_options, max_cells);
 DSW_FIRST_SIZE(dsw_scene_desc, features);
 DSW_FIRST_SIZE(dsw_statistics, candidates);
 DSW_FIRST_SIZE(dsw_trace_data, triangle_count);

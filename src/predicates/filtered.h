@@ -153,6 +153,20 @@ inline Ratio time_ratio(const double* p, const Vec<D>& u, const double* const* s
   return {dot(n, w), dot(n, u), bound(m)};
 }
 
+// Sign of one ratio less the other, or kUncertain.
+inline ShiftedSign compare_ratios(const Ratio& ta, const Ratio& tb, bool in_range) noexcept {
+  const int sa = sign_beyond(ta.denominator, ta.bound);
+  const int sb = sign_beyond(tb.denominator, tb.bound);
+  if (!in_range || sa == kUncertain || sb == kUncertain) return {kUncertain, false};
+  const double x = ta.numerator * tb.denominator;
+  const double y = tb.numerator * ta.denominator;
+  const double from_a = ta.bound * ((std::fabs(tb.numerator) + std::fabs(tb.denominator)) + 2 * tb.bound);
+  const double from_b = tb.bound * (std::fabs(ta.numerator) + std::fabs(ta.denominator));
+  const double rounding = 3 * kUnitRoundoff * (std::fabs(x) + std::fabs(y));
+  const int s = sign_beyond(x - y, kTimeSlack * ((from_a + from_b) + rounding));
+  return {s == kUncertain ? s : s * sa * sb, false};
+}
+
 template <class Tally>
 ShiftedSign count(ShiftedSign result, bool exact, Tally& tally) noexcept {
   if (exact) tally.exact();
@@ -213,17 +227,8 @@ inline ShiftedSign compare_times(const double* p, const double* q, const double*
   bool in_range = true;
   const filter::Ratio ta = filter::time_ratio<D>(p, u, a, in_range);
   const filter::Ratio tb = filter::time_ratio<D>(p, u, b, in_range);
-  const int sa = filter::sign_beyond(ta.denominator, ta.bound);
-  const int sb = filter::sign_beyond(tb.denominator, tb.bound);
-  if (in_range && sa != filter::kUncertain && sb != filter::kUncertain) {
-    const double x = ta.numerator * tb.denominator;
-    const double y = tb.numerator * ta.denominator;
-    const double from_a = ta.bound * ((std::fabs(tb.numerator) + std::fabs(tb.denominator)) + 2 * tb.bound);
-    const double from_b = tb.bound * (std::fabs(ta.numerator) + std::fabs(ta.denominator));
-    const double rounding = 3 * kUnitRoundoff * (std::fabs(x) + std::fabs(y));
-    const int s = filter::sign_beyond(x - y, kTimeSlack * ((from_a + from_b) + rounding));
-    if (s != filter::kUncertain) return {s * sa * sb, false};
-  }
+  const ShiftedSign quick = filter::compare_ratios(ta, tb, in_range);
+  if (quick.sign != filter::kUncertain) return quick;
   return filter::count(exact::compare_times<D>(p, q, a, b), true, tally);
 }
 

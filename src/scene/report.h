@@ -5,6 +5,7 @@
 
 #include "dartsweep/contact.h"
 #include "environment/environment.h"
+#include "map/dart.h"
 #include "motion/cast.h"
 #include "motion/move.h"
 #include "motion/wave.h"
@@ -25,6 +26,9 @@ dsw_face_id face_id(const Map<D>& map, HalfFacet h) noexcept {
   const Cell c = map.cell_of(h);
   return {map.index(c), kGeneration, map.local_of(h, c)};
 }
+
+/** Canonical: that of the volume with the lowest index round the edge. */
+dsw_edge_id edge_id(const Map<3>& map, Dart d) noexcept;
 
 inline bool is_null(dsw_volume_id id) noexcept { return (id.index | id.generation) == 0; }
 

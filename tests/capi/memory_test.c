@@ -218,11 +218,40 @@ static void queries(void) {
   CHECK(h.alive == 0 && !h.broken);
 }
 
+/* Large triangles in a batch of two chunks. */
+static void sweeps(void) {
+  enum { COUNT = 300 };
+  static const double from[9] = {0.25, 0.5, 0.5, 0.5, 5.5, 0.25, 5.75, 0.25, 5.5};
+  static const double to[9] = {5.75, 0.25, 1.5, 5.5, 5.25, 3.75, 0.25, 0.75, 0.5};
+  static const double fixed[9] = {3.25, 5.5, 5.5, 2.75, 0.5, 5.25, 3.5, 5.75, 3.25};
+  static double points[3][3 * COUNT];
+  static dsw_sweep reports[COUNT];
+  host h;
+  dsw_context *const context = make_context(&h);
+  dsw_environment *const environment = make_environment(context, 6, 6, 6);
+  const size_t before = h.alive;
+  size_t refusals, i;
+  for (i = 0; i < 3 * COUNT; ++i) {
+    points[0][i] = from[i % 9];
+    points[1][i] = to[i % 9];
+    points[2][i] = fixed[i % 9];
+  }
+  UNTIL_IT_SUCCEEDS(
+      h, dsw_environment_sweep_edges(environment, COUNT, NULL, points[0], points[1], points[2], 0, NULL, reports),
+      h.alive == before, refusals);
+  CHECK(refusals >= 4 && h.alive == before && h.parallel_calls == refusals + 1);
+  for (i = 0; i < COUNT; ++i) CHECK(reports[i].outcome == DSW_OUTCOME_REACHED && reports[i].cells_visited > 20);
+  CHECK_OK(dsw_environment_destroy(environment));
+  CHECK_OK(dsw_context_destroy(context));
+  CHECK(h.alive == 0 && !h.broken);
+}
+
 int main(void) {
   creating_an_environment();
   creating_a_scene();
   particles_of_a_scene();
   marks_and_tags();
   queries();
+  sweeps();
   return check_result();
 }

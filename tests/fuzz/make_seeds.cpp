@@ -112,9 +112,10 @@ std::vector<uint8_t> encode(const Mesh& mesh, uint8_t layout, uint8_t flags) {
     seed.push_back(region++ % 2);
     seed.push_back(7);
   }
-  // What use_environment does afterwards: casts, locates, particles, marks, in this order and twice.
-  const uint8_t life[] = {2, 1, 1, 1, 7, 2, 3, 0, 2, 1, 1, 1, 0, 0x7f, 0, 3, 0, 1, 2, 2, 2, 1, 9, 3, 1, 1,
-                          1, 0, 9, 9, 9, 0, 2, 2, 3, 0, 4, 2, 1, 0,    0, 1, 5, 1, 0, 0, 1, 2, 0, 1, 1};
+  // What use_environment does afterwards: casts, locates, particles, marks, sweeps, in this order and twice.
+  const uint8_t life[] = {2, 1,    1, 1, 7, 2, 3, 0, 2, 1, 1, 1, 0, 0x7f, 0, 3, 0, 1, 2, 2, 2, 1, 9, 3, 1,
+                          1, 1,    0, 9, 9, 9, 0, 2, 2, 3, 0, 4, 2, 1,    0, 0, 1, 5, 1, 0, 0, 1, 2, 0, 1,
+                          1, 0xc0, 0, 0, 1, 1, 1, 7, 2, 3, 3, 7, 5, 0xc1, 1, 3, 1, 2, 1, 2, 2, 2, 9, 1, 1};
   for (int round = 0; round < 2; ++round) seed.insert(seed.end(), std::begin(life), std::end(life));
   return seed;
 }

@@ -5,6 +5,9 @@
 namespace dsw_fuzz {
 namespace {
 
+/** Bytes from here on choose a sweep; below, the last two bits choose. */
+constexpr uint8_t kSweep = 0xc0;
+
 bool is_finite(const double* xyz) { return std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]); }
 
 dsw_volume_id pick_volume(const dsw_environment* environment, Bytes* bytes) {
@@ -68,6 +71,55 @@ void locate_something(const dsw_environment* environment, bool is_partition, Byt
   require(near != DSW_STATUS_OUTSIDE && near != DSW_STATUS_INTERNAL, "nearest from a located point");
 }
 
+bool is_unit(const double* v) { return std::fabs(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1) < 1e-12; }
+
+/** What a report of a swept edge always promises. */
+void check_sweep(const dsw_sweep& s, bool is_limited) {
+  require(s.outcome != DSW_OUTCOME_NONE && s.outcome <= DSW_OUTCOME_IMPASSABLE, "a sweep ends somewhere");
+  require(s.outcome != DSW_OUTCOME_WORK_LIMIT || is_limited, "work is limited on demand only");
+  require(s.time >= 0.0 && s.time <= 1.0 && is_finite(s.position), "a sweep ends at a time and a place");
+  require(s.outcome != DSW_OUTCOME_REACHED || s.time == 1.0, "what came through came through");
+  require((s.outcome == DSW_OUTCOME_OUTSIDE) == (s.volume.generation == 0), "the moving end has a volume");
+  const bool contact = s.outcome == DSW_OUTCOME_CONTACT;
+  require(contact == (s.kind != DSW_CONTACT_NONE) && contact == (s.front.generation != 0), "a contact, or none");
+  require(s.kind == DSW_CONTACT_EDGE || s.edge.generation == 0, "an edge with that kind only");
+  require((s.obstacle == DSW_CELL_FACE || s.obstacle == DSW_CELL_VOLUME) == (s.face.generation != 0), "met a face");
+  require((s.obstacle == DSW_CELL_NONE) != contact && s.reserved == 0, "a contact has an obstacle");
+  if (!contact) return;
+  require(is_finite(s.point) && s.along >= 0.0 && s.along <= 1.0, "a contact has a place on the edge");
+  require(is_unit(s.normal), "a contact has a unit normal");
+}
+
+void sweep_something(const dsw_environment* environment, bool is_partition, Bytes* bytes) {
+  double from[3], to[3], fixed[3];
+  const dsw_volume_id start = pick_volume(environment, bytes);
+  dsw_sweep_options options;
+  dsw_sweep_options_init(&options, sizeof options);
+  options.max_cells = bytes->below(16) * 2;
+  bytes->point(from);
+  bytes->point(to);
+  bytes->point(fixed);
+  const bool is_limited = options.max_cells != 0;
+  dsw_sweep found[DSW_LEVEL_EDGES_SWEPT + 1];
+  for (int level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES_SWEPT; ++level) {
+    options.level = static_cast<dsw_level>(level);
+    const dsw_status status =
+        dsw_environment_sweep_edges(environment, 1, &start, from, to, fixed, 0, &options, &found[level]);
+    require((status == DSW_STATUS_OK) == (is_finite(from) && is_finite(to) && is_finite(fixed)),
+            "every finite edge is swept and no other");
+    if (status != DSW_STATUS_OK) return;
+    check_sweep(found[level], is_limited);
+  }
+  if (!is_partition || is_limited) return;
+  const dsw_sweep &points = found[DSW_LEVEL_POINTS], &edges = found[DSW_LEVEL_EDGES],
+                  &swept = found[DSW_LEVEL_EDGES_SWEPT];
+  require(points.outcome != DSW_OUTCOME_CONTACT || edges.outcome == DSW_OUTCOME_CONTACT, "edges see what points see");
+  require(edges.outcome != DSW_OUTCOME_CONTACT || swept.outcome == DSW_OUTCOME_CONTACT,
+          "the sweep sees what edges see");
+  require(points.outcome != DSW_OUTCOME_CONTACT || swept.time <= points.time, "nothing is met later than at its end");
+  require(edges.outcome != DSW_OUTCOME_CONTACT || swept.time == edges.time, "a contact of edges is that of the sweep");
+}
+
 void move_particle(dsw_scene* scene, bool is_partition, Bytes* bytes) {
   const dsw_environment* environment = dsw_scene_get_environment(scene);
   double position[3], target[3];
@@ -119,7 +171,12 @@ void use_environment(dsw_environment* environment, bool is_partition, Bytes* byt
   dsw_scene* scene = nullptr;
   require(dsw_scene_create(environment, nullptr, &scene) == DSW_STATUS_OK, "a scene");
   for (int step = 0; step < 24 && !bytes->empty(); ++step) {
-    switch (bytes->below(4)) {
+    const uint8_t choice = bytes->byte();
+    if (choice >= kSweep) {
+      sweep_something(environment, is_partition, bytes);
+      continue;
+    }
+    switch (choice % 4) {
       case 0:
         mark_something(environment, bytes);
         break;

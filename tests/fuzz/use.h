@@ -6,7 +6,7 @@
 
 namespace dsw_fuzz {
 
-/** Marks, locates, casts, moves. `is_partition`: whether dsw_environment_check found nothing. */
+/** Marks, locates, casts, sweeps, moves. `is_partition`: whether dsw_environment_check found nothing. */
 void use_environment(dsw_environment* environment, bool is_partition, Bytes* bytes);
 
 /** Casts one segment and checks what a report always promises. */

@@ -1,6 +1,8 @@
-// dartsweep_oracle --casts N [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
-// Casts, locates and particle moves in many small environments, each compared with exact arithmetic.
+// dartsweep_oracle [--casts N] [--sweeps N] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
+// Casts, locates and particle moves, and swept edges, in many small environments, each compared with exact arithmetic.
+// Without --casts and --sweeps: casts.
 #include "run.h"
+#include "sweep_run.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -8,19 +10,24 @@
 
 int main(int argc, char** argv) {
   dsw::oracle::RunOptions options;
+  dsw::oracle::SweepRunOptions sweeps;
+  sweeps.sweeps = 0;
   const char* json = nullptr;
   int print_most = 20;
-  bool casts_given = false, show_stuck = false;
+  bool casts_given = false, quick = false, show_stuck = false;
   for (int i = 1; i < argc; ++i) {
     const bool more = i + 1 < argc;
     if (std::strcmp(argv[i], "--casts") == 0 && more) {
       options.casts = std::strtoull(argv[++i], nullptr, 10);
       casts_given = true;
+    } else if (std::strcmp(argv[i], "--sweeps") == 0 && more) {
+      sweeps.sweeps = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--seed") == 0 && more) {
-      options.seed = std::strtoull(argv[++i], nullptr, 10);
+      options.seed = sweeps.seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--only") == 0 && more) {
-      options.only = argv[++i];
+      options.only = sweeps.only = argv[++i];
     } else if (std::strcmp(argv[i], "--quick") == 0) {
+      quick = true;
       if (!casts_given) options.casts = 120000;
     } else if (std::strcmp(argv[i], "--print") == 0 && more) {
       print_most = std::atoi(argv[++i]);
@@ -30,15 +37,23 @@ int main(int argc, char** argv) {
       json = argv[++i];
     } else {
       std::fprintf(stderr,
-                   "usage: %s --casts N [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]\n",
+                   "usage: %s [--casts N] [--sweeps N] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] "
+                   "[--json FILE]\n",
                    argv[0]);
       return 2;
     }
   }
   dsw::oracle::Report report(print_most);
   report.show_stuck = show_stuck;
-  dsw::oracle::run(options, report);
-  const std::string text = dsw::oracle::to_json(report);
+  const bool with_casts = casts_given || quick || sweeps.sweeps == 0;
+  if (with_casts) dsw::oracle::run(options, report);
+  dsw::oracle::SweepReport sweep_report(print_most);
+  if (sweeps.sweeps != 0) dsw::oracle::run_sweeps(sweeps, sweep_report);
+  std::string text = with_casts ? dsw::oracle::to_json(report) : "";
+  if (sweeps.sweeps != 0) {
+    const std::string more = dsw::oracle::to_json(sweep_report);
+    text = text.empty() ? more : text.substr(0, text.rfind("\n}")) + "," + more.substr(1);  // one flat object
+  }
   std::fputs(text.c_str(), stdout);
   if (json != nullptr) {
     std::FILE* file = std::fopen(json, "w");
@@ -47,5 +62,7 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  return report.total.mismatches == 0 && report.total.lost == 0 && report.total.casts > 0 ? 0 : 1;
+  const bool casts_right = report.total.mismatches == 0 && report.total.lost == 0 && report.total.casts > 0;
+  const bool sweeps_right = sweep_report.total.faults() == 0 && sweep_report.total.sweeps > 0;
+  return (casts_right || !with_casts) && (sweeps_right || sweeps.sweeps == 0) ? 0 : 1;
 }

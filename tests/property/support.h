@@ -180,6 +180,17 @@ inline std::string bits_of(const dsw_flight& f) {
   return text + rest;
 }
 
+/// Every member of a sweep's report.
+inline std::string bits_of(const dsw_sweep& s) {
+  std::string text = hex(s.position) + hex(s.point) + hex(s.normal);
+  char rest[400];
+  std::snprintf(rest, sizeof rest, " t %a a %a v %u.%u b %u.%u f %u.%u/%u e %u.%u/%u o %d k %d c %d tag %u n %u r %u",
+                s.time, s.along, s.volume.index, s.volume.generation, s.front.index, s.front.generation, s.face.volume,
+                s.face.generation, s.face.local, s.edge.volume, s.edge.generation, s.edge.local, s.outcome, s.kind,
+                s.obstacle, s.tag, s.cells_visited, s.reserved);
+  return text + rest;
+}
+
 class SceneTest : public testing::TestWithParam<std::string> {};
 #define DSW_FOR_ALL_SCENES(name)                                                     \
   INSTANTIATE_TEST_SUITE_P(All, name, testing::ValuesIn(dsw::oracle::scene_names()), \

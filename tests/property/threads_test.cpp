@@ -77,6 +77,19 @@ Answers answers(const std::string& name, dsw_context* context) {
               DSW_STATUS_OK);
     EXPECT_EQ(bits_of(one), out.lines.back());
   }
+  // Edges whose fixed ends are the next ones' moving ends.
+  std::vector<dsw_sweep> sweeps(kCount - 1);
+  EXPECT_EQ(dsw_environment_sweep_edges(place.get(), kCount - 1, nullptr, from.data(), to.data(), from.data() + 3, 0,
+                                        nullptr, sweeps.data()),
+            DSW_STATUS_OK);
+  for (size_t i = 0; i + 1 < kCount; ++i) {
+    out.lines.push_back(bits_of(sweeps[i]));
+    dsw_sweep one;
+    EXPECT_EQ(dsw_environment_sweep_edges(place.get(), 1, nullptr, from.data() + 3 * i, to.data() + 3 * i,
+                                          from.data() + 3 * i + 3, 0, nullptr, &one),
+              DSW_STATUS_OK);
+    EXPECT_EQ(bits_of(one), out.lines.back());
+  }
   const ScenePtr scene = make_scene(place.get(), DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS);
   const ScenePtr twin = make_scene(place.get(), DSW_FEATURE_STATISTICS);
   std::vector<double> inside;

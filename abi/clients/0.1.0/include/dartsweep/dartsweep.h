@@ -14,6 +14,7 @@
 #include "dartsweep/query.h"
 #include "dartsweep/scene.h"
 #include "dartsweep/snapshot.h"
+#include "dartsweep/sweep.h"
 #include "dartsweep/trace.h"
 
 #endif

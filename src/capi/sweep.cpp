@@ -1,0 +1,63 @@
+#include "dartsweep/sweep.h"
+
+#include <cstring>
+
+#include "capi/convert.h"
+#include "scene/sweeps.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+dsw_sweep_options defaults() noexcept {
+  dsw_sweep_options o{};
+  o.level = DSW_LEVEL_EDGES_SWEPT;
+  return o;
+}
+
+dsw::SweepLevel to_level(const dsw_level& given) {
+  uint32_t level;  // copied: a host can put any number there, also one that the enum cannot hold
+  std::memcpy(&level, &given, sizeof level);
+  switch (level) {
+    case DSW_LEVEL_POINTS:
+      return dsw::SweepLevel::kPoints;
+    case DSW_LEVEL_EDGES:
+      return dsw::SweepLevel::kEdges;
+    case DSW_LEVEL_EDGES_SWEPT:
+      return dsw::SweepLevel::kEdgesSwept;
+    default:
+      fail(DSW_STATUS_UNSUPPORTED, "options->level is %u, this version knows %d .. %d", level, DSW_LEVEL_POINTS,
+           DSW_LEVEL_EDGES_SWEPT);
+  }
+}
+
+dsw::SweepOptions to_options(const dsw_sweep_options* options) {
+  if (options == nullptr) return {};
+  const dsw_sweep_options o = capi::read_struct(options, "options");
+  capi::check_flags(o.flags, DSW_SWEEP_START_KNOWN | DSW_SWEEP_START_FREE, "options->flags");
+  return {to_level(o.level), o.max_cells, (o.flags & DSW_SWEEP_START_KNOWN) != 0,
+          (o.flags & DSW_SWEEP_START_FREE) != 0};
+}
+
+}  // namespace
+
+void dsw_sweep_options_init(dsw_sweep_options* options, size_t size) { capi::init_struct(options, size, defaults()); }
+
+dsw_status dsw_environment_sweep_edges(const dsw_environment* environment, size_t count, const dsw_volume_id* starts,
+                                       const double* from, const double* to, const double* fixed, size_t stride_bytes,
+                                       const dsw_sweep_options* options, dsw_sweep* sweeps) {
+  return capi::guard("dsw_environment_sweep_edges", [&] {
+    const dsw_environment& handle = capi::check_handle(environment, "environment");
+    const dsw::PointArray first = capi::to_points(from, count, stride_bytes, "from");
+    const dsw::PointArray last = capi::to_points(to, count, stride_bytes, "to");
+    const dsw::PointArray stays = capi::to_points(fixed, count, stride_bytes, "fixed");
+    capi::require_array(sweeps, count, "sweeps");
+    const dsw::SweepOptions settings = to_options(options);
+    check_finite(first, count, 3, {"from", true});
+    check_finite(last, count, 3, {"to", true});
+    check_finite(stays, count, 3, {"fixed", true});
+    capi::check_hints(handle.engine.map, starts, count, "starts");
+    sweep_edges(handle.engine, handle.parallel, count, starts, first, last, stays, settings, sweeps);
+  });
+}

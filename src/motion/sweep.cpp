@@ -1,0 +1,202 @@
+#include "motion/sweep.h"
+
+#include <tuple>
+
+#include "predicates/filtered.h"
+#include "predicates/tally.h"
+
+namespace dsw {
+namespace {
+
+constexpr size_t kFirstSlots = 64;
+
+int side_of_plane(const double* const* triangle, const double* x) noexcept {
+  return plane_side<3>(triangle, x, NoTally{}).sign;
+}
+int side_of_line(const double* p, const double* q, const double* a, const double* b) noexcept {
+  const double* const ridge[2] = {a, b};
+  return line_side<3>(p, q, ridge, NoTally{}).sign;
+}
+
+/** Whether body segment p q passes through a triangle, in either direction. */
+bool passes_through(const double* p, const double* q, const double* const* triangle) noexcept {
+  const int after = side_of_plane(triangle, q);
+  if (side_of_plane(triangle, p) == after) return false;
+  for (int k = 0; k < 3; ++k) {
+    if (side_of_line(p, q, triangle[k], triangle[(k + 1) % 3]) != after) return false;
+  }
+  return true;
+}
+
+/** Order of contacts at one time: facets before wires; those that p sees; then by the canonical name of the facet, the cell it
+ * is seen from, and inside that. */
+auto order_of(const Map<3>& map, const SweepContact& c) {
+  const HalfFacet h = c.facet.valid() ? canonical(map, c.facet) : HalfFacet{};
+  const Cell owner = h.valid() ? map.cell_of(h) : c.front;
+  return std::make_tuple(h.valid() ? 0 : 1, c.faces_start ? 0 : 1, map.index(owner),
+                         h.valid() ? map.local_of(h, owner) : c.dart, map.index(c.front), c.simplex, c.dart);
+}
+
+}  // namespace
+
+SweepFlood::SweepFlood(const Environment<3>& env)
+    : env_(env),
+      map_(env.map),
+      cells_(Allocator<Cell>(env.memory)),
+      slots_(kFirstSlots, kNoCell, Allocator<uint32_t>(env.memory)),
+      sides_(Allocator<int8_t>(env.memory)) {}
+
+SweepResult SweepFlood::sweep(const EdgeMotion& m, Cell start, uint32_t max_cells) {
+  forget_all();
+  m_ = m;
+  result_ = {};
+  enter(start);
+  for (size_t i = 0; i < cells_.size(); ++i) {
+    if (max_cells != 0 && i == max_cells) {
+      result_.end = SweepEnd::kWorkLimit;
+      break;
+    }
+    ++result_.cells_visited;
+    const Cell c = cells_[i];
+    if (!look_at_vertices(c)) continue;
+    look_at_facets(c);
+    if (env_.marked_edges != 0) look_at_wires(c);
+  }
+  return result_;
+}
+
+size_t SweepFlood::slot_of(Cell c) const {
+  size_t slot = (c.unit * 0x9e3779b1u) & (slots_.size() - 1);
+  while (slots_[slot] != kNoCell && slots_[slot] != c.unit) slot = (slot + 1) & (slots_.size() - 1);
+  return slot;
+}
+
+void SweepFlood::enter(Cell c) {
+  const size_t slot = slot_of(c);
+  if (slots_[slot] == c.unit) return;
+  cells_.push_back(c);
+  slots_[slot] = c.unit;
+  if (2 * cells_.size() < slots_.size()) return;
+  slots_.assign(2 * slots_.size(), kNoCell);
+  for (const Cell each : cells_) slots_[slot_of(each)] = each.unit;
+}
+
+/** Last in, first out, so that no chain is broken before its end is gone; what a large flood left behind is not swept. */
+void SweepFlood::forget_all() {
+  for (; !cells_.empty(); cells_.pop_back()) slots_[slot_of(cells_.back())] = kNoCell;
+}
+
+/** Whether the cell's vertices lie on both sides of the swept plane. */
+bool SweepFlood::look_at_vertices(Cell c) {
+  const uint32_t count = map_.vertices_of(c);
+  sides_.resize(count);
+  int seen = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const int side = swept_side(m_, env_.point(c, i)).sign;
+    sides_[i] = static_cast<int8_t>(side);
+    seen |= side < 0 ? 1 : side > 0 ? 2 : 0;
+  }
+  return seen == 3;
+}
+
+void SweepFlood::look_at_facets(Cell c) {
+  const Shape shape = map_.shape(c);
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    const HalfFacet h = map_.half_facet(c, f);
+    if (is_impassable(map_, h)) {
+      look_at_obstacle(c, shape, f);
+    } else if (facet_met(c, shape, f)) {
+      enter(map_.cell_of(map_.opposite(h)));
+    }
+  }
+}
+
+/** Whether the swept triangle meets a facet: one of its edges or diagonals pierces the swept triangle, or a side of the swept
+ * triangle the facet. */
+bool SweepFlood::facet_met(Cell c, const Shape& shape, uint32_t facet) const {
+  for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
+    const uint16_t* const local = shape.simplices() + 3 * s;
+    const int sides[3] = {sides_[local[0]], sides_[local[1]], sides_[local[2]]};
+    if (sides[0] == sides[1] && sides[1] == sides[2]) continue;
+    const double* triangle[3];
+    simplex_points(env_, c, shape, s, triangle);
+    for (int k = 0; k < 3; ++k) {
+      if (sides[k] != sides[(k + 1) % 3] && edge_pierces(triangle[k], triangle[(k + 1) % 3])) return true;
+    }
+    if (passes_through(m_.p, m_.to, triangle) || passes_through(m_.to, m_.q, triangle) ||
+        passes_through(m_.q, m_.p, triangle)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Whether an environment edge with its ends on different sides of the swept plane passes through the swept triangle. */
+bool SweepFlood::edge_pierces(const double* a, const double* b) const {
+  const int side = side_of_line(m_.p, m_.to, a, b);
+  return side_of_line(m_.to, m_.q, a, b) == side && side_of_line(m_.q, m_.p, a, b) == side;
+}
+
+/** All events of an impassable facet. */
+void SweepFlood::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet) {
+  SweepContact found;
+  found.front = c;
+  found.facet = map_.half_facet(c, facet);
+  for (found.simplex = shape.simplex_first(facet); found.simplex < shape.simplex_first(facet + 1); ++found.simplex) {
+    const uint16_t* const local = shape.simplices() + 3 * found.simplex;
+    const int sides[3] = {sides_[local[0]], sides_[local[1]], sides_[local[2]]};
+    if (sides[0] == sides[1] && sides[1] == sides[2]) continue;
+    const double* triangle[3];
+    simplex_points(env_, c, shape, found.simplex, triangle);
+    found.faces_start = side_of_plane(triangle, m_.p) < 0;
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      if (sides[k] == sides[next] || !edge_pierces(triangle[k], triangle[next])) continue;
+      found.event = {{triangle[k], triangle[next], nullptr}, true};
+      found.dart = kNoFacet;
+      for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
+        if (shape.dart_vertex(d) == local[k] && shape.dart_vertex(shape.beta1(d)) == local[next]) found.dart = d;
+      }
+      consider(found);
+    }
+    // Seen from the side it comes from; from the other the same event belongs to the cell on this side.
+    if (found.faces_start && passes_through(m_.p, m_.to, triangle)) {
+      found.event = {{triangle[0], triangle[1], triangle[2]}, false};
+      found.dart = kNoFacet;
+      consider(found);
+    }
+  }
+}
+
+void SweepFlood::look_at_wires(Cell c) {
+  const Shape shape = map_.shape(c);
+  SweepContact found;
+  found.front = c;
+  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+    if (d > shape.dart_beta2(d)) continue;  // once an edge
+    const uint32_t from = shape.dart_vertex(d), to = shape.dart_vertex(shape.beta1(d));
+    if (sides_[from] == sides_[to] || !env_.edge_marks.contains(map_.vertex(c, from), map_.vertex(c, to))) continue;
+    const double *a = env_.point(c, from), *b = env_.point(c, to);
+    if (!edge_pierces(a, b)) continue;
+    found.event = {{a, b, nullptr}, true};
+    found.dart = d;
+    consider(found);
+  }
+}
+
+/** Keeps the earlier contact; one line seen from several cells is compared by names alone. */
+void SweepFlood::consider(const SweepContact& found) {
+  SweepContact& best = result_.contact;
+  if (result_.end == SweepEnd::kContact) {
+    const SweepEvent &a = found.event, &b = best.event;
+    const bool same = a.of_edge && b.of_edge &&
+                      ((a.points[0] == b.points[0] && a.points[1] == b.points[1]) ||
+                       (a.points[0] == b.points[1] && a.points[1] == b.points[0]));
+    const int sign = same ? 0 : compare_events(m_, a, b).sign;
+    if (sign > 0 || (sign == 0 && order_of(map_, best) <= order_of(map_, found))) return;
+  }
+  result_.end = SweepEnd::kContact;
+  best = found;
+}
+
+}  // namespace dsw

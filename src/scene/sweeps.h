@@ -1,0 +1,27 @@
+#pragma once
+// Edges swept without a body. Arguments have been checked: ids are alive or null, coordinates finite.
+
+#include "base/parallel.h"
+#include "dartsweep/contact.h"
+#include "environment/environment.h"
+#include "scene/points.h"
+
+namespace dsw {
+
+/** What of a sweep is looked at; see dsw_level. */
+enum class SweepLevel : uint32_t { kPoints, kEdges, kEdgesSwept };
+
+struct SweepOptions {
+  SweepLevel level = SweepLevel::kEdgesSwept;
+  uint32_t max_cells = 0;
+  bool start_known = false;  // starts contain the moving ends; else they are hints
+  bool start_free = false;   // the edges are free where they start
+};
+
+/** Sweeps edges from[i] fixed[i] to to[i] fixed[i]; `starts` may be null. Throws when memory runs out; `sweeps` is undefined
+ * then. */
+template <int D>
+void sweep_edges(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
+                 PointArray from, PointArray to, PointArray fixed, const SweepOptions& options, dsw_sweep* sweeps);
+
+}  // namespace dsw

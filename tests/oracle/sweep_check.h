@@ -1,0 +1,70 @@
+// Compares what the library answers about a swept edge with the truth, one report at a time.
+#pragma once
+
+#include "check.h"
+#include "sweep_truth.h"
+
+namespace dsw::oracle {
+
+struct SweepTally {
+  uint64_t sweeps = 0, missed = 0, late = 0, early = 0, wrong = 0;
+  uint64_t ties = 0, inside_only = 0, contacts = 0, edge_contacts = 0, not_free = 0;
+  uint64_t faults() const { return missed + late + early + wrong; }
+};
+
+/// Collects the figures and prints the first faults with all that is needed to see them again.
+class SweepReport {
+ public:
+  explicit SweepReport(int print_most = 20) : print_most_(print_most) {}
+  void begin(const std::string& scene, const std::string& reproduce);
+  void sweep(const SweepTruth& truth, bool may_start);
+  enum Fault { kMissed, kLate, kEarly, kWrong };
+  void fault(Fault fault, const std::string& text);
+
+  SweepTally total;
+  std::map<std::string, SweepTally> scenes;
+
+ private:
+  SweepTally* scene_ = nullptr;
+  std::string reproduce_;
+  int printed_ = 0, print_most_;
+};
+
+struct Sweep {
+  Vec from, to, fixed;
+  SweepTruth truth;
+};
+
+class SweepChecker {
+ public:
+  /// Marks must be set. Wires are pairs of vertices.
+  SweepChecker(World& world, SweepWorld& exact, SweepReport& report);
+
+  /// Whether the edge may start at all.
+  bool may_start(const SweepTruth& truth) const;
+  /// The contact at a level: the events with the first time, or none.
+  static const std::vector<SweepEvent>& first(const SweepTruth& truth, dsw_level level);
+  void compare(const Sweep& sweep, dsw_level level, const dsw_sweep& got, const std::string& how);
+  /// `whole`: the answer without a limit.
+  void compare_limited(const Sweep& sweep, uint32_t max_cells, const dsw_sweep& whole, const dsw_sweep& got,
+                       const std::string& how);
+  /// The truth against the oracle of casts, and against itself with the triangle's corners exchanged or its path cut.
+  void check_truth(const Sweep& sweep);
+
+ private:
+  std::string wrong_contact(const Sweep& sweep, const SweepEvent& event, const dsw_sweep& got) const;
+  std::string wrong_face(const dsw_sweep& got, int a, int b) const;
+  std::string wrong_across(const Sweep& sweep, const SweepEvent& event, const dsw_sweep& got) const;
+  std::string wrong_place(const Sweep& sweep, const SweepEvent* event, const dsw_sweep& got) const;
+  bool normal_of(int triangle, bool into_first, const dsw_sweep& got) const;
+  bool same_volume(dsw_volume_id id, int cell) const;
+  int face_of(dsw_face_id id) const;
+
+  World& world_;
+  SweepWorld& exact_;
+  SweepReport& report_;
+  std::map<std::pair<int, int>, dsw_edge_id> edges_;              // canonical names
+  std::map<std::pair<int, int>, std::vector<int>> triangles_at_;  // of edges and diagonals
+};
+
+}  // namespace dsw::oracle

@@ -1,0 +1,156 @@
+#include "sweep_run.h"
+
+#include "sweep_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace dsw::oracle {
+namespace {
+
+/// Hands sweeps of like flags over in one call for each level, and compares.
+void call(const Stage& stage, const std::vector<const Sweep*>& sweeps, uint32_t flags, Rng& rng, SweepChecker& checker,
+          SweepReport& report) {
+  if (sweeps.empty()) return;
+  const size_t stride = rng.chance(0.3) ? 5 : 3;
+  std::vector<double> from, to, fixed;
+  std::vector<dsw_volume_id> starts;
+  for (const Sweep* s : sweeps) {
+    for (auto [list, p] : {std::pair{&from, &s->from}, {&to, &s->to}, {&fixed, &s->fixed}}) {
+      list->insert(list->end(), p->begin(), p->end());
+      list->resize(list->size() + stride - 3, NAN);
+    }
+    const std::vector<dsw_volume_id>& ids = stage.world.ids;
+    const dsw_volume_id right = s->truth.start >= 0 ? ids[static_cast<size_t>(s->truth.start)] : dsw_volume_id{0, 0};
+    const bool known = (flags & DSW_SWEEP_START_KNOWN) != 0 || rng.chance(0.3);
+    starts.push_back(known ? right : rng.chance(0.4) ? dsw_volume_id{0, 0} : ids[rng.below(ids.size())]);
+  }
+  const bool any_start = flags != 0 || rng.chance(0.8);
+  dsw_sweep_options options;
+  dsw_sweep_options_init(&options, sizeof options);
+  options.flags = flags;
+  const auto ask = [&](size_t first, size_t count, dsw_sweep* reports) {
+    std::memset(reports, 0xee, count * sizeof *reports);
+    const size_t at = first * stride;
+    const bool defaults =
+        flags == 0 && options.level == DSW_LEVEL_EDGES_SWEPT && options.max_cells == 0 && rng.chance(0.5);
+    const dsw_status status = dsw_environment_sweep_edges(
+        stage.environment.get(), count, any_start ? starts.data() + first : nullptr, from.data() + at, to.data() + at,
+        fixed.data() + at, stride == 3 ? 0 : stride * sizeof(double), defaults ? nullptr : &options, reports);
+    if (status != DSW_STATUS_OK) {
+      report.fault(SweepReport::kWrong, std::string(dsw_status_string(status)) + ": " + dsw_last_error_message());
+    }
+    return status == DSW_STATUS_OK;
+  };
+  for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT}) {
+    options.level = level;
+    options.max_cells = 0;
+    std::vector<dsw_sweep> reports(sweeps.size());
+    if (!ask(0, sweeps.size(), reports.data())) continue;
+    for (size_t i = 0; i < sweeps.size(); ++i) {
+      const std::string how = " start " + std::to_string(starts[i].index) + "." + std::to_string(starts[i].generation) +
+                              (any_start ? "" : " not given") + " flags " + std::to_string(flags);
+      checker.compare(*sweeps[i], level, reports[i], how);
+      if (!rng.chance(0.05)) continue;
+      dsw_sweep limited;
+      options.max_cells = 1 + rng.below(reports[i].cells_visited + 1);
+      if (ask(i, 1, &limited)) checker.compare_limited(*sweeps[i], options.max_cells, reports[i], limited, how);
+      options.max_cells = 0;
+    }
+  }
+}
+
+void one_scene(const SceneKind& kind, Transform transform, uint64_t seed, uint64_t sweeps, SweepReport& report) {
+  Rng rng(seed);
+  Mesh mesh = kind.make(rng);
+  shuffle_cells(mesh, rng);
+  apply_transform(mesh, transform);
+  for (size_t c = 0; c < mesh.cells.size(); ++c) mesh.tags.push_back(static_cast<uint32_t>(rng.next()));
+  report.begin(kind.name, std::string(kind.name) + transform_name(transform) + " scene seed " + std::to_string(seed));
+  if (may_be_refused(mesh)) return;  // what creation refuses is the casts' concern
+  EnvironmentPtr environment = create_environment(mesh, {}, rng.chance(0.5) ? DSW_ENVIRONMENT_LOCATE_GRID : 0);
+  if (environment == nullptr) {
+    report.fault(SweepReport::kWrong, "a valid mesh was refused");
+    return;
+  }
+  Stage stage(mesh, std::move(environment));
+  if (!stage.world.fault().empty()) {
+    report.fault(SweepReport::kWrong, stage.world.fault());
+    return;
+  }
+  stage.mark(rng, report);
+  SweepWorld exact(stage.world, stage.wires);
+  SweepChecker checker(stage.world, exact, report);
+  Sweeps source(stage, exact, rng);
+  std::vector<Sweep> all;
+  for (uint64_t i = 0; i < sweeps; ++i) {
+    all.push_back(source.next());
+    report.sweep(all.back().truth, checker.may_start(all.back().truth));
+    if (rng.chance(0.1)) checker.check_truth(all.back());
+  }
+  std::array<std::vector<const Sweep*>, 4> by_flags;
+  for (const Sweep& s : all) {
+    const uint32_t known = s.truth.start >= 0 && rng.chance(0.3) ? uint32_t{DSW_SWEEP_START_KNOWN} : 0;
+    const uint32_t free = s.truth.start_free && rng.chance(0.3) ? uint32_t{DSW_SWEEP_START_FREE} : 0;
+    by_flags[known | free].push_back(&s);
+  }
+  for (uint32_t flags = 0; flags < by_flags.size(); ++flags) call(stage, by_flags[flags], flags, rng, checker, report);
+}
+
+}  // namespace
+
+void run_sweeps(const SweepRunOptions& options, SweepReport& report) {
+  struct Turn {
+    const SceneKind* kind;
+    Transform transform;
+  };
+  std::vector<Turn> turns;
+  for (const SceneKind& kind : sweep_scenes()) {
+    const std::string name = kind.name;
+    if (!options.only.empty() && name != options.only) continue;
+    const bool fine = name == "hex_thin" || name == "tet_slivers" || name == "waist_slivers";
+    const bool wide = name.compare(0, 5, "wide_") == 0;
+    for (int i = 0; i < (wide ? 6 : 2); ++i) turns.push_back({&kind, Transform::kNone});
+    if (!fine) turns.push_back({&kind, Transform::kFar});
+    turns.push_back({&kind, Transform::kLarge});
+    turns.push_back({&kind, Transform::kSmall});
+  }
+  Rng rng(options.seed);
+  const uint64_t each = std::min<uint64_t>(100, std::max<uint64_t>(10, options.sweeps / (turns.size() + 1)));
+  while (report.total.sweeps < options.sweeps && !turns.empty()) {
+    const uint64_t before = report.total.sweeps;
+    for (const Turn& turn : turns) {
+      const uint64_t seed = rng.next() >> 1;
+      if (report.total.sweeps < options.sweeps) one_scene(*turn.kind, turn.transform, seed, each, report);
+    }
+    if (report.total.sweeps == before) break;  // a defect that keeps every scene from being made
+  }
+}
+
+std::string to_json(const SweepReport& report) {
+  const SweepTally& t = report.total;
+  const double all = t.sweeps == 0 ? 1 : static_cast<double>(t.sweeps);
+  const std::pair<const char*, double> values[] = {
+      {"sweeps", static_cast<double>(t.sweeps)},
+      {"missed", static_cast<double>(t.missed)},
+      {"late", static_cast<double>(t.late)},
+      {"early", static_cast<double>(t.early)},
+      {"wrong", static_cast<double>(t.wrong)},
+      {"contacts", static_cast<double>(t.contacts)},
+      {"edge_contacts", static_cast<double>(t.edge_contacts)},
+      {"not_free", static_cast<double>(t.not_free)},
+      {"ties_share", static_cast<double>(t.ties) / all},
+      {"inside_only_share", static_cast<double>(t.inside_only) / all},
+  };
+  std::string text;
+  for (const auto& [key, value] : values) {
+    char line[128];
+    std::snprintf(line, sizeof line, "%s  \"sweep.oracle.%s\": %.10g", text.empty() ? "{\n" : ",\n", key, value);
+    text += line;
+  }
+  return text + "\n}\n";
+}
+
+}  // namespace dsw::oracle

@@ -1,0 +1,44 @@
+// Scenes for swept edges, what is marked in them, and the sweeps.
+#pragma once
+
+#include "run.h"
+#include "sweep_check.h"
+
+namespace dsw::oracle {
+
+/// The scenes of casts, and wider ones that leave room for triangles that meet no wall.
+const std::vector<SceneKind>& sweep_scenes();
+
+/// A scene's environment with what is impassable in it.
+struct Stage {
+  Stage(const Mesh& mesh, EnvironmentPtr env) : environment(std::move(env)), world(mesh, environment.get()) {}
+  void mark(Rng& rng, SweepReport& report);
+
+  EnvironmentPtr environment;
+  World world;
+  std::vector<std::array<int, 2>> wires;
+  std::vector<int> free_standing;  // marked faces
+};
+
+/// Triangles with a bias to what is exactly on something, and to what holds a small obstacle.
+class Sweeps {
+ public:
+  Sweeps(Stage& stage, SweepWorld& exact, Rng& rng)
+      : stage_(stage), exact_(exact), rng_(rng), motions_(stage.world, rng) {}
+  Sweep next();
+
+ private:
+  Vec near(const Vec& from, double share);
+  Vec along(const Vec& from, const Vec& to, double by) const;
+  Vec corner(const Loop& loop, size_t i) const;
+  void round_obstacle(Sweep& s);
+  void anchored(Sweep& s);
+  void in_line(Sweep& s);
+
+  Stage& stage_;
+  SweepWorld& exact_;
+  Rng& rng_;
+  Motions motions_;
+};
+
+}  // namespace dsw::oracle
