@@ -322,12 +322,13 @@ void SweepChecker::compare(const Sweep& s, dsw_level level, const dsw_sweep& got
 
 void SweepChecker::compare_limited(const Sweep& s, uint32_t max_cells, const dsw_sweep& whole, const dsw_sweep& got,
                                    const std::string& how) {
-  // The casts and the flood may have a limit each.
-  const bool may_stop = whole.cells_visited > max_cells, stopped = got.outcome == DSW_OUTCOME_WORK_LIMIT;
+  // One budget for the casts and the flood.
+  const bool stopped = got.outcome == DSW_OUTCOME_WORK_LIMIT;
   std::string wrong;
-  if (stopped && !may_stop) wrong += " stopped without need";
-  if (stopped && (got.time != 0 || !same(got.position, s.from.data()) || !none(got.face) || !none(got.edge))) {
-    wrong += " stopped at " + number(got.time);
+  if (stopped != (whole.cells_visited > max_cells)) wrong += " outcome " + std::to_string(got.outcome);
+  if (stopped && (got.cells_visited != max_cells || got.time != 0 || !same(got.position, s.from.data()) ||
+                  !same_volume(got.volume, s.truth.start) || !none(got.face) || !none(got.edge))) {
+    wrong += " stopped after " + std::to_string(got.cells_visited) + " at " + number(got.time);
   }
   if (!stopped &&
       (got.outcome != whole.outcome || got.time != whole.time || got.cells_visited != whole.cells_visited)) {

@@ -209,6 +209,8 @@ void SweepWorld::add_vertex_events(const Box& box, std::vector<SweepEvent>& even
     SweepEvent e;
     e.side = pierce(kP, kTo, t);
     if (e.side == 0) continue;
+    // Who comes in from outside has left before, or at once where the outer boundary is folded upon itself.
+    if (world_.triangles[static_cast<size_t>(t.triangle)].cell[e.side > 0 ? 0 : 1] < 0) continue;
     e.triangle = t.triangle;
     const Point& a = at(world_.triangles[static_cast<size_t>(t.triangle)].v[0]);
     Point shift = t.n;

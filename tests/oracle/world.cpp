@@ -269,9 +269,17 @@ Walk World::cast(const BodyPoint& p, const BodyPoint& q, int start) {
   std::sort(hits.begin(), hits.end(), earlier);
   walk.steps.push_back({walk.cell, -1, 0});
   walk.outcome = Walk::kReached;
-  for (const Hit& h : hits) {
+  const auto left_by = [&](const Hit& h) {
+    return triangles[static_cast<size_t>(h.triangle)].cell[h.side > 0 ? 0 : 1];
+  };
+  for (size_t i = 0; i < hits.size(); ++i) {
+    // Rounded corners of merged cells can fold the outer boundary upon itself: two triangles in one place.
+    if (i + 1 < hits.size() && left_by(hits[i]) != walk.cell && !earlier(hits[i], hits[i + 1])) {
+      std::swap(hits[i], hits[i + 1]);
+    }
+    const Hit& h = hits[i];
     const Triangle& t = triangles[static_cast<size_t>(h.triangle)];
-    const int leave = t.cell[h.side > 0 ? 0 : 1], enter = t.cell[h.side > 0 ? 1 : 0];
+    const int leave = left_by(h), enter = t.cell[h.side > 0 ? 1 : 0];
     if (leave != walk.cell) {
       walk.outcome = Walk::kBroken;
       walk.fault = "the crossed triangle " + std::to_string(h.triangle) + " is not one of the cell's";

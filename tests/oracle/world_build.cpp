@@ -65,7 +65,7 @@ void World::read_topology(const dsw_environment* environment) {
   }
   dsw_trace* trace = nullptr;
   dsw_trace_create(nullptr, &trace);
-  std::map<std::vector<int>, int> triangle_of;
+  std::map<std::pair<int, std::vector<int>>, int> triangle_of;  // by face: two faces may have three vertices in common
   for (size_t c = 0; c < count && fault_.empty(); ++c) {
     dsw_trace_clear(trace);
     dsw_trace_data data;
@@ -110,7 +110,7 @@ void World::read_topology(const dsw_environment* environment) {
         --balance[{v[(k + 1) % 3], v[k]}];
       }
       const int face = cell_faces[c][f];
-      const auto [it, fresh] = triangle_of.insert({sorted(v), static_cast<int>(triangles.size())});
+      const auto [it, fresh] = triangle_of.insert({{face, sorted(v)}, static_cast<int>(triangles.size())});
       if (fresh) {
         Triangle t;
         for (size_t k = 0; k < 3; ++k) t.v[k] = v[k];
