@@ -112,10 +112,14 @@ std::vector<uint8_t> encode(const Mesh& mesh, uint8_t layout, uint8_t flags) {
     seed.push_back(region++ % 2);
     seed.push_back(7);
   }
-  // What use_environment does afterwards: casts, locates, particles, marks, sweeps, in this order and twice.
-  const uint8_t life[] = {2, 1,    1, 1, 7, 2, 3, 0, 2, 1, 1, 1, 0, 0x7f, 0, 3, 0, 1, 2, 2, 2, 1, 9, 3, 1,
-                          1, 1,    0, 9, 9, 9, 0, 2, 2, 3, 0, 4, 2, 1,    0, 0, 1, 5, 1, 0, 0, 1, 2, 0, 1,
-                          1, 0xc0, 0, 0, 1, 1, 1, 7, 2, 3, 3, 7, 5, 0xc1, 1, 3, 1, 2, 1, 2, 2, 2, 9, 1, 1};
+  // What use_environment does afterwards: wires and sweeps; then casts, locates, particles, marks, in this order, twice.
+  const uint8_t edges[] = {0,    0, 1, 3, 4,    0, 0, 1, 3,    5, 0, 0, 1,    3, 6, 0, 0,    1, 3,  7,
+                           0xc0, 0, 0, 1, 1,    1, 3, 2, 3,    3, 3, 2, 0xc1, 0, 0, 1, 1,    2, 40, 3,
+                           2,    2, 3, 3, 0xc2, 1, 3, 1, 2,    3, 7, 2, 3,    3, 3, 1, 0xc3, 0, 0,  1,
+                           2,    3, 3, 2, 3,    2, 1, 1, 0xff, 0, 0, 3, 1,    1, 1, 1, 3,    2, 3,  2};
+  const uint8_t life[] = {2, 1, 1, 1, 7, 2, 3, 0, 2, 1, 1, 1, 0, 0x7f, 0, 3, 0, 1, 2, 2, 2, 1, 9, 3, 1, 1,
+                          1, 0, 9, 9, 9, 0, 2, 2, 3, 0, 4, 2, 1, 0,    0, 1, 5, 1, 0, 0, 1, 2, 0, 1, 1};
+  seed.insert(seed.end(), std::begin(edges), std::end(edges));
   for (int round = 0; round < 2; ++round) seed.insert(seed.end(), std::begin(life), std::end(life));
   return seed;
 }
