@@ -15,11 +15,13 @@ extern "C" {
 
 /** How much of what an edge sweeps is looked at when its end p moves to p' while its other end q stays. */
 typedef enum dsw_level {
-  DSW_LEVEL_POINTS = 1, /**< The path p p' of the moving end. */
-  DSW_LEVEL_EDGES = 2,  /**< That and the edge in its new place, p' q [JCD10] 4.1. What lies inside the triangle only is
-                                  missed. When one of the two hits, the contact is that of EDGES_SWEPT. */
-  DSW_LEVEL_EDGES_SWEPT =
-      3, /**< The whole triangle p p' q: impassable faces, and marked edges that no face belongs to. */
+  /** The path p p' of the moving end. */
+  DSW_LEVEL_POINTS = 1,
+  /** That and the edge in its new place, p' q [JCD10] 4.1. What lies inside of the triangle only is missed. When one of
+   * the two hits, the contact is that of EDGES_SWEPT. */
+  DSW_LEVEL_EDGES = 2,
+  /** The whole triangle p p' q: impassable faces, and marked edges that belong to no impassable face. */
+  DSW_LEVEL_EDGES_SWEPT = 3,
   DSW_LEVEL_FORCE_INT32 = 0x7fffffff
 } dsw_level;
 
@@ -27,7 +29,8 @@ typedef enum dsw_level {
 enum {
   /** `starts` are known to contain the moving ends (under the shift); see DSW_CAST_START_KNOWN. */
   DSW_SWEEP_START_KNOWN = 0x1,
-  /** The edges p q are known to be free where they start; without it each is cast first. If one is not, a contact may be missed. */
+  /** The edges p q are known to be free where they start; without it each is cast first. If one is not, a contact may
+   * be missed. */
   DSW_SWEEP_START_FREE = 0x2
 };
 

@@ -111,8 +111,8 @@ void SweepFlood::look_at_facets(Cell c) {
   }
 }
 
-/** Whether the swept triangle meets a facet: one of its edges or diagonals pierces the swept triangle, or a side of the swept
- * triangle the facet. */
+/** Whether the swept triangle meets a facet: what they have in common ends where an edge or diagonal of the facet pierces the
+ * swept triangle, or at two sides of that, so that two of the three need be asked. */
 bool SweepFlood::facet_met(Cell c, const Shape& shape, uint32_t facet) const {
   for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
     const uint16_t* const local = shape.simplices() + 3 * s;
@@ -123,10 +123,7 @@ bool SweepFlood::facet_met(Cell c, const Shape& shape, uint32_t facet) const {
     for (int k = 0; k < 3; ++k) {
       if (sides[k] != sides[(k + 1) % 3] && edge_pierces(triangle[k], triangle[(k + 1) % 3])) return true;
     }
-    if (passes_through(m_.p, m_.to, triangle) || passes_through(m_.to, m_.q, triangle) ||
-        passes_through(m_.q, m_.p, triangle)) {
-      return true;
-    }
+    if (passes_through(m_.p, m_.to, triangle) || passes_through(m_.to, m_.q, triangle)) return true;
   }
   return false;
 }

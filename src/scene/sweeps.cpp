@@ -107,9 +107,9 @@ void report_contact(const Environment<3>& env, const EdgeMotion& m, const SweepC
     sweep.edge = edge_id(env.map, {contact.front, contact.dart});
     normal = edge_normal(m, contact, sweep.position, normal);
   }
-  sweep.normal[0] = normal.x;
-  sweep.normal[1] = normal.y;
-  sweep.normal[2] = normal.z;
+  sweep.normal[0] = normal.x + 0.0;  // never -0
+  sweep.normal[1] = normal.y + 0.0;
+  sweep.normal[2] = normal.z + 0.0;
   if (contact.event.of_edge) {
     const double *a = contact.event.points[0], *b = contact.event.points[1];
     if (swept_side(m, a).tie && swept_side(m, b).tie) {

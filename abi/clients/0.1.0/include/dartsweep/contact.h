@@ -61,28 +61,29 @@ typedef struct dsw_crossing {
   double time;          /**< When, a fraction of the move, rounded down; 0 for the first. */
 } dsw_crossing;
 
-/** Report of one swept edge: its end p moves to p', its end q stays. Without a contact `edge`, `normal` and the members from `face` to `tag` are zero or null. */
+/** Report of one swept edge: its end p moves to p', its end q stays. Without a contact `point`, `along`, `normal` and
+ * the members from `front` to `edge`, `kind`, `obstacle` and `tag` are zero or null. */
 typedef struct dsw_sweep {
   /** Where the moving end is at `time`: p + time * (p' - p), rounded. */
   double position[3];
-  /** Fraction of the move: 1 when the edge came through; 0 when it stopped early or could not start. At a contact the largest
-   * double that is not later than the true first time; where the shift alone decides, then its limit. */
+  /** Fraction of the move: 1 when the edge came through; 0 when it stopped early or could not start. At a contact the
+   * largest double that is not later than the true first time; where the shift alone decides, then its limit. */
   double time;
-  /** Where the edge touches, rounded. */
-  double point[3];
-  /** Where along the edge: 0 the moving end, 1 the fixed one. */
-  double along;
+  double point[3]; /**< Where the edge touches, rounded. */
+  double along;    /**< Where along the edge: 0 the moving end, 1 the fixed one. */
   /** Unit, out of the obstacle. DSW_CONTACT_PLANE: of the boundary triangle. DSW_CONTACT_EDGE: across the edge and the
-   * obstacle's edge, against the motion; where those two are parallel, of a boundary triangle at the obstacle's edge, and of a
-   * wire against the motion. */
+   * obstacle's edge, against the motion; where those two are parallel, of a boundary triangle at the obstacle's edge,
+   * and of a wire against the motion. */
   double normal[3];
   dsw_volume_id volume; /**< Of the moving end: at its target when the edge came through, else at its start. */
-  dsw_volume_id front;  /**< Contact: the volume from which the obstacle was met; null without. */
-  dsw_face_id face;     /**< Canonical id of the impassable face; null for a wire. */
-  dsw_edge_id edge;     /**< DSW_CONTACT_EDGE: canonical id of the obstacle's edge. */
-  dsw_outcome
-      outcome; /**< REACHED, CONTACT, WORK_LIMIT, OUTSIDE (p lies in no volume), IMPASSABLE (p does, or p q is not free
-                             where it starts). */
+  /** Contact: a passable volume at the reported face, or at the wire; null without. Of several faces at a rim one that p
+   * looks at counts, then the lowest canonical id. */
+  dsw_volume_id front;
+  dsw_face_id face; /**< Canonical id of the impassable face; null for a wire. */
+  dsw_edge_id edge; /**< DSW_CONTACT_EDGE: canonical id of the obstacle's edge. */
+  /** REACHED, CONTACT, WORK_LIMIT, OUTSIDE (p lies in no volume), IMPASSABLE (p lies in an impassable one, or p q is not
+   * free where it starts). */
+  dsw_outcome outcome;
   dsw_contact_kind kind;  /**< PLANE: the moving end on a face, or the edge on the diagonal of a warped one; EDGE. */
   dsw_cell_kind obstacle; /**< As in dsw_flight; DSW_CELL_EDGE for a wire. */
   uint32_t tag;           /**< As in dsw_flight; 0 for a wire. */
