@@ -60,8 +60,10 @@ inline Pair add_axes(const Vector& a, const Vector& b) noexcept {
   return sum(xyz.high, _mm_add_pd(_mm_add_pd(xy.low, xyz.low), low));
 }
 
-inline bool certify(const double* p, const double* q, const double* const* triangle, bool with_normal,
-                    CertifiedHit* hit) noexcept {
+}  // namespace
+
+bool certified_hit_with_fma(const double* p, const double* q, const double* const* triangle, bool with_normal,
+                            CertifiedHit* hit) noexcept {
   const __m256i three = _mm256_setr_epi64x(-1, -1, -1, 0);
   const __m256d zero = _mm256_setzero_pd();
   const __m256d at_p = _mm256_maskload_pd(p, three), at_a = _mm256_maskload_pd(triangle[0], three);
@@ -105,13 +107,6 @@ inline bool certify(const double* p, const double* q, const double* const* trian
   const double volume =
       _mm_cvtsd_f64(mxy) * _mm_cvtsd_f64(_mm_unpackhi_pd(mxy, mxy)) * _mm_cvtsd_f64(_mm256_extractf128_pd(extent, 1));
   return floor_ratio<dd::Fused>(numerator, denominator, volume, &hit->time);
-}
-
-}  // namespace
-
-bool certified_hit_with_fma(const double* p, const double* q, const double* const* triangle, bool with_normal,
-                            CertifiedHit* hit) noexcept {
-  return certify(p, q, triangle, with_normal, hit);
 }
 
 }  // namespace dsw

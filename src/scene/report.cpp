@@ -18,7 +18,7 @@ void report_obstacle(const Environment<D>& env, HalfFacet facet, Cell at, dsw_fl
   flight->face = face_id(env.map, canonical(env.map, facet));
   flight->behind = volume_id(env.map, behind);
   flight->kind = DSW_CONTACT_PLANE;
-  flight->obstacle = !behind.valid() || env.map.facet_marked(facet) ? DSW_CELL_FACE : DSW_CELL_VOLUME;
+  flight->obstacle = obstacle_kind(env, facet);
   flight->tag = obstacle_tag(env, facet, at);
 }
 

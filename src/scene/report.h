@@ -44,6 +44,12 @@ uint32_t obstacle_tag(const Environment<D>& env, HalfFacet facet, Cell in_front)
   return env.tag(other.valid() ? env.map.cell_of(other) : in_front);
 }
 
+/** What makes a facet impassable: its own mark or the outer boundary, or else the volume behind it. */
+template <int D>
+dsw_cell_kind obstacle_kind(const Environment<D>& env, HalfFacet facet) noexcept {
+  return !env.map.opposite(facet).valid() || env.map.facet_marked(facet) ? DSW_CELL_FACE : DSW_CELL_VOLUME;
+}
+
 /** All zero. Copied in words, because GCC 12 makes a string instruction of clearing it, which takes longer than a cast in
  * one cell. */
 inline void clear(dsw_flight* flight) noexcept {

@@ -3,36 +3,10 @@
 #include "motion/locate.h"
 #include "motion/wave.h"
 #include "scene/batch.h"
+#include "scene/starts.h"
 
 namespace dsw {
 namespace {
-
-/** Whether a cast can start there. */
-template <int D>
-bool is_passable(const Environment<D>& env, Cell start) noexcept {
-  return start.valid() && !env.map.marked(start);
-}
-
-/** Where casts start: known, or located with or without a hint. */
-template <int D>
-class Starts {
- public:
-  Starts(const Environment<D>& env, const dsw_volume_id* ids, bool known) noexcept
-      : env_(env), ids_(ids), known_(known && ids != nullptr) {}
-
-  Cell find(size_t i, const double* from) const noexcept {
-    const dsw_volume_id id = ids_ == nullptr ? dsw_volume_id{0, 0} : ids_[i];
-    return known_ && !is_null(id) ? env_.map.cell(id.index) : locate_point(env_, from, id);
-  }
-  void prefetch(size_t i) const noexcept {
-    if (known_ && !is_null(ids_[i])) prefetch_record(env_, env_.map.cell(ids_[i].index));
-  }
-
- private:
-  const Environment<D>& env_;
-  const dsw_volume_id* ids_;
-  bool known_;
-};
 
 /** Casts segments begin .. end-1, a wave at a time. */
 template <int D>

@@ -13,7 +13,7 @@
 #include "predicates/plane_hit.h"
 #include "scene/batch.h"
 #include "scene/report.h"
-#include "scene/segments.h"
+#include "scene/starts.h"
 
 namespace dsw {
 namespace {
@@ -37,29 +37,12 @@ Vec unit(const Vec& a) {
 }
 bool is_zero(const Vec& a) { return a.x == 0 && a.y == 0 && a.z == 0; }
 
-/** Where the edge, now from `end` to q, touches segment ab, if ab does not lie in the swept plane: where it pierces that, by the
- * exact ratio. */
+/** Where segment ab pierces the swept plane, by the exact ratio. It does not lie in it: shifted, both ends of a line in that
+ * plane are on one side. */
 void piercing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
   const double* const swept[3] = {m.p, m.to, m.q};
   if (swept_side(m, b).sign < 0) std::swap(a, b);
   point_at<3>(a, b, crossing_time<3>(a, b, swept), point);
-}
-
-/** The same if it does: where the two lines meet, or, where they are one, the first common point from `end` on. */
-void common_point(const double* end, const double* q, const double* a, const double* b, double* point) {
-  const Vec along = unit(difference(q, end)), line = unit(difference(b, a)), normal = cross(line, along);
-  const double square = dot(normal, normal);
-  const bool parallel = !(square > 0x1p-80);
-  const double length = std::sqrt(dot(difference(b, a), difference(b, a)));
-  const auto clamped = [](double x, double most) { return x > 0 ? std::min(x, most) : 0; };
-  if (!parallel) {
-    const double from_a = dot(cross(difference(end, a), along), normal) / square;
-    point_at<3>(a, b, clamped(from_a / length, 1), point);
-    return;
-  }
-  const double to_a = dot(difference(a, end), along), to_b = dot(difference(b, end), along);
-  const double* const nearer = to_a < to_b ? a : b;
-  std::copy_n(std::min(to_a, to_b) > 0 ? nearer : end, 3, point);
 }
 
 /** How far along the edge, which runs from `end` to q, a point on it lies: by the axis it is longest on. */
@@ -95,9 +78,8 @@ void report_contact(const Environment<3>& env, const EdgeMotion& m, const SweepC
     double outward[3];
     unit_normal<3>(triangle, outward);
     normal = {0 - outward[0], 0 - outward[1], 0 - outward[2]};
-    const HalfFacet other = env.map.opposite(contact.facet);
     sweep.face = face_id(env.map, canonical(env.map, contact.facet));
-    sweep.obstacle = !other.valid() || env.map.facet_marked(contact.facet) ? DSW_CELL_FACE : DSW_CELL_VOLUME;
+    sweep.obstacle = obstacle_kind(env, contact.facet);
     sweep.tag = obstacle_tag(env, contact.facet, contact.front);
   } else {
     sweep.obstacle = DSW_CELL_EDGE;
@@ -111,12 +93,7 @@ void report_contact(const Environment<3>& env, const EdgeMotion& m, const SweepC
   sweep.normal[1] = normal.y + 0.0;
   sweep.normal[2] = normal.z + 0.0;
   if (contact.event.of_edge) {
-    const double *a = contact.event.points[0], *b = contact.event.points[1];
-    if (swept_side(m, a).tie && swept_side(m, b).tie) {
-      common_point(sweep.position, m.q, a, b, sweep.point);
-    } else {
-      piercing_point(m, a, b, sweep.point);
-    }
+    piercing_point(m, contact.event.points[0], contact.event.points[1], sweep.point);
     sweep.along = share_along(sweep.position, m.q, sweep.point);
   } else {
     std::copy_n(sweep.position, 3, sweep.point);
@@ -132,7 +109,7 @@ class Sweeper {
     sweep = dsw_sweep{};
     std::copy_n(m.p, 3, sweep.position);
     sweep.volume = volume_id(env_.map, start);
-    if (!start.valid() || env_.map.marked(start)) {
+    if (!is_passable(env_, start)) {
       sweep.outcome = start.valid() ? DSW_OUTCOME_IMPASSABLE : DSW_OUTCOME_OUTSIDE;
       return;
     }
@@ -208,18 +185,15 @@ class Sweeper {
 
 }  // namespace
 
-template <>
 void sweep_edges(const Environment<3>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                  PointArray from, PointArray to, PointArray fixed, const SweepOptions& options, dsw_sweep* sweeps) {
+  const Starts<3> where(env, starts, options.start_known);
   std::atomic<bool> out_of_memory{false};
   auto body = [&](size_t begin, size_t end) noexcept {
     try {
       Sweeper sweeper(env, options);
       for (size_t i = begin; i < end; ++i) {
-        const dsw_volume_id id = starts == nullptr ? dsw_volume_id{0, 0} : starts[i];
-        const Cell start =
-            options.start_known && !is_null(id) ? env.map.cell(id.index) : locate_point(env, from[i], id);
-        sweeper.sweep({from[i], to[i], fixed[i]}, start, sweeps[i]);
+        sweeper.sweep({from[i], to[i], fixed[i]}, where.find(i, from[i]), sweeps[i]);
       }
     } catch (const std::bad_alloc&) {
       out_of_memory = true;
