@@ -59,7 +59,7 @@ double share_along(const double* end, const double* q, const double* point) {
 Vec edge_normal(const EdgeMotion& m, const SweepContact& contact, const double* end, const Vec& triangle) {
   const Vec move = unit(difference(m.to, m.p));
   const Vec across =
-      unit(cross(unit(difference(m.q, end)), unit(difference(contact.event.points[1], contact.event.points[0]))));
+      unit(cross(unit(difference(m.q, end)), unit(difference(contact.event.points[2], contact.event.points[1]))));
   const Vec chosen = !is_zero(across) ? across : !is_zero(triangle) ? triangle : scaled(move, -1);
   const double against = dot(chosen, move);
   const bool turn = against != 0 ? against > 0 : dot(chosen, triangle) < 0;
@@ -69,7 +69,7 @@ Vec edge_normal(const EdgeMotion& m, const SweepContact& contact, const double* 
 void report_contact(const Environment<3>& env, const EdgeMotion& m, const SweepContact& contact, dsw_sweep& sweep) {
   sweep.outcome = DSW_OUTCOME_CONTACT;
   sweep.front = volume_id(env.map, contact.front);
-  sweep.time = event_time(m, contact.event);
+  sweep.time = event_time(m.p, m.to, contact.event);
   point_at<3>(m.p, m.to, sweep.time, sweep.position);
   Vec normal{0, 0, 0};
   if (contact.facet.valid()) {
@@ -92,8 +92,8 @@ void report_contact(const Environment<3>& env, const EdgeMotion& m, const SweepC
   sweep.normal[0] = normal.x + 0.0;  // never -0
   sweep.normal[1] = normal.y + 0.0;
   sweep.normal[2] = normal.z + 0.0;
-  if (contact.event.of_edge) {
-    piercing_point(m, contact.event.points[0], contact.event.points[1], sweep.point);
+  if (contact.event.kind == EventKind::kEdge) {
+    piercing_point(m, contact.event.points[1], contact.event.points[2], sweep.point);
     sweep.along = share_along(sweep.position, m.q, sweep.point);
   } else {
     std::copy_n(sweep.position, 3, sweep.point);
