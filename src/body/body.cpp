@@ -54,6 +54,13 @@ void move_end(Body& body, uint32_t e, uint32_t from, uint32_t to) noexcept {
   link_edge(body, e, side);
 }
 
+void release_vertex(Body& body, uint32_t vertex) noexcept {
+  body.vertices[vertex] = BodyVertex{};
+  body.vertex_slots.release(vertex);
+  const auto found = std::find(body.inserted.begin(), body.inserted.end(), vertex);
+  if (found != body.inserted.end()) body.inserted.erase(found);
+}
+
 /** Drops an edge that has been joined with another: its face goes there. */
 void join_edge(Body& body, uint32_t gone, uint32_t kept) noexcept {
   for (const uint32_t f : body.edges[gone].faces) {
@@ -96,7 +103,7 @@ FaceDefect face_defect(const Body& body, uint32_t a, uint32_t b, uint32_t c) noe
     const uint32_t neighbour = edge.faces[0] != kNone ? edge.faces[0] : edge.faces[1];
     if (neighbour != kNone && body.faces[neighbour].after(from) == to) return FaceDefect::kTurned;
   }
-  return FaceDefect::kNone;
+  return FaceDefect::kFine;
 }
 
 bool is_one_fan(const Body& body, uint32_t vertex) noexcept {
@@ -175,8 +182,7 @@ void remove_edge(Body& body, uint32_t edge) noexcept {
 
 void remove_vertex(Body& body, uint32_t vertex) noexcept {
   while (body.vertices[vertex].first_edge != kNone) remove_edge(body, body.vertices[vertex].first_edge);
-  body.vertices[vertex] = BodyVertex{};
-  body.vertex_slots.release(vertex);
+  release_vertex(body, vertex);
 }
 
 uint32_t split_edge(Body& body, uint32_t edge, uint32_t middle) noexcept {
@@ -255,8 +261,7 @@ void collapse_edge(Body& body, uint32_t edge, uint32_t vertex) noexcept {
       join_edge(body, e, twin);
     }
   }
-  body.vertices[vertex] = BodyVertex{};
-  body.vertex_slots.release(vertex);
+  release_vertex(body, vertex);
 }
 
 }  // namespace dsw

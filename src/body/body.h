@@ -49,6 +49,7 @@ struct Body {
   Array<BodyEdge> edges;
   Array<BodyFace> faces;
   SlotPool vertex_slots, edge_slots, face_slots;
+  Array<uint32_t> inserted;  // vertices that a response has inserted
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
 
@@ -58,14 +59,15 @@ struct Body {
         faces(Allocator<BodyFace>(memory)),
         vertex_slots(memory),
         edge_slots(memory),
-        face_slots(memory) {}
+        face_slots(memory),
+        inserted(Allocator<uint32_t>(memory)) {}
 
   bool has_vertex(uint32_t v) const { return v < vertices.size() && vertices[v].cell.valid(); }
   bool has_edge(uint32_t e) const { return e < edges.size() && edges[e].ends[0] != kNone; }
   bool has_face(uint32_t f) const { return f < faces.size() && faces[f].corners[0] != kNone; }
   const double* position(uint32_t v) const { return vertices[v].position; }
   uint64_t memory_bytes() const {
-    return array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) + vertex_slots.memory_bytes() +
+    return array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) + array_bytes(inserted) + vertex_slots.memory_bytes() +
            edge_slots.memory_bytes() + face_slots.memory_bytes();
   }
 };
@@ -99,7 +101,7 @@ uint32_t find_edge(const Body& body, uint32_t a, uint32_t b) noexcept;
 uint32_t find_face(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
 
 /** Why a face can't be added. */
-enum class FaceDefect { kNone, kRepeated, kThirdFace, kTurned };
+enum class FaceDefect { kFine, kRepeated, kThirdFace, kTurned };
 /** Corners are distinct living vertices. */
 FaceDefect face_defect(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
 /** Whether the triangles at a vertex form at most one fan. */

@@ -30,7 +30,7 @@ double share_along(const double* end, const double* q, const double* point) {
 
 /** Out of the obstacle's triangle, which looks out of the cell in front; zero for a wire or a lone vertex. */
 Vec wall_normal(const Environment<3>& env, const SweepContact& contact) {
-  if (!contact.facet.valid()) return {};
+  if (!contact.facet.valid() || contact.event.kind == EventKind::kFace) return {};
   const double* triangle[3];
   obstacle_triangle(env, contact, triangle);
   double outward[3];

@@ -7,12 +7,13 @@
 namespace dsw {
 namespace {
 
-CastResult fly(const Environment<3>& env, const double* from, const double* to, Cell start) noexcept {
+CastResult fly(const Environment<3>& env, const double* from, const double* to, Cell start,
+               CastCounters* counters) noexcept {
   CastRequest request;
   request.from = from;
   request.to = to;
   request.start = start;
-  return cast(env, request, nullptr);
+  return cast(env, request, counters);
 }
 
 StarContact path_contact(const Environment<3>& env, const CastResult& path) noexcept {
@@ -42,7 +43,7 @@ bool StarSweep::skips(const Body& body, Cell from, Cell to, Cell fixed) {
 bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough) {
   hit_edges_.clear();
   const auto run = [&] {
-    wave_.run(env_, nullptr);
+    wave_.run(env_, counters);
     for (uint32_t i = 0; i < wave_.count(); ++i) {
       if (wave_.result(i).end == CastEnd::kHit) hit_edges_.push_back(wave_edges_[i]);
     }
@@ -66,7 +67,7 @@ bool StarSweep::is_free(const Body& body, uint32_t v, const double* to, Cell* ce
     *cell = at.cell;
     return true;
   }
-  const CastResult path = fly(env_, at.position, to, at.cell);
+  const CastResult path = fly(env_, at.position, to, at.cell, counters);
   *cell = path.cell;
   if (path.end == CastEnd::kHit || body.level == SweepLevel::kPoints) return path.end == CastEnd::kReached;
   if (body.level == SweepLevel::kEdges) return !find_hit_edges(body, v, to, path.cell, true);
@@ -95,7 +96,7 @@ bool StarSweep::find_first(const Body& body, uint32_t v, const double* to, StarC
     *cell = at.cell;
     return false;
   }
-  const CastResult path = fly(env_, at.position, to, at.cell);
+  const CastResult path = fly(env_, at.position, to, at.cell, counters);
   *cell = path.cell;
   bool any = false;
   if (path.end == CastEnd::kHit) consider(at.position, to, path_contact(env_, path), first, &any);

@@ -35,10 +35,16 @@ class StarSweep {
     return from == to && from == fixed && env.map.convex(from);
   }
 
+  /** Whether the sweep of an edge need not be looked at; counts it. */
+  bool skips(const Body& body, Cell from, Cell to, Cell fixed);
+
+  bool is_triangle_free(const EdgeMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }
+  bool is_tetrahedron_free(const FaceMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }
+
   SweepCounts counts;
+  CastCounters* counters = nullptr;  // of casts; may stay null
 
  private:
-  bool skips(const Body& body, Cell from, Cell to, Cell fixed);
   bool find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
   void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;
 
