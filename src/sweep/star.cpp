@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "motion/sequence.h"
 #include "motion/standard_facets.h"
 
 namespace dsw {
@@ -31,12 +32,30 @@ StarContact path_contact(const Environment<3>& env, const CastResult& path) noex
 StarSweep::StarSweep(const Environment<3>& env)
     : env_(env), flood_(env), hit_edges_(Allocator<uint32_t>(env.memory)) {}
 
-bool StarSweep::skips(const Body& body, Cell from, Cell to, Cell fixed) {
+bool StarSweep::settles(const Body& body, const EdgeSweep& sweep) {
   ++counts.swept;
-  const bool inside = stays_inside(env_, from, to, fixed);
-  if (!inside || (body.level == SweepLevel::kEdges && !body.skipping.by_environment)) return false;
-  counts.skipped += body.skipping.by_environment ? 1 : 0;
+  const BodyVertex& from = body.vertices[sweep.v];
+  if (stays_inside(env_, from.cell, sweep.arrival, sweep.fixed)) {
+    counts.skipped += body.skipping.by_environment ? 1 : 0;
+    if (body.skipping.by_environment || body.level != SweepLevel::kEdges) return true;
+  }
+  if (!body.skipping.sequences || !follows_sequence(body, sweep)) return false;
+  ++counts.skipped;
   return true;
+}
+
+/** Whether the edge keeps to the cells that it was last known to cross. If it did so before and after, and its end stays in its cell,
+ * the whole triangle lies in these cells. */
+bool StarSweep::follows_sequence(const Body& body, const EdgeSweep& sweep) const {
+  const Array<uint32_t>& facets = body.sequences[sweep.e];
+  const BodyVertex& from = body.vertices[sweep.v];
+  const bool first = body.edges[sweep.e].ends[0] == sweep.v;
+  const auto keeps = [&](const double* p, Cell cell) {
+    return first ? follows(env_, p, sweep.q, cell, sweep.fixed, facets.data(), facets.size())
+                 : follows(env_, sweep.q, p, sweep.fixed, cell, facets.data(), facets.size());
+  };
+  if (!keeps(sweep.to, sweep.arrival)) return false;
+  return body.level == SweepLevel::kEdges || (from.cell == sweep.arrival && keeps(from.position, from.cell));
 }
 
 /** Whether an edge is not free in its new place; fills hit_edges_ with all, or with some if one is enough. */
@@ -51,7 +70,7 @@ bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, C
   };
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
-    if (skips(body, body.vertices[v].cell, cell, fixed.cell)) return true;
+    if (settles(body, {e, v, to, cell, fixed.position, fixed.cell})) return true;
     wave_edges_[wave_.count()] = e;
     wave_.add(env_, cell, to, fixed.position);
     if (wave_.full()) run();
@@ -74,7 +93,7 @@ bool StarSweep::is_free(const Body& body, uint32_t v, const double* to, Cell* ce
   bool free = true;
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
-    if (skips(body, at.cell, path.cell, fixed.cell)) return true;
+    if (settles(body, {e, v, to, path.cell, fixed.position, fixed.cell})) return true;
     free = flood_.sweep(EdgeMotion{at.position, to, fixed.position}, at.cell, 0).end == SweepEnd::kFree;
     return free;
   });
@@ -114,8 +133,9 @@ bool StarSweep::find_first(const Body& body, uint32_t v, const double* to, StarC
   }
   const bool reached = !any;
   for_each_edge(body, v, [&](uint32_t e) {
-    const Cell fixed = body.vertices[body.edges[e].other(v)].cell;
-    return reached && skips(body, at.cell, path.cell, fixed) ? true : sweep_edge(e);
+    const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
+    const bool settled = reached && settles(body, {e, v, to, path.cell, fixed.position, fixed.cell});
+    return settled ? true : sweep_edge(e);
   });
   if (body.level != SweepLevel::kFaces) return any;
   for_each_face(body, v, [&](uint32_t f) {

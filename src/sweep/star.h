@@ -35,8 +35,16 @@ class StarSweep {
     return from == to && from == fixed && env.map.convex(from);
   }
 
-  /** Whether the sweep of an edge need not be looked at; counts it. */
-  bool skips(const Body& body, Cell from, Cell to, Cell fixed);
+  /** The sweep of edge e when its end v goes to `to`, in `arrival`, and the other end is at q, in `fixed`. */
+  struct EdgeSweep {
+    uint32_t e, v;
+    const double* to;
+    Cell arrival;
+    const double* q;
+    Cell fixed;
+  };
+  /** Whether nothing can be met, by what is known without a look at the triangle; counts it. The path of v is free. */
+  bool settles(const Body& body, const EdgeSweep& sweep);
 
   bool is_triangle_free(const EdgeMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }
   bool is_tetrahedron_free(const FaceMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }
@@ -45,6 +53,7 @@ class StarSweep {
   CastCounters* counters = nullptr;  // of casts; may stay null
 
  private:
+  bool follows_sequence(const Body& body, const EdgeSweep& sweep) const;
   bool find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
   void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;
 
