@@ -9,6 +9,7 @@
 #include "contact/vec.h"
 #include "response/insertion.h"
 #include "response/vertex_move.h"
+#include "sweep/clearance.h"
 
 namespace dsw {
 namespace {
@@ -137,9 +138,24 @@ bool BodyMove::run(Body& body, PointArray targets, const MoveSettings& settings,
 
 /** What is met if nobody else meets anything. */
 void BodyMove::sweep_all(Body& body, PointArray targets, bool may_skip) {
+  if (body.skipping.by_clearance && body.level != SweepLevel::kPoints) measure_clearances(body, targets);
   cast_paths(body, targets);
   if (body.level != SweepLevel::kPoints) sweep_edges(body, targets, may_skip);
   if (body.level == SweepLevel::kFaces) sweep_faces(body, targets);
+}
+
+/** For vertices whose edges leave what is known to be free. */
+void BodyMove::measure_clearances(Body& body, PointArray targets) {
+  for (const uint32_t v : order_) {
+    if (moving_[v].rank == kNone) continue;
+    double longest = 0;
+    for_each_edge(body, v, [&](uint32_t e) {
+      longest = std::max(longest, length(difference(body.position(body.edges[e].other(v)), body.position(v))));
+      return true;
+    });
+    const double way = length(difference(targets[v], body.position(v)));
+    refresh_clearance(env_, body, v, longest + way);
+  }
 }
 
 void BodyMove::run_wave() {

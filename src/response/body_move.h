@@ -39,6 +39,7 @@ class BodyMove {
 
   void start(const Body& body, MoveOrder order, PointArray targets);
   bool run(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip);
+  void measure_clearances(Body& body, PointArray targets);
   void cast_paths(const Body& body, PointArray targets);
   void sweep_all(Body& body, PointArray targets, bool may_skip);
   void sweep_edges(Body& body, PointArray targets, bool may_skip);

@@ -114,6 +114,8 @@ bool VertexMove::insert(uint32_t v, const dsw_contact& contact) {
   const bool starts_here = body_.edges[e].ends[0] == v;
   const double share = starts_here ? contact.along : 1 - contact.along;
   const double *p = body_.position(body_.edges[e].ends[0]), *q = body_.position(body_.edges[e].ends[1]);
+  const double least = length(difference(q, p)) * std::min(share, 1 - share);
+  if (!(least >= settings_.min_length)) return false;
   const Vec normal = to_vec(contact.normal);
   double point[3], largest = 0;
   point_at<3>(p, q, share, point);

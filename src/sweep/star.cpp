@@ -4,6 +4,7 @@
 
 #include "motion/sequence.h"
 #include "motion/standard_facets.h"
+#include "sweep/clearance.h"
 
 namespace dsw {
 namespace {
@@ -39,9 +40,17 @@ bool StarSweep::settles(const Body& body, const EdgeSweep& sweep) {
     counts.skipped += body.skipping.by_environment ? 1 : 0;
     if (body.skipping.by_environment || body.level != SweepLevel::kEdges) return true;
   }
-  if (!body.skipping.sequences || !follows_sequence(body, sweep)) return false;
-  ++counts.skipped;
-  return true;
+  const bool known = (body.skipping.by_clearance && is_clear(body, sweep)) ||
+                     (body.skipping.sequences && follows_sequence(body, sweep));
+  counts.skipped += known ? 1 : 0;
+  return known;
+}
+
+/** Whether the triangle lies in a ball that is free. */
+bool StarSweep::is_clear(const Body& body, const EdgeSweep& sweep) const {
+  const double* const p = body.position(sweep.v);
+  return covers(env_, body.clearances[sweep.v], p, sweep.to, sweep.q) ||
+         covers(env_, body.clearances[body.edges[sweep.e].other(sweep.v)], p, sweep.to, sweep.q);
 }
 
 /** Whether the edge keeps to the cells that it was last known to cross. If it did so before and after, and its end stays in its cell,

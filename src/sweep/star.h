@@ -53,6 +53,7 @@ class StarSweep {
   CastCounters* counters = nullptr;  // of casts; may stay null
 
  private:
+  bool is_clear(const Body& body, const EdgeSweep& sweep) const;
   bool follows_sequence(const Body& body, const EdgeSweep& sweep) const;
   bool find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
   void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;
