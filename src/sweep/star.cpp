@@ -28,6 +28,12 @@ StarContact path_contact(const Environment<3>& env, const CastResult& path) noex
   return found;
 }
 
+/** The vertex before its edges before its faces. */
+uint64_t feature(const StarContact& c) noexcept {
+  if (c.edge != kNone) return 1 + uint64_t{c.edge};
+  return c.face != kNone ? (uint64_t{1} << 33) + c.face : 0;
+}
+
 }  // namespace
 
 StarSweep::StarSweep(const Environment<3>& env)
@@ -157,14 +163,35 @@ bool StarSweep::find_first(const Body& body, uint32_t v, const double* to, StarC
   return any;
 }
 
+void StarSweep::find_all(const Body& body, uint32_t v, const double* to, Array<StarContact>& all) {
+  const BodyVertex& at = body.vertices[v];
+  all.clear();
+  const CastResult path = fly(env_, at.position, to, at.cell, counters);
+  if (path.end == CastEnd::kHit) all.push_back(path_contact(env_, path));
+  if (body.level == SweepLevel::kPoints) return;
+  for_each_edge(body, v, [&](uint32_t e) {
+    flood_.sweep(EdgeMotion{at.position, to, body.position(body.edges[e].other(v))}, at.cell, 0, true);
+    for (const SweepContact& each : flood_.all()) {
+      if (each.event.kind != EventKind::kVertex) all.push_back({each, e, kNone});
+    }
+    return true;
+  });
+  StarContact first;
+  Cell cell;
+  if (body.level == SweepLevel::kFaces && find_first(body, v, to, &first, &cell) && first.face != kNone) {
+    all.push_back(first);
+  }
+  std::sort(all.begin(), all.end(), [&](const StarContact& a, const StarContact& b) {
+    if (comes_before(env_.map, at.position, to, a.contact, b.contact)) return true;
+    return !comes_before(env_.map, at.position, to, b.contact, a.contact) && feature(a) < feature(b);
+  });
+}
+
 /** Keeps the earlier one; of equal ones the vertex, then the lowest edge, then the lowest face. */
 void StarSweep::consider(const double* p, const double* to, const StarContact& found, StarContact* first,
                          bool* any) const {
   StarContact next = found;
   if (next.contact.event.kind == EventKind::kVertex) next.edge = next.face = kNone;
-  const auto feature = [](const StarContact& c) {
-    return c.edge == kNone && c.face == kNone ? 0 : c.edge != kNone ? 1 + uint64_t{c.edge} : (uint64_t{1} << 33) + c.face;
-  };
   const bool later =
       *any && (comes_before(env_.map, p, to, first->contact, next.contact) ||
                (!comes_before(env_.map, p, to, next.contact, first->contact) && feature(*first) <= feature(next)));

@@ -30,6 +30,9 @@ class StarSweep {
   /** The first contact on that way, whose event borrows the body's points and `to`; false, and *cell set, if there is none. */
   bool find_first(const Body& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
 
+  /** All contacts on that way of the vertex and its edges, by time, where find_first has found one; of faces only the first. */
+  void find_all(const Body& body, uint32_t v, const double* to, Array<StarContact>& all);
+
   /** Whether an edge sweeps inside of one cell, and so meets nothing. */
   static bool stays_inside(const Environment<3>& env, Cell from, Cell to, Cell fixed) {
     return from == to && from == fixed && env.map.convex(from);
