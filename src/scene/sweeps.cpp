@@ -87,8 +87,8 @@ void report_contact(const Environment<3>& env, const EdgeMotion& m, const SweepC
   sweep.kind = contact.dart == kNoFacet ? DSW_CONTACT_PLANE : DSW_CONTACT_EDGE;
   if (contact.dart != kNoFacet) {
     sweep.edge = edge_id(env.map, {contact.front, contact.dart});
-    normal = edge_normal(m, contact, sweep.position, normal);
   }
+  if (contact.event.of_edge) normal = edge_normal(m, contact, sweep.position, normal);
   sweep.normal[0] = normal.x + 0.0;  // never -0
   sweep.normal[1] = normal.y + 0.0;
   sweep.normal[2] = normal.z + 0.0;
