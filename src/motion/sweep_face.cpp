@@ -36,11 +36,11 @@ struct SweepFlood::Tetrahedron {
   explicit Tetrahedron(const FaceMotion& m) : at{m.p, m.to, m.q, m.r} { turn = orient<3>(at, at[3]); }
 
   /** Bit i: beyond face i. 0: inside. */
-  int beyond(const double* v) const {
-    int bits = 0;
+  uint32_t beyond(const double* v) const {
+    uint32_t bits = 0;
     for (int i = 0; i < 4; ++i) {
       const EdgeMotion face{at[kFaces[i][0]], at[kFaces[i][1]], at[kFaces[i][2]]};
-      bits |= (swept_side(face, v).sign == turn ? 1 : 0) << i;
+      bits |= (swept_side(face, v).sign == turn ? 1u : 0u) << i;
     }
     return bits;
   }
@@ -61,7 +61,7 @@ struct SweepFlood::Tetrahedron {
    * polygon. If none of its corners is one of the triangle or lies on an edge of it, then it is all that the tetrahedron
    * has of the plane, and every edge of the tetrahedron that crosses the plane crosses the triangle. An edge that meets the
    * tetrahedron with both ends outside passes through two faces: one may be left out. */
-  bool meets(const double* const* triangle, const int* codes) const {
+  bool meets(const double* const* triangle, const uint32_t* codes) const {
     if ((codes[0] & codes[1] & codes[2]) != 0) return false;
     if (codes[0] == 0 || codes[1] == 0 || codes[2] == 0) return true;
     int sides[4];
@@ -71,7 +71,7 @@ struct SweepFlood::Tetrahedron {
       const int next = (k + 1) % 3;
       if ((codes[k] & codes[next]) != 0) continue;
       for (int i = 0; i < 3; ++i) {
-        if (((codes[k] ^ codes[next]) >> i & 1) != 0 && face_pierced(i, triangle[k], triangle[next])) return true;
+        if (((codes[k] ^ codes[next]) >> i & 1u) != 0 && face_pierced(i, triangle[k], triangle[next])) return true;
       }
     }
     for (const int(&e)[2] : kEdges) {
@@ -89,7 +89,6 @@ SweepResult SweepFlood::sweep(const FaceMotion& m, Cell start, uint32_t max_cell
   cells_.clear();
   judged_.clear();
   result_ = {};
-  m_ = {m.p, m.to, m.q};
   const Tetrahedron t(m);
   if (t.turn == 0) return result_;
   cells_.insert(start);
@@ -102,8 +101,11 @@ SweepResult SweepFlood::sweep(const FaceMotion& m, Cell start, uint32_t max_cell
     ++result_.cells_visited;
     const Cell c = cells_[i];
     const Shape shape = map_.shape(c);
-    sides_.resize(shape.vertex_count());
-    for (uint32_t v = 0; v < shape.vertex_count(); ++v) sides_[v] = static_cast<int8_t>(t.beyond(env_.point(c, v)));
+    corners_.resize(shape.vertex_count());
+    for (uint32_t v = 0; v < shape.vertex_count(); ++v) {
+      const uint32_t vertex = map_.vertex(c, v);
+      corners_[v] = {env_.point(vertex), vertex, t.beyond(env_.point(vertex)), 0};
+    }
     look_at_inside_vertices(t, c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const HalfFacet h = map_.half_facet(c, f);
@@ -112,9 +114,9 @@ SweepResult SweepFlood::sweep(const FaceMotion& m, Cell start, uint32_t max_cell
       if (cells_.contains(next)) continue;
       for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
         const uint16_t* const local = shape.simplices() + 3 * s;
-        const int codes[3] = {sides_[local[0]], sides_[local[1]], sides_[local[2]]};
-        const double* triangle[3];
-        simplex_points(env_, c, shape, s, triangle);
+        const Corner &a = corners_[local[0]], &b = corners_[local[1]], &e = corners_[local[2]];
+        const double* const triangle[3] = {a.at, b.at, e.at};
+        const uint32_t codes[3] = {a.beyond, b.beyond, e.beyond};
         if (!t.meets(triangle, codes)) continue;
         cells_.insert(next);
         break;
@@ -127,15 +129,15 @@ SweepResult SweepFlood::sweep(const FaceMotion& m, Cell start, uint32_t max_cell
 /** Keeps the earliest impassable vertex; the lowest of the cells that see it is its front. */
 void SweepFlood::look_at_inside_vertices(const Tetrahedron& t, Cell c) {
   SweepContact& best = result_.contact;
-  for (uint32_t v = 0; v < sides_.size(); ++v) {
-    if (sides_[v] != 0) continue;
-    const uint32_t vertex = map_.vertex(c, v);
+  for (const Corner& corner : corners_) {
+    if (corner.beyond != 0) continue;
+    const uint32_t vertex = corner.vertex;
     if (best.vertex == vertex && map_.index(c) < map_.index(best.front)) best.front = c;
     if (std::find(judged_.begin(), judged_.end(), vertex) != judged_.end()) continue;
     judged_.push_back(vertex);
     SweepContact found;
     if (!judge_vertex(c, vertex, found.facet)) continue;
-    found.event = {{t.at[2], t.at[3], env_.point(vertex)}, EventKind::kFace};
+    found.event = {{t.at[2], t.at[3], corner.at}, EventKind::kFace};
     found.front = c;
     found.vertex = vertex;
     if (result_.end == SweepEnd::kContact && !comes_before(map_, t.at[0], t.at[1], found, best)) continue;
