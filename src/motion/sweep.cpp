@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "motion/standard_facets.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
 
@@ -70,8 +71,8 @@ SweepResult SweepFlood::sweep(const EdgeMotion& m, Cell start, uint32_t max_cell
     }
     ++result_.cells_visited;
     const Cell c = cells_[i];
+    if (!read_corners(c)) continue;
     const Shape shape = map_.shape(c);
-    read_corners(c, shape);
     look_at_facets(c, shape);
     if (env_.marked_edges != 0) look_at_wires(c, shape);
   }
@@ -79,14 +80,26 @@ SweepResult SweepFlood::sweep(const EdgeMotion& m, Cell start, uint32_t max_cell
   return result_;
 }
 
-void SweepFlood::read_corners(Cell c, const Shape& shape) {
-  const uint32_t count = shape.vertex_count();
+/** Reads the vertices of a cell. False for a hexahedron all of whose facets lie beside the triangle's box: the main path, where p, p'
+ * and q are in one cell and nothing can be met. It holds for warped cells too. */
+bool SweepFlood::read_corners(Cell c) {
+  const uint32_t* const w = map_.record(c);
+  const Form form = form_of(w[0]);
+  const uint32_t count = map_.vertices_of(c);
   corners_.resize(count);
+  const uint32_t* const words = form == Form::kSimplex ? w : w + kUnitWords;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t vertex = map_.vertex(c, i);
+    const uint32_t vertex = form == Form::kGeneral ? map_.vertex(c, i) : words[i] & kVertexMask;
     const double* const at = env_.point(vertex);
     corners_[i] = {at, vertex, triangle_->beyond_box(at), kUnknown};
   }
+  if (form != Form::kBox) return true;
+  for (const auto& f : kBoxFacets) {
+    const uint32_t beyond =
+        corners_[f[0]].beyond & corners_[f[1]].beyond & corners_[f[2]].beyond & corners_[f[3]].beyond;
+    if (beyond == 0) return true;
+  }
+  return false;
 }
 
 int SweepFlood::side(Corner& corner) const {
@@ -99,26 +112,34 @@ uint32_t SweepFlood::outside(const Corner& a, const Corner& b) {
   return lines_.value(a.vertex, b.vertex, [&] { return triangle_->outside(a.at, b.at, b.side); });
 }
 
+/** Enters what lies behind passable facets that the triangle meets. A cell that it does not meet is not read, and one that has
+ * been entered is not marked. */
 void SweepFlood::look_at_facets(Cell c, const Shape& shape) {
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-    uint32_t beyond = ~0u;
-    for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-      beyond &= corners_[shape.dart_vertex(d)].beyond;
-    }
-    if (beyond != 0) continue;
-    const HalfFacet h = map_.half_facet(c, f);
-    if (is_impassable(map_, h)) {
+    const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
+    const bool wall = !o.valid() || map_.facet_marked(h);
+    if ((!wall && cells_.contains(Cell{o.word / kUnitWords})) || !facet_met(shape, f)) continue;
+    if (wall || is_impassable(map_, h)) {
       look_at_obstacle(c, shape, f);
-      continue;
-    }
-    const Cell next = map_.cell_of(map_.opposite(h));
-    if (cells_.contains(next)) continue;
-    for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
-      if (!simplex_met(shape.simplices() + 3 * s)) continue;
-      cells_.insert(next);
-      break;
+    } else {
+      cells_.insert(map_.cell_of(o));
     }
   }
+}
+
+bool SweepFlood::facet_met(const Shape& shape, uint32_t facet) {
+  const uint32_t first = shape.simplex_first(facet), last = shape.simplex_first(facet + 1);
+  if (last > first + 1) {
+    uint32_t beyond = ~0u;
+    for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
+      beyond &= corners_[shape.dart_vertex(d)].beyond;
+    }
+    if (beyond != 0) return false;
+  }
+  for (uint32_t s = first; s < last; ++s) {
+    if (simplex_met(shape.simplices() + 3 * s)) return true;
+  }
+  return false;
 }
 
 /** Whether the swept triangle meets a simplex. The simplex meets the swept plane in a segment between two of its sides: that

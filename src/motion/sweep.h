@@ -48,12 +48,13 @@ class SweepFlood {
     int side;         // of the swept plane; kUnknown: nobody has asked
   };
 
-  void read_corners(Cell c, const Shape& shape);
+  bool read_corners(Cell c);
   int side(Corner& corner) const;
   uint32_t outside(const Corner& a, const Corner& b);
   void look_at_facets(Cell c, const Shape& shape);
   void look_at_wires(Cell c, const Shape& shape);
   void look_at_obstacle(Cell c, const Shape& shape, uint32_t facet);
+  bool facet_met(const Shape& shape, uint32_t facet);
   bool simplex_met(const uint16_t* local);
   void consider(const SweepContact& found);
   void sort_found();
