@@ -11,8 +11,6 @@
 namespace dsw {
 namespace {
 
-constexpr int kUnknown = 2;
-
 int side_of_plane(const double* const* triangle, const double* x) noexcept {
   return plane_side<3>(triangle, x, NoTally{}).sign;
 }
@@ -51,8 +49,7 @@ SweepFlood::SweepFlood(const Environment<3>& env)
       around_(env.memory),
       lines_(env.memory),
       corners_(Allocator<Corner>(env.memory)),
-      found_(Allocator<SweepContact>(env.memory)),
-      judged_(Allocator<uint32_t>(env.memory)) {}
+      found_(Allocator<SweepContact>(env.memory)) {}
 
 SweepResult SweepFlood::sweep(const EdgeMotion& m, Cell start, uint32_t max_cells, bool collect) {
   const SweptTriangle triangle(m);

@@ -40,12 +40,13 @@ class SweepFlood {
 
  private:
   struct Tetrahedron;
+  static constexpr int kUnknown = 2 << 4;  // neither a sign nor bits of four faces
   /** A vertex of the cell that is looked at. */
   struct Corner {
     const double* at;
     uint32_t vertex;
-    uint32_t beyond;  // sides of the swept triangle's box, or of the tetrahedron
-    int side;         // of the swept plane; kUnknown: nobody has asked
+    uint32_t beyond;  // sides of the box of what is swept
+    int side;         // of the swept plane, or bits of the faces it lies beyond; kUnknown: nobody has asked
   };
 
   bool read_corners(Cell c);
@@ -60,6 +61,7 @@ class SweepFlood {
   void sort_found();
 
   void look_at_inside_vertices(const Tetrahedron& t, Cell c);
+  bool simplex_met(const Tetrahedron& t, const uint16_t* local);
   bool judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet);
 
   const Environment<3>& env_;
@@ -69,10 +71,9 @@ class SweepFlood {
   SweepResult result_;
   CellQueue cells_;            // met
   CellQueue around_;           // round the vertex that is judged
-  LineTable lines_;            // where they pierce the swept plane
+  LineTable lines_;            // where they pierce the swept plane; of a face: vertices that have been judged
   Array<Corner> corners_;      // of the cell that is looked at
   Array<SweepContact> found_;  // if they are collected
-  Array<uint32_t> judged_;     // vertices inside of the tetrahedron
 };
 
 }  // namespace dsw

@@ -88,8 +88,8 @@ class Bodies {
     const double step = steps[rng_.below(4)];
     if (rng_.chance(0.6) && !vertices_.empty()) {  // a vertex with positive weights, about
       const double* v = env_.point(vertices_[rng_.below(vertices_.size())]);
-      double w[4], sum = 0;
-      for (double& each : w) sum += each = rng_.range(0.1, 1);
+      double w[4];
+      for (double& each : w) each = rng_.range(0.1, 1);
       for (size_t k = 0; k < 3; ++k) {
         double rest = 0;
         for (size_t i = 0; i < 3; ++i) {
