@@ -37,7 +37,8 @@ enum {
 /** Sets the mark of volumes. An id may stand twice.
  * @param volumes [in] `count` live ids. @param mark [in] the mark they get. @param flags [in] DSW_MARK_...
  * @param skipped [out] may be null: how many occupied volumes were left out.
- * @return DSW_STATUS_STALE_ID (the message names the position), DSW_STATUS_OCCUPIED, DSW_STATUS_SHARED.
+ * @return DSW_STATUS_STALE_ID (the message names the position), DSW_STATUS_OCCUPIED, DSW_STATUS_SHARED,
+ * DSW_STATUS_OUT_OF_MEMORY: nothing has changed.
  * @note O(count), plus one pass over the scene's particles and bodies when volumes become impassable; see above. Thread:
  * writer of the environment and of its scene. @since 0.1 */
 DSW_API dsw_status dsw_environment_mark_volumes(dsw_environment *environment, const dsw_volume_id *volumes,
@@ -66,8 +67,7 @@ DSW_API dsw_status dsw_environment_mark_region(dsw_environment *environment, int
 
 /** Sets the mark of every face between a volume of region `a` and one of region `b`; the order does not matter.
  * @param marked [out] may be null: how many faces there are.
- * @return DSW_STATUS_OCCUPIED, DSW_STATUS_SHARED.
- * @note O(volumes), and the scene's bodies. Thread: writer. @since 0.1 */
+ * @return as dsw_environment_mark_volumes. @note O(volumes), and the scene's bodies. Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_environment_mark_between(dsw_environment *environment, int32_t a, int32_t b, dsw_mark mark,
                                                 size_t *marked);
 

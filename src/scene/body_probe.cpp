@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/assert.h"
 #include "base/error.h"
 #include "environment/marking.h"
 

@@ -7,8 +7,7 @@
 
 namespace dsw {
 
-/** An axis-parallel box that grows. The shift moves no point out of a closed box by more than nothing, so that what does not
- * overlap can't meet. */
+/** An axis-parallel box that grows. It is closed, so that what lies apart from it stays apart whatever the shift. */
 struct Box {
   double lower[3], upper[3];
 

@@ -3,6 +3,9 @@
 
 #include "scene/occupation.h"
 
+#include <cstdio>
+
+#include "base/error.h"
 #include "scene/body_probe.h"
 
 namespace dsw {
@@ -63,17 +66,18 @@ class Trial {
   Box box_;
 };
 
-void refuse(const Scene<3>& scene) {
+[[noreturn]] void refuse(const Scene<3>& scene) {
   const size_t particles = scene.occupants.size(), bodies = scene.occupant_bodies.size();
   if (particles == 0) {
     const dsw_body_id first = scene.occupant_bodies[0];
     fail(DSW_STATUS_OCCUPIED, "%zu bodies are in the way; the first is {index %u, generation %u}", bodies, first.index,
          first.generation);
   }
+  char others[48] = "";
+  if (bodies != 0) std::snprintf(others, sizeof others, "; so are %zu bodies", bodies);
   const dsw_particle_id first = scene.occupants[0];
-  fail(DSW_STATUS_OCCUPIED,
-       "%zu particles are in the way; the first is {index %u, generation %u} in volume %u; %zu bodies", particles,
-       first.index, first.generation, scene.env.map.index(scene.particles[first.index].cell), bodies);
+  fail(DSW_STATUS_OCCUPIED, "%zu particles are in the way; the first is {index %u, generation %u} in volume %u%s",
+       particles, first.index, first.generation, scene.env.map.index(scene.particles[first.index].cell), others);
 }
 
 void find_occupant_bodies(Scene<3>& scene, BodyProbe& probe) {

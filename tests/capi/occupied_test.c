@@ -190,7 +190,7 @@ static void what_bodies_occupy_is_left_out(void) {
     for (x = 0; x < 150; ++x) volumes[x] = volume_at(x % 75);
     CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_environment_mark_volumes(g_env, volumes, 150, DSW_MARK_IMPASSABLE, 0, NULL));
     CHECK_MESSAGE("1 particles are in the way");
-    CHECK_MESSAGE("2 bodies");
+    CHECK_MESSAGE("so are 2 bodies");
     CHECK(mark_count() == 0);
     CHECK_OK(dsw_environment_mark_volumes(g_env, volumes, 150, DSW_MARK_IMPASSABLE, DSW_MARK_SKIP_OCCUPIED, &skipped));
     CHECK(mark_count() == 75 - skipped && !marked(cube(3, 4, 0)) && !marked(cube(2, 1, 1)) && marked(cube(0, 4, 1)));
@@ -216,6 +216,28 @@ static void a_refused_call_keeps_what_was_marked_before(void) {
   CHECK_OK(mark_cube(cube(4, 0, 0), DSW_MARK_IMPASSABLE)); /* changes nothing */
   CHECK(named(nobody));
   CHECK_OK(mark_cube(cube(4, 0, 0), DSW_MARK_PASSABLE));
+  CHECK_OK(dsw_body_destroy(g_scene, body));
+}
+
+static void what_was_removed_is_not_in_the_way(void) {
+  const dsw_body_id body = face_body(DSW_LEVEL_FACES);
+  const dsw_body_face_id face = {0, 1};
+  const dsw_body_edge_id edge = {0, 1};     /* y = 0.1 */
+  const dsw_body_vertex_id vertex = {1, 1}; /* (4.9, 0.1, 1.5) */
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_cube(cube(2, 1, 1), DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_body_remove_face(g_scene, body, face));
+  CHECK_OK(mark_cube(cube(2, 1, 1), DSW_MARK_IMPASSABLE));
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_cube(cube(2, 0, 1), DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_body_remove_edge(g_scene, body, edge));
+  CHECK_OK(mark_cube(cube(2, 0, 1), DSW_MARK_IMPASSABLE));
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_cube(cube(4, 0, 1), DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_body_remove_vertex(g_scene, body, vertex));
+  CHECK_OK(mark_cube(cube(4, 0, 1), DSW_MARK_IMPASSABLE));
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_cube(cube(0, 0, 1), DSW_MARK_IMPASSABLE));
+  CHECK(named(body) && mark_count() == 3);
+  CHECK_OK(mark_cube(cube(2, 1, 1), DSW_MARK_PASSABLE));
+  CHECK_OK(mark_cube(cube(2, 0, 1), DSW_MARK_PASSABLE));
+  CHECK_OK(mark_cube(cube(4, 0, 1), DSW_MARK_PASSABLE));
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 
@@ -254,6 +276,7 @@ int main(void) {
   a_face_holds_what_pierces_it_at_its_level();
   what_bodies_occupy_is_left_out();
   a_refused_call_keeps_what_was_marked_before();
+  what_was_removed_is_not_in_the_way();
   every_marking_call_forgets_the_last_ones_occupants();
   the_getter_checks_its_arguments();
   CHECK_OK(dsw_scene_destroy(g_scene));
