@@ -70,8 +70,8 @@ class ExitFinder {
       if (look.kind == LookKind::kPlanes) return exit_flat(c, look.facets);
       if (look.kind == LookKind::kBox) return exit_box(map_.record(c), look, entry);
     }
-    if (map_.convex(c)) return exit_many_flat(c, forecast);
-    return exit_many(c, entry);
+    if (map_.convex(c)) return apart().exit_many_flat(c, forecast);
+    return apart().exit_many(c, entry);
   }
 
   /** Whether q lies in a cell, p being its centre. Where planes alone decide the centre is not asked: that of a sliver can
@@ -99,6 +99,9 @@ class ExitFinder {
     void exact() noexcept { tally.exact(); }
     void tie() noexcept { tally.tie(); }
   };
+
+  /** A copy for what is not inlined: an object whose address is passed on lives in memory, and this one in registers. */
+  DSW_HOT ExitFinder apart() const noexcept { return *this; }
 
   void points_of(Cell c, const uint16_t* local, const double* (&out)[D]) const noexcept {
     for (int i = 0; i < D; ++i) out[i] = env_.point(c, local[i]);
@@ -159,7 +162,7 @@ class ExitFinder {
     for (uint32_t rest = outside & (outside - 1); rest != 0; rest &= rest - 1) {
       const uint32_t g = static_cast<uint32_t>(__builtin_ctz(rest));
       const int side = keeps(c, f, g);
-      if (__builtin_expect(side == 0, 0)) return first_pierced(c, outside);
+      if (__builtin_expect(side == 0, 0)) return apart().first_pierced(c, outside);
       f = side < 0 ? g : f;
     }
     return {f, map_.form(c) == Form::kSimplex ? f : 2 * f};
@@ -220,7 +223,7 @@ class ExitFinder {
   }
 
   DSW_HOT Exit exit_box(const uint32_t* w, const Look& look, const Entry& entry) noexcept {
-    if (__builtin_expect(!look.settled || entry.may_have_been_here, 0)) return exit_box_in_full(w, look, entry);
+    if (__builtin_expect(!look.settled || entry.may_have_been_here, 0)) return apart().exit_box_in_full(w, look, entry);
     if (look.facets == 0) return {};
     const uint32_t f = static_cast<uint32_t>(__builtin_ctz(uint32_t{look.facets}));
     return {f, 2 * f + (uint32_t{look.second} >> f & 1u)};

@@ -128,7 +128,7 @@ class Walkers {
 
   DSW_HOT bool leave_first(uint32_t i) noexcept {
     new (flights_ + i) Flight{{}, {}, {}, {}, visit_bit(results_[i].cell)};
-    const bool leaves = leave(i, Entry{}, requests_[i].forecast);
+    const bool leaves = leave(i, flight(i).entry, requests_[i].forecast);
     results_[i].first_facet = flight(i).exit.facet;
     return leaves;
   }
