@@ -30,7 +30,7 @@ class SequenceWriter {
   void finish(Array<uint32_t>& sequence);
 
  private:
-  static constexpr size_t kFirstRoom = 64;
+  static constexpr size_t kFirstRoom = 16;
   static void write(void* user, Cell from, uint32_t simplex, Cell to) noexcept;
 
   const Environment<3>* env_ = nullptr;

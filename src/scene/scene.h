@@ -58,6 +58,7 @@ struct Scene {
   Array<dsw_body_id> occupant_bodies;       // likewise
   Array<BodyRecord> bodies;                 // by slot
   SlotPool body_slots;
+  Array<BodyMove> mover;      // none or one: what moves of single bodies keep from call to call
   Array<uint32_t> offending;  // pairs of vertices of edges that were found not free
 
   Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted)
@@ -75,6 +76,7 @@ struct Scene {
         occupant_bodies(Allocator<dsw_body_id>(source)),
         bodies(Allocator<BodyRecord>(source)),
         body_slots(source),
+        mover(Allocator<BodyMove>(source)),
         offending(Allocator<uint32_t>(source)) {
     if (features.crossings) crossing_first.push_back(0);
   }
@@ -82,7 +84,7 @@ struct Scene {
   Scene& operator=(const Scene&) = delete;
 
   uint64_t memory_bytes() const {
-    uint64_t of_bodies = array_bytes(bodies) + body_slots.memory_bytes() + array_bytes(offending);
+    uint64_t of_bodies = array_bytes(bodies) + array_bytes(mover) + body_slots.memory_bytes() + array_bytes(offending);
     for (const BodyRecord& each : bodies) of_bodies += each.memory_bytes();
     return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
            array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) +
