@@ -176,7 +176,8 @@ void move_body(Subject* s, Bytes* bytes) {
   for (const dsw_body_vertex_id vertex : s->vertices) {
     if (options.order != nullptr && vertex.index == s->vertices[0].index) continue;
     for (int k = 0; k < 3; ++k) {
-      require(now.at(vertex.index)[k] == targets[3 * size_t{vertex.index} + k], "who did not stop is there");
+      require(now.at(vertex.index)[k] == targets[3 * size_t{vertex.index} + static_cast<size_t>(k)],
+              "who did not stop is there");
     }
   }
 }
