@@ -10,7 +10,7 @@
 
 enum { kRelaxations = 30, kKeptSteps = 8 };
 
-static const double kStiffness = 0.15, kSteering = 0.6, kNoise = 0.01;
+static const double kStiffness = 0.15, kSteering = 0.6, kNoise = 0.03, kMinPart = 0.1;
 
 static void unit_towards(const double *a, const double *b, double *direction) {
   double length = distance(a, b);
@@ -175,13 +175,14 @@ void catheter_run(demo_catheter *c, dsw_environment *environment, const demo_flo
   memset(c, 0, sizeof *c);
   figures_create(&c->figures, name);
   require(dsw_scene_create(environment, NULL, &c->scene), "creating a scene", kFailed);
-  c->link = 1.6 * flow->radius;
+  c->link = 3.0 * flow->radius;
   c->whole = flow->length;
   create_catheter(c, flow);
   read_places(c);
   dsw_move_options_init(&options, sizeof options);
   options.vertex_response = DSW_RESPONSE_SLIDE;
   options.edge_response = edge_response;
+  options.min_part = kMinPart;
   options.noise_share = edge_response == DSW_RESPONSE_STOP ? 0 : kNoise;
   memset(targets, 0, sizeof targets);
   for (size_t step = 0; step < steps; ++step) {

@@ -110,7 +110,7 @@ def draw_vessel(folder, title, rows):
                   specular=0.3, ambient=0.35)
     hits = cloud.point_data["contacts"]
     dots = plot.add_mesh(cloud, scalars="contacts", cmap="plasma", clim=(0, max(1, np.percentile(hits, 90))),
-                         render_points_as_spheres=True, point_size=3.0, opacity=0.55, ambient=0.4,
+                         render_points_as_spheres=True, point_size=3.6, opacity=0.8, ambient=0.4,
                          show_scalar_bar=False)
     radius = 0.0045 * size
     add_catheter(plot, folder, "static", STATIC, radius, False)
@@ -142,18 +142,18 @@ def draw_surface(folder, rows):
     low, high = np.array(obstacles.bounds).reshape(3, 2).T
     size = np.max(high - low)
     if contacts.n_points > 0:
-        plot.add_mesh(arrows(contacts, 0.07 * size, 400), color=NORMAL, ambient=0.4)
+        plot.add_mesh(arrows(contacts, 0.055 * size, 250), color=NORMAL, ambient=0.4)
     plot.add_scalar_bar("contacts of a vertex", mapper=skin.mapper, title_font_size=15, label_font_size=14, color=INK,
                         n_labels=3, fmt="%.0f", width=0.24, height=0.06, position_x=0.73, position_y=0.03)
     number = lambda key: f"{int(rows[key][-1]):,}"
     text(plot, f"A closed surface of {number('vertices at the end')} vertices on pyramids, level FACES", 28, HEIGHT - 46,
          13)
-    text(plot, f"{number('contacts of bodies')} contacts in {rows['steps'][-1]} steps, {rows['ms per step'][-1]} ms a step, "
+    text(plot, f"{number('contacts of bodies')} contacts in {rows['steps'][-1]} steps, {float(rows['ms per step'][-1]):.3g} ms a step, "
          f"verified free: {rows['bodies verified free'][-1]}; normals of the last step (green)", 28, HEIGHT - 76)
-    towards = np.array([0.42, -0.80, 0.43])
-    middle = (low + high) / 2 + np.array([0, 0, 0.06 * size])
+    towards = np.array([0.42, -0.80, 0.40])
+    middle = (low + high) / 2 + np.array([0, 0, 0.03 * size])
     save(plot, os.path.join(folder, "surface.png"), middle, towards / np.linalg.norm(towards), np.array([0, 0, 1.0]),
-         6 * size, 0.42 * size)
+         6 * size, 0.47 * size)
 
 
 if __name__ == "__main__":

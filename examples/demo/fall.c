@@ -11,7 +11,7 @@
 
 enum { kWide = 10, kHigh = 8, kTurns = 4, kKeptSteps = 1 };
 
-static const double kGravity = 9.81, kStep = 1.0 / 60, kDamping = 0.995, kStiffness = 0.35, kSize = 6.0;
+static const double kGravity = 9.81, kStep = 1.0 / 60, kDamping = 0.995, kStiffness = 0.35, kSize = 6.0, kCarries = 100;
 
 /* Cubes of side 1; pyramid k of a cube has its tip in the middle and as base the cube's face k: z0, z1, y0, x1, y1, x0. */
 static dsw_environment *create_pyramids(dsw_context *context, size_t *cells) {
@@ -114,19 +114,30 @@ void fall_create(demo_fall *fall, dsw_context *context, demo_surface *surface) {
   desc.features = DSW_FEATURE_STATISTICS;
   require(dsw_scene_create(fall->environment, &desc, &fall->scene), "creating a scene", kFailed);
   require(create_body(fall, fall->scene, &fall->body), "the surface cannot be used", kBadInput);
-  fall->shape = (double *)demo_allocate(10 * n, sizeof(double));
-  memset(fall->shape, 0, 10 * n * sizeof(double));
+  fall->shape = (double *)demo_allocate(11 * n, sizeof(double));
+  memset(fall->shape, 0, 11 * n * sizeof(double));
   memcpy(fall->shape, surface->points, 3 * n * sizeof(double));
   fall->velocity = fall->shape + 3 * n;
   fall->targets = fall->velocity + 3 * n;
   fall->touched = fall->targets + 3 * n;
+  fall->weight = fall->touched + n;
+  for (size_t i = 0; i < n; ++i) {
+    fall->weight[i] = 1;
+  }
   fall->rotation[3] = 1;
 }
 
-static void find_mean(const double *points, size_t count, double *mean) {
+static void find_mean(const double *points, const double *weight, size_t count, double *mean) {
+  double sum = 0;
   memset(mean, 0, 3 * sizeof(double));
-  for (size_t i = 0; i < 3 * count; ++i) {
-    mean[i % 3] += points[i] / (double)count;
+  for (size_t i = 0; i < count; ++i) {
+    for (size_t k = 0; k < 3; ++k) {
+      mean[k] += weight[i] * points[3 * i + k];
+    }
+    sum += weight[i];
+  }
+  for (size_t k = 0; k < 3; ++k) {
+    mean[k] /= sum;
   }
 }
 
@@ -168,22 +179,23 @@ static void match_rotation(double *rotation, double a[3][3]) {
   }
 }
 
+/* Vertices that touch something carry the others: they weigh more, and do not fall. */
 static void find_targets(demo_fall *fall) {
-  const double *x = fall->surface->points;
+  const double *x = fall->surface->points, *w = fall->weight;
   double *q = fall->targets, here[3], rest[3], a[3][3];
   size_t n = fall->surface->point_count;
   memset(a, 0, sizeof a);
   for (size_t i = 0; i < 3 * n; ++i) {
     double *v = fall->velocity + i;
-    *v = kDamping * *v - (i % 3 == 2 ? kGravity * kStep : 0);
+    *v = kDamping * *v - (i % 3 == 2 && w[i / 3] == 1 ? kGravity * kStep : 0);
     q[i] = x[i] + kStep * *v;
   }
-  find_mean(q, n, here);
-  find_mean(fall->shape, n, rest);
+  find_mean(q, w, n, here);
+  find_mean(fall->shape, w, n, rest);
   for (size_t i = 0; i < n; ++i) {
     for (size_t j = 0; j < 3; ++j) {
       for (size_t k = 0; k < 3; ++k) {
-        a[j][k] += (fall->shape[3 * i + j] - rest[j]) * (q[3 * i + k] - here[k]);
+        a[j][k] += w[i] * (fall->shape[3 * i + j] - rest[j]) * (q[3 * i + k] - here[k]);
       }
     }
   }
@@ -202,8 +214,12 @@ static void count_touches(demo_fall *fall) {
   const dsw_contact *contacts = NULL;
   size_t count = 0;
   require(dsw_body_get_contacts(fall->scene, fall->body, &contacts, &count), "reading contacts", kFailed);
+  for (size_t i = 0; i < fall->surface->point_count; ++i) {
+    fall->weight[i] = 1;
+  }
   for (size_t i = 0; i < count; ++i) {
     fall->touched[contacts[i].vertex.index] += 1;
+    fall->weight[contacts[i].vertex.index] = kCarries;
   }
 }
 

@@ -17,7 +17,7 @@ typedef struct demo_fall {
   dsw_body_id body;
   demo_surface *surface;              /* its points follow the body */
   double *shape, *velocity, *targets; /* where the vertices were at rest; how fast they are; where they should go */
-  double *touched;                    /* contacts of each vertex */
+  double *touched, *weight;           /* contacts of each vertex; how much it counts for the shape */
   double rotation[4];                 /* of the shape, a quaternion x, y, z, w */
   size_t cells, impassable;
   int still_free; /* created again where it ended, at its level */
