@@ -11,7 +11,7 @@
 
 enum { kWide = 10, kHigh = 8, kTurns = 4, kKeptSteps = 1 };
 
-static const double kGravity = 9.81, kStep = 1.0 / 60, kDamping = 0.995, kStiffness = 0.35, kSize = 6.0, kCarries = 100;
+static const double kGravity = 9.81, kStep = 1.0 / 60, kDamping = 0.995, kStiffness = 0.35, kSize = 6.0, kCarries = 40;
 
 /* Cubes of side 1; pyramid k of a cube has its tip in the middle and as base the cube's face k: z0, z1, y0, x1, y1, x0. */
 static dsw_environment *create_pyramids(dsw_context *context, size_t *cells) {
@@ -59,10 +59,9 @@ static dsw_environment *create_pyramids(dsw_context *context, size_t *cells) {
 
 /* The floor is a bed of spikes; a few cubes, roofs and a post stand on it. */
 static size_t mark_obstacles(dsw_environment *environment) {
-  static const int kCubes[][3] = {{2, 2, 0}, {2, 2, 1}, {7, 4, 0}, {7, 4, 1},
-                                  {7, 5, 0}, {4, 7, 0}, {4, 7, 1}, {5, 7, 0}};
-  static const int kRoofs[][3] = {{2, 2, 2}, {7, 4, 2}, {7, 5, 1}, {4, 7, 2}, {5, 7, 1}, {5, 4, 1}};
-  dsw_volume_id marked[kWide * kWide + 6 * 8 + 6];
+  static const int kCubes[][3] = {{2, 2, 0}, {7, 4, 0}, {7, 5, 0}, {4, 7, 0}, {4, 7, 1}, {5, 7, 0}};
+  static const int kRoofs[][3] = {{2, 2, 1}, {7, 4, 1}, {7, 5, 1}, {4, 7, 2}, {5, 7, 1}, {5, 4, 1}};
+  dsw_volume_id marked[kWide * kWide + 6 * 6 + 6];
   size_t count = 0;
   for (uint32_t i = 0; i < kWide * kWide; ++i) {
     require(dsw_environment_get_volume(environment, 6 * i, &marked[count++]), "marking the floor", kFailed);

@@ -16,9 +16,9 @@ dsw_body_desc defaults() noexcept {
 }
 
 dsw::Skipping to_skipping(uint32_t flags, double share) {
-  capi::check_flags(flags,
-                    DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_SKIP_BY_MOTION,
-                    "desc->flags");
+  capi::check_flags(
+      flags, DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_SKIP_BY_MOTION,
+      "desc->flags");
   if (!(share >= 0) || !std::isfinite(share)) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->motion_share is %g, must be finite and not negative", share);
   }

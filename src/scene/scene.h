@@ -7,10 +7,10 @@
 #include <cstdint>
 
 #include "base/parallel.h"
+#include "base/points.h"
 #include "base/slot_pool.h"
 #include "environment/environment.h"
 #include "motion/move.h"
-#include "base/points.h"
 #include "scene/bodies.h"
 #include "scene/report.h"
 
