@@ -59,9 +59,9 @@ static dsw_environment *create_pyramids(dsw_context *context, size_t *cells) {
 
 /* The floor is a bed of spikes; a few cubes, roofs and a post stand on it. */
 static size_t mark_obstacles(dsw_environment *environment) {
-  static const int kCubes[][3] = {{2, 2, 0}, {7, 4, 0}, {7, 5, 0}, {4, 7, 0}, {4, 7, 1}, {5, 7, 0}};
+  static const int kCubes[][3] = {{2, 2, 0}, {7, 4, 0}, {7, 5, 0}, {4, 7, 0}, {4, 7, 1}, {5, 7, 0}, {5, 4, 0}};
   static const int kRoofs[][3] = {{2, 2, 1}, {7, 4, 1}, {7, 5, 1}, {4, 7, 2}, {5, 7, 1}, {5, 4, 1}};
-  dsw_volume_id marked[kWide * kWide + 6 * 6 + 6];
+  dsw_volume_id marked[kWide * kWide + 6 * 7 + 6];
   size_t count = 0;
   for (uint32_t i = 0; i < kWide * kWide; ++i) {
     require(dsw_environment_get_volume(environment, 6 * i, &marked[count++]), "marking the floor", kFailed);
@@ -153,7 +153,8 @@ static void match_rotation(double *rotation, double a[3][3]) {
   for (int turn = 0; turn < kTurns; ++turn) {
     double r[3][3], axis[3] = {0, 0, 0}, size = 1e-9, q[4], old[4], length = 0;
     for (int j = 0; j < 3; ++j) {
-      double e[3] = {j == 0, j == 1, j == 2};
+      double e[3] = {0, 0, 0};
+      e[j] = 1;
       rotate(rotation, e, r[j]);
       axis[0] += r[j][1] * a[j][2] - r[j][2] * a[j][1];
       axis[1] += r[j][2] * a[j][0] - r[j][0] * a[j][2];
