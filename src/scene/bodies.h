@@ -14,7 +14,8 @@ struct BodyRecord {
   /** The obstacle that last stopped a vertex, to tell lasting contacts from new ones. */
   struct Stop {
     uint64_t obstacle = 0;
-    uint32_t move = 0;  // its number; 0: none yet
+    uint32_t move = 0;        // its number; 0: none yet
+    uint32_t generation = 0;  // of the vertex: another one may have its index by now
     bool lasted = false;
   };
 

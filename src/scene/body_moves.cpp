@@ -15,10 +15,10 @@ void tell_history(BodyRecord& of) noexcept {
   for (dsw_contact& contact : of.record.contacts) {
     BodyRecord::Stop& stop = of.stops[contact.vertex.index];
     const uint64_t obstacle = obstacle_key(contact);
-    const bool same = stop.obstacle == obstacle && stop.move != 0;
+    const bool same = stop.obstacle == obstacle && stop.move != 0 && stop.generation == contact.vertex.generation;
     const bool lasts = same && (stop.move == of.moves ? stop.lasted : stop.move + 1 == of.moves);
     contact.history = lasts ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW;
-    stop = {obstacle, of.moves, lasts};
+    stop = {obstacle, of.moves, contact.vertex.generation, lasts};
   }
 }
 

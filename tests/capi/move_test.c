@@ -144,6 +144,24 @@ static void a_contact_says_everything(void) {
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 
+/* A vertex that got the index of another has no history. */
+static void a_new_vertex_has_no_history(void) {
+  const double from[3] = {0.5, 0.5, 0.5}, down[3] = {0.5, 0.5, -1};
+  const dsw_body_id body = make_line(from, 1, DSW_LEVEL_FACES);
+  const dsw_contact *c = NULL;
+  dsw_body_vertex_id v = {0, 1};
+  move(body, down, 1, NULL);
+  CHECK(contacts_of(body, &c) == 1 && c->history == DSW_HISTORY_NEW);
+  CHECK_OK(dsw_body_remove_vertex(g_scene, body, v));
+  CHECK_OK(dsw_body_add_vertex(g_scene, body, from, no_volume, &v));
+  CHECK(v.index == 0 && v.generation == 2);
+  move(body, down, 1, NULL);
+  CHECK(contacts_of(body, &c) == 1 && c->vertex.generation == 2 && c->history == DSW_HISTORY_NEW);
+  move(body, down, 1, NULL);
+  CHECK(contacts_of(body, &c) == 1 && c->history == DSW_HISTORY_LASTING);
+  CHECK_OK(dsw_body_destroy(g_scene, body));
+}
+
 static void a_vertex_stops_or_slides(void) {
   const double from[3] = {1.5, 1.25, 1.5}, to[3] = {2.5, 1.75, 1.5};
   const dsw_contact *c = NULL;
@@ -387,6 +405,7 @@ int main(void) {
   init_writes_the_defaults();
   a_free_move_arrives();
   a_contact_says_everything();
+  a_new_vertex_has_no_history();
   a_vertex_stops_or_slides();
   responses_insert_vertices();
   searches_agree();
