@@ -162,6 +162,26 @@ static void a_new_vertex_has_no_history(void) {
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 
+/* Sliding into a corner, a vertex is stopped by two walls in each move: both last. */
+static void every_obstacle_has_its_history(void) {
+  const double from[3] = {3.5, 3.25, 1.5}, corner[3] = {5, 5, 1.5};
+  const dsw_body_id body = make_line(from, 1, DSW_LEVEL_FACES);
+  const dsw_contact *c = NULL;
+  dsw_move_options o = options();
+  size_t count, i;
+  int turn;
+  o.vertex_response = DSW_RESPONSE_SLIDE;
+  for (turn = 0; turn < 3; ++turn) {
+    move(body, corner, 1, &o);
+    count = contacts_of(body, &c);
+    CHECK(count >= 2);
+    for (i = 0; i < count; ++i) {
+      CHECK(c[i].history == (turn == 0 ? DSW_HISTORY_NEW : DSW_HISTORY_LASTING));
+    }
+  }
+  CHECK_OK(dsw_body_destroy(g_scene, body));
+}
+
 static void a_vertex_stops_or_slides(void) {
   const double from[3] = {1.5, 1.25, 1.5}, to[3] = {2.5, 1.75, 1.5};
   const dsw_contact *c = NULL;
@@ -406,6 +426,7 @@ int main(void) {
   a_free_move_arrives();
   a_contact_says_everything();
   a_new_vertex_has_no_history();
+  every_obstacle_has_its_history();
   a_vertex_stops_or_slides();
   responses_insert_vertices();
   searches_agree();
