@@ -121,9 +121,9 @@ def draw_vessel(folder, title, rows):
     number = lambda key, i: f"{int(rows[key][i]):,}"
     text(plot, f"cloud: {number('casts', 0)} casts, {number('contacts', 0)} contacts, "
          f"verified free: {rows['verified free'][0]}", 28, HEIGHT - 76)
-    text(plot, f"catheter, static: {number('contacts of bodies', 0)} contacts (orange); adaptive: "
-         f"{number('contacts of bodies', 1)} contacts, {number('vertices inserted', 1)} vertices inserted (blue, yellow)",
-         28, HEIGHT - 98)
+    touches, inserted = [number("contacts of bodies", i) for i in (0, 1)], number("vertices inserted", 1)
+    text(plot, f"catheter, static: {touches[0]} contacts (orange); adaptive: {touches[1]} contacts, {inserted} vertices "
+         "inserted (blue, yellow)", 28, HEIGHT - 98)
     text(plot, "normals of the last contacts of the adaptive one (green)", 28, 24)
     save(plot, os.path.join(folder, "demo.png"), middle, towards, up, 4 * size, scale)
 
@@ -146,9 +146,10 @@ def draw_surface(folder, rows):
     plot.add_scalar_bar("contacts of a vertex", mapper=skin.mapper, title_font_size=15, label_font_size=14, color=INK,
                         n_labels=3, fmt="%.0f", width=0.24, height=0.06, position_x=0.73, position_y=0.03)
     number = lambda key: f"{int(rows[key][-1]):,}"
-    text(plot, f"A closed surface of {number('vertices at the end')} vertices on pyramids, level FACES", 28, HEIGHT - 46,
-         13)
-    text(plot, f"{number('contacts of bodies')} contacts in {rows['steps'][-1]} steps, {float(rows['ms per step'][-1]):.3g} ms a step, "
+    text(plot, f"A closed surface of {number('vertices at the end')} vertices on pyramids, level FACES", 28,
+         HEIGHT - 46, 13)
+    time = f"{float(rows['ms per step'][-1]):.3g} ms a step"
+    text(plot, f"{number('contacts of bodies')} contacts in {rows['steps'][-1]} steps, {time}, "
          f"verified free: {rows['bodies verified free'][-1]}; normals of the last step (green)", 28, HEIGHT - 76)
     towards = np.array([0.42, -0.80, 0.40])
     middle = (low + high) / 2 + np.array([0, 0, 0.03 * size])

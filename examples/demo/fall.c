@@ -13,7 +13,7 @@ enum { kWide = 10, kHigh = 8, kTurns = 4, kKeptSteps = 1 };
 
 static const double kGravity = 9.81, kStep = 1.0 / 60, kDamping = 0.995, kStiffness = 0.35, kSize = 6.0, kCarries = 40;
 
-/* Cubes of side 1; pyramid k of a cube has its tip in the middle and as base the cube's face k: z0, z1, y0, x1, y1, x0. */
+/* Cubes of side 1; pyramid k of a cube has its tip in the middle, and as base the face k: z0, z1, y0, x1, y1, x0. */
 static dsw_environment *create_pyramids(dsw_context *context, size_t *cells) {
   static const int kCorners[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                      {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
@@ -100,7 +100,7 @@ static dsw_status create_body(const demo_fall *fall, dsw_scene *scene, dsw_body_
 }
 
 void fall_create(demo_fall *fall, dsw_context *context, demo_surface *surface) {
-  const double middle[3] = {0.5 * kWide, 0.5 * kWide, kHigh - 2.0};
+  const double middle[3] = {kWide / 2, kWide / 2, kHigh - 2};
   dsw_scene_desc desc;
   size_t n = surface->point_count;
   memset(fall, 0, sizeof *fall);

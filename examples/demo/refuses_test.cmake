@@ -22,4 +22,5 @@ file(WRITE ${OUT}/not_a_surface.obj "v 0 0 0\nv 1 0 0\nf 1 2 9\n")
 file(WRITE ${OUT}/open_edge.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 1 5\n")
 expect_refusal("cannot open surface file" --surface ${OUT}/there-is-none.obj)
 expect_refusal("not a Wavefront" --surface ${OUT}/not_a_surface.obj)
-expect_refusal("surface cannot be used: DSW_STATUS_" --spacing 2.5 --particles 10 --steps 2 --surface ${OUT}/open_edge.obj)
+expect_refusal("surface cannot be used: DSW_STATUS_"
+  --spacing 2.5 --particles 10 --steps 2 --surface ${OUT}/open_edge.obj)

@@ -22,7 +22,7 @@ int surface_read(const char *path, demo_surface *surface);
 /* Makes a ring with dents, `around` x `across` vertices, two triangles for each. */
 void surface_make_ring(size_t around, size_t across, demo_surface *surface);
 
-/* Turns and moves it so that its longest extent is along x, its shortest along z, its size `size`, its middle at `middle`. */
+/* Turns and moves it so that its longest extent, now `size`, is along x, its shortest along z, its middle at `middle`. */
 void surface_place(demo_surface *surface, double size, const double *middle);
 
 void surface_free(demo_surface *surface);
