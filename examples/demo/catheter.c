@@ -175,7 +175,7 @@ void catheter_run(demo_catheter *c, dsw_environment *environment, const demo_flo
   memset(c, 0, sizeof *c);
   figures_create(&c->figures, name);
   require(dsw_scene_create(environment, NULL, &c->scene), "creating a scene", kFailed);
-  c->link = 3.0 * flow->radius;
+  c->link = 3.0 * flow->radius > flow->length / 60 ? 3.0 * flow->radius : flow->length / 60;
   c->whole = flow->length;
   create_catheter(c, flow);
   read_places(c);
@@ -189,6 +189,9 @@ void catheter_run(demo_catheter *c, dsw_environment *environment, const demo_flo
     dsw_body_counts counts;
     dsw_move_report report;
     counts.struct_size = sizeof counts;
+    if (c->count > kMostLinks / 2) { /* so many obstacles that it had better stop */
+      options.edge_response = DSW_RESPONSE_STOP;
+    }
     find_targets(c, flow->guide + 3 * (size_t)slot_of_tip(c, flow), reach, q);
     for (size_t i = 0; i < c->count; ++i) {
       memcpy(targets + 3 * (size_t)c->vertex[i].index, q + 3 * i, 3 * sizeof(double));

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-enum { kMostLinks = 400 };
+enum { kMostLinks = 1000 };
 
 typedef struct demo_catheter {
   body_figures figures;
