@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# The main job, first form: examples/demo.sh [MESH]
+# The main job: examples/demo.sh [MESH [SURFACE]]
 #
 # Installs what is missing (Debian 12, as root), builds the library and the demo, drives a cloud of 10,000 particles and
-# a chain of 20 through the lumen of MESH (.msh, .vtk or .vtu, also gzipped), or of the embedded vessel, and leaves a
-# table, a picture and .vtu files in build/demo/. Exit code 2: the mesh or an option can't be used; 1: anything else.
+# catheters through the lumen of MESH (.msh, .vtk or .vtu, also gzipped), or of the embedded vessel, and lets SURFACE
+# (.obj, closed, triangles) fall among pyramids; without it $DARTSWEEP_DATA/surfaces/hand_12k.obj if there is one, else a
+# ring. Leaves tables, pictures and .vtu files in build/demo/. Exit code 2: a file or an option can't be used; 1: anything
+# else.
 set -euo pipefail
 
 usage() {
-  sed -n '2,6s/^# \{0,1\}//p' "$0"
+  sed -n '2,8s/^# \{0,1\}//p' "$0"
   exit "$1"
 }
 fail() {
@@ -15,16 +17,21 @@ fail() {
   exit "$1"
 }
 
-[ $# -le 1 ] || usage 2 >&2
+[ $# -le 2 ] || usage 2 >&2
 case "${1:-}" in
   -h | --help) usage 0 ;;
   -*) usage 2 >&2 ;;
 esac
 mesh=""
-if [ $# -eq 1 ]; then
+if [ $# -ge 1 ] && [ -n "$1" ]; then
   [ -f "$1" ] || fail 2 "cannot open mesh file '$1'"
   mesh=$(realpath "$1")
 fi
+surface=${2:-}
+[ -z "$surface" ] || [ -f "$surface" ] || fail 2 "cannot open surface file '$surface'"
+hand=${DARTSWEEP_DATA:-/nowhere}/surfaces/hand_12k.obj
+[ -n "$surface" ] || [ ! -f "$hand" ] || surface=$hand
+[ -z "$surface" ] || surface=$(realpath "$surface")
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 source=$root/examples/demo
@@ -78,7 +85,7 @@ quietly "configuring" \
   cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON
 quietly "building" cmake --build "$tree" --target example_demo
 
-rm -f "$out"/demo.png "$out"/*.vtu "$out"/summary.txt
+rm -f "$out"/*.png "$out"/*.vtu "$out"/*.csv "$out"/summary.txt
 if [ -n "$mesh" ]; then
   "$venv/bin/python" "$source/read_mesh.py" "$mesh" "$out/mesh.bin"
   input=(--mesh "$out/mesh.bin")
@@ -87,11 +94,12 @@ else
   input=()
   title="a branching vessel"
 fi
-"$tree/examples/dartsweep_demo" "${input[@]}" --out "$out" | tee "$out/summary.txt"
-"$venv/bin/python" "$source/draw.py" "$out" "Dartsweep: a cloud and a chain in $title"
+[ -z "$surface" ] || input+=(--surface "$surface")
+"$tree/examples/dartsweep_demo" "${input[@]}" --threads "$(nproc)" --out "$out" | tee "$out/summary.txt"
+"$venv/bin/python" "$source/draw.py" "$out" "Dartsweep: a cloud and catheters in $title"
 rm -f "$out/mesh.bin"
 
 echo
-echo "  table    $out/summary.txt"
-echo "  picture  $out/demo.png"
-echo "  ParaView $out/demo.vtu (cloud), chain.vtu, wall.vtu, outer.vtu, contacts.vtu"
+echo "  tables   $out/summary.txt, steps.csv (every step of the bodies)"
+echo "  pictures $out/demo.png, surface.png"
+echo "  ParaView $out/demo.vtu (cloud), catheter_*.vtu, surface.vtu, wall.vtu, outer.vtu, obstacles.vtu, *contacts.vtu"

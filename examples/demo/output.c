@@ -1,6 +1,5 @@
 #include "output.h"
 
-#include <stdio.h>
 #include <string.h>
 
 static void write_values(FILE *file, const char *name, const double *values, size_t count, int components) {
@@ -30,12 +29,11 @@ static void write_cells(FILE *file, const uint32_t *cells, size_t size, size_t c
   fputs("</DataArray>\n</Cells>\n", file);
 }
 
-int vtu_write(const char *directory, const char *name, const double *points, size_t point_count, const uint32_t *cells,
-              size_t cell_points, size_t cell_count, const vtu_field *fields, size_t field_count) {
+FILE *output_open(const char *directory, const char *name) {
   char path[1024];
   if (strlen(directory) + strlen(name) + 2 > sizeof path) {
     fprintf(stderr, "demo: output folder '%.60s...' has too long a name\n", directory);
-    return 2;
+    return NULL;
   }
   strcpy(path, directory);
   strcat(path, "/");
@@ -43,6 +41,14 @@ int vtu_write(const char *directory, const char *name, const double *points, siz
   FILE *file = fopen(path, "w");
   if (file == NULL) {
     fprintf(stderr, "demo: cannot write '%s'\n", path);
+  }
+  return file;
+}
+
+int vtu_write(const char *directory, const char *name, const double *points, size_t point_count, const uint32_t *cells,
+              size_t cell_points, size_t cell_count, const vtu_field *fields, size_t field_count) {
+  FILE *file = output_open(directory, name);
+  if (file == NULL) {
     return 2;
   }
   if (cell_points == 0) {
@@ -66,7 +72,7 @@ int vtu_write(const char *directory, const char *name, const double *points, siz
   int failed = ferror(file);
   failed = fclose(file) != 0 || failed;
   if (failed) {
-    fprintf(stderr, "demo: writing '%s' failed: is the disk full?\n", path);
+    fprintf(stderr, "demo: writing '%s' failed: is the disk full?\n", name);
   }
   return failed ? 2 : 0;
 }

@@ -4,10 +4,14 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Opens a file of a folder for writing; null, and why on stderr, if that fails. */
+FILE *output_open(const char *directory, const char *name);
 
 /* Values at the points: `components` doubles each. */
 typedef struct vtu_field {

@@ -18,7 +18,7 @@ void require(dsw_status status, const char *what, int exit_code) {
   }
 }
 
-static double seconds(void) {
+double seconds_now(void) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
@@ -75,46 +75,12 @@ static void place_cloud(demo_run *run) {
   }
 }
 
-/* The chain lies on the first part of the way to the farthest end. */
-static void place_chain(demo_run *run) {
-  const demo_flow *flow = &run->flow;
-  double total = flow->from_inlet[flow->path[flow->path_count - 1]], at = 0;
-  run->rest = 0.3 * total / (kChain - 1);
-  run->rest = run->rest < 1.5 * flow->radius ? run->rest : 1.5 * flow->radius;
-  for (size_t i = 0, piece = 0; i < kChain; ++i) {
-    double *p = run->position + 3 * (run->cloud + i), length = 0;
-    const double *a = NULL, *b = NULL;
-    for (;; ++piece, at += length) {
-      a = flow->centre + 3 * (size_t)flow->path[piece];
-      b = flow->centre + 3 * (size_t)flow->path[piece + 1 < flow->path_count ? piece + 1 : piece];
-      length = distance(a, b);
-      if (at + length >= (double)i * run->rest || piece + 2 >= flow->path_count) {
-        break;
-      }
-    }
-    double t = length > 0 ? ((double)i * run->rest - at) / length : 0;
-    t = t < 0 ? 0 : (t > 1 ? 1 : t);
-    dsw_volume_id *volume = run->volume + run->cloud + i;
-    dsw_place place = DSW_PLACE_NONE;
-    for (size_t k = 0; k < 3; ++k) {
-      p[k] = a[k] + t * (b[k] - a[k]);
-    }
-    require(dsw_environment_locate(run->environment, p, flow->volumes[flow->path[piece]], volume, &place),
-            "placing the chain", kFailed);
-    /* Between two centres the way may leave the lumen; a centre never does. */
-    if (place != DSW_PLACE_PASSABLE || flow->slot_of[volume->index] == kNoSlot) {
-      memcpy(p, a, 3 * sizeof(double));
-      *volume = flow->volumes[flow->path[piece]];
-    }
-  }
-}
-
 static void record(demo_run *run, size_t i, int last_steps) {
   const dsw_flight *flight = run->flight + i;
   if (flight->outcome == DSW_OUTCOME_CONTACT) {
     run->contacts[i] += 1;
     memcpy(run->last_normal + 3 * i, flight->normal, sizeof flight->normal);
-    if (last_steps && i < run->cloud && run->touch_count < run->touch_capacity) {
+    if (last_steps && run->touch_count < run->touch_capacity) {
       memcpy(run->touch + 3 * run->touch_count, flight->position, sizeof flight->position);
       memcpy(run->touch_normal + 3 * run->touch_count++, flight->normal, sizeof flight->normal);
     }
@@ -146,70 +112,38 @@ static void move_cloud(demo_run *run, uint32_t step, double reach) {
     }
     slide(run, i);
   }
-  double start = seconds();
+  double start = seconds_now();
   require(dsw_scene_move_particles(run->scene, run->ids, run->cloud, run->target, 0, NULL, run->flight),
           "moving the cloud", kFailed);
-  run->move_seconds += seconds() - start;
-}
-
-/* The tip follows the guide and tows the others; it waits for one that is caught. One that has just met a wall goes
- * along it. */
-static void move_chain(demo_run *run, double reach) {
-  dsw_flight edges[kChain - 1];
-  double ends[3 * (kChain - 1)];
-  const size_t first = run->cloud, tip = run->count - 1;
-  for (size_t i = tip + 1; i-- > first;) {
-    const double *p = run->position + 3 * i, *next = run->moved + 3 * (i + 1);
-    const double *guide = run->flow.guide + 3 * (size_t)run->flow.slot_of[run->volume[i].index];
-    double *q = run->target + 3 * i;
-    double slack = i < tip ? distance(p, next) / run->rest : 1;
-    int waits = i > first && distance(p, p - 3) > 1.2 * run->rest;
-    for (size_t k = 0; k < 3; ++k) {
-      q[k] = p[k] + (slack > 0.9 && !waits ? reach * guide[k] : 0);
-    }
-    double length = i < tip && !waits ? distance(q, next) : 0;
-    for (size_t k = 0; length > run->rest && k < 3; ++k) {
-      q[k] = next[k] + (q[k] - next[k]) * run->rest / length;
-    }
-    slide(run, i);
-    require(dsw_particle_move(run->scene, run->ids[i], q, NULL, run->flight + i), "moving the chain", kFailed);
-    record(run, i, 0);
-  }
-  memcpy(ends, run->moved + 3 * (first + 1), sizeof ends);
-  require(dsw_scene_cast_from_particles(run->scene, run->ids + first, kChain - 1, ends, 0, NULL, edges),
-          "casting the links of the chain", kFailed);
-  run->edge_casts += kChain - 1;
-  for (size_t i = 0; i + 1 < kChain; ++i) {
-    run->edge_contacts += edges[i].outcome == DSW_OUTCOME_CONTACT;
-  }
+  run->move_seconds += seconds_now() - start;
 }
 
 /* Casts every move of this step again, without the particles: it must be free and end in the volume reported. */
 static void prove_moves(demo_run *run) {
-  require(dsw_environment_cast_segments(run->environment, run->count, run->volume, run->position, run->moved, 0, NULL,
+  require(dsw_environment_cast_segments(run->environment, run->cloud, run->volume, run->position, run->moved, 0, NULL,
                                         run->proof),
           "proving the moves", kFailed);
-  for (size_t i = 0; i < run->count; ++i) {
+  for (size_t i = 0; i < run->cloud; ++i) {
     run->wrong_moves += run->proof[i].outcome != DSW_OUTCOME_REACHED ||
                         run->proof[i].volume.index != run->flight[i].volume.index ||
                         run->proof[i].volume.generation != run->flight[i].volume.generation;
     run->volume[i] = run->flight[i].volume;
   }
-  memcpy(run->position, run->moved, 3 * run->count * sizeof(double));
+  memcpy(run->position, run->moved, 3 * run->cloud * sizeof(double));
 }
 
 /* Locates every particle anew, without a hint: in the lumen, in the volume that its particle says. */
 static void prove_places(demo_run *run) {
-  dsw_volume_id *found = (dsw_volume_id *)demo_allocate(run->count, sizeof(dsw_volume_id));
-  dsw_place *places = (dsw_place *)demo_allocate(run->count, sizeof(dsw_place));
-  for (size_t i = 0; i < run->count; ++i) {
+  dsw_volume_id *found = (dsw_volume_id *)demo_allocate(run->cloud, sizeof(dsw_volume_id));
+  dsw_place *places = (dsw_place *)demo_allocate(run->cloud, sizeof(dsw_place));
+  for (size_t i = 0; i < run->cloud; ++i) {
     require(dsw_particle_get(run->scene, run->ids[i], run->position + 3 * i, run->volume + i), "reading a particle",
             kFailed);
     run->wrong_moves += memcmp(run->position + 3 * i, run->moved + 3 * i, 3 * sizeof(double)) != 0;
   }
-  require(dsw_environment_locate_points(run->environment, run->position, run->count, 0, NULL, found, places),
+  require(dsw_environment_locate_points(run->environment, run->position, run->cloud, 0, NULL, found, places),
           "proving the places", kFailed);
-  for (size_t i = 0; i < run->count; ++i) {
+  for (size_t i = 0; i < run->cloud; ++i) {
     run->wrong_places += places[i] != DSW_PLACE_PASSABLE || found[i].index != run->volume[i].index ||
                          found[i].generation != run->volume[i].generation ||
                          run->flow.slot_of[found[i].index] == kNoSlot;
@@ -220,11 +154,10 @@ static void prove_places(demo_run *run) {
 
 void create_run(demo_run *run, dsw_environment *environment, const demo_mesh *mesh, size_t cloud) {
   dsw_scene_desc desc;
-  size_t n = cloud + kChain, offender = 0;
+  size_t n = cloud, offender = 0;
   memset(run, 0, sizeof *run);
   run->environment = environment;
   run->cloud = cloud;
-  run->count = n;
   require(flow_create(environment, mesh, &run->flow), "finding the way through the lumen", kFailed);
   if (run->flow.count < 2) {
     fprintf(stderr, "demo: the lumen has fewer than two volumes; nothing can flow\n");
@@ -245,7 +178,6 @@ void create_run(demo_run *run, dsw_environment *environment, const demo_mesh *me
   run->touch = run->contacts + n;
   run->touch_normal = run->touch + 3 * run->touch_capacity;
   place_cloud(run);
-  place_chain(run);
   dsw_scene_desc_init(&desc, sizeof desc);
   desc.features = DSW_FEATURE_STATISTICS;
   require(dsw_scene_create(environment, &desc, &run->scene), "creating the scene", kFailed);
@@ -268,13 +200,11 @@ void destroy_run(demo_run *run) {
 
 void drive(demo_run *run, size_t steps) {
   double reach = 0.8 * run->flow.length / (double)steps;
-  double chain_reach = 0.4 * run->flow.length / (double)steps;
   for (size_t step = 0; step < steps; ++step) {
     move_cloud(run, (uint32_t)step, reach);
     for (size_t i = 0; i < run->cloud; ++i) {
       record(run, i, step + kContactSteps >= steps);
     }
-    move_chain(run, chain_reach);
     prove_moves(run);
     show_progress(step + 1, steps);
   }

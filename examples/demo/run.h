@@ -1,4 +1,4 @@
-/* What moves: a cloud and a chain, how they move, and the proof that they went through nothing. */
+/* The cloud: how it moves, and the proof that it went through nothing. */
 #ifndef DARTSWEEP_DEMO_RUN_H
 #define DARTSWEEP_DEMO_RUN_H
 
@@ -11,29 +11,30 @@
 extern "C" {
 #endif
 
-enum { kChain = 20, kFailed = 1, kBadInput = 2 };
+enum { kFailed = 1, kBadInput = 2 };
 
-/* What moves: the cloud first, then the chain, its tip last. */
 typedef struct demo_run {
   dsw_environment *environment;
   dsw_scene *scene;
   demo_flow flow;
-  size_t cloud, count;
+  size_t cloud; /* how many */
   dsw_particle_id *ids;
   double *position, *target, *moved, *last_normal, *contacts; /* contacts: how many, as doubles for the files */
   double *touch, *touch_normal;                               /* contacts of the last steps */
   size_t touch_count, touch_capacity;
   dsw_flight *flight, *proof;
   dsw_volume_id *volume;
-  double rest; /* length of a link of the chain */
-  size_t edge_casts, edge_contacts, wrong_moves, wrong_places;
+  size_t wrong_moves, wrong_places;
   double move_seconds;
 } demo_run;
 
 /* Ends the program with the library's message unless `status` is OK. */
 void require(dsw_status status, const char *what, int exit_code);
 
-/* Places cloud and chain in the lumen and creates their particles. The environment must outlive the run. */
+/* Seconds of a clock that never goes back. */
+double seconds_now(void);
+
+/* Places the cloud in the lumen and creates its particles. The environment must outlive the run. */
 void create_run(demo_run *run, dsw_environment *environment, const demo_mesh *mesh, size_t cloud);
 void destroy_run(demo_run *run);
 

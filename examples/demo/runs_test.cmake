@@ -1,16 +1,22 @@
 # The main job on a small vessel: exit code 0, its own proof, its files, and the same bits on one thread and on two.
-set(files demo.vtu chain.vtu contacts.vtu wall.vtu outer.vtu)
+set(files demo.vtu contacts.vtu wall.vtu outer.vtu catheter_static.vtu catheter_adaptive.vtu catheter_slide.vtu
+    catheter_adaptive_contacts.vtu surface.vtu obstacles.vtu)
 foreach(threads IN ITEMS 1 2)
   set(out ${OUT}/${threads})
   file(REMOVE_RECURSE ${out})
   file(MAKE_DIRECTORY ${out})
-  execute_process(COMMAND ${DEMO} --spacing 2.5 --particles 1000 --steps 40 --threads ${threads} --out ${out}
+  execute_process(COMMAND ${DEMO} --spacing 2.5 --particles 1000 --steps 40 --fall-steps 3
+      --threads ${threads} --out ${out}
     RESULT_VARIABLE code OUTPUT_VARIABLE table ERROR_VARIABLE message)
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "exit code ${code}: ${message}${table}")
   endif()
   if(NOT table MATCHES "verified free +yes" OR NOT table MATCHES "\n  contacts +[1-9]")
     message(FATAL_ERROR "not proven, or nothing was met: ${table}")
+  endif()
+  if(NOT table MATCHES "\n  bodies verified free +yes +yes +yes +yes" OR
+     NOT table MATCHES "\n  contacts of bodies +[1-9]")
+    message(FATAL_ERROR "bodies not proven, or nothing was met: ${table}")
   endif()
   foreach(file IN LISTS files)
     file(SIZE ${out}/${file} size)

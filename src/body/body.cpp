@@ -104,6 +104,21 @@ FaceDefect face_defect(const Body& body, uint32_t a, uint32_t b, uint32_t c) noe
   return FaceDefect::kFine;
 }
 
+bool starts_fan(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
+  const uint32_t corners[3] = {a, b, c};
+  const auto has_face = [&](uint32_t from, uint32_t to) {
+    const uint32_t e = find_edge(body, from, to);
+    return e != kNone && (body.edges[e].faces[0] != kNone || body.edges[e].faces[1] != kNone);
+  };
+  for (int k = 0; k < 3; ++k) {
+    const uint32_t v = corners[k];
+    bool bare = true;
+    for_each_face(body, v, [&](uint32_t) { return bare = false; });
+    if (!bare && !has_face(v, corners[(k + 1) % 3]) && !has_face(v, corners[(k + 2) % 3])) return true;
+  }
+  return false;
+}
+
 bool is_one_fan(const Body& body, uint32_t vertex) noexcept {
   uint32_t count = 0, start = kNone;
   for_each_face(body, vertex, [&](uint32_t f) {

@@ -122,6 +122,8 @@ uint32_t find_face(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcep
 enum class FaceDefect { kFine, kRepeated, kThirdFace, kTurned };
 /** Corners are distinct living vertices. */
 FaceDefect face_defect(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+/** Whether a triangle would touch those at one of its corners in the vertex alone. */
+bool starts_fan(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
 /** Whether the triangles at a vertex form at most one fan. */
 bool is_one_fan(const Body& body, uint32_t vertex) noexcept;
 

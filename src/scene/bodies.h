@@ -1,6 +1,8 @@
 #pragma once
 // The bodies of a scene: their creation, changes and moves. Functions that throw do so before they change anything.
 
+#include <tuple>
+
 #include "base/points.h"
 #include "response/body_move.h"
 
@@ -11,17 +13,19 @@ struct Scene;
 
 /** A body with what its last move left. */
 struct BodyRecord {
-  /** The obstacle that last stopped a vertex, to tell lasting contacts from new ones. */
+  /** What stopped a vertex in the move before, to tell lasting contacts from new ones. */
   struct Stop {
-    uint64_t obstacle = 0;
-    uint32_t move = 0;  // its number; 0: none yet
-    bool lasted = false;
+    uint64_t obstacle;
+    uint32_t vertex, generation;
+
+    bool operator<(const Stop& other) const {
+      return std::tie(vertex, generation, obstacle) < std::tie(other.vertex, other.generation, other.obstacle);
+    }
   };
 
   Body body;
   MoveRecord record;
-  Array<Stop> stops;  // by vertex
-  uint32_t moves = 0;
+  Array<Stop> stops;  // sorted
 
   explicit BodyRecord(const Memory* memory) : body(memory), record(memory), stops(Allocator<Stop>(memory)) {}
   uint64_t memory_bytes() const {

@@ -1,5 +1,6 @@
 // Moves of bodies of a scene: one, one as a rigid whole, and many side by side.
 
+#include <algorithm>
 #include <atomic>
 #include <new>
 #include <utility>
@@ -10,21 +11,23 @@
 namespace dsw {
 namespace {
 
+BodyRecord::Stop to_stop(const dsw_contact& contact) noexcept {
+  return {obstacle_key(contact), contact.vertex.index, contact.vertex.generation};
+}
+
 /** Contacts of vertices that the same obstacle stopped in the move before are lasting ones. */
 void tell_history(BodyRecord& of) noexcept {
   for (dsw_contact& contact : of.record.contacts) {
-    BodyRecord::Stop& stop = of.stops[contact.vertex.index];
-    const uint64_t obstacle = obstacle_key(contact);
-    const bool same = stop.obstacle == obstacle && stop.move != 0;
-    const bool lasts = same && (stop.move == of.moves ? stop.lasted : stop.move + 1 == of.moves);
+    const bool lasts = std::binary_search(of.stops.begin(), of.stops.end(), to_stop(contact));
     contact.history = lasts ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW;
-    stop = {obstacle, of.moves, lasts};
   }
 }
 
 void before_move(BodyRecord& of) {
-  of.stops.resize(of.body.vertices.size());
-  ++of.moves;
+  of.stops.clear();
+  of.stops.reserve(of.record.contacts.size());
+  for (const dsw_contact& contact : of.record.contacts) of.stops.push_back(to_stop(contact));
+  std::sort(of.stops.begin(), of.stops.end());
 }
 
 BodyMove& mover_of(Scene<3>& scene) {
@@ -69,7 +72,6 @@ void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count_of_bod
   size_t at = 0;
   for (size_t i = 0; i < count_of_bodies; ++i) {
     before.push_back(bodies[i]->body);
-    bodies[i]->stops.resize(bodies[i]->body.vertices.size());
     first[i] = at;
     at += bodies[i]->body.vertices.size();
   }

@@ -202,13 +202,19 @@ void StarSweep::find_all(const Body& body, uint32_t v, const double* to, Array<S
   const CastResult path = fly(env_, at.position, to, at.cell, counters);
   if (path.end == CastEnd::kHit) all.push_back(path_contact(env_, path));
   if (body.level == SweepLevel::kPoints) return;
-  for_each_edge(body, v, [&](uint32_t e) {
+  const auto collect = [&](uint32_t e) {
     flood_.sweep(EdgeMotion{at.position, to, body.position(body.edges[e].other(v))}, at.cell, 0, true);
     for (const SweepContact& each : flood_.all()) {
       if (each.event.kind != EventKind::kVertex) all.push_back({each, e, kNone});
     }
     return true;
-  });
+  };
+  if (body.level == SweepLevel::kEdges && path.end == CastEnd::kReached) {
+    find_hit_edges(body, v, to, path.cell, false);
+    std::for_each(hit_edges_.begin(), hit_edges_.end(), collect);
+  } else {
+    for_each_edge(body, v, collect);
+  }
   StarContact first;
   Cell cell;
   if (body.level == SweepLevel::kFaces && find_first(body, v, to, &first, &cell) && first.face != kNone) {

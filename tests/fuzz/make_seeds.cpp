@@ -119,6 +119,14 @@ std::vector<uint8_t> encode(const Mesh& mesh, uint8_t layout, uint8_t flags) {
                            2,    3, 3, 2, 3,    2, 1, 1, 0xff, 0, 0, 3, 1,    1, 1, 1, 3,    2, 3,  2};
   const uint8_t life[] = {2, 1, 1, 1, 7, 2, 3, 0, 2, 1, 1, 1, 0, 0x7f, 0, 3, 0, 1, 2, 2, 2, 1, 9, 3, 1, 1,
                           1, 0, 9, 9, 9, 0, 2, 2, 3, 0, 4, 2, 1, 0,    0, 1, 5, 1, 0, 0, 1, 2, 0, 1, 1};
+  // A tetrahedron at FACES and a polyline, each moved, edited, turned and moved; in the mesh's first unit box.
+  const uint8_t bodies[] = {0xa0, 3, 0, 4, 1,    1, 1, 3, 1, 1, 1, 3,  1, 1, 1, 3, 0, 0,    2, 1, 0,    0, 1,
+                            3,    0, 1, 2, 3,    0, 2, 0, 3, 7, 3, 2,  1, 2, 1, 1, 1, 4,    1, 1, 1,    1, 2,
+                            3,    1, 1, 4, 3,    1, 0, 1, 0, 1, 2, 0,  6, 4, 0, 0, 0, 1,    1, 2, 2,    2, 1,
+                            0,    0, 2, 1, 6,    1, 1, 1, 2, 2, 2, 1,  3, 3, 1, 1, 3, 0xa1, 2, 2, 0,    1, 1,
+                            1,    2, 1, 2, 3,    3, 1, 0, 1, 1, 2, 15, 2, 2, 1, 6, 1, 1,    1, 6, 2,    2, 1,
+                            6,    3, 3, 2, 0x10, 0, 2, 1, 1, 1, 1, 1,  1, 1, 1, 1, 1, 2,    2, 4, 0x81, 3};
+  seed.insert(seed.end(), std::begin(bodies), std::end(bodies));
   seed.insert(seed.end(), std::begin(edges), std::end(edges));
   for (int round = 0; round < 2; ++round) seed.insert(seed.end(), std::begin(life), std::end(life));
   return seed;

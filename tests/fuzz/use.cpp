@@ -5,8 +5,8 @@
 namespace dsw_fuzz {
 namespace {
 
-/** Bytes from here on choose a sweep; below, the last two bits choose. */
-constexpr uint8_t kSweep = 0xc0;
+/** Bytes from here on choose a sweep, a body; below, the last two bits choose. */
+constexpr uint8_t kSweep = 0xc0, kBody = 0xa0;
 
 bool is_finite(const double* xyz) { return std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]); }
 
@@ -174,6 +174,10 @@ void use_environment(dsw_environment* environment, bool is_partition, Bytes* byt
     const uint8_t choice = bytes->byte();
     if (choice >= kSweep) {
       sweep_something(environment, is_partition, bytes);
+      continue;
+    }
+    if (choice >= kBody) {
+      use_body(scene, is_partition, bytes);
       continue;
     }
     switch (choice % 4) {

@@ -9,6 +9,9 @@ namespace dsw_fuzz {
 /** Marks, locates, casts, sweeps, moves. `is_partition`: whether dsw_environment_check found nothing. */
 void use_environment(dsw_environment* environment, bool is_partition, Bytes* bytes);
 
+/** Creates a body, moves and edits it, and checks it after each; nothing is marked meanwhile. */
+void use_body(dsw_scene* scene, bool is_partition, Bytes* bytes);
+
 /** Casts one segment and checks what a report always promises. */
 dsw_flight cast(const dsw_environment* environment, dsw_volume_id start, const double* from, const double* to,
                 dsw_status* status);
