@@ -301,7 +301,7 @@ void SweepChecker::compare(const Sweep& s, dsw_level level, const dsw_sweep& got
     for (const SweepEvent& e : events) {
       const std::string fault = wrong_contact(s, e, got) + wrong_place(s, &e, got);
       if (fault.empty()) text = " ";
-      if (text.empty()) text = fault + ", " + name(e) + " time " + number(e.time) + (e.regular ? "" : " by the shift");
+      if (text.empty()) text = fault + ", " + name(e) + " time " + number(e.time) + (e.order == 0 ? "" : " by the shift");
     }
     if (text != " ") wrong(text);
     const Vec n = {got.normal[0], got.normal[1], got.normal[2]};
