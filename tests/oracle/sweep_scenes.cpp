@@ -77,6 +77,24 @@ void Stage::mark(Rng& rng, SweepReport& report) {
   }
 }
 
+void Stage::mark_vertices(Rng& rng, SweepReport& report) {
+  static const double shares[] = {0, 0.1, 0.3};
+  const double share = shares[rng.below(3)];
+  std::vector<dsw_vertex_id> ids;
+  for (size_t v = 0; v < world.mesh.points.size(); ++v) {
+    dsw_vertex_id id;
+    if (!rng.chance(share) ||
+        dsw_environment_get_vertex(environment.get(), static_cast<uint32_t>(v), &id) != DSW_STATUS_OK) {
+      continue;
+    }
+    ids.push_back(id);
+    marked_vertices.push_back(static_cast<int>(v));
+  }
+  if (dsw_environment_mark_vertices(environment.get(), ids.data(), ids.size(), DSW_MARK_IMPASSABLE) != DSW_STATUS_OK) {
+    report.fault(SweepReport::kWrong, std::string("marking failed: ") + dsw_last_error_message());
+  }
+}
+
 Vec Sweeps::near(const Vec& from, double share) {
   Vec p;
   for (size_t k = 0; k < 3; ++k) p[k] = from[k] + rng_.range(-share, share) * stage_.world.size;

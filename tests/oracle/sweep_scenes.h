@@ -13,11 +13,14 @@ const std::vector<SceneKind>& sweep_scenes();
 struct Stage {
   Stage(const Mesh& mesh, EnvironmentPtr env) : environment(std::move(env)), world(mesh, environment.get()) {}
   void mark(Rng& rng, SweepReport& report);
+  /// For bodies only: a swept edge meets no marked vertex.
+  void mark_vertices(Rng& rng, SweepReport& report);
 
   EnvironmentPtr environment;
   World world;
   std::vector<std::array<int, 2>> wires;
   std::vector<int> free_standing;  // marked faces
+  std::vector<int> marked_vertices;
 };
 
 /// Triangles with a bias to what is exactly on something, and to what holds a small obstacle.
