@@ -9,7 +9,6 @@ namespace dsw::oracle {
 namespace {
 
 bool same(const Vec& a, const double* b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
-bool none(const double* p) { return same({0, 0, 0}, p); }
 
 std::string name(const SweepEvent& e) {
   if (e.triangle >= 0) return "the path through triangle " + std::to_string(e.triangle);

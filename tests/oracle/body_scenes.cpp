@@ -93,7 +93,7 @@ void Bodies::shape(BodyPlan& plan) {
 }
 
 Vec Bodies::place(const BodyPlan& plan, size_t vertex, double scale) {
-  if (vertex == 0) return motions_.start();
+  if (vertex == 0) return level_ > DSW_LEVEL_EDGES && rng_.chance(0.5) ? near(obstacle(0), scale) : motions_.start();
   const Vec& other = plan.at[rng_.below(vertex)];
   Vec p = near(other, scale);
   switch (rng_.below(8)) {
@@ -113,7 +113,7 @@ Vec Bodies::place(const BodyPlan& plan, size_t vertex, double scale) {
     default:
       break;
   }
-  return rng_.chance(0.3) ? on_lattice(p) : p;
+  return rng_.chance(0.5) ? on_lattice(p) : p;
 }
 
 BodyPlan Bodies::next() {
@@ -139,14 +139,15 @@ BodyPlan Bodies::next() {
   return plan;
 }
 
-/// A place on a wire or a marked vertex, or the corner of a free-standing face.
-Vec Bodies::obstacle() {
+/// A place on a wire or a marked vertex, or at the corner of a free-standing face; `exactly`: how often on a vertex.
+Vec Bodies::obstacle(double exactly) {
   const std::vector<Vec>& points = stage_.world.mesh.points;
   const auto point = [&](int v) { return points[static_cast<size_t>(v)]; };
   const uint32_t kind = rng_.below(3);
+  const bool on_vertex = rng_.chance(exactly);
   if (kind == 0 && !stage_.wires.empty()) {
     const auto& wire = stage_.wires[rng_.below(stage_.wires.size())];
-    return between(point(wire[0]), point(wire[1]), rng_.chance(0.2) ? 0.5 : rng_.unit());
+    return between(point(wire[0]), point(wire[1]), on_vertex ? 0 : rng_.chance(0.2) ? 0.5 : rng_.unit());
   }
   if (kind == 1 && !stage_.marked_vertices.empty()) {
     return point(stage_.marked_vertices[rng_.below(stage_.marked_vertices.size())]);
@@ -156,27 +157,31 @@ Vec Bodies::obstacle() {
   const Loop& loop = stage_.world.faces[f].loop;
   const size_t i = rng_.below(loop.size()), n = loop.size();
   const Vec corner = point(loop[i]), middle = between(point(loop[(i + 1) % n]), point(loop[(i + n - 1) % n]), 0.5);
-  return between(corner, middle, rng_.chance(0.3) ? 0 : rng_.range(0.01, 0.3));
+  return between(corner, middle, on_vertex ? 0 : rng_.range(0.01, 0.3));
 }
 
 /// So that the obstacle comes to lie inside of what an edge or a face of the vertex sweeps, and the rest is free if possible.
 Vec Bodies::round_obstacle(const BodyState& s, size_t vertex) {
   const VertexMove all = s.flight(vertex, s.at[vertex]);
-  if (all.fixed.empty()) return motions_.target(s.at[vertex]);
   Vec best = motions_.target(s.at[vertex]);
-  double nearest = HUGE_VAL;
-  Vec chosen = s.at[vertex];
-  for (int i = 0; i < 4; ++i) {  // one that is not far
-    const Vec site = obstacle();
-    double far = 0;
-    for (size_t k = 0; k < 3; ++k) far = std::max(far, std::fabs(site[k] - all.from[k]));
-    if (far < nearest) {
-      nearest = far;
-      chosen = site;
+  if (all.fixed.empty()) return best;
+  const bool face = !all.faces.empty() && level_ == DSW_LEVEL_FACES && rng_.chance(0.8);
+  const auto close = [&]() {
+    Vec chosen = s.at[vertex];
+    double nearest = HUGE_VAL;
+    for (int i = 0; i < 6; ++i) {
+      const Vec site = obstacle(face ? 1 : 0.3);
+      double far = 0;
+      for (size_t k = 0; k < 3; ++k) far = std::max(far, std::fabs(site[k] - all.from[k]));
+      if (far < nearest) {
+        nearest = far;
+        chosen = site;
+      }
     }
-  }
-  for (int tries = 0; tries < 12; ++tries) {
-    const bool face = !all.faces.empty() && level_ == DSW_LEVEL_FACES && rng_.chance(0.7);
+    return chosen;
+  };
+  Vec site = close();
+  for (int tries = 0; tries < (face ? 40 : 24); ++tries) {
     const auto pair =
         face ? all.faces[rng_.below(all.faces.size())] : std::array<size_t, 2>{rng_.below(all.fixed.size()), 0};
     const double w[4] = {rng_.range(0.05, 1), rng_.range(0.2, 1.5), rng_.range(0.05, 1),
@@ -185,14 +190,14 @@ Vec Bodies::round_obstacle(const BodyState& s, size_t vertex) {
     VertexMove move = all;
     for (size_t k = 0; k < 3; ++k) {
       move.to[k] =
-          (sum * chosen[k] - w[0] * all.from[k] - w[2] * all.fixed[pair[0]][k] - w[3] * all.fixed[pair[1]][k]) / w[1];
+          (sum * site[k] - w[0] * all.from[k] - w[2] * all.fixed[pair[0]][k] - w[3] * all.fixed[pair[1]][k]) / w[1];
     }
-    if (rng_.chance(0.3)) move.to = on_lattice(move.to);
+    if (rng_.chance(0.4)) move.to = on_lattice(move.to);
     if (!finite(move.to)) continue;
     best = move.to;
     const MoveTruth truth = exact_.move(move, level_);
-    if (truth.inside_only()) break;
-    chosen = tries % 4 == 3 ? obstacle() : chosen;
+    if (face ? !truth.events.empty() && truth.events[0].face >= 0 : truth.inside_only()) break;
+    if (tries % 4 == 3) site = close();
   }
   return best;
 }
@@ -213,10 +218,10 @@ Vec Bodies::target(const BodyState& s, size_t vertex) {
     if (rng_.chance(0.5)) to = {to[0], from[1], from[2]};
   } else if (kind < 8) {
     to = near(from, steps[rng_.below(4)]);
-    if (rng_.chance(0.3)) to = on_lattice(to);
-  } else if (kind < 15) {
+    if (rng_.chance(0.5)) to = on_lattice(to);
+  } else if (kind < 16) {
     if (level_ > DSW_LEVEL_EDGES) return round_obstacle(s, vertex);
-    if (rng_.chance(0.3)) to = on_lattice(to);
+    if (rng_.chance(0.5)) to = on_lattice(to);
   }
   return finite(to) ? to : from;
 }
@@ -228,7 +233,7 @@ BodyMove Bodies::move(const BodyState& s) {
   }
   for (size_t i = move.order.size(); i > 1; --i) std::swap(move.order[i - 1], move.order[rng_.below(i)]);
   const bool together = rng_.chance(0.5);
-  if (rng_.chance(0.6)) move.order.resize(1);
+  if (rng_.chance(0.7)) move.order.resize(1);
   move.targets = s.at;
   const size_t leader = move.order[0];
   const Vec to = target(s, leader);

@@ -22,7 +22,7 @@ class Bodies {
   Vec place(const BodyPlan& plan, size_t vertex, double scale);
   Vec on_lattice(Vec p);
   Vec near(const Vec& from, double share);
-  Vec obstacle();
+  Vec obstacle(double exactly);
   Vec round_obstacle(const BodyState& state, size_t vertex);
 
   Stage& stage_;

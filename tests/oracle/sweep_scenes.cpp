@@ -115,7 +115,7 @@ void Stage::mark(Rng& rng, SweepReport& report) {
 }
 
 void Stage::mark_vertices(Rng& rng, SweepReport& report) {
-  static const double shares[] = {0, 0.1, 0.3};
+  static const double shares[] = {0.02, 0.1, 0.4};
   const double share = shares[rng.below(3)];
   std::vector<dsw_vertex_id> ids;
   std::vector<char> used(world.mesh.points.size(), 0);
