@@ -106,4 +106,16 @@ void check_flags(uint32_t flags, uint32_t known, const char* name) {
   }
 }
 
+SweepLevel to_level(const dsw_level& given, dsw_level highest, const char* name) {
+  const uint32_t level = raw_value(given);
+  if (level < DSW_LEVEL_POINTS || level > static_cast<uint32_t>(highest)) {
+    fail(DSW_STATUS_UNSUPPORTED, "%s is %u, must be %d .. %d here", name, level, DSW_LEVEL_POINTS, highest);
+  }
+  return static_cast<SweepLevel>(level - DSW_LEVEL_POINTS);
+}
+
+dsw_level to_public(SweepLevel level) noexcept {
+  return static_cast<dsw_level>(static_cast<uint32_t>(level) + DSW_LEVEL_POINTS);
+}
+
 }  // namespace dsw::capi

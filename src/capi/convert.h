@@ -2,12 +2,15 @@
 // Ids and arrays as the host gives them, checked and turned into the engine's. Every function throws a status that
 // names the argument.
 
+#include <cstring>
+
 #include "capi/describe.h"
 #include "capi/handle.h"
 #include "map/dart.h"
-#include "scene/points.h"
+#include "base/points.h"
 #include "scene/report.h"
 #include "scene/segments.h"
+#include "scene/sweeps.h"
 
 namespace dsw::capi {
 
@@ -60,6 +63,18 @@ PointArray to_points(const double* points, size_t count, size_t stride_bytes, co
 
 /** Options of a flight; null: defaults. */
 SegmentOptions to_options(const dsw_cast_options* options);
+
+/** Refuses levels that are unknown or above `highest`. */
+SweepLevel to_level(const dsw_level& given, dsw_level highest, const char* name);
+dsw_level to_public(SweepLevel level) noexcept;
+
+/** The number in an enum that a host has set, also one that the enum cannot hold. */
+template <class Enum>
+uint32_t raw_value(const Enum& given) noexcept {
+  uint32_t value;
+  std::memcpy(&value, &given, sizeof value);
+  return value;
+}
 
 /** Refuses flags that this version does not know. */
 void check_flags(uint32_t flags, uint32_t known, const char* name);

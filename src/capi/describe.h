@@ -25,6 +25,9 @@ DSW_FIRST_SIZE(dsw_cast_options, reserved);
 DSW_FIRST_SIZE(dsw_sweep_options, max_cells);
 DSW_FIRST_SIZE(dsw_scene_desc, features);
 DSW_FIRST_SIZE(dsw_statistics, candidates);
+DSW_FIRST_SIZE(dsw_body_desc, motion_share);
+DSW_FIRST_SIZE(dsw_body_counts, reserved);
+DSW_FIRST_SIZE(dsw_move_options, order_count);
 DSW_FIRST_SIZE(dsw_trace_data, triangle_count);
 #undef DSW_FIRST_SIZE
 

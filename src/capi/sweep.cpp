@@ -1,7 +1,5 @@
 #include "dartsweep/sweep.h"
 
-#include <cstring>
-
 #include "capi/convert.h"
 #include "scene/sweeps.h"
 
@@ -16,27 +14,11 @@ dsw_sweep_options defaults() noexcept {
   return o;
 }
 
-dsw::SweepLevel to_level(const dsw_level& given) {
-  uint32_t level;  // copied: a host can put any number there, also one that the enum cannot hold
-  std::memcpy(&level, &given, sizeof level);
-  switch (level) {
-    case DSW_LEVEL_POINTS:
-      return dsw::SweepLevel::kPoints;
-    case DSW_LEVEL_EDGES:
-      return dsw::SweepLevel::kEdges;
-    case DSW_LEVEL_EDGES_SWEPT:
-      return dsw::SweepLevel::kEdgesSwept;
-    default:
-      fail(DSW_STATUS_UNSUPPORTED, "options->level is %u, this version knows %d .. %d", level, DSW_LEVEL_POINTS,
-           DSW_LEVEL_EDGES_SWEPT);
-  }
-}
-
 dsw::SweepOptions to_options(const dsw_sweep_options* options) {
   if (options == nullptr) return {};
   const dsw_sweep_options o = capi::read_struct(options, "options");
   capi::check_flags(o.flags, DSW_SWEEP_START_KNOWN | DSW_SWEEP_START_FREE, "options->flags");
-  return {to_level(o.level), o.max_cells, (o.flags & DSW_SWEEP_START_KNOWN) != 0,
+  return {capi::to_level(o.level, DSW_LEVEL_EDGES_SWEPT, "options->level"), o.max_cells, (o.flags & DSW_SWEEP_START_KNOWN) != 0,
           (o.flags & DSW_SWEEP_START_FREE) != 0};
 }
 

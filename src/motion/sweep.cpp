@@ -1,14 +1,14 @@
 #include "motion/sweep.h"
 
-#include <tuple>
+#include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
 
 namespace dsw {
 namespace {
-
-constexpr size_t kFirstSlots = 64;
 
 int side_of_plane(const double* const* triangle, const double* x) noexcept {
   return plane_side<3>(triangle, x, NoTally{}).sign;
@@ -28,13 +28,15 @@ bool passes_through(const double* p, const double* q, const double* const* trian
   return true;
 }
 
-/** Order of contacts at one time: facets before wires; those that p sees; then by the canonical name of the facet, the cell it
- * is seen from, and inside that. */
-auto order_of(const Map<3>& map, const SweepContact& c) {
-  const HalfFacet h = c.facet.valid() ? canonical(map, c.facet) : HalfFacet{};
-  const Cell owner = h.valid() ? map.cell_of(h) : c.front;
-  return std::make_tuple(h.valid() ? 0 : 1, c.faces_start ? 0 : 1, map.index(owner),
-                         h.valid() ? map.local_of(h, owner) : c.dart, map.index(c.front), c.simplex, c.dart);
+/** The numbers of an event's environment vertices; those of a line in ascending order. */
+std::array<ptrdiff_t, 3> event_key(const Environment<3>& env, const SweepContact& c) {
+  std::array<ptrdiff_t, 3> key;
+  for (size_t i = 0; i < 3; ++i) key[i] = c.event.points[i] - env.points;
+  if (c.event.kind == EventKind::kEdge) {
+    key[0] = -1;
+    if (key[2] < key[1]) std::swap(key[1], key[2]);
+  }
+  return key;
 }
 
 }  // namespace
@@ -42,18 +44,23 @@ auto order_of(const Map<3>& map, const SweepContact& c) {
 SweepFlood::SweepFlood(const Environment<3>& env)
     : env_(env),
       map_(env.map),
-      cells_(Allocator<Cell>(env.memory)),
-      slots_(kFirstSlots, kNoCell, Allocator<uint32_t>(env.memory)),
-      sides_(Allocator<int8_t>(env.memory)) {}
+      cells_(env.memory),
+      around_(env.memory),
+      sides_(Allocator<int8_t>(env.memory)),
+      found_(Allocator<SweepContact>(env.memory)),
+      judged_(Allocator<uint32_t>(env.memory)) {}
 
-SweepResult SweepFlood::sweep(const EdgeMotion& m, Cell start, uint32_t max_cells) {
-  forget_all();
+SweepResult SweepFlood::sweep(const EdgeMotion& m, Cell start, uint32_t max_cells, bool collect) {
+  cells_.clear();
+  found_.clear();
   m_ = m;
+  collect_ = collect;
   result_ = {};
-  enter(start);
+  cells_.insert(start);
   for (size_t i = 0; i < cells_.size(); ++i) {
     if (max_cells != 0 && i == max_cells) {
       result_.end = SweepEnd::kWorkLimit;
+      result_.contact = {};
       break;
     }
     ++result_.cells_visited;
@@ -62,28 +69,8 @@ SweepResult SweepFlood::sweep(const EdgeMotion& m, Cell start, uint32_t max_cell
     look_at_facets(c);
     if (env_.marked_edges != 0) look_at_wires(c);
   }
+  if (collect_) sort_found();
   return result_;
-}
-
-size_t SweepFlood::slot_of(Cell c) const {
-  size_t slot = (c.unit * 0x9e3779b1u) & (slots_.size() - 1);
-  while (slots_[slot] != kNoCell && slots_[slot] != c.unit) slot = (slot + 1) & (slots_.size() - 1);
-  return slot;
-}
-
-void SweepFlood::enter(Cell c) {
-  const size_t slot = slot_of(c);
-  if (slots_[slot] == c.unit) return;
-  cells_.push_back(c);
-  slots_[slot] = c.unit;
-  if (2 * cells_.size() < slots_.size()) return;
-  slots_.assign(2 * slots_.size(), kNoCell);
-  for (const Cell each : cells_) slots_[slot_of(each)] = each.unit;
-}
-
-/** Last in, first out, so that no chain is broken before its end is gone; what a large flood left behind is not swept. */
-void SweepFlood::forget_all() {
-  for (; !cells_.empty(); cells_.pop_back()) slots_[slot_of(cells_.back())] = kNoCell;
 }
 
 /** Whether the cell's vertices lie on both sides of the swept plane. */
@@ -106,7 +93,7 @@ void SweepFlood::look_at_facets(Cell c) {
     if (is_impassable(map_, h)) {
       look_at_obstacle(c, shape, f);
     } else if (facet_met(c, shape, f)) {
-      enter(map_.cell_of(map_.opposite(h)));
+      cells_.insert(map_.cell_of(map_.opposite(h)));
     }
   }
 }
@@ -149,7 +136,7 @@ void SweepFlood::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet) {
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
       if (sides[k] == sides[next] || !edge_pierces(triangle[k], triangle[next])) continue;
-      found.event = {{triangle[k], triangle[next], nullptr}, true};
+      found.event = {{m_.q, triangle[k], triangle[next]}, EventKind::kEdge};
       found.dart = kNoFacet;
       for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
         if (shape.dart_vertex(d) == local[k] && shape.dart_vertex(shape.beta1(d)) == local[next]) found.dart = d;
@@ -158,7 +145,7 @@ void SweepFlood::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet) {
     }
     // Seen from the side it comes from; from the other the same event belongs to the cell on this side.
     if (found.faces_start && passes_through(m_.p, m_.to, triangle)) {
-      found.event = {{triangle[0], triangle[1], triangle[2]}, false};
+      found.event = {{triangle[0], triangle[1], triangle[2]}, EventKind::kVertex};
       found.dart = kNoFacet;
       consider(found);
     }
@@ -175,25 +162,32 @@ void SweepFlood::look_at_wires(Cell c) {
     if (sides_[from] == sides_[to] || !env_.edge_marks.contains(map_.vertex(c, from), map_.vertex(c, to))) continue;
     const double *a = env_.point(c, from), *b = env_.point(c, to);
     if (!edge_pierces(a, b)) continue;
-    found.event = {{a, b, nullptr}, true};
+    found.event = {{m_.q, a, b}, EventKind::kEdge};
     found.dart = d;
     consider(found);
   }
 }
 
-/** Keeps the earlier contact; one line seen from several cells is compared by names alone. */
 void SweepFlood::consider(const SweepContact& found) {
-  SweepContact& best = result_.contact;
-  if (result_.end == SweepEnd::kContact) {
-    const SweepEvent &a = found.event, &b = best.event;
-    const bool same = a.of_edge && b.of_edge &&
-                      ((a.points[0] == b.points[0] && a.points[1] == b.points[1]) ||
-                       (a.points[0] == b.points[1] && a.points[1] == b.points[0]));
-    const int sign = same ? 0 : compare_events(m_, a, b).sign;
-    if (sign > 0 || (sign == 0 && order_of(map_, best) <= order_of(map_, found))) return;
-  }
+  if (collect_) found_.push_back(found);
+  if (result_.end == SweepEnd::kContact && !comes_before(map_, m_.p, m_.to, found, result_.contact)) return;
   result_.end = SweepEnd::kContact;
-  best = found;
+  result_.contact = found;
+}
+
+/** Of each event the contact that counts, and these in their order. No two are equivalent in either, so no result depends on
+ * how they are sorted. */
+void SweepFlood::sort_found() {
+  const auto before = [this](const SweepContact& a, const SweepContact& b) {
+    return comes_before(map_, m_.p, m_.to, a, b);
+  };
+  const auto by_event = [&](const SweepContact& a, const SweepContact& b) {
+    if (same_event(a, b)) return before(a, b);
+    return event_key(env_, a) < event_key(env_, b);
+  };
+  std::sort(found_.begin(), found_.end(), by_event);
+  found_.erase(std::unique(found_.begin(), found_.end(), same_event), found_.end());
+  std::sort(found_.begin(), found_.end(), before);
 }
 
 }  // namespace dsw

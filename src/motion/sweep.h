@@ -1,44 +1,44 @@
 #pragma once
-// One edge swept over a triangle: its end p moves to p', its end q stays [JCD10] 4.1. In space; exact under the shift.
+// What a moving vertex p of a body sweeps on its way to p', in space and exact under the shift: with an edge p q the triangle
+// p p' q [JCD10] 4.1, with a face p q r the tetrahedron p p' q r.
 
-#include "environment/environment.h"
-#include "predicates/sweep_events.h"
+#include "motion/cell_queue.h"
+#include "motion/sweep_contact.h"
 
 namespace dsw {
-
-/** What an edge meets first. */
-struct SweepContact {
-  SweepEvent event;
-  Cell front;                // the cell from which it is met
-  HalfFacet facet;           // impassable, seen from `front`; invalid for a wire
-  bool faces_start = false;  // p lies on this side of the plane
-  uint32_t simplex = 0;      // of `front`, in `facet`
-  uint32_t dart = kNoFacet;  // of `front`, along the obstacle's edge; kNoFacet for a vertex event and on a diagonal
-};
 
 enum class SweepEnd : uint32_t { kFree, kContact, kWorkLimit };
 
 struct SweepResult {
   SweepEnd end = SweepEnd::kFree;
-  SweepContact contact;
+  SweepContact contact;  // kContact: the first. kWorkLimit: nothing, even if contacts had been found: not all were
   uint32_t cells_visited = 0;
 };
 
-/** Floods from the cell of p over all cells that the swept triangle meets without crossing anything impassable: what is swept
- * before the first contact is connected and holds p, so that the first contact is the earliest of what the flood sees. Keeps
- * its memory from sweep to sweep; one for each thread. */
+/** Floods from the cell of p over all cells that the swept triangle or tetrahedron meets without crossing anything impassable:
+ * what is swept before the first contact is connected and holds p, so that the first contact is the earliest of what the
+ * flood sees. Keeps its memory from sweep to sweep; one for each thread. */
 class SweepFlood {
  public:
   explicit SweepFlood(const Environment<3>& env);
 
   /** `start` contains m.p, and the edge p q is free. Nothing is found where p, p', q are collinear: the path of p is the sweep
-   * then. Throws std::bad_alloc. O(cells met). */
-  SweepResult sweep(const EdgeMotion& m, Cell start, uint32_t max_cells);
+   * then. With `collect`, all() has every contact afterwards. Throws std::bad_alloc. O(cells met). */
+  SweepResult sweep(const EdgeMotion& m, Cell start, uint32_t max_cells, bool collect = false);
+
+  /** Every contact of the last sweep of an edge that collected, also of one that met the work limit: in the order of
+   * comes_before, one for each line and for each triangle. Sorting throws nothing. */
+  const Array<SweepContact>& all() const { return found_; }
+
+  /** The first impassable vertex that a face meets; `start` contains m.p, and the face p q r is free. What enters through
+   * the triangles p p' q and p p' r is left to the sweeps of these edges: where they find nothing earlier, this is the
+   * face's first contact. Nothing is found where p, p', q, r lie in one plane. Throws std::bad_alloc. O(cells met, and
+   * cells round the vertices inside of the tetrahedron). */
+  SweepResult sweep(const FaceMotion& m, Cell start, uint32_t max_cells);
 
  private:
-  size_t slot_of(Cell c) const;
-  void enter(Cell c);
-  void forget_all();
+  struct Tetrahedron;
+
   bool look_at_vertices(Cell c);
   void look_at_facets(Cell c);
   void look_at_wires(Cell c);
@@ -46,14 +46,21 @@ class SweepFlood {
   bool facet_met(Cell c, const Shape& shape, uint32_t facet) const;
   bool edge_pierces(const double* a, const double* b) const;
   void consider(const SweepContact& found);
+  void sort_found();
+
+  void look_at_inside_vertices(const Tetrahedron& t, Cell c);
+  bool judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet);
 
   const Environment<3>& env_;
   const Map<3>& map_;
   EdgeMotion m_{};
+  bool collect_ = false;
   SweepResult result_;
-  Array<Cell> cells_;      // met, in the order of discovery
-  Array<uint32_t> slots_;  // their units by hash, linear probing; kNoCell is empty
-  Array<int8_t> sides_;    // of the swept plane: vertices of the cell that is looked at
+  CellQueue cells_;            // met
+  CellQueue around_;           // round the vertex that is judged
+  Array<int8_t> sides_;        // of the swept plane, or planes: vertices of the cell that is looked at
+  Array<SweepContact> found_;  // if they are collected
+  Array<uint32_t> judged_;     // vertices inside of the tetrahedron
 };
 
 }  // namespace dsw

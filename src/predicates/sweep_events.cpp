@@ -20,7 +20,7 @@ using integers::Span;
 using integers::Vec;
 using integers::wide;
 
-constexpr int kP = 0, kTo = 1, kQ = 2, kFirst = 3, kSecond = 6, kCount = 9;
+constexpr int kP = 0, kTo = 1, kFirst = 2, kSecond = 5, kCount = 8;
 
 // Of one event: the values without the shift and the coefficients of its components.
 template <class R>
@@ -30,23 +30,17 @@ struct Coefficients {
   Normal<R, 3> n, d;
 };
 
+// L without the shift; y, z, w follow each other.
 template <class R>
-typename R::Det line_value(const Points<R, 3, kCount>& x, int from, int a) noexcept {
-  return dot<R>(cross<R>(x.difference(a, from), x.difference(a + 1, from)), x.difference(kQ, from));
+typename R::Det line_value(const Points<R, 3, kCount>& x, int from, int y) noexcept {
+  return dot<R>(cross<R>(x.difference(y + 1, from), x.difference(y + 2, from)), x.difference(y, from));
 }
 
 template <class R>
-Coefficients<R> coefficients(const Points<R, 3, kCount>& x, int first, bool of_edge) noexcept {
+Coefficients<R> coefficients(const Points<R, 3, kCount>& x, int first, EventKind kind) noexcept {
   Coefficients<R> c;
   const Vec<R, 3> move = x.difference(kTo, kP);
-  if (of_edge) {
-    const auto from = wide(line_value(x, kP, first));
-    c.n0 = from;
-    c.d0 = from - wide(line_value(x, kTo, first));
-    const Vec<R, 3> line = x.difference(first + 1, first);
-    c.n = cross<R>(x.difference(kQ, kP), line);
-    c.d = cross<R>(move, line);
-  } else {
+  if (kind == EventKind::kVertex) {
     const Normal<R, 3> normal = x.normal(first);
     c.n0 = wide(dot<R>(normal, x.difference(first, kP)));
     c.d0 = wide(dot<R>(normal, move));
@@ -54,6 +48,14 @@ Coefficients<R> coefficients(const Points<R, 3, kCount>& x, int first, bool of_e
     c.n = cross<R>(x.difference(first + 2, first), x.difference(first + 1, first));
     const Vec<R, 3> none = x.difference(first, first);
     c.d = cross<R>(none, none);
+  } else {
+    const auto from = wide(line_value(x, kP, first));
+    c.n0 = from;
+    c.d0 = from - wide(line_value(x, kTo, first));
+    const Vec<R, 3> line =
+        kind == EventKind::kEdge ? x.difference(first + 2, first + 1) : x.difference(first, first + 1);
+    c.n = cross<R>(x.difference(first, kP), line);
+    c.d = cross<R>(move, line);
   }
   return c;
 }
@@ -89,44 +91,41 @@ int compare_shifted(const Coefficients<Large>& a, const Coefficients<Large>& b, 
 struct EventPoints {
   const double* points[kCount];
 
-  EventPoints(const EdgeMotion& m, const SweepEvent& a, const SweepEvent& b) noexcept : points{m.p, m.to, m.q} {
-    for (int i = 0; i < 3; ++i) {
-      points[kFirst + i] = a.of_edge && i == 2 ? a.points[1] : a.points[i];
-      points[kSecond + i] = b.of_edge && i == 2 ? b.points[1] : b.points[i];
-    }
-  }
+  EventPoints(const double* p, const double* to, const SweepEvent& a, const SweepEvent& b) noexcept
+      : points{p, to, a.points[0], a.points[1], a.points[2], b.points[0], b.points[1], b.points[2]} {}
 };
 
-[[gnu::noinline]] int compare_ties(const EventPoints& at, bool a_of_edge, bool b_of_edge) noexcept {
+[[gnu::noinline]] int compare_ties(const EventPoints& at, EventKind a_kind, EventKind b_kind) noexcept {
   Span<3> span(at.points);
   const int low = std::min({span.low[0], span.low[1], span.low[2]});
   for (int& each : span.low) each = low;
   const Points<Large, 3, kCount> x(at.points, span);
-  const Coefficients<Large> a = coefficients(x, kFirst, a_of_edge), b = coefficients(x, kSecond, b_of_edge);
+  const Coefficients<Large> a = coefficients(x, kFirst, a_kind), b = coefficients(x, kSecond, b_kind);
   return compare_shifted(a, b, 1075 - low) * sign_of_denominator(a) * sign_of_denominator(b);
 }
 
-// The filter: as that of compare_times. An edge event has two determinants, of an error below 50uM each (filter_bounds.h), M
-// over the vectors of both, and one rounded difference of values below 6.1M: 113uM for numerator and denominator.
-constexpr double kEdgeEventFilter = 113 * kUnitRoundoff;
+// The filter: as that of compare_times. L is one determinant for p and one for p', of an error below 50uM each
+// (filter_bounds.h), M over the vectors of both, and one rounded difference of values below 6.1M: 113uM for numerator and
+// denominator.
+constexpr double kTurnFilter = 113 * kUnitRoundoff;
 
-filter::Ratio edge_ratio(const EdgeMotion& m, const SweepEvent& event, bool& in_range) noexcept {
+filter::Ratio turn_ratio(const double* p, const double* to, const SweepEvent& event, bool& in_range) noexcept {
   using filter::difference;
   const auto value = [&](const double* x, filter::Vec<3>& reach) {
-    const filter::Vec<3> u = difference<3>(m.q, x), a = difference<3>(event.points[0], x),
-                         b = difference<3>(event.points[1], x);
+    const filter::Vec<3> u = difference<3>(event.points[0], x), a = difference<3>(event.points[1], x),
+                         b = difference<3>(event.points[2], x);
     reach = filter::extent(reach, u, a, b);
     return filter::dot(filter::cross(a, b), u);
   };
   filter::Vec<3> reach{0, 0, 0};
-  const double from = value(m.p, reach), to = value(m.to, reach);
+  const double at_start = value(p, reach), at_end = value(to, reach);
   in_range = in_range && filter::lowest(reach) >= kTimeFilterMin && filter::highest(reach) <= kTimeFilterMax;
-  return {from, from - to, kEdgeEventFilter * reach.x * reach.y * reach.z};
+  return {at_start, at_start - at_end, kTurnFilter * reach.x * reach.y * reach.z};
 }
 
-filter::Ratio event_ratio(const EdgeMotion& m, const SweepEvent& event, bool& in_range) noexcept {
-  if (event.of_edge) return edge_ratio(m, event, in_range);
-  return filter::time_ratio<3>(m.p, filter::difference<3>(m.to, m.p), event.points, in_range);
+filter::Ratio event_ratio(const double* p, const double* to, const SweepEvent& event, bool& in_range) noexcept {
+  if (event.kind != EventKind::kVertex) return turn_ratio(p, to, event, in_range);
+  return filter::time_ratio<3>(p, filter::difference<3>(to, p), event.points, in_range);
 }
 
 }  // namespace
@@ -138,28 +137,28 @@ ShiftedSign swept_side(const EdgeMotion& m, const double* v) noexcept {
   return {-exact::plane_side<3>(body, m.p).sign, true};  // p lies in its own plane: what remains is the sign of n
 }
 
-ShiftedSign compare_events(const EdgeMotion& m, const SweepEvent& a, const SweepEvent& b) noexcept {
+ShiftedSign compare_events(const double* p, const double* to, const SweepEvent& a, const SweepEvent& b) noexcept {
   bool in_range = true;
-  const filter::Ratio ta = event_ratio(m, a, in_range), tb = event_ratio(m, b, in_range);
+  const filter::Ratio ta = event_ratio(p, to, a, in_range), tb = event_ratio(p, to, b, in_range);
   const ShiftedSign quick = filter::compare_ratios(ta, tb, in_range);
   if (quick.sign != filter::kUncertain) return quick;
-  const EventPoints at(m, a, b);
+  const EventPoints at(p, to, a, b);
   int s = 0;
   integers::evaluate<3>(at.points, [&](const auto& x) noexcept {
-    const auto ca = coefficients(x, kFirst, a.of_edge), cb = coefficients(x, kSecond, b.of_edge);
+    const auto ca = coefficients(x, kFirst, a.kind), cb = coefficients(x, kSecond, b.kind);
     const int turn = ca.d0.sign() * cb.d0.sign();
     if (turn != 0) s = turn * compare(ca.n0 * cb.d0, cb.n0 * ca.d0);
     return 0;
   });
   if (s != 0) return {s, false};
-  return {compare_ties(at, a.of_edge, b.of_edge), true};
+  return {compare_ties(at, a.kind, b.kind), true};
 }
 
-double event_time(const EdgeMotion& m, const SweepEvent& event) noexcept {
-  const EventPoints at(m, event, event);
+double event_time(const double* p, const double* to, const SweepEvent& event) noexcept {
+  const EventPoints at(p, to, event, event);
   double time = 0;
   integers::evaluate<3>(at.points, [&](const auto& x) noexcept {
-    const auto c = coefficients(x, kFirst, event.of_edge);
+    const auto c = coefficients(x, kFirst, event.kind);
     const auto ratio = [](const auto& n, const auto& d) {
       return d.sign() < 0 ? ratio_down(-n, -d) : ratio_down(n, d);
     };

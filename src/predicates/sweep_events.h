@@ -1,9 +1,12 @@
-// When an edge that turns about its fixed end meets the environment. Its moving end goes from p to p', the other end is q; all
-// three are body points and shifted together, see exact.h. Every time is a ratio N/D of two polynomials in the shift s:
-//   a vertex event, p(t) in the plane of triangle abc:   N = n.(a-p-s)                D = n.(p'-p)
-//   an edge event, p(t) q meets the line ab:             N = L(p)                     D = L(p) - L(p')
-// with L(x) = orient3(x+s, q+s, a, b) = (q-x).((a-x) x (b-x)) + s.((q-x) x (b-a)).
+// When what hangs on a moving body vertex meets the environment. The vertex goes from p to p' (`to`), the rest of its body
+// stays; all body points are shifted together, see exact.h. Every time is a ratio N/D of two polynomials in the shift s:
+//   kVertex, p(t) in the plane of triangle abc:   N = n.(a-p-s)    D = n.(p'-p)       n = (b-a) x (c-a)
+//   kEdge, edge p(t) q meets the line ab:         N = L(p)         D = L(p) - L(p')   L(x) = orient3(x+s, q+s, a, b)
+//   kFace, face p(t) q r meets point v:           N = L(p)         D = L(p) - L(p')   L(x) = orient3(x+s, q+s, r+s, v)
+// where orient3(x, y, z, w) = (y-x).((z-x) x (w-x)). Of L the shift takes its coefficients from (q-x) x (b-a), or (q-x) x (q-r).
 #pragma once
+
+#include <cstdint>
 
 #include "predicates/exact.h"
 
@@ -13,20 +16,29 @@ struct EdgeMotion {
   const double *p, *to, *q;
 };
 
-// What is met: a triangle by the moving end, or a line by the edge (points[0] and points[1]).
-struct SweepEvent {
-  const double* points[3] = {};
-  bool of_edge = false;
+struct FaceMotion {
+  const double *p, *to, *q, *r;
 };
 
-// Side of environment point v: sign of n.(v-p-s) with n = (p'-p) x (q-p). 0 only if p, p', q are collinear.
+enum class EventKind : uint32_t { kVertex, kEdge, kFace };
+
+// What meets what: points are a b c, or q a b, or q r v. They are borrowed, of bodies as of environments.
+struct SweepEvent {
+  const double* points[3] = {};
+  EventKind kind = EventKind::kVertex;
+};
+static_assert(sizeof(SweepEvent) == 32, "an event is four words");
+
+// Side of environment point v: sign of n.(v-p-s) with n = (p'-p) x (q-p), for any three body points. 0 only if they are
+// collinear.
 ShiftedSign swept_side(const EdgeMotion& m, const double* v) noexcept;
 
-// Sign of t_a - t_b for two events that take place: each N/D lies in [0,1] and no D is the zero polynomial. tie: the
-// times are equal but for the shift, or the shift alone decides one of them. 0: they are the same in all orders.
-ShiftedSign compare_events(const EdgeMotion& m, const SweepEvent& a, const SweepEvent& b) noexcept;
+// Sign of t_a - t_b for two events of one vertex's move, on whatever edges and faces, that take place: each N/D lies in [0,1]
+// and no D is the zero polynomial. tie: the times are equal but for the shift, or the shift alone decides one of them. 0:
+// they are the same in all orders.
+ShiftedSign compare_events(const double* p, const double* to, const SweepEvent& a, const SweepEvent& b) noexcept;
 
 // Largest double <= the standard part of the time of an event that takes place.
-double event_time(const EdgeMotion& m, const SweepEvent& event) noexcept;
+double event_time(const double* p, const double* to, const SweepEvent& event) noexcept;
 
 }  // namespace dsw

@@ -60,13 +60,9 @@ void check_places(const Scene<D>& scene, PointArray positions, size_t count, con
 }  // namespace
 
 template <int D>
-void create_particles(Scene<D>& scene, PointArray positions, size_t count, const dsw_volume_id* hints, bool indexed,
-                      dsw_particle_id* ids, size_t* offender) {
+void place_points(const Scene<D>& scene, PointArray positions, size_t count, const dsw_volume_id* hints, bool indexed,
+                  Cell* cells, size_t* offender) {
   check_arguments(scene, positions, count, hints, indexed, offender);
-  scene.slots.reserve(count);
-  reserve_more(scene.particles, count);
-  CellScratch scratch(scene.memory, count);
-  Cell* const cells = scratch.data();
   auto body = [&](size_t begin, size_t end) noexcept {
     for (size_t i = begin; i < end; ++i) {
       const bool hinted = hints != nullptr && !is_null(hints[i]);
@@ -75,7 +71,16 @@ void create_particles(Scene<D>& scene, PointArray positions, size_t count, const
   };
   share_out(scene.parallel, count, body);
   check_places(scene, positions, count, cells, indexed, offender);
+}
 
+template <int D>
+void create_particles(Scene<D>& scene, PointArray positions, size_t count, const dsw_volume_id* hints, bool indexed,
+                      dsw_particle_id* ids, size_t* offender) {
+  CellScratch scratch(scene.memory, count);
+  Cell* const cells = scratch.data();
+  place_points(scene, positions, count, hints, indexed, cells, offender);
+  scene.slots.reserve(count);
+  reserve_more(scene.particles, count);
   for (size_t i = 0; i < count; ++i) {
     const SlotPool::Slot slot = scene.slots.acquire();
     if (slot.index == scene.particles.size()) scene.particles.emplace_back();
@@ -127,6 +132,7 @@ void find_occupants_of_region(Scene<D>& scene, int32_t region) {
   }
 }
 
+template void place_points<3>(const Scene<3>&, PointArray, size_t, const dsw_volume_id*, bool, Cell*, size_t*);
 template void create_particles<3>(Scene<3>&, PointArray, size_t, const dsw_volume_id*, bool, dsw_particle_id*, size_t*);
 template void destroy_particle<3>(Scene<3>&, uint32_t) noexcept;
 template void find_occupants<3>(Scene<3>&, const Cell*, size_t);

@@ -113,19 +113,6 @@ dsw_crossing report_crossing(const Environment<D>& env, Cell from, uint32_t simp
           crossing_time(env, from, simplex, start, target)};
 }
 
-dsw_edge_id edge_id(const Map<3>& map, Dart d) noexcept {
-  dsw_edge_id lowest{UINT32_MAX, kGeneration, 0};
-  for_each_volume_round_edge(map, d, [&](Dart e) {
-    const uint32_t volume = map.index(e.cell);
-    if (volume < lowest.volume) {
-      lowest.volume = volume;
-      lowest.local = map.shape(e.cell).dart_edge(e.local);
-    }
-    return true;
-  });
-  return lowest;
-}
-
 template void report_cast<3>(const Environment<3>&, const CastRequest&, const CastResult&, bool, dsw_flight*) noexcept;
 template void report_wave<3>(const Environment<3>&, const Wave<3>&, bool, dsw_flight* const*) noexcept;
 template void report_no_start<3>(const Environment<3>&, const double*, Cell, dsw_flight*) noexcept;

@@ -1,54 +1,14 @@
 #pragma once
-// The one place where results of the engine become the structs that a host reads: ids and dsw_flight.
+// Results of casts and moves of particles as the structs that a host reads.
 
 #include <cstring>
 
-#include "dartsweep/contact.h"
-#include "environment/environment.h"
-#include "map/dart.h"
+#include "contact/names.h"
 #include "motion/cast.h"
 #include "motion/move.h"
 #include "motion/wave.h"
 
 namespace dsw {
-
-/** Cells do not change in this release, so every generation is the first. */
-constexpr uint32_t kGeneration = 1;
-
-template <int D>
-dsw_volume_id volume_id(const Map<D>& map, Cell c) noexcept {
-  return c.valid() ? dsw_volume_id{map.index(c), kGeneration} : dsw_volume_id{0, 0};
-}
-
-/** Names the half-facet as it is given; reports pass the canonical one. */
-template <int D>
-dsw_face_id face_id(const Map<D>& map, HalfFacet h) noexcept {
-  const Cell c = map.cell_of(h);
-  return {map.index(c), kGeneration, map.local_of(h, c)};
-}
-
-/** Canonical: that of the volume with the lowest index round the edge. */
-dsw_edge_id edge_id(const Map<3>& map, Dart d) noexcept;
-
-inline bool is_null(dsw_volume_id id) noexcept { return (id.index | id.generation) == 0; }
-
-template <int D>
-bool is_alive(const Map<D>& map, dsw_volume_id id) noexcept {
-  return id.generation == kGeneration && id.index < map.cell_count;
-}
-
-/** Host tag of what stands behind an impassable facet; at the outer boundary that of `in_front`. */
-template <int D>
-uint32_t obstacle_tag(const Environment<D>& env, HalfFacet facet, Cell in_front) noexcept {
-  const HalfFacet other = env.map.opposite(facet);
-  return env.tag(other.valid() ? env.map.cell_of(other) : in_front);
-}
-
-/** What makes a facet impassable: its own mark or the outer boundary, or else the volume behind it. */
-template <int D>
-dsw_cell_kind obstacle_kind(const Environment<D>& env, HalfFacet facet) noexcept {
-  return !env.map.opposite(facet).valid() || env.map.facet_marked(facet) ? DSW_CELL_FACE : DSW_CELL_VOLUME;
-}
 
 /** All zero. Copied in words, because GCC 12 makes a string instruction of clearing it, which takes longer than a cast in
  * one cell. */

@@ -10,7 +10,8 @@
 #include "base/slot_pool.h"
 #include "environment/environment.h"
 #include "motion/move.h"
-#include "scene/points.h"
+#include "base/points.h"
+#include "scene/bodies.h"
 #include "scene/report.h"
 
 namespace dsw {
@@ -54,6 +55,9 @@ struct Scene {
   Array<dsw_crossing> crossings;            // of the last move
   Array<size_t> crossing_first;             // flight -> start in crossings; one more at the end
   Array<dsw_particle_id> occupants;         // of the last marking call
+  Array<BodyRecord> bodies;                 // by slot
+  SlotPool body_slots;
+  Array<uint32_t> offending;  // pairs of vertices of edges that were found not free
 
   Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted)
       : env(environment),
@@ -66,16 +70,21 @@ struct Scene {
         chunk_statistics(Allocator<SceneStatistics>(source)),
         crossings(Allocator<dsw_crossing>(source)),
         crossing_first(Allocator<size_t>(source)),
-        occupants(Allocator<dsw_particle_id>(source)) {
+        occupants(Allocator<dsw_particle_id>(source)),
+        bodies(Allocator<BodyRecord>(source)),
+        body_slots(source),
+        offending(Allocator<uint32_t>(source)) {
     if (features.crossings) crossing_first.push_back(0);
   }
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
   uint64_t memory_bytes() const {
+    uint64_t of_bodies = array_bytes(bodies) + body_slots.memory_bytes() + array_bytes(offending);
+    for (const BodyRecord& each : bodies) of_bodies += each.memory_bytes();
     return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
            array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) +
-           array_bytes(occupants);
+           array_bytes(occupants) + of_bodies;
   }
 };
 
@@ -83,6 +92,11 @@ struct FlightOptions {
   uint32_t max_cells = 0;
   bool detail = true;
 };
+
+/** Finds the cells of `count` points and throws unless each is in a passable one; arguments as those of create_particles. */
+template <int D>
+void place_points(const Scene<D>& scene, PointArray positions, size_t count, const dsw_volume_id* hints, bool indexed,
+                  Cell* cells, size_t* offender);
 
 /** Creates particles, all or none. `hints` may be null; `indexed` chooses how messages name the arguments
  * (positions[i], hints[i], or position, hint). `offender` is set when a position or hint is at fault. */

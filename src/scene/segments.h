@@ -3,7 +3,7 @@
 // coordinates finite.
 
 #include "base/parallel.h"
-#include "scene/points.h"
+#include "base/points.h"
 #include "scene/report.h"
 
 namespace dsw {

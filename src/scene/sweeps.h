@@ -2,14 +2,12 @@
 // Edges swept without a body. Arguments have been checked: ids are alive or null, coordinates finite.
 
 #include "base/parallel.h"
+#include "body/body.h"
 #include "dartsweep/contact.h"
 #include "environment/environment.h"
-#include "scene/points.h"
+#include "base/points.h"
 
 namespace dsw {
-
-/** What of a sweep is looked at; see dsw_level. */
-enum class SweepLevel : uint32_t { kPoints, kEdges, kEdgesSwept };
 
 struct SweepOptions {
   SweepLevel level = SweepLevel::kEdgesSwept;

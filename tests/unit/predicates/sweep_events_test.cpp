@@ -69,15 +69,17 @@ struct Ratio {
   }
 };
 
-Ratio ratio_of(const EdgeMotion& m, const SweepEvent& event) {
-  const Point p = shifted(m.p), to = shifted(m.to), q = shifted(m.q);
-  const Point a = fixed(event.points[0]), b = fixed(event.points[1]);
-  if (!event.of_edge) {
-    const Point n = cross(b - a, fixed(event.points[2]) - a);
+Ratio ratio_of(const double* from, const double* target, const SweepEvent& event) {
+  const Point p = shifted(from), to = shifted(target);
+  if (event.kind == EventKind::kVertex) {
+    const Point a = fixed(event.points[0]);
+    const Point n = cross(fixed(event.points[1]) - a, fixed(event.points[2]) - a);
     return {dot(n, a - p), dot(n, to - p)};
   }
-  const auto line = [&](const Point& x) { return dot(q - x, cross(a - x, b - x)); };
-  return {line(p), line(p) - line(to)};
+  const Point y = shifted(event.points[0]), w = fixed(event.points[2]);
+  const Point z = event.kind == EventKind::kEdge ? fixed(event.points[1]) : shifted(event.points[1]);
+  const auto value = [&](const Point& x) { return dot(y - x, cross(z - x, w - x)); };
+  return {value(p), value(p) - value(to)};
 }
 
 bool is_time_of(double t, const Ratio& ratio) {
@@ -87,36 +89,79 @@ bool is_time_of(double t, const Ratio& ratio) {
   return sgn(d) > 0 ? oracle::is_time_below(t, n, d) : oracle::is_time_below(t, -n, -d);
 }
 
+/** Counts of what a test has seen, so that it cannot pass by seeing nothing. */
+struct Seen {
+  int compared = 0, ties = 0, vanishing = 0, deep = 0, equal = 0;
+};
+
+/** Compares two events of a vertex's move both ways, and their times. Nothing, unless both take place. */
+void check_events(const double* p, const double* to, const SweepEvent& a, const SweepEvent& b, Seen& seen) {
+  const Ratio ra = ratio_of(p, to, a), rb = ratio_of(p, to, b);
+  if (!ra.takes_place() || !rb.takes_place()) return;
+  const Poly left = ra.numerator * rb.denominator, right = rb.numerator * ra.denominator;
+  const int truth = (left - right).sign() * ra.denominator.sign() * rb.denominator.sign();
+  const ShiftedSign found = compare_events(p, to, a, b);
+  ASSERT_EQ(found.sign, truth);
+  ASSERT_EQ(compare_events(p, to, b, a).sign, -truth);
+  ASSERT_TRUE(is_time_of(event_time(p, to, a), ra));
+  ASSERT_TRUE(is_time_of(event_time(p, to, b), rb));
+  ++seen.compared;
+  seen.ties += found.tie ? 1 : 0;
+  seen.vanishing += sgn(ra.denominator.c[0]) == 0 || sgn(rb.denominator.c[0]) == 0 ? 1 : 0;
+  seen.deep += found.tie && sgn((left - right).c[1]) == 0 && truth != 0 ? 1 : 0;
+  seen.equal += truth == 0 ? 1 : 0;
+}
+
+constexpr EventKind kAllKinds[] = {EventKind::kVertex, EventKind::kEdge, EventKind::kFace};
+
+/** All kinds against each other; families of points with every scale. */
 TEST(SweepEvents, OrderAndTimesAreThoseOfThePolynomials) {
   Random random(41);
   PointSet<3> s;
-  int compared = 0, ties = 0, vanishing = 0, deep = 0;
+  Seen seen[3][3];
   for (int i = 0; i < 60000; ++i) {
     draw(random, 8, s);
-    // Often something stands twice: an end on an obstacle's vertex, two lines with a common point or the same line.
-    if (random.below(3) == 0) std::copy_n(s.x[random.between(3, 7)], 3, s.x[random.below(3)]);
+    // Often something stands twice: an end on an obstacle's vertex, a common end q, two lines with a common point or the same.
+    if (random.below(3) == 0) std::copy_n(s.x[random.between(2, 7)], 3, s.x[random.below(3)]);
+    if (random.below(3) == 0) std::copy_n(s.x[2], 3, s.x[5]);
     if (random.below(4) == 0) std::copy_n(s.x[random.between(3, 4)], 3, s.x[random.between(6, 7)]);
-    const EdgeMotion m{s.at[0], s.at[1], s.at[2]};
-    const SweepEvent a{{s.at[3], s.at[4], s.at[5]}, random.below(3) != 0};
-    const SweepEvent b{{s.at[5], s.at[6], s.at[7]}, random.below(3) != 0};
-    const Ratio ra = ratio_of(m, a), rb = ratio_of(m, b);
-    if (!ra.takes_place() || !rb.takes_place()) continue;
-    const Poly left = ra.numerator * rb.denominator, right = rb.numerator * ra.denominator;
-    const int truth = (left - right).sign() * ra.denominator.sign() * rb.denominator.sign();
-    const ShiftedSign found = compare_events(m, a, b);
-    ASSERT_EQ(found.sign, truth) << i;
-    ASSERT_EQ(compare_events(m, b, a).sign, -truth) << i;
-    ASSERT_TRUE(is_time_of(event_time(m, a), ra)) << i;
-    ASSERT_TRUE(is_time_of(event_time(m, b), rb)) << i;
-    ++compared;
-    ties += found.tie ? 1 : 0;
-    vanishing += sgn(ra.denominator.c[0]) == 0 || sgn(rb.denominator.c[0]) == 0 ? 1 : 0;
-    deep += found.tie && sgn((left - right).c[1]) == 0 && truth != 0 ? 1 : 0;
+    if (random.below(6) == 0) std::copy_n(s.x[4], 3, s.x[7]);
+    const int x = random.below(3), y = random.below(3);
+    SCOPED_TRACE(i);
+    check_events(s.at[0], s.at[1], {{s.at[2], s.at[3], s.at[4]}, kAllKinds[x]},
+                 {{s.at[5], s.at[6], s.at[7]}, kAllKinds[y]}, seen[x][y]);
+    if (HasFatalFailure()) return;
   }
-  EXPECT_GT(compared, 3000);
-  EXPECT_GT(ties, 300);
-  EXPECT_GT(vanishing, 30);
-  EXPECT_GT(deep, 30);
+  for (const auto& row : seen) {
+    for (const Seen& each : row) {
+      EXPECT_GT(each.compared, 400);
+      EXPECT_GT(each.ties, 30);
+    }
+  }
+  EXPECT_GT(seen[1][1].vanishing + seen[1][2].vanishing + seen[2][2].vanishing, 50);
+  EXPECT_GT(seen[1][1].deep + seen[1][2].deep + seen[2][2].deep, 15);
+}
+
+/** Points of a 3 x 3 x 3 lattice: two in three comparisons are ties, many are decided by high powers of e or by nothing. */
+TEST(SweepEvents, OrderOnASmallLattice) {
+  Random random(47);
+  double x[8][3];
+  Seen seen;
+  for (int i = 0; i < 60000; ++i) {
+    for (auto& point : x) {
+      for (double& each : point) each = random.below(3);
+    }
+    if (random.below(2) == 0) std::copy_n(x[2], 3, x[5]);  // two events of one edge or of neighbouring faces
+    SCOPED_TRACE(i);
+    check_events(x[0], x[1], {{x[2], x[3], x[4]}, kAllKinds[random.below(3)]},
+                 {{x[5], x[6], x[7]}, kAllKinds[random.below(3)]}, seen);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(seen.compared, 10000);
+  EXPECT_GT(seen.ties, 5000);
+  EXPECT_GT(seen.vanishing, 1000);
+  EXPECT_GT(seen.deep, 1000);
+  EXPECT_GT(seen.equal, 300);
 }
 
 TEST(SweepEvents, SidesOfTheSweptPlaneAreThoseOfThePolynomials) {

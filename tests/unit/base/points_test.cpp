@@ -1,4 +1,4 @@
-#include "scene/points.h"
+#include "base/points.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,267 @@
+#include "body/body.h"
+
+#include <algorithm>
+
+namespace dsw {
+namespace {
+
+void link_edge(Body& body, uint32_t e, uint32_t side) noexcept {
+  BodyVertex& vertex = body.vertices[body.edges[e].ends[side]];
+  body.edges[e].next[side] = vertex.first_edge;
+  vertex.first_edge = e;
+}
+
+void unlink_edge(Body& body, uint32_t e, uint32_t side) noexcept {
+  const uint32_t v = body.edges[e].ends[side];
+  uint32_t* at = &body.vertices[v].first_edge;
+  while (*at != e) {
+    BodyEdge& edge = body.edges[*at];
+    at = &edge.next[edge.side_of(v)];
+  }
+  *at = body.edges[e].next[side];
+}
+
+void attach_face(BodyEdge& edge, uint32_t face) noexcept {
+  edge.faces[edge.faces[0] == kNone ? 0 : 1] = face;
+}
+
+void replace_face(BodyEdge& edge, uint32_t from, uint32_t to) noexcept {
+  edge.faces[edge.faces[0] == from ? 0 : 1] = to;
+}
+
+template <class T>
+uint32_t acquire(SlotPool& slots, Array<T>& items, const T& item) noexcept {
+  const uint32_t index = slots.acquire().index;
+  if (index == items.size()) {
+    items.push_back(item);
+  } else {
+    items[index] = item;
+  }
+  return index;
+}
+
+template <class T>
+void reserve_slots(SlotPool& slots, Array<T>& items, size_t more) {
+  slots.reserve(more);
+  reserve_more(items, more);
+}
+
+/** Moves one end of an edge to another vertex. */
+void move_end(Body& body, uint32_t e, uint32_t from, uint32_t to) noexcept {
+  const uint32_t side = body.edges[e].side_of(from);
+  unlink_edge(body, e, side);
+  body.edges[e].ends[side] = to;
+  link_edge(body, e, side);
+}
+
+void release_vertex(Body& body, uint32_t vertex) noexcept {
+  body.vertices[vertex] = BodyVertex{};
+  body.vertex_slots.release(vertex);
+  const auto found = std::find(body.inserted.begin(), body.inserted.end(), vertex);
+  if (found != body.inserted.end()) body.inserted.erase(found);
+}
+
+/** Drops an edge that has been joined with another: its face goes there. */
+void join_edge(Body& body, uint32_t gone, uint32_t kept) noexcept {
+  for (const uint32_t f : body.edges[gone].faces) {
+    if (f != kNone) attach_face(body.edges[kept], f);
+  }
+  body.edges[gone].faces[0] = body.edges[gone].faces[1] = kNone;
+  remove_edge(body, gone);
+}
+
+}  // namespace
+
+uint32_t find_edge(const Body& body, uint32_t a, uint32_t b) noexcept {
+  uint32_t found = kNone;
+  for_each_edge(body, a, [&](uint32_t e) {
+    if (body.edges[e].other(a) == b) found = e;
+    return found == kNone;
+  });
+  return found;
+}
+
+uint32_t find_face(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
+  const uint32_t e = find_edge(body, a, b);
+  if (e == kNone) return kNone;
+  for (const uint32_t f : body.edges[e].faces) {
+    if (f == kNone) continue;
+    const BodyFace& face = body.faces[f];
+    if (std::find(face.corners, face.corners + 3, c) != face.corners + 3) return f;
+  }
+  return kNone;
+}
+
+FaceDefect face_defect(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
+  if (find_face(body, a, b, c) != kNone) return FaceDefect::kRepeated;
+  const uint32_t corners[3] = {a, b, c};
+  for (int k = 0; k < 3; ++k) {
+    const uint32_t from = corners[k], to = corners[(k + 1) % 3], e = find_edge(body, from, to);
+    if (e == kNone) continue;
+    const BodyEdge& edge = body.edges[e];
+    if (edge.faces[0] != kNone && edge.faces[1] != kNone) return FaceDefect::kThirdFace;
+    const uint32_t neighbour = edge.faces[0] != kNone ? edge.faces[0] : edge.faces[1];
+    if (neighbour != kNone && body.faces[neighbour].after(from) == to) return FaceDefect::kTurned;
+  }
+  return FaceDefect::kFine;
+}
+
+bool is_one_fan(const Body& body, uint32_t vertex) noexcept {
+  uint32_t count = 0, start = kNone;
+  for_each_face(body, vertex, [&](uint32_t f) {
+    // A fan that is open begins at the face whose first edge has no other face.
+    const BodyEdge& edge = body.edges[find_edge(body, vertex, body.faces[f].after(vertex))];
+    if (count++ == 0 || edge.faces[0] == kNone || edge.faces[1] == kNone) start = f;
+    return true;
+  });
+  if (count == 0) return true;
+  uint32_t reached = 0;
+  for (uint32_t f = start; f != kNone;) {
+    ++reached;
+    const BodyEdge& edge = body.edges[find_edge(body, vertex, body.faces[f].before(vertex))];
+    f = edge.faces[0] == f ? edge.faces[1] : edge.faces[0];
+    if (f == start) break;
+  }
+  return reached == count;
+}
+
+void reserve(Body& body, size_t more_vertices, size_t more_edges, size_t more_faces) {
+  reserve_slots(body.vertex_slots, body.vertices, more_vertices);
+  reserve_slots(body.edge_slots, body.edges, more_edges);
+  reserve_slots(body.face_slots, body.faces, more_faces);
+}
+
+uint32_t add_vertex(Body& body, const double* position, Cell cell) noexcept {
+  BodyVertex vertex;
+  std::copy_n(position, 3, vertex.position);
+  vertex.cell = cell;
+  return acquire(body.vertex_slots, body.vertices, vertex);
+}
+
+uint32_t add_edge(Body& body, uint32_t a, uint32_t b) noexcept {
+  BodyEdge edge;
+  edge.ends[0] = a;
+  edge.ends[1] = b;
+  const uint32_t e = acquire(body.edge_slots, body.edges, edge);
+  link_edge(body, e, 0);
+  link_edge(body, e, 1);
+  return e;
+}
+
+uint32_t add_face(Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
+  BodyFace face;
+  face.corners[0] = a;
+  face.corners[1] = b;
+  face.corners[2] = c;
+  const uint32_t f = acquire(body.face_slots, body.faces, face);
+  for (int k = 0; k < 3; ++k) {
+    const uint32_t from = face.corners[k], to = face.corners[(k + 1) % 3], e = find_edge(body, from, to);
+    attach_face(body.edges[e != kNone ? e : add_edge(body, from, to)], f);
+  }
+  return f;
+}
+
+void remove_face(Body& body, uint32_t face) noexcept {
+  BodyFace& gone = body.faces[face];
+  for (int k = 0; k < 3; ++k) {
+    replace_face(body.edges[find_edge(body, gone.corners[k], gone.corners[(k + 1) % 3])], face, kNone);
+  }
+  gone = BodyFace{};
+  body.face_slots.release(face);
+}
+
+void remove_edge(Body& body, uint32_t edge) noexcept {
+  for (int k = 0; k < 2; ++k) {
+    if (body.edges[edge].faces[k] != kNone) remove_face(body, body.edges[edge].faces[k]);
+  }
+  unlink_edge(body, edge, 0);
+  unlink_edge(body, edge, 1);
+  body.edges[edge] = BodyEdge{};
+  body.edge_slots.release(edge);
+}
+
+void remove_vertex(Body& body, uint32_t vertex) noexcept {
+  while (body.vertices[vertex].first_edge != kNone) remove_edge(body, body.vertices[vertex].first_edge);
+  release_vertex(body, vertex);
+}
+
+uint32_t split_edge(Body& body, uint32_t edge, uint32_t middle) noexcept {
+  const uint32_t from = body.edges[edge].ends[0], to = body.edges[edge].ends[1];
+  const uint32_t faces[2] = {body.edges[edge].faces[0], body.edges[edge].faces[1]};
+  unlink_edge(body, edge, 1);
+  body.edges[edge].ends[1] = middle;
+  link_edge(body, edge, 1);
+  const uint32_t rest = add_edge(body, middle, to);
+  for (const uint32_t f : faces) {
+    if (f == kNone) continue;
+    BodyFace& face = body.faces[f];
+    const uint32_t place = face.place_of(to), far = face.after(from) == to ? face.after(to) : face.before(to);
+    BodyFace second = face;
+    second.corners[second.place_of(from)] = middle;
+    face.corners[place] = middle;
+    const uint32_t between = add_edge(body, middle, far), g = acquire(body.face_slots, body.faces, second);
+    replace_face(body.edges[find_edge(body, to, far)], f, g);
+    attach_face(body.edges[rest], g);
+    attach_face(body.edges[between], f);
+    attach_face(body.edges[between], g);
+  }
+  return rest;
+}
+
+bool can_collapse(const Body& body, uint32_t edge, uint32_t vertex) noexcept {
+  const BodyEdge& e = body.edges[edge];
+  const uint32_t kept = e.other(vertex);
+  bool fits = true;
+  // A neighbour of both ends must be the far corner of a face at the edge: its two other edges become one.
+  for_each_edge(body, vertex, [&](uint32_t other) {
+    const uint32_t far = body.edges[other].other(vertex);
+    const uint32_t twin = far == kept ? kNone : find_edge(body, kept, far);
+    if (twin == kNone) return true;
+    fits = find_face(body, vertex, kept, far) != kNone;
+    return fits;
+  });
+  if (!fits) return false;
+  // A closed surface must keep more than the two triangles it would fold onto.
+  bool folds = false;
+  for_each_face(body, vertex, [&](uint32_t f) {
+    const BodyFace& face = body.faces[f];
+    if (face.after(vertex) == kept || face.before(vertex) == kept) return true;
+    folds = find_face(body, kept, face.after(vertex), face.before(vertex)) != kNone;
+    return !folds;
+  });
+  if (folds) return false;
+  // Two boundary vertices joined by an inner edge would pinch the surface.
+  const auto on_rim = [&](uint32_t v) {
+    bool rim = false;
+    for_each_edge(body, v, [&](uint32_t x) {
+      rim = (body.edges[x].faces[0] == kNone) != (body.edges[x].faces[1] == kNone);
+      return !rim;
+    });
+    return rim;
+  };
+  const bool inner = e.faces[0] != kNone && e.faces[1] != kNone;
+  return !(inner && on_rim(vertex) && on_rim(kept));
+}
+
+void collapse_edge(Body& body, uint32_t edge, uint32_t vertex) noexcept {
+  const uint32_t kept = body.edges[edge].other(vertex);
+  remove_edge(body, edge);
+  while (body.vertices[vertex].first_edge != kNone) {
+    const uint32_t e = body.vertices[vertex].first_edge;
+    const uint32_t far = body.edges[e].other(vertex), twin = find_edge(body, kept, far);
+    for (const uint32_t f : body.edges[e].faces) {
+      if (f == kNone) continue;
+      BodyFace& face = body.faces[f];
+      const uint32_t place = face.place_of(vertex);
+      if (face.corners[place] == vertex) face.corners[place] = kept;
+    }
+    if (twin == kNone) {
+      move_end(body, e, vertex, kept);
+    } else {
+      join_edge(body, e, twin);
+    }
+  }
+  release_vertex(body, vertex);
+}
+
+}  // namespace dsw

@@ -1,0 +1,132 @@
+#pragma once
+// A body: vertices joined by edges and triangles, a manifold where it is a surface. Its topology and where its vertices are;
+// knows nothing of what is free.
+
+#include <cstdint>
+
+#include "base/slot_pool.h"
+#include "environment/environment.h"
+
+namespace dsw {
+
+constexpr uint32_t kNone = 0xffffffffu;
+
+enum class SweepLevel : uint32_t { kPoints, kEdges, kEdgesSwept, kFaces };
+
+/** Two to a cache line. */
+struct BodyVertex {
+  double position[3] = {};
+  Cell cell;                    // contains the position under the shift, passable; invalid in a free slot
+  uint32_t first_edge = kNone;  // start of the list through BodyEdge::next
+};
+static_assert(sizeof(BodyVertex) == 32);
+
+struct BodyEdge {
+  uint32_t ends[2] = {kNone, kNone};  // kNone in a free slot
+  uint32_t next[2] = {kNone, kNone};  // the next edge at ends[k]
+  uint32_t faces[2] = {kNone, kNone};
+
+  uint32_t side_of(uint32_t vertex) const { return ends[0] == vertex ? 0 : 1; }
+  uint32_t other(uint32_t vertex) const { return ends[0] == vertex ? ends[1] : ends[0]; }
+};
+
+struct BodyFace {
+  uint32_t corners[3] = {kNone, kNone, kNone};  // kNone in a free slot
+
+  uint32_t place_of(uint32_t vertex) const { return corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2; }
+  uint32_t after(uint32_t vertex) const { return corners[(place_of(vertex) + 1) % 3]; }
+  uint32_t before(uint32_t vertex) const { return corners[(place_of(vertex) + 2) % 3]; }
+};
+
+/** What of the sweeps of a body's edges may be left out; see DSW_BODY_... */
+struct Skipping {
+  bool sequences = false, by_environment = false, by_clearance = false, by_motion = false;
+  double motion_share = 0.1;
+};
+
+struct Body {
+  Array<BodyVertex> vertices;
+  Array<BodyEdge> edges;
+  Array<BodyFace> faces;
+  SlotPool vertex_slots, edge_slots, face_slots;
+  Array<uint32_t> inserted;  // vertices that a response has inserted
+  SweepLevel level = SweepLevel::kEdgesSwept;
+  Skipping skipping;
+
+  explicit Body(const Memory* memory)
+      : vertices(Allocator<BodyVertex>(memory)),
+        edges(Allocator<BodyEdge>(memory)),
+        faces(Allocator<BodyFace>(memory)),
+        vertex_slots(memory),
+        edge_slots(memory),
+        face_slots(memory),
+        inserted(Allocator<uint32_t>(memory)) {}
+
+  bool has_vertex(uint32_t v) const { return v < vertices.size() && vertices[v].cell.valid(); }
+  bool has_edge(uint32_t e) const { return e < edges.size() && edges[e].ends[0] != kNone; }
+  bool has_face(uint32_t f) const { return f < faces.size() && faces[f].corners[0] != kNone; }
+  const double* position(uint32_t v) const { return vertices[v].position; }
+  uint64_t memory_bytes() const {
+    return array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) + array_bytes(inserted) + vertex_slots.memory_bytes() +
+           edge_slots.memory_bytes() + face_slots.memory_bytes();
+  }
+};
+
+/** Calls visit(edge) for the edges at a vertex; stops when it returns false. */
+template <class Visit>
+void for_each_edge(const Body& body, uint32_t vertex, Visit visit) {
+  for (uint32_t e = body.vertices[vertex].first_edge; e != kNone;) {
+    const BodyEdge& edge = body.edges[e];
+    const uint32_t next = edge.next[edge.side_of(vertex)];
+    if (!visit(e)) return;
+    e = next;
+  }
+}
+
+/** Calls visit(face) for the faces at a vertex, each once; stops when it returns false. */
+template <class Visit>
+void for_each_face(const Body& body, uint32_t vertex, Visit visit) {
+  for_each_edge(body, vertex, [&](uint32_t e) {
+    const BodyEdge edge = body.edges[e];
+    for (const uint32_t f : edge.faces) {
+      if (f != kNone && body.faces[f].after(vertex) == edge.other(vertex) && !visit(f)) return false;
+    }
+    return true;
+  });
+}
+
+/** The edge between two vertices, or kNone. O(edges at a). */
+uint32_t find_edge(const Body& body, uint32_t a, uint32_t b) noexcept;
+/** The face with these corners in any order, or kNone. */
+uint32_t find_face(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+
+/** Why a face can't be added. */
+enum class FaceDefect { kFine, kRepeated, kThirdFace, kTurned };
+/** Corners are distinct living vertices. */
+FaceDefect face_defect(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+/** Whether the triangles at a vertex form at most one fan. */
+bool is_one_fan(const Body& body, uint32_t vertex) noexcept;
+
+/** Makes room for so many more: the functions below then neither throw nor fail. */
+void reserve(Body& body, size_t more_vertices, size_t more_edges, size_t more_faces);
+uint32_t add_vertex(Body& body, const double* position, Cell cell) noexcept;
+uint32_t add_edge(Body& body, uint32_t a, uint32_t b) noexcept;
+/** With the edges that are missing: room for three. */
+uint32_t add_face(Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+
+void remove_face(Body& body, uint32_t face) noexcept;
+/** With its faces. */
+void remove_edge(Body& body, uint32_t edge) noexcept;
+/** With its edges and faces. */
+void remove_vertex(Body& body, uint32_t vertex) noexcept;
+
+/** Puts `middle`, a vertex without edges, on an edge: the edge keeps ends[0], a new one goes on to ends[1], every face at it is cut in
+ * two (and keeps the part at ends[0]). Room: 1 + its faces edges, its faces. Returns the new edge. */
+uint32_t split_edge(Body& body, uint32_t edge, uint32_t middle) noexcept;
+
+/** Whether merging `vertex` into the other end of `edge` leaves a manifold (the link condition) without repeated edges. */
+bool can_collapse(const Body& body, uint32_t edge, uint32_t vertex) noexcept;
+/** Merges `vertex` into the other end of `edge`. Edges and faces of `vertex` now end there; the faces at `edge` are gone. */
+void collapse_edge(Body& body, uint32_t edge, uint32_t vertex) noexcept;
+
+}  // namespace dsw

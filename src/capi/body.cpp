@@ -1,0 +1,218 @@
+#include "dartsweep/body.h"
+
+#include <algorithm>
+
+#include "capi/body_access.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+dsw_body_desc defaults() noexcept {
+  dsw_body_desc d{};
+  d.level = DSW_LEVEL_EDGES_SWEPT;
+  return d;
+}
+
+dsw::Skipping to_skipping(uint32_t flags, double share) {
+  capi::check_flags(flags,
+                    DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_SKIP_BY_MOTION,
+                    "desc->flags");
+  if (!(share >= 0) || !std::isfinite(share)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->motion_share is %g, must be finite and not negative", share);
+  }
+  dsw::Skipping skipping;
+  skipping.sequences = (flags & DSW_BODY_SEQUENCES) != 0;
+  skipping.by_environment = (flags & DSW_BODY_SKIP_BY_ENVIRONMENT) != 0;
+  skipping.by_clearance = (flags & DSW_BODY_SKIP_BY_CLEARANCE) != 0;
+  skipping.by_motion = (flags & DSW_BODY_SKIP_BY_MOTION) != 0;
+  if (share != 0) skipping.motion_share = share;
+  return skipping;
+}
+
+dsw::BodyDescription to_description(const dsw::Scene<3>& scene, const dsw_body_desc& d) {
+  dsw::BodyDescription out;
+  out.level = capi::to_level(d.level, DSW_LEVEL_FACES, "desc->level");
+  out.skipping = to_skipping(d.flags, d.motion_share);
+  if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
+  if (d.vertex_count == 0) fail(DSW_STATUS_WRONG_SIZE, "desc->vertex_count is 0, a body has at least one vertex");
+  out.positions = capi::to_points(d.positions, d.vertex_count, d.stride_bytes, "desc->positions");
+  out.vertex_count = d.vertex_count;
+  capi::check_hints(scene.env.map, d.hints, d.vertex_count, "desc->hints");
+  out.hints = d.hints;
+  capi::require_array(d.edges, d.edge_count, "desc->edges");
+  out.edges = d.edges;
+  out.edge_count = d.edge_count;
+  capi::require_array(d.face_offsets, d.face_count, "desc->face_offsets");
+  capi::require_array(d.face_corners, d.face_count, "desc->face_corners");
+  out.face_offsets = d.face_offsets;
+  out.face_corners = d.face_corners;
+  out.face_count = d.face_count;
+  return out;
+}
+
+/** Copies the ids of what lives. */
+template <class Id, class Items>
+void copy_ids(const Items& items, const dsw::SlotPool& slots, Id* out, size_t capacity, size_t* count) {
+  capi::check_capacity(slots.alive_count(), capacity, out, count);
+  for (uint32_t i = 0; i < items.size(); ++i) {
+    if (slots.alive(i, slots.generation(i))) *out++ = {i, slots.generation(i)};
+  }
+}
+
+}  // namespace
+
+namespace dsw::capi {
+
+uint32_t to_vertex(const Body& body, dsw_body_vertex_id id, const char* name) {
+  if (body.vertex_slots.alive(id.index, id.generation)) return id.index;
+  fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no vertex of the body", name, id.index, id.generation);
+}
+
+uint32_t to_edge(const Body& body, dsw_body_edge_id id, const char* name) {
+  if (body.edge_slots.alive(id.index, id.generation)) return id.index;
+  fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no edge of the body", name, id.index, id.generation);
+}
+
+uint32_t to_face(const Body& body, dsw_body_face_id id, const char* name) {
+  if (body.face_slots.alive(id.index, id.generation)) return id.index;
+  fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no face of the body", name, id.index, id.generation);
+}
+
+void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* count) {
+  require(count, "count");
+  if (capacity < needed) {
+    *count = needed;
+    fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity is %zu, %zu are needed", capacity, needed);
+  }
+  require_array(buffer, needed, "buffer");
+  *count = needed;
+}
+
+}  // namespace dsw::capi
+
+void dsw_body_desc_init(dsw_body_desc* desc, size_t size) { capi::init_struct(desc, size, defaults()); }
+
+dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body_id* body) {
+  return capi::guard("dsw_body_create", [&] {
+    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require(desc, "desc");
+    capi::require(body, "body");
+    *body = create_body(s, to_description(s, capi::read_struct(desc, "desc")));
+  });
+}
+
+dsw_status dsw_scene_get_offending_edges(const dsw_scene* scene, const uint32_t** vertices, size_t* count) {
+  return capi::guard("dsw_scene_get_offending_edges", [&] {
+    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require(vertices, "vertices");
+    capi::require(count, "count");
+    *vertices = s.offending.data();
+    *count = s.offending.size() / 2;
+  });
+}
+
+dsw_status dsw_body_destroy(dsw_scene* scene, dsw_body_id body) {
+  return capi::guard("dsw_body_destroy", [&] {
+    const capi::BodyAccess of(scene, body);
+    destroy_body(of.scene, body.index);
+  });
+}
+
+dsw_status dsw_scene_get_body_count(const dsw_scene* scene, size_t* count) {
+  return capi::guard("dsw_scene_get_body_count", [&] {
+    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require(count, "count");
+    *count = s.body_slots.alive_count();
+  });
+}
+
+dsw_status dsw_body_get_counts(const dsw_scene* scene, dsw_body_id body, dsw_body_counts* counts) {
+  return capi::guard("dsw_body_get_counts", [&] {
+    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    capi::require(counts, "counts");
+    capi::check_size(counts, "counts");
+    dsw_body_counts c{};
+    c.vertex_count = static_cast<uint32_t>(b.vertex_slots.alive_count());
+    c.edge_count = static_cast<uint32_t>(b.edge_slots.alive_count());
+    c.face_count = static_cast<uint32_t>(b.face_slots.alive_count());
+    c.vertex_slots = static_cast<uint32_t>(b.vertices.size());
+    c.edge_slots = static_cast<uint32_t>(b.edges.size());
+    c.face_slots = static_cast<uint32_t>(b.faces.size());
+    capi::write_struct(counts, c);
+  });
+}
+
+dsw_status dsw_body_get_level(const dsw_scene* scene, dsw_body_id body, dsw_level* level) {
+  return capi::guard("dsw_body_get_level", [&] {
+    const capi::BodyAccess of(scene, body);
+    capi::require(level, "level");
+    *level = capi::to_public(of.body.level);
+  });
+}
+
+dsw_status dsw_body_set_level(dsw_scene* scene, dsw_body_id body, dsw_level level) {
+  return capi::guard("dsw_body_set_level", [&] {
+    const capi::BodyAccess of(scene, body);
+    set_level(of.scene, of.body, capi::to_level(level, DSW_LEVEL_FACES, "level"));
+  });
+}
+
+dsw_status dsw_body_get_positions(const dsw_scene* scene, dsw_body_id body, double* positions, size_t capacity,
+                                  size_t stride_bytes, dsw_volume_id* volumes, size_t* count) {
+  return capi::guard("dsw_body_get_positions", [&] {
+    const capi::BodyAccess of(scene, body);
+    const dsw::Body& b = of.body;
+    const size_t step = capi::to_step(b.vertices.size(), stride_bytes);
+    capi::check_capacity(b.vertices.size(), capacity, positions, count);
+    for (size_t i = 0; i < b.vertices.size(); ++i) {
+      std::copy_n(b.vertices[i].position, 3, positions + i * step);
+      if (volumes != nullptr) volumes[i] = volume_id(of.scene.env.map, b.vertices[i].cell);
+    }
+  });
+}
+
+dsw_status dsw_body_get_vertices(const dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id* vertices,
+                                 size_t capacity, size_t* count) {
+  return capi::guard("dsw_body_get_vertices", [&] {
+    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    copy_ids(b.vertices, b.vertex_slots, vertices, capacity, count);
+  });
+}
+
+dsw_status dsw_body_get_edges(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id* edges, size_t capacity,
+                              size_t* count) {
+  return capi::guard("dsw_body_get_edges", [&] {
+    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    copy_ids(b.edges, b.edge_slots, edges, capacity, count);
+  });
+}
+
+dsw_status dsw_body_get_faces(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id* faces, size_t capacity,
+                              size_t* count) {
+  return capi::guard("dsw_body_get_faces", [&] {
+    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    copy_ids(b.faces, b.face_slots, faces, capacity, count);
+  });
+}
+
+dsw_status dsw_body_get_edge(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge,
+                             dsw_body_vertex_id* vertices) {
+  return capi::guard("dsw_body_get_edge", [&] {
+    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    capi::require(vertices, "vertices");
+    const uint32_t e = capi::to_edge(b, edge, "edge");
+    for (int k = 0; k < 2; ++k) vertices[k] = vertex_id(b, b.edges[e].ends[k]);
+  });
+}
+
+dsw_status dsw_body_get_face(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id face,
+                             dsw_body_vertex_id* vertices) {
+  return capi::guard("dsw_body_get_face", [&] {
+    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    capi::require(vertices, "vertices");
+    const uint32_t f = capi::to_face(b, face, "face");
+    for (int k = 0; k < 3; ++k) vertices[k] = vertex_id(b, b.faces[f].corners[k]);
+  });
+}

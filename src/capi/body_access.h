@@ -1,0 +1,27 @@
+#pragma once
+// Bodies and their parts as a host names them.
+
+#include "capi/convert.h"
+#include "contact/describe.h"
+
+namespace dsw::capi {
+
+/** The scene and one of its bodies; throws what is wrong with either. */
+struct BodyAccess {
+  Scene<3>& scene;
+  BodyRecord& record;
+  Body& body;
+
+  BodyAccess(dsw_scene* handle, dsw_body_id id)
+      : scene(check_handle(handle, "scene").engine), record(check_body(scene, id, {"body", false})), body(record.body) {}
+  BodyAccess(const dsw_scene* handle, dsw_body_id id) : BodyAccess(const_cast<dsw_scene*>(handle), id) {}
+};
+
+uint32_t to_vertex(const Body& body, dsw_body_vertex_id id, const char* name);
+uint32_t to_edge(const Body& body, dsw_body_edge_id id, const char* name);
+uint32_t to_face(const Body& body, dsw_body_face_id id, const char* name);
+
+/** Sets `count` and fails if there is no room. */
+void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* count);
+
+}  // namespace dsw::capi

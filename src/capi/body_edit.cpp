@@ -1,0 +1,81 @@
+// Changes of bodies while they live: the second half of body.h.
+
+#include "capi/body_access.h"
+#include "dartsweep/body.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+dsw_status dsw_body_add_vertex(dsw_scene* scene, dsw_body_id body, const double* position, dsw_volume_id hint,
+                               dsw_body_vertex_id* vertex) {
+  return capi::guard("dsw_body_add_vertex", [&] {
+    const capi::BodyAccess of(scene, body);
+    capi::require(position, "position");
+    capi::require(vertex, "vertex");
+    *vertex = vertex_id(of.body, add_body_vertex(of.scene, of.body, position, hint));
+  });
+}
+
+dsw_status dsw_body_add_edge(dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
+                             dsw_body_edge_id* edge) {
+  return capi::guard("dsw_body_add_edge", [&] {
+    const capi::BodyAccess of(scene, body);
+    capi::require(edge, "edge");
+    const uint32_t from = capi::to_vertex(of.body, a, "a"), to = capi::to_vertex(of.body, b, "b");
+    *edge = edge_id(of.body, add_body_edge(of.scene, of.body, from, to));
+  });
+}
+
+dsw_status dsw_body_add_face(dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
+                             dsw_body_vertex_id c, dsw_body_face_id* face) {
+  return capi::guard("dsw_body_add_face", [&] {
+    const capi::BodyAccess of(scene, body);
+    capi::require(face, "face");
+    const uint32_t corners[3] = {capi::to_vertex(of.body, a, "a"), capi::to_vertex(of.body, b, "b"),
+                                 capi::to_vertex(of.body, c, "c")};
+    *face = face_id(of.body, add_body_face(of.scene, of.body, corners[0], corners[1], corners[2]));
+  });
+}
+
+dsw_status dsw_body_remove_face(dsw_scene* scene, dsw_body_id body, dsw_body_face_id face) {
+  return capi::guard("dsw_body_remove_face", [&] {
+    const capi::BodyAccess of(scene, body);
+    remove_face(of.body, capi::to_face(of.body, face, "face"));
+  });
+}
+
+dsw_status dsw_body_remove_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge) {
+  return capi::guard("dsw_body_remove_edge", [&] {
+    const capi::BodyAccess of(scene, body);
+    remove_edge(of.body, capi::to_edge(of.body, edge, "edge"));
+  });
+}
+
+dsw_status dsw_body_remove_vertex(dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id vertex) {
+  return capi::guard("dsw_body_remove_vertex", [&] {
+    const capi::BodyAccess of(scene, body);
+    remove_vertex(of.body, capi::to_vertex(of.body, vertex, "vertex"));
+  });
+}
+
+dsw_status dsw_body_split_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge, double share,
+                               dsw_body_edit* edit) {
+  return capi::guard("dsw_body_split_edge", [&] {
+    const capi::BodyAccess of(scene, body);
+    const uint32_t e = capi::to_edge(of.body, edge, "edge");
+    if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must lie between 0 and 1", share);
+    split_body_edge(of.scene, of.body, e, share, edit);
+  });
+}
+
+dsw_status dsw_body_collapse_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge, dsw_body_vertex_id vertex,
+                                  dsw_body_edit* edit) {
+  return capi::guard("dsw_body_collapse_edge", [&] {
+    const capi::BodyAccess of(scene, body);
+    const uint32_t e = capi::to_edge(of.body, edge, "edge"), v = capi::to_vertex(of.body, vertex, "vertex");
+    if (of.body.edges[e].ends[0] != v && of.body.edges[e].ends[1] != v) {
+      fail(DSW_STATUS_NOT_FOUND, "vertex %u is no end of edge %u", v, e);
+    }
+    collapse_body_edge(of.scene, of.body, e, v, edit);
+  });
+}

@@ -1,0 +1,238 @@
+#include "dartsweep/move.h"
+
+#include <cmath>
+
+#include "capi/body_access.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+uint32_t to_number(uint32_t value, uint32_t last, const char* name) {
+  if (value > last) fail(DSW_STATUS_UNSUPPORTED, "%s is %u, this version knows 0 .. %u", name, value, last);
+  return value;
+}
+
+dsw_move_options read_options(const dsw_move_options* options) {
+  const dsw_move_options o = options == nullptr ? dsw_move_options{} : capi::read_struct(options, "options");
+  capi::check_flags(o.flags, 0, "options->flags");
+  return o;
+}
+
+dsw::MoveSettings to_settings(const dsw_move_options& o) {
+  dsw::MoveSettings s;
+  s.vertex = static_cast<dsw::Response>(
+      to_number(capi::raw_value(o.vertex_response), DSW_RESPONSE_SLIDE, "options->vertex_response"));
+  if (s.vertex != dsw::Response::kStop && s.vertex != dsw::Response::kSlide) {
+    fail(DSW_STATUS_UNSUPPORTED, "options->vertex_response is %u, must be STOP or SLIDE", capi::raw_value(o.vertex_response));
+  }
+  s.edge = static_cast<dsw::Response>(
+      to_number(capi::raw_value(o.edge_response), DSW_RESPONSE_SLIDE, "options->edge_response"));
+  s.search = static_cast<dsw::Search>(to_number(capi::raw_value(o.search), DSW_SEARCH_BISECTION, "options->search"));
+  if (o.bisection_depth > 52) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "options->bisection_depth is %u, must be 1 to 52, or 0", o.bisection_depth);
+  }
+  if (o.bisection_depth != 0) s.bisection_depth = o.bisection_depth;
+  if (!(o.min_part >= 0 && o.min_part <= 0.5)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "options->min_part is %g, must be in (0, 0.5], or 0", o.min_part);
+  }
+  if (o.min_part != 0) s.min_part = o.min_part;
+  if (!std::isfinite(o.stand_off)) fail(DSW_STATUS_NON_FINITE, "options->stand_off is %g", o.stand_off);
+  s.stand_off = o.stand_off;
+  if (!(o.noise_share >= 0) || !std::isfinite(o.noise_share)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "options->noise_share is %g, must be finite and not negative", o.noise_share);
+  }
+  s.noise_share = o.noise_share;
+  return s;
+}
+
+dsw::MoveOrder to_order(const dsw::Scene<3>& scene, const dsw::Body& body, const dsw_move_options& o) {
+  if (o.order == nullptr) {
+    if (o.order_count != 0) fail(DSW_STATUS_NULL_ARGUMENT, "options->order is null and order_count %zu", o.order_count);
+    return {};
+  }
+  dsw::Array<bool> seen(body.vertices.size(), false, dsw::Allocator<bool>(scene.memory));
+  for (size_t i = 0; i < o.order_count; ++i) {
+    const uint32_t v = o.order[i];
+    if (!body.has_vertex(v)) fail(DSW_STATUS_OUT_OF_RANGE, "options->order[%zu] is %u, which names no vertex", i, v);
+    if (seen[v]) fail(DSW_STATUS_DUPLICATE_ID, "options->order[%zu] is %u, which stands twice", i, v);
+    seen[v] = true;
+  }
+  return {o.order, o.order_count};
+}
+
+/** Targets of the vertices that move are finite; those of others are not read. */
+void check_targets(const dsw::Body& body, dsw::PointArray targets, const dsw::MoveOrder& order, size_t first) {
+  const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
+    if (!body.has_vertex(v)) continue;
+    const double* const t = targets[first + v];
+    if (!(std::isfinite(t[0]) && std::isfinite(t[1]) && std::isfinite(t[2]))) {
+      dsw::fail_non_finite(targets, first + v, 3, {"targets", true});
+    }
+  }
+}
+
+void check_target_count(size_t given, size_t needed) {
+  if (given != needed) fail(DSW_STATUS_WRONG_SIZE, "target_count is %zu, there are %zu vertex slots", given, needed);
+}
+
+void write_report(const dsw::MoveRecord& record, dsw_move_report* report) noexcept {
+  if (report == nullptr) return;
+  *report = {record.fraction,
+             record.moved,
+             record.stopped,
+             static_cast<uint32_t>(record.contacts.size()),
+             static_cast<uint32_t>(record.edits.size()),
+             record.sweeps.swept,
+             record.sweeps.skipped};
+}
+
+/** A rigid motion with its quaternion of length 1. */
+struct Rigid {
+  double rotation[4], centre[3], translation[3];
+
+  explicit Rigid(const dsw_rigid_motion& motion) {
+    const double* const q = motion.rotation;
+    double largest = 0;
+    for (int k = 0; k < 4; ++k) largest = std::max(largest, std::fabs(q[k]));
+    for (int k = 0; k < 3; ++k) {
+      centre[k] = motion.centre[k];
+      translation[k] = motion.translation[k];
+      if (!std::isfinite(centre[k]) || !std::isfinite(translation[k])) {
+        fail(DSW_STATUS_NON_FINITE, "motion has a component that is not finite");
+      }
+    }
+    for (int k = 0; k < 4; ++k) {
+      if (!std::isfinite(q[k])) fail(DSW_STATUS_NON_FINITE, "motion->rotation[%d] is %g", k, q[k]);
+    }
+    if (!(largest > 0)) fail(DSW_STATUS_OUT_OF_RANGE, "motion->rotation is zero");
+    for (int k = 0; k < 4; ++k) rotation[k] = q[k] / largest;
+    normalise(rotation);
+    if (rotation[3] < 0) {  // the shorter way round
+      for (double& each : rotation) each = -each;
+    }
+  }
+
+  static void normalise(double (&q)[4]) noexcept {
+    const double size = std::sqrt((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]));
+    for (double& each : q) each /= size;
+  }
+
+  /** Where a point is at a fraction of the motion. */
+  static void place(const void* user, const double* from, double fraction, double* to) noexcept {
+    const Rigid& m = *static_cast<const Rigid*>(user);
+    double q[4];
+    for (int k = 0; k < 3; ++k) q[k] = fraction * m.rotation[k];
+    q[3] = (1 - fraction) + fraction * m.rotation[3];
+    normalise(q);
+    const double x[3] = {from[0] - m.centre[0], from[1] - m.centre[1], from[2] - m.centre[2]};
+    // x + 2 w (v x x) + 2 v x (v x x)
+    const double c[3] = {q[1] * x[2] - q[2] * x[1], q[2] * x[0] - q[0] * x[2], q[0] * x[1] - q[1] * x[0]};
+    const double d[3] = {q[1] * c[2] - q[2] * c[1], q[2] * c[0] - q[0] * c[2], q[0] * c[1] - q[1] * c[0]};
+    for (int k = 0; k < 3; ++k) {
+      // Added to where it was, so that no motion leaves it there to the bit.
+      to[k] = from[k] + (2 * (q[3] * c[k] + d[k]) + fraction * m.translation[k]);
+    }
+  }
+};
+
+}  // namespace
+
+void dsw_move_options_init(dsw_move_options* options, size_t size) {
+  capi::init_struct(options, size, dsw_move_options{});
+}
+
+dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targets, size_t target_count,
+                         size_t stride_bytes, const dsw_move_options* options, dsw_move_report* report) {
+  return capi::guard("dsw_body_move", [&] {
+    const capi::BodyAccess of(scene, body);
+    const dsw_move_options o = read_options(options);
+    const dsw::MoveSettings settings = to_settings(o);
+    check_target_count(target_count, of.body.vertices.size());
+    const dsw::PointArray points = capi::to_points(targets, target_count, stride_bytes, "targets");
+    const dsw::MoveOrder order = to_order(of.scene, of.body, o);
+    check_targets(of.body, points, order, 0);
+    move_body(of.scene, of.record, points, order, settings);
+    write_report(of.record.record, report);
+  });
+}
+
+dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, size_t count, const double* targets,
+                                 size_t target_count, size_t stride_bytes, const dsw_move_options* options,
+                                 dsw_move_report* reports) {
+  return capi::guard("dsw_scene_move_bodies", [&] {
+    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require_array(bodies, count, "bodies");
+    const dsw_move_options o = read_options(options);
+    const dsw::MoveSettings settings = to_settings(o);
+    if (o.order != nullptr || o.order_count != 0) fail(DSW_STATUS_UNSUPPORTED, "options->order must be null for many bodies");
+    dsw::Array<dsw::BodyRecord*> records{dsw::Allocator<dsw::BodyRecord*>(s.memory)};
+    dsw::Array<bool> seen(s.bodies.size(), false, dsw::Allocator<bool>(s.memory));
+    records.reserve(count);
+    size_t needed = 0;
+    for (size_t i = 0; i < count; ++i) {
+      records.push_back(&check_body(s, bodies[i], {"bodies", true}, i));
+      if (seen[bodies[i].index]) fail(DSW_STATUS_DUPLICATE_ID, "bodies[%zu] stands twice", i);
+      seen[bodies[i].index] = true;
+      needed += records[i]->body.vertices.size();
+    }
+    check_target_count(target_count, needed);
+    const dsw::PointArray points = capi::to_points(targets, target_count, stride_bytes, "targets");
+    size_t first = 0;
+    for (const dsw::BodyRecord* each : records) {
+      check_targets(each->body, points, {}, first);
+      first += each->body.vertices.size();
+    }
+    move_bodies(s, records.data(), count, points, settings);
+    for (size_t i = 0; reports != nullptr && i < count; ++i) write_report(records[i]->record, reports + i);
+  });
+}
+
+dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rigid_motion* motion,
+                               const dsw_move_options* options, dsw_move_report* report) {
+  return capi::guard("dsw_body_move_rigid", [&] {
+    const capi::BodyAccess of(scene, body);
+    capi::require(motion, "motion");
+    const dsw_move_options o = read_options(options);
+    to_settings(o);
+    const dsw::MoveOrder order = to_order(of.scene, of.body, o);
+    if (order.vertices != nullptr && order.count != of.body.vertex_slots.alive_count()) {
+      fail(DSW_STATUS_WRONG_SIZE, "options->order has %zu vertices of %zu: a rigid body moves as a whole", order.count,
+           of.body.vertex_slots.alive_count());
+    }
+    const Rigid rigid(*motion);
+    for (const dsw::BodyVertex& each : of.body.vertices) {
+      double to[3];
+      Rigid::place(&rigid, each.position, 1, to);
+      if (!(std::isfinite(to[0]) && std::isfinite(to[1]) && std::isfinite(to[2]))) {
+        fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
+      }
+    }
+    move_body_together(of.scene, of.record, Rigid::place, &rigid, order);
+    write_report(of.record.record, report);
+  });
+}
+
+dsw_status dsw_body_get_contacts(const dsw_scene* scene, dsw_body_id body, const dsw_contact** contacts,
+                                 size_t* count) {
+  return capi::guard("dsw_body_get_contacts", [&] {
+    const capi::BodyAccess of(scene, body);
+    capi::require(contacts, "contacts");
+    capi::require(count, "count");
+    *contacts = of.record.record.contacts.data();
+    *count = of.record.record.contacts.size();
+  });
+}
+
+dsw_status dsw_body_get_edits(const dsw_scene* scene, dsw_body_id body, const dsw_body_edit** edits, size_t* count) {
+  return capi::guard("dsw_body_get_edits", [&] {
+    const capi::BodyAccess of(scene, body);
+    capi::require(edits, "edits");
+    capi::require(count, "count");
+    *edits = of.record.record.edits.data();
+    *count = of.record.record.edits.size();
+  });
+}

@@ -1,0 +1,74 @@
+#include "contact/describe.h"
+
+#include <algorithm>
+
+#include "environment/marking.h"
+
+namespace dsw {
+namespace {
+
+void name_obstacle(const Environment<3>& env, const SweepContact& met, dsw_contact& contact) {
+  const Map<3>& map = env.map;
+  contact.front = volume_id(map, met.front);
+  if (met.facet.valid()) {
+    contact.wall = face_id(map, canonical(map, met.facet));
+    contact.cause = obstacle_kind(env, met.facet);
+    contact.tag = obstacle_tag(env, met.facet, map.cell_of(met.facet));
+  }
+  switch (kind_of(met)) {
+    case ContactKind::kVertex:
+      contact.kind = DSW_CONTACT_VERTEX;
+      contact.obstacle = {DSW_CELL_VERTEX, met.vertex, kGeneration, 0};
+      if (!met.facet.valid()) contact.cause = vertex_marked(env, met.vertex) ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
+      break;
+    case ContactKind::kEdge: {
+      contact.kind = DSW_CONTACT_EDGE;
+      const dsw_edge_id edge = edge_id(map, {met.front, met.dart});
+      contact.obstacle = {DSW_CELL_EDGE, edge.volume, edge.generation, edge.local};
+      if (!met.facet.valid()) contact.cause = DSW_CELL_EDGE;
+      break;
+    }
+    case ContactKind::kPlane:
+      contact.kind = DSW_CONTACT_PLANE;
+      contact.obstacle = {DSW_CELL_FACE, contact.wall.volume, contact.wall.generation, contact.wall.local};
+      break;
+  }
+}
+
+}  // namespace
+
+dsw_body_vertex_id vertex_id(const Body& body, uint32_t v) noexcept { return {v, body.vertex_slots.generation(v)}; }
+dsw_body_edge_id edge_id(const Body& body, uint32_t e) noexcept { return {e, body.edge_slots.generation(e)}; }
+dsw_body_face_id face_id(const Body& body, uint32_t f) noexcept { return {f, body.face_slots.generation(f)}; }
+
+dsw_contact describe(const Environment<3>& env, const Body& body, uint32_t v, const double* to,
+                     const StarContact& met) {
+  dsw_contact contact{};
+  const double* const from = body.position(v);
+  std::copy_n(from, 3, contact.from);
+  std::copy_n(to, 3, contact.to);
+  contact.vertex = vertex_id(body, v);
+  if (met.edge != kNone) {
+    contact.edge = edge_id(body, met.edge);
+    std::copy_n(body.position(body.edges[met.edge].other(v)), 3, contact.fixed[0]);
+  } else if (met.face != kNone) {
+    contact.face = face_id(body, met.face);
+    std::copy_n(body.position(body.faces[met.face].after(v)), 3, contact.fixed[0]);
+    std::copy_n(body.position(body.faces[met.face].before(v)), 3, contact.fixed[1]);
+  }
+  const ContactGeometry geometry = contact_geometry(env, from, to, met.contact);
+  contact.time = geometry.time;
+  contact.along = geometry.along;
+  std::copy_n(geometry.position, 3, contact.position);
+  std::copy_n(geometry.point, 3, contact.point);
+  std::copy_n(geometry.normal, 3, contact.normal);
+  name_obstacle(env, met.contact, contact);
+  return contact;
+}
+
+uint64_t obstacle_key(const dsw_contact& contact) noexcept {
+  return uint64_t{contact.obstacle.index} << 32 | static_cast<uint64_t>(contact.obstacle.kind) << 24 |
+         (contact.obstacle.local & 0xffffffu);
+}
+
+}  // namespace dsw

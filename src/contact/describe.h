@@ -1,0 +1,21 @@
+#pragma once
+// A contact of a body as a host reads it.
+
+#include "contact/geometry.h"
+#include "contact/names.h"
+#include "sweep/star.h"
+
+namespace dsw {
+
+dsw_body_vertex_id vertex_id(const Body& body, uint32_t v) noexcept;
+dsw_body_edge_id edge_id(const Body& body, uint32_t e) noexcept;
+dsw_body_face_id face_id(const Body& body, uint32_t f) noexcept;
+
+/** All but `distance_left` and `history` of the contact that vertex v met on its way to `to`. */
+dsw_contact describe(const Environment<3>& env, const Body& body, uint32_t v, const double* to,
+                     const StarContact& met);
+
+/** Names the obstacle of a contact in 64 bits, to see it again. */
+uint64_t obstacle_key(const dsw_contact& contact) noexcept;
+
+}  // namespace dsw

@@ -1,0 +1,82 @@
+#include "contact/geometry.h"
+
+#include <algorithm>
+
+#include "contact/vec.h"
+#include "motion/move.h"
+#include "motion/standard_facets.h"
+#include "predicates/plane_hit.h"
+
+namespace dsw {
+namespace {
+
+/** Where segment ab pierces the swept plane, by the exact ratio. It does not lie in it: shifted, both ends of a line in that
+ * plane are on one side. */
+void piercing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
+  const double* const swept[3] = {m.p, m.to, m.q};
+  if (swept_side(m, b).sign < 0) std::swap(a, b);
+  point_at<3>(a, b, crossing_time<3>(a, b, swept), point);
+}
+
+/** How far along the edge, which runs from `end` to q, a point on it lies: by the axis it is longest on. */
+double share_along(const double* end, const double* q, const double* point) {
+  int axis = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (std::fabs(q[k] - end[k]) > std::fabs(q[axis] - end[axis])) axis = k;
+  }
+  const double share = (point[axis] - end[axis]) / (q[axis] - end[axis]);
+  return share > 0 ? std::min(share, 1.0) : 0;
+}
+
+/** Out of the obstacle's triangle, which looks out of the cell in front; zero for a wire or a lone vertex. */
+Vec wall_normal(const Environment<3>& env, const SweepContact& contact) {
+  if (!contact.facet.valid() || contact.event.kind == EventKind::kFace) return {};
+  const double* triangle[3];
+  obstacle_triangle(env, contact, triangle);
+  double outward[3];
+  unit_normal<3>(triangle, outward);
+  return {0 - outward[0], 0 - outward[1], 0 - outward[2]};
+}
+
+/** `chosen` turned against the motion, or where it does not lean, as the wall looks. */
+Vec against(const Vec& chosen, const Vec& move, const Vec& wall) {
+  const double lean = dot(chosen, move);
+  const bool turn = lean != 0 ? lean > 0 : dot(chosen, wall) < 0;
+  return (turn ? -1.0 : 1.0) * chosen;
+}
+
+}  // namespace
+
+void obstacle_triangle(const Environment<3>& env, const SweepContact& contact, const double* (&triangle)[3]) noexcept {
+  boundary_points(env, contact.front, contact.simplex, triangle);
+}
+
+ContactGeometry contact_geometry(const Environment<3>& env, const double* p, const double* to,
+                                 const SweepContact& contact) {
+  const SweepEvent& event = contact.event;
+  ContactGeometry g;
+  g.time = event_time(p, to, event);
+  point_at<3>(p, to, g.time, g.position);
+  std::copy_n(g.position, 3, g.point);
+  const Vec move = unit(difference(to, p)), wall = wall_normal(env, contact);
+  Vec normal = wall;
+  if (event.kind == EventKind::kEdge) {
+    const EdgeMotion m{p, to, event.points[0]};
+    piercing_point(m, event.points[1], event.points[2], g.point);
+    g.along = share_along(g.position, m.q, g.point);
+    if (contact.dart != kNoFacet) {
+      const Vec across =
+          unit(cross(unit(difference(m.q, g.position)), unit(difference(event.points[2], event.points[1]))));
+      normal = against(!is_zero(across) ? across : !is_zero(wall) ? wall : -1.0 * move, move, wall);
+    }
+  } else if (event.kind == EventKind::kFace) {
+    std::copy_n(event.points[2], 3, g.point);
+    const Vec face =
+        unit(cross(unit(difference(event.points[0], g.position)), unit(difference(event.points[1], g.position))));
+    normal = against(!is_zero(face) ? face : -1.0 * move, move, wall);
+  }
+  store(normal + Vec{}, g.normal);  // never -0
+  return g;
+}
+
+}  // namespace dsw

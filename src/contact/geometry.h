@@ -1,0 +1,23 @@
+#pragma once
+// Where and how something is touched: doubles that follow from an exact event.
+
+#include "motion/sweep.h"
+
+namespace dsw {
+
+struct ContactGeometry {
+  double time = 0;
+  double position[3] = {};  // of the moving vertex
+  double point[3] = {};     // of the touch
+  double along = 0;         // on the touching edge: 0 the moving end, 1 the fixed one
+  double normal[3] = {};    // unit, out of the obstacle; see dsw_sweep and dsw_contact
+};
+
+/** Of a contact on the way of a vertex from p to `to`. */
+ContactGeometry contact_geometry(const Environment<3>& env, const double* p, const double* to,
+                                 const SweepContact& contact);
+
+/** The boundary triangle of a contact at a facet, seen from `front`; its vertices turn as those of the cell. */
+void obstacle_triangle(const Environment<3>& env, const SweepContact& contact, const double* (&triangle)[3]) noexcept;
+
+}  // namespace dsw

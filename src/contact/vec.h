@@ -1,0 +1,46 @@
+#pragma once
+// A few lines of vector algebra in a fixed order of operations, so that results have the same bits everywhere.
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsw {
+
+struct Vec {
+  double x = 0, y = 0, z = 0;
+};
+
+inline Vec to_vec(const double* a) { return {a[0], a[1], a[2]}; }
+inline Vec difference(const double* a, const double* b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec operator*(double s, const Vec& a) { return {a.x * s, a.y * s, a.z * s}; }
+inline Vec cross(const Vec& a, const Vec& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double dot(const Vec& a, const Vec& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+inline bool is_zero(const Vec& a) { return a.x == 0 && a.y == 0 && a.z == 0; }
+inline void store(const Vec& a, double* out) {
+  out[0] = a.x;
+  out[1] = a.y;
+  out[2] = a.z;
+}
+
+/** Length by the largest component first, so that no square over- or underflows. */
+inline double length(const Vec& a) {
+  const double largest = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
+  if (!(largest > 0) || !std::isfinite(largest)) return largest;
+  const Vec b{a.x / largest, a.y / largest, a.z / largest};
+  return largest * std::sqrt(dot(b, b));
+}
+
+/** Length 1; zero if it is zero or not finite. */
+inline Vec unit(const Vec& a) {
+  const double largest = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
+  if (!(largest > 0) || !std::isfinite(largest)) return {};
+  const Vec b{a.x / largest, a.y / largest, a.z / largest};
+  const double size = std::sqrt(dot(b, b));
+  return {b.x / size, b.y / size, b.z / size};
+}
+
+}  // namespace dsw

@@ -1,0 +1,48 @@
+#pragma once
+// The cells a flood has met, each once, in the order of discovery. Keeps its memory from flood to flood.
+
+#include "base/memory.h"
+#include "map/map.h"
+
+namespace dsw {
+
+class CellQueue {
+ public:
+  explicit CellQueue(const Memory* memory)
+      : cells_(Allocator<Cell>(memory)), slots_(kFirstSlots, kNoCell, Allocator<uint32_t>(memory)) {}
+
+  size_t size() const { return cells_.size(); }
+  Cell operator[](size_t i) const { return cells_[i]; }
+  bool contains(Cell c) const { return slots_[slot_of(c)] == c.unit; }
+
+  void insert(Cell c) {
+    const size_t slot = slot_of(c);
+    if (slots_[slot] == c.unit) return;
+    cells_.push_back(c);
+    slots_[slot] = c.unit;
+    if (2 * cells_.size() >= slots_.size()) grow();
+  }
+
+  /** Last in, first out, so that no chain is broken before its end is gone; what a large flood left behind is not swept. */
+  void clear() {
+    for (; !cells_.empty(); cells_.pop_back()) slots_[slot_of(cells_.back())] = kNoCell;
+  }
+
+ private:
+  static constexpr size_t kFirstSlots = 64;
+
+  size_t slot_of(Cell c) const {
+    size_t slot = (c.unit * 0x9e3779b1u) & (slots_.size() - 1);
+    while (slots_[slot] != kNoCell && slots_[slot] != c.unit) slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+  void grow() {
+    slots_.assign(2 * slots_.size(), kNoCell);
+    for (const Cell each : cells_) slots_[slot_of(each)] = each.unit;
+  }
+
+  Array<Cell> cells_;
+  Array<uint32_t> slots_;  // their units by hash, linear probing; kNoCell is empty
+};
+
+}  // namespace dsw

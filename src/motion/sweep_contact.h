@@ -1,0 +1,45 @@
+#pragma once
+// What the swept edges and faces of one moving vertex meet, and in which order.
+
+#include "environment/environment.h"
+#include "predicates/sweep_events.h"
+
+namespace dsw {
+
+constexpr uint32_t kNoVertex = 0xffffffffu;
+
+/** What an edge or a face meets. Its event borrows the body's points. */
+struct SweepContact {
+  SweepEvent event;
+  Cell front;       // the cell from which it is met
+  HalfFacet facet;  // impassable, seen from `front`; invalid for a wire. Of a face: the lowest impassable facet
+                    // at the vertex by its canonical name; invalid if only a mark or a wire makes it impassable
+  bool faces_start = false;     // p lies on this side of the plane
+  uint32_t simplex = 0;         // of `front`, in `facet`; not of a face
+  uint32_t dart = kNoFacet;     // of `front`, along the obstacle's edge; kNoFacet for other events and on a diagonal
+  uint32_t vertex = kNoVertex;  // of a face: the environment vertex it meets
+};
+
+/** In the order in which they count at one time. */
+enum class ContactKind : uint32_t { kVertex, kEdge, kPlane };
+
+inline ContactKind kind_of(const SweepContact& c) {
+  if (c.event.kind == EventKind::kFace) return ContactKind::kVertex;
+  return c.dart != kNoFacet ? ContactKind::kEdge : ContactKind::kPlane;
+}
+
+/** Whether two contacts are the same thing of the body at the same thing of the environment, seen from whichever cell. */
+bool same_event(const SweepContact& a, const SweepContact& b) noexcept;
+
+/** Whether `a` counts before `b` when a vertex goes from p to p' and they are contacts of any of its edges and faces: by exact
+ * time, then kind, then the canonical names of what is met and from where. Neither comes before the other only if the same
+ * is met from the same place: then the caller's order of edges and faces counts. */
+bool comes_before(const Map<3>& map, const double* p, const double* to, const SweepContact& a,
+                  const SweepContact& b) noexcept;
+
+/** Whether an edge p q may be swept to p' q without a look at the triangle, given the cells that each of the two crosses on
+ * its way, both free: the first contains p (p'), the last contains q. O(cells). */
+bool same_sequence_settles(const Map<3>& map, const Cell* old_cells, size_t old_count, const Cell* new_cells,
+                           size_t new_count) noexcept;
+
+}  // namespace dsw

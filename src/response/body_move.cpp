@@ -1,0 +1,303 @@
+// All vertices first move as if nobody met anything, side by side; whoever does, and whoever relied on them, then moves one by one.
+// What comes out is that of one vertex after the other: a sweep depends on others only through where their vertices are at its turn.
+
+#include "response/body_move.h"
+
+#include <algorithm>
+
+#include "contact/describe.h"
+#include "contact/vec.h"
+#include "response/insertion.h"
+#include "response/vertex_move.h"
+
+namespace dsw {
+namespace {
+
+bool is_same_point(const double* a, const double* b) { return std::equal(a, a + 3, b); }
+
+/** Square of the distance that may be compared with that of others; can overflow to infinity, which compares as it should. */
+double distance_squared(const double* a, const double* b) {
+  const Vec d = difference(a, b);
+  return dot(d, d);
+}
+
+}  // namespace
+
+BodyMove::BodyMove(const Environment<3>& env)
+    : env_(env),
+      sweeps_(env),
+      order_(Allocator<uint32_t>(env.memory)),
+      moving_(Allocator<Moving>(env.memory)),
+      skipped_(Allocator<uint32_t>(env.memory)),
+      before_(Allocator<BodyVertex>(env.memory)) {}
+
+void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveSettings& settings,
+                    MoveRecord& record) {
+  record.clear();
+  start(body, order, targets);
+  const bool edits = settings.may_insert() || settings.noise_share > 0;
+  before_.assign(body.vertices.begin(), body.vertices.end());
+  Body whole(env_.memory);
+  if (edits) whole = body;
+  const auto go_back = [&] {
+    if (edits) {
+      std::swap(body, whole);
+    } else {
+      std::copy(before_.begin(), before_.end(), body.vertices.begin());
+    }
+  };
+  try {
+    const bool may_skip = body.skipping.by_motion && body.level == SweepLevel::kEdges;
+    if (!run(body, targets, settings, record, may_skip)) {
+      // An edge that was left out is not free where it ends: once more, and nothing is left out.
+      if (edits) {
+        Body again = whole;
+        std::swap(body, again);
+      } else {
+        go_back();
+      }
+      record.clear();
+      start(body, order, targets);
+      run(body, targets, settings, record, false);
+    }
+    if (settings.noise_share > 0) remove_noise(body, settings.noise_share, record);
+  } catch (...) {
+    go_back();
+    throw;
+  }
+  record.moved = static_cast<uint32_t>(order_.size());
+  record.sweeps = sweeps_.counts;
+}
+
+void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOrder order,
+                             MoveRecord& record) {
+  record.clear();
+  before_.assign(body.vertices.begin(), body.vertices.end());
+  Array<double> places(3 * body.vertices.size(), 0.0, Allocator<double>(env_.memory));
+  const PointArray targets{places.data(), 3};
+  double fraction = 1;
+  bool found = false;
+  for (int halvings = 0; halvings <= 52 && !found; ++halvings, fraction /= 2) {
+    for (uint32_t v = 0; v < before_.size(); ++v) where(user, before_[v].position, fraction, places.data() + 3 * size_t{v});
+    start(body, order, targets);
+    sweep_all(body, targets, false);
+    // The first in doubt has met something: all before it have arrived.
+    uint32_t stopped = kNone;
+    for (const uint32_t v : order_) {
+      if (moving_[v].rank == kNone) continue;
+      if (moving_[v].doubtful) {
+        stopped = v;
+        break;
+      }
+      arrive(body, targets, v);
+    }
+    found = stopped == kNone;
+    if (found) {
+      record.fraction = fraction;
+      break;
+    }
+    StarContact first;
+    Cell cell;
+    if (record.contacts.empty() && sweeps_.find_first(body, stopped, targets[stopped], &first, &cell)) {
+      record.contacts.push_back(describe(env_, body, stopped, targets[stopped], first));
+    }
+    std::copy(before_.begin(), before_.end(), body.vertices.begin());
+  }
+  if (!found) record.fraction = 0;
+  record.moved = static_cast<uint32_t>(order_.size());
+  record.stopped = record.fraction == 1 ? 0 : record.moved;
+  record.sweeps = sweeps_.counts;
+}
+
+void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
+  sweeps_.counts = {};
+  skipped_.clear();
+  order_.clear();
+  moving_.assign(body.vertices.size(), Moving{});
+  const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
+    if (!body.has_vertex(v)) continue;
+    // One that is told to stay is done: nothing moves.
+    if (!is_same_point(targets[v], body.position(v))) moving_[v].rank = static_cast<uint32_t>(order_.size());
+    order_.push_back(v);
+  }
+}
+
+/** False: the body is not free at an edge that was left out. */
+bool BodyMove::run(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip) {
+  sweep_all(body, targets, may_skip);
+  finish(body, targets, settings, record);
+  return are_skipped_free(body);
+}
+
+/** What is met if nobody else meets anything. */
+void BodyMove::sweep_all(const Body& body, PointArray targets, bool may_skip) {
+  cast_paths(body, targets);
+  if (body.level != SweepLevel::kPoints) sweep_edges(body, targets, may_skip);
+  if (body.level == SweepLevel::kFaces) sweep_faces(body, targets);
+}
+
+void BodyMove::run_wave() {
+  wave_.run(env_, sweeps_.counters);
+  for (uint32_t i = 0; i < wave_.count(); ++i) {
+    if (wave_.result(i).end == CastEnd::kHit) moving_[wave_vertices_[i]].doubtful = true;
+  }
+}
+
+void BodyMove::cast_paths(const Body& body, PointArray targets) {
+  const auto run = [&] {
+    run_wave();
+    for (uint32_t i = 0; i < wave_.count(); ++i) moving_[wave_vertices_[i]].arrival = wave_.result(i).cell;
+    wave_.clear();
+  };
+  for (const uint32_t v : order_) {
+    if (moving_[v].rank == kNone) continue;
+    wave_vertices_[wave_.count()] = v;
+    wave_.add(env_, body.vertices[v].cell, body.position(v), targets[v]);
+    if (wave_.full()) run();
+  }
+  run();
+}
+
+/** Where vertex v is when it is the turn of that with `rank`, if nobody meets anything. */
+const double* BodyMove::place(const Body& body, PointArray targets, uint32_t v, uint32_t rank) const {
+  return moving_[v].rank < rank ? targets[v] : body.position(v);
+}
+Cell BodyMove::cell_at(const Body& body, uint32_t v, uint32_t rank) const {
+  return moving_[v].rank < rank ? moving_[v].arrival : body.vertices[v].cell;
+}
+
+void BodyMove::sweep_edges(const Body& body, PointArray targets, bool may_skip) {
+  const double share = body.skipping.motion_share * body.skipping.motion_share;
+  for (uint32_t e = 0; e < body.edges.size(); ++e) {
+    if (!body.has_edge(e)) continue;
+    const BodyEdge& edge = body.edges[e];
+    const uint32_t a = edge.ends[0], b = edge.ends[1];
+    const uint32_t moves = (moving_[a].rank != kNone ? 1 : 0) + (moving_[b].rank != kNone ? 1 : 0);
+    if (moves == 0) continue;
+    if (may_skip && !moving_[a].doubtful && !moving_[b].doubtful) {
+      const double limit = share * distance_squared(body.position(a), body.position(b));
+      const auto is_short = [&](uint32_t v) {
+        return moving_[v].rank == kNone || distance_squared(targets[v], body.position(v)) < limit;
+      };
+      if (is_short(a) && is_short(b)) {
+        sweeps_.counts.swept += moves;
+        sweeps_.counts.skipped += moves;
+        skipped_.push_back(e);
+        continue;
+      }
+    }
+    sweep_edge(body, targets, e, a);
+    sweep_edge(body, targets, e, b);
+  }
+  run_wave();
+  wave_.clear();
+}
+
+void BodyMove::sweep_edge(const Body& body, PointArray targets, uint32_t e, uint32_t v) {
+  Moving& moving = moving_[v];
+  if (moving.rank == kNone || moving.doubtful) return;
+  const uint32_t other = body.edges[e].other(v);
+  const Cell from = body.vertices[v].cell, fixed = cell_at(body, other, moving.rank);
+  if (sweeps_.skips(body, from, moving.arrival, fixed)) return;
+  const double* const q = place(body, targets, other, moving.rank);
+  if (body.level != SweepLevel::kEdges) {
+    moving.doubtful = !sweeps_.is_triangle_free({body.position(v), targets[v], q}, from);
+    return;
+  }
+  wave_vertices_[wave_.count()] = v;
+  wave_.add(env_, moving.arrival, targets[v], q);
+  if (!wave_.full()) return;
+  run_wave();
+  wave_.clear();
+}
+
+void BodyMove::sweep_faces(const Body& body, PointArray targets) {
+  for (uint32_t f = 0; f < body.faces.size(); ++f) {
+    if (!body.has_face(f)) continue;
+    for (const uint32_t v : body.faces[f].corners) {
+      Moving& moving = moving_[v];
+      if (moving.rank == kNone || moving.doubtful) continue;
+      const uint32_t q = body.faces[f].after(v), r = body.faces[f].before(v);
+      const Cell from = body.vertices[v].cell, at_q = cell_at(body, q, moving.rank);
+      if (at_q == cell_at(body, r, moving.rank) && StarSweep::stays_inside(env_, from, moving.arrival, at_q)) continue;
+      moving.doubtful = !sweeps_.is_tetrahedron_free({body.position(v), targets[v], place(body, targets, q, moving.rank),
+                                                      place(body, targets, r, moving.rank)},
+                                                     from);
+    }
+  }
+}
+
+void BodyMove::arrive(Body& body, PointArray targets, uint32_t v) const {
+  std::copy_n(targets[v], 3, body.vertices[v].position);
+  body.vertices[v].cell = moving_[v].arrival;
+}
+
+/** The vertices in their order: those without doubt arrive, the others move alone. */
+void BodyMove::finish(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record) {
+  VertexMove alone(env_, body, settings, sweeps_, record);
+  for (const uint32_t v : order_) {
+    if (moving_[v].rank == kNone) continue;
+    if (!moving_[v].doubtful) {
+      arrive(body, targets, v);
+      continue;
+    }
+    const size_t edits = record.edits.size();
+    const bool reached = alone.move(v, targets[v]);
+    record.stopped += reached ? 0 : 1;
+    if (!reached || record.edits.size() != edits) disturb(body, v);
+    for (size_t i = edits; i < record.edits.size(); ++i) disturb(body, record.edits[i].vertex.index);
+  }
+}
+
+/** The neighbours of a vertex that is not where they took it to be. */
+void BodyMove::disturb(const Body& body, uint32_t v) {
+  const auto doubt = [&](uint32_t u) {
+    if (u < moving_.size()) moving_[u].doubtful = true;
+  };
+  doubt(v);
+  for_each_edge(body, v, [&](uint32_t e) {
+    doubt(body.edges[e].other(v));
+    return true;
+  });
+}
+
+bool BodyMove::are_skipped_free(const Body& body) {
+  bool free = true;
+  const auto run = [&] {
+    wave_.run(env_, sweeps_.counters);
+    for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.result(i).end == CastEnd::kReached;
+    wave_.clear();
+  };
+  for (const uint32_t e : skipped_) {
+    if (!body.has_edge(e)) continue;
+    const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
+    wave_.add(env_, a.cell, a.position, b.position);
+    if (wave_.full()) run();
+  }
+  run();
+  return free;
+}
+
+/** Merges inserted vertices that stand off the line between their two neighbours by less than noise. */
+void BodyMove::remove_noise(Body& body, double share, MoveRecord& record) {
+  const Array<uint32_t> candidates = body.inserted;
+  for (const uint32_t v : candidates) {
+    uint32_t edges[2] = {kNone, kNone}, count = 0;
+    for_each_edge(body, v, [&](uint32_t e) {
+      if (count < 2) edges[count] = e;
+      return ++count < 3;
+    });
+    if (count != 2) continue;
+    const double *a = body.position(body.edges[edges[0]].other(v)), *b = body.position(body.edges[edges[1]].other(v));
+    const Vec line = difference(b, a), off = difference(body.position(v), a);
+    const double size = length(line), beside = length(cross(off, unit(line)));
+    if (!(beside <= share * size) || !(dot(off, line) > 0) || !(dot(off, line) < dot(line, line))) continue;
+    dsw_body_edit edit;
+    record.edits.reserve(record.edits.size() + 1);
+    if (merge_vertex(sweeps_, body, edges[0], v, &edit)) record.edits.push_back(edit);
+  }
+}
+
+}  // namespace dsw

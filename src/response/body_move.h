@@ -1,0 +1,65 @@
+#pragma once
+// A whole body moved: its vertices go to their targets one after the other.
+
+#include "base/points.h"
+#include "response/settings.h"
+
+namespace dsw {
+
+/** Which vertices move, and in which order. */
+struct MoveOrder {
+  const uint32_t* vertices = nullptr;  // null: all living ones by index
+  size_t count = 0;
+};
+
+/** Where a point that was at `from` is at a fraction of a motion of the whole body. */
+using PlaceFn = void (*)(const void* user, const double* from, double fraction, double* to);
+
+/** Moves bodies; one for each thread. */
+class BodyMove {
+ public:
+  explicit BodyMove(const Environment<3>& env);
+
+  /** Moves a body. Throws std::bad_alloc with the body as it was; the record is cleared first. */
+  void move(Body& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record);
+
+  /** Moves all vertices of a body to where(user, from, fraction), as far as nothing is touched: with the first contact the body is put
+   * back and the fraction halved, up to 52 times. Throws as move does. */
+  void move_together(Body& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record);
+
+  void set_counters(CastCounters* counters) { sweeps_.counters = counters; }
+
+ private:
+  struct Moving {
+    uint32_t rank = kNone;  // place in the order; kNone: stays
+    Cell arrival;           // contains the target
+    bool doubtful = false;  // something is, or may be, met on the way
+  };
+
+  void start(const Body& body, MoveOrder order, PointArray targets);
+  bool run(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip);
+  void cast_paths(const Body& body, PointArray targets);
+  void sweep_all(const Body& body, PointArray targets, bool may_skip);
+  void sweep_edges(const Body& body, PointArray targets, bool may_skip);
+  void sweep_edge(const Body& body, PointArray targets, uint32_t e, uint32_t v);
+  void sweep_faces(const Body& body, PointArray targets);
+  void run_wave();
+  void arrive(Body& body, PointArray targets, uint32_t v) const;
+  void finish(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record);
+  void disturb(const Body& body, uint32_t v);
+  bool are_skipped_free(const Body& body);
+  void remove_noise(Body& body, double share, MoveRecord& record);
+  const double* place(const Body& body, PointArray targets, uint32_t v, uint32_t rank) const;
+  Cell cell_at(const Body& body, uint32_t v, uint32_t rank) const;
+
+  const Environment<3>& env_;
+  StarSweep sweeps_;
+  Wave<3> wave_;
+  uint32_t wave_vertices_[kWave] = {};
+  Array<uint32_t> order_;
+  Array<Moving> moving_;        // by vertex
+  Array<uint32_t> skipped_;     // edges left out by their motion
+  Array<BodyVertex> before_;    // to go back to
+};
+
+}  // namespace dsw

@@ -1,0 +1,81 @@
+#include "response/insertion.h"
+
+#include "contact/describe.h"
+#include "motion/locate.h"
+
+namespace dsw {
+namespace {
+
+bool is_reached(const Environment<3>& env, const double* from, const double* to, Cell start, Cell* cell) noexcept {
+  CastRequest request;
+  request.from = from;
+  request.to = to;
+  request.start = start;
+  const CastResult result = cast(env, request, nullptr);
+  if (cell != nullptr) *cell = result.cell;
+  return result.end == CastEnd::kReached;
+}
+
+}  // namespace
+
+bool can_bend(const Environment<3>& env, StarSweep& sweeps, const Body& body, uint32_t edge, const double* point,
+              Cell* cell) {
+  const BodyEdge& e = body.edges[edge];
+  const BodyVertex &p = body.vertices[e.ends[0]], &q = body.vertices[e.ends[1]];
+  if (body.level == SweepLevel::kPoints) {
+    *cell = locate(env, point, p.cell, nullptr).cell;
+    return cell->valid() && !env.map.marked(*cell);
+  }
+  if (!is_reached(env, p.position, point, p.cell, cell) || !is_reached(env, point, q.position, *cell, nullptr)) {
+    return false;
+  }
+  const bool swept = body.level >= SweepLevel::kEdgesSwept;
+  if (swept && !sweeps.is_triangle_free({p.position, point, q.position}, p.cell)) return false;
+  for (const uint32_t f : e.faces) {
+    if (f == kNone) continue;
+    const BodyFace& face = body.faces[f];
+    const uint32_t far = face.after(e.ends[0]) == e.ends[1] ? face.before(e.ends[0]) : face.after(e.ends[0]);
+    const double* const r = body.position(far);
+    if (!is_reached(env, point, r, *cell, nullptr)) return false;
+    if (body.level != SweepLevel::kFaces) continue;
+    if (!sweeps.is_triangle_free({p.position, point, r}, p.cell) ||
+        !sweeps.is_tetrahedron_free({p.position, point, q.position, r}, p.cell)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+uint32_t insert_vertex(Body& body, uint32_t edge, const double* point, Cell cell, double share, dsw_body_edit* edit) {
+  reserve(body, 1, 3, 2);
+  const BodyEdge before = body.edges[edge];
+  const uint32_t middle = add_vertex(body, point, cell);
+  const uint32_t rest = split_edge(body, edge, middle);
+  if (edit != nullptr) {
+    *edit = {};
+    edit->vertex = vertex_id(body, middle);
+    edit->ends[0] = vertex_id(body, before.ends[0]);
+    edit->ends[1] = vertex_id(body, before.ends[1]);
+    edit->edge = edge_id(body, edge);
+    edit->rest = edge_id(body, rest);
+    edit->share = share;
+    edit->inserted = 1;
+  }
+  return middle;
+}
+
+bool merge_vertex(StarSweep& sweeps, Body& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
+  const uint32_t kept = body.edges[edge].other(vertex);
+  Cell cell;
+  if (!can_collapse(body, edge, vertex) || !sweeps.is_free(body, vertex, body.position(kept), &cell)) return false;
+  if (edit != nullptr) {
+    *edit = {};
+    edit->vertex = vertex_id(body, vertex);
+    edit->ends[0] = vertex_id(body, kept);
+    edit->edge = edge_id(body, edge);
+  }
+  collapse_edge(body, edge, vertex);
+  return true;
+}
+
+}  // namespace dsw

@@ -1,0 +1,47 @@
+#pragma once
+// How a body is moved, and what comes of it.
+
+#include "base/memory.h"
+#include "dartsweep/body.h"
+#include "dartsweep/contact.h"
+#include "sweep/star.h"
+
+namespace dsw {
+
+enum class Response : uint32_t { kStop, kAdaptiveOne, kAdaptiveMany, kHybrid, kSlide };
+enum class Search : uint32_t { kExact, kAll, kBisection };
+
+/** See dsw_move_options. */
+struct MoveSettings {
+  Response vertex = Response::kStop, edge = Response::kStop;
+  Search search = Search::kExact;
+  uint32_t bisection_depth = 20;
+  double min_part = 0.25;
+  double stand_off = 0;  // 0: 1e-9 of the cell in front; negative: none
+  double noise_share = 0;
+
+  bool may_insert() const {
+    return edge == Response::kAdaptiveOne || edge == Response::kAdaptiveMany || edge == Response::kHybrid;
+  }
+};
+
+/** What a move leaves for the host to read. */
+struct MoveRecord {
+  Array<dsw_contact> contacts;
+  Array<dsw_body_edit> edits;
+  double fraction = 1;
+  uint32_t moved = 0, stopped = 0;
+  SweepCounts sweeps;
+
+  explicit MoveRecord(const Memory* memory)
+      : contacts(Allocator<dsw_contact>(memory)), edits(Allocator<dsw_body_edit>(memory)) {}
+  void clear() {
+    contacts.clear();
+    edits.clear();
+    fraction = 1;
+    moved = stopped = 0;
+    sweeps = {};
+  }
+};
+
+}  // namespace dsw

@@ -1,0 +1,168 @@
+#include "response/vertex_move.h"
+
+#include <algorithm>
+
+#include "contact/describe.h"
+#include "motion/retreat.h"
+#include "response/insertion.h"
+
+namespace dsw {
+namespace {
+
+constexpr uint32_t kMostSlides = 8, kMostInsertions = 64;
+constexpr double kStandOffShare = 1e-9;
+
+double extent(const Environment<3>& env, Cell c) {
+  double size = 0;
+  for (int k = 0; k < 3; ++k) {
+    double low = env.point(c, 0)[k], high = low;
+    for (uint32_t i = 1; i < env.map.vertices_of(c); ++i) {
+      low = std::min(low, env.point(c, i)[k]);
+      high = std::max(high, env.point(c, i)[k]);
+    }
+    size = std::max(size, high - low);
+  }
+  return size;
+}
+
+}  // namespace
+
+bool VertexMove::move(uint32_t v, const double* target) {
+  Walls walls;
+  uint32_t slides = 0;
+  first_edit_ = record_.edits.size();
+  double to[3];
+  std::copy_n(target, 3, to);
+  dsw_contact contact;
+  while (!advance(v, to, &contact)) {
+    contact.distance_left = length(difference(target, body_.position(v)));
+    record_.contacts.push_back(contact);
+    const bool of_vertex = contact.edge.generation == 0 && contact.face.generation == 0;
+    const Response response = of_vertex ? settings_.vertex : settings_.edge;
+    if (!of_vertex && settings_.may_insert() && insert(v, contact)) {
+      walls.count = 0;
+      std::copy_n(target, 3, to);
+      continue;
+    }
+    if (response != Response::kSlide && response != Response::kHybrid) return false;
+    if (++slides > kMostSlides || !slide(v, target, contact, walls, to)) return false;
+  }
+  return std::equal(to, to + 3, target);
+}
+
+/** To `to`, or as far as it is free. */
+bool VertexMove::advance(uint32_t v, const double* to, dsw_contact* contact) {
+  BodyVertex& at = body_.vertices[v];
+  Cell cell;
+  if (!find_contact(v, to, contact, &cell)) {
+    std::copy_n(to, 3, at.position);
+    at.cell = cell;
+    return true;
+  }
+  const Vec way = difference(to, at.position);
+  const double off = stand_off(*contact), lean = std::fabs(dot(to_vec(contact->normal), way));
+  const double back = off > 0 ? off / lean : 0;
+  const double time = back > 0 ? std::max(0.0, contact->time - back) : contact->time;
+  double position[3];
+  bool found = false;
+  retreat<3>(at.position, to, time, position, &found,
+             [&](const double* candidate) { return sweeps_.is_free(body_, v, candidate, &cell); });
+  if (!found) return false;
+  std::copy_n(position, 3, at.position);
+  at.cell = cell;
+  return false;
+}
+
+bool VertexMove::find_contact(uint32_t v, const double* to, dsw_contact* contact, Cell* cell) {
+  StarContact first;
+  if (!sweeps_.find_first(body_, v, to, &first, cell)) return false;
+  *contact = describe(env_, body_, v, to, first);
+  if (settings_.search == Search::kBisection) bisect(v, *contact);
+  return true;
+}
+
+/** Puts the time to the last of a halving at which the way is free. */
+void VertexMove::bisect(uint32_t v, dsw_contact& contact) {
+  double free = 0, step = 1, position[3];
+  Cell cell;
+  for (uint32_t k = 0; k < settings_.bisection_depth; ++k) {
+    step /= 2;
+    point_at<3>(contact.from, contact.to, free + step, position);
+    if (sweeps_.is_free(body_, v, position, &cell)) free += step;
+  }
+  contact.time = free;
+  point_at<3>(contact.from, contact.to, free, contact.position);
+}
+
+double VertexMove::stand_off(const dsw_contact& contact) const {
+  if (settings_.stand_off != 0) return std::max(0.0, settings_.stand_off);
+  return kStandOffShare * extent(env_, env_.map.cell(contact.front.index));
+}
+
+/** Puts a vertex on the touching edge, as near to the contact as is free. */
+bool VertexMove::insert(uint32_t v, const dsw_contact& contact) {
+  const size_t inserted = record_.edits.size() - first_edit_;
+  const uint32_t e = contact.edge.index;
+  if (contact.edge.generation == 0 || inserted == kMostInsertions) return false;
+  const uint32_t fixed = body_.edges[e].other(v);
+  if (settings_.edge == Response::kAdaptiveOne) {
+    for (size_t i = first_edit_; i < record_.edits.size(); ++i) {
+      if (record_.edits[i].vertex.index == fixed) return false;
+    }
+  }
+  if (!(contact.along >= settings_.min_part && contact.along <= 1 - settings_.min_part)) return false;
+  const bool starts_here = body_.edges[e].ends[0] == v;
+  const double share = starts_here ? contact.along : 1 - contact.along;
+  const double *p = body_.position(body_.edges[e].ends[0]), *q = body_.position(body_.edges[e].ends[1]);
+  const Vec normal = to_vec(contact.normal);
+  double point[3], largest = 0;
+  point_at<3>(p, q, share, point);
+  for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(point[k]));
+  const Vec on_edge = to_vec(point);
+  // Rounding may have put it on the wrong side: then further and further from the obstacle.
+  double lift = std::max(stand_off(contact), largest * std::numeric_limits<double>::epsilon());
+  Cell cell;
+  for (int tries = 0; tries < 8; ++tries, lift *= 4) {
+    if (can_bend(env_, sweeps_, body_, e, point, &cell)) {
+      dsw_body_edit edit;
+      record_.edits.reserve(record_.edits.size() + 1);
+      body_.inserted.reserve(body_.inserted.size() + 1);
+      const uint32_t middle = insert_vertex(body_, e, point, cell, share, &edit);
+      record_.edits.push_back(edit);
+      body_.inserted.push_back(middle);
+      return true;
+    }
+    store(on_edge + lift * normal, point);
+  }
+  return false;
+}
+
+/** The rest of the move without its part into the walls that are touched; false if nothing remains. */
+bool VertexMove::slide(uint32_t v, const double* target, const dsw_contact& contact, Walls& walls, double* to) const {
+  const double* const at = body_.position(v);
+  const Vec normal = to_vec(contact.normal);
+  Vec rest = difference(target, at);
+  const double into = dot(rest, normal);
+  if (into < 0) rest = rest - into * normal;
+  for (int k = 0; k < walls.count; ++k) {
+    if (dot(rest, walls.normals[k]) >= 0) continue;
+    const Vec crease = unit(cross(walls.normals[k], normal));
+    rest = dot(difference(target, at), crease) * crease;
+  }
+  for (int k = 0; k < walls.count; ++k) {
+    if (dot(rest, walls.normals[k]) < -1e-12 * length(rest)) return false;
+  }
+  if (walls.count == 2) {
+    walls.normals[0] = walls.normals[1];
+    walls.count = 1;
+  }
+  walls.normals[walls.count++] = normal;
+  if (is_zero(rest)) return false;
+  // The gap is restored only where it has fallen below half.
+  const double off = stand_off(contact), gap = dot(difference(at, contact.position), normal);
+  if (gap < off / 2) rest = rest + (off - gap) * normal;
+  store(to_vec(at) + rest, to);
+  return !std::equal(to, to + 3, at);
+}
+
+}  // namespace dsw

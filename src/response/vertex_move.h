@@ -1,0 +1,40 @@
+#pragma once
+// One vertex of a body on its way to a target, with the responses to what it meets [JCD10] 4.2.
+
+#include "contact/vec.h"
+#include "response/settings.h"
+
+namespace dsw {
+
+class VertexMove {
+ public:
+  VertexMove(const Environment<3>& env, Body& body, const MoveSettings& settings, StarSweep& sweeps, MoveRecord& record)
+      : env_(env), body_(body), settings_(settings), sweeps_(sweeps), record_(record) {}
+
+  /** Moves vertex v, exactly free at the body's level; whether it got to the target. Contacts and edits go to the record. The
+   * recorded cells and positions are valid whenever it throws std::bad_alloc. */
+  bool move(uint32_t v, const double* target);
+
+ private:
+  /** Directions that the rest of a move must not go against. */
+  struct Walls {
+    Vec normals[2];
+    int count = 0;
+  };
+
+  bool advance(uint32_t v, const double* to, dsw_contact* contact);
+  bool find_contact(uint32_t v, const double* to, dsw_contact* contact, Cell* cell);
+  void bisect(uint32_t v, dsw_contact& contact);
+  double stand_off(const dsw_contact& contact) const;
+  bool insert(uint32_t v, const dsw_contact& contact);
+  bool slide(uint32_t v, const double* target, const dsw_contact& contact, Walls& walls, double* to) const;
+
+  const Environment<3>& env_;
+  Body& body_;
+  const MoveSettings& settings_;
+  StarSweep& sweeps_;
+  MoveRecord& record_;
+  size_t first_edit_ = 0;  // of this vertex
+};
+
+}  // namespace dsw

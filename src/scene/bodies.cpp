@@ -1,0 +1,167 @@
+// Creation of bodies: topology first, then places, then the proof that they are free.
+
+#include "scene/bodies.h"
+
+#include <algorithm>
+
+#include "scene/scene.h"
+
+namespace dsw {
+namespace {
+
+void check_corner(const BodyDescription& d, uint32_t vertex, const char* name, size_t index) {
+  if (vertex < d.vertex_count) return;
+  fail(DSW_STATUS_INDEX_OUT_OF_RANGE, "desc->%s[%zu] is %u, there are %zu vertices", name, index, vertex,
+       d.vertex_count);
+}
+
+void add_edges(Body& body, const BodyDescription& d) {
+  for (size_t i = 0; i < d.edge_count; ++i) {
+    const uint32_t a = d.edges[2 * i], b = d.edges[2 * i + 1];
+    check_corner(d, a, "edges", 2 * i);
+    check_corner(d, b, "edges", 2 * i + 1);
+    if (a == b) fail(DSW_STATUS_BAD_CELL, "edge %zu joins vertex %u with itself", i, a);
+    if (find_edge(body, a, b) != kNone) {
+      fail(DSW_STATUS_DUPLICATE_CELL, "edge %zu between vertices %u and %u stands twice", i, a, b);
+    }
+    add_edge(body, a, b);
+  }
+}
+
+void add_triangle(Body& body, size_t face, uint32_t a, uint32_t b, uint32_t c) {
+  if (a == b || b == c || c == a) {
+    fail(DSW_STATUS_BAD_CELL, "face %zu has the triangle (%u, %u, %u), which names a vertex twice", face, a, b, c);
+  }
+  check_face(body, face, a, b, c);
+  add_face(body, a, b, c);
+}
+
+size_t triangle_count(const BodyDescription& d) {
+  size_t count = 0;
+  for (size_t f = 0; f < d.face_count; ++f) {
+    const uint32_t begin = d.face_offsets[f], end = d.face_offsets[f + 1];
+    if (end < begin || end - begin < 3) {
+      fail(DSW_STATUS_WRONG_SIZE, "face %zu has corners %u to %u, at least 3 are needed", f, begin, end);
+    }
+    for (uint32_t k = begin; k < end; ++k) check_corner(d, d.face_corners[k], "face_corners", k);
+    count += end - begin - 2;
+  }
+  return count;
+}
+
+void add_faces(Body& body, const BodyDescription& d) {
+  for (size_t f = 0; f < d.face_count; ++f) {
+    const uint32_t* const corners = d.face_corners + d.face_offsets[f];
+    const uint32_t count = d.face_offsets[f + 1] - d.face_offsets[f];
+    for (uint32_t k = 1; k + 1 < count; ++k) add_triangle(body, f, corners[0], corners[k], corners[k + 1]);
+  }
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (is_one_fan(body, v)) continue;
+    fail(DSW_STATUS_SHARED_FACE, "the triangles at vertex %u form more than one fan", v);
+  }
+}
+
+}  // namespace
+
+void check_face(const Body& body, size_t face, uint32_t a, uint32_t b, uint32_t c) {
+  switch (face_defect(body, a, b, c)) {
+    case FaceDefect::kFine:
+      return;
+    case FaceDefect::kRepeated:
+      fail(DSW_STATUS_DUPLICATE_CELL, "face %zu: the triangle (%u, %u, %u) stands twice", face, a, b, c);
+    case FaceDefect::kThirdFace:
+      fail(DSW_STATUS_SHARED_FACE, "face %zu: an edge of triangle (%u, %u, %u) has two triangles already", face, a, b,
+           c);
+    case FaceDefect::kTurned:
+      fail(DSW_STATUS_INVERTED_CELL, "face %zu: triangle (%u, %u, %u) is turned against a neighbour", face, a, b, c);
+  }
+}
+
+void check_free(Scene<3>& scene, const Body& body, SweepLevel level) {
+  find_offending(scene, body, level);
+  if (scene.offending.empty()) return;
+  fail(DSW_STATUS_OCCUPIED, "%zu edges meet something impassable; the first joins vertices %u and %u",
+       scene.offending.size() / 2, scene.offending[0], scene.offending[1]);
+}
+
+dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
+  if (d.vertex_count >= kNone) fail(DSW_STATUS_TOO_LARGE, "desc->vertex_count is %zu", d.vertex_count);
+  BodyRecord made(scene.memory);
+  Body& body = made.body;
+  body.level = d.level;
+  body.skipping = d.skipping;
+  Array<Cell> cells(d.vertex_count, Cell{}, Allocator<Cell>(scene.memory));
+  place_points(scene, d.positions, d.vertex_count, d.hints, true, cells.data(), nullptr);
+  const size_t triangles = triangle_count(d);
+  reserve(body, d.vertex_count, d.edge_count + 3 * triangles, triangles);
+  for (size_t i = 0; i < d.vertex_count; ++i) add_vertex(body, d.positions[i], cells[i]);
+  add_edges(body, d);
+  add_faces(body, d);
+  body.edges.shrink_to_fit();
+  check_free(scene, body, body.level);
+  scene.body_slots.reserve(1);
+  reserve_more(scene.bodies, 1);
+  const SlotPool::Slot slot = scene.body_slots.acquire();
+  if (slot.index == scene.bodies.size()) {
+    scene.bodies.push_back(std::move(made));
+  } else {
+    scene.bodies[slot.index] = std::move(made);
+  }
+  return {slot.index, slot.generation};
+}
+
+void destroy_body(Scene<3>& scene, uint32_t slot) noexcept {
+  scene.body_slots.release(slot);
+  scene.bodies[slot] = BodyRecord(scene.memory);
+}
+
+BodyRecord& check_body(Scene<3>& scene, dsw_body_id id, ArgumentName argument, size_t index) {
+  if (!scene.body_slots.alive(id.index, id.generation)) {
+    fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no body", ElementName(argument, index).text, id.index,
+         id.generation);
+  }
+  return scene.bodies[id.index];
+}
+
+void set_level(Scene<3>& scene, Body& body, SweepLevel level) {
+  scene.offending.clear();
+  if (level > body.level) check_free(scene, body, level);
+  body.level = level;
+}
+
+void find_offending(Scene<3>& scene, const Body& body, SweepLevel level) {
+  scene.offending.clear();
+  if (level == SweepLevel::kPoints) return;
+  Wave<3> wave;
+  uint32_t edges[kWave];
+  const auto offend = [&](uint32_t a, uint32_t b) {
+    scene.offending.push_back(a);
+    scene.offending.push_back(b);
+  };
+  const auto run = [&] {
+    wave.run(scene.env, nullptr);
+    for (uint32_t i = 0; i < wave.count(); ++i) {
+      if (wave.result(i).end == CastEnd::kHit) offend(body.edges[edges[i]].ends[0], body.edges[edges[i]].ends[1]);
+    }
+    wave.clear();
+  };
+  for (uint32_t e = 0; e < body.edges.size(); ++e) {
+    if (!body.has_edge(e)) continue;
+    const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
+    edges[wave.count()] = e;
+    wave.add(scene.env, a.cell, a.position, b.position);
+    if (wave.full()) run();
+  }
+  run();
+  if (level != SweepLevel::kFaces || !scene.offending.empty()) return;
+  // A face with free edges is free if the triangle that one of its edges sweeps over it is.
+  StarSweep sweeps(scene.env);
+  for (uint32_t f = 0; f < body.faces.size(); ++f) {
+    if (!body.has_face(f)) continue;
+    const uint32_t* const corners = body.faces[f].corners;
+    const EdgeMotion m{body.position(corners[0]), body.position(corners[1]), body.position(corners[2])};
+    if (!sweeps.is_triangle_free(m, body.vertices[corners[0]].cell)) offend(corners[0], corners[1]);
+  }
+}
+
+}  // namespace dsw

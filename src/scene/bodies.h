@@ -1,0 +1,74 @@
+#pragma once
+// The bodies of a scene: their creation, changes and moves. Functions that throw do so before they change anything.
+
+#include "base/points.h"
+#include "response/body_move.h"
+
+namespace dsw {
+
+template <int D>
+struct Scene;
+
+/** A body with what its last move left. */
+struct BodyRecord {
+  /** The obstacle that last stopped a vertex, to tell lasting contacts from new ones. */
+  struct Stop {
+    uint64_t obstacle = 0;
+    uint32_t move = 0;  // its number; 0: none yet
+    bool lasted = false;
+  };
+
+  Body body;
+  MoveRecord record;
+  Array<Stop> stops;  // by vertex
+  uint32_t moves = 0;
+
+  explicit BodyRecord(const Memory* memory) : body(memory), record(memory), stops(Allocator<Stop>(memory)) {}
+  uint64_t memory_bytes() const {
+    return body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.edits) + array_bytes(stops);
+  }
+};
+
+/** See dsw_body_desc. */
+struct BodyDescription {
+  PointArray positions;
+  size_t vertex_count = 0;
+  const dsw_volume_id* hints = nullptr;
+  const uint32_t* edges = nullptr;
+  size_t edge_count = 0;
+  const uint32_t* face_offsets = nullptr;
+  const uint32_t* face_corners = nullptr;
+  size_t face_count = 0;
+  SweepLevel level = SweepLevel::kEdgesSwept;
+  Skipping skipping;
+};
+
+dsw_body_id create_body(Scene<3>& scene, const BodyDescription& description);
+void destroy_body(Scene<3>& scene, uint32_t slot) noexcept;
+/** Throws unless the id is alive. `argument` names it in messages. */
+BodyRecord& check_body(Scene<3>& scene, dsw_body_id id, ArgumentName argument, size_t index = 0);
+void set_level(Scene<3>& scene, Body& body, SweepLevel level);
+
+/** Edits of a body; each is verified free or throws OCCUPIED. Indices are alive. */
+uint32_t add_body_vertex(Scene<3>& scene, Body& body, const double* position, dsw_volume_id hint);
+uint32_t add_body_edge(Scene<3>& scene, Body& body, uint32_t a, uint32_t b);
+uint32_t add_body_face(Scene<3>& scene, Body& body, uint32_t a, uint32_t b, uint32_t c);
+void split_body_edge(Scene<3>& scene, Body& body, uint32_t edge, double share, dsw_body_edit* edit);
+void collapse_body_edge(Scene<3>& scene, Body& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit);
+
+/** Targets are finite, one for each vertex slot; `order` names distinct living vertices. */
+void move_body(Scene<3>& scene, BodyRecord& body, PointArray targets, MoveOrder order, const MoveSettings& settings);
+void move_body_together(Scene<3>& scene, BodyRecord& body, PlaceFn place, const void* user, MoveOrder order);
+/** Bodies, distinct, with their targets one after the other. */
+void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count, PointArray targets,
+                 const MoveSettings& settings);
+
+/** Throws if a face cannot be added; `face` is its number for the message. */
+void check_face(const Body& body, size_t face, uint32_t a, uint32_t b, uint32_t c);
+/** Throws OCCUPIED, and fills scene.offending, unless a body is free at a level. */
+void check_free(Scene<3>& scene, const Body& body, SweepLevel level);
+
+/** Collects into scene.offending the pairs of vertices of edges that are not free at a level, faces' edges included. */
+void find_offending(Scene<3>& scene, const Body& body, SweepLevel level);
+
+}  // namespace dsw

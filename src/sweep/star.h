@@ -1,0 +1,58 @@
+#pragma once
+// What a body sweeps when one of its vertices moves: the path of the vertex, at EDGES its edges in their new places, at EDGES_SWEPT
+// the triangles that they sweep, at FACES also the tetrahedra that its faces sweep [JCD10] 4.1.
+
+#include "body/body.h"
+#include "motion/sweep.h"
+#include "motion/wave.h"
+
+namespace dsw {
+
+/** What a vertex's star meets. */
+struct StarContact {
+  SweepContact contact;
+  uint32_t edge = kNone, face = kNone;  // what touches; both kNone: the vertex itself
+};
+
+/** How many sweeps of edges were asked for, and how many of those were left out. */
+struct SweepCounts {
+  uint32_t swept = 0, skipped = 0;
+};
+
+/** Sweeps stars; one for each thread. Throws std::bad_alloc. */
+class StarSweep {
+ public:
+  explicit StarSweep(const Environment<3>& env);
+
+  /** Whether vertex v can go to `to` without meeting anything that the body's level sees; *cell then contains `to`. */
+  bool is_free(const Body& body, uint32_t v, const double* to, Cell* cell);
+
+  /** The first contact on that way, whose event borrows the body's points and `to`; false, and *cell set, if there is none. */
+  bool find_first(const Body& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
+
+  /** Whether an edge sweeps inside of one cell, and so meets nothing. */
+  static bool stays_inside(const Environment<3>& env, Cell from, Cell to, Cell fixed) {
+    return from == to && from == fixed && env.map.convex(from);
+  }
+
+  /** Whether the sweep of an edge need not be looked at; counts it. */
+  bool skips(const Body& body, Cell from, Cell to, Cell fixed);
+
+  bool is_triangle_free(const EdgeMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }
+  bool is_tetrahedron_free(const FaceMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }
+
+  SweepCounts counts;
+  CastCounters* counters = nullptr;  // of casts; may stay null
+
+ private:
+  bool find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
+  void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;
+
+  const Environment<3>& env_;
+  SweepFlood flood_;
+  Wave<3> wave_;
+  uint32_t wave_edges_[kWave] = {};
+  Array<uint32_t> hit_edges_;  // at EDGES: those whose new place is not free
+};
+
+}  // namespace dsw
