@@ -12,6 +12,7 @@ struct BodyMove {
   std::vector<uint32_t> order;  // never empty
   std::vector<Vec> targets;     // by slot
   bool drops = false;           // elimination by motion: contacts at edges may be missing
+  bool stand_off = false;       // a wide one may leave no way at all
   bool all = false;             // DSW_SEARCH_ALL: more contacts of a vertex may follow the first
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <numeric>
+#include <set>
 
 namespace dsw::oracle {
 namespace {
@@ -25,6 +25,23 @@ void add_fan(BodyPlan& plan, uint32_t n, bool closed) {
 
 }  // namespace
 
+Bodies::Bodies(Stage& stage, SweepWorld& exact, Rng& rng, dsw_level level)
+    : stage_(stage), exact_(exact), rng_(rng), level_(level), motions_(stage.world, rng) {
+  // Vertices of something impassable that is no closed wall.
+  const World& world = stage.world;
+  std::set<int> ends(stage.marked_vertices.begin(), stage.marked_vertices.end());
+  for (const auto& wire : stage.wires) ends.insert({wire[0], wire[1]});
+  for (int f : stage.free_standing) {
+    for (int v : world.faces[static_cast<size_t>(f)].loop) ends.insert(v);
+  }
+  for (const Face& f : world.faces) {
+    const auto marked = [&](int cell) { return cell < 0 || world.cell_marked[static_cast<size_t>(cell)] != 0; };
+    if (!marked(f.cell[0]) && !marked(f.cell[1])) continue;
+    for (int v : f.loop) ends.erase(v);
+  }
+  spikes_.assign(ends.begin(), ends.end());
+}
+
 Vec Bodies::near(const Vec& from, double share) {
   Vec p;
   for (size_t k = 0; k < 3; ++k) p[k] = from[k] + rng_.range(-share, share) * stage_.world.size;
@@ -45,7 +62,7 @@ void Bodies::shape(BodyPlan& plan) {
     plan.at.resize(n);
     for (uint32_t i = 0; i + 1 < n; ++i) plan.edges.push_back({i, i + 1});
   };
-  switch (rng_.below(level_ == DSW_LEVEL_FACES && rng_.chance(0.8) ? 5 : 11)) {
+  switch (rng_.below(level_ != DSW_LEVEL_FACES || rng_.chance(0.2) ? 11 : rng_.chance(0.4) ? 1 : 5)) {
     case 0:
       return add_fan(plan, 1, false);
     case 1:
@@ -93,7 +110,8 @@ void Bodies::shape(BodyPlan& plan) {
 }
 
 Vec Bodies::place(const BodyPlan& plan, size_t vertex, double scale) {
-  if (vertex == 0) return level_ > DSW_LEVEL_EDGES && rng_.chance(0.5) ? near(obstacle(0), scale) : motions_.start();
+  if (has_focus_ && rng_.chance(0.7)) return rng_.chance(0.5) ? on_lattice(near(focus_, scale)) : near(focus_, scale);
+  if (vertex == 0) return motions_.start();
   const Vec& other = plan.at[rng_.below(vertex)];
   Vec p = near(other, scale);
   switch (rng_.below(8)) {
@@ -120,9 +138,12 @@ BodyPlan Bodies::next() {
   BodyPlan plan;
   shape(plan);
   const std::vector<std::array<uint32_t, 2>> edges = state_of(plan).edges;
-  static const double scales[] = {0.02, 0.1, 0.25, 0.5};
+  static const double scales[] = {0.02, 0.05, 0.1, 0.3};
   double scale = scales[rng_.below(4)];
   const int most = rng_.chance(0.1) ? 1 : 12;  // some may be refused
+  // Round what its inside is to meet.
+  has_focus_ = level_ > DSW_LEVEL_EDGES && rng_.chance(0.6);
+  if (has_focus_) focus_ = obstacle(level_ == DSW_LEVEL_FACES ? 0.8 : 0.2);
   for (size_t v = 0; v < plan.at.size(); ++v) {
     for (int tries = 0; tries < most; ++tries) {
       plan.at[v] = place(plan, v, scale);
@@ -139,25 +160,20 @@ BodyPlan Bodies::next() {
   return plan;
 }
 
-/// A place on a wire or a marked vertex, or at the corner of a free-standing face; `exactly`: how often on a vertex.
+/// A vertex with room around it, or a place on a wire or near the corner of a free-standing face.
 Vec Bodies::obstacle(double exactly) {
-  const std::vector<Vec>& points = stage_.world.mesh.points;
-  const auto point = [&](int v) { return points[static_cast<size_t>(v)]; };
-  const uint32_t kind = rng_.below(3);
-  const bool on_vertex = rng_.chance(exactly);
-  if (kind == 0 && !stage_.wires.empty()) {
+  const auto point = [&](int v) { return stage_.world.mesh.points[static_cast<size_t>(v)]; };
+  if (!spikes_.empty() && rng_.chance(exactly)) return point(spikes_[rng_.below(spikes_.size())]);
+  if (!stage_.wires.empty() && (stage_.free_standing.empty() || rng_.chance(0.5))) {
     const auto& wire = stage_.wires[rng_.below(stage_.wires.size())];
-    return between(point(wire[0]), point(wire[1]), on_vertex ? 0 : rng_.chance(0.2) ? 0.5 : rng_.unit());
-  }
-  if (kind == 1 && !stage_.marked_vertices.empty()) {
-    return point(stage_.marked_vertices[rng_.below(stage_.marked_vertices.size())]);
+    return between(point(wire[0]), point(wire[1]), rng_.chance(0.2) ? 0.5 : rng_.unit());
   }
   if (stage_.free_standing.empty()) return motions_.site();
   const auto f = static_cast<size_t>(stage_.free_standing[rng_.below(stage_.free_standing.size())]);
   const Loop& loop = stage_.world.faces[f].loop;
   const size_t i = rng_.below(loop.size()), n = loop.size();
-  const Vec corner = point(loop[i]), middle = between(point(loop[(i + 1) % n]), point(loop[(i + n - 1) % n]), 0.5);
-  return between(corner, middle, on_vertex ? 0 : rng_.range(0.01, 0.3));
+  const Vec middle = between(point(loop[(i + 1) % n]), point(loop[(i + n - 1) % n]), 0.5);
+  return between(point(loop[i]), middle, rng_.chance(0.3) ? 0 : rng_.range(0.01, 0.3));
 }
 
 /// So that the obstacle comes to lie inside of what an edge or a face of the vertex sweeps, and the rest is free if possible.
@@ -167,6 +183,7 @@ Vec Bodies::round_obstacle(const BodyState& s, size_t vertex) {
   if (all.fixed.empty()) return best;
   const bool face = !all.faces.empty() && level_ == DSW_LEVEL_FACES && rng_.chance(0.8);
   const auto close = [&]() {
+    if (has_focus_ && rng_.chance(0.6)) return focus_;
     Vec chosen = s.at[vertex];
     double nearest = HUGE_VAL;
     for (int i = 0; i < 6; ++i) {
@@ -192,7 +209,7 @@ Vec Bodies::round_obstacle(const BodyState& s, size_t vertex) {
       move.to[k] =
           (sum * site[k] - w[0] * all.from[k] - w[2] * all.fixed[pair[0]][k] - w[3] * all.fixed[pair[1]][k]) / w[1];
     }
-    if (rng_.chance(0.4)) move.to = on_lattice(move.to);
+    if (rng_.chance(0.5)) move.to = on_lattice(move.to);
     if (!finite(move.to)) continue;
     best = move.to;
     const MoveTruth truth = exact_.move(move, level_);

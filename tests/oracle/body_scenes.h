@@ -10,8 +10,7 @@ namespace dsw::oracle {
 /// or a face only.
 class Bodies {
  public:
-  Bodies(Stage& stage, SweepWorld& exact, Rng& rng, dsw_level level)
-      : stage_(stage), exact_(exact), rng_(rng), level_(level), motions_(stage.world, rng) {}
+  Bodies(Stage& stage, SweepWorld& exact, Rng& rng, dsw_level level);
   /// Free as a rule.
   BodyPlan next();
   BodyMove move(const BodyState& state);
@@ -30,6 +29,9 @@ class Bodies {
   Rng& rng_;
   dsw_level level_;
   Motions motions_;
+  std::vector<int> spikes_;
+  bool has_focus_ = false;
+  Vec focus_ = {0, 0, 0};  // of the body at hand
 };
 
 }  // namespace dsw::oracle
