@@ -226,6 +226,19 @@ void BodyChecker::alone(const dsw_contact& c, const std::string& how) {
   judge(flight, truth, c, what, nullptr, nullptr);
 }
 
+void BodyChecker::history(const std::vector<dsw_contact>& before, const std::vector<dsw_contact>& now,
+                          const std::string& how) {
+  for (const dsw_contact& c : now) {
+    const bool lasting = std::any_of(before.begin(), before.end(), [&](const dsw_contact& b) {
+      return same_id(b.vertex, c.vertex) && b.obstacle.kind == c.obstacle.kind &&
+             b.obstacle.index == c.obstacle.index && b.obstacle.generation == c.obstacle.generation &&
+             b.obstacle.local == c.obstacle.local;
+    });
+    if (c.history == (lasting ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW)) continue;
+    report_.fault(SweepReport::kWrong, "vertex " + name(c.vertex) + how + ": history " + std::to_string(c.history));
+  }
+}
+
 void BodyChecker::step(const BodyState& now, size_t vertex, const Vec& to, dsw_level level, const BodyMove& move,
                        const dsw_contact* contact, const Vec& reached, const std::string& how) {
   std::vector<size_t> edges_of, faces_of;

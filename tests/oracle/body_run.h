@@ -22,7 +22,7 @@ struct BodyReport {
 
   std::array<SweepReport, 4> levels;
   SweepReport hybrid;  // elimination by motion; what it drops is no fault
-  uint64_t bodies = 0, refused = 0, responses = 0, edits = 0, twins = 0;
+  uint64_t bodies = 0, refused = 0, responses = 0, edits = 0, body_edits = 0, twins = 0;
   uint64_t hybrid_contacts = 0, hybrid_dropped = 0;
   double time_error = 0, bisection_slope = 0;
 };
