@@ -106,6 +106,15 @@ TEST_F(BodyEditTest, WhatCannotBeAdded) {
   refuse(DSW_STATUS_SHARED_FACE, body, [&] { return add_face(v[0], v[1], more); });
 }
 
+TEST_F(BodyEditTest, AFaceThatWouldMakeASecondFanIsRefused) {
+  const dsw_body_id body = make({{kA, kB, kC, kD, {0.25, 0.25, 0.25}}, {}, {{0, 1, 2}}});
+  const BodyState s = read(body);
+  refuse(DSW_STATUS_SHARED_FACE, body, [&] {
+    dsw_body_face_id face;
+    return dsw_body_add_face(scene(), body, s.vertices[0], s.vertices[3], s.vertices[4], &face);
+  });
+}
+
 TEST_F(BodyEditTest, SplitAndCollapseAreARoundTrip) {
   for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
     const dsw_body_id body = make(tetrahedron(kA, 0.25), level);
