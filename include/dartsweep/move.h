@@ -45,6 +45,7 @@ typedef struct dsw_move_options {
   dsw_search search;            /**< EXACT by default. */
   uint32_t bisection_depth;     /**< 1 to 52; 0 means 20. */
   double min_part;              /**< Least part of an edge that a split leaves, in (0,0.5]; 0 means 0.25. */
+  double min_length;            /**< Least length of such a part, scene units. 0: none, then parts can get ever smaller. */
   /** Distance kept from a wall that is touched, a dial without guarantee, scene units. Negative: none. 0: 1e-9 of the size of the
    * volume in front. */
   double stand_off;

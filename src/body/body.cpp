@@ -129,6 +129,10 @@ void reserve(Body& body, size_t more_vertices, size_t more_edges, size_t more_fa
   reserve_slots(body.vertex_slots, body.vertices, more_vertices);
   reserve_slots(body.edge_slots, body.edges, more_edges);
   reserve_slots(body.face_slots, body.faces, more_faces);
+  if (body.skipping.by_clearance) body.clearances.resize(body.vertices.size() + more_vertices);
+  if (body.skipping.sequences) {
+    body.sequences.resize(body.edges.size() + more_edges, Array<uint32_t>(body.edges.get_allocator()));
+  }
 }
 
 uint32_t add_vertex(Body& body, const double* position, Cell cell) noexcept {

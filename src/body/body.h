@@ -44,12 +44,22 @@ struct Skipping {
   double motion_share = 0.1;
 };
 
+/** A ball known to hold nothing impassable. */
+struct Clearance {
+  double centre[3] = {};
+  double radius = 0;     // 0: none is known
+  uint64_t version = 0;  // of the environment when it was measured
+  uint32_t wait = 0, patience = 1;  // moves until it is measured again where it was too small
+};
+
 struct Body {
   Array<BodyVertex> vertices;
   Array<BodyEdge> edges;
   Array<BodyFace> faces;
   SlotPool vertex_slots, edge_slots, face_slots;
-  Array<uint32_t> inserted;  // vertices that a response has inserted
+  Array<uint32_t> inserted;           // vertices that a response has inserted
+  Array<Array<uint32_t>> sequences;   // by edge, if they are kept: the facets from ends[0] to ends[1], see motion/sequence.h
+  Array<Clearance> clearances;        // by vertex, if they are kept
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
 
@@ -60,14 +70,18 @@ struct Body {
         vertex_slots(memory),
         edge_slots(memory),
         face_slots(memory),
-        inserted(Allocator<uint32_t>(memory)) {}
+        inserted(Allocator<uint32_t>(memory)),
+        sequences(Allocator<Array<uint32_t>>(memory)),
+        clearances(Allocator<Clearance>(memory)) {}
 
   bool has_vertex(uint32_t v) const { return v < vertices.size() && vertices[v].cell.valid(); }
   bool has_edge(uint32_t e) const { return e < edges.size() && edges[e].ends[0] != kNone; }
   bool has_face(uint32_t f) const { return f < faces.size() && faces[f].corners[0] != kNone; }
   const double* position(uint32_t v) const { return vertices[v].position; }
   uint64_t memory_bytes() const {
-    return array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) + array_bytes(inserted) + vertex_slots.memory_bytes() +
+    uint64_t of_sequences = array_bytes(sequences);
+    for (const Array<uint32_t>& each : sequences) of_sequences += array_bytes(each);
+    return of_sequences + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) + array_bytes(inserted) + vertex_slots.memory_bytes() +
            edge_slots.memory_bytes() + face_slots.memory_bytes();
   }
 };

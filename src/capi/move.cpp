@@ -38,6 +38,10 @@ dsw::MoveSettings to_settings(const dsw_move_options& o) {
     fail(DSW_STATUS_OUT_OF_RANGE, "options->min_part is %g, must be in (0, 0.5], or 0", o.min_part);
   }
   if (o.min_part != 0) s.min_part = o.min_part;
+  if (!(o.min_length >= 0) || !std::isfinite(o.min_length)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "options->min_length is %g, must be finite and not negative", o.min_length);
+  }
+  s.min_length = o.min_length;
   if (!std::isfinite(o.stand_off)) fail(DSW_STATUS_NON_FINITE, "options->stand_off is %g", o.stand_off);
   s.stand_off = o.stand_off;
   if (!(o.noise_share >= 0) || !std::isfinite(o.noise_share)) {

@@ -10,6 +10,13 @@ bool count_change(uint64_t& count, bool was, bool marked) noexcept {
   return true;
 }
 
+/** Passes on whether a mark changed, and notes it if something became impassable. */
+template <int D>
+bool note_change(Environment<D>& env, bool changed, bool marked) noexcept {
+  env.obstacle_version += changed && marked ? 1 : 0;
+  return changed;
+}
+
 void set_bit(uint32_t& word, bool marked) noexcept { word = marked ? word | kMarkBit : word & ~kMarkBit; }
 
 }  // namespace
@@ -29,7 +36,7 @@ bool set_cell_mark(Environment<D>& env, Cell c, bool marked) noexcept {
   uint32_t& word = env.map.record(c)[0];
   const bool changed = count_change(env.marked_cells, (word & kMarkBit) != 0, marked);
   set_bit(word, marked);
-  return changed;
+  return note_change(env, changed, marked);
 }
 
 template <int D>
@@ -39,7 +46,7 @@ bool set_facet_mark(Environment<D>& env, HalfFacet h, bool marked) noexcept {
   const bool changed = count_change(env.marked_facets, (word & kMarkBit) != 0, marked);
   set_bit(word, marked);
   if (other.valid()) set_bit(env.map.words[other.word], marked);
-  return changed;
+  return note_change(env, changed, marked);
 }
 
 template <int D>
@@ -47,7 +54,7 @@ bool set_edge_mark(Environment<D>& env, uint32_t a, uint32_t b, bool marked) noe
   // Room was made by reserve_edge_marks, so insert does not allocate.
   const bool changed = marked ? env.edge_marks.insert(a, b) : env.edge_marks.erase(a, b);
   env.marked_edges = env.edge_marks.size();
-  return changed;
+  return note_change(env, changed, marked);
 }
 
 template <int D>
@@ -57,7 +64,7 @@ bool set_vertex_mark(Environment<D>& env, uint32_t vertex, bool marked) noexcept
   const uint64_t bit = uint64_t{1} << (vertex % 64);
   uint64_t& word = env.vertex_marks[vertex / 64];
   word = marked ? word | bit : word & ~bit;
-  return changed;
+  return note_change(env, changed, marked);
 }
 
 template <int D>

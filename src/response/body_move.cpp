@@ -9,6 +9,7 @@
 #include "contact/vec.h"
 #include "response/insertion.h"
 #include "response/vertex_move.h"
+#include "sweep/clearance.h"
 
 namespace dsw {
 namespace {
@@ -26,6 +27,7 @@ double distance_squared(const double* a, const double* b) {
 BodyMove::BodyMove(const Environment<3>& env)
     : env_(env),
       sweeps_(env),
+      writers_(Allocator<SequenceWriter>(env.memory)),
       order_(Allocator<uint32_t>(env.memory)),
       moving_(Allocator<Moving>(env.memory)),
       skipped_(Allocator<uint32_t>(env.memory)),
@@ -112,6 +114,9 @@ void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOr
 void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
   sweeps_.counts = {};
   skipped_.clear();
+  if (body.skipping.sequences) {
+    while (writers_.size() < kWave) writers_.emplace_back(env_.memory);
+  }
   order_.clear();
   moving_.assign(body.vertices.size(), Moving{});
   const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
@@ -132,10 +137,25 @@ bool BodyMove::run(Body& body, PointArray targets, const MoveSettings& settings,
 }
 
 /** What is met if nobody else meets anything. */
-void BodyMove::sweep_all(const Body& body, PointArray targets, bool may_skip) {
+void BodyMove::sweep_all(Body& body, PointArray targets, bool may_skip) {
+  if (body.skipping.by_clearance && body.level != SweepLevel::kPoints) measure_clearances(body, targets);
   cast_paths(body, targets);
   if (body.level != SweepLevel::kPoints) sweep_edges(body, targets, may_skip);
   if (body.level == SweepLevel::kFaces) sweep_faces(body, targets);
+}
+
+/** For vertices whose edges leave what is known to be free. */
+void BodyMove::measure_clearances(Body& body, PointArray targets) {
+  for (const uint32_t v : order_) {
+    if (moving_[v].rank == kNone) continue;
+    double longest = 0;
+    for_each_edge(body, v, [&](uint32_t e) {
+      longest = std::max(longest, length(difference(body.position(body.edges[e].other(v)), body.position(v))));
+      return true;
+    });
+    const double way = length(difference(targets[v], body.position(v)));
+    refresh_clearance(env_, body, v, longest + way);
+  }
 }
 
 void BodyMove::run_wave() {
@@ -168,7 +188,7 @@ Cell BodyMove::cell_at(const Body& body, uint32_t v, uint32_t rank) const {
   return moving_[v].rank < rank ? moving_[v].arrival : body.vertices[v].cell;
 }
 
-void BodyMove::sweep_edges(const Body& body, PointArray targets, bool may_skip) {
+void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
   const double share = body.skipping.motion_share * body.skipping.motion_share;
   for (uint32_t e = 0; e < body.edges.size(); ++e) {
     if (!body.has_edge(e)) continue;
@@ -191,25 +211,50 @@ void BodyMove::sweep_edges(const Body& body, PointArray targets, bool may_skip) 
     sweep_edge(body, targets, e, a);
     sweep_edge(body, targets, e, b);
   }
-  run_wave();
-  wave_.clear();
+  run_edges(body);
 }
 
-void BodyMove::sweep_edge(const Body& body, PointArray targets, uint32_t e, uint32_t v) {
+void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v) {
   Moving& moving = moving_[v];
   if (moving.rank == kNone || moving.doubtful) return;
   const uint32_t other = body.edges[e].other(v);
-  const Cell from = body.vertices[v].cell, fixed = cell_at(body, other, moving.rank);
-  if (sweeps_.skips(body, from, moving.arrival, fixed)) return;
-  const double* const q = place(body, targets, other, moving.rank);
+  const StarSweep::EdgeSweep sweep{e,
+                                   v,
+                                   targets[v],
+                                   moving.arrival,
+                                   place(body, targets, other, moving.rank),
+                                   cell_at(body, other, moving.rank)};
+  if (sweeps_.settles(body, sweep)) return;
   if (body.level != SweepLevel::kEdges) {
-    moving.doubtful = !sweeps_.is_triangle_free({body.position(v), targets[v], q}, from);
-    return;
+    const BodyVertex& from = body.vertices[v];
+    moving.doubtful = !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
+    if (moving.doubtful || !body.skipping.sequences) return;
   }
-  wave_vertices_[wave_.count()] = v;
-  wave_.add(env_, moving.arrival, targets[v], q);
-  if (!wave_.full()) return;
+  cast_edge(body, sweep);
+}
+
+/** To see whether an edge is free in its new place, and which cells it crosses there. */
+void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
+  const uint32_t at = wave_.count();
+  wave_vertices_[at] = sweep.v;
+  wave_edges_[at] = sweep.e;
+  if (body.skipping.sequences) {
+    const bool first = body.edges[sweep.e].ends[0] == sweep.v;
+    writers_[at].attach(env_, first ? wave_.add(env_, sweep.arrival, sweep.to, sweep.q)
+                                    : wave_.add(env_, sweep.fixed, sweep.q, sweep.to));
+  } else {
+    wave_.add(env_, sweep.arrival, sweep.to, sweep.q);
+  }
+  if (wave_.full()) run_edges(body);
+}
+
+void BodyMove::run_edges(Body& body) {
   run_wave();
+  if (body.skipping.sequences) {
+    for (uint32_t i = 0; i < wave_.count(); ++i) {
+      if (wave_.result(i).end == CastEnd::kReached) writers_[i].finish(body.sequences[wave_edges_[i]]);
+    }
+  }
   wave_.clear();
 }
 

@@ -2,6 +2,7 @@
 // A whole body moved: its vertices go to their targets one after the other.
 
 #include "base/points.h"
+#include "motion/sequence.h"
 #include "response/settings.h"
 
 namespace dsw {
@@ -38,10 +39,13 @@ class BodyMove {
 
   void start(const Body& body, MoveOrder order, PointArray targets);
   bool run(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip);
+  void measure_clearances(Body& body, PointArray targets);
   void cast_paths(const Body& body, PointArray targets);
-  void sweep_all(const Body& body, PointArray targets, bool may_skip);
-  void sweep_edges(const Body& body, PointArray targets, bool may_skip);
-  void sweep_edge(const Body& body, PointArray targets, uint32_t e, uint32_t v);
+  void sweep_all(Body& body, PointArray targets, bool may_skip);
+  void sweep_edges(Body& body, PointArray targets, bool may_skip);
+  void sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v);
+  void cast_edge(Body& body, const StarSweep::EdgeSweep& sweep);
+  void run_edges(Body& body);
   void sweep_faces(const Body& body, PointArray targets);
   void run_wave();
   void arrive(Body& body, PointArray targets, uint32_t v) const;
@@ -56,6 +60,8 @@ class BodyMove {
   StarSweep sweeps_;
   Wave<3> wave_;
   uint32_t wave_vertices_[kWave] = {};
+  uint32_t wave_edges_[kWave] = {};
+  Array<SequenceWriter> writers_;  // of the wave, if sequences are kept
   Array<uint32_t> order_;
   Array<Moving> moving_;        // by vertex
   Array<uint32_t> skipped_;     // edges left out by their motion

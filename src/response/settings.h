@@ -16,7 +16,7 @@ struct MoveSettings {
   Response vertex = Response::kStop, edge = Response::kStop;
   Search search = Search::kExact;
   uint32_t bisection_depth = 20;
-  double min_part = 0.25;
+  double min_part = 0.25, min_length = 0;
   double stand_off = 0;  // 0: 1e-9 of the cell in front; negative: none
   double noise_share = 0;
 

@@ -33,10 +33,12 @@ bool VertexMove::move(uint32_t v, const double* target) {
   first_edit_ = record_.edits.size();
   double to[3];
   std::copy_n(target, 3, to);
-  dsw_contact contact;
-  while (!advance(v, to, &contact)) {
-    contact.distance_left = length(difference(target, body_.position(v)));
-    record_.contacts.push_back(contact);
+  for (;;) {
+    const size_t first_contact = record_.contacts.size();
+    if (advance(v, to)) return std::equal(to, to + 3, target);
+    const double left = length(difference(target, body_.position(v)));
+    for (size_t i = first_contact; i < record_.contacts.size(); ++i) record_.contacts[i].distance_left = left;
+    const dsw_contact contact = record_.contacts[first_contact];
     const bool of_vertex = contact.edge.generation == 0 && contact.face.generation == 0;
     const Response response = of_vertex ? settings_.vertex : settings_.edge;
     if (!of_vertex && settings_.may_insert() && insert(v, contact)) {
@@ -47,22 +49,21 @@ bool VertexMove::move(uint32_t v, const double* target) {
     if (response != Response::kSlide && response != Response::kHybrid) return false;
     if (++slides > kMostSlides || !slide(v, target, contact, walls, to)) return false;
   }
-  return std::equal(to, to + 3, target);
 }
 
-/** To `to`, or as far as it is free. */
-bool VertexMove::advance(uint32_t v, const double* to, dsw_contact* contact) {
+/** To `to`, or as far as it is free: then the contacts are in the record, the first of them first. */
+bool VertexMove::advance(uint32_t v, const double* to) {
   BodyVertex& at = body_.vertices[v];
+  StarContact first;
   Cell cell;
-  if (!find_contact(v, to, contact, &cell)) {
+  if (!sweeps_.find_first(body_, v, to, &first, &cell)) {
     std::copy_n(to, 3, at.position);
     at.cell = cell;
     return true;
   }
-  const Vec way = difference(to, at.position);
-  const double off = stand_off(*contact), lean = std::fabs(dot(to_vec(contact->normal), way));
-  const double back = off > 0 ? off / lean : 0;
-  const double time = back > 0 ? std::max(0.0, contact->time - back) : contact->time;
+  const dsw_contact contact = record_contacts(v, to, first);
+  const double off = stand_off(contact), lean = std::fabs(dot(to_vec(contact.normal), difference(to, at.position)));
+  const double time = off > 0 ? std::max(0.0, contact.time - off / lean) : contact.time;
   double position[3];
   bool found = false;
   retreat<3>(at.position, to, time, position, &found,
@@ -73,12 +74,16 @@ bool VertexMove::advance(uint32_t v, const double* to, dsw_contact* contact) {
   return false;
 }
 
-bool VertexMove::find_contact(uint32_t v, const double* to, dsw_contact* contact, Cell* cell) {
-  StarContact first;
-  if (!sweeps_.find_first(body_, v, to, &first, cell)) return false;
-  *contact = describe(env_, body_, v, to, first);
-  if (settings_.search == Search::kBisection) bisect(v, *contact);
-  return true;
+/** Returns the first. */
+dsw_contact VertexMove::record_contacts(uint32_t v, const double* to, const StarContact& first) {
+  dsw_contact contact = describe(env_, body_, v, to, first);
+  if (settings_.search == Search::kBisection) bisect(v, contact);
+  record_.contacts.push_back(contact);
+  if (settings_.search != Search::kAll) return contact;
+  Array<StarContact> all{Allocator<StarContact>(env_.memory)};
+  sweeps_.find_all(body_, v, to, all);
+  for (size_t i = 1; i < all.size(); ++i) record_.contacts.push_back(describe(env_, body_, v, to, all[i]));
+  return contact;
 }
 
 /** Puts the time to the last of a halving at which the way is free. */
@@ -114,6 +119,8 @@ bool VertexMove::insert(uint32_t v, const dsw_contact& contact) {
   const bool starts_here = body_.edges[e].ends[0] == v;
   const double share = starts_here ? contact.along : 1 - contact.along;
   const double *p = body_.position(body_.edges[e].ends[0]), *q = body_.position(body_.edges[e].ends[1]);
+  const double least = length(difference(q, p)) * std::min(share, 1 - share);
+  if (!(least >= settings_.min_length)) return false;
   const Vec normal = to_vec(contact.normal);
   double point[3], largest = 0;
   point_at<3>(p, q, share, point);

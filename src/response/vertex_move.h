@@ -22,8 +22,8 @@ class VertexMove {
     int count = 0;
   };
 
-  bool advance(uint32_t v, const double* to, dsw_contact* contact);
-  bool find_contact(uint32_t v, const double* to, dsw_contact* contact, Cell* cell);
+  bool advance(uint32_t v, const double* to);
+  dsw_contact record_contacts(uint32_t v, const double* to, const StarContact& first);
   void bisect(uint32_t v, dsw_contact& contact);
   double stand_off(const dsw_contact& contact) const;
   bool insert(uint32_t v, const dsw_contact& contact);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "motion/sequence.h"
 #include "motion/standard_facets.h"
+#include "sweep/clearance.h"
 
 namespace dsw {
 namespace {
@@ -26,17 +28,49 @@ StarContact path_contact(const Environment<3>& env, const CastResult& path) noex
   return found;
 }
 
+/** The vertex before its edges before its faces. */
+uint64_t feature(const StarContact& c) noexcept {
+  if (c.edge != kNone) return 1 + uint64_t{c.edge};
+  return c.face != kNone ? (uint64_t{1} << 33) + c.face : 0;
+}
+
 }  // namespace
 
 StarSweep::StarSweep(const Environment<3>& env)
     : env_(env), flood_(env), hit_edges_(Allocator<uint32_t>(env.memory)) {}
 
-bool StarSweep::skips(const Body& body, Cell from, Cell to, Cell fixed) {
+bool StarSweep::settles(const Body& body, const EdgeSweep& sweep) {
   ++counts.swept;
-  const bool inside = stays_inside(env_, from, to, fixed);
-  if (!inside || (body.level == SweepLevel::kEdges && !body.skipping.by_environment)) return false;
-  counts.skipped += body.skipping.by_environment ? 1 : 0;
-  return true;
+  const BodyVertex& from = body.vertices[sweep.v];
+  if (stays_inside(env_, from.cell, sweep.arrival, sweep.fixed)) {
+    counts.skipped += body.skipping.by_environment ? 1 : 0;
+    if (body.skipping.by_environment || body.level != SweepLevel::kEdges) return true;
+  }
+  const bool known = (body.skipping.by_clearance && is_clear(body, sweep)) ||
+                     (body.skipping.sequences && follows_sequence(body, sweep));
+  counts.skipped += known ? 1 : 0;
+  return known;
+}
+
+/** Whether the triangle lies in a ball that is free. */
+bool StarSweep::is_clear(const Body& body, const EdgeSweep& sweep) const {
+  const double* const p = body.position(sweep.v);
+  return covers(env_, body.clearances[sweep.v], p, sweep.to, sweep.q) ||
+         covers(env_, body.clearances[body.edges[sweep.e].other(sweep.v)], p, sweep.to, sweep.q);
+}
+
+/** Whether the edge keeps to the cells that it was last known to cross. If it did so before and after, and its end stays in its cell,
+ * the whole triangle lies in these cells. */
+bool StarSweep::follows_sequence(const Body& body, const EdgeSweep& sweep) const {
+  const Array<uint32_t>& facets = body.sequences[sweep.e];
+  const BodyVertex& from = body.vertices[sweep.v];
+  const bool first = body.edges[sweep.e].ends[0] == sweep.v;
+  const auto keeps = [&](const double* p, Cell cell) {
+    return first ? follows(env_, p, sweep.q, cell, sweep.fixed, facets.data(), facets.size())
+                 : follows(env_, sweep.q, p, sweep.fixed, cell, facets.data(), facets.size());
+  };
+  if (!keeps(sweep.to, sweep.arrival)) return false;
+  return body.level == SweepLevel::kEdges || (from.cell == sweep.arrival && keeps(from.position, from.cell));
 }
 
 /** Whether an edge is not free in its new place; fills hit_edges_ with all, or with some if one is enough. */
@@ -51,7 +85,7 @@ bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, C
   };
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
-    if (skips(body, body.vertices[v].cell, cell, fixed.cell)) return true;
+    if (settles(body, {e, v, to, cell, fixed.position, fixed.cell})) return true;
     wave_edges_[wave_.count()] = e;
     wave_.add(env_, cell, to, fixed.position);
     if (wave_.full()) run();
@@ -74,7 +108,7 @@ bool StarSweep::is_free(const Body& body, uint32_t v, const double* to, Cell* ce
   bool free = true;
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
-    if (skips(body, at.cell, path.cell, fixed.cell)) return true;
+    if (settles(body, {e, v, to, path.cell, fixed.position, fixed.cell})) return true;
     free = flood_.sweep(EdgeMotion{at.position, to, fixed.position}, at.cell, 0).end == SweepEnd::kFree;
     return free;
   });
@@ -114,8 +148,9 @@ bool StarSweep::find_first(const Body& body, uint32_t v, const double* to, StarC
   }
   const bool reached = !any;
   for_each_edge(body, v, [&](uint32_t e) {
-    const Cell fixed = body.vertices[body.edges[e].other(v)].cell;
-    return reached && skips(body, at.cell, path.cell, fixed) ? true : sweep_edge(e);
+    const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
+    const bool settled = reached && settles(body, {e, v, to, path.cell, fixed.position, fixed.cell});
+    return settled ? true : sweep_edge(e);
   });
   if (body.level != SweepLevel::kFaces) return any;
   for_each_face(body, v, [&](uint32_t f) {
@@ -128,14 +163,35 @@ bool StarSweep::find_first(const Body& body, uint32_t v, const double* to, StarC
   return any;
 }
 
+void StarSweep::find_all(const Body& body, uint32_t v, const double* to, Array<StarContact>& all) {
+  const BodyVertex& at = body.vertices[v];
+  all.clear();
+  const CastResult path = fly(env_, at.position, to, at.cell, counters);
+  if (path.end == CastEnd::kHit) all.push_back(path_contact(env_, path));
+  if (body.level == SweepLevel::kPoints) return;
+  for_each_edge(body, v, [&](uint32_t e) {
+    flood_.sweep(EdgeMotion{at.position, to, body.position(body.edges[e].other(v))}, at.cell, 0, true);
+    for (const SweepContact& each : flood_.all()) {
+      if (each.event.kind != EventKind::kVertex) all.push_back({each, e, kNone});
+    }
+    return true;
+  });
+  StarContact first;
+  Cell cell;
+  if (body.level == SweepLevel::kFaces && find_first(body, v, to, &first, &cell) && first.face != kNone) {
+    all.push_back(first);
+  }
+  std::sort(all.begin(), all.end(), [&](const StarContact& a, const StarContact& b) {
+    if (comes_before(env_.map, at.position, to, a.contact, b.contact)) return true;
+    return !comes_before(env_.map, at.position, to, b.contact, a.contact) && feature(a) < feature(b);
+  });
+}
+
 /** Keeps the earlier one; of equal ones the vertex, then the lowest edge, then the lowest face. */
 void StarSweep::consider(const double* p, const double* to, const StarContact& found, StarContact* first,
                          bool* any) const {
   StarContact next = found;
   if (next.contact.event.kind == EventKind::kVertex) next.edge = next.face = kNone;
-  const auto feature = [](const StarContact& c) {
-    return c.edge == kNone && c.face == kNone ? 0 : c.edge != kNone ? 1 + uint64_t{c.edge} : (uint64_t{1} << 33) + c.face;
-  };
   const bool later =
       *any && (comes_before(env_.map, p, to, first->contact, next.contact) ||
                (!comes_before(env_.map, p, to, next.contact, first->contact) && feature(*first) <= feature(next)));

@@ -30,13 +30,24 @@ class StarSweep {
   /** The first contact on that way, whose event borrows the body's points and `to`; false, and *cell set, if there is none. */
   bool find_first(const Body& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
 
+  /** All contacts on that way of the vertex and its edges, by time, where find_first has found one; of faces only the first. */
+  void find_all(const Body& body, uint32_t v, const double* to, Array<StarContact>& all);
+
   /** Whether an edge sweeps inside of one cell, and so meets nothing. */
   static bool stays_inside(const Environment<3>& env, Cell from, Cell to, Cell fixed) {
     return from == to && from == fixed && env.map.convex(from);
   }
 
-  /** Whether the sweep of an edge need not be looked at; counts it. */
-  bool skips(const Body& body, Cell from, Cell to, Cell fixed);
+  /** The sweep of edge e when its end v goes to `to`, in `arrival`, and the other end is at q, in `fixed`. */
+  struct EdgeSweep {
+    uint32_t e, v;
+    const double* to;
+    Cell arrival;
+    const double* q;
+    Cell fixed;
+  };
+  /** Whether nothing can be met, by what is known without a look at the triangle; counts it. The path of v is free. */
+  bool settles(const Body& body, const EdgeSweep& sweep);
 
   bool is_triangle_free(const EdgeMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }
   bool is_tetrahedron_free(const FaceMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }
@@ -45,6 +56,8 @@ class StarSweep {
   CastCounters* counters = nullptr;  // of casts; may stay null
 
  private:
+  bool is_clear(const Body& body, const EdgeSweep& sweep) const;
+  bool follows_sequence(const Body& body, const EdgeSweep& sweep) const;
   bool find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
   void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;
 

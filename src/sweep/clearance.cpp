@@ -1,0 +1,59 @@
+#include "sweep/clearance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/nearest.h"
+
+namespace dsw {
+namespace {
+
+constexpr uint32_t kMostPatience = 1024;
+constexpr double kReach = 4;  // how far is measured, in units of what is needed
+// The distance to an obstacle is rounded. What is left of a ball is free if that error, a few units in the last place of the
+// coordinates, is smaller than what is left out of it.
+constexpr double kKept = 0.999, kLeastShare = 1e-9;
+
+double distance(const double* a, const double* b) noexcept {
+  const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+  return std::sqrt((x * x + y * y) + z * z);
+}
+
+bool is_known(const Environment<3>& env, const Clearance& ball) noexcept {
+  return ball.radius > 0 && ball.version == env.obstacle_version;
+}
+
+}  // namespace
+
+bool covers(const Environment<3>& env, const Clearance& ball, const double* a, const double* b,
+            const double* c) noexcept {
+  return is_known(env, ball) && distance(a, ball.centre) < ball.radius && distance(b, ball.centre) < ball.radius &&
+         distance(c, ball.centre) < ball.radius;
+}
+
+void refresh_clearance(const Environment<3>& env, Body& body, uint32_t v, double needed) {
+  Clearance& ball = body.clearances[v];
+  const double* const at = body.position(v);
+  if (is_known(env, ball) && distance(at, ball.centre) + needed < ball.radius) return;
+  if (ball.wait != 0) {
+    --ball.wait;
+    return;
+  }
+  NearestResult nearest;
+  const double reach = kReach * needed;
+  if (!std::isfinite(reach)) return;
+  const bool found = find_nearest(env, at, body.vertices[v].cell, reach, nearest);
+  const double radius = kKept * (found ? nearest.distance : reach);
+  const double largest = std::max({std::fabs(at[0]), std::fabs(at[1]), std::fabs(at[2])});
+  std::copy_n(at, 3, ball.centre);
+  ball.radius = radius > kLeastShare * (largest + reach) ? radius : 0;
+  ball.version = env.obstacle_version;
+  if (ball.radius > needed) {
+    ball.patience = 1;
+    return;
+  }
+  ball.wait = ball.patience;
+  ball.patience = std::min(2 * ball.patience, kMostPatience);
+}
+
+}  // namespace dsw
