@@ -32,7 +32,7 @@ void one_scene(const SweepTurn& turn, uint64_t seed, uint64_t steps, const BodyR
   for (dsw_level level : kLevels) {
     if (options.level != 0 && options.level != level) continue;
     // A level's sequence is its own: it can be run alone.
-    Rng own(seed + static_cast<uint64_t>(level));
+    Rng own(seed ^ static_cast<uint64_t>(level) << 40);
     Course course(*stage, exact, walls, scene.get(), level, own, report);
     const uint64_t before = report.at(level).total.sweeps;
     for (int bodies = 0; bodies < 40 && report.at(level).total.sweeps < before + steps; ++bodies) course.stopping();
@@ -58,7 +58,7 @@ void run_bodies(const BodyRunOptions& options, BodyReport& report) {
     const bool with_ties = turn.kind->integer && turn.transform == Transform::kNone;
     turns.insert(turns.end(), with_ties ? 5 : 1, turn);
   }
-  Rng rng(options.seed);
+  Rng rng(options.seed << 20);  // sequences of neighbouring seeds are one step apart
   const uint64_t each = std::min<uint64_t>(150, std::max<uint64_t>(20, options.steps / (turns.size() + 1)));
   const auto least = [&]() {
     uint64_t steps = UINT64_MAX;

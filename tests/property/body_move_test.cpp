@@ -142,6 +142,23 @@ TEST_F(BodyMoveTest, APushThatLastsSaysSo) {
   EXPECT_EQ(answer.contacts[0].history, DSW_HISTORY_NEW);
 }
 
+TEST_F(BodyMoveTest, AllObstaclesUnderTheEdgeComeInTheirOrder) {
+  mark_wire(2, 2, 1);
+  mark_wire(3, 2, 1);
+  const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {3.75, 1.5, 1.5};
+  const dsw_body_id body = make(segment(from, fixed)), twin = make(segment(from, fixed));
+  dsw_move_options options = default_options();
+  options.search = DSW_SEARCH_ALL;
+  const BodyAnswer all = move(body, {to, fixed}, &options), exact = move(twin, {to, fixed});
+  ASSERT_EQ(all.contacts.size(), 2u);
+  ASSERT_EQ(exact.contacts.size(), 1u);
+  EXPECT_LT(all.contacts[0].time, all.contacts[1].time);
+  EXPECT_EQ(all.contacts[0].time, exact.contacts[0].time);
+  EXPECT_EQ(all.contacts[0].point[0], 2);
+  EXPECT_EQ(all.contacts[1].point[0], 3);
+  EXPECT_EQ(all.after.at, exact.after.at);
+}
+
 TEST_F(BodyMoveTest, AnInsertedVertexIsReportedAndSplitsItsEdge) {
   mark_wire(2, 2, 1);
   const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {2.75, 1.5, 1.5};
