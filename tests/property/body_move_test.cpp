@@ -142,6 +142,19 @@ TEST_F(BodyMoveTest, APushThatLastsSaysSo) {
   EXPECT_EQ(answer.contacts[0].history, DSW_HISTORY_NEW);
 }
 
+TEST_F(BodyMoveTest, AStopLastsWhicheverObstaclesWereListedBesideIt) {
+  mark_wire(2, 2, 1);
+  mark_wire(3, 2, 1);
+  const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {3.75, 1.5, 1.5};
+  const dsw_body_id body = make(segment(from, fixed));
+  dsw_move_options options = default_options();
+  options.search = DSW_SEARCH_ALL;
+  ASSERT_EQ(move(body, {to, fixed}, &options).contacts.size(), 2u);
+  const BodyAnswer again = move(body, {to, fixed});
+  ASSERT_EQ(again.contacts.size(), 1u);
+  EXPECT_EQ(again.contacts[0].history, DSW_HISTORY_LASTING);
+}
+
 TEST_F(BodyMoveTest, AllObstaclesUnderTheEdgeComeInTheirOrder) {
   mark_wire(2, 2, 1);
   mark_wire(3, 2, 1);
