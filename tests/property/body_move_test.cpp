@@ -193,6 +193,42 @@ TEST_F(BodyMoveTest, AnInsertedVertexIsReportedAndSplitsItsEdge) {
   }
 }
 
+TEST(BodySlideTest, TargetsAtTheEndOfTheDoublesLeaveNumbers) {
+  // Oblique walls: a projection of such a move may overflow.
+  Rng rng(5);
+  const Mesh mesh = delaunay(rng, 14, 64);
+  const EnvironmentPtr environment = create_environment(mesh);
+  const ScenePtr scene = make_scene(environment.get());
+  dsw_move_options options = default_options();
+  options.vertex_response = DSW_RESPONSE_SLIDE;
+  options.edge_response = DSW_RESPONSE_SLIDE;
+  for (int i = 0; i < 200; ++i) {
+    BodyPlan plan;
+    for (int v = 0; v < 2; ++v) plan.at.push_back({rng.range(16, 48), rng.range(16, 48), rng.range(16, 48)});
+    plan.edges = {{0, 1}};
+    dsw_body_id body;
+    if (create_body(scene.get(), plan, DSW_LEVEL_EDGES_SWEPT, 0, {}, &body) != DSW_STATUS_OK) continue;
+    std::vector<Vec> targets = plan.at;
+    for (Vec& t : targets) {
+      for (double& x : t) x = rng.chance(0.7) ? (rng.chance(0.5) ? 1.7e308 : -1.7e308) : x;
+    }
+    BodyAnswer answer;
+    ASSERT_EQ(move_body(scene.get(), body, targets, &options, answer), "");
+    for (const Vec& p : answer.after.at) {
+      for (double x : p) ASSERT_TRUE(std::isfinite(x)) << i << ": " << hex(p);
+    }
+    for (const dsw_contact& c : answer.contacts) {
+      for (size_t k = 0; k < 3; ++k) {
+        ASSERT_TRUE(std::isfinite(c.from[k]) && std::isfinite(c.to[k])) << i << ": " << hex(c.from) << hex(c.to);
+        ASSERT_TRUE(std::isfinite(c.position[k])) << i << ": " << hex(c.position);
+        ASSERT_TRUE(std::isfinite(c.point[k]) && std::isfinite(c.normal[k])) << i << ": " << hex(c.point);
+      }
+      ASSERT_TRUE(c.time >= 0 && c.time <= 1) << i;
+    }
+    dsw_body_destroy(scene.get(), body);
+  }
+}
+
 class BodyRigidTest : public BodyMoveTest {
  protected:
   dsw_rigid_motion shift(const Vec& by) const {
