@@ -156,6 +156,25 @@ TEST_F(BodyMemoryTest, MovingManyBodies) {
   EXPECT_GT(refusals, 2u);
 }
 
+TEST_F(BodyMemoryTest, AMoveThatFailedLeavesContactsAndTheirHistory) {
+  mark_wall(0, 0, 0);
+  const dsw_body_id body = make(segment({0.5, 0.5, 0.5}, {0.75, 0.5, 0.5}));
+  const std::vector<Vec> to = {{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}};
+  BodyAnswer first;
+  ASSERT_EQ(move_body(scene(), body, to, nullptr, first), "");
+  ASSERT_EQ(first.contacts.size(), 1u);
+  const dsw_contact* contacts = nullptr;
+  size_t count = 0;
+  dsw_move_options options = default_options();
+  options.search = DSW_SEARCH_ALL;
+  until_it_succeeds(
+      [&] { return dsw_body_move(scene(), body, to[0].data(), to.size(), 0, &options, nullptr); },
+      [&] { return dsw_body_get_contacts(scene(), body, &contacts, &count) == DSW_STATUS_OK && count == 1; });
+  ASSERT_EQ(dsw_body_get_contacts(scene(), body, &contacts, &count), DSW_STATUS_OK);
+  ASSERT_EQ(count, 1u);
+  EXPECT_EQ(contacts[0].history, DSW_HISTORY_LASTING);
+}
+
 TEST_F(BodyMemoryTest, ARigidMove) {
   mark_wall(1, 0, 0);
   const dsw_body_id body = make(tetrahedron({0.5, 0.5, 0.5}, 0.25), DSW_LEVEL_FACES);
