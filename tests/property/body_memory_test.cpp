@@ -175,6 +175,22 @@ TEST_F(BodyMemoryTest, AMoveThatFailedLeavesContactsAndTheirHistory) {
   EXPECT_EQ(contacts[0].history, DSW_HISTORY_LASTING);
 }
 
+TEST_F(BodyMemoryTest, ARigidMoveWhoseLastVertexIsStopped) {
+  mark_wall(1, 0, 0);
+  // The others have arrived when the memory for the contact of the last one is asked for.
+  for (int tries = 0; tries < 4; ++tries) {
+    const double x = 0.5 + 0.25 * tries;
+    const dsw_body_id body = make({{{0.25, 0.5, 0.5}, {0.25, 0.75, 0.5}, {x, 0.5, 0.5}}, {{0, 1}, {0, 2}}, {}});
+    const std::string before = bits_of(read(body));
+    dsw_rigid_motion motion;
+    std::memset(&motion, 0, sizeof motion);
+    motion.rotation[3] = 1;
+    motion.translation[0] = 1.625;
+    until_it_succeeds([&] { return dsw_body_move_rigid(scene(), body, &motion, nullptr, nullptr); },
+                      [&] { return bits_of(read(body)) == before; });
+  }
+}
+
 TEST_F(BodyMemoryTest, ARigidMove) {
   mark_wall(1, 0, 0);
   const dsw_body_id body = make(tetrahedron({0.5, 0.5, 0.5}, 0.25), DSW_LEVEL_FACES);
