@@ -71,8 +71,8 @@ typedef struct dsw_sweep {
   double time;
   double point[3]; /**< Where the edge touches, rounded. */
   double along;    /**< Where along the edge: 0 the moving end, 1 the fixed one. */
-  /** Unit, out of the obstacle. DSW_CONTACT_PLANE: of the boundary triangle. DSW_CONTACT_EDGE: across the edge and the
-   * obstacle's edge, against the motion; where those two are parallel, of a boundary triangle at the obstacle's edge,
+  /** Unit, out of the obstacle. DSW_CONTACT_PLANE of the moving end: of the boundary triangle. DSW_CONTACT_EDGE, and PLANE on a
+   * diagonal: across the edge and the obstacle's edge or the diagonal, against the motion; where those two are parallel, of a boundary triangle at the obstacle's edge,
    * and of a wire against the motion. */
   double normal[3];
   dsw_volume_id volume; /**< Of the moving end: at its target when the edge came through, else at its start. */

@@ -21,9 +21,7 @@ void unlink_edge(Body& body, uint32_t e, uint32_t side) noexcept {
   *at = body.edges[e].next[side];
 }
 
-void attach_face(BodyEdge& edge, uint32_t face) noexcept {
-  edge.faces[edge.faces[0] == kNone ? 0 : 1] = face;
-}
+void attach_face(BodyEdge& edge, uint32_t face) noexcept { edge.faces[edge.faces[0] == kNone ? 0 : 1] = face; }
 
 void replace_face(BodyEdge& edge, uint32_t from, uint32_t to) noexcept {
   edge.faces[edge.faces[0] == from ? 0 : 1] = to;

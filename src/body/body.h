@@ -47,8 +47,8 @@ struct Skipping {
 /** A ball known to hold nothing impassable. */
 struct Clearance {
   double centre[3] = {};
-  double radius = 0;     // 0: none is known
-  uint64_t version = 0;  // of the environment when it was measured
+  double radius = 0;                // 0: none is known
+  uint64_t version = 0;             // of the environment when it was measured
   uint32_t wait = 0, patience = 1;  // moves until it is measured again where it was too small
 };
 
@@ -57,9 +57,10 @@ struct Body {
   Array<BodyEdge> edges;
   Array<BodyFace> faces;
   SlotPool vertex_slots, edge_slots, face_slots;
-  Array<uint32_t> inserted;           // vertices that a response has inserted
-  Array<Array<uint32_t>> sequences;   // by edge, if they are kept: the facets from ends[0] to ends[1], see motion/sequence.h
-  Array<Clearance> clearances;        // by vertex, if they are kept
+  Array<uint32_t> inserted;  // vertices that a response has inserted
+  Array<Array<uint32_t>>
+      sequences;                // by edge, if they are kept: the facets from ends[0] to ends[1], see motion/sequence.h
+  Array<Clearance> clearances;  // by vertex, if they are kept
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
 
@@ -81,8 +82,8 @@ struct Body {
   uint64_t memory_bytes() const {
     uint64_t of_sequences = array_bytes(sequences);
     for (const Array<uint32_t>& each : sequences) of_sequences += array_bytes(each);
-    return of_sequences + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) + array_bytes(inserted) + vertex_slots.memory_bytes() +
-           edge_slots.memory_bytes() + face_slots.memory_bytes();
+    return of_sequences + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) +
+           array_bytes(inserted) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() + face_slots.memory_bytes();
   }
 };
 

@@ -16,9 +16,9 @@ dsw_body_desc defaults() noexcept {
 }
 
 dsw::Skipping to_skipping(uint32_t flags, double share) {
-  capi::check_flags(flags,
-                    DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_SKIP_BY_MOTION,
-                    "desc->flags");
+  capi::check_flags(
+      flags, DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_SKIP_BY_MOTION,
+      "desc->flags");
   if (!(share >= 0) || !std::isfinite(share)) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->motion_share is %g, must be finite and not negative", share);
   }
@@ -110,6 +110,16 @@ dsw_status dsw_scene_get_offending_edges(const dsw_scene* scene, const uint32_t*
     capi::require(count, "count");
     *vertices = s.offending.data();
     *count = s.offending.size() / 2;
+  });
+}
+
+dsw_status dsw_scene_get_occupant_bodies(const dsw_scene* scene, const dsw_body_id** bodies, size_t* count) {
+  return capi::guard("dsw_scene_get_occupant_bodies", [&] {
+    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require(bodies, "bodies");
+    capi::require(count, "count");
+    *bodies = s.occupant_bodies.data();
+    *count = s.occupant_bodies.size();
   });
 }
 

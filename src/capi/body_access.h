@@ -13,7 +13,9 @@ struct BodyAccess {
   Body& body;
 
   BodyAccess(dsw_scene* handle, dsw_body_id id)
-      : scene(check_handle(handle, "scene").engine), record(check_body(scene, id, {"body", false})), body(record.body) {}
+      : scene(check_handle(handle, "scene").engine),
+        record(check_body(scene, id, {"body", false})),
+        body(record.body) {}
   BodyAccess(const dsw_scene* handle, dsw_body_id id) : BodyAccess(const_cast<dsw_scene*>(handle), id) {}
 };
 

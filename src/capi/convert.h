@@ -4,10 +4,10 @@
 
 #include <cstring>
 
+#include "base/points.h"
 #include "capi/describe.h"
 #include "capi/handle.h"
 #include "map/dart.h"
-#include "base/points.h"
 #include "scene/report.h"
 #include "scene/segments.h"
 #include "scene/sweeps.h"

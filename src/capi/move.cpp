@@ -25,7 +25,8 @@ dsw::MoveSettings to_settings(const dsw_move_options& o) {
   s.vertex = static_cast<dsw::Response>(
       to_number(capi::raw_value(o.vertex_response), DSW_RESPONSE_SLIDE, "options->vertex_response"));
   if (s.vertex != dsw::Response::kStop && s.vertex != dsw::Response::kSlide) {
-    fail(DSW_STATUS_UNSUPPORTED, "options->vertex_response is %u, must be STOP or SLIDE", capi::raw_value(o.vertex_response));
+    fail(DSW_STATUS_UNSUPPORTED, "options->vertex_response is %u, must be STOP or SLIDE",
+         capi::raw_value(o.vertex_response));
   }
   s.edge = static_cast<dsw::Response>(
       to_number(capi::raw_value(o.edge_response), DSW_RESPONSE_SLIDE, "options->edge_response"));
@@ -172,7 +173,8 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
     capi::require_array(bodies, count, "bodies");
     const dsw_move_options o = read_options(options);
     const dsw::MoveSettings settings = to_settings(o);
-    if (o.order != nullptr || o.order_count != 0) fail(DSW_STATUS_UNSUPPORTED, "options->order must be null for many bodies");
+    if (o.order != nullptr || o.order_count != 0)
+      fail(DSW_STATUS_UNSUPPORTED, "options->order must be null for many bodies");
     dsw::Array<dsw::BodyRecord*> records{dsw::Allocator<dsw::BodyRecord*>(s.memory)};
     dsw::Array<bool> seen(s.bodies.size(), false, dsw::Allocator<bool>(s.memory));
     records.reserve(count);

@@ -64,11 +64,9 @@ ContactGeometry contact_geometry(const Environment<3>& env, const double* p, con
     const EdgeMotion m{p, to, event.points[0]};
     piercing_point(m, event.points[1], event.points[2], g.point);
     g.along = share_along(g.position, m.q, g.point);
-    if (contact.dart != kNoFacet) {
-      const Vec across =
-          unit(cross(unit(difference(m.q, g.position)), unit(difference(event.points[2], event.points[1]))));
-      normal = against(!is_zero(across) ? across : !is_zero(wall) ? wall : -1.0 * move, move, wall);
-    }
+    const Vec across =
+        unit(cross(unit(difference(m.q, g.position)), unit(difference(event.points[2], event.points[1]))));
+    normal = against(!is_zero(across) ? across : !is_zero(wall) ? wall : -1.0 * move, move, wall);
   } else if (event.kind == EventKind::kFace) {
     std::copy_n(event.points[2], 3, g.point);
     const Vec face =

@@ -69,7 +69,8 @@ bool follows(const Environment<3>& env, const double* from, const double* to, Ce
     marks |= w[0] | w[slot];
     if (form_of(w[0]) == Form::kSimplex) {
       const uint8_t(&local)[3] = kTetrahedronFacets[slot - (kUnitWords - 4)];
-      const Shear::Point a = shear(env.point(w[local[0]] & kVertexMask)), b = shear(env.point(w[local[1]] & kVertexMask)),
+      const Shear::Point a = shear(env.point(w[local[0]] & kVertexMask)),
+                         b = shear(env.point(w[local[1]] & kVertexMask)),
                          c = shear(env.point(w[local[2]] & kVertexMask));
       shear.pass(a, b);
       shear.pass(b, c);

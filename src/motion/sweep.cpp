@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "motion/standard_facets.h"
 #include "predicates/filtered.h"
 #include "predicates/tally.h"
 
@@ -46,14 +47,16 @@ SweepFlood::SweepFlood(const Environment<3>& env)
       map_(env.map),
       cells_(env.memory),
       around_(env.memory),
-      sides_(Allocator<int8_t>(env.memory)),
-      found_(Allocator<SweepContact>(env.memory)),
-      judged_(Allocator<uint32_t>(env.memory)) {}
+      lines_(env.memory),
+      corners_(Allocator<Corner>(env.memory)),
+      found_(Allocator<SweepContact>(env.memory)) {}
 
 SweepResult SweepFlood::sweep(const EdgeMotion& m, Cell start, uint32_t max_cells, bool collect) {
+  const SweptTriangle triangle(m);
+  triangle_ = &triangle;
   cells_.clear();
+  lines_.clear();
   found_.clear();
-  m_ = m;
   collect_ = collect;
   result_ = {};
   cells_.insert(start);
@@ -65,78 +68,117 @@ SweepResult SweepFlood::sweep(const EdgeMotion& m, Cell start, uint32_t max_cell
     }
     ++result_.cells_visited;
     const Cell c = cells_[i];
-    if (!look_at_vertices(c)) continue;
-    look_at_facets(c);
-    if (env_.marked_edges != 0) look_at_wires(c);
+    if (!read_corners(c)) continue;
+    const Shape shape = map_.shape(c);
+    look_at_facets(c, shape);
+    if (env_.marked_edges != 0) look_at_wires(c, shape);
   }
   if (collect_) sort_found();
   return result_;
 }
 
-/** Whether the cell's vertices lie on both sides of the swept plane. */
-bool SweepFlood::look_at_vertices(Cell c) {
+/** Reads the vertices of a cell. False for a hexahedron all of whose facets lie beside the triangle's box: the main path, where p, p'
+ * and q are in one cell and nothing can be met. It holds for warped cells too. */
+bool SweepFlood::read_corners(Cell c) {
+  const uint32_t* const w = map_.record(c);
+  const Form form = form_of(w[0]);
   const uint32_t count = map_.vertices_of(c);
-  sides_.resize(count);
-  int seen = 0;
+  corners_.resize(count);
+  const uint32_t* const words = form == Form::kSimplex ? w : w + kUnitWords;
   for (uint32_t i = 0; i < count; ++i) {
-    const int side = swept_side(m_, env_.point(c, i)).sign;
-    sides_[i] = static_cast<int8_t>(side);
-    seen |= side < 0 ? 1 : side > 0 ? 2 : 0;
+    const uint32_t vertex = form == Form::kGeneral ? map_.vertex(c, i) : words[i] & kVertexMask;
+    const double* const at = env_.point(vertex);
+    corners_[i] = {at, vertex, triangle_->beyond_box(at), kUnknown};
   }
-  return seen == 3;
-}
-
-void SweepFlood::look_at_facets(Cell c) {
-  const Shape shape = map_.shape(c);
-  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-    const HalfFacet h = map_.half_facet(c, f);
-    if (is_impassable(map_, h)) {
-      look_at_obstacle(c, shape, f);
-    } else if (facet_met(c, shape, f)) {
-      cells_.insert(map_.cell_of(map_.opposite(h)));
-    }
-  }
-}
-
-/** Whether the swept triangle meets a facet: what they have in common ends where an edge or diagonal of the facet pierces the
- * swept triangle, or at two sides of that, so that two of the three need be asked. */
-bool SweepFlood::facet_met(Cell c, const Shape& shape, uint32_t facet) const {
-  for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
-    const uint16_t* const local = shape.simplices() + 3 * s;
-    const int sides[3] = {sides_[local[0]], sides_[local[1]], sides_[local[2]]};
-    if (sides[0] == sides[1] && sides[1] == sides[2]) continue;
-    const double* triangle[3];
-    simplex_points(env_, c, shape, s, triangle);
-    for (int k = 0; k < 3; ++k) {
-      if (sides[k] != sides[(k + 1) % 3] && edge_pierces(triangle[k], triangle[(k + 1) % 3])) return true;
-    }
-    if (passes_through(m_.p, m_.to, triangle) || passes_through(m_.to, m_.q, triangle)) return true;
+  if (form != Form::kBox) return true;
+  for (const auto& f : kBoxFacets) {
+    const uint32_t beyond =
+        corners_[f[0]].beyond & corners_[f[1]].beyond & corners_[f[2]].beyond & corners_[f[3]].beyond;
+    if (beyond == 0) return true;
   }
   return false;
 }
 
-/** Whether an environment edge with its ends on different sides of the swept plane passes through the swept triangle. */
-bool SweepFlood::edge_pierces(const double* a, const double* b) const {
-  const int side = side_of_line(m_.p, m_.to, a, b);
-  return side_of_line(m_.to, m_.q, a, b) == side && side_of_line(m_.q, m_.p, a, b) == side;
+int SweepFlood::side(Corner& corner) const {
+  if (corner.side == kUnknown) corner.side = triangle_->side(corner.at);
+  return corner.side;
+}
+
+/** See SweptTriangle; the sides of both are known, and differ. */
+uint32_t SweepFlood::outside(const Corner& a, const Corner& b) {
+  return lines_.value(a.vertex, b.vertex, [&] { return triangle_->outside(a.at, b.at, b.side); });
+}
+
+/** Enters what lies behind passable facets that the triangle meets. A cell that it does not meet is not read, and one that has
+ * been entered is not marked. */
+void SweepFlood::look_at_facets(Cell c, const Shape& shape) {
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
+    const bool wall = !o.valid() || map_.facet_marked(h);
+    if ((!wall && cells_.contains(Cell{o.word / kUnitWords})) || !facet_met(shape, f)) continue;
+    if (wall || is_impassable(map_, h)) {
+      look_at_obstacle(c, shape, f);
+    } else {
+      cells_.insert(map_.cell_of(o));
+    }
+  }
+}
+
+bool SweepFlood::facet_met(const Shape& shape, uint32_t facet) {
+  const uint32_t first = shape.simplex_first(facet), last = shape.simplex_first(facet + 1);
+  if (last > first + 1) {
+    uint32_t beyond = ~0u;
+    for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
+      beyond &= corners_[shape.dart_vertex(d)].beyond;
+    }
+    if (beyond != 0) return false;
+  }
+  for (uint32_t s = first; s < last; ++s) {
+    if (simplex_met(shape.simplices() + 3 * s)) return true;
+  }
+  return false;
+}
+
+/** Whether the swept triangle meets a simplex. The simplex meets the swept plane in a segment between two of its sides: that
+ * meets the triangle if one of its ends lies inside, and not if both lie outside of one side of it. Else it meets the triangle where
+ * a side of that passes through the simplex; it ends outside and passes two sides then, so that two of the three need be asked. */
+bool SweepFlood::simplex_met(const uint16_t* local) {
+  Corner* const corner[3] = {&corners_[local[0]], &corners_[local[1]], &corners_[local[2]]};
+  if ((corner[0]->beyond & corner[1]->beyond & corner[2]->beyond) != 0) return false;
+  const int sides[3] = {side(*corner[0]), side(*corner[1]), side(*corner[2])};
+  if (sides[0] == sides[1] && sides[1] == sides[2]) return false;
+  uint32_t common = ~0u;
+  for (int k = 0; k < 3; ++k) {
+    const int next = k == 2 ? 0 : k + 1;
+    if (sides[k] == sides[next]) continue;
+    const uint32_t bits = outside(*corner[k], *corner[next]);
+    if (bits == 0) return true;
+    common &= bits;
+  }
+  if (common != 0) return false;
+  const double* const simplex[3] = {corner[0]->at, corner[1]->at, corner[2]->at};
+  const EdgeMotion& m = triangle_->motion();
+  return passes_through(m.p, m.to, simplex) || passes_through(m.to, m.q, simplex);
 }
 
 /** All events of an impassable facet. */
 void SweepFlood::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet) {
+  const EdgeMotion& m = triangle_->motion();
   SweepContact found;
   found.front = c;
   found.facet = map_.half_facet(c, facet);
   for (found.simplex = shape.simplex_first(facet); found.simplex < shape.simplex_first(facet + 1); ++found.simplex) {
     const uint16_t* const local = shape.simplices() + 3 * found.simplex;
-    const int sides[3] = {sides_[local[0]], sides_[local[1]], sides_[local[2]]};
+    Corner* const corner[3] = {&corners_[local[0]], &corners_[local[1]], &corners_[local[2]]};
+    if ((corner[0]->beyond & corner[1]->beyond & corner[2]->beyond) != 0) continue;
+    const int sides[3] = {side(*corner[0]), side(*corner[1]), side(*corner[2])};
     if (sides[0] == sides[1] && sides[1] == sides[2]) continue;
-    const double* triangle[3];
-    simplex_points(env_, c, shape, found.simplex, triangle);
-    found.faces_start = side_of_plane(triangle, m_.p) < 0;
+    const double* const simplex[3] = {corner[0]->at, corner[1]->at, corner[2]->at};
+    found.faces_start = side_of_plane(simplex, m.p) < 0;
     for (int k = 0; k < 3; ++k) {
-      const int next = (k + 1) % 3;
-      if (sides[k] == sides[next] || !edge_pierces(triangle[k], triangle[next])) continue;
-      found.event = {{m_.q, triangle[k], triangle[next]}, EventKind::kEdge};
+      const int next = k == 2 ? 0 : k + 1;
+      if (sides[k] == sides[next] || outside(*corner[k], *corner[next]) != 0) continue;
+      found.event = {{m.q, simplex[k], simplex[next]}, EventKind::kEdge};
       found.dart = kNoFacet;
       for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
         if (shape.dart_vertex(d) == local[k] && shape.dart_vertex(shape.beta1(d)) == local[next]) found.dart = d;
@@ -144,33 +186,34 @@ void SweepFlood::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet) {
       consider(found);
     }
     // Seen from the side it comes from; from the other the same event belongs to the cell on this side.
-    if (found.faces_start && passes_through(m_.p, m_.to, triangle)) {
-      found.event = {{triangle[0], triangle[1], triangle[2]}, EventKind::kVertex};
+    if (found.faces_start && passes_through(m.p, m.to, simplex)) {
+      found.event = {{simplex[0], simplex[1], simplex[2]}, EventKind::kVertex};
       found.dart = kNoFacet;
       consider(found);
     }
   }
 }
 
-void SweepFlood::look_at_wires(Cell c) {
-  const Shape shape = map_.shape(c);
+void SweepFlood::look_at_wires(Cell c, const Shape& shape) {
   SweepContact found;
   found.front = c;
   for (uint32_t d = 0; d < shape.dart_count(); ++d) {
     if (d > shape.dart_beta2(d)) continue;  // once an edge
-    const uint32_t from = shape.dart_vertex(d), to = shape.dart_vertex(shape.beta1(d));
-    if (sides_[from] == sides_[to] || !env_.edge_marks.contains(map_.vertex(c, from), map_.vertex(c, to))) continue;
-    const double *a = env_.point(c, from), *b = env_.point(c, to);
-    if (!edge_pierces(a, b)) continue;
-    found.event = {{m_.q, a, b}, EventKind::kEdge};
+    Corner &a = corners_[shape.dart_vertex(d)], &b = corners_[shape.dart_vertex(shape.beta1(d))];
+    if ((a.beyond & b.beyond) != 0 || side(a) == side(b)) continue;
+    if (!env_.edge_marks.contains(a.vertex, b.vertex) || outside(a, b) != 0) continue;
+    found.event = {{triangle_->motion().q, a.at, b.at}, EventKind::kEdge};
     found.dart = d;
     consider(found);
   }
 }
 
+/** Keeps the earlier contact; one line seen from several cells is compared by names alone. */
 void SweepFlood::consider(const SweepContact& found) {
   if (collect_) found_.push_back(found);
-  if (result_.end == SweepEnd::kContact && !comes_before(map_, m_.p, m_.to, found, result_.contact)) return;
+  if (result_.end == SweepEnd::kContact &&
+      !comes_before(map_, triangle_->motion().p, triangle_->motion().to, found, result_.contact))
+    return;
   result_.end = SweepEnd::kContact;
   result_.contact = found;
 }
@@ -179,7 +222,7 @@ void SweepFlood::consider(const SweepContact& found) {
  * how they are sorted. */
 void SweepFlood::sort_found() {
   const auto before = [this](const SweepContact& a, const SweepContact& b) {
-    return comes_before(map_, m_.p, m_.to, a, b);
+    return comes_before(map_, triangle_->motion().p, triangle_->motion().to, a, b);
   };
   const auto by_event = [&](const SweepContact& a, const SweepContact& b) {
     if (same_event(a, b)) return before(a, b);

@@ -3,7 +3,9 @@
 // p p' q [JCD10] 4.1, with a face p q r the tetrahedron p p' q r.
 
 #include "motion/cell_queue.h"
+#include "motion/line_table.h"
 #include "motion/sweep_contact.h"
+#include "predicates/swept_triangle.h"
 
 namespace dsw {
 
@@ -38,29 +40,40 @@ class SweepFlood {
 
  private:
   struct Tetrahedron;
+  static constexpr int kUnknown = 2 << 4;  // neither a sign nor bits of four faces
+  /** A vertex of the cell that is looked at. */
+  struct Corner {
+    const double* at;
+    uint32_t vertex;
+    uint32_t beyond;  // sides of the box of what is swept
+    int side;         // of the swept plane, or bits of the faces it lies beyond; kUnknown: nobody has asked
+  };
 
-  bool look_at_vertices(Cell c);
-  void look_at_facets(Cell c);
-  void look_at_wires(Cell c);
+  bool read_corners(Cell c);
+  int side(Corner& corner) const;
+  uint32_t outside(const Corner& a, const Corner& b);
+  void look_at_facets(Cell c, const Shape& shape);
+  void look_at_wires(Cell c, const Shape& shape);
   void look_at_obstacle(Cell c, const Shape& shape, uint32_t facet);
-  bool facet_met(Cell c, const Shape& shape, uint32_t facet) const;
-  bool edge_pierces(const double* a, const double* b) const;
+  bool facet_met(const Shape& shape, uint32_t facet);
+  bool simplex_met(const uint16_t* local);
   void consider(const SweepContact& found);
   void sort_found();
 
   void look_at_inside_vertices(const Tetrahedron& t, Cell c);
+  bool simplex_met(const Tetrahedron& t, const uint16_t* local);
   bool judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet);
 
   const Environment<3>& env_;
   const Map<3>& map_;
-  EdgeMotion m_{};
+  const SweptTriangle* triangle_ = nullptr;  // during a sweep of an edge
   bool collect_ = false;
   SweepResult result_;
   CellQueue cells_;            // met
   CellQueue around_;           // round the vertex that is judged
-  Array<int8_t> sides_;        // of the swept plane, or planes: vertices of the cell that is looked at
+  LineTable lines_;            // where they pierce the swept plane; of a face: vertices that have been judged
+  Array<Corner> corners_;      // of the cell that is looked at
   Array<SweepContact> found_;  // if they are collected
-  Array<uint32_t> judged_;     // vertices inside of the tetrahedron
 };
 
 }  // namespace dsw

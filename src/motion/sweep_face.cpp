@@ -12,8 +12,6 @@
 // meet in whole vertices, edges and facets, it is a vertex of that cell. Everything the flood finds is inside of the
 // tetrahedron and met at its time, so nothing is found too early.
 
-#include <algorithm>
-
 #include "environment/marking.h"
 #include "motion/sweep.h"
 #include "predicates/filtered.h"
@@ -32,17 +30,27 @@ constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 struct SweepFlood::Tetrahedron {
   const double* at[4];
   int turn;  // +1 or -1; 0 if it is flat
+  SweptTriangle faces[4];
 
-  explicit Tetrahedron(const FaceMotion& m) : at{m.p, m.to, m.q, m.r} { turn = orient<3>(at, at[3]); }
+  explicit Tetrahedron(const FaceMotion& m)
+      : at{m.p, m.to, m.q, m.r}, turn(orient<3>(at, at[3])), faces{face(0), face(1), face(2), face(3)} {}
+
+  SweptTriangle face(int i) const {
+    return SweptTriangle(EdgeMotion{at[kFaces[i][0]], at[kFaces[i][1]], at[kFaces[i][2]]});
+  }
+
+  /** As that of a triangle; faces 0 and 3 have all vertices. */
+  uint32_t beyond_box(const double* v) const { return faces[0].beyond_box(v) & faces[3].beyond_box(v); }
 
   /** Bit i: beyond face i. 0: inside. */
-  int beyond(const double* v) const {
-    int bits = 0;
-    for (int i = 0; i < 4; ++i) {
-      const EdgeMotion face{at[kFaces[i][0]], at[kFaces[i][1]], at[kFaces[i][2]]};
-      bits |= (swept_side(face, v).sign == turn ? 1 : 0) << i;
-    }
+  uint32_t beyond(const double* v) const {
+    uint32_t bits = 0;
+    for (int i = 0; i < 4; ++i) bits |= (faces[i].side(v) == turn ? 1u : 0u) << i;
     return bits;
+  }
+  uint32_t beyond(Corner& corner) const {
+    if (corner.side == kUnknown) corner.side = static_cast<int>(beyond(corner.at));
+    return static_cast<uint32_t>(corner.side);
   }
 
   int line(int x, int y, const double* a, const double* b) const {
@@ -61,7 +69,7 @@ struct SweepFlood::Tetrahedron {
    * polygon. If none of its corners is one of the triangle or lies on an edge of it, then it is all that the tetrahedron
    * has of the plane, and every edge of the tetrahedron that crosses the plane crosses the triangle. An edge that meets the
    * tetrahedron with both ends outside passes through two faces: one may be left out. */
-  bool meets(const double* const* triangle, const int* codes) const {
+  bool meets(const double* const* triangle, const uint32_t* codes) const {
     if ((codes[0] & codes[1] & codes[2]) != 0) return false;
     if (codes[0] == 0 || codes[1] == 0 || codes[2] == 0) return true;
     int sides[4];
@@ -71,7 +79,7 @@ struct SweepFlood::Tetrahedron {
       const int next = (k + 1) % 3;
       if ((codes[k] & codes[next]) != 0) continue;
       for (int i = 0; i < 3; ++i) {
-        if (((codes[k] ^ codes[next]) >> i & 1) != 0 && face_pierced(i, triangle[k], triangle[next])) return true;
+        if (((codes[k] ^ codes[next]) >> i & 1u) != 0 && face_pierced(i, triangle[k], triangle[next])) return true;
       }
     }
     for (const int(&e)[2] : kEdges) {
@@ -87,9 +95,8 @@ struct SweepFlood::Tetrahedron {
 
 SweepResult SweepFlood::sweep(const FaceMotion& m, Cell start, uint32_t max_cells) {
   cells_.clear();
-  judged_.clear();
+  lines_.clear();
   result_ = {};
-  m_ = {m.p, m.to, m.q};
   const Tetrahedron t(m);
   if (t.turn == 0) return result_;
   cells_.insert(start);
@@ -102,21 +109,18 @@ SweepResult SweepFlood::sweep(const FaceMotion& m, Cell start, uint32_t max_cell
     ++result_.cells_visited;
     const Cell c = cells_[i];
     const Shape shape = map_.shape(c);
-    sides_.resize(shape.vertex_count());
-    for (uint32_t v = 0; v < shape.vertex_count(); ++v) sides_[v] = static_cast<int8_t>(t.beyond(env_.point(c, v)));
+    corners_.resize(shape.vertex_count());
+    for (uint32_t v = 0; v < shape.vertex_count(); ++v) {
+      const uint32_t vertex = map_.vertex(c, v);
+      corners_[v] = {env_.point(vertex), vertex, t.beyond_box(env_.point(vertex)), kUnknown};
+    }
     look_at_inside_vertices(t, c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-      const HalfFacet h = map_.half_facet(c, f);
-      if (is_impassable(map_, h)) continue;
-      const Cell next = map_.cell_of(map_.opposite(h));
-      if (cells_.contains(next)) continue;
+      const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
+      if (!o.valid() || map_.facet_marked(h) || cells_.contains(Cell{o.word / kUnitWords})) continue;
       for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
-        const uint16_t* const local = shape.simplices() + 3 * s;
-        const int codes[3] = {sides_[local[0]], sides_[local[1]], sides_[local[2]]};
-        const double* triangle[3];
-        simplex_points(env_, c, shape, s, triangle);
-        if (!t.meets(triangle, codes)) continue;
-        cells_.insert(next);
+        if (!simplex_met(t, shape.simplices() + 3 * s)) continue;
+        if (!is_impassable(map_, h)) cells_.insert(map_.cell_of(o));
         break;
       }
     }
@@ -124,18 +128,30 @@ SweepResult SweepFlood::sweep(const FaceMotion& m, Cell start, uint32_t max_cell
   return result_;
 }
 
+bool SweepFlood::simplex_met(const Tetrahedron& t, const uint16_t* local) {
+  Corner &a = corners_[local[0]], &b = corners_[local[1]], &c = corners_[local[2]];
+  if ((a.beyond & b.beyond & c.beyond) != 0) return false;
+  const double* const simplex[3] = {a.at, b.at, c.at};
+  const uint32_t codes[3] = {t.beyond(a), t.beyond(b), t.beyond(c)};
+  return t.meets(simplex, codes);
+}
+
 /** Keeps the earliest impassable vertex; the lowest of the cells that see it is its front. */
 void SweepFlood::look_at_inside_vertices(const Tetrahedron& t, Cell c) {
   SweepContact& best = result_.contact;
-  for (uint32_t v = 0; v < sides_.size(); ++v) {
-    if (sides_[v] != 0) continue;
-    const uint32_t vertex = map_.vertex(c, v);
+  for (Corner& corner : corners_) {
+    if (corner.beyond != 0 || t.beyond(corner) != 0) continue;
+    const uint32_t vertex = corner.vertex;
     if (best.vertex == vertex && map_.index(c) < map_.index(best.front)) best.front = c;
-    if (std::find(judged_.begin(), judged_.end(), vertex) != judged_.end()) continue;
-    judged_.push_back(vertex);
+    bool first_time = false;
+    lines_.value(vertex, kNoVertex, [&] {
+      first_time = true;
+      return 0u;
+    });
+    if (!first_time) continue;
     SweepContact found;
     if (!judge_vertex(c, vertex, found.facet)) continue;
-    found.event = {{t.at[2], t.at[3], env_.point(vertex)}, EventKind::kFace};
+    found.event = {{t.at[2], t.at[3], corner.at}, EventKind::kFace};
     found.front = c;
     found.vertex = vertex;
     if (result_.end == SweepEnd::kContact && !comes_before(map_, t.at[0], t.at[1], found, best)) continue;

@@ -33,8 +33,7 @@ BodyMove::BodyMove(const Environment<3>& env)
       skipped_(Allocator<uint32_t>(env.memory)),
       before_(Allocator<BodyVertex>(env.memory)) {}
 
-void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveSettings& settings,
-                    MoveRecord& record) {
+void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record) {
   record.clear();
   start(body, order, targets);
   const bool edits = settings.may_insert() || settings.noise_share > 0;
@@ -71,8 +70,7 @@ void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveS
   record.sweeps = sweeps_.counts;
 }
 
-void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOrder order,
-                             MoveRecord& record) {
+void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record) {
   record.clear();
   before_.assign(body.vertices.begin(), body.vertices.end());
   Array<double> places(3 * body.vertices.size(), 0.0, Allocator<double>(env_.memory));
@@ -80,7 +78,8 @@ void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOr
   double fraction = 1;
   bool found = false;
   for (int halvings = 0; halvings <= 52 && !found; ++halvings, fraction /= 2) {
-    for (uint32_t v = 0; v < before_.size(); ++v) where(user, before_[v].position, fraction, places.data() + 3 * size_t{v});
+    for (uint32_t v = 0; v < before_.size(); ++v)
+      where(user, before_[v].position, fraction, places.data() + 3 * size_t{v});
     start(body, order, targets);
     sweep_all(body, targets, false);
     // The first in doubt has met something: all before it have arrived.
@@ -218,12 +217,8 @@ void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v
   Moving& moving = moving_[v];
   if (moving.rank == kNone || moving.doubtful) return;
   const uint32_t other = body.edges[e].other(v);
-  const StarSweep::EdgeSweep sweep{e,
-                                   v,
-                                   targets[v],
-                                   moving.arrival,
-                                   place(body, targets, other, moving.rank),
-                                   cell_at(body, other, moving.rank)};
+  const StarSweep::EdgeSweep sweep{
+      e, v, targets[v], moving.arrival, place(body, targets, other, moving.rank), cell_at(body, other, moving.rank)};
   if (sweeps_.settles(body, sweep)) return;
   if (body.level != SweepLevel::kEdges) {
     const BodyVertex& from = body.vertices[v];
@@ -267,9 +262,9 @@ void BodyMove::sweep_faces(const Body& body, PointArray targets) {
       const uint32_t q = body.faces[f].after(v), r = body.faces[f].before(v);
       const Cell from = body.vertices[v].cell, at_q = cell_at(body, q, moving.rank);
       if (at_q == cell_at(body, r, moving.rank) && StarSweep::stays_inside(env_, from, moving.arrival, at_q)) continue;
-      moving.doubtful = !sweeps_.is_tetrahedron_free({body.position(v), targets[v], place(body, targets, q, moving.rank),
-                                                      place(body, targets, r, moving.rank)},
-                                                     from);
+      moving.doubtful = !sweeps_.is_tetrahedron_free(
+          {body.position(v), targets[v], place(body, targets, q, moving.rank), place(body, targets, r, moving.rank)},
+          from);
     }
   }
 }

@@ -63,9 +63,9 @@ class BodyMove {
   uint32_t wave_edges_[kWave] = {};
   Array<SequenceWriter> writers_;  // of the wave, if sequences are kept
   Array<uint32_t> order_;
-  Array<Moving> moving_;        // by vertex
-  Array<uint32_t> skipped_;     // edges left out by their motion
-  Array<BodyVertex> before_;    // to go back to
+  Array<Moving> moving_;      // by vertex
+  Array<uint32_t> skipped_;   // edges left out by their motion
+  Array<BodyVertex> before_;  // to go back to
 };
 
 }  // namespace dsw

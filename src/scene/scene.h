@@ -7,10 +7,10 @@
 #include <cstdint>
 
 #include "base/parallel.h"
+#include "base/points.h"
 #include "base/slot_pool.h"
 #include "environment/environment.h"
 #include "motion/move.h"
-#include "base/points.h"
 #include "scene/bodies.h"
 #include "scene/report.h"
 
@@ -55,6 +55,7 @@ struct Scene {
   Array<dsw_crossing> crossings;            // of the last move
   Array<size_t> crossing_first;             // flight -> start in crossings; one more at the end
   Array<dsw_particle_id> occupants;         // of the last marking call
+  Array<dsw_body_id> occupant_bodies;       // likewise
   Array<BodyRecord> bodies;                 // by slot
   SlotPool body_slots;
   Array<uint32_t> offending;  // pairs of vertices of edges that were found not free
@@ -71,6 +72,7 @@ struct Scene {
         crossings(Allocator<dsw_crossing>(source)),
         crossing_first(Allocator<size_t>(source)),
         occupants(Allocator<dsw_particle_id>(source)),
+        occupant_bodies(Allocator<dsw_body_id>(source)),
         bodies(Allocator<BodyRecord>(source)),
         body_slots(source),
         offending(Allocator<uint32_t>(source)) {
@@ -84,7 +86,7 @@ struct Scene {
     for (const BodyRecord& each : bodies) of_bodies += each.memory_bytes();
     return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
            array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) +
-           array_bytes(occupants) + of_bodies;
+           array_bytes(occupants) + array_bytes(occupant_bodies) + of_bodies;
   }
 };
 

@@ -2,10 +2,10 @@
 // Edges swept without a body. Arguments have been checked: ids are alive or null, coordinates finite.
 
 #include "base/parallel.h"
+#include "base/points.h"
 #include "body/body.h"
 #include "dartsweep/contact.h"
 #include "environment/environment.h"
-#include "base/points.h"
 
 namespace dsw {
 

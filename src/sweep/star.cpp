@@ -36,8 +36,7 @@ uint64_t feature(const StarContact& c) noexcept {
 
 }  // namespace
 
-StarSweep::StarSweep(const Environment<3>& env)
-    : env_(env), flood_(env), hit_edges_(Allocator<uint32_t>(env.memory)) {}
+StarSweep::StarSweep(const Environment<3>& env) : env_(env), flood_(env), hit_edges_(Allocator<uint32_t>(env.memory)) {}
 
 bool StarSweep::settles(const Body& body, const EdgeSweep& sweep) {
   ++counts.swept;

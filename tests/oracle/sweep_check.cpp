@@ -251,12 +251,7 @@ std::string SweepChecker::wrong_contact(const Sweep& s, const SweepEvent& event,
     return wrong_across(s, event, got);
   }
   if (got.kind != DSW_CONTACT_PLANE || !none(got.edge)) return " kind " + std::to_string(got.kind) + " at a diagonal";
-  for (int t : triangles_at_.at({event.a, event.b})) {
-    const Triangle& triangle = world_.triangles[static_cast<size_t>(t)];
-    if (triangle.face != face_of(got.face)) continue;
-    if (normal_of(t, same_volume(got.front, triangle.cell[0]), got)) return "";
-  }
-  return " normal " + hex(got.normal) + " at a diagonal";
+  return wrong_across(s, event, got);
 }
 
 std::string SweepChecker::wrong_event(const Sweep& s, const SweepEvent& event, const dsw_sweep& got) const {

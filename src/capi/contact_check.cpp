@@ -1,0 +1,142 @@
+#include "dartsweep/contact_check.h"
+
+#include <algorithm>
+
+#include "capi/convert.h"
+#include "opinion/penetration.h"
+#include "opinion/second_opinion.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+constexpr double kUnit = 1e-9;  // of the square of a unit normal: more than rounding makes
+
+void check_numbers(const dsw_contact& contact) {
+  dsw::check_finite({contact.position, 3}, 1, 3, {"contact->position", false});
+  dsw::check_finite({contact.fixed[0], 3}, 1, 3, {"contact->fixed[0]", false});
+  dsw::check_finite({contact.fixed[1], 3}, 1, 3, {"contact->fixed[1]", false});
+  dsw::check_finite({contact.point, 3}, 1, 3, {"contact->point", false});
+  dsw::check_finite({contact.normal, 3}, 1, 3, {"contact->normal", false});
+  const double* const n = contact.normal;
+  const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+  if (!(square > 1 - kUnit && square < 1 + kUnit)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "contact->normal (%g, %g, %g) is not of length 1", n[0], n[1], n[2]);
+  }
+}
+
+/** The wall as it is seen from in front. */
+dsw::HalfFacet to_wall(const dsw::Map<3>& map, const dsw_contact& contact) {
+  const dsw::HalfFacet given = capi::to_half_facet(map, contact.wall, {"contact->wall", false});
+  const dsw::Cell front = capi::to_cell(map, contact.front, {"contact->front", false});
+  if (map.cell_of(given) == front) return given;
+  const dsw::HalfFacet other = map.opposite(given);
+  if (other.valid() && map.cell_of(other) == front) return other;
+  fail(DSW_STATUS_NOT_FOUND, "contact->front (volume %u) is not at contact->wall (face %u of volume %u)",
+       contact.front.index, contact.wall.local, contact.wall.volume);
+}
+
+void require_obstacle(const dsw_contact& contact, dsw_cell_kind kind) {
+  if (contact.obstacle.kind != kind) capi::fail_kind("contact->obstacle.kind", contact.obstacle.kind);
+}
+
+bool has_wall(const dsw_contact& contact) {
+  return (contact.wall.volume | contact.wall.generation | contact.wall.local) != 0;
+}
+
+dsw::Touch to_touch(const dsw::Map<3>& map, const dsw_contact& contact) {
+  dsw::Touch touch{};
+  touch.position = contact.position;
+  touch.fixed = contact.fixed[0];
+  touch.point = contact.point;
+  touch.normal = contact.normal;
+  const dsw_cell& cell = contact.obstacle;
+  switch (contact.kind) {
+    case DSW_CONTACT_PLANE:
+      touch.kind =
+          (contact.edge.index | contact.edge.generation) != 0 ? dsw::TouchKind::kDiagonal : dsw::TouchKind::kPoint;
+      touch.wall = to_wall(map, contact);
+      break;
+    case DSW_CONTACT_EDGE:
+      require_obstacle(contact, DSW_CELL_EDGE);
+      touch.kind = dsw::TouchKind::kEdge;
+      touch.edge = capi::to_dart(map, {cell.index, cell.generation, cell.local}, {"contact->obstacle", false});
+      break;
+    case DSW_CONTACT_VERTEX:
+      require_obstacle(contact, DSW_CELL_VERTEX);
+      touch.kind = dsw::TouchKind::kCorner;
+      touch.vertex = capi::to_vertex(map, {cell.index, cell.generation}, {"contact->obstacle", false});
+      if (has_wall(contact)) touch.wall = to_wall(map, contact);
+      break;
+    default:
+      fail(DSW_STATUS_UNSUPPORTED, "contact->kind is %d, must be a plane, an edge or a vertex",
+           static_cast<int>(contact.kind));
+  }
+  return touch;
+}
+
+dsw_no_opinion to_reason(dsw::NoFeatures why) {
+  switch (why) {
+    case dsw::NoFeatures::kParallel:
+      return DSW_NO_OPINION_PARALLEL;
+    case dsw::NoFeatures::kOutsideCone:
+      return DSW_NO_OPINION_OUTSIDE_CONE;
+    default:
+      return DSW_NO_OPINION_NOT_CONVERGED;
+  }
+}
+
+dsw_opinion kind_asked(dsw::TouchKind kind) {
+  switch (kind) {
+    case dsw::TouchKind::kPoint:
+      return DSW_OPINION_PLANE;
+    case dsw::TouchKind::kCorner:
+      return DSW_OPINION_VERTEX;
+    default:
+      return DSW_OPINION_EDGE;
+  }
+}
+
+dsw_contact_opinion opinion_on(const dsw::Environment<3>& env, const dsw::Touch& touch) {
+  dsw_contact_opinion answer{};
+  dsw::Features features(env.memory);
+  const dsw::NoFeatures why = find_features(env, touch, features);
+  if (why != dsw::NoFeatures::kFound) {
+    answer.reason = to_reason(why);
+    return answer;
+  }
+  const dsw::SecondOpinion second = second_opinion(features, touch.normal);
+  if (second.verdict != dsw::Verdict::kGiven) {
+    answer.reason =
+        second.verdict == dsw::Verdict::kNotUnique ? DSW_NO_OPINION_NOT_UNIQUE : DSW_NO_OPINION_NOT_CONVERGED;
+    return answer;
+  }
+  std::copy_n(second.normal, 3, answer.normal);
+  answer.depth = second.depth;
+  answer.pushed_in = second.pushed_in;
+  answer.angle_rad = second.angle;
+  answer.opinion = kind_asked(touch.kind);
+  return answer;
+}
+
+}  // namespace
+
+dsw_status dsw_contact_check(const dsw_environment* environment, const dsw_contact* contact,
+                             dsw_contact_opinion* opinion) {
+  return capi::guard("dsw_contact_check", [&] {
+    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    capi::require(contact, "contact");
+    capi::require(opinion, "opinion");
+    check_numbers(*contact);
+    const dsw::Touch touch = to_touch(env.map, *contact);
+    dsw::require_libccd();
+    if (has_wall(*contact)) {
+      *opinion = opinion_on(env, touch);
+    } else {
+      dsw_contact_opinion none{};
+      none.reason = DSW_NO_OPINION_WIRE;
+      *opinion = none;
+    }
+  });
+}

@@ -1,0 +1,140 @@
+// Environments below the public interface, what is impassable in them, and moves of body points.
+#pragma once
+
+#include "swept_truth.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/error.h"
+#include "environment/builder.h"
+#include "environment/marking.h"
+#include "sweep_scenes.h"
+
+namespace dsw::swept {
+
+using oracle::Rng;
+using oracle::SceneKind;
+using oracle::Vec;
+
+/// Null where creation may refuse the mesh, and does.
+inline std::unique_ptr<Environment<3>> environment_of(const oracle::Mesh& mesh) {
+  const oracle::DescArrays arrays(mesh, {});
+  const dsw_environment_desc& desc = arrays.desc;
+  MeshInput input;
+  input.points = desc.points;
+  input.point_count = desc.point_count;
+  input.point_stride_bytes = desc.point_stride_bytes == 0 ? 3 * sizeof(double) : desc.point_stride_bytes;
+  input.cell_types = desc.cell_types;
+  input.uniform_cell_type = desc.uniform_cell_type;
+  input.cell_count = desc.cell_count;
+  input.index_bytes = desc.index_bytes;
+  input.offsets = desc.offsets;
+  input.connectivity = desc.connectivity;
+  input.connectivity_count = desc.connectivity_count;
+  input.faces = desc.faces;
+  input.faces_count = desc.faces_count;
+  input.face_locations = desc.face_locations;
+  auto env = std::make_unique<Environment<3>>(nullptr);
+  BuildReport report;
+  try {
+    build(*env, input, report);
+  } catch (const Error&) {
+    EXPECT_TRUE(oracle::may_be_refused(mesh));
+    return nullptr;
+  }
+  return env;
+}
+
+struct Shares {
+  double cells, facets, wires, vertices;
+};
+
+inline void mark(Environment<3>& env, Rng& rng, const Shares& shares) {
+  const Map<3>& map = env.map;
+  reserve_vertex_marks(env);
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    const Cell c = map.cell(i);
+    if (rng.chance(shares.cells)) set_cell_mark(env, c, true);
+    const Shape shape = map.shape(c);
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      if (rng.chance(shares.facets)) set_facet_mark(env, map.half_facet(c, f), true);
+    }
+    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+      if (!rng.chance(shares.wires)) continue;
+      reserve_edge_marks(env, 1);
+      set_edge_mark(env, map.vertex(c, shape.dart_vertex(d)), map.vertex(c, shape.dart_vertex(shape.beta1(d))), true);
+    }
+  }
+  for (uint32_t v = 0; v < map.vertex_count; ++v) {
+    if (rng.chance(shares.vertices)) set_vertex_mark(env, v, true);
+  }
+}
+
+/// Body points: near each other, round an impassable vertex, on vertices, in planes of the environment.
+class Bodies {
+ public:
+  Bodies(const Environment<3>& env, const SweptTruth& truth, Rng& rng)
+      : env_(env), vertices_(truth.vertices.begin(), truth.vertices.end()), rng_(rng) {
+    for (size_t k = 0; k < 3; ++k) size_[k] = env.upper[k] - env.lower[k];
+  }
+
+  /// p, p', q, r. Whether nothing lies exactly on something, but for scenes that are lattices themselves.
+  bool draw(Vec (&x)[4]) {
+    static const double steps[] = {0.02, 0.1, 0.3, 1};
+    const double step = steps[rng_.below(4)];
+    if (rng_.chance(0.6) && !vertices_.empty()) {  // a vertex with positive weights, about
+      const double* v = env_.point(vertices_[rng_.below(vertices_.size())]);
+      double w[4];
+      for (double& each : w) each = rng_.range(0.1, 1);
+      for (size_t k = 0; k < 3; ++k) {
+        double rest = 0;
+        for (size_t i = 0; i < 3; ++i) {
+          const double off = rng_.range(-step, step) * size_[k];
+          rest += w[i] * off;
+          x[i][k] = v[k] + off;
+        }
+        x[3][k] = v[k] - rest / w[3];
+      }
+      std::swap(x[3], x[rng_.below(4)]);
+    } else {
+      for (Vec& each : x) {
+        for (size_t k = 0; k < 3; ++k) each[k] = rng_.range(env_.lower[k], env_.upper[k]);
+      }
+      for (size_t i = 1; i < 4; ++i) {
+        for (size_t k = 0; k < 3; ++k) x[i][k] = x[0][k] + rng_.range(-step, step) * size_[k];
+      }
+    }
+    if (rng_.chance(0.5)) return true;
+    round(x);
+    // Parallel to edges of the environment, so that these are met all at once.
+    if (rng_.chance(0.3)) along_axis(x[2], x[3]);
+    if (rng_.chance(0.3)) std::copy_n(env_.point(rng_.below(env_.map.vertex_count)), 3, x[rng_.below(4)].data());
+    return false;
+  }
+
+ private:
+  void along_axis(const Vec& q, Vec& r) {
+    const size_t axis = rng_.below(3);
+    for (size_t k = 0; k < 3; ++k) r[k] = k == axis ? r[k] : q[k];
+  }
+
+  /// To a coarse lattice, so that much is exactly on something.
+  void round(Vec (&x)[4]) {
+    const int fine = rng_.between(2, 5);
+    for (size_t k = 0; k < 3; ++k) {
+      const double unit = std::ldexp(1, std::ilogb(size_[k]) - fine);
+      for (Vec& each : x) each[k] = unit * std::round(each[k] / unit);
+    }
+  }
+
+  const Environment<3>& env_;
+  std::vector<uint32_t> vertices_;
+  Rng& rng_;
+  double size_[3];
+};
+
+}  // namespace dsw::swept

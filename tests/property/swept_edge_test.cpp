@@ -1,0 +1,149 @@
+// Collected sweeps of edges, and the way out by sequences of cells, against brute force and the plain flood.
+
+#include "swept_cases.h"
+
+#include "motion/cast.h"
+#include "motion/locate.h"
+#include "motion/sweep.h"
+
+namespace dsw::swept {
+namespace {
+
+Line line_of(const Environment<3>& env, const SweepEvent& event) {
+  const auto number = [&](const double* x) { return static_cast<uint32_t>((x - env.points) / 3); };
+  const uint32_t a = number(event.points[1]), b = number(event.points[2]);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+struct Count {
+  int sweeps = 0, many = 0, most = 0, full = 0;
+};
+
+void check_all(const Environment<3>& env, SweptTruth& truth, SweepFlood& flood, const Vec (&x)[4], bool only_wires,
+               Count& count) {
+  const EdgeMotion m{x[0].data(), x[1].data(), x[2].data()};
+  const double* const at[3] = {m.p, m.to, m.q};
+  const Cell start = locate(env, m.p, Cell{}, nullptr).cell;
+  if (!start.valid() || env.map.marked(start)) return;
+  const SweepResult plain = flood.sweep(m, start, 0);
+  const SweepResult result = flood.sweep(m, start, 0, true);
+  ASSERT_EQ(result.end, plain.end);
+  ASSERT_EQ(result.cells_visited, plain.cells_visited);
+  truth.load(at, 3);
+  std::set<Line> met;
+  for (const SweepContact& c : flood.all()) {
+    if (c.event.kind != EventKind::kEdge) continue;
+    ASSERT_TRUE(met.insert(line_of(env, c.event)).second) << "twice";
+    ASSERT_TRUE(truth.line_pierces(0, 1, 2, line_of(env, c.event)));
+  }
+  const Array<SweepContact>& all = flood.all();
+  ASSERT_EQ(all.empty(), result.end == SweepEnd::kFree);
+  for (size_t i = 1; i < all.size(); ++i) {
+    ASSERT_TRUE(comes_before(env.map, m.p, m.to, all[i - 1], all[i]));
+    ASSERT_FALSE(comes_before(env.map, m.p, m.to, all[i], all[i - 1]));
+    if (all[i - 1].event.kind != EventKind::kEdge || all[i].event.kind != EventKind::kEdge) continue;
+    ASSERT_LE(compare(truth.edge_moment(line_of(env, all[i - 1].event)), truth.edge_moment(line_of(env, all[i].event))),
+              0);
+  }
+  if (!all.empty()) {
+    ASSERT_FALSE(comes_before(env.map, m.p, m.to, all[0], plain.contact));
+    ASSERT_FALSE(comes_before(env.map, m.p, m.to, plain.contact, all[0]));
+  }
+  ++count.sweeps;
+  count.many += all.size() > 2 ? 1 : 0;
+  count.most = std::max(count.most, static_cast<int>(all.size()));
+  // Where only wires and the outer boundary are impassable and that is not met, the flood sees every wire.
+  if (!only_wires || std::any_of(all.begin(), all.end(), [](const SweepContact& c) { return c.facet.valid(); })) return;
+  const double* const corners[3] = {m.p, m.to, m.q};
+  for (const double* corner : corners) {
+    if (!locate(env, corner, Cell{}, nullptr).cell.valid()) return;
+  }
+  size_t wires = 0;
+  for (const Line& line : truth.lines) wires += truth.line_pierces(0, 1, 2, line) ? 1u : 0u;
+  ASSERT_EQ(met.size(), wires);
+  count.full += wires > 1 ? 1 : 0;
+}
+
+TEST(SweptEdgeTest, AllContactsInTheirOrder) {
+  Count count;
+  for (const SceneKind& kind : oracle::sweep_scenes()) {
+    for (uint64_t seed = 1; seed <= 3; ++seed) {
+      static const Shares shares[] = {{0, 0, 0.3, 0}, {0, 0.1, 0.1, 0}, {0.1, 0.1, 0, 0}};
+      Rng rng(seed);
+      const auto env = environment_of(kind.make(rng));
+      if (env == nullptr) continue;
+      mark(*env, rng, shares[seed - 1]);
+      SweptTruth truth(*env);
+      SweepFlood flood(*env);
+      Bodies bodies(*env, truth, rng);
+      for (int i = 0; i < 1000; ++i) {
+        Vec x[4];
+        bodies.draw(x);
+        SCOPED_TRACE(std::string(kind.name) + " " + std::to_string(seed) + " " + std::to_string(i));
+        check_all(*env, truth, flood, x, seed == 1, count);
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+  EXPECT_GT(count.sweeps, 10000);
+  EXPECT_GT(count.many, 2000);
+  EXPECT_GT(count.most, 20);
+  EXPECT_GT(count.full, 300);
+}
+
+/** The cells that a free segment crosses; empty if it is not free. */
+std::vector<Cell> cells_crossed(const Environment<3>& env, const double* from, const double* to, Cell start) {
+  std::vector<Cell> cells{start};
+  CastRequest request;
+  request.from = from;
+  request.to = to;
+  request.start = start;
+  request.crossing = [](void* user, Cell, uint32_t, Cell next) {
+    static_cast<std::vector<Cell>*>(user)->push_back(next);
+  };
+  request.crossing_user = &cells;
+  if (cast(env, request, nullptr).end != CastEnd::kReached) cells.clear();
+  return cells;
+}
+
+TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
+  int settled = 0, of_many_cells = 0, free_but_open = 0;
+  for (const SceneKind& kind : oracle::sweep_scenes()) {
+    for (uint64_t seed = 1; seed <= 3; ++seed) {
+      static const Shares shares[] = {{0.1, 0, 0.3, 0}, {0, 0.2, 0.1, 0}, {0, 0.05, 0.05, 0}};
+      Rng rng(seed);
+      const auto env = environment_of(kind.make(rng));
+      if (env == nullptr) continue;
+      mark(*env, rng, shares[seed - 1]);
+      SweptTruth truth(*env);
+      SweepFlood flood(*env);
+      Bodies bodies(*env, truth, rng);
+      for (int i = 0; i < 2000; ++i) {
+        Vec x[4];
+        bodies.draw(x);
+        const double by = rng.chance(0.5) ? 0.05 : 0.3;
+        for (size_t k = 0; k < 3; ++k) x[1][k] = x[0][k] + by * (x[1][k] - x[0][k]);
+        const Cell start = locate(*env, x[0].data(), Cell{}, nullptr).cell;
+        const Cell target = locate(*env, x[1].data(), Cell{}, nullptr).cell;
+        if (!start.valid() || !target.valid() || env->map.marked(start) || env->map.marked(target)) continue;
+        const auto before = cells_crossed(*env, x[0].data(), x[2].data(), start);
+        const auto after = cells_crossed(*env, x[1].data(), x[2].data(), target);
+        if (before.empty() || after.empty()) continue;
+        const SweepEnd end = flood.sweep(EdgeMotion{x[0].data(), x[1].data(), x[2].data()}, start, 0).end;
+        if (same_sequence_settles(env->map, before.data(), before.size(), after.data(), after.size())) {
+          ++settled;
+          of_many_cells += before.size() > 2 ? 1 : 0;
+          ASSERT_EQ(end, SweepEnd::kFree) << kind.name << " " << seed << " " << i;
+        } else {
+          free_but_open += end == SweepEnd::kFree ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(settled, 5000);
+  EXPECT_GT(of_many_cells, 500);
+  EXPECT_GT(free_but_open, 500);
+}
+
+}  // namespace
+}  // namespace dsw::swept

@@ -1,0 +1,184 @@
+// Swept faces against brute force over all impassable vertices.
+
+#include "swept_cases.h"
+
+#include "motion/locate.h"
+#include "motion/sweep.h"
+
+namespace dsw::swept {
+namespace {
+
+struct Count {
+  int sweeps = 0, contacts = 0, lone = 0, ties = 0, later = 0, checked_before = 0;
+};
+
+/// What is reported of a vertex beside its number.
+void check_report(const Environment<3>& env, const SweepContact& contact) {
+  const Map<3>& map = env.map;
+  bool at_front = false;
+  for (uint32_t v = 0; v < map.vertices_of(contact.front); ++v)
+    at_front |= map.vertex(contact.front, v) == contact.vertex;
+  ASSERT_TRUE(at_front);
+  ASSERT_FALSE(map.marked(contact.front));
+  HalfFacet lowest;
+  for (uint32_t i = 0; i < map.cell_count && !lowest.valid(); ++i) {
+    const Cell c = map.cell(i);
+    const Shape shape = map.shape(c);
+    for (uint32_t f = 0; f < shape.facet_count() && !lowest.valid(); ++f) {
+      if (!is_impassable(map, map.half_facet(c, f))) continue;
+      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+        if (map.vertex(c, shape.dart_vertex(d)) == contact.vertex) lowest = map.half_facet(c, f);
+      }
+    }
+  }
+  ASSERT_TRUE(contact.facet == lowest);
+}
+
+/// One face: its own flood, those of its edges, and the truth.
+void check_face(const Environment<3>& env, SweptTruth& truth, SweepFlood& flood, const Vec (&x)[4], bool generic,
+                Count& count) {
+  const FaceMotion m{x[0].data(), x[1].data(), x[2].data(), x[3].data()};
+  const double* const at[4] = {m.p, m.to, m.q, m.r};
+  const Cell start = locate(env, m.p, Cell{}, nullptr).cell;
+  if (!start.valid() || env.map.marked(start)) return;
+  truth.load(at, 4);
+  if (!truth.is_free(0, 2, 3)) return;
+  ++count.sweeps;
+  const SweepResult face = flood.sweep(m, start, 0);
+  if (truth.is_flat(0, 1, 2, 3)) {
+    ASSERT_EQ(face.end, SweepEnd::kFree);
+    return;
+  }
+  std::vector<std::pair<Moment, uint32_t>> met;
+  for (const uint32_t v : truth.vertices) {
+    if (truth.inside(v)) met.emplace_back(truth.face_moment(v), v);
+  }
+  // In ascending order of vertices: the first of the earliest counts.
+  const auto first = std::min_element(met.begin(), met.end(),
+                                      [](const auto& a, const auto& b) { return compare(a.first, b.first) < 0; });
+  const SweepResult q = flood.sweep(EdgeMotion{m.p, m.to, m.q}, start, 0);
+  const SweepResult r = flood.sweep(EdgeMotion{m.p, m.to, m.r}, start, 0);
+  const SweepContact* edge = q.end == SweepEnd::kContact ? &q.contact : nullptr;
+  if (r.end == SweepEnd::kContact && (edge == nullptr || comes_before(env.map, m.p, m.to, r.contact, *edge))) {
+    edge = &r.contact;
+  }
+  if (face.end == SweepEnd::kContact) {
+    ++count.contacts;
+    check_report(env, face.contact);
+    count.lone += face.contact.facet.valid() ? 0 : 1;
+    ASSERT_EQ(face.contact.event.kind, EventKind::kFace);
+    ASSERT_EQ(face.contact.event.points[2], env.point(face.contact.vertex));
+    ASSERT_EQ(kind_of(face.contact), ContactKind::kVertex);
+    ASSERT_TRUE(truth.inside(face.contact.vertex));
+    ASSERT_EQ(truth.vertices.count(face.contact.vertex), 1u);
+    ASSERT_NE(first, met.end());
+    ASSERT_GE(compare(truth.face_moment(face.contact.vertex), first->first), 0);
+    const Moment moment = truth.face_moment(face.contact.vertex);
+    size_t k = 0;
+    while (sgn(moment.denominator.c[k]) == 0) ++k;
+    ASSERT_EQ(event_time(m.p, m.to, face.contact.event),
+              std::min(1.0, oracle::floor_to_double(moment.numerator.c[k], moment.denominator.c[k])));
+    for (const auto& [other, vertex] : met) {
+      const Big a = other.numerator.c[k] * first->first.denominator.c[k];
+      count.ties += vertex != first->second && a == first->first.numerator.c[k] * other.denominator.c[k] ? 1 : 0;
+    }
+  }
+  const SweepContact* earliest = edge;
+  if (first != met.end()) {
+    const SweepEvent event{{m.q, m.r, env.point(first->second)}, EventKind::kFace};
+    if (edge == nullptr || compare_events(m.p, m.to, event, edge->event).sign <= 0) {
+      ASSERT_EQ(face.end, SweepEnd::kContact);
+      ASSERT_EQ(face.contact.vertex, first->second);
+      earliest = &face.contact;
+      if (edge != nullptr) {
+        ASSERT_TRUE(comes_before(env.map, m.p, m.to, face.contact, *edge));
+      }
+    } else {
+      ++count.later;
+    }
+  } else {
+    ASSERT_EQ(face.end, SweepEnd::kFree);
+  }
+  // Nothing is met before, nor ever if there is no contact; where rounding p(t) cannot matter.
+  if (!generic) return;
+  const double end = earliest == nullptr ? 1 : event_time(m.p, m.to, earliest->event);
+  for (const double by : {0.3, 0.7, 0.99, 0.9999}) {
+    Vec now;
+    for (size_t k = 0; k < 3; ++k) now[k] = m.p[k] + by * end * (m.to[k] - m.p[k]);
+    const double* const moved[3] = {now.data(), m.q, m.r};
+    truth.load(moved, 3);
+    ASSERT_TRUE(truth.is_free(0, 1, 2));
+  }
+  ++count.checked_before;
+}
+
+void check_scene(const SceneKind& kind, uint64_t seed, const Shares& shares, int faces, Count& count) {
+  Rng rng(seed);
+  const auto env = environment_of(kind.make(rng));
+  if (env == nullptr) return;
+  mark(*env, rng, shares);
+  SweptTruth truth(*env);
+  SweepFlood flood(*env);
+  Bodies bodies(*env, truth, rng);
+  for (int i = 0; i < faces; ++i) {
+    Vec x[4];
+    const bool generic = bodies.draw(x);
+    SCOPED_TRACE(std::string(kind.name) + " " + std::to_string(seed) + " " + std::to_string(i));
+    check_face(*env, truth, flood, x, generic, count);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+TEST(SweptFaceTest, TheFirstVertexIsFound) {
+  static const Shares shares[] = {
+      {0, 0, 0, 0}, {0, 0, 0, 0.2}, {0, 0, 0.03, 0}, {0, 0.03, 0, 0}, {0.1, 0.02, 0.02, 0.05}};
+  Count total;
+  for (const SceneKind& kind : oracle::sweep_scenes()) {
+    Count count;
+    for (uint64_t seed = 1; seed <= 5; ++seed) {
+      check_scene(kind, seed, shares[seed - 1], 3000, count);
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(count.contacts, 30) << kind.name;
+    total.sweeps += count.sweeps;
+    total.contacts += count.contacts;
+    total.lone += count.lone;
+    total.ties += count.ties;
+    total.later += count.later;
+    total.checked_before += count.checked_before;
+  }
+  EXPECT_GT(total.contacts, 2000);
+  EXPECT_GT(total.lone, 500);
+  EXPECT_GT(total.ties, 20) << "vertices met at once, but for the shift";
+  EXPECT_GT(total.later, 500) << "an edge meets something earlier";
+  EXPECT_GT(total.checked_before, 5000);
+}
+
+/// Body points on the half-way points of a lattice of marked vertices, wires and faces.
+TEST(SweptFaceTest, TiesOnALattice) {
+  static const Shares shares[] = {{0, 0, 0, 0.2}, {0, 0, 0.1, 0.1}, {0, 0.05, 0.05, 0.05}};
+  Count count;
+  for (uint64_t seed = 1; seed <= 3; ++seed) {
+    Rng rng(seed);
+    const auto env = environment_of(oracle::hex_grid(oracle::axis(5, 1), oracle::axis(5, 1), oracle::axis(5, 1)));
+    ASSERT_NE(env, nullptr);
+    mark(*env, rng, shares[seed - 1]);
+    SweptTruth truth(*env);
+    SweepFlood flood(*env);
+    for (int i = 0; i < 20000; ++i) {
+      Vec x[4];
+      for (double& c : x[0]) c = 0.5 * rng.between(0, 10);
+      for (int j = 1; j < 4; ++j) {
+        for (size_t k = 0; k < 3; ++k) x[j][k] = x[0][k] + 0.5 * rng.between(-4, 4);
+      }
+      SCOPED_TRACE(std::to_string(seed) + " " + std::to_string(i));
+      check_face(*env, truth, flood, x, false, count);
+      if (HasFatalFailure()) return;
+    }
+  }
+  EXPECT_GT(count.contacts, 500);
+  EXPECT_GT(count.ties, 60);
+}
+
+}  // namespace
+}  // namespace dsw::swept
