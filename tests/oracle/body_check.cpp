@@ -221,6 +221,11 @@ void BodyChecker::alone(const dsw_contact& c, const std::string& how) {
     level = DSW_LEVEL_FACES;
   }
   const std::string what = describe(flight) + how + ":";
+  for (const Vec* p : {&flight.from, &flight.to}) {
+    for (double x : *p) {
+      if (!std::isfinite(x)) return report_.fault(SweepReport::kWrong, what + " a flight without end");
+    }
+  }
   const MoveTruth truth = exact_.move(flight, level);
   if (truth.events.empty()) return report_.fault(SweepReport::kEarly, what + " a contact where there is none");
   judge(flight, truth, c, what, nullptr, nullptr);
@@ -303,8 +308,12 @@ void BodyChecker::replay(const BodyState& before, const BodyMove& move, dsw_leve
       contact = &answer.contacts[next++];
       for (; move.all && next < answer.contacts.size() && same_id(answer.contacts[next].vertex, contact->vertex);
            ++next) {
-        if (answer.contacts[next].time < answer.contacts[next - 1].time)
-          wrong(" contacts that are not in order of time");
+        const dsw_contact &one = answer.contacts[next - 1], &two = answer.contacts[next];
+        if (one.time <= two.time) continue;
+        char text[160];
+        std::snprintf(text, sizeof text, " obstacle kind %d at %a before kind %d at %a, flight ", one.obstacle.kind,
+                      one.time, two.obstacle.kind, two.time);
+        wrong(text + describe(now.flight(v, move.targets[v])));
       }
     }
     const Vec& reached = answer.after.at[v];

@@ -67,6 +67,10 @@ void run_bodies(const BodyRunOptions& options, BodyReport& report) {
     }
     return steps;
   };
+  if (options.scene_seed != 0) {
+    for (const SweepTurn& turn : sweep_turns(options.only)) one_scene(turn, options.scene_seed, each, options, report);
+    return;
+  }
   while (least() < options.steps && !turns.empty()) {
     const uint64_t before = least();
     for (const SweepTurn& turn : turns) {

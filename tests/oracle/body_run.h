@@ -8,8 +8,9 @@ namespace dsw::oracle {
 struct BodyRunOptions {
   uint64_t steps = 0;  // of one vertex, at each level
   uint64_t seed = 1;
-  std::string only;  // a scene's name, or empty
-  int level = 0;     // 0: all
+  std::string only;         // a scene's name, or empty
+  uint64_t scene_seed = 0;  // as printed with a fault: that scene alone, once; 0: all
+  int level = 0;            // 0: all
   bool responses = true;
 };
 

@@ -1,4 +1,4 @@
-// dartsweep_oracle [--casts N] [--sweeps N] [--bodies N [--level L]] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
+// dartsweep_oracle [--casts N] [--sweeps N] [--bodies N [--level L] [--scene-seed S]] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
 // Casts, locates and particle moves, swept edges, and moves of bodies (N: of single vertices, at each level), in many
 // small environments, each compared with exact arithmetic. Without --casts, --sweeps and --bodies: casts.
 #include "body_run.h"
@@ -26,6 +26,8 @@ int main(int argc, char** argv) {
       sweeps.sweeps = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--bodies") == 0 && more) {
       bodies.steps = std::strtoull(argv[++i], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--scene-seed") == 0 && more) {
+      bodies.scene_seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--level") == 0 && more) {
       bodies.level = std::atoi(argv[++i]);
     } else if (std::strcmp(argv[i], "--seed") == 0 && more) {
@@ -43,7 +45,8 @@ int main(int argc, char** argv) {
       json = argv[++i];
     } else {
       std::fprintf(stderr,
-                   "usage: %s [--casts N] [--sweeps N] [--bodies N [--level 1..4]] [--seed S] [--quick] [--only SCENE] "
+                   "usage: %s [--casts N] [--sweeps N] [--bodies N [--level 1..4] [--scene-seed S]] [--seed S] "
+                   "[--quick] [--only SCENE] "
                    "[--print N] [--stuck] [--json FILE]\n",
                    argv[0]);
       return 2;
