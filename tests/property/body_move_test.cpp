@@ -172,6 +172,23 @@ TEST_F(BodyMoveTest, AllObstaclesUnderTheEdgeComeInTheirOrder) {
   EXPECT_EQ(all.after.at, exact.after.at);
 }
 
+TEST_F(BodyMoveTest, AllObstaclesAtEdgesAreThoseOfTheEdgesThatWereHit) {
+  // The edge to vertex 1 passes a wire and ends free, so at EDGES it is not looked at; that to vertex 2 ends in a wall.
+  mark_wire(1, 1, 1);
+  mark_wall(2, 1, 1);
+  const BodyPlan plan = {{{0.5, 0.5, 1.5}, {1.25, 2.25, 1.5}, {2.75, 2.5, 1.5}}, {{0, 1}, {0, 2}}, {}};
+  const std::vector<Vec> to = {{3.5, 0.5, 1.5}, plan.at[1], plan.at[2]};
+  const dsw_body_id body = make(plan, DSW_LEVEL_EDGES), twin = make(plan, DSW_LEVEL_EDGES);
+  dsw_move_options options = default_options();
+  options.search = DSW_SEARCH_ALL;
+  const BodyAnswer exact = move(twin, to), all = move(body, to, &options);
+  ASSERT_EQ(exact.contacts.size(), 1u);
+  EXPECT_TRUE(exact.contacts[0].point[0] == 3 && exact.contacts[0].point[1] == 1);
+  ASSERT_GE(all.contacts.size(), 1u);
+  EXPECT_EQ(all.contacts.size(), 1u);
+  EXPECT_EQ(all.contacts[0].time, exact.contacts[0].time);
+}
+
 TEST_F(BodyMoveTest, AnInsertedVertexIsReportedAndSplitsItsEdge) {
   mark_wire(2, 2, 1);
   const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {2.75, 1.5, 1.5};
