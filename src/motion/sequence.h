@@ -28,10 +28,11 @@ bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceVi
  * next time is made by `finish`. */
 class SequenceWriter {
  public:
-  explicit SequenceWriter(const Memory* memory) : facets_(Allocator<uint32_t>(memory)) { facets_.reserve(kFirstRoom); }
+  explicit SequenceWriter(const Memory* memory) : facets_(Allocator<uint32_t>(memory)) {}
 
-  /** Both must outlive the cast. */
-  void attach(const Environment<3>& env, CastRequest& request) noexcept {
+  /** Both must outlive the cast. Throws std::bad_alloc the first time. */
+  void attach(const Environment<3>& env, CastRequest& request) {
+    facets_.reserve(kFirstRoom);
     env_ = &env;
     facets_.clear();
     passed_ = 0;

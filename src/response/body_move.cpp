@@ -33,12 +33,13 @@ BodyMove::BodyMove(const Environment<3>& env)
       skipped_(Allocator<uint32_t>(env.memory)),
       keeps_(Allocator<bool>(env.memory)),
       sides_(Allocator<uint32_t>(env.memory)),
-      before_(Allocator<BodyVertex>(env.memory)) {}
+      before_(Allocator<BodyVertex>(env.memory)),
+      places_(Allocator<double>(env.memory)) {}
 
 void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record) {
   record.clear();
   start(body, order, targets);
-  const bool edits = settings.may_insert() || settings.noise_share > 0;
+  const bool edits = settings.may_edit();
   before_.assign(body.vertices.begin(), body.vertices.end());
   Body whole(env_.memory);
   if (edits) whole = body;
@@ -75,48 +76,62 @@ void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveS
 void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record) {
   record.clear();
   before_.assign(body.vertices.begin(), body.vertices.end());
-  Array<double> places(3 * body.vertices.size(), 0.0, Allocator<double>(env_.memory));
-  const PointArray targets{places.data(), 3};
+  places_.resize(3 * body.vertices.size());
   double fraction = 1;
-  bool found = false;
-  for (int halvings = 0; halvings <= 52 && !found; ++halvings, fraction /= 2) {
-    for (uint32_t v = 0; v < before_.size(); ++v)
-      where(user, before_[v].position, fraction, places.data() + 3 * size_t{v});
-    start(body, order, targets);
-    sweep_all(body, targets, false);
-    // The first in doubt has met something: all before it have arrived.
-    uint32_t stopped = kNone;
-    for (const uint32_t v : order_) {
-      if (moving_[v].rank == kNone) continue;
-      if (moving_[v].doubtful) {
-        stopped = v;
-        break;
-      }
-      arrive(body, targets, v);
+  int halvings = 0;
+  try {
+    while (!try_together(body, where, user, fraction, order, record) && halvings < 52) {
+      fraction /= 2;
+      ++halvings;
     }
-    found = stopped == kNone;
-    if (found) {
-      record.fraction = fraction;
-      break;
-    }
-    StarContact first;
-    Cell cell;
-    if (record.contacts.empty() && sweeps_.find_first(body, stopped, targets[stopped], &first, &cell)) {
-      record.contacts.push_back(describe(env_, body, stopped, targets[stopped], first));
-    }
+  } catch (...) {
     std::copy(before_.begin(), before_.end(), body.vertices.begin());
+    throw;
   }
-  if (!found) record.fraction = 0;
+  const bool stays =
+      std::equal(before_.begin(), before_.end(), body.vertices.begin(),
+                 [](const BodyVertex& a, const BodyVertex& b) { return is_same_point(a.position, b.position); });
+  record.fraction = halvings == 52 && stays ? 0 : fraction;
   record.moved = static_cast<uint32_t>(order_.size());
   record.stopped = record.fraction == 1 ? 0 : record.moved;
   record.sweeps = sweeps_.counts;
+  for (dsw_contact& contact : record.contacts) {
+    contact.distance_left = length(difference(contact.to, body.position(contact.vertex.index)));
+  }
+}
+
+/** Moves all vertices by a fraction of a motion, or none; the first contact of all tries is recorded. */
+bool BodyMove::try_together(Body& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
+                            MoveRecord& record) {
+  const PointArray targets{places_.data(), 3};
+  for (uint32_t v = 0; v < before_.size(); ++v) {
+    where(user, before_[v].position, fraction, places_.data() + 3 * size_t{v});
+  }
+  start(body, order, targets);
+  sweep_all(body, targets, false);
+  for (const uint32_t v : order_) {
+    if (moving_[v].rank == kNone) continue;
+    if (!moving_[v].doubtful) {
+      arrive(body, targets, v);
+      continue;
+    }
+    // The first in doubt has met something: all before it have arrived.
+    StarContact first;
+    Cell cell;
+    if (record.contacts.empty() && sweeps_.find_first(body, v, targets[v], &first, &cell)) {
+      record.contacts.push_back(describe(env_, body, v, targets[v], first));
+    }
+    std::copy(before_.begin(), before_.end(), body.vertices.begin());
+    return false;
+  }
+  return true;
 }
 
 void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
   sweeps_.counts = {};
   skipped_.clear();
   if (body.keeps_sequences()) {
-    while (writers_.size() < kWave) writers_.emplace_back(env_.memory);
+    writers_.reserve(kWave);  // casts point at them
   }
   order_.clear();
   moving_.assign(body.vertices.size(), Moving{});
@@ -229,8 +244,13 @@ void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v
     return;
   }
   const uint32_t other = body.edges[e].other(v);
-  const StarSweep::EdgeSweep sweep{
-      e, v, targets[v], moving.arrival, place(body, targets, other, moving.rank), cell_at(body, other, moving.rank), moving.crossed};
+  const StarSweep::EdgeSweep sweep{e,
+                                   v,
+                                   targets[v],
+                                   moving.arrival,
+                                   place(body, targets, other, moving.rank),
+                                   cell_at(body, other, moving.rank),
+                                   moving.crossed};
   if (sweeps_.settles(body, sweep)) return;
   if (body.level != SweepLevel::kEdges) {
     const BodyVertex& from = body.vertices[v];
@@ -247,6 +267,7 @@ void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
   wave_edges_[at] = sweep.e;
   if (body.keeps_sequences()) {
     const bool first = body.edges[sweep.e].ends[0] == sweep.v;
+    if (writers_.size() == at) writers_.emplace_back(env_.memory);
     writers_[at].attach(env_, first ? wave_.add(env_, sweep.arrival, sweep.to, sweep.q)
                                     : wave_.add(env_, sweep.fixed, sweep.q, sweep.to));
   } else {
@@ -275,9 +296,9 @@ void BodyMove::sweep_faces(const Body& body, PointArray targets) {
       const uint32_t q = body.faces[f].after(v), r = body.faces[f].before(v);
       const Cell from = body.vertices[v].cell, at_q = cell_at(body, q, moving.rank);
       if (at_q == cell_at(body, r, moving.rank) && StarSweep::stays_inside(env_, from, moving.arrival, at_q)) continue;
-      moving.doubtful = !sweeps_.is_tetrahedron_free({body.position(v), targets[v], place(body, targets, q, moving.rank),
-                                                      place(body, targets, r, moving.rank)},
-                                                     from);
+      moving.doubtful = !sweeps_.is_tetrahedron_free(
+          {body.position(v), targets[v], place(body, targets, q, moving.rank), place(body, targets, r, moving.rank)},
+          from);
     }
   }
 }
@@ -289,7 +310,8 @@ void BodyMove::find_sides(const Body& body) {
       if (f == kNone) continue;
       const BodyFace& face = body.faces[f];
       uint32_t opposite = 0;
-      while (face.corners[opposite] == body.edges[e].ends[0] || face.corners[opposite] == body.edges[e].ends[1]) ++opposite;
+      while (face.corners[opposite] == body.edges[e].ends[0] || face.corners[opposite] == body.edges[e].ends[1])
+        ++opposite;
       sides_[3 * size_t{f} + opposite] = e;
     }
   }

@@ -38,6 +38,7 @@ class BodyMove {
     bool doubtful = false;  // something is, or may be, met on the way
   };
 
+  bool try_together(Body& body, PlaceFn where, const void* user, double fraction, MoveOrder order, MoveRecord& record);
   void start(const Body& body, MoveOrder order, PointArray targets);
   bool run(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip);
   void measure_clearances(Body& body, PointArray targets);
@@ -68,9 +69,10 @@ class BodyMove {
   Array<uint32_t> order_;
   Array<Moving> moving_;      // by vertex
   Array<uint32_t> skipped_;   // edges left out by their motion
-  Array<bool> keeps_;      // by edge, at FACES: it keeps to one sequence all through the move
-  Array<uint32_t> sides_;  // by face, at FACES: its edges, that opposite of corner k in place k
+  Array<bool> keeps_;         // by edge, at FACES: it keeps to one sequence all through the move
+  Array<uint32_t> sides_;     // by face, at FACES: its edges, that opposite of corner k in place k
   Array<BodyVertex> before_;  // to go back to
+  Array<double> places_;      // of all vertices, when they move together
 };
 
 }  // namespace dsw

@@ -20,6 +20,7 @@ struct MoveSettings {
   double stand_off = 0;  // 0: 1e-9 of the cell in front; negative: none
   double noise_share = 0;
 
+  bool may_edit() const { return may_insert() || noise_share > 0; }
   bool may_insert() const {
     return edge == Response::kAdaptiveOne || edge == Response::kAdaptiveMany || edge == Response::kHybrid;
   }

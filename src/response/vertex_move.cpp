@@ -169,7 +169,8 @@ bool VertexMove::slide(uint32_t v, const double* target, const dsw_contact& cont
   const double off = stand_off(contact), gap = dot(difference(at, contact.position), normal);
   if (gap < off / 2) rest = rest + (off - gap) * normal;
   store(to_vec(at) + rest, to);
-  return !std::equal(to, to + 3, at);
+  // Where the rest is longer than doubles go, the move ends here.
+  return std::isfinite(to[0]) && std::isfinite(to[1]) && std::isfinite(to[2]) && !std::equal(to, to + 3, at);
 }
 
 }  // namespace dsw

@@ -25,11 +25,19 @@ struct BodyRecord {
 
   Body body;
   MoveRecord record;
-  Array<Stop> stops;  // sorted
+  MoveRecord next;           // of a move under way
+  Array<BodyVertex> before;  // to go back to, if another body's move fails
+  Array<Stop> stops;         // sorted
 
-  explicit BodyRecord(const Memory* memory) : body(memory), record(memory), stops(Allocator<Stop>(memory)) {}
+  explicit BodyRecord(const Memory* memory)
+      : body(memory),
+        record(memory),
+        next(memory),
+        before(Allocator<BodyVertex>(memory)),
+        stops(Allocator<Stop>(memory)) {}
   uint64_t memory_bytes() const {
-    return body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.edits) + array_bytes(stops);
+    return body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.edits) + array_bytes(next.contacts) +
+           array_bytes(next.edits) + array_bytes(before) + array_bytes(stops);
   }
 };
 

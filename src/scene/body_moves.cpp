@@ -15,19 +15,22 @@ BodyRecord::Stop to_stop(const dsw_contact& contact) noexcept {
   return {obstacle_key(contact), contact.vertex.index, contact.vertex.generation};
 }
 
-/** Contacts of vertices that the same obstacle stopped in the move before are lasting ones. */
-void tell_history(BodyRecord& of) noexcept {
-  for (dsw_contact& contact : of.record.contacts) {
+/** Makes room for what publish() needs. */
+void prepare(BodyRecord& of) {
+  of.stops.clear();
+  of.stops.reserve(of.record.contacts.size());
+}
+
+/** What a move has left becomes what the host reads. Contacts of vertices that the same obstacle stopped in the move before are
+ * lasting ones. */
+void publish(BodyRecord& of) noexcept {
+  for (const dsw_contact& contact : of.record.contacts) of.stops.push_back(to_stop(contact));
+  std::sort(of.stops.begin(), of.stops.end());
+  for (dsw_contact& contact : of.next.contacts) {
     const bool lasts = std::binary_search(of.stops.begin(), of.stops.end(), to_stop(contact));
     contact.history = lasts ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW;
   }
-}
-
-void before_move(BodyRecord& of) {
-  of.stops.clear();
-  of.stops.reserve(of.record.contacts.size());
-  for (const dsw_contact& contact : of.record.contacts) of.stops.push_back(to_stop(contact));
-  std::sort(of.stops.begin(), of.stops.end());
+  std::swap(of.record, of.next);
 }
 
 BodyMove& mover_of(Scene<3>& scene) {
@@ -47,9 +50,9 @@ void move_body(Scene<3>& scene, BodyRecord& body, PointArray targets, MoveOrder 
   CastCounters casts;
   BodyMove& move = mover_of(scene);
   move.set_counters(scene.features.statistics ? &casts : nullptr);
-  before_move(body);
-  move.move(body.body, targets, order, settings, body.record);
-  tell_history(body);
+  prepare(body);
+  move.move(body.body, targets, order, settings, body.next);
+  publish(body);
   count(scene, body, casts);
 }
 
@@ -57,9 +60,9 @@ void move_body_together(Scene<3>& scene, BodyRecord& body, PlaceFn place, const 
   CastCounters casts;
   BodyMove& move = mover_of(scene);
   move.set_counters(scene.features.statistics ? &casts : nullptr);
-  before_move(body);
-  move.move_together(body.body, place, user, order, body.record);
-  tell_history(body);
+  prepare(body);
+  move.move_together(body.body, place, user, order, body.next);
+  publish(body);
   count(scene, body, casts);
 }
 
@@ -67,35 +70,53 @@ void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count_of_bod
                  const MoveSettings& settings) {
   Array<size_t> first(count_of_bodies, 0, Allocator<size_t>(scene.memory));
   Array<CastCounters> casts(count_of_bodies, CastCounters{}, Allocator<CastCounters>(scene.memory));
-  Array<Body> before{Allocator<Body>(scene.memory)};  // if one runs out of memory, none has moved
-  before.reserve(count_of_bodies);
+  // If one runs out of memory, none has moved.
+  const bool edits = settings.may_edit();
+  Array<Body> wholes{Allocator<Body>(scene.memory)};
+  wholes.reserve(edits ? count_of_bodies : 0);
   size_t at = 0;
   for (size_t i = 0; i < count_of_bodies; ++i) {
-    before.push_back(bodies[i]->body);
+    BodyRecord& body = *bodies[i];
+    if (edits) {
+      wholes.push_back(body.body);
+    } else {
+      body.before.assign(body.body.vertices.begin(), body.body.vertices.end());
+    }
+    prepare(body);
     first[i] = at;
-    at += bodies[i]->body.vertices.size();
+    at += body.body.vertices.size();
   }
   std::atomic<bool> out_of_memory{false};
   auto chunk = [&](size_t begin, size_t end) noexcept {
     try {
       BodyMove move(scene.env);
       for (size_t i = begin; i < end; ++i) {
-        BodyRecord& body = *bodies[i];
-        before_move(body);
         move.set_counters(scene.features.statistics ? &casts[i] : nullptr);
-        move.move(body.body, {targets.data + first[i] * targets.step, targets.step}, {}, settings, body.record);
-        tell_history(body);
+        move.move(bodies[i]->body, {targets.data + first[i] * targets.step, targets.step}, {}, settings,
+                  bodies[i]->next);
       }
     } catch (const std::bad_alloc&) {
       out_of_memory = true;
     }
   };
-  parallel_chunks(scene.parallel, count_of_bodies, 1, chunk);
+  // Few chunks, since each sets up its own memory; their number does not depend on the number of threads.
+  constexpr size_t kChunks = 64;
+  parallel_chunks(scene.parallel, count_of_bodies, (count_of_bodies + kChunks - 1) / kChunks, chunk);
   if (out_of_memory) {
-    for (size_t i = 0; i < count_of_bodies; ++i) std::swap(bodies[i]->body, before[i]);
+    for (size_t i = 0; i < count_of_bodies; ++i) {
+      BodyRecord& body = *bodies[i];
+      if (edits) {
+        std::swap(body.body, wholes[i]);
+      } else {
+        std::copy(body.before.begin(), body.before.end(), body.body.vertices.begin());
+      }
+    }
     throw std::bad_alloc();
   }
-  for (size_t i = 0; i < count_of_bodies; ++i) count(scene, *bodies[i], casts[i]);
+  for (size_t i = 0; i < count_of_bodies; ++i) {
+    publish(*bodies[i]);
+    count(scene, *bodies[i], casts[i]);
+  }
 }
 
 }  // namespace dsw

@@ -205,7 +205,9 @@ void StarSweep::find_all(const Body& body, uint32_t v, const double* to, Array<S
   const auto collect = [&](uint32_t e) {
     flood_.sweep(EdgeMotion{at.position, to, body.position(body.edges[e].other(v))}, at.cell, 0, true);
     for (const SweepContact& each : flood_.all()) {
-      if (each.event.kind != EventKind::kVertex) all.push_back({each, e, kNone});
+      // The diagonal of a flat face is nothing to be met.
+      const bool flat = kind_of(each) == ContactKind::kPlane && env_.map.convex(each.front);
+      if (each.event.kind != EventKind::kVertex && !flat) all.push_back({each, e, kNone});
     }
     return true;
   };
