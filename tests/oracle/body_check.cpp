@@ -234,12 +234,11 @@ void BodyChecker::alone(const dsw_contact& c, const std::string& how) {
 void BodyChecker::history(const std::vector<dsw_contact>& before, const std::vector<dsw_contact>& now,
                           const std::string& how) {
   for (const dsw_contact& c : now) {
-    // What stopped it is the first; with DSW_SEARCH_ALL others follow.
-    const auto stop =
-        std::find_if(before.begin(), before.end(), [&](const dsw_contact& b) { return same_id(b.vertex, c.vertex); });
-    const bool lasting = stop != before.end() && stop->obstacle.kind == c.obstacle.kind &&
-                         stop->obstacle.index == c.obstacle.index &&
-                         stop->obstacle.generation == c.obstacle.generation && stop->obstacle.local == c.obstacle.local;
+    const bool lasting = std::any_of(before.begin(), before.end(), [&](const dsw_contact& b) {
+      return same_id(b.vertex, c.vertex) && b.obstacle.kind == c.obstacle.kind &&
+             b.obstacle.index == c.obstacle.index && b.obstacle.generation == c.obstacle.generation &&
+             b.obstacle.local == c.obstacle.local;
+    });
     if (c.history == (lasting ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW)) continue;
     report_.fault(SweepReport::kWrong, "vertex " + name(c.vertex) + how + ": history " + std::to_string(c.history));
   }
