@@ -78,6 +78,10 @@ DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, 
  * next such call. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices, size_t *count);
 
+/** The bodies that made the last marking call answer DSW_STATUS_OCCUPIED, or that occupy volumes it left out; each once.
+ * @param bodies [out] owned by the scene, valid until the next marking call. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_scene_get_occupant_bodies(const dsw_scene *scene, const dsw_body_id **bodies, size_t *count);
+
 /** Removes a body; its ids become stale. @note O(its size). Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_destroy(dsw_scene *scene, dsw_body_id body);
 

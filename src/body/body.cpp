@@ -104,6 +104,21 @@ FaceDefect face_defect(const Body& body, uint32_t a, uint32_t b, uint32_t c) noe
   return FaceDefect::kFine;
 }
 
+bool starts_fan(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
+  const uint32_t corners[3] = {a, b, c};
+  const auto has_face = [&](uint32_t from, uint32_t to) {
+    const uint32_t e = find_edge(body, from, to);
+    return e != kNone && (body.edges[e].faces[0] != kNone || body.edges[e].faces[1] != kNone);
+  };
+  for (int k = 0; k < 3; ++k) {
+    const uint32_t v = corners[k];
+    bool bare = true;
+    for_each_face(body, v, [&](uint32_t) { return bare = false; });
+    if (!bare && !has_face(v, corners[(k + 1) % 3]) && !has_face(v, corners[(k + 2) % 3])) return true;
+  }
+  return false;
+}
+
 bool is_one_fan(const Body& body, uint32_t vertex) noexcept {
   uint32_t count = 0, start = kNone;
   for_each_face(body, vertex, [&](uint32_t f) {
@@ -128,9 +143,11 @@ void reserve(Body& body, size_t more_vertices, size_t more_edges, size_t more_fa
   reserve_slots(body.edge_slots, body.edges, more_edges);
   reserve_slots(body.face_slots, body.faces, more_faces);
   if (body.skipping.by_clearance) body.clearances.resize(body.vertices.size() + more_vertices);
-  if (body.skipping.sequences) {
-    body.sequences.resize(body.edges.size() + more_edges, Array<uint32_t>(body.edges.get_allocator()));
-  }
+  if (body.keeps_sequences()) keep_sequences(body, body.edges.size() + more_edges);
+}
+
+void keep_sequences(Body& body, size_t edges) {
+  if (body.sequences.size() < edges) body.sequences.resize(edges, EdgeSequence(body.edges.get_allocator()));
 }
 
 uint32_t add_vertex(Body& body, const double* position, Cell cell) noexcept {

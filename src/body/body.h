@@ -52,14 +52,16 @@ struct Clearance {
   uint32_t wait = 0, patience = 1;  // moves until it is measured again where it was too small
 };
 
+using EdgeSequence = Array<uint32_t>;
+
 struct Body {
   Array<BodyVertex> vertices;
   Array<BodyEdge> edges;
   Array<BodyFace> faces;
   SlotPool vertex_slots, edge_slots, face_slots;
   Array<uint32_t> inserted;  // vertices that a response has inserted
-  Array<Array<uint32_t>>
-      sequences;                // by edge, if they are kept: the facets from ends[0] to ends[1], see motion/sequence.h
+  // By edge, if they are kept: the facets passed from ends[0] to ends[1], see motion/sequence.h. A forecast: changes no result.
+  mutable Array<EdgeSequence> sequences;
   Array<Clearance> clearances;  // by vertex, if they are kept
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
@@ -72,16 +74,17 @@ struct Body {
         edge_slots(memory),
         face_slots(memory),
         inserted(Allocator<uint32_t>(memory)),
-        sequences(Allocator<Array<uint32_t>>(memory)),
+        sequences(Allocator<EdgeSequence>(memory)),
         clearances(Allocator<Clearance>(memory)) {}
 
+  bool keeps_sequences() const { return skipping.sequences || level >= SweepLevel::kEdgesSwept; }
   bool has_vertex(uint32_t v) const { return v < vertices.size() && vertices[v].cell.valid(); }
   bool has_edge(uint32_t e) const { return e < edges.size() && edges[e].ends[0] != kNone; }
   bool has_face(uint32_t f) const { return f < faces.size() && faces[f].corners[0] != kNone; }
   const double* position(uint32_t v) const { return vertices[v].position; }
   uint64_t memory_bytes() const {
     uint64_t of_sequences = array_bytes(sequences);
-    for (const Array<uint32_t>& each : sequences) of_sequences += array_bytes(each);
+    for (const EdgeSequence& each : sequences) of_sequences += array_bytes(each);
     return of_sequences + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) +
            array_bytes(inserted) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() + face_slots.memory_bytes();
   }
@@ -119,11 +122,15 @@ uint32_t find_face(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcep
 enum class FaceDefect { kFine, kRepeated, kThirdFace, kTurned };
 /** Corners are distinct living vertices. */
 FaceDefect face_defect(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+/** Whether a triangle would touch those at one of its corners in the vertex alone. */
+bool starts_fan(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
 /** Whether the triangles at a vertex form at most one fan. */
 bool is_one_fan(const Body& body, uint32_t vertex) noexcept;
 
 /** Makes room for so many more: the functions below then neither throw nor fail. */
 void reserve(Body& body, size_t more_vertices, size_t more_edges, size_t more_faces);
+/** Gives every edge room for its sequence, after the level has been raised. */
+void keep_sequences(Body& body, size_t edges);
 uint32_t add_vertex(Body& body, const double* position, Cell cell) noexcept;
 uint32_t add_edge(Body& body, uint32_t a, uint32_t b) noexcept;
 /** With the edges that are missing: room for three. */

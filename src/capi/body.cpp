@@ -113,6 +113,16 @@ dsw_status dsw_scene_get_offending_edges(const dsw_scene* scene, const uint32_t*
   });
 }
 
+dsw_status dsw_scene_get_occupant_bodies(const dsw_scene* scene, const dsw_body_id** bodies, size_t* count) {
+  return capi::guard("dsw_scene_get_occupant_bodies", [&] {
+    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::require(bodies, "bodies");
+    capi::require(count, "count");
+    *bodies = s.occupant_bodies.data();
+    *count = s.occupant_bodies.size();
+  });
+}
+
 dsw_status dsw_body_destroy(dsw_scene* scene, dsw_body_id body) {
   return capi::guard("dsw_body_destroy", [&] {
     const capi::BodyAccess of(scene, body);

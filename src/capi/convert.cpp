@@ -62,9 +62,12 @@ void check_hint(const Map<3>& map, dsw_volume_id id, const char* name) {
 
 void check_hints(const Map<3>& map, const dsw_volume_id* ids, size_t count, const char* name) {
   if (ids == nullptr) return;
+  const uint32_t cell_count = map.cell_count;
   uint32_t bad = 0;  // without branches: this runs over every cast of a batch
   for (size_t i = 0; i < count; ++i) {
-    bad |= static_cast<uint32_t>(!is_alive(map, ids[i])) & static_cast<uint32_t>(!is_null(ids[i]));
+    const uint32_t index = ids[i].index, generation = ids[i].generation;
+    const bool alive = (generation == kGeneration) & (index < cell_count);
+    bad |= static_cast<uint32_t>(!alive & ((index | generation) != 0));
   }
   if (bad == 0) return;
   for (size_t i = 0; i < count; ++i) {

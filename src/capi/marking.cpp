@@ -1,7 +1,7 @@
 #include "dartsweep/marking.h"
 
 #include "capi/convert.h"
-#include "environment/marking.h"
+#include "scene/occupation.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -18,29 +18,10 @@ bool to_bool(dsw_mark mark) {
 
 /** Refuses a shared environment and begins a marking call: what the last one said about occupants is over. */
 dsw::Scene<3>* begin_marking(dsw_environment& environment) {
-  dsw_scene* const scene = capi::only_scene(environment);
-  if (scene == nullptr) return nullptr;
-  scene->engine.occupants.clear();
-  return &scene->engine;
-}
-
-/** After occupants were collected: fails unless the caller lets them be skipped. */
-void check_occupants(const dsw::Scene<3>* scene, uint32_t flags) {
-  if (scene == nullptr || scene->occupants.empty() || (flags & DSW_MARK_SKIP_OCCUPIED) != 0) return;
-  const dsw_particle_id first = scene->occupants[0];
-  fail(DSW_STATUS_OCCUPIED, "%zu particles are in the way; the first is {index %u, generation %u} in volume %u",
-       scene->occupants.size(), first.index, first.generation,
-       scene->env.map.index(scene->particles[first.index].cell));
-}
-
-/** Takes the marks of occupied cells back: an occupied cell was passable before. Returns how many there were. */
-size_t skip_occupied(dsw::Environment<3>& env, const dsw::Scene<3>* scene) noexcept {
-  size_t skipped = 0;
-  if (scene == nullptr) return skipped;
-  for (const dsw_particle_id id : scene->occupants) {
-    skipped += set_cell_mark(env, scene->particles[id.index].cell, false) ? 1u : 0u;
-  }
-  return skipped;
+  dsw_scene* const handle = capi::only_scene(environment);
+  dsw::Scene<3>* const scene = handle == nullptr ? nullptr : &handle->engine;
+  dsw::clear_occupants(scene);
+  return scene;
 }
 
 /** Ids of one call as engine cells, on the stack when they are few. */
@@ -89,10 +70,8 @@ dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_
     Converted<dsw::Cell> cells(env.memory, count);
     for (size_t i = 0; i < count; ++i) cells.data()[i] = capi::to_cell(env.map, volumes[i], {"volumes", true}, i);
     dsw::Scene<3>* const scene = begin_marking(handle);
-    if (marked && scene != nullptr) find_occupants(*scene, cells.data(), count);
-    check_occupants(scene, flags);
-    for (const dsw::Cell c : cells) set_cell_mark(env, c, marked);
-    const size_t left_out = marked ? skip_occupied(env, scene) : 0;
+    const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
+    const size_t left_out = mark_cells(env, scene, cells.data(), count, marked, skip);
     if (skipped != nullptr) *skipped = left_out;
   });
 }
@@ -106,8 +85,7 @@ dsw_status dsw_environment_mark_faces(dsw_environment* environment, const dsw_fa
     const bool marked = to_bool(mark);
     Converted<dsw::HalfFacet> facets(env.memory, count);
     for (size_t i = 0; i < count; ++i) facets.data()[i] = capi::to_half_facet(env.map, faces[i], {"faces", true}, i);
-    begin_marking(handle);
-    for (const dsw::HalfFacet h : facets) set_facet_mark(env, h, marked);
+    mark_facets(env, begin_marking(handle), facets.data(), count, marked);
   });
 }
 
@@ -120,9 +98,7 @@ dsw_status dsw_environment_mark_edges(dsw_environment* environment, const dsw_ed
     const bool marked = to_bool(mark);
     Converted<dsw::Dart> darts(env.memory, count);
     for (size_t i = 0; i < count; ++i) darts.data()[i] = capi::to_dart(env.map, edges[i], {"edges", true}, i);
-    begin_marking(handle);
-    if (marked) reserve_edge_marks(env, count);
-    for (const dsw::Dart d : darts) set_edge_mark(env, dart_vertex(env.map, d), dart_target(env.map, d), marked);
+    mark_edges(env, begin_marking(handle), darts.data(), count, marked);
   });
 }
 
@@ -148,10 +124,9 @@ dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t reg
     const bool impassable = to_bool(mark);
     capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
     dsw::Scene<3>* const scene = begin_marking(handle);
-    if (impassable && scene != nullptr) find_occupants_of_region(*scene, region);
-    check_occupants(scene, flags);
-    const size_t all = set_region_mark(env, region, impassable);
-    const size_t left_out = impassable ? skip_occupied(env, scene) : 0;
+    const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
+    size_t left_out = 0;
+    const size_t all = mark_region(env, scene, region, impassable, skip, &left_out);
     if (marked != nullptr) *marked = all - left_out;
     if (skipped != nullptr) *skipped = left_out;
   });
@@ -162,8 +137,7 @@ dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a,
   return capi::guard("dsw_environment_mark_between", [&] {
     dsw_environment& handle = capi::check_handle(environment, "environment");
     const bool impassable = to_bool(mark);
-    begin_marking(handle);
-    const size_t all = set_mark_between(handle.engine, a, b, impassable);
+    const size_t all = mark_between(handle.engine, begin_marking(handle), a, b, impassable);
     if (marked != nullptr) *marked = all;
   });
 }

@@ -67,39 +67,6 @@ bool set_vertex_mark(Environment<D>& env, uint32_t vertex, bool marked) noexcept
   return note_change(env, changed, marked);
 }
 
-template <int D>
-size_t set_region_mark(Environment<D>& env, int32_t region, bool marked) noexcept {
-  size_t count = 0;
-  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
-    const Cell c = env.map.cell(i);
-    if (env.region(c) != region) continue;
-    set_cell_mark(env, c, marked);
-    ++count;
-  }
-  return count;
-}
-
-template <int D>
-size_t set_mark_between(Environment<D>& env, int32_t a, int32_t b, bool marked) noexcept {
-  const Map<D>& map = env.map;
-  size_t count = 0;
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
-    const Cell c = map.cell(i);
-    const int32_t region = env.region(c);
-    if (region != a && region != b) continue;
-    const int32_t wanted = region == a ? b : a;
-    for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
-      const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
-      // With a == b every facet is met from both sides: it counts from its lower cell.
-      if (!o.valid() || (a == b && canonical(map, h) != h) || (a != b && region != a)) continue;
-      if (env.region(map.cell_of(o)) != wanted) continue;
-      set_facet_mark(env, h, marked);
-      ++count;
-    }
-  }
-  return count;
-}
-
 bool edge_impassable(const Environment<3>& env, Dart d) noexcept {
   const Map<3>& map = env.map;
   if (edge_marked(env, dart_vertex(map, d), dart_target(map, d))) return true;
@@ -127,15 +94,13 @@ bool vertex_impassable(const Environment<D>& env, uint32_t vertex) noexcept {
   return false;
 }
 
-#define DSW_MARKING(D)                                                                   \
-  template void reserve_edge_marks<D>(Environment<D>&, size_t);                          \
-  template void reserve_vertex_marks<D>(Environment<D>&);                                \
-  template bool set_cell_mark<D>(Environment<D>&, Cell, bool) noexcept;                  \
-  template bool set_facet_mark<D>(Environment<D>&, HalfFacet, bool) noexcept;            \
-  template bool set_edge_mark<D>(Environment<D>&, uint32_t, uint32_t, bool) noexcept;    \
-  template bool set_vertex_mark<D>(Environment<D>&, uint32_t, bool) noexcept;            \
-  template size_t set_region_mark<D>(Environment<D>&, int32_t, bool) noexcept;           \
-  template size_t set_mark_between<D>(Environment<D>&, int32_t, int32_t, bool) noexcept; \
+#define DSW_MARKING(D)                                                                \
+  template void reserve_edge_marks<D>(Environment<D>&, size_t);                       \
+  template void reserve_vertex_marks<D>(Environment<D>&);                             \
+  template bool set_cell_mark<D>(Environment<D>&, Cell, bool) noexcept;               \
+  template bool set_facet_mark<D>(Environment<D>&, HalfFacet, bool) noexcept;         \
+  template bool set_edge_mark<D>(Environment<D>&, uint32_t, uint32_t, bool) noexcept; \
+  template bool set_vertex_mark<D>(Environment<D>&, uint32_t, bool) noexcept;         \
   template bool vertex_impassable<D>(const Environment<D>&, uint32_t) noexcept
 DSW_MARKING(2);
 DSW_MARKING(3);

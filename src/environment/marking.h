@@ -26,12 +26,27 @@ bool set_edge_mark(Environment<D>& env, uint32_t a, uint32_t b, bool marked) noe
 template <int D>
 bool set_vertex_mark(Environment<D>& env, uint32_t vertex, bool marked) noexcept;
 
-/** Marks every cell with a region label; returns how many have it. */
-template <int D>
-size_t set_region_mark(Environment<D>& env, int32_t region, bool marked) noexcept;
-/** Marks every facet between a cell of region `a` and one of region `b`; returns how many there are. */
-template <int D>
-size_t set_mark_between(Environment<D>& env, int32_t a, int32_t b, bool marked) noexcept;
+/** Calls visit(cell) for every cell with a region label. */
+template <int D, class Visit>
+void for_each_cell_of_region(const Environment<D>& env, int32_t region, Visit visit) {
+  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
+    const Cell c = env.map.cell(i);
+    if (env.region(c) == region) visit(c);
+  }
+}
+
+/** Calls visit(facet) for every facet between a cell of region `a` and one of region `b`, each once. */
+template <int D, class Visit>
+void for_each_facet_between(const Environment<D>& env, int32_t a, int32_t b, Visit visit) {
+  const Map<D>& map = env.map;
+  for_each_cell_of_region(env, a, [&](Cell c) {
+    for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
+      const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
+      if (!o.valid() || env.region(map.cell_of(o)) != b) continue;
+      if (a != b || canonical(map, h) == h) visit(h);  // within one region every facet is met from both sides
+    }
+  });
+}
 
 template <int D>
 bool edge_marked(const Environment<D>& env, uint32_t a, uint32_t b) noexcept {

@@ -54,7 +54,7 @@ struct CastRequest {
 template <int D>
 CastResult cast(const Environment<D>& env, const CastRequest& request, CastCounters* counters) noexcept;
 
-constexpr uint32_t kWave = 32;  // most casts that run side by side
+constexpr uint32_t kWave = 128;  // most casts that run side by side
 
 /** The same for `count` <= kWave casts, which together take half the time or less. Results and counters do not depend on how
  * casts are grouped. */

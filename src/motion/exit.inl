@@ -24,17 +24,18 @@ struct Entry {
   }
 };
 
-enum class LookKind : uint32_t { kNothing, kPlanes, kBox };
+enum class LookKind : uint8_t { kNothing, kPlanes, kBox };
+constexpr uint8_t kNotKnown = 0xff;
 
 /** What the planes of a cell say about the target. */
 struct Look {
-  uint32_t facets;  // kPlanes: with the target outside. kBox: pierced outwards; all ones: not known
-  uint32_t second;  // kBox, of these: through the second triangle
+  uint8_t facets;  // kPlanes: with the target outside. kBox: pierced outwards, or kNotKnown
+  uint8_t second;  // kBox, of these: through the second triangle
   LookKind kind;
   bool settled;  // kBox: at most one facet is pierced, for certain
 
-  static Look of_planes(uint32_t outside) { return {outside, 0, LookKind::kPlanes, true}; }
-  static Look of_nothing() { return {~0u, 0, LookKind::kNothing, false}; }
+  static Look of_planes(uint32_t outside) { return {static_cast<uint8_t>(outside), 0, LookKind::kPlanes, true}; }
+  static Look of_nothing() { return {kNotKnown, 0, LookKind::kNothing, false}; }
 };
 
 template <int D, class Tally>
@@ -69,8 +70,8 @@ class ExitFinder {
       if (look.kind == LookKind::kPlanes) return exit_flat(c, look.facets);
       if (look.kind == LookKind::kBox) return exit_box(map_.record(c), look, entry);
     }
-    if (map_.convex(c)) return exit_many_flat(c, forecast);
-    return exit_many(c, entry);
+    if (map_.convex(c)) return apart().exit_many_flat(c, forecast);
+    return apart().exit_many(c, entry);
   }
 
   /** Whether q lies in a cell, p being its centre. Where planes alone decide the centre is not asked: that of a sliver can
@@ -98,6 +99,9 @@ class ExitFinder {
     void exact() noexcept { tally.exact(); }
     void tie() noexcept { tally.tie(); }
   };
+
+  /** A copy for what is not inlined: an object whose address is passed on lives in memory, and this one in registers. */
+  DSW_HOT ExitFinder apart() const noexcept { return *this; }
 
   void points_of(Cell c, const uint16_t* local, const double* (&out)[D]) const noexcept {
     for (int i = 0; i < D; ++i) out[i] = env_.point(c, local[i]);
@@ -158,7 +162,7 @@ class ExitFinder {
     for (uint32_t rest = outside & (outside - 1); rest != 0; rest &= rest - 1) {
       const uint32_t g = static_cast<uint32_t>(__builtin_ctz(rest));
       const int side = keeps(c, f, g);
-      if (__builtin_expect(side == 0, 0)) return first_pierced(c, outside);
+      if (__builtin_expect(side == 0, 0)) return apart().first_pierced(c, outside);
       f = side < 0 ? g : f;
     }
     return {f, map_.form(c) == Form::kSimplex ? f : 2 * f};
@@ -214,18 +218,19 @@ class ExitFinder {
     const BoxExits exits = box_exits(env_, w, p_, q_);
     tally_.tests(12 + 4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
     const bool several = (exits.pierced & (exits.pierced - 1)) != 0;
-    return {exits.sure ? exits.pierced : ~0u, exits.second, LookKind::kBox, exits.sure && !several};
+    return {static_cast<uint8_t>(exits.sure ? exits.pierced : kNotKnown), static_cast<uint8_t>(exits.second),
+            LookKind::kBox, exits.sure && !several};
   }
 
   DSW_HOT Exit exit_box(const uint32_t* w, const Look& look, const Entry& entry) noexcept {
-    if (__builtin_expect(!look.settled || entry.may_have_been_here, 0)) return exit_box_in_full(w, look, entry);
+    if (__builtin_expect(!look.settled || entry.may_have_been_here, 0)) return apart().exit_box_in_full(w, look, entry);
     if (look.facets == 0) return {};
-    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(look.facets));
-    return {f, 2 * f + (look.second >> f & 1u)};
+    const uint32_t f = static_cast<uint32_t>(__builtin_ctz(uint32_t{look.facets}));
+    return {f, 2 * f + (uint32_t{look.second} >> f & 1u)};
   }
 
   DSW_COLD Exit exit_box_in_full(const uint32_t* w, const Look& look, const Entry& entry) noexcept {
-    const bool sure = look.facets != ~0u;
+    const bool sure = look.facets != kNotKnown;
     Earliest best;
     for (uint32_t i = 0; i < 12; ++i) {
       const uint32_t f = i / 2, half = i % 2;

@@ -97,6 +97,22 @@ bool follows(const Environment<3>& env, const double* from, const double* to, Ce
   return (marks & kMarkBit) == 0 && map.convex(last) && shear.passed_all();
 }
 
+bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {
+  // Facet i of a sequence in the direction of the view.
+  const auto at = [&](const SequenceView& s, size_t i) {
+    return s.turned ? map.opposite({s.facets[s.count - 1 - i]}).word : s.facets[i];
+  };
+  const auto is_sum = [&](const SequenceView& whole, const SequenceView& first, const SequenceView& second) {
+    if (whole.count != first.count + second.count) return false;
+    for (size_t i = 0; i < whole.count; ++i) {
+      if (at(whole, i) != (i < first.count ? at(first, i) : at(second, i - first.count))) return false;
+    }
+    return true;
+  };
+  const auto turn = [](SequenceView s) { return SequenceView{s.facets, s.count, !s.turned}; };
+  return is_sum(turn(ca), ab, bc) || is_sum(turn(ab), bc, ca) || is_sum(turn(bc), ca, ab);
+}
+
 void SequenceWriter::finish(Array<uint32_t>& sequence) {
   if (passed_ == facets_.size()) {
     sequence.assign(facets_.begin(), facets_.end());

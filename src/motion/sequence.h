@@ -12,6 +12,18 @@ namespace dsw {
 bool follows(const Environment<3>& env, const double* from, const double* to, Cell first, Cell last,
              const uint32_t* facets, size_t count) noexcept;
 
+/** A sequence as it was noted, or passed the other way round. */
+struct SequenceView {
+  const uint32_t* facets = nullptr;
+  size_t count = 0;
+  bool turned = false;
+};
+
+/** Whether the three sides of a triangle, a to b, b to c and c to a, lie in the same strip of cells: one of them passes what the two
+ * others pass, one after the other. Each has been found by `follows`, so it passes every facet where all lines of that look the same
+ * way; there the facet is convex, and the cells are, so the triangle lies in the strip and no edge of a cell pierces it. */
+bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept;
+
 /** Notes the half-facets that casts pass. A cast allocates nothing: what finds no room makes the sequence unknown, and room for the
  * next time is made by `finish`. */
 class SequenceWriter {
@@ -30,7 +42,7 @@ class SequenceWriter {
   void finish(Array<uint32_t>& sequence);
 
  private:
-  static constexpr size_t kFirstRoom = 64;
+  static constexpr size_t kFirstRoom = 16;
   static void write(void* user, Cell from, uint32_t simplex, Cell to) noexcept;
 
   const Environment<3>* env_ = nullptr;

@@ -7,6 +7,9 @@
 #include "motion/box.inl"
 #include "motion/simplex.inl"
 #include "motion/exit.inl"
+#if defined(DSW_ISA_AVX512)
+#include "motion/flat_boxes.inl"
+#endif
 // clang-format on
 
 /** One bit of 64 for a cell. All visited cells' bits together say "never entered before" for certain; the opposite is only a
@@ -16,7 +19,8 @@ inline uint64_t visit_bit(Cell c) { return uint64_t{1} << ((c.unit * 0x9e3779b1u
 /** A cast that has left its first cell, or is about to. */
 struct Flight {
   Exit exit;
-  HalfFacet through;  // the facet of `exit`, seen from beyond
+  HalfFacet at;   // the facet of `exit`
+  uint32_t link;  // its link: the facet seen from beyond, with its mark
   Entry entry;
   uint64_t visited;
 };
@@ -30,18 +34,12 @@ class Walkers {
       : env_(env), map_(env.map), requests_(requests), results_(results), tally_(tally) {}
 
   void run(uint32_t count) noexcept {
-    uint32_t leaving = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-      new (results_ + i) CastResult;
-      results_[i].cell = requests_[i].start;
-      active_[leaving] = static_cast<uint8_t>(i);
-      leaving += look(i, Entry{}) ? 1 : 0;
-    }
-    count = keep(leaving, [&](uint32_t i) { return leave_first(i); });
+    count = look_all<true>(count);
+    count = keep(count, [&](uint32_t i) { return leave_first(i); });
     for (;;) {
       count = keep(count, [&](uint32_t i) { return enter(i); });
       if (count == 0) return;
-      count = keep(count, [&](uint32_t i) { return look(i, flight(i).entry); });
+      count = look_all<false>(count);
       count = keep(count, [&](uint32_t i) { return leave(i, flight(i).entry, kNoFacet); });
     }
   }
@@ -62,16 +60,75 @@ class Walkers {
   Flight& flight(uint32_t i) noexcept { return flights_[i]; }
   ExitFinder<D, Tally> finder(uint32_t i) noexcept { return {env_, requests_[i].from, requests_[i].to, tally_}; }
 
-  /** Whether the segment may leave its cell. */
-  DSW_HOT bool look(uint32_t i, const Entry& entry) noexcept {
-    const Look seen = finder(i).look(results_[i].cell, entry);
-    looks_[i] = seen;
-    return seen.facets != 0;
+  template <bool First>
+  DSW_HOT Entry entry(uint32_t i) noexcept {
+    return First ? Entry{} : flight(i).entry;
   }
 
+  DSW_HOT void begin(uint32_t i) noexcept {
+    new (results_ + i) CastResult;
+    results_[i].cell = requests_[i].start;
+    active_[i] = static_cast<uint8_t>(i);
+  }
+
+  /** Keeps the casts that may leave their cells. */
+  template <bool First>
+  DSW_HOT uint32_t look_all(uint32_t count) noexcept {
+    for (uint32_t k = 0; k < count;) {
+#if defined(DSW_ISA_AVX512)
+      if (D == 3 && count - k >= kAbreast && look_abreast<First>(k)) {
+        k += kAbreast;
+        continue;
+      }
+#endif
+      if (First) begin(k);
+      look<First>(active_[k++]);
+    }
+    return keep(count, [&](uint32_t i) { return looks_[i].facets != 0; });
+  }
+
+  template <bool First>
+  DSW_HOT void look(uint32_t i) noexcept {
+    looks_[i] = finder(i).look(results_[i].cell, entry<First>(i));
+  }
+
+#if defined(DSW_ISA_AVX512)
+  /** Looks at kAbreast casts, if all are in flat boxes. */
+  template <bool First>
+  DSW_HOT bool look_abreast(uint32_t first) noexcept {
+    constexpr uint32_t kFlatBox = static_cast<uint32_t>(Form::kBox) << kFormShift | kConvexBit;
+    FlatBoxes boxes;
+    uint32_t different = 0;
+#pragma GCC unroll 1
+    for (uint32_t j = 0; j < kAbreast; ++j) {
+      if (First) begin(first + j);
+      const uint32_t i = active_[first + j];
+      const uint32_t* const w = map_.record(results_[i].cell);
+      different |= w[0] ^ kFlatBox;
+      boxes.vertices[j] = w + kUnitWords;
+      boxes.q[j] = requests_[i].to;
+    }
+    if ((different & (7u << kFormShift | kConvexBit)) != 0) return false;
+    FlatBoxSides sides;
+    sides.look(env_.points, boxes);
+#pragma GCC unroll 1
+    for (uint32_t j = 0; j < kAbreast; ++j) {
+      const uint32_t i = active_[first + j];
+      if (__builtin_expect((sides.settled >> j & 1u) == 0, 0)) {
+        look<First>(i);
+        continue;
+      }
+      const uint32_t known = entry<First>(i).known_inside(6);
+      tally_.tests(known == 0 ? 6 : 5);
+      looks_[i] = Look::of_planes(sides.outside[j] & ~known);
+    }
+    return true;
+  }
+#endif
+
   DSW_HOT bool leave_first(uint32_t i) noexcept {
-    new (flights_ + i) Flight{{}, {}, {}, visit_bit(results_[i].cell)};
-    const bool leaves = leave(i, Entry{}, requests_[i].forecast);
+    new (flights_ + i) Flight{{}, {}, {}, {}, visit_bit(results_[i].cell)};
+    const bool leaves = leave(i, flight(i).entry, requests_[i].forecast);
     results_[i].first_facet = flight(i).exit.facet;
     return leaves;
   }
@@ -82,10 +139,11 @@ class Walkers {
     const Exit exit = finder(i).choose(cell, looks_[i], entry, forecast);
     flight(i).exit = exit;
     if (exit.facet == kStays) return false;
-    const HalfFacet h = map_.half_facet(cell, exit.facet), o = map_.opposite(h);
-    results_[i].facet = h;
-    flight(i).through = o;
-    if (o.valid()) __builtin_prefetch(&map_.words[o.word & ~(kUnitWords - 1)]);
+    const HalfFacet at = map_.half_facet(cell, exit.facet);
+    const uint32_t link = map_.words[at.word], beyond = link & ~kMarkBit;
+    flight(i).at = at;
+    flight(i).link = link;
+    if (beyond != kNoFacet) __builtin_prefetch(&map_.words[beyond & ~(kUnitWords - 1)]);
     return true;
   }
 
@@ -94,14 +152,14 @@ class Walkers {
     const CastRequest& request = requests_[i];
     Flight& f = flight(i);
     CastResult& result = results_[i];
-    const HalfFacet o = f.through;
+    const HalfFacet o = {f.link & ~kMarkBit};
     const Cell next = o.valid() ? map_.cell_of(o) : Cell{};
-    if (!o.valid() || (!request.through_walls && (map_.facet_marked(result.facet) || map_.marked(next)))) {
+    if (!o.valid() || (!request.through_walls && ((f.link & kMarkBit) != 0 || map_.marked(next)))) {
       result.end = CastEnd::kHit;
+      result.facet = f.at;
       result.simplex = f.exit.simplex;
       return false;
     }
-    result.facet = HalfFacet{};
     if (result.cells_visited == request.max_cells) {  // cells_visited is never 0, so 0 is no limit
       result.end = CastEnd::kWorkLimit;
       result.simplex = f.entry.simplex;

@@ -31,6 +31,8 @@ BodyMove::BodyMove(const Environment<3>& env)
       order_(Allocator<uint32_t>(env.memory)),
       moving_(Allocator<Moving>(env.memory)),
       skipped_(Allocator<uint32_t>(env.memory)),
+      keeps_(Allocator<bool>(env.memory)),
+      sides_(Allocator<uint32_t>(env.memory)),
       before_(Allocator<BodyVertex>(env.memory)) {}
 
 void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record) {
@@ -113,7 +115,7 @@ void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOr
 void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
   sweeps_.counts = {};
   skipped_.clear();
-  if (body.skipping.sequences) {
+  if (body.keeps_sequences()) {
     while (writers_.size() < kWave) writers_.emplace_back(env_.memory);
   }
   order_.clear();
@@ -167,7 +169,12 @@ void BodyMove::run_wave() {
 void BodyMove::cast_paths(const Body& body, PointArray targets) {
   const auto run = [&] {
     run_wave();
-    for (uint32_t i = 0; i < wave_.count(); ++i) moving_[wave_vertices_[i]].arrival = wave_.result(i).cell;
+    for (uint32_t i = 0; i < wave_.count(); ++i) {
+      const CastResult& path = wave_.result(i);
+      Moving& moving = moving_[wave_vertices_[i]];
+      moving.arrival = path.cell;
+      if (path.cells_visited == 2) moving.crossed = env_.map.half_facet(wave_.request(i).start, path.first_facet);
+    }
     wave_.clear();
   };
   for (const uint32_t v : order_) {
@@ -188,6 +195,7 @@ Cell BodyMove::cell_at(const Body& body, uint32_t v, uint32_t rank) const {
 }
 
 void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
+  keeps_.assign(body.level == SweepLevel::kFaces ? body.edges.size() : 0, true);
   const double share = body.skipping.motion_share * body.skipping.motion_share;
   for (uint32_t e = 0; e < body.edges.size(); ++e) {
     if (!body.has_edge(e)) continue;
@@ -215,15 +223,19 @@ void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
 
 void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v) {
   Moving& moving = moving_[v];
-  if (moving.rank == kNone || moving.doubtful) return;
+  if (moving.rank == kNone) return;
+  if (moving.doubtful) {
+    if (!keeps_.empty()) keeps_[e] = false;
+    return;
+  }
   const uint32_t other = body.edges[e].other(v);
   const StarSweep::EdgeSweep sweep{
-      e, v, targets[v], moving.arrival, place(body, targets, other, moving.rank), cell_at(body, other, moving.rank)};
+      e, v, targets[v], moving.arrival, place(body, targets, other, moving.rank), cell_at(body, other, moving.rank), moving.crossed};
   if (sweeps_.settles(body, sweep)) return;
   if (body.level != SweepLevel::kEdges) {
     const BodyVertex& from = body.vertices[v];
     moving.doubtful = !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
-    if (moving.doubtful || !body.skipping.sequences) return;
+    if (moving.doubtful) return;
   }
   cast_edge(body, sweep);
 }
@@ -233,7 +245,7 @@ void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
   const uint32_t at = wave_.count();
   wave_vertices_[at] = sweep.v;
   wave_edges_[at] = sweep.e;
-  if (body.skipping.sequences) {
+  if (body.keeps_sequences()) {
     const bool first = body.edges[sweep.e].ends[0] == sweep.v;
     writers_[at].attach(env_, first ? wave_.add(env_, sweep.arrival, sweep.to, sweep.q)
                                     : wave_.add(env_, sweep.fixed, sweep.q, sweep.to));
@@ -245,7 +257,7 @@ void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
 
 void BodyMove::run_edges(Body& body) {
   run_wave();
-  if (body.skipping.sequences) {
+  if (body.keeps_sequences()) {
     for (uint32_t i = 0; i < wave_.count(); ++i) {
       if (wave_.result(i).end == CastEnd::kReached) writers_[i].finish(body.sequences[wave_edges_[i]]);
     }
@@ -254,19 +266,47 @@ void BodyMove::run_edges(Body& body) {
 }
 
 void BodyMove::sweep_faces(const Body& body, PointArray targets) {
+  find_sides(body);
   for (uint32_t f = 0; f < body.faces.size(); ++f) {
-    if (!body.has_face(f)) continue;
+    if (!body.has_face(f) || shares_strip(body, f)) continue;
     for (const uint32_t v : body.faces[f].corners) {
       Moving& moving = moving_[v];
       if (moving.rank == kNone || moving.doubtful) continue;
       const uint32_t q = body.faces[f].after(v), r = body.faces[f].before(v);
       const Cell from = body.vertices[v].cell, at_q = cell_at(body, q, moving.rank);
       if (at_q == cell_at(body, r, moving.rank) && StarSweep::stays_inside(env_, from, moving.arrival, at_q)) continue;
-      moving.doubtful = !sweeps_.is_tetrahedron_free(
-          {body.position(v), targets[v], place(body, targets, q, moving.rank), place(body, targets, r, moving.rank)},
-          from);
+      moving.doubtful = !sweeps_.is_tetrahedron_free({body.position(v), targets[v], place(body, targets, q, moving.rank),
+                                                      place(body, targets, r, moving.rank)},
+                                                     from);
     }
   }
+}
+
+void BodyMove::find_sides(const Body& body) {
+  sides_.assign(3 * body.faces.size(), kNone);
+  for (uint32_t e = 0; e < body.edges.size(); ++e) {
+    for (const uint32_t f : body.edges[e].faces) {
+      if (f == kNone) continue;
+      const BodyFace& face = body.faces[f];
+      uint32_t opposite = 0;
+      while (face.corners[opposite] == body.edges[e].ends[0] || face.corners[opposite] == body.edges[e].ends[1]) ++opposite;
+      sides_[3 * size_t{f} + opposite] = e;
+    }
+  }
+}
+
+/** Whether a face's edges keep to their sequences all through the move, and lie in one strip of cells. Then no edge of the environment
+ * pierces the face, before, between or after, nor what its edges sweep: so no vertex is inside of the tetrahedra. */
+bool BodyMove::shares_strip(const Body& body, uint32_t f) const {
+  SequenceView views[3];
+  for (uint32_t k = 0; k < 3; ++k) {
+    const uint32_t e = sides_[3 * size_t{f} + k];
+    const bool moves = moving_[body.edges[e].ends[0]].rank != kNone || moving_[body.edges[e].ends[1]].rank != kNone;
+    if (moves ? !keeps_[e] : !sweeps_.keeps_sequence(body, e)) return false;
+    const Array<uint32_t>& facets = body.sequences[e];
+    views[k] = {facets.data(), facets.size(), body.edges[e].ends[0] != body.faces[f].corners[(k + 1) % 3]};
+  }
+  return share_strip(env_.map, views[2], views[0], views[1]);
 }
 
 void BodyMove::arrive(Body& body, PointArray targets, uint32_t v) const {

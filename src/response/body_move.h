@@ -34,6 +34,7 @@ class BodyMove {
   struct Moving {
     uint32_t rank = kNone;  // place in the order; kNone: stays
     Cell arrival;           // contains the target
+    HalfFacet crossed;      // the only facet on its path
     bool doubtful = false;  // something is, or may be, met on the way
   };
 
@@ -47,6 +48,8 @@ class BodyMove {
   void cast_edge(Body& body, const StarSweep::EdgeSweep& sweep);
   void run_edges(Body& body);
   void sweep_faces(const Body& body, PointArray targets);
+  void find_sides(const Body& body);
+  bool shares_strip(const Body& body, uint32_t f) const;
   void run_wave();
   void arrive(Body& body, PointArray targets, uint32_t v) const;
   void finish(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record);
@@ -65,6 +68,8 @@ class BodyMove {
   Array<uint32_t> order_;
   Array<Moving> moving_;      // by vertex
   Array<uint32_t> skipped_;   // edges left out by their motion
+  Array<bool> keeps_;      // by edge, at FACES: it keeps to one sequence all through the move
+  Array<uint32_t> sides_;  // by face, at FACES: its edges, that opposite of corner k in place k
   Array<BodyVertex> before_;  // to go back to
 };
 

@@ -126,6 +126,7 @@ BodyRecord& check_body(Scene<3>& scene, dsw_body_id id, ArgumentName argument, s
 void set_level(Scene<3>& scene, Body& body, SweepLevel level) {
   scene.offending.clear();
   if (level > body.level) check_free(scene, body, level);
+  if (level >= SweepLevel::kEdgesSwept) keep_sequences(body, body.edges.size());
   body.level = level;
 }
 

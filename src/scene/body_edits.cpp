@@ -43,6 +43,9 @@ uint32_t add_body_edge(Scene<3>& scene, Body& body, uint32_t a, uint32_t b) {
 uint32_t add_body_face(Scene<3>& scene, Body& body, uint32_t a, uint32_t b, uint32_t c) {
   if (a == b || b == c || c == a) fail(DSW_STATUS_BAD_CELL, "triangle (%u, %u, %u) names a vertex twice", a, b, c);
   check_face(body, body.faces.size(), a, b, c);
+  if (starts_fan(body, a, b, c)) {
+    fail(DSW_STATUS_SHARED_FACE, "triangle (%u, %u, %u) touches others in a vertex alone", a, b, c);
+  }
   const uint32_t corners[3] = {a, b, c};
   for (int k = 0; k < 3; ++k) {
     const uint32_t from = corners[k], to = corners[(k + 1) % 3];

@@ -30,6 +30,11 @@ void before_move(BodyRecord& of) {
   std::sort(of.stops.begin(), of.stops.end());
 }
 
+BodyMove& mover_of(Scene<3>& scene) {
+  if (scene.mover.empty()) scene.mover.emplace_back(scene.env);
+  return scene.mover[0];
+}
+
 void count(Scene<3>& scene, const BodyRecord& of, const CastCounters& casts) noexcept {
   if (!scene.features.statistics) return;
   scene.statistics.cast.add(casts);
@@ -40,7 +45,7 @@ void count(Scene<3>& scene, const BodyRecord& of, const CastCounters& casts) noe
 
 void move_body(Scene<3>& scene, BodyRecord& body, PointArray targets, MoveOrder order, const MoveSettings& settings) {
   CastCounters casts;
-  BodyMove move(scene.env);
+  BodyMove& move = mover_of(scene);
   move.set_counters(scene.features.statistics ? &casts : nullptr);
   before_move(body);
   move.move(body.body, targets, order, settings, body.record);
@@ -50,7 +55,7 @@ void move_body(Scene<3>& scene, BodyRecord& body, PointArray targets, MoveOrder 
 
 void move_body_together(Scene<3>& scene, BodyRecord& body, PlaceFn place, const void* user, MoveOrder order) {
   CastCounters casts;
-  BodyMove move(scene.env);
+  BodyMove& move = mover_of(scene);
   move.set_counters(scene.features.statistics ? &casts : nullptr);
   before_move(body);
   move.move_together(body.body, place, user, order, body.record);

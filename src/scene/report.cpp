@@ -28,17 +28,25 @@ dsw_outcome outcome_of(CastEnd end) noexcept {
                                   : DSW_OUTCOME_WORK_LIMIT;
 }
 
-/** What every report of a free cast holds, and the rest of one that reached its target. */
+/** What every report of a free cast holds, and the rest of one that reached its target. Every member once: cleared first,
+ * it takes twice as many stores. */
 template <int D>
 void report_arrival(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
                     dsw_flight* flight) noexcept {
-  clear(flight);
+  for (int k = 0; k < 3; ++k) {
+    flight->position[k] = detail && k < D ? request.to[k] : 0;
+    flight->normal[k] = 0;
+  }
+  flight->time = detail ? 1 : 0;
   flight->volume = {env.map.index(result.cell), kGeneration};
+  flight->face = {0, 0, 0};
+  flight->behind = {0, 0};
   flight->outcome = DSW_OUTCOME_REACHED;
+  flight->kind = DSW_CONTACT_NONE;
+  flight->obstacle = DSW_CELL_NONE;
+  flight->tag = 0;
   flight->cells_visited = result.cells_visited;
-  if (!detail) return;
-  copy_point<D>(request.to, flight->position);
-  flight->time = 1;
+  flight->reserved[0] = flight->reserved[1] = 0;
 }
 
 /** What is different for one that did not. */

@@ -55,8 +55,10 @@ struct Scene {
   Array<dsw_crossing> crossings;            // of the last move
   Array<size_t> crossing_first;             // flight -> start in crossings; one more at the end
   Array<dsw_particle_id> occupants;         // of the last marking call
+  Array<dsw_body_id> occupant_bodies;       // likewise
   Array<BodyRecord> bodies;                 // by slot
   SlotPool body_slots;
+  Array<BodyMove> mover;      // none or one: what moves of single bodies keep from call to call
   Array<uint32_t> offending;  // pairs of vertices of edges that were found not free
 
   Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted)
@@ -71,8 +73,10 @@ struct Scene {
         crossings(Allocator<dsw_crossing>(source)),
         crossing_first(Allocator<size_t>(source)),
         occupants(Allocator<dsw_particle_id>(source)),
+        occupant_bodies(Allocator<dsw_body_id>(source)),
         bodies(Allocator<BodyRecord>(source)),
         body_slots(source),
+        mover(Allocator<BodyMove>(source)),
         offending(Allocator<uint32_t>(source)) {
     if (features.crossings) crossing_first.push_back(0);
   }
@@ -80,11 +84,11 @@ struct Scene {
   Scene& operator=(const Scene&) = delete;
 
   uint64_t memory_bytes() const {
-    uint64_t of_bodies = array_bytes(bodies) + body_slots.memory_bytes() + array_bytes(offending);
+    uint64_t of_bodies = array_bytes(bodies) + array_bytes(mover) + body_slots.memory_bytes() + array_bytes(offending);
     for (const BodyRecord& each : bodies) of_bodies += each.memory_bytes();
     return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
            array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) +
-           array_bytes(occupants) + of_bodies;
+           array_bytes(occupants) + array_bytes(occupant_bodies) + of_bodies;
   }
 };
 

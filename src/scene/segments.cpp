@@ -10,8 +10,8 @@ namespace {
 
 /** Casts segments begin .. end-1, a wave at a time. */
 template <int D>
-void cast_range(const Environment<D>& env, const Starts<D>& starts, PointArray from, PointArray to,
-                const SegmentOptions& options, size_t begin, size_t end, dsw_flight* flights) noexcept {
+void cast_range(const Environment<D>& env, Starts<D> starts, PointArray from, PointArray to, SegmentOptions options,
+                size_t begin, size_t end, dsw_flight* flights) noexcept {
   Wave<D> wave;
   dsw_flight* reports[kWave];
   while (begin < end) {

@@ -21,8 +21,8 @@ class Starts {
       : env_(env), ids_(ids), known_(known && ids != nullptr) {}
 
   Cell find(size_t i, const double* from) const noexcept {
-    const dsw_volume_id id = ids_ == nullptr ? dsw_volume_id{0, 0} : ids_[i];
-    return known_ && !is_null(id) ? env_.map.cell(id.index) : locate_point(env_, from, id);
+    if (known_ && !is_null(ids_[i])) return env_.map.cell(ids_[i].index);
+    return locate_point(env_, from, ids_ == nullptr ? dsw_volume_id{0, 0} : ids_[i]);
   }
   void prefetch(size_t i) const noexcept {
     if (known_ && !is_null(ids_[i])) prefetch_record(env_, env_.map.cell(ids_[i].index));

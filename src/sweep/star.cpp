@@ -9,6 +9,11 @@
 namespace dsw {
 namespace {
 
+/** The only facet that a path has crossed. */
+HalfFacet crossed(const Environment<3>& env, Cell start, const CastResult& path) noexcept {
+  return path.cells_visited == 2 ? env.map.half_facet(start, path.first_facet) : HalfFacet{};
+}
+
 CastResult fly(const Environment<3>& env, const double* from, const double* to, Cell start,
                CastCounters* counters) noexcept {
   CastRequest request;
@@ -38,17 +43,23 @@ uint64_t feature(const StarContact& c) noexcept {
 
 StarSweep::StarSweep(const Environment<3>& env) : env_(env), flood_(env), hit_edges_(Allocator<uint32_t>(env.memory)) {}
 
-bool StarSweep::settles(const Body& body, const EdgeSweep& sweep) {
+StarSweep::Settled StarSweep::settle(const Body& body, const EdgeSweep& sweep) {
   ++counts.swept;
-  const BodyVertex& from = body.vertices[sweep.v];
-  if (stays_inside(env_, from.cell, sweep.arrival, sweep.fixed)) {
-    counts.skipped += body.skipping.by_environment ? 1 : 0;
-    if (body.skipping.by_environment || body.level != SweepLevel::kEdges) return true;
+  const Skipping& skipping = body.skipping;
+  const bool keeps = body.keeps_sequences();
+  if (stays_inside(env_, body.vertices[sweep.v].cell, sweep.arrival, sweep.fixed)) {
+    if (keeps) body.sequences[sweep.e].clear();
+    counts.skipped += skipping.by_environment ? 1 : 0;
+    if (skipping.by_environment || keeps) return Settled::kInside;
   }
-  const bool known = (body.skipping.by_clearance && is_clear(body, sweep)) ||
-                     (body.skipping.sequences && follows_sequence(body, sweep));
-  counts.skipped += known ? 1 : 0;
-  return known;
+  Settled settled = Settled::kNo;
+  if (skipping.by_clearance && is_clear(body, sweep)) {
+    settled = Settled::kClear;
+  } else if (keeps && follows_sequence(body, sweep)) {
+    settled = Settled::kStrip;
+  }
+  counts.skipped += settled != Settled::kNo && (skipping.by_clearance || skipping.sequences) ? 1 : 0;
+  return settled;
 }
 
 /** Whether the triangle lies in a ball that is free. */
@@ -58,18 +69,39 @@ bool StarSweep::is_clear(const Body& body, const EdgeSweep& sweep) const {
          covers(env_, body.clearances[body.edges[sweep.e].other(sweep.v)], p, sweep.to, sweep.q);
 }
 
-/** Whether the edge keeps to the cells that it was last known to cross. If it did so before and after, and its end stays in its cell,
- * the whole triangle lies in these cells. */
+/** Whether the edge keeps to the facets that it was last known to pass, but for one that its end passes itself: then it is free in its
+ * new place. If it did so before, too, the triangle's sides share a strip of cells. */
 bool StarSweep::follows_sequence(const Body& body, const EdgeSweep& sweep) const {
-  const Array<uint32_t>& facets = body.sequences[sweep.e];
+  Array<uint32_t>& facets = body.sequences[sweep.e];
   const BodyVertex& from = body.vertices[sweep.v];
   const bool first = body.edges[sweep.e].ends[0] == sweep.v;
-  const auto keeps = [&](const double* p, Cell cell) {
-    return first ? follows(env_, p, sweep.q, cell, sweep.fixed, facets.data(), facets.size())
-                 : follows(env_, sweep.q, p, sweep.fixed, cell, facets.data(), facets.size());
+  const auto keeps = [&](const double* p, Cell cell, const uint32_t* passed, size_t count) {
+    return first ? follows(env_, p, sweep.q, cell, sweep.fixed, passed, count)
+                 : follows(env_, sweep.q, p, sweep.fixed, cell, passed, count);
   };
-  if (!keeps(sweep.to, sweep.arrival)) return false;
-  return body.level == SweepLevel::kEdges || (from.cell == sweep.arrival && keeps(from.position, from.cell));
+  if (facets.size() == 1 && facets[0] == kNoFacet) return false;
+  const bool stays = from.cell == sweep.arrival;
+  if (!stays && !sweep.crossed.valid()) return false;
+  if (body.level != SweepLevel::kEdges && !keeps(from.position, from.cell, facets.data(), facets.size())) return false;
+  if (stays) return keeps(sweep.to, sweep.arrival, facets.data(), facets.size());
+  // As the sequence would name it: passed on the way from ends[0].
+  const uint32_t left = first ? sweep.crossed.word : env_.map.opposite(sweep.crossed).word;
+  const uint32_t met = first ? env_.map.opposite(sweep.crossed).word : sweep.crossed.word;
+  if (!facets.empty() && (first ? facets.front() : facets.back()) == left) {
+    if (!keeps(sweep.to, sweep.arrival, facets.data() + (first ? 1 : 0), facets.size() - 1)) return false;
+    facets.erase(first ? facets.begin() : facets.end() - 1);
+    return true;
+  }
+  facets.insert(first ? facets.begin() : facets.end(), met);
+  if (keeps(sweep.to, sweep.arrival, facets.data(), facets.size())) return true;
+  facets.erase(first ? facets.begin() : facets.end() - 1);
+  return false;
+}
+
+bool StarSweep::keeps_sequence(const Body& body, uint32_t e) const {
+  const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
+  const Array<uint32_t>& facets = body.sequences[e];
+  return follows(env_, a.position, b.position, a.cell, b.cell, facets.data(), facets.size());
 }
 
 /** Whether an edge is not free in its new place; fills hit_edges_ with all, or with some if one is enough. */
@@ -84,7 +116,7 @@ bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, C
   };
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
-    if (settles(body, {e, v, to, cell, fixed.position, fixed.cell})) return true;
+    if (settles(body, {e, v, to, cell, fixed.position, fixed.cell, {}})) return true;
     wave_edges_[wave_.count()] = e;
     wave_.add(env_, cell, to, fixed.position);
     if (wave_.full()) run();
@@ -104,10 +136,11 @@ bool StarSweep::is_free(const Body& body, uint32_t v, const double* to, Cell* ce
   *cell = path.cell;
   if (path.end == CastEnd::kHit || body.level == SweepLevel::kPoints) return path.end == CastEnd::kReached;
   if (body.level == SweepLevel::kEdges) return !find_hit_edges(body, v, to, path.cell, true);
+  const HalfFacet passed = crossed(env_, at.cell, path);
   bool free = true;
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
-    if (settles(body, {e, v, to, path.cell, fixed.position, fixed.cell})) return true;
+    if (settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed})) return true;
     free = flood_.sweep(EdgeMotion{at.position, to, fixed.position}, at.cell, 0).end == SweepEnd::kFree;
     return free;
   });
@@ -146,9 +179,10 @@ bool StarSweep::find_first(const Body& body, uint32_t v, const double* to, StarC
     return any;
   }
   const bool reached = !any;
+  const HalfFacet passed = crossed(env_, at.cell, path);
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
-    const bool settled = reached && settles(body, {e, v, to, path.cell, fixed.position, fixed.cell});
+    const bool settled = reached && settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed});
     return settled ? true : sweep_edge(e);
   });
   if (body.level != SweepLevel::kFaces) return any;
@@ -168,13 +202,19 @@ void StarSweep::find_all(const Body& body, uint32_t v, const double* to, Array<S
   const CastResult path = fly(env_, at.position, to, at.cell, counters);
   if (path.end == CastEnd::kHit) all.push_back(path_contact(env_, path));
   if (body.level == SweepLevel::kPoints) return;
-  for_each_edge(body, v, [&](uint32_t e) {
+  const auto collect = [&](uint32_t e) {
     flood_.sweep(EdgeMotion{at.position, to, body.position(body.edges[e].other(v))}, at.cell, 0, true);
     for (const SweepContact& each : flood_.all()) {
       if (each.event.kind != EventKind::kVertex) all.push_back({each, e, kNone});
     }
     return true;
-  });
+  };
+  if (body.level == SweepLevel::kEdges && path.end == CastEnd::kReached) {
+    find_hit_edges(body, v, to, path.cell, false);
+    std::for_each(hit_edges_.begin(), hit_edges_.end(), collect);
+  } else {
+    for_each_edge(body, v, collect);
+  }
   StarContact first;
   Cell cell;
   if (body.level == SweepLevel::kFaces && find_first(body, v, to, &first, &cell) && first.face != kNone) {

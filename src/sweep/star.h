@@ -45,9 +45,16 @@ class StarSweep {
     Cell arrival;
     const double* q;
     Cell fixed;
+    HalfFacet crossed;  // the only facet on the path of v, seen from where it starts; invalid if there are none or more
   };
-  /** Whether nothing can be met, by what is known without a look at the triangle; counts it. The path of v is free. */
-  bool settles(const Body& body, const EdgeSweep& sweep);
+  /** What is known without a look at the triangle: nothing, or that nothing is met because it lies inside of one convex cell, of a ball
+   * that is free, or of the strip of cells that the edge is known to cross. */
+  enum class Settled : uint32_t { kNo, kInside, kClear, kStrip };
+  /** Counts what is settled. The path of v is free. */
+  Settled settle(const Body& body, const EdgeSweep& sweep);
+  bool settles(const Body& body, const EdgeSweep& sweep) { return settle(body, sweep) != Settled::kNo; }
+  /** Whether the edge is known to keep to its sequence in its present place. */
+  bool keeps_sequence(const Body& body, uint32_t e) const;
 
   bool is_triangle_free(const EdgeMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }
   bool is_tetrahedron_free(const FaceMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }

@@ -80,12 +80,13 @@ cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDS
 cmake --build "$tree" -j "$(nproc)" --target dartsweep_bench dartsweep_bench_predicates dartsweep_oracle
 
 bench=$tree/tests/benchmark
-if [ -n "$quick" ]; then casts=120000 sweeps=20000 cases=110000; else casts=10000000 sweeps=1000000 cases=500000; fi
+if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 cases=110000; else casts=10000000 sweeps=1000000 bodies=250000 cases=500000; fi
 "$bench/dartsweep_bench" $quick --json "$tree/walk.json" "${vessel[@]}"
 # The exact parts report what they find and fail on a single difference; their figures are wanted either way.
 failed=0
 "$bench/dartsweep_bench_predicates" --cases "$cases" --json "$tree/predicates.json" || failed=1
-"$tree/tests/oracle/dartsweep_oracle" --casts "$casts" --sweeps "$sweeps" --json "$tree/oracle.json" || failed=1
+"$tree/tests/oracle/dartsweep_oracle" --casts "$casts" --sweeps "$sweeps" --bodies "$bodies" --json "$tree/oracle.json" ||
+  failed=1
 
 library=$(find "$tree" -name 'libdartsweep.so' | head -n 1)
 python3 "$here/merge.py" "$json" "$library" "$tree/walk.json" "$tree/predicates.json" "$tree/oracle.json"

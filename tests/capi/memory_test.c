@@ -189,6 +189,53 @@ static void marks_and_tags(void) {
   grid_destroy(&g);
 }
 
+/* A surface and a line through all of a row of cubes. */
+static void marks_with_bodies(void) {
+  static const double positions[15] = {0.5, 0.5, 0.5, 5.5, 0.5, 0.5, 2.5, 4.5, 0.5, 0.5, 2.5, 2.5, 5.5, 2.5, 2.5};
+  static const uint32_t offsets[2] = {0, 3}, corners[3] = {0, 1, 2}, edge[2] = {3, 4};
+  host h;
+  dsw_context *const context = make_context(&h);
+  dsw_environment *const environment = make_environment(context, 6, 5, 5);
+  dsw_scene *const scene = make_scene(environment, 0);
+  const dsw_body_id *bodies = NULL;
+  dsw_volume_id volumes[150];
+  dsw_face_id faces[150];
+  dsw_body_desc d;
+  dsw_body_id id;
+  size_t refusals, skipped = 0, count = 9, face_count = 0;
+  uint32_t i;
+  for (i = 0; i < 150; ++i) {
+    volumes[i] = volume_at(i);
+    if (i % 30 / 6 != 2 && i >= 30) faces[face_count++] = face_at(i, FACE_X1);
+  }
+  dsw_body_desc_init(&d, sizeof d);
+  d.level = DSW_LEVEL_FACES;
+  d.positions = positions;
+  d.vertex_count = 5;
+  d.edges = edge;
+  d.edge_count = 1;
+  d.face_offsets = offsets;
+  d.face_corners = corners;
+  d.face_count = 1;
+  CHECK_OK(dsw_body_create(scene, &d, &id));
+  UNTIL_IT_SUCCEEDS(h, dsw_environment_mark_faces(environment, faces, face_count, DSW_MARK_IMPASSABLE),
+                    mark_count(environment, DSW_CELL_FACE) == 0, refusals);
+  CHECK(refusals >= 1 && mark_count(environment, DSW_CELL_FACE) == face_count);
+  CHECK_OK(dsw_environment_mark_faces(environment, faces, face_count, DSW_MARK_PASSABLE));
+  UNTIL_IT_SUCCEEDS(
+      h, dsw_environment_mark_volumes(environment, volumes, 150, DSW_MARK_IMPASSABLE, DSW_MARK_SKIP_OCCUPIED, &skipped),
+      mark_count(environment, DSW_CELL_VOLUME) == 0 && skipped == 0 &&
+          dsw_scene_get_occupant_bodies(scene, &bodies, &count) == DSW_STATUS_OK && count == 0,
+      refusals);
+  CHECK(refusals >= 4 && skipped > 20 && mark_count(environment, DSW_CELL_VOLUME) == 150 - skipped);
+  CHECK_OK(dsw_scene_get_occupant_bodies(scene, &bodies, &count));
+  CHECK(count == 1);
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+  CHECK_OK(dsw_context_destroy(context));
+  CHECK(h.alive == 0 && !h.broken);
+}
+
 static void queries(void) {
   static const uint32_t indices[6] = {1, 17, 13, 5, 0, 1};
   static const size_t offsets[2] = {0, 4};
@@ -251,6 +298,7 @@ int main(void) {
   creating_a_scene();
   particles_of_a_scene();
   marks_and_tags();
+  marks_with_bodies();
   queries();
   sweeps();
   return check_result();

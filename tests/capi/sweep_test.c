@@ -311,7 +311,7 @@ static void options_are_checked(void) {
     o = at_level((dsw_level)bad_level);
     CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_sweep_edges(g_env, 1, NULL, g_from, g_to, g_fixed, 0, &o, &s));
     CHECK_MESSAGE("options->level is ");
-    CHECK_MESSAGE(", this version knows 1 .. 3");
+    CHECK_MESSAGE(", must be 1 .. 3 here");
   }
   o = at_level(DSW_LEVEL_EDGES_SWEPT);
   o.struct_size = sizeof o - 4;

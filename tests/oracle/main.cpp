@@ -1,6 +1,7 @@
-// dartsweep_oracle [--casts N] [--sweeps N] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
-// Casts, locates and particle moves, and swept edges, in many small environments, each compared with exact arithmetic.
-// Without --casts and --sweeps: casts.
+// dartsweep_oracle [--casts N] [--sweeps N] [--bodies N [--level L] [--scene-seed S]] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
+// Casts, locates and particle moves, swept edges, and moves of bodies (N: of single vertices, at each level), in many
+// small environments, each compared with exact arithmetic. Without --casts, --sweeps and --bodies: casts.
+#include "body_run.h"
 #include "run.h"
 #include "sweep_run.h"
 
@@ -12,6 +13,7 @@ int main(int argc, char** argv) {
   dsw::oracle::RunOptions options;
   dsw::oracle::SweepRunOptions sweeps;
   sweeps.sweeps = 0;
+  dsw::oracle::BodyRunOptions bodies;
   const char* json = nullptr;
   int print_most = 20;
   bool casts_given = false, quick = false, show_stuck = false;
@@ -22,10 +24,16 @@ int main(int argc, char** argv) {
       casts_given = true;
     } else if (std::strcmp(argv[i], "--sweeps") == 0 && more) {
       sweeps.sweeps = std::strtoull(argv[++i], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--bodies") == 0 && more) {
+      bodies.steps = std::strtoull(argv[++i], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--scene-seed") == 0 && more) {
+      bodies.scene_seed = std::strtoull(argv[++i], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--level") == 0 && more) {
+      bodies.level = std::atoi(argv[++i]);
     } else if (std::strcmp(argv[i], "--seed") == 0 && more) {
-      options.seed = sweeps.seed = std::strtoull(argv[++i], nullptr, 10);
+      options.seed = sweeps.seed = bodies.seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--only") == 0 && more) {
-      options.only = sweeps.only = argv[++i];
+      options.only = sweeps.only = bodies.only = argv[++i];
     } else if (std::strcmp(argv[i], "--quick") == 0) {
       quick = true;
       if (!casts_given) options.casts = 120000;
@@ -37,23 +45,27 @@ int main(int argc, char** argv) {
       json = argv[++i];
     } else {
       std::fprintf(stderr,
-                   "usage: %s [--casts N] [--sweeps N] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] "
-                   "[--json FILE]\n",
+                   "usage: %s [--casts N] [--sweeps N] [--bodies N [--level 1..4] [--scene-seed S]] [--seed S] "
+                   "[--quick] [--only SCENE] "
+                   "[--print N] [--stuck] [--json FILE]\n",
                    argv[0]);
       return 2;
     }
   }
   dsw::oracle::Report report(print_most);
   report.show_stuck = show_stuck;
-  const bool with_casts = casts_given || quick || sweeps.sweeps == 0;
+  const bool with_casts = casts_given || quick || sweeps.sweeps + bodies.steps == 0;
   if (with_casts) dsw::oracle::run(options, report);
   dsw::oracle::SweepReport sweep_report(print_most);
   if (sweeps.sweeps != 0) dsw::oracle::run_sweeps(sweeps, sweep_report);
+  dsw::oracle::BodyReport body_report(print_most);
+  if (bodies.steps != 0) dsw::oracle::run_bodies(bodies, body_report);
   std::string text = with_casts ? dsw::oracle::to_json(report) : "";
-  if (sweeps.sweeps != 0) {
-    const std::string more = dsw::oracle::to_json(sweep_report);
-    text = text.empty() ? more : text.substr(0, text.rfind("\n}")) + "," + more.substr(1);  // one flat object
-  }
+  const auto join = [&](const std::string& more) {  // one flat object
+    text = text.empty() ? more : text.substr(0, text.rfind("\n}")) + "," + more.substr(1);
+  };
+  if (sweeps.sweeps != 0) join(dsw::oracle::to_json(sweep_report));
+  if (bodies.steps != 0) join(dsw::oracle::to_json(body_report));
   std::fputs(text.c_str(), stdout);
   if (json != nullptr) {
     std::FILE* file = std::fopen(json, "w");
@@ -64,5 +76,8 @@ int main(int argc, char** argv) {
   }
   const bool casts_right = report.total.mismatches == 0 && report.total.lost == 0 && report.total.casts > 0;
   const bool sweeps_right = sweep_report.total.faults() == 0 && sweep_report.total.sweeps > 0;
-  return (casts_right || !with_casts) && (sweeps_right || sweeps.sweeps == 0) ? 0 : 1;
+  const bool bodies_right = body_report.faults() == 0 && body_report.bodies > 0;
+  const bool right =
+      (casts_right || !with_casts) && (sweeps_right || sweeps.sweeps == 0) && (bodies_right || bodies.steps == 0);
+  return right ? 0 : 1;
 }

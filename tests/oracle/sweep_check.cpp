@@ -71,10 +71,26 @@ void SweepReport::sweep(const SweepTruth& truth, bool may_start) {
   }
 }
 
-void SweepReport::fault(Fault fault, const std::string& text) {
-  static const char* const names[] = {"MISSED", "LATE", "EARLY", "WRONG"};
+void SweepReport::step(const MoveTruth& truth) {
   for (SweepTally* t : {&total, scene_}) {
-    uint64_t* const counts[] = {&t->missed, &t->late, &t->early, &t->wrong};
+    ++t->sweeps;
+    t->ties += truth.tie;
+    if (truth.events.empty()) continue;
+    ++t->contacts;
+    t->edge_contacts += truth.events[0].edge >= 0;
+    t->face_contacts += truth.events[0].face >= 0;
+    t->inside_only += truth.inside_only();
+  }
+}
+
+void SweepReport::stuck() {
+  for (SweepTally* t : {&total, scene_}) ++t->stuck;
+}
+
+void SweepReport::fault(Fault fault, const std::string& text) {
+  static const char* const names[] = {"MISSED", "LATE", "EARLY", "WRONG", "NOT FREE"};
+  for (SweepTally* t : {&total, scene_}) {
+    uint64_t* const counts[] = {&t->missed, &t->late, &t->early, &t->wrong, &t->not_free_after};
     ++*counts[fault];
   }
   if (printed_++ < print_most_) std::printf("%s [%s] %s\n", names[fault], reproduce_.c_str(), text.c_str());
@@ -134,10 +150,9 @@ bool SweepChecker::normal_of(int triangle, bool into_first, const dsw_sweep& got
   return true;
 }
 
-/// Face, obstacle and tag of a contact at a -> b; an edge without an impassable face is a wire.
-std::string SweepChecker::wrong_face(const dsw_sweep& got, int a, int b) const {
-  const std::vector<int>& around = triangles_at_.at({a, b});
-  const bool wire = std::none_of(around.begin(), around.end(), [&](int t) {
+std::string SweepChecker::wrong_wall(const dsw_sweep& got, const std::vector<int>& around,
+                                     const std::vector<dsw_cell_kind>& alone) const {
+  const bool lone = std::none_of(around.begin(), around.end(), [&](int t) {
     return world_.impassable(world_.triangles[static_cast<size_t>(t)].face);
   });
   const bool front_there = std::any_of(around.begin(), around.end(), [&](int t) {
@@ -145,15 +160,15 @@ std::string SweepChecker::wrong_face(const dsw_sweep& got, int a, int b) const {
     return same_volume(got.front, cell[0]) || (cell[1] >= 0 && same_volume(got.front, cell[1]));
   });
   if (!front_there || world_.cell_marked[got.front.index] != 0) return " front " + name(got.front);
-  if (wire) {
-    const bool right = none(got.face) && got.obstacle == DSW_CELL_EDGE && got.tag == 0;
-    return right ? "" : " a wire with a face, an obstacle or a tag";
+  if (lone) {
+    const bool right = none(got.face) && got.tag == 0 && std::count(alone.begin(), alone.end(), got.obstacle) != 0;
+    return right ? "" : " a face, an obstacle or a tag where there is no wall";
   }
   const int face = face_of(got.face);
   if (face < 0 || !world_.impassable(face)) return " face " + name(got.face) + " is not canonical or not impassable";
   const bool bears = std::any_of(around.begin(), around.end(),
                                  [&](int t) { return world_.triangles[static_cast<size_t>(t)].face == face; });
-  if (!bears) return " face " + name(got.face) + " does not bear the edge";
+  if (!bears) return " face " + name(got.face) + " does not bear the obstacle";
   const Face& f = world_.faces[static_cast<size_t>(face)];
   if (got.obstacle != (f.marked || f.cell[1] < 0 ? DSW_CELL_FACE : DSW_CELL_VOLUME)) {
     return " obstacle " + std::to_string(got.obstacle);
@@ -224,7 +239,7 @@ std::string SweepChecker::wrong_contact(const Sweep& s, const SweepEvent& event,
     return normal_of(event.triangle, event.side > 0, got) ? "" : " normal " + hex(got.normal);
   }
   if (got.front.index >= world_.ids.size()) return " front " + name(got.front);
-  const std::string wrong = wrong_face(got, event.a, event.b);
+  const std::string wrong = wrong_wall(got, triangles_at_.at({event.a, event.b}), {DSW_CELL_EDGE});
   if (!wrong.empty()) return wrong;
   const auto real = edges_.find({event.a, event.b});
   if (real != edges_.end()) {
@@ -237,6 +252,10 @@ std::string SweepChecker::wrong_contact(const Sweep& s, const SweepEvent& event,
   }
   if (got.kind != DSW_CONTACT_PLANE || !none(got.edge)) return " kind " + std::to_string(got.kind) + " at a diagonal";
   return wrong_across(s, event, got);
+}
+
+std::string SweepChecker::wrong_event(const Sweep& s, const SweepEvent& event, const dsw_sweep& got) const {
+  return wrong_contact(s, event, got) + wrong_place(s, &event, got);
 }
 
 /// Position and point: at its time and place along the edge, and on the obstacle's edge.
@@ -294,9 +313,10 @@ void SweepChecker::compare(const Sweep& s, dsw_level level, const dsw_sweep& got
     }
     std::string text;
     for (const SweepEvent& e : events) {
-      const std::string fault = wrong_contact(s, e, got) + wrong_place(s, &e, got);
+      const std::string fault = wrong_event(s, e, got);
       if (fault.empty()) text = " ";
-      if (text.empty()) text = fault + ", " + name(e) + " time " + number(e.time) + (e.regular ? "" : " by the shift");
+      if (text.empty())
+        text = fault + ", " + name(e) + " time " + number(e.time) + (e.order == 0 ? "" : " by the shift");
     }
     if (text != " ") wrong(text);
     const Vec n = {got.normal[0], got.normal[1], got.normal[2]};

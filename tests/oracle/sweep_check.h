@@ -7,9 +7,9 @@
 namespace dsw::oracle {
 
 struct SweepTally {
-  uint64_t sweeps = 0, missed = 0, late = 0, early = 0, wrong = 0;
-  uint64_t ties = 0, inside_only = 0, contacts = 0, edge_contacts = 0, not_free = 0;
-  uint64_t faults() const { return missed + late + early + wrong; }
+  uint64_t sweeps = 0, missed = 0, late = 0, early = 0, wrong = 0, not_free_after = 0;
+  uint64_t ties = 0, inside_only = 0, contacts = 0, edge_contacts = 0, face_contacts = 0, not_free = 0, stuck = 0;
+  uint64_t faults() const { return missed + late + early + wrong + not_free_after; }
 };
 
 /// Collects the figures and prints the first faults with all that is needed to see them again.
@@ -18,7 +18,11 @@ class SweepReport {
   explicit SweepReport(int print_most = 20) : print_most_(print_most) {}
   void begin(const std::string& scene, const std::string& reproduce);
   void sweep(const SweepTruth& truth, bool may_start);
-  enum Fault { kMissed, kLate, kEarly, kWrong };
+  /// A step of a body: one vertex moved.
+  void step(const MoveTruth& truth);
+  /// A vertex that stayed where it was although the way was free for a good part of the scene.
+  void stuck();
+  enum Fault { kMissed, kLate, kEarly, kWrong, kNotFreeAfter };
   void fault(Fault fault, const std::string& text);
 
   SweepTally total;
@@ -50,10 +54,15 @@ class SweepChecker {
                        const std::string& how);
   /// The truth against the oracle of casts, and against itself with the triangle's corners exchanged or its path cut.
   void check_truth(const Sweep& sweep);
+  /// What is wrong with a reported contact if `event` is the true one; empty if nothing is.
+  std::string wrong_event(const Sweep& sweep, const SweepEvent& event, const dsw_sweep& got) const;
+  /// The same of front, face, obstacle and tag alone, at an obstacle round which these triangles lie. `alone`: what it may
+  /// be where none of them is impassable.
+  std::string wrong_wall(const dsw_sweep& got, const std::vector<int>& around,
+                         const std::vector<dsw_cell_kind>& alone) const;
 
  private:
   std::string wrong_contact(const Sweep& sweep, const SweepEvent& event, const dsw_sweep& got) const;
-  std::string wrong_face(const dsw_sweep& got, int a, int b) const;
   std::string wrong_across(const Sweep& sweep, const SweepEvent& event, const dsw_sweep& got) const;
   std::string wrong_place(const Sweep& sweep, const SweepEvent* event, const dsw_sweep& got) const;
   bool normal_of(int triangle, bool into_first, const dsw_sweep& got) const;

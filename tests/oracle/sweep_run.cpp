@@ -62,25 +62,11 @@ void call(const Stage& stage, const std::vector<const Sweep*>& sweeps, uint32_t 
   }
 }
 
-void one_scene(const SceneKind& kind, Transform transform, uint64_t seed, uint64_t sweeps, SweepReport& report) {
+void one_scene(const SweepTurn& turn, uint64_t seed, uint64_t sweeps, SweepReport& report) {
   Rng rng(seed);
-  Mesh mesh = kind.make(rng);
-  shuffle_cells(mesh, rng);
-  apply_transform(mesh, transform);
-  for (size_t c = 0; c < mesh.cells.size(); ++c) mesh.tags.push_back(static_cast<uint32_t>(rng.next()));
-  report.begin(kind.name, std::string(kind.name) + transform_name(transform) + " scene seed " + std::to_string(seed));
-  if (may_be_refused(mesh)) return;  // what creation refuses is the casts' concern
-  EnvironmentPtr environment = create_environment(mesh, {}, rng.chance(0.5) ? DSW_ENVIRONMENT_LOCATE_GRID : 0);
-  if (environment == nullptr) {
-    report.fault(SweepReport::kWrong, "a valid mesh was refused");
-    return;
-  }
-  Stage stage(mesh, std::move(environment));
-  if (!stage.world.fault().empty()) {
-    report.fault(SweepReport::kWrong, stage.world.fault());
-    return;
-  }
-  stage.mark(rng, report);
+  const std::unique_ptr<Stage> made = make_stage(turn, seed, rng, report);
+  if (made == nullptr) return;
+  Stage& stage = *made;
   SweepWorld exact(stage.world, stage.wires);
   SweepChecker checker(stage.world, exact, report);
   Sweeps source(stage, exact, rng);
@@ -102,28 +88,14 @@ void one_scene(const SceneKind& kind, Transform transform, uint64_t seed, uint64
 }  // namespace
 
 void run_sweeps(const SweepRunOptions& options, SweepReport& report) {
-  struct Turn {
-    const SceneKind* kind;
-    Transform transform;
-  };
-  std::vector<Turn> turns;
-  for (const SceneKind& kind : sweep_scenes()) {
-    const std::string name = kind.name;
-    if (!options.only.empty() && name != options.only) continue;
-    const bool fine = name == "hex_thin" || name == "tet_slivers" || name == "waist_slivers";
-    const bool wide = name.compare(0, 5, "wide_") == 0;
-    for (int i = 0; i < (wide ? 6 : 2); ++i) turns.push_back({&kind, Transform::kNone});
-    if (!fine) turns.push_back({&kind, Transform::kFar});
-    turns.push_back({&kind, Transform::kLarge});
-    turns.push_back({&kind, Transform::kSmall});
-  }
+  const std::vector<SweepTurn> turns = sweep_turns(options.only);
   Rng rng(options.seed);
   const uint64_t each = std::min<uint64_t>(100, std::max<uint64_t>(10, options.sweeps / (turns.size() + 1)));
   while (report.total.sweeps < options.sweeps && !turns.empty()) {
     const uint64_t before = report.total.sweeps;
-    for (const Turn& turn : turns) {
+    for (const SweepTurn& turn : turns) {
       const uint64_t seed = rng.next() >> 1;
-      if (report.total.sweeps < options.sweeps) one_scene(*turn.kind, turn.transform, seed, each, report);
+      if (report.total.sweeps < options.sweeps) one_scene(turn, seed, each, report);
     }
     if (report.total.sweeps == before) break;  // a defect that keeps every scene from being made
   }

@@ -38,6 +38,43 @@ const std::vector<SceneKind>& sweep_scenes() {
   return kinds;
 }
 
+std::vector<SweepTurn> sweep_turns(const std::string& only) {
+  std::vector<SweepTurn> turns;
+  for (const SceneKind& kind : sweep_scenes()) {
+    const std::string name = kind.name;
+    if (!only.empty() && name != only) continue;
+    const bool fine = name == "hex_thin" || name == "tet_slivers" || name == "waist_slivers";
+    const bool wide = name.compare(0, 5, "wide_") == 0;
+    for (int i = 0; i < (wide ? 6 : 2); ++i) turns.push_back({&kind, Transform::kNone});
+    if (!fine) turns.push_back({&kind, Transform::kFar});
+    turns.push_back({&kind, Transform::kLarge});
+    turns.push_back({&kind, Transform::kSmall});
+  }
+  return turns;
+}
+
+std::unique_ptr<Stage> make_stage(const SweepTurn& turn, uint64_t seed, Rng& rng, SweepReport& report) {
+  Mesh mesh = turn.kind->make(rng);
+  shuffle_cells(mesh, rng);
+  apply_transform(mesh, turn.transform);
+  for (size_t c = 0; c < mesh.cells.size(); ++c) mesh.tags.push_back(static_cast<uint32_t>(rng.next()));
+  report.begin(turn.kind->name,
+               std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " + std::to_string(seed));
+  if (may_be_refused(mesh)) return nullptr;
+  EnvironmentPtr environment = create_environment(mesh, {}, rng.chance(0.5) ? DSW_ENVIRONMENT_LOCATE_GRID : 0);
+  if (environment == nullptr) {
+    report.fault(SweepReport::kWrong, "a valid mesh was refused");
+    return nullptr;
+  }
+  auto stage = std::make_unique<Stage>(mesh, std::move(environment));
+  if (!stage->world.fault().empty()) {
+    report.fault(SweepReport::kWrong, stage->world.fault());
+    return nullptr;
+  }
+  stage->mark(rng, report);
+  return stage;
+}
+
 void Stage::mark(Rng& rng, SweepReport& report) {
   static const double volume_shares[] = {0, 0, 0.05, 0.15}, face_shares[] = {0, 0.03, 0.1, 0.2},
                       wire_shares[] = {0, 0.03, 0.1, 0.3};
@@ -73,6 +110,28 @@ void Stage::mark(Rng& rng, SweepReport& report) {
   if (dsw_environment_mark_volumes(env, ids.data(), ids.size(), DSW_MARK_IMPASSABLE, 0, nullptr) != DSW_STATUS_OK ||
       dsw_environment_mark_faces(env, chosen.data(), chosen.size(), DSW_MARK_IMPASSABLE) != DSW_STATUS_OK ||
       dsw_environment_mark_edges(env, edges.data(), edges.size(), DSW_MARK_IMPASSABLE) != DSW_STATUS_OK) {
+    report.fault(SweepReport::kWrong, std::string("marking failed: ") + dsw_last_error_message());
+  }
+}
+
+void Stage::mark_vertices(Rng& rng, SweepReport& report) {
+  static const double shares[] = {0.02, 0.1, 0.4};
+  const double share = shares[rng.below(3)];
+  std::vector<dsw_vertex_id> ids;
+  std::vector<char> used(world.mesh.points.size(), 0);
+  for (const Triangle& t : world.triangles) {
+    for (int v : t.v) used[static_cast<size_t>(v)] = 1;
+  }
+  for (size_t v = 0; v < used.size(); ++v) {
+    dsw_vertex_id id;
+    if (used[v] == 0 || !rng.chance(share) ||
+        dsw_environment_get_vertex(environment.get(), static_cast<uint32_t>(v), &id) != DSW_STATUS_OK) {
+      continue;
+    }
+    ids.push_back(id);
+    marked_vertices.push_back(static_cast<int>(v));
+  }
+  if (dsw_environment_mark_vertices(environment.get(), ids.data(), ids.size(), DSW_MARK_IMPASSABLE) != DSW_STATUS_OK) {
     report.fault(SweepReport::kWrong, std::string("marking failed: ") + dsw_last_error_message());
   }
 }

@@ -6,7 +6,7 @@
 namespace dsw::oracle {
 namespace {
 
-constexpr int kP = 0, kTo = 1, kQ = 2;
+constexpr size_t kP = 0, kTo = 1, kQ = 2;
 
 using Point = std::array<Big, 3>;
 
@@ -49,11 +49,10 @@ bool apart(const Box& x, const Box& y) {
   return false;
 }
 
-/// Standard part of a ratio of polynomials, 0 <= n <= d and d > 0: the coefficients where d begins.
-size_t order(const Shifted& d) {
-  size_t k = 0;
-  while (sgn(d.c[k]) == 0) ++k;
-  return k;
+/// The standard part of a ratio of polynomials 0 <= n <= d, d > 0, is that of the coefficients where d begins.
+void set_time(SweepEvent& e) {
+  while (sgn(e.denominator.c[e.order]) == 0) ++e.order;
+  e.time = std::min(1.0, floor_to_double(e.numerator.c[e.order], e.denominator.c[e.order]));
 }
 
 }  // namespace
@@ -82,7 +81,12 @@ int compare_times(const SweepEvent& a, const SweepEvent& b) {
   return 0;
 }
 
-SweepWorld::SweepWorld(World& world, const std::vector<std::array<int, 2>>& wires) : world_(world) {
+bool MoveTruth::inside_only() const {
+  return !events.empty() && !path_hit && std::find(new_edge_hit.begin(), new_edge_hit.end(), 1) == new_edge_hit.end();
+}
+
+SweepWorld::SweepWorld(World& world, const std::vector<std::array<int, 2>>& wires, const std::vector<int>& marked)
+    : world_(world) {
   const std::vector<Vec>& raw = world.mesh.points;
   std::set<std::pair<int, int>> edges;
   const auto add_edge = [&](int a, int b) { edges.insert({std::min(a, b), std::max(a, b)}); };
@@ -99,7 +103,7 @@ SweepWorld::SweepWorld(World& world, const std::vector<std::array<int, 2>>& wire
     for (size_t k = 0; k < 3; ++k) add_edge(v[k], v[(k + 1) % 3]);
   }
   for (const auto& wire : wires) add_edge(wire[0], wire[1]);
-  std::set<int> used;
+  std::set<int> used(marked.begin(), marked.end());
   for (const auto& [a, b] : edges) {
     edges_.push_back({a, b, box_of({a, b})});
     used.insert({a, b});
@@ -112,6 +116,7 @@ SweepWorld::SweepWorld(World& world, const std::vector<std::array<int, 2>>& wire
   scaled_.resize(raw.size());
   stamp_.assign(raw.size(), 0);
   for (int v : used) {
+    vertices_.push_back({v, box_of({v})});
     for (size_t k = 0; k < 3; ++k) {
       points_[static_cast<size_t>(v)][k] = to_big(raw[static_cast<size_t>(v)][k], need_);
     }
@@ -123,18 +128,26 @@ SweepWorld::SweepWorld(World& world, const std::vector<std::array<int, 2>>& wire
   }
 }
 
-void SweepWorld::load(const Vec* points, int count) {
+void SweepWorld::load(const std::vector<Vec>& points) {
   int need = need_;
-  for (int i = 0; i < count; ++i) {
-    for (double x : points[i]) need = std::max(need, x == 0 ? 0 : -lowest_exponent(x));
+  for (const Vec& p : points) {
+    for (double x : p) need = std::max(need, x == 0 ? 0 : -lowest_exponent(x));
   }
-  for (int i = 0; i < count; ++i) {
+  raw_ = points;
+  body_.resize(points.size());
+  for (size_t i = 0; i < points.size(); ++i) {
     for (size_t k = 0; k < 3; ++k) body_[i][k] = to_big(points[i][k], need);
   }
   delta_ = static_cast<unsigned>(need - need_);
   unit_ = Big(1) << static_cast<unsigned>(need);
   ++now_;
   tie_ = false;
+}
+
+SweepWorld::Box SweepWorld::body_box(std::initializer_list<size_t> points) const {
+  Box box = {raw_[*points.begin()], raw_[*points.begin()]};
+  for (size_t i : points) take(raw_[i], box.low, box.high);
+  return box;
 }
 
 const SweepWorld::Point& SweepWorld::at(int vertex) {
@@ -164,20 +177,37 @@ int SweepWorld::sign_with_ties(const Big& unshifted, const Point& coefficients) 
 }
 
 // det(y - x, a - x, b - x); the shift of x and y adds s.((y - x) x (b - a)).
-Big SweepWorld::line_value(int x, int y, int a, int b) {
+Big SweepWorld::line_value(size_t x, size_t y, int a, int b) {
   return dot(difference(body_[y], body_[x]), cross(difference(at(a), body_[x]), difference(at(b), body_[x])));
 }
-SweepWorld::Point SweepWorld::line_shift(int x, int y, int a, int b) {
+SweepWorld::Point SweepWorld::line_shift(size_t x, size_t y, int a, int b) {
   return cross(difference(body_[y], body_[x]), difference(at(b), at(a)));
 }
-int SweepWorld::line_sign(int x, int y, int a, int b) {
+int SweepWorld::line_sign(size_t x, size_t y, int a, int b) {
   const Big value = line_value(x, y, a, b);
   return sgn(value) != 0 ? sgn(value) : sign_with_ties(value, line_shift(x, y, a, b));
 }
-Shifted SweepWorld::line(int x, int y, int a, int b) { return shifted(line_value(x, y, a, b), line_shift(x, y, a, b)); }
+Shifted SweepWorld::line(size_t x, size_t y, int a, int b) {
+  return shifted(line_value(x, y, a, b), line_shift(x, y, a, b));
+}
+
+SweepWorld::Point SweepWorld::normal(size_t x, size_t y, size_t z) const {
+  return cross(difference(body_[y], body_[x]), difference(body_[z], body_[x]));
+}
+// n.(vertex - on), on shifted: the shift adds -s.n.
+Shifted SweepWorld::plane(const Point& n, size_t on, int vertex) {
+  Point shift = n;
+  negate(shift);
+  return shifted(dot(n, difference(at(vertex), body_[on])), shift);
+}
+int SweepWorld::plane_sign(const Point& n, size_t on, int vertex) {
+  const Shifted value = plane(n, on, vertex);
+  tie_ = tie_ || sgn(value.c[0]) == 0;
+  return value.sign();
+}
 
 /// +1 when x -> y goes through the triangle along its normal, -1 against it, 0 when it misses.
-int SweepWorld::pierce(int x, int y, const Normal& t) {
+int SweepWorld::pierce(size_t x, size_t y, const Normal& t) {
   const int* v = world_.triangles[static_cast<size_t>(t.triangle)].v;
   const Point& a = at(v[0]);
   const int from = sign_with_ties(dot(t.n, difference(body_[x], a)), t.n);
@@ -188,22 +218,28 @@ int SweepWorld::pierce(int x, int y, const Normal& t) {
   return to;
 }
 
-bool SweepWorld::any_pierced(const Vec* points, int x, int y) {
-  Box box = {points[x], points[x]};
-  take(points[y], box.low, box.high);
-  for (const Normal& t : normals_) {
-    if (!apart(t.box, box) && pierce(x, y, t) != 0) return true;
-  }
-  return false;
+bool SweepWorld::any_pierced(size_t x, size_t y) {
+  const Box box = body_box({x, y});
+  return std::any_of(normals_.begin(), normals_.end(),
+                     [&](const Normal& t) { return !apart(t.box, box) && pierce(x, y, t) != 0; });
 }
 
 bool SweepWorld::blocked(const Vec& x, const Vec& y) {
-  const Vec points[2] = {x, y};
-  load(points, 2);
-  return any_pierced(points, 0, 1);
+  load({x, y});
+  return any_pierced(0, 1);
 }
 
-void SweepWorld::add_vertex_events(const Box& box, std::vector<SweepEvent>& events) {
+bool SweepWorld::blocked(const Vec& x, const Vec& y, const Vec& z) {
+  load({x, y, z});
+  const Point n = normal(0, 1, 2);
+  const Box box = body_box({0, 1, 2});
+  return !is_zero(n) && std::any_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+    return !apart(edge.box, box) && goes_through(edge, 0, 1, 2, n) != 0;
+  });
+}
+
+void SweepWorld::add_path_events(std::vector<SweepEvent>& events) {
+  const Box box = body_box({kP, kTo});
   for (const Normal& t : normals_) {
     if (apart(t.box, box)) continue;
     SweepEvent e;
@@ -221,73 +257,129 @@ void SweepWorld::add_vertex_events(const Box& box, std::vector<SweepEvent>& even
       e.numerator.negate();
       e.denominator.negate();
     }
-    e.time = std::min(1.0, floor_to_double(e.numerator.c[0], e.denominator.c[0]));
+    set_time(e);
     events.push_back(std::move(e));
   }
 }
 
-void SweepWorld::add_edge_events(const Box& box, std::vector<SweepEvent>& events) {
-  const Point n = cross(difference(body_[kTo], body_[kP]), difference(body_[kQ], body_[kP]));
+/// The sign that the three sides of the triangle have beside the obstacle's edge, or 0 if that misses it.
+int SweepWorld::goes_through(const Edge& edge, size_t x, size_t y, size_t z, const Point& n) {
+  if (plane_sign(n, x, edge.a) == plane_sign(n, x, edge.b)) return 0;
+  const int first = line_sign(x, y, edge.a, edge.b);
+  const bool through = line_sign(y, z, edge.a, edge.b) == first && line_sign(z, x, edge.a, edge.b) == first;
+  return through ? first : 0;
+}
+
+void SweepWorld::add_edge_events(size_t number, std::vector<SweepEvent>& events) {
+  const size_t q = kQ + number;
+  const Point n = normal(kP, kTo, q);
   if (is_zero(n)) return;
-  Point shift = n;
-  negate(shift);
-  const auto side = [&](int v) { return sign_with_ties(dot(n, difference(at(v), body_[kP])), shift); };
+  const Box box = body_box({kP, kTo, q});
   for (const Edge& edge : edges_) {
-    if (apart(edge.box, box) || side(edge.a) == side(edge.b)) continue;
-    const int first = line_sign(kP, kTo, edge.a, edge.b);
-    if (line_sign(kTo, kQ, edge.a, edge.b) != first || line_sign(kQ, kP, edge.a, edge.b) != first) continue;
+    const int sign = apart(edge.box, box) ? 0 : goes_through(edge, kP, kTo, q, n);
+    if (sign == 0) continue;
     SweepEvent e;
+    e.edge = static_cast<int>(number);
     e.a = edge.a;
     e.b = edge.b;
     // Weights of p and p' where the edge goes through: they have one sign, and that of q.
-    Shifted weight[2] = {line(kTo, kQ, e.a, e.b), line(kQ, kP, e.a, e.b)};
+    Shifted weight[2] = {line(kTo, q, e.a, e.b), line(q, kP, e.a, e.b)};
     for (Shifted& w : weight) {
-      if (first < 0) w.negate();
+      if (sign < 0) w.negate();
     }
     for (size_t k = 0; k < 4; ++k) e.denominator.c[k] = weight[0].c[k] + weight[1].c[k];
     e.numerator = weight[1];
-    const size_t k = order(e.denominator);
-    e.time = std::min(1.0, floor_to_double(e.numerator.c[k], e.denominator.c[k]));
-    e.regular = k == 0;
+    set_time(e);
     events.push_back(std::move(e));
   }
 }
 
-void SweepWorld::keep_first(std::vector<SweepEvent>& events) {
+void SweepWorld::add_face_events(size_t number, const std::array<size_t, 2>& ends, std::vector<SweepEvent>& events) {
+  const size_t q = kQ + ends[0], r = kQ + ends[1];
+  const Box box = body_box({kP, kTo, q, r});
+  // Each side of the tetrahedron and the corner across from it; the first two are the face before and after.
+  const size_t sides[4][4] = {{q, r, kP, kTo}, {q, r, kTo, kP}, {kP, kTo, q, r}, {kP, kTo, r, q}};
+  Point normals[4];
+  int inner[4];
+  for (size_t i = 0; i < 4; ++i) {
+    normals[i] = normal(sides[i][0], sides[i][1], sides[i][2]);
+    inner[i] = sgn(dot(normals[i], difference(body_[sides[i][3]], body_[sides[i][0]])));
+  }
+  if (inner[0] == 0) return;  // flat: its edges' triangles cover it
+  for (const Vertex& v : vertices_) {
+    if (apart(v.box, box)) continue;
+    size_t inside = 0;
+    while (inside < 4 && plane_sign(normals[inside], sides[inside][0], v.vertex) == inner[inside]) ++inside;
+    if (inside < 4) continue;
+    SweepEvent e;
+    e.face = static_cast<int>(number);
+    e.vertex = v.vertex;
+    // Linear in time, and of opposite signs at the ends.
+    e.numerator = plane(normals[0], q, v.vertex);
+    const Shifted after = plane(normals[1], q, v.vertex);
+    for (size_t k = 0; k < 4; ++k) e.denominator.c[k] = e.numerator.c[k] - after.c[k];
+    if (inner[0] < 0) {
+      e.numerator.negate();
+      e.denominator.negate();
+    }
+    set_time(e);
+    events.push_back(std::move(e));
+  }
+}
+
+/// Keeps the first and what has exactly its time. Whether several have its standard part: a tie too.
+bool SweepWorld::keep_first(std::vector<SweepEvent>& events) {
   std::vector<SweepEvent> first;
-  for (SweepEvent& e : events) {
+  for (const SweepEvent& e : events) {
     const int c = first.empty() ? 0 : compare_times(e, first[0]);
     if (c > 0) continue;
     if (c < 0) first.clear();
-    first.push_back(std::move(e));
+    first.push_back(e);
+  }
+  int at_once = 0;
+  for (const SweepEvent& e : events) {
+    if (first[0].order > 0 || e.order > 0) continue;
+    at_once += first[0].numerator.c[0] * e.denominator.c[0] == e.numerator.c[0] * first[0].denominator.c[0];
   }
   events = std::move(first);
+  return at_once > 1;
 }
 
 SweepTruth SweepWorld::sweep(const Vec& from, const Vec& to, const Vec& fixed) {
-  const Vec points[3] = {from, to, fixed};
-  load(points, 3);
+  load({from, to, fixed});
   SweepTruth truth;
   truth.start = world_.locate(world_.body(from.data()));
-  truth.start_free = !any_pierced(points, kP, kQ);
-  truth.new_edge_hit = any_pierced(points, kTo, kQ);
-  Box box = {from, from};
-  take(to, box.low, box.high);
-  add_vertex_events(box, truth.path);
+  truth.start_free = !any_pierced(kP, kQ);
+  truth.new_edge_hit = any_pierced(kTo, kQ);
+  add_path_events(truth.path);
   truth.path_hit = !truth.path.empty();
   truth.swept = truth.path;
-  take(fixed, box.low, box.high);
-  add_edge_events(box, truth.swept);
-  const std::vector<SweepEvent> all = truth.swept;
+  add_edge_events(0, truth.swept);
   keep_first(truth.path);
-  keep_first(truth.swept);
-  // Two features at one time are a tie too.
-  int at_once = 0;
-  for (const SweepEvent& e : all) {
-    const SweepEvent& first = truth.swept[0];
-    at_once += first.regular && e.numerator.c[0] * first.denominator.c[0] == first.numerator.c[0] * e.denominator.c[0];
+  const bool at_once = keep_first(truth.swept);
+  truth.tie = tie_ || at_once;
+  return truth;
+}
+
+MoveTruth SweepWorld::move(const VertexMove& move, dsw_level level) {
+  std::vector<Vec> points = {move.from, move.to};
+  points.insert(points.end(), move.fixed.begin(), move.fixed.end());
+  load(points);
+  MoveTruth truth;
+  add_path_events(truth.events);
+  truth.path_hit = !truth.events.empty();
+  if (level > DSW_LEVEL_POINTS) {
+    truth.new_edge_hit.resize(move.fixed.size());
+    for (size_t i = 0; i < move.fixed.size(); ++i) truth.new_edge_hit[i] = any_pierced(kTo, kQ + i) ? 1 : 0;
+    for (size_t i = 0; i < move.fixed.size(); ++i) {
+      if (level > DSW_LEVEL_EDGES || truth.path_hit || truth.new_edge_hit[i] != 0) add_edge_events(i, truth.events);
+    }
   }
-  truth.tie = tie_ || at_once > 1;
+  if (level == DSW_LEVEL_FACES) {
+    for (size_t i = 0; i < move.faces.size(); ++i) add_face_events(i, move.faces[i], truth.events);
+  }
+  const bool at_once = keep_first(truth.events);
+  truth.tie = tie_ || at_once;
   return truth;
 }
 

@@ -1,0 +1,152 @@
+// Vertices are looked up, edges cast and faces swept by one of their edges, each once, as when a body is created; only what overlaps
+// the box of the new obstacles is looked at.
+
+#include "scene/body_probe.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/assert.h"
+#include "base/error.h"
+#include "environment/marking.h"
+
+namespace dsw {
+namespace {
+
+/** Takes back the marks of the cells that a cast enters. */
+struct Unmarking {
+  Environment<3>& env;
+  size_t count = 0;
+
+  static void enter(void* user, Cell, uint32_t, Cell to) {
+    auto& self = *static_cast<Unmarking*>(user);
+    self.count += set_cell_mark(self.env, to, false) ? 1u : 0u;
+  }
+};
+
+}  // namespace
+
+Box::Box() noexcept {
+  std::fill(lower, lower + 3, std::numeric_limits<double>::infinity());
+  std::fill(upper, upper + 3, -std::numeric_limits<double>::infinity());
+}
+
+void Box::add(const double* point) noexcept {
+  for (int k = 0; k < 3; ++k) {
+    lower[k] = std::min(lower[k], point[k]);
+    upper[k] = std::max(upper[k], point[k]);
+  }
+}
+
+bool Box::overlaps(const double* const* points, int count) const noexcept {
+  for (int k = 0; k < 3; ++k) {
+    double low = points[0][k], high = low;
+    for (int i = 1; i < count; ++i) {
+      low = std::min(low, points[i][k]);
+      high = std::max(high, points[i][k]);
+    }
+    if (low > upper[k] || high < lower[k]) return false;
+  }
+  return true;
+}
+
+BodyProbe::BodyProbe(const Environment<3>& env, const Box& changed, Obstacle kind)
+    : env_(env), changed_(changed), kind_(kind), flood_(env) {}
+
+/** Each calls visit(index) for what is not free, until it returns false; whether it never did. */
+template <class Visit>
+bool BodyProbe::visit_vertices(const Body& body, Visit visit) {
+  if (kind_ != Obstacle::kCells) return true;
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    const double* const at = body.position(v);
+    if (!body.has_vertex(v) || !changed_.overlaps(&at, 1) || !env_.map.marked(body.vertices[v].cell)) continue;
+    if (!visit(v)) return false;
+  }
+  return true;
+}
+
+template <class Visit>
+bool BodyProbe::visit_edges(const Body& body, Visit visit) {
+  if (kind_ == Obstacle::kWires || body.level == SweepLevel::kPoints) return true;
+  uint32_t edges[kWave];
+  wave_.clear();
+  const auto run = [&] {
+    wave_.run(env_, nullptr);
+    bool go_on = true;
+    for (uint32_t i = 0; i < wave_.count() && go_on; ++i) {
+      if (wave_.result(i).end == CastEnd::kHit) go_on = visit(edges[i]);
+    }
+    wave_.clear();
+    return go_on;
+  };
+  for (uint32_t e = 0; e < body.edges.size(); ++e) {
+    if (!body.has_edge(e)) continue;
+    const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
+    const double* const ends[2] = {a.position, b.position};
+    if (!changed_.overlaps(ends, 2)) continue;
+    edges[wave_.count()] = e;
+    wave_.add(env_, a.cell, a.position, b.position);
+    if (wave_.full() && !run()) return false;
+  }
+  return run();
+}
+
+/** Vertices and edges of the body are free. */
+template <class Visit>
+bool BodyProbe::visit_faces(const Body& body, Visit visit) {
+  if (body.level != SweepLevel::kFaces) return true;
+  for (uint32_t f = 0; f < body.faces.size(); ++f) {
+    if (!body.has_face(f)) continue;
+    const uint32_t* const c = body.faces[f].corners;
+    const double* const corners[3] = {body.position(c[0]), body.position(c[1]), body.position(c[2])};
+    if (changed_.overlaps(corners, 3) && !sweep_face(body, f) && !visit(f)) return false;
+  }
+  return true;
+}
+
+/** Whether a face is free: the triangle that its first edge sweeps over it. If not, flood_ has all contacts. */
+bool BodyProbe::sweep_face(const Body& body, uint32_t face) {
+  const uint32_t* const c = body.faces[face].corners;
+  const EdgeMotion m{body.position(c[0]), body.position(c[1]), body.position(c[2])};
+  return flood_.sweep(m, body.vertices[c[0]].cell, 0, true).end == SweepEnd::kFree;
+}
+
+bool BodyProbe::is_free(const Body& body) {
+  const auto stop = [](uint32_t) { return false; };
+  return visit_vertices(body, stop) && visit_edges(body, stop) && visit_faces(body, stop);
+}
+
+size_t BodyProbe::leave_out(Environment<3>& env, const Body& body) {
+  Unmarking passed{env};
+  visit_vertices(body, [&](uint32_t v) {
+    Unmarking::enter(&passed, {}, 0, body.vertices[v].cell);
+    return true;
+  });
+  visit_edges(body, [&](uint32_t e) {
+    // All on its way was passable before, so that every mark there is new; one flight through them finds them all.
+    CastRequest request;
+    request.from = body.position(body.edges[e].ends[0]);
+    request.to = body.position(body.edges[e].ends[1]);
+    request.start = body.vertices[body.edges[e].ends[0]].cell;
+    request.through_walls = true;
+    request.crossing = Unmarking::enter;
+    request.crossing_user = &passed;
+    cast(env_, request, nullptr);
+    return true;
+  });
+  visit_faces(body, [&](uint32_t f) {
+    do {
+      const size_t before = passed.count;
+      for (const SweepContact& contact : flood_.all()) {
+        const HalfFacet behind = contact.facet.valid() ? env_.map.opposite(contact.facet) : HalfFacet{};
+        if (behind.valid()) Unmarking::enter(&passed, {}, 0, env_.map.cell_of(behind));
+      }
+      DSW_ASSERT(passed.count != before);
+      if (passed.count == before) fail(DSW_STATUS_OCCUPIED, "face %u of a body meets what was impassable before", f);
+    } while (!sweep_face(body, f));
+    return true;
+  });
+  return passed.count;
+}
+
+}  // namespace dsw

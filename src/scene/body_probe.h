@@ -1,0 +1,53 @@
+#pragma once
+// Whether bodies stay free when something becomes impassable.
+
+#include "body/body.h"
+#include "motion/sweep.h"
+#include "motion/wave.h"
+
+namespace dsw {
+
+/** An axis-parallel box that grows. It is closed, so that what lies apart from it stays apart whatever the shift. */
+struct Box {
+  double lower[3], upper[3];
+
+  Box() noexcept;
+  void add(const double* point) noexcept;
+  /** Whether it overlaps the box of these points. */
+  bool overlaps(const double* const* points, int count) const noexcept;
+};
+
+/** What has become impassable. */
+enum class Obstacle { kCells, kFacets, kWires };
+
+/** Looks for what of a body meets obstacles that appeared inside of a box while the body, free until then, stood still. At every level
+ * vertices lie in cells; edges are stopped by facets from EDGES on; at FACES facets and wires pierce faces. The shift lets neither
+ * an edge meet a wire nor anything a single vertex. */
+class BodyProbe {
+ public:
+  /** Throws std::bad_alloc, as all that follows. */
+  BodyProbe(const Environment<3>& env, const Box& changed, Obstacle kind);
+
+  /** O(size of the body + volumes met by edges and faces in the box). */
+  bool is_free(const Body& body);
+
+  /** Takes back the marks of the cells that the body meets. All of them have just been set. Returns how many there were. */
+  size_t leave_out(Environment<3>& env, const Body& body);
+
+ private:
+  template <class Visit>
+  bool visit_vertices(const Body& body, Visit visit);
+  template <class Visit>
+  bool visit_edges(const Body& body, Visit visit);
+  template <class Visit>
+  bool visit_faces(const Body& body, Visit visit);
+  bool sweep_face(const Body& body, uint32_t face);
+
+  const Environment<3>& env_;
+  Box changed_;
+  Obstacle kind_;
+  SweepFlood flood_;
+  Wave<3> wave_;
+};
+
+}  // namespace dsw

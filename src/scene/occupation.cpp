@@ -1,0 +1,195 @@
+// Bodies are tested after the marks have been set, so that one cast or sweep tells whether any of them is in the way; only what really
+// changed is remembered, and taken back where it must not be. Without bodies nothing is remembered.
+
+#include "scene/occupation.h"
+
+#include <cstdio>
+
+#include "base/error.h"
+#include "scene/body_probe.h"
+
+namespace dsw {
+namespace {
+
+bool set_mark(Environment<3>& env, Cell c, bool marked) noexcept { return set_cell_mark(env, c, marked); }
+bool set_mark(Environment<3>& env, HalfFacet h, bool marked) noexcept { return set_facet_mark(env, h, marked); }
+bool set_mark(Environment<3>& env, Dart d, bool marked) noexcept {
+  return set_edge_mark(env, dart_vertex(env.map, d), dart_target(env.map, d), marked);
+}
+
+Obstacle obstacle_of(Cell) { return Obstacle::kCells; }
+Obstacle obstacle_of(HalfFacet) { return Obstacle::kFacets; }
+Obstacle obstacle_of(Dart) { return Obstacle::kWires; }
+
+void add_to(Box& box, const Environment<3>& env, Cell c) noexcept {
+  for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) box.add(env.point(c, i));
+}
+void add_to(Box& box, const Environment<3>& env, HalfFacet h) noexcept {
+  const Cell c = env.map.cell_of(h);
+  const Shape shape = env.map.shape(c);
+  const uint32_t facet = env.map.local_of(h, c);
+  for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
+    box.add(env.point(c, shape.dart_vertex(d)));
+  }
+}
+void add_to(Box& box, const Environment<3>& env, Dart d) noexcept {
+  box.add(env.point(dart_vertex(env.map, d)));
+  box.add(env.point(dart_target(env.map, d)));
+}
+
+/** Marks that are gone again unless they are kept. */
+template <class Item>
+class Trial {
+ public:
+  Trial(Environment<3>& env, const Memory* memory) : env_(env), changed_(Allocator<Item>(memory)) {}
+  ~Trial() {
+    for (const Item item : changed_) set_mark(env_, item, false);
+  }
+  Trial(const Trial&) = delete;
+  Trial& operator=(const Trial&) = delete;
+
+  void mark(Item item) {
+    changed_.push_back(item);  // first, because it may throw
+    if (set_mark(env_, item, true)) {
+      add_to(box_, env_, item);
+    } else {
+      changed_.pop_back();
+    }
+  }
+  void keep() noexcept { changed_.clear(); }
+  bool empty() const noexcept { return changed_.empty(); }
+  const Box& box() const noexcept { return box_; }
+
+ private:
+  Environment<3>& env_;
+  Array<Item> changed_;
+  Box box_;
+};
+
+[[noreturn]] void refuse(const Scene<3>& scene) {
+  const size_t particles = scene.occupants.size(), bodies = scene.occupant_bodies.size();
+  if (particles == 0) {
+    const dsw_body_id first = scene.occupant_bodies[0];
+    fail(DSW_STATUS_OCCUPIED, "%zu bodies are in the way; the first is {index %u, generation %u}", bodies, first.index,
+         first.generation);
+  }
+  char others[48] = "";
+  if (bodies != 0) std::snprintf(others, sizeof others, "; so are %zu bodies", bodies);
+  const dsw_particle_id first = scene.occupants[0];
+  fail(DSW_STATUS_OCCUPIED, "%zu particles are in the way; the first is {index %u, generation %u} in volume %u%s",
+       particles, first.index, first.generation, scene.env.map.index(scene.particles[first.index].cell), others);
+}
+
+void find_occupant_bodies(Scene<3>& scene, BodyProbe& probe) {
+  for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
+    const uint32_t generation = scene.body_slots.generation(slot);
+    if (!scene.body_slots.alive(slot, generation) || probe.is_free(scene.bodies[slot].body)) continue;
+    scene.occupant_bodies.push_back({slot, generation});
+  }
+}
+
+/** Takes the marks of occupied cells back: an occupied cell was passable before. Returns how many there were. */
+size_t leave_out_particles(Environment<3>& env, const Scene<3>& scene) noexcept {
+  size_t left_out = 0;
+  for (const dsw_particle_id id : scene.occupants) {
+    left_out += set_cell_mark(env, scene.particles[id.index].cell, false) ? 1u : 0u;
+  }
+  return left_out;
+}
+
+/** Marks the items that for_each(visit) visits; scene.occupants has the particles among them. Returns how many were left out. */
+template <class Item, class ForEach>
+size_t try_marks(Environment<3>& env, Scene<3>& scene, bool skip_occupied, ForEach for_each) {
+  Trial<Item> trial(env, scene.memory);
+  for_each([&](Item item) { trial.mark(item); });
+  if (trial.empty()) return 0;
+  BodyProbe probe(env, trial.box(), obstacle_of(Item{}));
+  find_occupant_bodies(scene, probe);
+  const bool occupied = !scene.occupants.empty() || !scene.occupant_bodies.empty();
+  if (occupied && !skip_occupied) refuse(scene);
+  size_t left_out = leave_out_particles(env, scene);
+  for (const dsw_body_id id : scene.occupant_bodies) left_out += probe.leave_out(env, scene.bodies[id.index].body);
+  trial.keep();
+  return left_out;
+}
+
+/** Sets marks; find_particles() fills scene->occupants, which is empty. */
+template <class Item, class FindParticles, class ForEach>
+size_t set_marks(Environment<3>& env, Scene<3>* scene, bool marked, bool skip_occupied, FindParticles find_particles,
+                 ForEach for_each) {
+  const auto set_all = [&] { for_each([&](Item item) { set_mark(env, item, marked); }); };
+  if (!marked || scene == nullptr) {
+    set_all();
+    return 0;
+  }
+  try {
+    find_particles();
+    if (scene->body_slots.alive_count() != 0) return try_marks<Item>(env, *scene, skip_occupied, for_each);
+  } catch (const std::bad_alloc&) {
+    clear_occupants(scene);
+    throw;
+  }
+  if (!scene->occupants.empty() && !skip_occupied) refuse(*scene);
+  set_all();
+  return leave_out_particles(env, *scene);
+}
+
+template <class Item>
+auto each_of(const Item* items, size_t count) {
+  return [=](auto visit) {
+    for (size_t i = 0; i < count; ++i) visit(items[i]);
+  };
+}
+
+constexpr auto kNoParticles = [] {};
+
+}  // namespace
+
+void clear_occupants(Scene<3>* scene) noexcept {
+  if (scene == nullptr) return;
+  scene->occupants.clear();
+  scene->occupant_bodies.clear();
+}
+
+size_t mark_cells(Environment<3>& env, Scene<3>* scene, const Cell* cells, size_t count, bool marked,
+                  bool skip_occupied) {
+  const auto find = [&] { find_occupants(*scene, cells, count); };
+  return set_marks<Cell>(env, scene, marked, skip_occupied, find, each_of(cells, count));
+}
+
+void mark_facets(Environment<3>& env, Scene<3>* scene, const HalfFacet* facets, size_t count, bool marked) {
+  set_marks<HalfFacet>(env, scene, marked, false, kNoParticles, each_of(facets, count));
+}
+
+void mark_edges(Environment<3>& env, Scene<3>* scene, const Dart* edges, size_t count, bool marked) {
+  if (marked) reserve_edge_marks(env, count);
+  set_marks<Dart>(env, scene, marked, false, kNoParticles, each_of(edges, count));
+}
+
+size_t mark_region(Environment<3>& env, Scene<3>* scene, int32_t region, bool marked, bool skip_occupied,
+                   size_t* left_out) {
+  size_t count = 0;
+  const auto find = [&] { find_occupants_of_region(*scene, region); };
+  const auto for_each = [&](auto visit) {
+    for_each_cell_of_region(env, region, [&](Cell c) {
+      visit(c);
+      ++count;
+    });
+  };
+  *left_out = set_marks<Cell>(env, scene, marked, skip_occupied, find, for_each);
+  return count;
+}
+
+size_t mark_between(Environment<3>& env, Scene<3>* scene, int32_t a, int32_t b, bool marked) {
+  size_t count = 0;
+  const auto for_each = [&](auto visit) {
+    for_each_facet_between(env, a, b, [&](HalfFacet h) {
+      visit(h);
+      ++count;
+    });
+  };
+  set_marks<HalfFacet>(env, scene, marked, false, kNoParticles, for_each);
+  return count;
+}
+
+}  // namespace dsw

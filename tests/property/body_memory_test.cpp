@@ -1,0 +1,207 @@
+// Memory that runs out at every single point of a call: nothing has changed and nothing is lost.
+#include "body_support.h"
+
+#include <cstdlib>
+
+namespace dsw::oracle {
+namespace {
+
+/// Refuses the call number `refuse`, counted from 1; 0: none.
+struct Memory {
+  size_t calls = 0, refuse = 0, alive = 0;
+};
+
+void* allocate(void* user, size_t size, size_t alignment) {
+  auto& memory = *static_cast<Memory*>(user);
+  if (++memory.calls == memory.refuse) return nullptr;
+  ++memory.alive;
+  return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+}
+void release(void* user, void* block, size_t, size_t) {
+  --static_cast<Memory*>(user)->alive;
+  std::free(block);
+}
+void one_after_the_other(void*, dsw_task_fn task, void* data, size_t count) {
+  for (size_t i = 0; i < count; ++i) task(data, i);
+}
+
+class BodyMemoryTest : public BodyTest {
+ protected:
+  void SetUp() override {
+    dsw_context_desc desc;
+    dsw_context_desc_init(&desc, sizeof desc);
+    desc.user = &memory_;
+    desc.allocate = allocate;
+    desc.release = release;
+    desc.parallel_for = one_after_the_other;
+    dsw_context* context = nullptr;
+    ASSERT_EQ(dsw_context_create(&desc, &context), DSW_STATUS_OK);
+    context_.reset(context);
+    place_ = place_of(hex_grid(axis(4, 1), axis(4, 1), axis(3, 1)), 0, context);
+    ASSERT_PLACE(place_);
+    scene_ = make_scene(place_.get());
+  }
+  void TearDown() override {
+    scene_.reset();
+    place_.environment.reset();
+    context_.reset();
+    EXPECT_EQ(memory_.alive, 0u);
+  }
+
+  /// Refuses one allocation later each time until `call` succeeds; `unchanged` holds after each failure.
+  template <class Call, class Unchanged>
+  size_t until_it_succeeds(Call call, Unchanged unchanged) {
+    for (size_t refusals = 0; refusals < 2000; ++refusals) {
+      memory_.refuse = memory_.calls + refusals + 1;
+      const dsw_status status = call();
+      memory_.refuse = 0;
+      if (status == DSW_STATUS_OK) return refusals;
+      EXPECT_EQ(status, DSW_STATUS_OUT_OF_MEMORY) << dsw_last_error_message();
+      EXPECT_TRUE(unchanged()) << "after refusal " << refusals;
+      if (HasFailure()) return refusals;
+    }
+    ADD_FAILURE() << "it never succeeds";
+    return 0;
+  }
+
+  Memory memory_;
+  ContextPtr context_;
+};
+
+TEST_F(BodyMemoryTest, CreatingABody) {
+  dsw_body_id body = {0, 0};
+  const BodyPlan plan = tetrahedron({0.5, 0.5, 0.5}, 0.75);
+  const size_t before = memory_.alive;
+  const size_t refusals =
+      until_it_succeeds([&] { return create_body(scene(), plan, DSW_LEVEL_FACES, DSW_BODY_SEQUENCES, {}, &body); },
+                        [&] { return body.generation == 0 && body_count() == 0 && memory_.alive <= before + 2; });
+  EXPECT_GT(refusals, 2u);
+  EXPECT_EQ(read(body).faces.size(), 4u);
+}
+
+TEST_F(BodyMemoryTest, MovingABody) {
+  mark_wall(1, 1, 1);
+  mark_wire(2, 2, 1);
+  for (uint32_t flags : {0u, 7u}) {  // none, and all that are lossless
+    for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
+      const BodyPlan plan = tetrahedron({0.5, 1.5, 1.25}, 0.75);
+      const dsw_body_id body = make(plan, level, flags), twin = make(plan, level, flags);
+      std::vector<Vec> targets = plan.at;
+      for (Vec& p : targets) p = {p[0] + 2.25, p[1] + 0.125, p[2]};
+      dsw_move_options options = default_options();
+      options.vertex_response = DSW_RESPONSE_SLIDE;
+      options.edge_response = DSW_RESPONSE_HYBRID;
+      const std::string before = bits_of(read(body));
+      dsw_move_report report, untouched;
+      std::memset(&report, 0x55, sizeof report);
+      untouched = report;
+      until_it_succeeds(
+          [&] { return dsw_body_move(scene(), body, targets[0].data(), targets.size(), 0, &options, &report); },
+          [&] { return bits_of(read(body)) == before && std::memcmp(&report, &untouched, sizeof report) == 0; });
+      // What failed before leaves no trace in the answer.
+      BodyAnswer one, other;
+      EXPECT_EQ(move_body(scene(), twin, targets, &options, other), "");
+      one.after = read(body);
+      EXPECT_EQ(bits_of(one.after), bits_of(other.after));
+      EXPECT_EQ(std::memcmp(&report, &other.report, sizeof report), 0);
+    }
+  }
+}
+
+TEST_F(BodyMemoryTest, EditingABody) {
+  const dsw_body_id body = make(tetrahedron({0.5, 0.5, 0.5}, 0.75), DSW_LEVEL_FACES);
+  std::string before = bits_of(read(body));
+  const auto unchanged = [&] { return bits_of(read(body)) == before; };
+  const auto edge = read(body).edge_ids[0];
+  dsw_body_edit split;
+  until_it_succeeds([&] { return dsw_body_split_edge(scene(), body, edge, 0.5, &split); }, unchanged);
+  before = bits_of(read(body));
+  until_it_succeeds([&] { return dsw_body_collapse_edge(scene(), body, split.rest, split.vertex, nullptr); },
+                    unchanged);
+  before = bits_of(read(body));
+  dsw_body_vertex_id vertex;
+  const double at[3] = {0.25, 0.25, 0.25};
+  for (int i = 0; i < 20; ++i) {  // past what was kept
+    until_it_succeeds([&] { return dsw_body_add_vertex(scene(), body, at, {0, 0}, &vertex); }, unchanged);
+    before = bits_of(read(body));
+    dsw_body_edge_id added;
+    const dsw_body_vertex_id first = read(body).vertices[0];
+    until_it_succeeds([&] { return dsw_body_add_edge(scene(), body, first, vertex, &added); }, unchanged);
+    before = bits_of(read(body));
+  }
+  until_it_succeeds([&] { return dsw_body_set_level(scene(), body, DSW_LEVEL_POINTS); }, unchanged);
+  until_it_succeeds([&] { return dsw_body_set_level(scene(), body, DSW_LEVEL_FACES); }, unchanged);
+}
+
+TEST_F(BodyMemoryTest, MovingManyBodies) {
+  std::vector<dsw_body_id> bodies;
+  std::vector<double> targets;
+  std::string before;
+  for (int i = 0; i < 30; ++i) {
+    const BodyPlan plan = segment({0.5, 0.5, 0.03 * i + 0.1}, {1.25, 0.75, 0.03 * i + 0.1});
+    bodies.push_back(make(plan));
+    for (const Vec& p : plan.at) targets.insert(targets.end(), {p[0] + 1.5, p[1] + 2, p[2] + (i % 2 == 0 ? 0.5 : 5)});
+    before += bits_of(read(bodies.back()));
+  }
+  const size_t refusals = until_it_succeeds(
+      [&] {
+        return dsw_scene_move_bodies(scene(), bodies.data(), bodies.size(), targets.data(), targets.size() / 3, 0,
+                                     nullptr, nullptr);
+      },
+      [&] {
+        std::string now;
+        for (dsw_body_id b : bodies) now += bits_of(read(b));
+        return now == before;
+      });
+  EXPECT_GT(refusals, 2u);
+}
+
+TEST_F(BodyMemoryTest, AMoveThatFailedLeavesContactsAndTheirHistory) {
+  mark_wall(0, 0, 0);
+  const dsw_body_id body = make(segment({0.5, 0.5, 0.5}, {0.75, 0.5, 0.5}));
+  const std::vector<Vec> to = {{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}};
+  BodyAnswer first;
+  ASSERT_EQ(move_body(scene(), body, to, nullptr, first), "");
+  ASSERT_EQ(first.contacts.size(), 1u);
+  const dsw_contact* contacts = nullptr;
+  size_t count = 0;
+  dsw_move_options options = default_options();
+  options.search = DSW_SEARCH_ALL;
+  until_it_succeeds(
+      [&] { return dsw_body_move(scene(), body, to[0].data(), to.size(), 0, &options, nullptr); },
+      [&] { return dsw_body_get_contacts(scene(), body, &contacts, &count) == DSW_STATUS_OK && count == 1; });
+  ASSERT_EQ(dsw_body_get_contacts(scene(), body, &contacts, &count), DSW_STATUS_OK);
+  ASSERT_EQ(count, 1u);
+  EXPECT_EQ(contacts[0].history, DSW_HISTORY_LASTING);
+}
+
+TEST_F(BodyMemoryTest, ARigidMoveWhoseLastVertexIsStopped) {
+  mark_wall(1, 0, 0);
+  // The others have arrived when the memory for the contact of the last one is asked for.
+  for (int tries = 0; tries < 4; ++tries) {
+    const double x = 0.5 + 0.25 * tries;
+    const dsw_body_id body = make({{{0.25, 0.5, 0.5}, {0.25, 0.75, 0.5}, {x, 0.5, 0.5}}, {{0, 1}, {0, 2}}, {}});
+    const std::string before = bits_of(read(body));
+    dsw_rigid_motion motion;
+    std::memset(&motion, 0, sizeof motion);
+    motion.rotation[3] = 1;
+    motion.translation[0] = 1.625;
+    until_it_succeeds([&] { return dsw_body_move_rigid(scene(), body, &motion, nullptr, nullptr); },
+                      [&] { return bits_of(read(body)) == before; });
+  }
+}
+
+TEST_F(BodyMemoryTest, ARigidMove) {
+  mark_wall(1, 0, 0);
+  const dsw_body_id body = make(tetrahedron({0.5, 0.5, 0.5}, 0.25), DSW_LEVEL_FACES);
+  const std::string before = bits_of(read(body));
+  dsw_rigid_motion motion;
+  std::memset(&motion, 0, sizeof motion);
+  motion.rotation[2] = motion.rotation[3] = 1;
+  motion.translation[0] = 2;
+  until_it_succeeds([&] { return dsw_body_move_rigid(scene(), body, &motion, nullptr, nullptr); },
+                    [&] { return bits_of(read(body)) == before; });
+}
+
+}  // namespace
+}  // namespace dsw::oracle

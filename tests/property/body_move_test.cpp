@@ -1,0 +1,303 @@
+// Moves of bodies: what is refused, what each level meets, and what the report says.
+#include "body_support.h"
+
+namespace dsw::oracle {
+namespace {
+
+constexpr Vec kA = {0.5, 0.5, 0.5}, kB = {0.75, 0.5, 0.5};
+
+class BodyMoveTest : public BodyTest {
+ protected:
+  BodyAnswer move(dsw_body_id body, const std::vector<Vec>& targets, const dsw_move_options* options = nullptr) {
+    BodyAnswer answer;
+    EXPECT_EQ(move_body(scene(), body, targets, options, answer), "");
+    return answer;
+  }
+  /// Contacts of the last move included.
+  std::string everything(dsw_body_id body) {
+    BodyAnswer answer;
+    const dsw_contact* contacts = nullptr;
+    size_t count = 0;
+    EXPECT_EQ(dsw_body_get_contacts(scene(), body, &contacts, &count), DSW_STATUS_OK);
+    answer.contacts.assign(contacts, contacts + count);
+    answer.after = read(body);
+    return bits_of(answer) + bits_of(answer.after);
+  }
+  void refuse(dsw_status status, dsw_body_id body, const std::vector<Vec>& targets, size_t count, size_t stride,
+              const dsw_move_options* options) {
+    const std::string before = everything(body);
+    dsw_move_report report, untouched;
+    std::memset(&report, 0x55, sizeof report);
+    std::memset(&untouched, 0x55, sizeof untouched);
+    EXPECT_EQ(dsw_body_move(scene(), body, targets[0].data(), count, stride, options, &report), status)
+        << dsw_last_error_message();
+    EXPECT_EQ(std::memcmp(&report, &untouched, sizeof report), 0);
+    EXPECT_EQ(everything(body), before);
+  }
+};
+
+TEST_F(BodyMoveTest, ArgumentsThatAreRefusedChangeNothing) {
+  const dsw_body_id body = make(segment(kA, kB));
+  ASSERT_EQ(move(body, {{0.25, 0.5, 0.5}, {-5, 0.5, 0.5}}).contacts.size(), 1u);
+  const std::vector<Vec> back = {kA, kB};
+  refuse(DSW_STATUS_WRONG_SIZE, body, back, 1, 0, nullptr);
+  refuse(DSW_STATUS_WRONG_SIZE, body, {kA, kB, kA}, 3, 0, nullptr);
+  refuse(DSW_STATUS_WRONG_SIZE, body, back, 2, 16, nullptr);
+  refuse(DSW_STATUS_NON_FINITE, body, {kA, {0.5, NAN, 0.5}}, 2, 0, nullptr);
+  refuse(DSW_STATUS_NON_FINITE, body, {kA, {0.5, HUGE_VAL, 0.5}}, 2, 0, nullptr);
+  const auto with = [&](dsw_status status, auto set) {
+    dsw_move_options options = default_options();
+    set(options);
+    refuse(status, body, back, 2, 0, &options);
+  };
+  static const uint32_t beyond[] = {0, 2}, twice[] = {1, 1};
+  with(DSW_STATUS_OUT_OF_RANGE, [](dsw_move_options& o) { o.order = beyond, o.order_count = 2; });
+  with(DSW_STATUS_DUPLICATE_ID, [](dsw_move_options& o) { o.order = twice, o.order_count = 2; });
+  with(DSW_STATUS_OUT_OF_RANGE, [](dsw_move_options& o) { o.bisection_depth = 53; });
+  with(DSW_STATUS_OUT_OF_RANGE, [](dsw_move_options& o) { o.min_part = 0.6; });
+  with(DSW_STATUS_OUT_OF_RANGE, [](dsw_move_options& o) { o.min_part = -0.1; });
+  with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.flags = 1; });
+  with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.search = static_cast<dsw_search>(3); });
+  with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.edge_response = static_cast<dsw_response>(5); });
+  with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.vertex_response = DSW_RESPONSE_HYBRID; });
+  with(DSW_STATUS_BAD_STRUCT_SIZE, [](dsw_move_options& o) { o.struct_size = 8; });
+  EXPECT_EQ(dsw_body_move(scene(), body, nullptr, 2, 0, nullptr, nullptr), DSW_STATUS_NULL_ARGUMENT);
+  EXPECT_EQ(dsw_body_move(nullptr, body, back[0].data(), 2, 0, nullptr, nullptr), DSW_STATUS_NULL_ARGUMENT);
+}
+
+TEST_F(BodyMoveTest, TargetsOfVerticesThatDoNotMoveAreNotRead) {
+  const dsw_body_id body = make({{kA, kB, {0.5, 0.75, 0.5}}, {{0, 1}}, {}});
+  dsw_move_options options = default_options();
+  const uint32_t order[] = {1};
+  options.order = order;
+  options.order_count = 1;
+  const Vec nothing = {NAN, NAN, NAN}, to = {0.875, 0.5, 0.5};
+  BodyAnswer answer = move(body, {nothing, to, nothing}, &options);
+  EXPECT_EQ(answer.after.at[1], to);
+  EXPECT_EQ(answer.after.at[0], kA);
+  EXPECT_EQ(answer.report.vertices_moved, 1u);
+  ASSERT_EQ(dsw_body_remove_vertex(scene(), body, answer.after.vertices[2]), DSW_STATUS_OK);
+  answer = move(body, {kA, kB, nothing});
+  EXPECT_EQ(answer.report.vertices_moved, 2u);
+  const uint32_t gone[] = {2};
+  options.order = gone;
+  refuse(DSW_STATUS_OUT_OF_RANGE, body, {kA, kB, kA}, 3, 0, &options);
+}
+
+TEST_F(BodyMoveTest, EachLevelMeetsWhatItSays) {
+  // Across the wire at (2, 2), whose ends are far from the plane of the motion; and a marked vertex.
+  mark_wire(2, 2, 1);
+  const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {2.75, 1.5, 1.5};
+  for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
+    const dsw_body_id body = make(segment(from, fixed), level);
+    const BodyAnswer answer = move(body, {to, fixed});
+    ASSERT_EQ(answer.contacts.size(), level >= DSW_LEVEL_EDGES_SWEPT ? 1u : 0u) << level;
+    EXPECT_EQ(answer.report.vertices_stopped, answer.contacts.size());
+    EXPECT_EQ(answer.report.fraction, 1);
+    if (answer.contacts.empty()) continue;
+    const dsw_contact& c = answer.contacts[0];
+    EXPECT_EQ(c.kind, DSW_CONTACT_EDGE);
+    EXPECT_EQ(c.cause, DSW_CELL_EDGE);
+    EXPECT_EQ(c.wall.generation, 0u);
+    EXPECT_TRUE(c.vertex.index == 0 && c.edge.generation == 1 && c.face.generation == 0);
+    EXPECT_EQ(c.point[0], 2);
+    EXPECT_EQ(c.point[1], 2);
+    EXPECT_EQ(c.history, DSW_HISTORY_NEW);
+  }
+}
+
+TEST_F(BodyMoveTest, ALoneMarkedVertexIsMetByFacesOnly) {
+  const dsw_vertex_id marked = {point(2, 2, 1), 1};
+  ASSERT_EQ(dsw_environment_mark_vertices(place_.get(), &marked, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+  const Vec p = {2, 1.5, 0.5}, q = {1.25, 2.75, 1}, r = {2.75, 2.75, 1}, to = {2, 1.5, 1.75};
+  for (dsw_level level : {DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
+    const dsw_body_id body = make({{p, q, r}, {}, {{0, 1, 2}}}, level);
+    const BodyAnswer answer = move(body, {to, q, r});
+    ASSERT_EQ(answer.contacts.size(), level == DSW_LEVEL_FACES ? 1u : 0u);
+    if (answer.contacts.empty()) continue;
+    const dsw_contact& c = answer.contacts[0];
+    EXPECT_EQ(c.kind, DSW_CONTACT_VERTEX);
+    EXPECT_EQ(c.cause, DSW_CELL_VERTEX);
+    EXPECT_TRUE(c.obstacle.kind == DSW_CELL_VERTEX && c.obstacle.index == marked.index);
+    EXPECT_TRUE(c.face.generation == 1 && c.edge.generation == 0 && c.wall.generation == 0);
+    EXPECT_TRUE(c.point[0] == 2 && c.point[1] == 2 && c.point[2] == 1);
+    EXPECT_EQ(c.time, std::nextafter(0.4, 0));  // 2/5, rounded down
+    EXPECT_LT(c.normal[2], 0);
+  }
+}
+
+TEST_F(BodyMoveTest, APushThatLastsSaysSo) {
+  mark_wall(0, 0, 0);
+  const dsw_body_id body = make(segment(kA, kB));
+  const std::vector<Vec> to = {kA, {1.5, 0.5, 0.5}};
+  BodyAnswer answer = move(body, to);
+  ASSERT_EQ(answer.contacts.size(), 1u);
+  EXPECT_EQ(answer.contacts[0].history, DSW_HISTORY_NEW);
+  answer = move(body, to);
+  ASSERT_EQ(answer.contacts.size(), 1u);
+  EXPECT_EQ(answer.contacts[0].history, DSW_HISTORY_LASTING);
+  EXPECT_EQ(move(body, {kA, kB}).contacts.size(), 0u);
+  answer = move(body, to);
+  ASSERT_EQ(answer.contacts.size(), 1u);
+  EXPECT_EQ(answer.contacts[0].history, DSW_HISTORY_NEW);
+}
+
+TEST_F(BodyMoveTest, AStopLastsWhicheverObstaclesWereListedBesideIt) {
+  mark_wire(2, 2, 1);
+  mark_wire(3, 2, 1);
+  const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {3.75, 1.5, 1.5};
+  const dsw_body_id body = make(segment(from, fixed));
+  dsw_move_options options = default_options();
+  options.search = DSW_SEARCH_ALL;
+  ASSERT_EQ(move(body, {to, fixed}, &options).contacts.size(), 2u);
+  const BodyAnswer again = move(body, {to, fixed});
+  ASSERT_EQ(again.contacts.size(), 1u);
+  EXPECT_EQ(again.contacts[0].history, DSW_HISTORY_LASTING);
+}
+
+TEST_F(BodyMoveTest, AllObstaclesUnderTheEdgeComeInTheirOrder) {
+  mark_wire(2, 2, 1);
+  mark_wire(3, 2, 1);
+  const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {3.75, 1.5, 1.5};
+  const dsw_body_id body = make(segment(from, fixed)), twin = make(segment(from, fixed));
+  dsw_move_options options = default_options();
+  options.search = DSW_SEARCH_ALL;
+  const BodyAnswer all = move(body, {to, fixed}, &options), exact = move(twin, {to, fixed});
+  ASSERT_EQ(all.contacts.size(), 2u);
+  ASSERT_EQ(exact.contacts.size(), 1u);
+  EXPECT_LT(all.contacts[0].time, all.contacts[1].time);
+  EXPECT_EQ(all.contacts[0].time, exact.contacts[0].time);
+  EXPECT_EQ(all.contacts[0].point[0], 2);
+  EXPECT_EQ(all.contacts[1].point[0], 3);
+  EXPECT_EQ(all.after.at, exact.after.at);
+}
+
+TEST_F(BodyMoveTest, AllObstaclesAtEdgesAreThoseOfTheEdgesThatWereHit) {
+  // The edge to vertex 1 passes a wire and ends free, so at EDGES it is not looked at; that to vertex 2 ends in a wall.
+  mark_wire(1, 1, 1);
+  mark_wall(2, 1, 1);
+  const BodyPlan plan = {{{0.5, 0.5, 1.5}, {1.25, 2.25, 1.5}, {2.75, 2.5, 1.5}}, {{0, 1}, {0, 2}}, {}};
+  const std::vector<Vec> to = {{3.5, 0.5, 1.5}, plan.at[1], plan.at[2]};
+  const dsw_body_id body = make(plan, DSW_LEVEL_EDGES), twin = make(plan, DSW_LEVEL_EDGES);
+  dsw_move_options options = default_options();
+  options.search = DSW_SEARCH_ALL;
+  const BodyAnswer exact = move(twin, to), all = move(body, to, &options);
+  ASSERT_EQ(exact.contacts.size(), 1u);
+  EXPECT_TRUE(exact.contacts[0].point[0] == 3 && exact.contacts[0].point[1] == 1);
+  ASSERT_GE(all.contacts.size(), 1u);
+  EXPECT_EQ(all.contacts.size(), 1u);
+  EXPECT_EQ(all.contacts[0].time, exact.contacts[0].time);
+}
+
+TEST_F(BodyMoveTest, AnInsertedVertexIsReportedAndSplitsItsEdge) {
+  mark_wire(2, 2, 1);
+  const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {2.75, 1.5, 1.5};
+  for (dsw_response response : {DSW_RESPONSE_ADAPTIVE_ONE, DSW_RESPONSE_ADAPTIVE_MANY, DSW_RESPONSE_HYBRID}) {
+    const dsw_body_id body = make(segment(from, fixed));
+    dsw_move_options options = default_options();
+    options.edge_response = response;
+    const BodyAnswer answer = move(body, {to, fixed}, &options);
+    EXPECT_GE(answer.contacts.size(), 1u);
+    ASSERT_GE(answer.report.edit_count, 1u);
+    const dsw_body_edit* edits = nullptr;
+    size_t count = 0;
+    ASSERT_EQ(dsw_body_get_edits(scene(), body, &edits, &count), DSW_STATUS_OK);
+    ASSERT_EQ(count, answer.report.edit_count);
+    EXPECT_TRUE(edits[0].inserted == 1 && edits[0].vertex.index == 2 && edits[0].reserved == 0);
+    EXPECT_EQ(answer.after.edges.size(), 1 + count);
+    EXPECT_EQ(answer.after.at[0], to);
+    EXPECT_EQ(answer.report.vertices_stopped, 0u);
+  }
+}
+
+TEST(BodySlideTest, TargetsAtTheEndOfTheDoublesLeaveNumbers) {
+  // Oblique walls: a projection of such a move may overflow.
+  Rng rng(5);
+  const Mesh mesh = delaunay(rng, 14, 64);
+  const EnvironmentPtr environment = create_environment(mesh);
+  const ScenePtr scene = make_scene(environment.get());
+  dsw_move_options options = default_options();
+  options.vertex_response = DSW_RESPONSE_SLIDE;
+  options.edge_response = DSW_RESPONSE_SLIDE;
+  for (int i = 0; i < 200; ++i) {
+    BodyPlan plan;
+    for (int v = 0; v < 2; ++v) plan.at.push_back({rng.range(16, 48), rng.range(16, 48), rng.range(16, 48)});
+    plan.edges = {{0, 1}};
+    dsw_body_id body;
+    if (create_body(scene.get(), plan, DSW_LEVEL_EDGES_SWEPT, 0, {}, &body) != DSW_STATUS_OK) continue;
+    std::vector<Vec> targets = plan.at;
+    for (Vec& t : targets) {
+      for (double& x : t) x = rng.chance(0.7) ? (rng.chance(0.5) ? 1.7e308 : -1.7e308) : x;
+    }
+    BodyAnswer answer;
+    ASSERT_EQ(move_body(scene.get(), body, targets, &options, answer), "");
+    for (const Vec& p : answer.after.at) {
+      for (double x : p) ASSERT_TRUE(std::isfinite(x)) << i << ": " << hex(p);
+    }
+    for (const dsw_contact& c : answer.contacts) {
+      for (size_t k = 0; k < 3; ++k) {
+        ASSERT_TRUE(std::isfinite(c.from[k]) && std::isfinite(c.to[k])) << i << ": " << hex(c.from) << hex(c.to);
+        ASSERT_TRUE(std::isfinite(c.position[k])) << i << ": " << hex(c.position);
+        ASSERT_TRUE(std::isfinite(c.point[k]) && std::isfinite(c.normal[k])) << i << ": " << hex(c.point);
+      }
+      ASSERT_TRUE(c.time >= 0 && c.time <= 1) << i;
+    }
+    dsw_body_destroy(scene.get(), body);
+  }
+}
+
+class BodyRigidTest : public BodyMoveTest {
+ protected:
+  dsw_rigid_motion shift(const Vec& by) const {
+    dsw_rigid_motion m;
+    std::memset(&m, 0, sizeof m);
+    m.rotation[3] = 1;
+    for (size_t k = 0; k < 3; ++k) m.translation[k] = by[k];
+    return m;
+  }
+};
+
+TEST_F(BodyRigidTest, AFreeMotionIsMadeWhole) {
+  const dsw_body_id body = make(tetrahedron(kA, 0.25));
+  const BodyState before = read(body);
+  dsw_move_report report;
+  const dsw_rigid_motion m = shift({2, 1, 0.5});
+  ASSERT_EQ(dsw_body_move_rigid(scene(), body, &m, nullptr, &report), DSW_STATUS_OK);
+  EXPECT_EQ(report.fraction, 1);
+  EXPECT_EQ(report.contact_count, 0u);
+  const BodyState after = read(body);
+  for (size_t v = 0; v < 4; ++v) {
+    for (size_t k = 0; k < 3; ++k) EXPECT_EQ(after.at[v][k], before.at[v][k] + m.translation[k]);
+  }
+}
+
+TEST_F(BodyRigidTest, AWallLeavesAFractionThatIsFree) {
+  mark_wall(1, 0, 0);
+  const dsw_body_id body = make(tetrahedron(kA, 0.25), DSW_LEVEL_FACES);
+  dsw_move_report report;
+  const dsw_rigid_motion m = shift({3, 0, 0});
+  ASSERT_EQ(dsw_body_move_rigid(scene(), body, &m, nullptr, &report), DSW_STATUS_OK);
+  EXPECT_LT(report.fraction, 1);
+  EXPECT_EQ(report.fraction, 0.25);  // halved twice: 1.5 does not fit
+  const BodyState after = read(body);
+  for (size_t v = 0; v < 4; ++v) EXPECT_LE(after.at[v][0], 2);
+  EXPECT_GE(report.contact_count, 1u);
+}
+
+TEST_F(BodyRigidTest, MotionsThatAreNone) {
+  const dsw_body_id body = make(segment(kA, kB));
+  const std::string before = everything(body);
+  dsw_rigid_motion m = shift({0, 0, 0});
+  m.rotation[3] = 0;
+  EXPECT_EQ(dsw_body_move_rigid(scene(), body, &m, nullptr, nullptr), DSW_STATUS_OUT_OF_RANGE);
+  m = shift({NAN, 0, 0});
+  EXPECT_EQ(dsw_body_move_rigid(scene(), body, &m, nullptr, nullptr), DSW_STATUS_NON_FINITE);
+  m = shift({0, 0, 0});
+  m.rotation[0] = HUGE_VAL;
+  EXPECT_EQ(dsw_body_move_rigid(scene(), body, &m, nullptr, nullptr), DSW_STATUS_NON_FINITE);
+  EXPECT_EQ(dsw_body_move_rigid(scene(), body, nullptr, nullptr, nullptr), DSW_STATUS_NULL_ARGUMENT);
+  EXPECT_EQ(everything(body), before);
+}
+
+}  // namespace
+}  // namespace dsw::oracle
