@@ -207,7 +207,7 @@ void edit_body(Subject* s, Bytes* bytes) {
   double point[3];
   const Subject before = *s;
   dsw_status status = DSW_STATUS_OK;
-  switch (bytes->below(9)) {
+  switch (bytes->below(10)) {
     case 0:
       bytes->point(point);
       status = dsw_body_add_vertex(s->scene, s->id, point, {0, 0}, &vertex);
@@ -232,6 +232,9 @@ void edit_body(Subject* s, Bytes* bytes) {
       break;
     case 7:
       status = dsw_body_collapse_edge(s->scene, s->id, edge, a, nullptr);
+      break;
+    case 8:  // what a body occupies stays passable
+      mark_something(dsw_scene_get_environment(s->scene), bytes);
       break;
     default:
       status = dsw_body_set_level(s->scene, s->id, static_cast<dsw_level>(bytes->below(6)));
