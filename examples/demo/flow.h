@@ -1,4 +1,4 @@
-/* Where the lumen leads: directions for the cloud and the chain, found by walking from volume to volume. */
+/* Where the lumen leads: directions for the cloud and the catheters, found by walking from volume to volume. */
 #ifndef DARTSWEEP_DEMO_FLOW_H
 #define DARTSWEEP_DEMO_FLOW_H
 

@@ -17,37 +17,6 @@ dsw_volume_id pick_volume(const dsw_environment* environment, Bytes* bytes) {
   return id;
 }
 
-void mark_something(dsw_environment* environment, Bytes* bytes) {
-  const dsw_volume_id volume = pick_volume(environment, bytes);
-  const dsw_mark mark = bytes->below(4) != 0 ? DSW_MARK_IMPASSABLE : DSW_MARK_PASSABLE;
-  size_t count = 0;
-  switch (bytes->below(6)) {
-    case 0:
-      dsw_environment_mark_volumes(environment, &volume, 1, mark, DSW_MARK_SKIP_OCCUPIED, &count);
-      break;
-    case 1:
-      dsw_environment_mark_region(environment, bytes->byte(), mark, 0, &count, nullptr);
-      break;
-    case 2:
-      dsw_environment_mark_between(environment, bytes->byte() % 3, bytes->byte() % 3, mark, &count);
-      break;
-    case 3: {
-      const dsw_edge_id edge = {volume.index, volume.generation, bytes->byte()};
-      dsw_environment_mark_edges(environment, &edge, 1, mark);
-      break;
-    }
-    case 4: {
-      const dsw_vertex_id vertex = {bytes->byte(), 1};
-      dsw_environment_mark_vertices(environment, &vertex, 1, mark);
-      break;
-    }
-    default: {
-      const dsw_face_id face = {volume.index, volume.generation, bytes->below(8)};
-      dsw_environment_mark_faces(environment, &face, 1, mark);
-    }
-  }
-}
-
 void locate_something(const dsw_environment* environment, bool is_partition, Bytes* bytes) {
   double point[3];
   bytes->point(point);
@@ -165,6 +134,37 @@ dsw_flight cast(const dsw_environment* environment, dsw_volume_id start, const d
   require(flight.outcome != DSW_OUTCOME_NONE && flight.outcome != DSW_OUTCOME_WORK_LIMIT, "a cast ends somewhere");
   require(flight.time >= 0.0 && flight.time <= 1.0, "a time is a fraction");
   return flight;
+}
+
+void mark_something(dsw_environment* environment, Bytes* bytes) {
+  const dsw_volume_id volume = pick_volume(environment, bytes);
+  const dsw_mark mark = bytes->below(4) != 0 ? DSW_MARK_IMPASSABLE : DSW_MARK_PASSABLE;
+  size_t count = 0;
+  switch (bytes->below(6)) {
+    case 0:
+      dsw_environment_mark_volumes(environment, &volume, 1, mark, DSW_MARK_SKIP_OCCUPIED, &count);
+      break;
+    case 1:
+      dsw_environment_mark_region(environment, bytes->byte(), mark, 0, &count, nullptr);
+      break;
+    case 2:
+      dsw_environment_mark_between(environment, bytes->byte() % 3, bytes->byte() % 3, mark, &count);
+      break;
+    case 3: {
+      const dsw_edge_id edge = {volume.index, volume.generation, bytes->byte()};
+      dsw_environment_mark_edges(environment, &edge, 1, mark);
+      break;
+    }
+    case 4: {
+      const dsw_vertex_id vertex = {bytes->byte(), 1};
+      dsw_environment_mark_vertices(environment, &vertex, 1, mark);
+      break;
+    }
+    default: {
+      const dsw_face_id face = {volume.index, volume.generation, bytes->below(8)};
+      dsw_environment_mark_faces(environment, &face, 1, mark);
+    }
+  }
 }
 
 void use_environment(dsw_environment* environment, bool is_partition, Bytes* bytes) {

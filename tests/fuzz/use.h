@@ -9,7 +9,10 @@ namespace dsw_fuzz {
 /** Marks, locates, casts, sweeps, moves. `is_partition`: whether dsw_environment_check found nothing. */
 void use_environment(dsw_environment* environment, bool is_partition, Bytes* bytes);
 
-/** Creates a body, moves and edits it, and checks it after each; nothing is marked meanwhile. */
+/** Marks one cell, a region, or what is between two; any answer is fine. */
+void mark_something(dsw_environment* environment, Bytes* bytes);
+
+/** Creates a body, moves and edits it, marks cells round it, and checks it after each. */
 void use_body(dsw_scene* scene, bool is_partition, Bytes* bytes);
 
 /** Casts one segment and checks what a report always promises. */

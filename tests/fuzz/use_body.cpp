@@ -103,14 +103,15 @@ void check_body(Subject* s) {
   require(dsw_body_set_level(s->scene, s->id, level) == DSW_STATUS_OK, "a body is free at its level");
 }
 
-void check_contact(const Subject& s, const dsw_contact& c, bool is_exact) {
+void check_contact(const Subject& s, const dsw_contact& c, dsw_search search) {
   require(c.time >= 0 && c.time <= 1 && c.along >= 0 && c.along <= 1, "a contact has a time and a place on the edge");
   require(is_unit(c.normal) && all_finite(c.point, 3) && all_finite(c.position, 3), "normal, point and position");
   require(c.kind != DSW_CONTACT_NONE && c.obstacle.kind != DSW_CELL_NONE && c.cause != DSW_CELL_NONE, "with something");
   require(c.history == DSW_HISTORY_NEW || c.history == DSW_HISTORY_LASTING, "new or lasting");
   require(c.edge.generation == 0 || c.face.generation == 0, "an edge or a face");
   require(c.vertex.generation != 0 && c.front.generation != 0 && c.distance_left >= 0, "a contact is whole");
-  if (!s.is_partition || !is_exact || c.face.generation != 0) return;
+  if (!s.is_partition || search == DSW_SEARCH_BISECTION || c.face.generation != 0) return;
+  const bool all = search == DSW_SEARCH_ALL;  // obstacles behind the first come with their own times
   const dsw_environment* environment = dsw_scene_get_environment(s.scene);
   const dsw_volume_id none = {0, 0};
   if (c.edge.generation != 0) {
@@ -118,21 +119,23 @@ void check_contact(const Subject& s, const dsw_contact& c, bool is_exact) {
     require(dsw_environment_sweep_edges(environment, 1, nullptr, c.from, c.to, c.fixed[0], 0, nullptr, &sweep) ==
                 DSW_STATUS_OK,
             "a contact can be swept again");
-    require(sweep.outcome == DSW_OUTCOME_CONTACT && sweep.time == c.time, "the edge meets it at that time");
+    require(sweep.outcome == DSW_OUTCOME_CONTACT && (sweep.time == c.time || (all && sweep.time < c.time)),
+            "the edge meets it at that time");
   } else {
     dsw_flight flight = {};
     require(dsw_environment_cast(environment, none, c.from, c.to, nullptr, &flight) == DSW_STATUS_OK, "a cast");
-    require(flight.outcome == DSW_OUTCOME_CONTACT && flight.time == c.time, "the vertex meets it at that time");
+    require(flight.outcome == DSW_OUTCOME_CONTACT && (flight.time == c.time || (all && flight.time < c.time)),
+            "the vertex meets it at that time");
   }
 }
 
-void check_results(const Subject& s, const dsw_move_report& report, bool is_exact) {
+void check_results(const Subject& s, const dsw_move_report& report, dsw_search search) {
   const dsw_contact* contacts = nullptr;
   const dsw_body_edit* edits = nullptr;
   size_t count = 0;
   require(dsw_body_get_contacts(s.scene, s.id, &contacts, &count) == DSW_STATUS_OK, "contacts");
   require(count == report.contact_count, "as many contacts as it says");
-  for (size_t i = 0; i < count; ++i) check_contact(s, contacts[i], is_exact);
+  for (size_t i = 0; i < count; ++i) check_contact(s, contacts[i], search);
   require(dsw_body_get_edits(s.scene, s.id, &edits, &count) == DSW_STATUS_OK && count == report.edit_count, "edits");
   require(report.fraction >= 0 && report.fraction <= 1, "a fraction");
   require(report.vertices_stopped <= report.vertices_moved && report.edges_skipped <= report.edges_swept, "parts");
@@ -169,7 +172,7 @@ void move_body(Subject* s, Bytes* bytes) {
   const dsw_status status = dsw_body_move(s->scene, s->id, targets.data(), s->volumes.size(), 0, &options, &report);
   require((status == DSW_STATUS_OK) == finite, "a move to all finite targets and no others");
   if (status != DSW_STATUS_OK) return;
-  check_results(*s, report, options.search != DSW_SEARCH_BISECTION);
+  check_results(*s, report, options.search);
   if (report.vertices_stopped != 0 || report.edit_count != 0) return;
   Subject now = *s;
   now.read();
@@ -189,7 +192,7 @@ void move_rigid(Subject* s, Bytes* bytes) {
   bytes->point(motion.translation);
   dsw_move_report report = {};
   if (dsw_body_move_rigid(s->scene, s->id, &motion, nullptr, &report) != DSW_STATUS_OK) return;
-  check_results(*s, report, true);
+  check_results(*s, report, DSW_SEARCH_EXACT);
   require(report.edit_count == 0 && report.contact_count <= 1, "a rigid body has no edits, and one first contact");
 }
 
@@ -204,7 +207,7 @@ void edit_body(Subject* s, Bytes* bytes) {
   double point[3];
   const Subject before = *s;
   dsw_status status = DSW_STATUS_OK;
-  switch (bytes->below(9)) {
+  switch (bytes->below(10)) {
     case 0:
       bytes->point(point);
       status = dsw_body_add_vertex(s->scene, s->id, point, {0, 0}, &vertex);
@@ -229,6 +232,9 @@ void edit_body(Subject* s, Bytes* bytes) {
       break;
     case 7:
       status = dsw_body_collapse_edge(s->scene, s->id, edge, a, nullptr);
+      break;
+    case 8:  // what a body occupies stays passable
+      mark_something(dsw_scene_get_environment(s->scene), bytes);
       break;
     default:
       status = dsw_body_set_level(s->scene, s->id, static_cast<dsw_level>(bytes->below(6)));
