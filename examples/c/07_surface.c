@@ -45,6 +45,7 @@ static dsw_body_id create_body(dsw_scene *scene, dsw_level level) {
   desc.face_offsets = offsets;
   desc.face_corners = corners; /* edges follow from them */
   desc.face_count = 4;
+  desc.face_corner_count = 12;
   check(dsw_body_create(scene, &desc, &body) == DSW_STATUS_OK, "creating a body");
   return body;
 }

@@ -94,6 +94,7 @@ static dsw_status create_body(const demo_fall *fall, dsw_scene *scene, dsw_body_
   desc.face_offsets = offsets;
   desc.face_corners = s->corners;
   desc.face_count = s->triangle_count;
+  desc.face_corner_count = 3 * s->triangle_count;
   dsw_status status = dsw_body_create(scene, &desc, body);
   free(offsets);
   return status;

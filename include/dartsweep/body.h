@@ -46,7 +46,8 @@ typedef struct dsw_body_desc {
    * triangles round their first corner; the diagonals become edges. */
   const uint32_t *face_offsets;
   const uint32_t *face_corners;
-  size_t face_count;
+  size_t face_count;        /**< face_offsets has one more entry. */
+  size_t face_corner_count; /**< Entries of face_corners: the last of face_offsets. */
   double motion_share; /**< For DSW_BODY_SKIP_BY_MOTION; 0 means 0.1. */
 } dsw_body_desc;
 
@@ -122,6 +123,19 @@ DSW_API dsw_status dsw_body_get_edge(const dsw_scene *scene, dsw_body_id body, d
 DSW_API dsw_status dsw_body_get_face(const dsw_scene *scene, dsw_body_id body, dsw_body_face_id face,
                                      dsw_body_vertex_id *vertices);
 
+/** Id of the vertex with an index. @return DSW_STATUS_OUT_OF_RANGE (not below the slots, or free). @note O(1). Thread: reader.
+ * @since 0.1 */
+DSW_API dsw_status dsw_body_get_vertex(const dsw_scene *scene, dsw_body_id body, uint32_t index,
+                                       dsw_body_vertex_id *vertex);
+/** Ends of all edges at once, by index: two vertex indices each, UINT32_MAX in free slots. @param vertices [out] 2 * `capacity` numbers.
+ * @param count [out] edge slots. @return DSW_STATUS_BUFFER_TOO_SMALL: only `count` was set. @note O(slots). Thread: reader.
+ * @since 0.1 */
+DSW_API dsw_status dsw_body_get_edge_vertices(const dsw_scene *scene, dsw_body_id body, uint32_t *vertices,
+                                              size_t capacity, size_t *count);
+/** Corners of all triangles, likewise: three vertex indices each. @note O(slots). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_body_get_face_vertices(const dsw_scene *scene, dsw_body_id body, uint32_t *vertices,
+                                              size_t capacity, size_t *count);
+
 /** Adds a vertex without edges. @param hint [in] a volume near it, or null id.
  * @return as dsw_particle_create. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_add_vertex(dsw_scene *scene, dsw_body_id body, const double *position, dsw_volume_id hint,
@@ -134,7 +148,8 @@ DSW_API dsw_status dsw_body_add_edge(dsw_scene *scene, dsw_body_id body, dsw_bod
  * dsw_body_create. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
                                      dsw_body_vertex_id c, dsw_body_face_id *face);
-/** Remove a face; an edge with its faces; a vertex with its edges and faces. Always possible.
+/** Remove a face; an edge with its faces; a vertex with its edges and faces. Always possible, also where the faces left at a vertex
+ * form several fans then.
  * @return DSW_STATUS_STALE_ID. @note O(what is round it). Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_remove_face(dsw_scene *scene, dsw_body_id body, dsw_body_face_id face);
 DSW_API dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge);

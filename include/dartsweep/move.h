@@ -44,6 +44,9 @@ typedef struct dsw_move_options {
   dsw_response edge_response;   /**< When an edge or face of it touches; STOP by default. */
   dsw_search search;            /**< EXACT by default. */
   uint32_t bisection_depth;     /**< 1 to 52; 0 means 20. */
+  uint32_t max_cells; /**< Work limit: volumes that the sweep of one vertex's path, of one edge or one face may look at; 0: none. A
+                           vertex that comes to it stops there, free and without a contact. */
+  uint32_t reserved;  /**< 0. */
   double min_part;              /**< Least part of an edge that a split leaves, in (0,0.5]; 0 means 0.25. */
   double min_length;            /**< Least length of such a part, scene units. 0: none, then parts can get ever smaller. */
   /** Distance kept from a wall that is touched, a dial without guarantee, scene units. Negative: none. 0: 1e-9 of the size of the
@@ -66,6 +69,8 @@ typedef struct dsw_move_report {
   uint32_t edit_count;       /**< See dsw_body_get_edits. */
   uint32_t edges_swept;      /**< Sweeps of edges that a level above POINTS asks for, both ends counted. */
   uint32_t edges_skipped;    /**< Of these: left out by the body's flags. */
+  uint32_t vertices_limited; /**< Of vertices_stopped: by the work limit. */
+  uint32_t reserved;         /**< 0. */
 } dsw_move_report;
 
 /** Writes the defaults and struct_size into at most `size` bytes. @note Thread: any. @since 0.1 */

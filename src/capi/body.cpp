@@ -45,10 +45,15 @@ dsw::BodyDescription to_description(const dsw::Scene<3>& scene, const dsw_body_d
   out.edges = d.edges;
   out.edge_count = d.edge_count;
   capi::require_array(d.face_offsets, d.face_count, "desc->face_offsets");
-  capi::require_array(d.face_corners, d.face_count, "desc->face_corners");
+  capi::require_array(d.face_corners, d.face_corner_count, "desc->face_corners");
+  if (d.face_count != 0 && (d.face_offsets[0] != 0 || d.face_offsets[d.face_count] != d.face_corner_count)) {
+    fail(DSW_STATUS_WRONG_SIZE, "desc->face_offsets go from %u to %u, must go from 0 to face_corner_count, %zu",
+         d.face_offsets[0], d.face_offsets[d.face_count], d.face_corner_count);
+  }
   out.face_offsets = d.face_offsets;
   out.face_corners = d.face_corners;
   out.face_count = d.face_count;
+  out.face_corner_count = d.face_corner_count;
   return out;
 }
 
@@ -204,6 +209,35 @@ dsw_status dsw_body_get_faces(const dsw_scene* scene, dsw_body_id body, dsw_body
   return capi::guard("dsw_body_get_faces", [&] {
     const dsw::Body& b = capi::BodyAccess(scene, body).body;
     copy_ids(b.faces, b.face_slots, faces, capacity, count);
+  });
+}
+
+dsw_status dsw_body_get_vertex(const dsw_scene* scene, dsw_body_id body, uint32_t index, dsw_body_vertex_id* vertex) {
+  return capi::guard("dsw_body_get_vertex", [&] {
+    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    capi::require(vertex, "vertex");
+    if (!b.has_vertex(index)) {
+      fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, which names no vertex; there are %zu slots", index, b.vertices.size());
+    }
+    *vertex = vertex_id(b, index);
+  });
+}
+
+dsw_status dsw_body_get_edge_vertices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
+                                      size_t* count) {
+  return capi::guard("dsw_body_get_edge_vertices", [&] {
+    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    capi::check_capacity(b.edges.size(), capacity, vertices, count);
+    for (size_t e = 0; e < b.edges.size(); ++e) std::copy_n(b.edges[e].ends, 2, vertices + 2 * e);
+  });
+}
+
+dsw_status dsw_body_get_face_vertices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
+                                      size_t* count) {
+  return capi::guard("dsw_body_get_face_vertices", [&] {
+    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    capi::check_capacity(b.faces.size(), capacity, vertices, count);
+    for (size_t f = 0; f < b.faces.size(); ++f) std::copy_n(b.faces[f].corners, 3, vertices + 3 * f);
   });
 }
 

@@ -31,6 +31,8 @@ dsw::MoveSettings to_settings(const dsw_move_options& o) {
   s.edge = static_cast<dsw::Response>(
       to_number(capi::raw_value(o.edge_response), DSW_RESPONSE_SLIDE, "options->edge_response"));
   s.search = static_cast<dsw::Search>(to_number(capi::raw_value(o.search), DSW_SEARCH_BISECTION, "options->search"));
+  if (o.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "options->reserved is %u, must be 0", o.reserved);
+  s.max_cells = o.max_cells;
   if (o.bisection_depth > 52) {
     fail(DSW_STATUS_OUT_OF_RANGE, "options->bisection_depth is %u, must be 1 to 52, or 0", o.bisection_depth);
   }
@@ -92,7 +94,9 @@ void write_report(const dsw::MoveRecord& record, dsw_move_report* report) noexce
              static_cast<uint32_t>(record.contacts.size()),
              static_cast<uint32_t>(record.edits.size()),
              record.sweeps.swept,
-             record.sweeps.skipped};
+             record.sweeps.skipped,
+             record.limited,
+             0};
 }
 
 /** A rigid motion with its quaternion of length 1. */

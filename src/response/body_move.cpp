@@ -38,6 +38,7 @@ BodyMove::BodyMove(const Environment<3>& env)
 
 void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record) {
   record.clear();
+  sweeps_.max_cells = settings.max_cells;
   start(body, order, targets);
   const bool edits = settings.may_edit();
   before_.assign(body.vertices.begin(), body.vertices.end());
@@ -75,6 +76,7 @@ void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveS
 
 void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record) {
   record.clear();
+  sweeps_.max_cells = 0;
   before_.assign(body.vertices.begin(), body.vertices.end());
   places_.resize(3 * body.vertices.size());
   double fraction = 1;
@@ -118,7 +120,7 @@ bool BodyMove::try_together(Body& body, PlaceFn where, const void* user, double 
     // The first in doubt has met something: all before it have arrived.
     StarContact first;
     Cell cell;
-    if (record.contacts.empty() && sweeps_.find_first(body, v, targets[v], &first, &cell)) {
+    if (record.contacts.empty() && sweeps_.find_first(body, v, targets[v], &first, &cell) == SweepEnd::kContact) {
       record.contacts.push_back(describe(env_, body, v, targets[v], first));
     }
     std::copy(before_.begin(), before_.end(), body.vertices.begin());
@@ -177,7 +179,7 @@ void BodyMove::measure_clearances(Body& body, PointArray targets) {
 void BodyMove::run_wave() {
   wave_.run(env_, sweeps_.counters);
   for (uint32_t i = 0; i < wave_.count(); ++i) {
-    if (wave_.result(i).end == CastEnd::kHit) moving_[wave_vertices_[i]].doubtful = true;
+    if (wave_.result(i).end != CastEnd::kReached) moving_[wave_vertices_[i]].doubtful = true;
   }
 }
 
@@ -195,7 +197,7 @@ void BodyMove::cast_paths(const Body& body, PointArray targets) {
   for (const uint32_t v : order_) {
     if (moving_[v].rank == kNone) continue;
     wave_vertices_[wave_.count()] = v;
-    wave_.add(env_, body.vertices[v].cell, body.position(v), targets[v]);
+    wave_.add(env_, body.vertices[v].cell, body.position(v), targets[v]).max_cells = sweeps_.max_cells;
     if (wave_.full()) run();
   }
   run();
@@ -265,13 +267,14 @@ void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
   const uint32_t at = wave_.count();
   wave_vertices_[at] = sweep.v;
   wave_edges_[at] = sweep.e;
+  // A sequence is noted in the direction of the edge.
+  const bool turned = body.keeps_sequences() && body.edges[sweep.e].ends[0] != sweep.v;
+  CastRequest& request = turned ? wave_.add(env_, sweep.fixed, sweep.q, sweep.to)
+                                : wave_.add(env_, sweep.arrival, sweep.to, sweep.q);
+  request.max_cells = sweeps_.max_cells;
   if (body.keeps_sequences()) {
-    const bool first = body.edges[sweep.e].ends[0] == sweep.v;
     if (writers_.size() == at) writers_.emplace_back(env_.memory);
-    writers_[at].attach(env_, first ? wave_.add(env_, sweep.arrival, sweep.to, sweep.q)
-                                    : wave_.add(env_, sweep.fixed, sweep.q, sweep.to));
-  } else {
-    wave_.add(env_, sweep.arrival, sweep.to, sweep.q);
+    writers_[at].attach(env_, request);
   }
   if (wave_.full()) run_edges(body);
 }

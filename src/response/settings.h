@@ -16,6 +16,7 @@ struct MoveSettings {
   Response vertex = Response::kStop, edge = Response::kStop;
   Search search = Search::kExact;
   uint32_t bisection_depth = 20;
+  uint32_t max_cells = 0;
   double min_part = 0.25, min_length = 0;
   double stand_off = 0;  // 0: 1e-9 of the cell in front; negative: none
   double noise_share = 0;
@@ -31,7 +32,7 @@ struct MoveRecord {
   Array<dsw_contact> contacts;
   Array<dsw_body_edit> edits;
   double fraction = 1;
-  uint32_t moved = 0, stopped = 0;
+  uint32_t moved = 0, stopped = 0, limited = 0;
   SweepCounts sweeps;
 
   explicit MoveRecord(const Memory* memory)
@@ -40,7 +41,7 @@ struct MoveRecord {
     contacts.clear();
     edits.clear();
     fraction = 1;
-    moved = stopped = 0;
+    moved = stopped = limited = 0;
     sweeps = {};
   }
 };

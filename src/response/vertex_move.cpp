@@ -36,6 +36,10 @@ bool VertexMove::move(uint32_t v, const double* target) {
   for (;;) {
     const size_t first_contact = record_.contacts.size();
     if (advance(v, to)) return std::equal(to, to + 3, target);
+    if (record_.contacts.size() == first_contact) {
+      ++record_.limited;
+      return false;
+    }
     const double left = length(difference(target, body_.position(v)));
     for (size_t i = first_contact; i < record_.contacts.size(); ++i) record_.contacts[i].distance_left = left;
     const dsw_contact contact = record_.contacts[first_contact];
@@ -56,11 +60,13 @@ bool VertexMove::advance(uint32_t v, const double* to) {
   BodyVertex& at = body_.vertices[v];
   StarContact first;
   Cell cell;
-  if (!sweeps_.find_first(body_, v, to, &first, &cell)) {
+  const SweepEnd end = sweeps_.find_first(body_, v, to, &first, &cell);
+  if (end == SweepEnd::kFree) {
     std::copy_n(to, 3, at.position);
     at.cell = cell;
     return true;
   }
+  if (end == SweepEnd::kWorkLimit) return false;
   const dsw_contact contact = record_contacts(v, to, first);
   const double off = stand_off(contact), lean = std::fabs(dot(to_vec(contact.normal), difference(to, at.position)));
   const double time = off > 0 ? std::max(0.0, contact.time - off / lean) : contact.time;

@@ -40,8 +40,9 @@ size_t triangle_count(const BodyDescription& d) {
   size_t count = 0;
   for (size_t f = 0; f < d.face_count; ++f) {
     const uint32_t begin = d.face_offsets[f], end = d.face_offsets[f + 1];
-    if (end < begin || end - begin < 3) {
-      fail(DSW_STATUS_WRONG_SIZE, "face %zu has corners %u to %u, at least 3 are needed", f, begin, end);
+    if (end < begin || end - begin < 3 || end > d.face_corner_count) {
+      fail(DSW_STATUS_WRONG_SIZE, "face %zu has corners %u to %u of %zu, at least 3 are needed", f, begin, end,
+           d.face_corner_count);
     }
     for (uint32_t k = begin; k < end; ++k) check_corner(d, d.face_corners[k], "face_corners", k);
     count += end - begin - 2;

@@ -50,7 +50,7 @@ struct BodyDescription {
   size_t edge_count = 0;
   const uint32_t* face_offsets = nullptr;
   const uint32_t* face_corners = nullptr;
-  size_t face_count = 0;
+  size_t face_count = 0, face_corner_count = 0;
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
 };

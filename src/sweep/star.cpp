@@ -14,9 +14,10 @@ HalfFacet crossed(const Environment<3>& env, Cell start, const CastResult& path)
   return path.cells_visited == 2 ? env.map.half_facet(start, path.first_facet) : HalfFacet{};
 }
 
-CastResult fly(const Environment<3>& env, const double* from, const double* to, Cell start,
+CastResult fly(const Environment<3>& env, const double* from, const double* to, Cell start, uint32_t max_cells,
                CastCounters* counters) noexcept {
   CastRequest request;
+  request.max_cells = max_cells;
   request.from = from;
   request.to = to;
   request.start = start;
@@ -104,13 +105,15 @@ bool StarSweep::keeps_sequence(const Body& body, uint32_t e) const {
   return follows(env_, a.position, b.position, a.cell, b.cell, facets.data(), facets.size());
 }
 
-/** Whether an edge is not free in its new place; fills hit_edges_ with all, or with some if one is enough. */
+/** Whether an edge is not known to be free in its new place; fills hit_edges_ with all, or with some if one is enough. */
 bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough) {
   hit_edges_.clear();
   const auto run = [&] {
     wave_.run(env_, counters);
     for (uint32_t i = 0; i < wave_.count(); ++i) {
-      if (wave_.result(i).end == CastEnd::kHit) hit_edges_.push_back(wave_edges_[i]);
+      const CastEnd end = wave_.result(i).end;
+      if (end != CastEnd::kReached) hit_edges_.push_back(wave_edges_[i]);
+      limited_ = limited_ || end == CastEnd::kWorkLimit;
     }
     wave_.clear();
   };
@@ -118,7 +121,7 @@ bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, C
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
     if (settles(body, {e, v, to, cell, fixed.position, fixed.cell, {}})) return true;
     wave_edges_[wave_.count()] = e;
-    wave_.add(env_, cell, to, fixed.position);
+    wave_.add(env_, cell, to, fixed.position).max_cells = max_cells;
     if (wave_.full()) run();
     return !(one_is_enough && !hit_edges_.empty());
   });
@@ -132,16 +135,16 @@ bool StarSweep::is_free(const Body& body, uint32_t v, const double* to, Cell* ce
     *cell = at.cell;
     return true;
   }
-  const CastResult path = fly(env_, at.position, to, at.cell, counters);
+  const CastResult path = fly(env_, at.position, to, at.cell, max_cells, counters);
   *cell = path.cell;
-  if (path.end == CastEnd::kHit || body.level == SweepLevel::kPoints) return path.end == CastEnd::kReached;
+  if (path.end != CastEnd::kReached || body.level == SweepLevel::kPoints) return path.end == CastEnd::kReached;
   if (body.level == SweepLevel::kEdges) return !find_hit_edges(body, v, to, path.cell, true);
   const HalfFacet passed = crossed(env_, at.cell, path);
   bool free = true;
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
     if (settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed})) return true;
-    free = flood_.sweep(EdgeMotion{at.position, to, fixed.position}, at.cell, 0).end == SweepEnd::kFree;
+    free = flood_.sweep(EdgeMotion{at.position, to, fixed.position}, at.cell, max_cells).end == SweepEnd::kFree;
     return free;
   });
   if (!free || body.level != SweepLevel::kFaces) return free;
@@ -150,33 +153,39 @@ bool StarSweep::is_free(const Body& body, uint32_t v, const double* to, Cell* ce
     const BodyVertex &q = body.vertices[face.after(v)], &r = body.vertices[face.before(v)];
     if (stays_inside(env_, at.cell, path.cell, q.cell) && q.cell == r.cell) return true;
     const FaceMotion m{at.position, to, q.position, r.position};
-    free = flood_.sweep(m, at.cell, 0).end == SweepEnd::kFree;
+    free = flood_.sweep(m, at.cell, max_cells).end == SweepEnd::kFree;
     return free;
   });
   return free;
 }
 
-bool StarSweep::find_first(const Body& body, uint32_t v, const double* to, StarContact* first, Cell* cell) {
+SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, StarContact* first, Cell* cell) {
   const BodyVertex& at = body.vertices[v];
   if (std::equal(to, to + 3, at.position)) {
     *cell = at.cell;
-    return false;
+    return SweepEnd::kFree;
   }
-  const CastResult path = fly(env_, at.position, to, at.cell, counters);
+  const CastResult path = fly(env_, at.position, to, at.cell, max_cells, counters);
   *cell = path.cell;
+  limited_ = path.end == CastEnd::kWorkLimit;
+  if (limited_) return SweepEnd::kWorkLimit;
   bool any = false;
+  const auto answer = [&] {
+    return limited_ ? SweepEnd::kWorkLimit : any ? SweepEnd::kContact : SweepEnd::kFree;
+  };
   if (path.end == CastEnd::kHit) consider(at.position, to, path_contact(env_, path), first, &any);
-  if (body.level == SweepLevel::kPoints) return any;
+  if (body.level == SweepLevel::kPoints) return answer();
 
   const auto sweep_edge = [&](uint32_t e) {
     const EdgeMotion m{at.position, to, body.position(body.edges[e].other(v))};
-    const SweepResult swept = flood_.sweep(m, at.cell, 0);
+    const SweepResult swept = flood_.sweep(m, at.cell, max_cells);
+    limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, e, kNone}, first, &any);
     return true;
   };
   if (body.level == SweepLevel::kEdges && !any) {
     if (find_hit_edges(body, v, to, path.cell, false)) std::for_each(hit_edges_.begin(), hit_edges_.end(), sweep_edge);
-    return any;
+    return answer();
   }
   const bool reached = !any;
   const HalfFacet passed = crossed(env_, at.cell, path);
@@ -185,25 +194,26 @@ bool StarSweep::find_first(const Body& body, uint32_t v, const double* to, StarC
     const bool settled = reached && settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed});
     return settled ? true : sweep_edge(e);
   });
-  if (body.level != SweepLevel::kFaces) return any;
+  if (body.level != SweepLevel::kFaces) return answer();
   for_each_face(body, v, [&](uint32_t f) {
     const BodyFace& face = body.faces[f];
     const FaceMotion m{at.position, to, body.position(face.after(v)), body.position(face.before(v))};
-    const SweepResult swept = flood_.sweep(m, at.cell, 0);
+    const SweepResult swept = flood_.sweep(m, at.cell, max_cells);
+    limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, kNone, f}, first, &any);
     return true;
   });
-  return any;
+  return answer();
 }
 
 void StarSweep::find_all(const Body& body, uint32_t v, const double* to, Array<StarContact>& all) {
   const BodyVertex& at = body.vertices[v];
   all.clear();
-  const CastResult path = fly(env_, at.position, to, at.cell, counters);
+  const CastResult path = fly(env_, at.position, to, at.cell, max_cells, counters);
   if (path.end == CastEnd::kHit) all.push_back(path_contact(env_, path));
   if (body.level == SweepLevel::kPoints) return;
   const auto collect = [&](uint32_t e) {
-    flood_.sweep(EdgeMotion{at.position, to, body.position(body.edges[e].other(v))}, at.cell, 0, true);
+    flood_.sweep(EdgeMotion{at.position, to, body.position(body.edges[e].other(v))}, at.cell, max_cells, true);
     for (const SweepContact& each : flood_.all()) {
       // The diagonal of a flat face is nothing to be met.
       const bool flat = kind_of(each) == ContactKind::kPlane && env_.map.convex(each.front);
@@ -219,7 +229,8 @@ void StarSweep::find_all(const Body& body, uint32_t v, const double* to, Array<S
   }
   StarContact first;
   Cell cell;
-  if (body.level == SweepLevel::kFaces && find_first(body, v, to, &first, &cell) && first.face != kNone) {
+  if (body.level == SweepLevel::kFaces && find_first(body, v, to, &first, &cell) == SweepEnd::kContact &&
+      first.face != kNone) {
     all.push_back(first);
   }
   std::sort(all.begin(), all.end(), [&](const StarContact& a, const StarContact& b) {

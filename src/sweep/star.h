@@ -27,8 +27,9 @@ class StarSweep {
   /** Whether vertex v can go to `to` without meeting anything that the body's level sees; *cell then contains `to`. */
   bool is_free(const Body& body, uint32_t v, const double* to, Cell* cell);
 
-  /** The first contact on that way, whose event borrows the body's points and `to`; false, and *cell set, if there is none. */
-  bool find_first(const Body& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
+  /** The first contact on that way, whose event borrows the body's points and `to`. Without one *cell is set. At the work limit
+   * neither. */
+  SweepEnd find_first(const Body& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
 
   /** All contacts on that way of the vertex and its edges, by time, where find_first has found one; of faces only the first. */
   void find_all(const Body& body, uint32_t v, const double* to, Array<StarContact>& all);
@@ -56,11 +57,12 @@ class StarSweep {
   /** Whether the edge is known to keep to its sequence in its present place. */
   bool keeps_sequence(const Body& body, uint32_t e) const;
 
-  bool is_triangle_free(const EdgeMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }
-  bool is_tetrahedron_free(const FaceMotion& m, Cell start) { return flood_.sweep(m, start, 0).end == SweepEnd::kFree; }
+  bool is_triangle_free(const EdgeMotion& m, Cell start) { return flood_.sweep(m, start, max_cells).end == SweepEnd::kFree; }
+  bool is_tetrahedron_free(const FaceMotion& m, Cell start) { return flood_.sweep(m, start, max_cells).end == SweepEnd::kFree; }
 
   SweepCounts counts;
   CastCounters* counters = nullptr;  // of casts; may stay null
+  uint32_t max_cells = 0;            // work limit of each cast and flood; 0: none
 
  private:
   bool is_clear(const Body& body, const EdgeSweep& sweep) const;
@@ -69,6 +71,7 @@ class StarSweep {
   void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;
 
   const Environment<3>& env_;
+  bool limited_ = false;  // the work limit was met
   SweepFlood flood_;
   Wave<3> wave_;
   uint32_t wave_edges_[kWave] = {};

@@ -46,6 +46,7 @@ static dsw_body_id make_square(dsw_level level) {
   d.face_offsets = offsets;
   d.face_corners = corners;
   d.face_count = 1;
+  d.face_corner_count = 4;
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
   return body;
 }

@@ -26,6 +26,7 @@ static dsw_body_desc pyramid(void) {
   d.face_offsets = g_offsets;
   d.face_corners = g_corners;
   d.face_count = 5;
+  d.face_corner_count = 16;
   return d;
 }
 
@@ -241,7 +242,7 @@ static void bad_topology_is_refused(void) {
       {DSW_STATUS_DUPLICATE_CELL, "edge 1 between vertices 1 and 0 stands twice", 2, {0, 1, 1, 0}, 0, {0}, {0}},
       {DSW_STATUS_INDEX_OUT_OF_RANGE, "desc->face_corners[4] is 9", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 9, 3}},
       {DSW_STATUS_WRONG_SIZE, "face 1 has corners 3 to 5", 0, {0}, 2, {0, 3, 5}, {0, 1, 2, 0, 2}},
-      {DSW_STATUS_WRONG_SIZE, "face 1 has corners 6 to 3", 0, {0}, 2, {0, 6, 3}, {0, 1, 2, 3, 4, 0}},
+      {DSW_STATUS_WRONG_SIZE, "face 0 has corners 0 to 6 of 3", 0, {0}, 2, {0, 6, 3}, {0, 1, 2, 3, 4, 0}},
       {DSW_STATUS_BAD_CELL, "names a vertex twice", 0, {0}, 1, {0, 3}, {0, 1, 0}},
       {DSW_STATUS_BAD_CELL, "names a vertex twice", 0, {0}, 1, {0, 4}, {0, 1, 2, 0}},
       {DSW_STATUS_DUPLICATE_CELL, "stands twice", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 1, 2, 0}},
@@ -256,6 +257,7 @@ static void bad_topology_is_refused(void) {
     d.face_offsets = kBad[i].offsets;
     d.face_corners = kBad[i].corners;
     d.face_count = kBad[i].face_count;
+    d.face_corner_count = kBad[i].offsets[kBad[i].face_count];
     refuses(kBad[i].status, &d, kBad[i].text);
   }
 }
@@ -299,6 +301,7 @@ static void one_that_is_not_free_is_refused(void) {
   d.face_offsets = all;
   d.face_corners = triangle;
   d.face_count = 1;
+  d.face_corner_count = 3;
   ends[0] = 2 + (NX + 1) * (1 + (NY + 1));
   ends[1] = ends[0] + NX + 1;
   CHECK_OK(dsw_environment_find_edges(g_env, 1, ends, &wire, NULL));

@@ -217,6 +217,7 @@ static void marks_with_bodies(void) {
   d.face_offsets = offsets;
   d.face_corners = corners;
   d.face_count = 1;
+  d.face_corner_count = 3;
   CHECK_OK(dsw_body_create(scene, &d, &id));
   UNTIL_IT_SUCCEEDS(h, dsw_environment_mark_faces(environment, faces, face_count, DSW_MARK_IMPASSABLE),
                     mark_count(environment, DSW_CELL_FACE) == 0, refusals);

@@ -32,6 +32,7 @@ static dsw_status create_tetrahedron(dsw_scene *scene, const double *at, dsw_lev
   d.face_offsets = offsets;
   d.face_corners = corners;
   d.face_count = 4;
+  d.face_corner_count = 12;
   return dsw_body_create(scene, &d, body);
 }
 

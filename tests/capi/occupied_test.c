@@ -66,6 +66,7 @@ static dsw_body_id face_body(dsw_level level) {
   d.face_offsets = offsets;
   d.face_corners = corners;
   d.face_count = 1;
+  d.face_corner_count = 3;
   CHECK_OK(dsw_body_create(g_scene, &d, &id));
   return id;
 }

@@ -269,6 +269,7 @@ bool create_body(dsw_scene* scene, Bytes* bytes, dsw_body_id* body) {
   desc.face_offsets = offsets.data();
   desc.face_corners = corners.data();
   desc.face_count = face_count;
+  desc.face_corner_count = corners.size();
   size_t before = 0, after = 0;
   require(dsw_scene_get_body_count(scene, &before) == DSW_STATUS_OK, "bodies are counted");
   const dsw_status status = dsw_body_create(scene, &desc, body);

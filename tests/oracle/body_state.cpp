@@ -87,6 +87,7 @@ dsw_status create_body(dsw_scene* scene, const BodyPlan& plan, dsw_level level, 
   if (!plan.faces.empty()) {
     desc.face_offsets = offsets.data();
     desc.face_corners = corners.data();
+    desc.face_corner_count = corners.size();
   }
   return dsw_body_create(scene, &desc, body);
 }

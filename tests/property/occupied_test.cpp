@@ -157,6 +157,7 @@ void Trial::add_body() {
   desc.face_offsets = offsets.data();
   desc.face_corners = corners.data();
   desc.face_count = body.faces.size();
+  desc.face_corner_count = corners.size();
   const dsw_status status = dsw_body_create(scene_.get(), &desc, &body.id);
   for (const auto& f : body.faces) {
     for (size_t k = 0; k < 3; ++k) body.edges.push_back({f[k], f[(k + 1) % 3]});
