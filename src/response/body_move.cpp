@@ -253,7 +253,13 @@ void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v
                                    place(body, targets, other, moving.rank),
                                    cell_at(body, other, moving.rank),
                                    moving.crossed};
-  if (sweeps_.settles(body, sweep)) return;
+  const StarSweep::Settled settled = sweeps_.settle(body, sweep);
+  if (!keeps_.empty()) {
+    const bool same = settled == StarSweep::Settled::kInside ||
+                      (settled == StarSweep::Settled::kStrip && body.vertices[v].cell == moving.arrival);
+    keeps_[e] = keeps_[e] && same;
+  }
+  if (settled != StarSweep::Settled::kNo) return;
   if (body.level != SweepLevel::kEdges) {
     const BodyVertex& from = body.vertices[v];
     moving.doubtful = !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
