@@ -184,6 +184,119 @@ AT(dsw_trace_data, triangles, 72);
 AT(dsw_trace_data, triangle_labels, 80);
 AT(dsw_trace_data, triangle_count, 88);
 
+SIZE(dsw_body_desc, 104);
+AT(dsw_body_desc, struct_size, 0);
+AT(dsw_body_desc, flags, 4);
+AT(dsw_body_desc, level, 8);
+AT(dsw_body_desc, reserved, 12);
+AT(dsw_body_desc, positions, 16);
+AT(dsw_body_desc, vertex_count, 24);
+AT(dsw_body_desc, stride_bytes, 32);
+AT(dsw_body_desc, hints, 40);
+AT(dsw_body_desc, edges, 48);
+AT(dsw_body_desc, edge_count, 56);
+AT(dsw_body_desc, face_offsets, 64);
+AT(dsw_body_desc, face_corners, 72);
+AT(dsw_body_desc, face_count, 80);
+AT(dsw_body_desc, face_corner_count, 88);
+AT(dsw_body_desc, motion_share, 96);
+
+SIZE(dsw_body_counts, 32);
+AT(dsw_body_counts, struct_size, 0);
+AT(dsw_body_counts, vertex_count, 4);
+AT(dsw_body_counts, edge_count, 8);
+AT(dsw_body_counts, face_count, 12);
+AT(dsw_body_counts, vertex_slots, 16);
+AT(dsw_body_counts, edge_slots, 20);
+AT(dsw_body_counts, face_slots, 24);
+AT(dsw_body_counts, reserved, 28);
+
+SIZE(dsw_body_edit, 56);
+AT(dsw_body_edit, vertex, 0);
+AT(dsw_body_edit, ends, 8);
+AT(dsw_body_edit, edge, 24);
+AT(dsw_body_edit, rest, 32);
+AT(dsw_body_edit, share, 40);
+AT(dsw_body_edit, inserted, 48);
+AT(dsw_body_edit, reserved, 52);
+
+SIZE(dsw_contact, 272);
+AT(dsw_contact, from, 0);
+AT(dsw_contact, to, 24);
+AT(dsw_contact, fixed, 48);
+AT(dsw_contact, time, 96);
+AT(dsw_contact, position, 104);
+AT(dsw_contact, point, 128);
+AT(dsw_contact, normal, 152);
+AT(dsw_contact, along, 176);
+AT(dsw_contact, distance_left, 184);
+AT(dsw_contact, vertex, 192);
+AT(dsw_contact, edge, 200);
+AT(dsw_contact, face, 208);
+AT(dsw_contact, obstacle, 216);
+AT(dsw_contact, wall, 232);
+AT(dsw_contact, front, 244);
+AT(dsw_contact, kind, 252);
+AT(dsw_contact, cause, 256);
+AT(dsw_contact, tag, 260);
+AT(dsw_contact, history, 264);
+
+SIZE(dsw_contact_opinion, 56);
+AT(dsw_contact_opinion, normal, 0);
+AT(dsw_contact_opinion, depth, 24);
+AT(dsw_contact_opinion, pushed_in, 32);
+AT(dsw_contact_opinion, angle_rad, 40);
+AT(dsw_contact_opinion, opinion, 48);
+AT(dsw_contact_opinion, reason, 52);
+
+SIZE(dsw_body_id, 8);
+AT(dsw_body_id, index, 0);
+AT(dsw_body_id, generation, 4);
+
+SIZE(dsw_body_vertex_id, 8);
+AT(dsw_body_vertex_id, index, 0);
+AT(dsw_body_vertex_id, generation, 4);
+
+SIZE(dsw_body_edge_id, 8);
+AT(dsw_body_edge_id, index, 0);
+AT(dsw_body_edge_id, generation, 4);
+
+SIZE(dsw_body_face_id, 8);
+AT(dsw_body_face_id, index, 0);
+AT(dsw_body_face_id, generation, 4);
+
+SIZE(dsw_move_options, 80);
+AT(dsw_move_options, struct_size, 0);
+AT(dsw_move_options, flags, 4);
+AT(dsw_move_options, vertex_response, 8);
+AT(dsw_move_options, edge_response, 12);
+AT(dsw_move_options, search, 16);
+AT(dsw_move_options, bisection_depth, 20);
+AT(dsw_move_options, max_cells, 24);
+AT(dsw_move_options, reserved, 28);
+AT(dsw_move_options, min_part, 32);
+AT(dsw_move_options, min_length, 40);
+AT(dsw_move_options, stand_off, 48);
+AT(dsw_move_options, noise_share, 56);
+AT(dsw_move_options, order, 64);
+AT(dsw_move_options, order_count, 72);
+
+SIZE(dsw_move_report, 40);
+AT(dsw_move_report, fraction, 0);
+AT(dsw_move_report, vertices_moved, 8);
+AT(dsw_move_report, vertices_stopped, 12);
+AT(dsw_move_report, contact_count, 16);
+AT(dsw_move_report, edit_count, 20);
+AT(dsw_move_report, edges_swept, 24);
+AT(dsw_move_report, edges_skipped, 28);
+AT(dsw_move_report, vertices_limited, 32);
+AT(dsw_move_report, reserved, 36);
+
+SIZE(dsw_rigid_motion, 80);
+AT(dsw_rigid_motion, rotation, 0);
+AT(dsw_rigid_motion, centre, 32);
+AT(dsw_rigid_motion, translation, 56);
+
 SIZE(dsw_status, 4);
 SIZE(dsw_outcome, 4);
 SIZE(dsw_contact_kind, 4);
@@ -193,3 +306,8 @@ SIZE(dsw_cell_kind, 4);
 SIZE(dsw_mark, 4);
 SIZE(dsw_place, 4);
 SIZE(dsw_level, 4);
+SIZE(dsw_contact_history, 4);
+SIZE(dsw_opinion, 4);
+SIZE(dsw_no_opinion, 4);
+SIZE(dsw_search, 4);
+SIZE(dsw_response, 4);

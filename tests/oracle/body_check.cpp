@@ -288,7 +288,7 @@ void BodyChecker::step(const BodyState& now, size_t vertex, const Vec& to, dsw_l
   }
   // What is longer than a double can tell is infinite.
   if (contact->distance_left != left &&
-      !(std::fabs(contact->distance_left - left) <= 1e-12 * left + 4 * DBL_EPSILON * most))
+      !(std::fabs(contact->distance_left - left) <= 1e-12 * left + 4 * DBL_EPSILON * most + 4 * DBL_TRUE_MIN))
     wrong(" distance left");
   // A target at 1e300 is so far that the first step back is the whole way.
   const bool room = contact->time * way > 1e-3 * world_.size && way < 1e9 * world_.size;

@@ -71,8 +71,8 @@ typedef struct dsw_sweep {
   double time;
   double point[3]; /**< Where the edge touches, rounded. */
   double along;    /**< Where along the edge: 0 the moving end, 1 the fixed one. */
-  /** Unit, out of the obstacle. DSW_CONTACT_PLANE: of the boundary triangle. DSW_CONTACT_EDGE: across the edge and the
-   * obstacle's edge, against the motion; where those two are parallel, of a boundary triangle at the obstacle's edge,
+  /** Unit, out of the obstacle. DSW_CONTACT_PLANE of the moving end: of the boundary triangle. DSW_CONTACT_EDGE, and PLANE on a
+   * diagonal: across the edge and the obstacle's edge or the diagonal, against the motion; where those two are parallel, of a boundary triangle at the obstacle's edge,
    * and of a wire against the motion. */
   double normal[3];
   dsw_volume_id volume; /**< Of the moving end: at its target when the edge came through, else at its start. */
@@ -90,6 +90,43 @@ typedef struct dsw_sweep {
   uint32_t cells_visited; /**< Volumes looked at, all casts included. */
   uint32_t reserved;      /**< 0. */
 } dsw_sweep;
+
+/** Whether a body vertex was already stopped by this obstacle in the body's move before. */
+typedef enum dsw_contact_history {
+  DSW_HISTORY_NONE = 0,
+  DSW_HISTORY_NEW = 1,
+  DSW_HISTORY_LASTING = 2,
+  DSW_HISTORY_FORCE_INT32 = 0x7fffffff
+} dsw_contact_history;
+
+/** A contact of a body: one vertex was moved from `from` towards `to`, and the vertex itself, one of its edges or one of its
+ * faces touched something impassable at `time`. */
+typedef struct dsw_contact {
+  double from[3], to[3]; /**< The flight of the moving vertex. */
+  /** Where the other ends of the touching edge (one) or face (two) were; the rest is zero. With `from` and `to` this is all it takes to
+   * sweep it again. */
+  double fixed[2][3];
+  /** Fraction of that flight. With exact time the largest double not later than the true first time (its limit where the
+   * shift decides); by bisection a time at which the body is still free. */
+  double time;
+  double position[3]; /**< The moving vertex at `time`: from + time * (to - from), rounded. */
+  double point[3];    /**< Where it touches, rounded. */
+  double normal
+      [3]; /**< Unit, out of the obstacle; see dsw_sweep. Of a face on a vertex: that of the face, against the motion. */
+  double along;              /**< Touching edge: 0 at the moving vertex, 1 at the other end; else 0. */
+  double distance_left;      /**< Length of the part of the flight that was not made, scene units. */
+  dsw_body_vertex_id vertex; /**< The vertex that moved. */
+  dsw_body_edge_id edge;     /**< The edge that touched; null if it was the vertex or a face. */
+  dsw_body_face_id face;     /**< The face that touched; null if it was the vertex or an edge. */
+  dsw_cell
+      obstacle; /**< What was touched, canonical: a face, an edge (DSW_CONTACT_EDGE) or a vertex (DSW_CONTACT_VERTEX). */
+  dsw_face_id wall; /**< An impassable face that the obstacle is or belongs to; null for a wire and a marked vertex. */
+  dsw_volume_id front; /**< A passable volume at the obstacle. */
+  dsw_contact_kind kind;
+  dsw_cell_kind cause; /**< What was marked: DSW_CELL_FACE (or the outer boundary), VOLUME, EDGE, VERTEX. */
+  uint32_t tag;        /**< Host tag of the volume behind `wall`, at the outer boundary of the one in front; else 0. */
+  dsw_contact_history history;
+} dsw_contact;
 
 #ifdef __cplusplus
 }

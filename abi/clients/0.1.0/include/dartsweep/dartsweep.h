@@ -5,11 +5,14 @@
 #define DARTSWEEP_DARTSWEEP_H
 
 #include "dartsweep/base.h"
+#include "dartsweep/body.h"
 #include "dartsweep/contact.h"
+#include "dartsweep/contact_check.h"
 #include "dartsweep/context.h"
 #include "dartsweep/environment.h"
 #include "dartsweep/ids.h"
 #include "dartsweep/marking.h"
+#include "dartsweep/move.h"
 #include "dartsweep/particle.h"
 #include "dartsweep/query.h"
 #include "dartsweep/scene.h"

@@ -40,6 +40,26 @@ typedef struct dsw_particle_id {
   uint32_t index, generation;
 } dsw_particle_id;
 
+/** A body of a scene. */
+typedef struct dsw_body_id {
+  uint32_t index, generation;
+} dsw_body_id;
+
+/** A vertex of a body; index is its place in arrays of targets and positions. */
+typedef struct dsw_body_vertex_id {
+  uint32_t index, generation;
+} dsw_body_vertex_id;
+
+/** An edge of a body. */
+typedef struct dsw_body_edge_id {
+  uint32_t index, generation;
+} dsw_body_edge_id;
+
+/** A triangle of a body. */
+typedef struct dsw_body_face_id {
+  uint32_t index, generation;
+} dsw_body_face_id;
+
 /** Dimension of a cell. */
 typedef enum dsw_cell_kind {
   DSW_CELL_NONE = 0,

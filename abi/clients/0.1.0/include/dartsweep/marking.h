@@ -5,7 +5,15 @@
  * marked vertex a point obstacle; a particle meets neither (only sweeps of edges and faces do).
  *
  * While exactly one scene uses the environment, marking is allowed and checked against what that scene holds;
- * with several scenes it answers DSW_STATUS_SHARED.
+ * with several scenes it answers DSW_STATUS_SHARED. Nothing becomes impassable that a particle or a body occupies. A volume
+ * is occupied by every particle and every vertex of a body in it, by every edge that crosses it (bodies from DSW_LEVEL_EDGES
+ * on) and by every face that it pierces (DSW_LEVEL_FACES). A face is occupied by edges that cross it (from DSW_LEVEL_EDGES on) and
+ * by faces that its rim pierces (DSW_LEVEL_FACES); an edge by faces that it pierces (DSW_LEVEL_FACES); a vertex never: under the
+ * shift it lies on nothing. Passable cells can be marked passable, and impassable ones impassable, whatever is there.
+ *
+ * Where something is in the way, dsw_scene_get_occupants and dsw_scene_get_occupant_bodies tell what. Without bodies in the
+ * scene their part costs nothing. With bodies, making cells impassable also costs O(vertices, edges and faces of all bodies of
+ * the scene), and a cast or sweep for each of their edges and faces in the box of the cells that change.
  */
 #ifndef DARTSWEEP_MARKING_H
 #define DARTSWEEP_MARKING_H
@@ -21,43 +29,45 @@ typedef enum dsw_mark { DSW_MARK_PASSABLE = 0, DSW_MARK_IMPASSABLE = 1, DSW_MARK
 
 /** Flags of the marking calls. */
 enum {
-  /** Volumes that a particle occupies keep their mark and the rest is marked; without this flag one occupied
-   * volume makes the call return DSW_STATUS_OCCUPIED with nothing changed. */
+  /** Volumes that a particle or a body occupies keep their mark and the rest is marked; without this flag one
+   * occupied volume makes the call return DSW_STATUS_OCCUPIED with nothing changed. */
   DSW_MARK_SKIP_OCCUPIED = 0x1
 };
 
 /** Sets the mark of volumes. An id may stand twice.
  * @param volumes [in] `count` live ids. @param mark [in] the mark they get. @param flags [in] DSW_MARK_...
  * @param skipped [out] may be null: how many occupied volumes were left out.
- * @return DSW_STATUS_STALE_ID (the message names the position), DSW_STATUS_OCCUPIED, DSW_STATUS_SHARED.
- * @note O(count), plus one pass over the scene's particles when volumes become impassable. Thread: writer of the
- * environment and of its scene. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID (the message names the position), DSW_STATUS_OCCUPIED, DSW_STATUS_SHARED,
+ * DSW_STATUS_OUT_OF_MEMORY: nothing has changed.
+ * @note O(count), plus one pass over the scene's particles and bodies when volumes become impassable; see above. Thread:
+ * writer of the environment and of its scene. @since 0.1 */
 DSW_API dsw_status dsw_environment_mark_volumes(dsw_environment *environment, const dsw_volume_id *volumes,
                                                 size_t count, dsw_mark mark, uint32_t flags, size_t *skipped);
 
-/** Sets the mark of faces. @note O(count). Errors and thread as dsw_environment_mark_volumes. @since 0.1 */
+/** Sets the mark of faces. @note O(count), and the scene's bodies. Errors and thread as dsw_environment_mark_volumes.
+ * @since 0.1 */
 DSW_API dsw_status dsw_environment_mark_faces(dsw_environment *environment, const dsw_face_id *faces, size_t count,
                                               dsw_mark mark);
 
-/** Sets the mark of edges. @note O(count), expected; a marked edge costs about 16 bytes. Errors and thread as
- * dsw_environment_mark_volumes. @since 0.1 */
+/** Sets the mark of edges. @note O(count), expected, and the scene's bodies; a marked edge costs about 16 bytes. Errors and
+ * thread as dsw_environment_mark_volumes. @since 0.1 */
 DSW_API dsw_status dsw_environment_mark_edges(dsw_environment *environment, const dsw_edge_id *edges, size_t count,
                                               dsw_mark mark);
 
-/** Sets the mark of vertices. @note O(count); the first marked vertex costs one bit for every vertex. Errors and
- * thread as dsw_environment_mark_volumes. @since 0.1 */
+/** Sets the mark of vertices. @note O(count); the first marked vertex costs one bit for every vertex. Errors,
+ * but for DSW_STATUS_OCCUPIED, and thread as dsw_environment_mark_volumes. @since 0.1 */
 DSW_API dsw_status dsw_environment_mark_vertices(dsw_environment *environment, const dsw_vertex_id *vertices,
                                                  size_t count, dsw_mark mark);
 
 /** Sets the mark of every volume whose region label is `region`. @param flags, skipped [in,out] as
  * dsw_environment_mark_volumes. @param marked [out] may be null: volumes that have that label and now that mark.
- * @note O(volumes). Thread: writer. @since 0.1 */
+ * @note O(volumes), and the scene's particles and bodies. Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_environment_mark_region(dsw_environment *environment, int32_t region, dsw_mark mark,
                                                uint32_t flags, size_t *marked, size_t *skipped);
 
 /** Sets the mark of every face between a volume of region `a` and one of region `b`; the order does not matter.
  * @param marked [out] may be null: how many faces there are.
- * @note O(volumes). Thread: writer. @since 0.1 */
+ * @return as dsw_environment_mark_volumes. @note O(volumes), and the scene's bodies. Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_environment_mark_between(dsw_environment *environment, int32_t a, int32_t b, dsw_mark mark,
                                                 size_t *marked);
 

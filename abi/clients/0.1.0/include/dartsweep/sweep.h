@@ -22,6 +22,9 @@ typedef enum dsw_level {
   DSW_LEVEL_EDGES = 2,
   /** The whole triangle p p' q: impassable faces, and marked edges that belong to no impassable face. */
   DSW_LEVEL_EDGES_SWEPT = 3,
+  /** Bodies only: also the tetrahedron that a triangle p q r sweeps, so that an obstacle which enters through the inside of a body
+   * face is found, and marked vertices. */
+  DSW_LEVEL_FACES = 4,
   DSW_LEVEL_FORCE_INT32 = 0x7fffffff
 } dsw_level;
 

@@ -1,0 +1,187 @@
+/** @file body.h
+ * Bodies: vertices joined by edges and, where they are surfaces, by triangles. At its level a body never meets anything
+ * impassable, exactly: creating, raising the level and every edit check that or change nothing.
+ *
+ * Vertices, edges and faces are named by ids whose index is stable; a removed one leaves a free index that a later one may take
+ * with a higher generation. Arrays by vertex (positions, targets) have one entry for each index below the number of slots.
+ */
+#ifndef DARTSWEEP_BODY_H
+#define DARTSWEEP_BODY_H
+
+#include "dartsweep/contact.h"
+#include "dartsweep/scene.h"
+#include "dartsweep/sweep.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Flags of a body: ways to leave out work. Those marked lossless change no result by a bit. */
+enum {
+  /** Edges keep the volumes that they cross, 4 bytes for each: a sweep that crosses the same ones is done [lossless]. */
+  DSW_BODY_SEQUENCES = 0x1,
+  /** Skip edges that sweep inside of one volume [JCD10] 6.1 [lossless]. */
+  DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,
+  /** Skip edges that sweep inside of a ball known to hold nothing impassable [lossless]. */
+  DSW_BODY_SKIP_BY_CLEARANCE = 0x4,
+  /** At DSW_LEVEL_EDGES: sweep an edge once a move, in its last place, if its ends move less than `motion_share` of its
+   * length [JCD10] 6.2. What is met only on the way there is missed; where the edge ends is free all the same. */
+  DSW_BODY_SKIP_BY_MOTION = 0x8
+};
+
+/** Describes a body. */
+typedef struct dsw_body_desc {
+  uint32_t struct_size; /**< sizeof(dsw_body_desc). */
+  uint32_t flags;       /**< DSW_BODY_... */
+  dsw_level level;      /**< DSW_LEVEL_EDGES_SWEPT by default. */
+  uint32_t reserved;    /**< 0. */
+  const double
+      *positions;      /**< `vertex_count` points, stride_bytes apart, finite. Borrowed for the call, as all arrays. */
+  size_t vertex_count; /**< At least 1. */
+  size_t stride_bytes; /**< 0 means 24. */
+  const dsw_volume_id *hints; /**< Null, or `vertex_count` ids of which any may be null. */
+  const uint32_t *edges;      /**< Two vertices each; an edge that a face has may be given or left out. */
+  size_t edge_count;
+  /** Faces: corners of face i are face_corners[face_offsets[i] .. face_offsets[i+1]-1], in order. Polygons become fans of
+   * triangles round their first corner; the diagonals become edges. */
+  const uint32_t *face_offsets;
+  const uint32_t *face_corners;
+  size_t face_count;        /**< face_offsets has one more entry. */
+  size_t face_corner_count; /**< Entries of face_corners: the last of face_offsets. */
+  double motion_share; /**< For DSW_BODY_SKIP_BY_MOTION; 0 means 0.1. */
+} dsw_body_desc;
+
+/** How many vertices, edges and triangles a body has, and below which number their indices are. */
+typedef struct dsw_body_counts {
+  uint32_t struct_size; /**< Set by the caller: sizeof(dsw_body_counts). */
+  uint32_t vertex_count, edge_count, face_count;
+  uint32_t vertex_slots, edge_slots, face_slots;
+  uint32_t reserved;
+} dsw_body_counts;
+
+/** Writes the defaults and struct_size into at most `size` bytes. @note Thread: any. @since 0.1 */
+DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
+
+/** Creates a body: locates every vertex and checks that it is free at its level. Index i of vertices and edges is the i-th
+ * given; edges that only faces have follow, then faces triangle by triangle.
+ * @param body [out] its id.
+ * @return DSW_STATUS_NON_FINITE, STALE_ID (hints), OUTSIDE, IMPASSABLE (a vertex; the message names it), INDEX_OUT_OF_RANGE,
+ * BAD_CELL (an edge or face names a vertex twice), DUPLICATE_CELL (an edge or triangle stands twice), SHARED_FACE (an edge of three
+ * triangles, or a vertex whose triangles form more than one fan), INVERTED_CELL (neighbouring triangles are turned against
+ * each other), OCCUPIED (edges or faces meet something impassable: see dsw_scene_get_offending_edges), UNSUPPORTED, WRONG_SIZE,
+ * OUT_OF_MEMORY: nothing was created.
+ * @note O(vertices + volumes that edges cross), and the locating. Thread: writer; uses the parallel-for. Certain: what the level
+ * covers is free. Source: [JCD10] 4. @since 0.1 */
+DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
+
+/** Pairs of vertices (indices of the description, or of the body) of the edges that made the last dsw_body_create or
+ * dsw_body_set_level answer DSW_STATUS_OCCUPIED. @param vertices [out] 2 * `count` numbers, owned by the scene, valid until the
+ * next such call. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices, size_t *count);
+
+/** The bodies that made the last marking call answer DSW_STATUS_OCCUPIED, or that occupy volumes it left out; each once.
+ * @param bodies [out] owned by the scene, valid until the next marking call. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_scene_get_occupant_bodies(const dsw_scene *scene, const dsw_body_id **bodies, size_t *count);
+
+/** Removes a body; its ids become stale. @note O(its size). Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_body_destroy(dsw_scene *scene, dsw_body_id body);
+
+/** How many bodies there are. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_scene_get_body_count(const dsw_scene *scene, size_t *count);
+
+/** @param counts [in,out] its struct_size set. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_body_get_counts(const dsw_scene *scene, dsw_body_id body, dsw_body_counts *counts);
+
+/** Level of a body. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_body_get_level(const dsw_scene *scene, dsw_body_id body, dsw_level *level);
+
+/** Changes the level. Raising it checks that the body is free there.
+ * @return DSW_STATUS_OCCUPIED: it is not, the level stays; see dsw_scene_get_offending_edges. DSW_STATUS_UNSUPPORTED.
+ * @note Lowering: O(1). Raising: as creation. Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_body_set_level(dsw_scene *scene, dsw_body_id body, dsw_level level);
+
+/** Positions of all vertices, by index; free slots get zeros.
+ * @param positions [out] `capacity` points, stride_bytes apart (0 means 24). @param volumes [out] null, or `capacity` ids.
+ * @param count [out] vertex slots. @return DSW_STATUS_BUFFER_TOO_SMALL: only `count` was set. @note O(slots). Thread: reader.
+ * @since 0.1 */
+DSW_API dsw_status dsw_body_get_positions(const dsw_scene *scene, dsw_body_id body, double *positions, size_t capacity,
+                                          size_t stride_bytes, dsw_volume_id *volumes, size_t *count);
+
+/** Ids of all living vertices, edges or faces in the order of their indices.
+ * @return DSW_STATUS_BUFFER_TOO_SMALL: only `count` was set. @note O(slots). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_body_get_vertices(const dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id *vertices,
+                                         size_t capacity, size_t *count);
+DSW_API dsw_status dsw_body_get_edges(const dsw_scene *scene, dsw_body_id body, dsw_body_edge_id *edges,
+                                      size_t capacity, size_t *count);
+DSW_API dsw_status dsw_body_get_faces(const dsw_scene *scene, dsw_body_id body, dsw_body_face_id *faces,
+                                      size_t capacity, size_t *count);
+
+/** Ends of an edge. @param vertices [out] 2 ids. @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_body_get_edge(const dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
+                                     dsw_body_vertex_id *vertices);
+/** Corners of a triangle. @param vertices [out] 3 ids. @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_body_get_face(const dsw_scene *scene, dsw_body_id body, dsw_body_face_id face,
+                                     dsw_body_vertex_id *vertices);
+
+/** Id of the vertex with an index. @return DSW_STATUS_OUT_OF_RANGE (not below the slots, or free). @note O(1). Thread: reader.
+ * @since 0.1 */
+DSW_API dsw_status dsw_body_get_vertex(const dsw_scene *scene, dsw_body_id body, uint32_t index,
+                                       dsw_body_vertex_id *vertex);
+/** Ends of all edges at once, by index: two vertex indices each, UINT32_MAX in free slots. @param vertices [out] 2 * `capacity` numbers.
+ * @param count [out] edge slots. @return DSW_STATUS_BUFFER_TOO_SMALL: only `count` was set. @note O(slots). Thread: reader.
+ * @since 0.1 */
+DSW_API dsw_status dsw_body_get_edge_vertices(const dsw_scene *scene, dsw_body_id body, uint32_t *vertices,
+                                              size_t capacity, size_t *count);
+/** Corners of all triangles, likewise: three vertex indices each. @note O(slots). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_body_get_face_vertices(const dsw_scene *scene, dsw_body_id body, uint32_t *vertices,
+                                              size_t capacity, size_t *count);
+
+/** Adds a vertex without edges. @param hint [in] a volume near it, or null id.
+ * @return as dsw_particle_create. @note Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_body_add_vertex(dsw_scene *scene, dsw_body_id body, const double *position, dsw_volume_id hint,
+                                       dsw_body_vertex_id *vertex);
+/** Adds an edge between two vertices. @return DSW_STATUS_STALE_ID, BAD_CELL (a == b), DUPLICATE_CELL, OCCUPIED (it is not
+ * free): nothing has changed. @note O(volumes it crosses). Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_body_add_edge(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
+                                     dsw_body_edge_id *edge);
+/** Adds a triangle, with those of its edges that are missing. @return as dsw_body_add_edge; SHARED_FACE and INVERTED_CELL as
+ * dsw_body_create. @note Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
+                                     dsw_body_vertex_id c, dsw_body_face_id *face);
+/** Remove a face; an edge with its faces; a vertex with its edges and faces. Always possible, also where the faces left at a vertex
+ * form several fans then.
+ * @return DSW_STATUS_STALE_ID. @note O(what is round it). Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_body_remove_face(dsw_scene *scene, dsw_body_id body, dsw_body_face_id face);
+DSW_API dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge);
+DSW_API dsw_status dsw_body_remove_vertex(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id vertex);
+
+/** What became of an edge that was split at a new vertex, or of a vertex that was merged into another. Attributes of a new vertex
+ * are (1 - share) * those of ends[0] + share * those of ends[1]. */
+typedef struct dsw_body_edit {
+  dsw_body_vertex_id vertex;  /**< The new vertex, or the one that is gone. */
+  dsw_body_vertex_id ends[2]; /**< Split: of the edge. Merge: ends[0] is the vertex it was merged into. */
+  dsw_body_edge_id edge;      /**< Split: keeps ends[0], and its id. Merge: the edge that is gone. */
+  dsw_body_edge_id rest;      /**< Split: the new edge at ends[1]. */
+  double share;               /**< Split: place on the edge, in (0,1). */
+  uint32_t inserted;          /**< 1: split, 0: merge. */
+  uint32_t reserved;          /**< 0. */
+} dsw_body_edit;
+
+/** Splits an edge at ends[0] + share * (ends[1] - ends[0]), rounded, and its faces with it. What the rounding sweeps is checked.
+ * @param share [in] in (0,1). @param edit [out] may be null.
+ * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (share), OCCUPIED (a part is not free): nothing has changed.
+ * @note Thread: writer. Source: [JCD10] 4.2. @since 0.1 */
+DSW_API dsw_status dsw_body_split_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge, double share,
+                                       dsw_body_edit *edit);
+/** Moves `vertex` to the other end of `edge`, swept at the body's level, and merges it there.
+ * @param edit [out] may be null.
+ * @return DSW_STATUS_STALE_ID, NOT_FOUND (`vertex` is no end of `edge`), BAD_CELL (the body would not stay a manifold), OCCUPIED (the
+ * way is not free): nothing has changed. @note Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_body_collapse_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
+                                          dsw_body_vertex_id vertex, dsw_body_edit *edit);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

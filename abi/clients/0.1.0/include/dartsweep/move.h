@@ -1,0 +1,129 @@
+/** @file move.h
+ * Moves of bodies. A body moves one vertex at a time; contacts are exact for that order. After every call what the body's
+ * level covers is free, and nothing the level sees was passed. [JCD10] 4.1, 4.2
+ */
+#ifndef DARTSWEEP_MOVE_H
+#define DARTSWEEP_MOVE_H
+
+#include "dartsweep/body.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How a contact is found. */
+typedef enum dsw_search {
+  DSW_SEARCH_EXACT = 0, /**< The first contact, at its exact time. */
+  DSW_SEARCH_ALL = 1,   /**< All obstacles under the new edges, by time (angle); the first is that of EXACT. */
+  DSW_SEARCH_BISECTION =
+      2, /**< Halving the move `bisection_depth` times: free at the reported time, which may be late. */
+  DSW_SEARCH_FORCE_INT32 = 0x7fffffff
+} dsw_search;
+
+/** What is done about a contact [JCD10] 4.2, figure 5. */
+typedef enum dsw_response {
+  /** The vertex stops before the contact: "stop" of a vertex, "static" of an edge. */
+  DSW_RESPONSE_STOP = 0,
+  /** A touching edge gets one new vertex at the contact and the moving one goes on. Only where both parts keep `min_part` of the
+   * edge, and once for each edge; else STOP. */
+  DSW_RESPONSE_ADAPTIVE_ONE = 1,
+  /** The same again and again, also for the new edge: as many vertices as there are obstacles under it. */
+  DSW_RESPONSE_ADAPTIVE_MANY = 2,
+  /** ADAPTIVE_MANY where a vertex can be inserted, SLIDE where it cannot. */
+  DSW_RESPONSE_HYBRID = 3,
+  /** The rest of the move is projected on the obstacle and made there. */
+  DSW_RESPONSE_SLIDE = 4,
+  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff
+} dsw_response;
+
+/** Options of a move; null means all defaults. */
+typedef struct dsw_move_options {
+  uint32_t struct_size;         /**< sizeof(dsw_move_options). */
+  uint32_t flags;               /**< 0. */
+  dsw_response vertex_response; /**< When the moving vertex touches: STOP or SLIDE; STOP by default. */
+  dsw_response edge_response;   /**< When an edge or face of it touches; STOP by default. */
+  dsw_search search;            /**< EXACT by default. */
+  uint32_t bisection_depth;     /**< 1 to 52; 0 means 20. */
+  uint32_t max_cells; /**< Work limit: volumes that the sweep of one vertex's path, of one edge or one face may look at; 0: none. A
+                           vertex that comes to it stops there, free and without a contact. */
+  uint32_t reserved;  /**< 0. */
+  double min_part;              /**< Least part of an edge that a split leaves, in (0,0.5]; 0 means 0.25. */
+  double min_length;            /**< Least length of such a part, scene units. 0: none, then parts can get ever smaller. */
+  /** Distance kept from a wall that is touched, a dial without guarantee, scene units. Negative: none. 0: 1e-9 of the size of the
+   * volume in front. */
+  double stand_off;
+  /** Vertices inserted by a response are removed again when they stand off the line between their neighbours by no more than this
+   * share of its length. 0: never. */
+  double noise_share;
+  const uint32_t
+      *order; /**< Null: all vertices by index. Else `order_count` distinct indices: these move, in this order. */
+  size_t order_count;
+} dsw_move_options;
+
+/** What a move did. */
+typedef struct dsw_move_report {
+  double fraction;           /**< dsw_body_move_rigid: the part of the motion that was made; else 1. */
+  uint32_t vertices_moved;   /**< Vertices that were to move. */
+  uint32_t vertices_stopped; /**< Of these: not at their targets. */
+  uint32_t contact_count;    /**< See dsw_body_get_contacts. */
+  uint32_t edit_count;       /**< See dsw_body_get_edits. */
+  uint32_t edges_swept;      /**< Sweeps of edges that a level above POINTS asks for, both ends counted. */
+  uint32_t edges_skipped;    /**< Of these: left out by the body's flags. */
+  uint32_t vertices_limited; /**< Of vertices_stopped: by the work limit. */
+  uint32_t reserved;         /**< 0. */
+} dsw_move_report;
+
+/** Writes the defaults and struct_size into at most `size` bytes. @note Thread: any. @since 0.1 */
+DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
+
+/** Moves the vertices of a body to their targets, one after the other.
+ * @param targets [in] `target_count` points, stride_bytes apart (0 means 24), by vertex index; those of free slots and of vertices
+ * that `options->order` leaves out are not read. @param target_count [in] vertex slots of the body.
+ * @param options [in] may be null. @param report [out] may be null.
+ * @return DSW_STATUS_OK also when contacts stopped it. DSW_STATUS_STALE_ID, WRONG_SIZE, NON_FINITE, OUT_OF_RANGE, DUPLICATE_ID (order),
+ * UNSUPPORTED, OUT_OF_MEMORY: nothing has moved.
+ * @note O(volumes met), independent of the size of the environment. Thread: writer. Certain: what the level covers is free, and
+ * nothing the level sees was passed. Source: [JCD10] 4. @since 0.1 */
+DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets, size_t target_count,
+                                 size_t stride_bytes, const dsw_move_options *options, dsw_move_report *report);
+
+/** Moves many bodies, each as dsw_body_move does; bodies do not see each other.
+ * @param bodies [in] `count` distinct live ids. @param targets [in] the targets of the bodies one after the other, `target_count`
+ * points: the sum of their vertex slots. @param options [in] for all; its `order` must be null. @param reports [out] null, or
+ * `count` reports. @return as dsw_body_move. @note Thread: writer; uses the parallel-for; the same bits for any number of threads.
+ * @since 0.1 */
+DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
+                                         const double *targets, size_t target_count, size_t stride_bytes,
+                                         const dsw_move_options *options, dsw_move_report *reports);
+
+/** A rigid motion: x becomes rotation * (x - centre) + centre + translation. */
+typedef struct dsw_rigid_motion {
+  double rotation[4]; /**< Unit quaternion x, y, z, w; it is normalised, zero is refused. */
+  double centre[3];
+  double translation[3];
+} dsw_rigid_motion;
+
+/** Moves a body rigidly as far as it goes: a fraction of the motion is applied vertex by vertex; if something is touched the body is
+ * put back and the fraction halved, up to 52 times; the last fraction that was made is kept. Each position is rounded, so the shape
+ * keeps to one unit in the last place of the coordinates for each call. A fraction of a rotation is that of its quaternion,
+ * normalised.
+ * @param options [in] may be null; responses are not used. @param report [out] may be null.
+ * @return as dsw_body_move; OUT_OF_RANGE (a zero quaternion). @note Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body, const dsw_rigid_motion *motion,
+                                       const dsw_move_options *options, dsw_move_report *report);
+
+/** Contacts of the last move of a body, in the order in which they were met.
+ * @param contacts [out] owned by the body, valid until it next moves or is edited. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body, const dsw_contact **contacts,
+                                         size_t *count);
+
+/** Vertices inserted and removed by responses in the last move of a body, in order. @param edits [out] owned by the body, valid until it
+ * next moves or is edited. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body, const dsw_body_edit **edits,
+                                      size_t *count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
