@@ -48,7 +48,7 @@ typedef struct dsw_body_desc {
   const uint32_t *face_corners;
   size_t face_count;        /**< face_offsets has one more entry. */
   size_t face_corner_count; /**< Entries of face_corners: the last of face_offsets. */
-  double motion_share; /**< For DSW_BODY_SKIP_BY_MOTION; 0 means 0.1. */
+  double motion_share;      /**< For DSW_BODY_SKIP_BY_MOTION; 0 means 0.1. */
 } dsw_body_desc;
 
 /** How many vertices, edges and triangles a body has, and below which number their indices are. */

@@ -44,11 +44,12 @@ typedef struct dsw_move_options {
   dsw_response edge_response;   /**< When an edge or face of it touches; STOP by default. */
   dsw_search search;            /**< EXACT by default. */
   uint32_t bisection_depth;     /**< 1 to 52; 0 means 20. */
-  uint32_t max_cells; /**< Work limit: volumes that the sweep of one vertex's path, of one edge or one face may look at; 0: none. A
+  uint32_t
+      max_cells; /**< Work limit: volumes that the sweep of one vertex's path, of one edge or one face may look at; 0: none. A
                            vertex that comes to it stops there, free and without a contact. */
-  uint32_t reserved;  /**< 0. */
-  double min_part;              /**< Least part of an edge that a split leaves, in (0,0.5]; 0 means 0.25. */
-  double min_length;            /**< Least length of such a part, scene units. 0: none, then parts can get ever smaller. */
+  uint32_t reserved; /**< 0. */
+  double min_part;   /**< Least part of an edge that a split leaves, in (0,0.5]; 0 means 0.25. */
+  double min_length; /**< Least length of such a part, scene units. 0: none, then parts can get ever smaller. */
   /** Distance kept from a wall that is touched, a dial without guarantee, scene units. Negative: none. 0: 1e-9 of the size of the
    * volume in front. */
   double stand_off;

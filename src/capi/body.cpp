@@ -217,7 +217,8 @@ dsw_status dsw_body_get_vertex(const dsw_scene* scene, dsw_body_id body, uint32_
     const dsw::Body& b = capi::BodyAccess(scene, body).body;
     capi::require(vertex, "vertex");
     if (!b.has_vertex(index)) {
-      fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, which names no vertex; there are %zu slots", index, b.vertices.size());
+      fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, which names no vertex; there are %zu slots", index,
+           b.vertices.size());
     }
     *vertex = vertex_id(b, index);
   });

@@ -275,8 +275,8 @@ void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
   wave_edges_[at] = sweep.e;
   // A sequence is noted in the direction of the edge.
   const bool turned = body.keeps_sequences() && body.edges[sweep.e].ends[0] != sweep.v;
-  CastRequest& request = turned ? wave_.add(env_, sweep.fixed, sweep.q, sweep.to)
-                                : wave_.add(env_, sweep.arrival, sweep.to, sweep.q);
+  CastRequest& request =
+      turned ? wave_.add(env_, sweep.fixed, sweep.q, sweep.to) : wave_.add(env_, sweep.arrival, sweep.to, sweep.q);
   request.max_cells = sweeps_.max_cells;
   if (body.keeps_sequences()) {
     if (writers_.size() == at) writers_.emplace_back(env_.memory);

@@ -170,9 +170,7 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
   limited_ = path.end == CastEnd::kWorkLimit;
   if (limited_) return SweepEnd::kWorkLimit;
   bool any = false;
-  const auto answer = [&] {
-    return limited_ ? SweepEnd::kWorkLimit : any ? SweepEnd::kContact : SweepEnd::kFree;
-  };
+  const auto answer = [&] { return limited_ ? SweepEnd::kWorkLimit : any ? SweepEnd::kContact : SweepEnd::kFree; };
   if (path.end == CastEnd::kHit) consider(at.position, to, path_contact(env_, path), first, &any);
   if (body.level == SweepLevel::kPoints) return answer();
 

@@ -57,8 +57,12 @@ class StarSweep {
   /** Whether the edge is known to keep to its sequence in its present place. */
   bool keeps_sequence(const Body& body, uint32_t e) const;
 
-  bool is_triangle_free(const EdgeMotion& m, Cell start) { return flood_.sweep(m, start, max_cells).end == SweepEnd::kFree; }
-  bool is_tetrahedron_free(const FaceMotion& m, Cell start) { return flood_.sweep(m, start, max_cells).end == SweepEnd::kFree; }
+  bool is_triangle_free(const EdgeMotion& m, Cell start) {
+    return flood_.sweep(m, start, max_cells).end == SweepEnd::kFree;
+  }
+  bool is_tetrahedron_free(const FaceMotion& m, Cell start) {
+    return flood_.sweep(m, start, max_cells).end == SweepEnd::kFree;
+  }
 
   SweepCounts counts;
   CastCounters* counters = nullptr;  // of casts; may stay null
