@@ -1,6 +1,7 @@
 // 16 obstacles appear or vanish in the largest lattice: what it costs until the next cast sees them.
 #include "parts.h"
 
+#include "change_list.h"
 #include "embree_change.h"
 #include "grid.h"
 #include "hex_case.h"
@@ -8,65 +9,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <unordered_map>
 
 namespace dsw::bench {
 
 namespace {
 
 constexpr std::size_t kObstacles = 16;
-
-/** A long list of changes that ends where it began: all sets appear, then all vanish. */
-class ChangeList {
- public:
-  explicit ChangeList(const HexCase& scene)
-      : grid_(scene.grid), world_(scene.world), obstacle_(scene.grid.obstacle), slots_(scene.walls.walls.size()) {
-    for (std::uint32_t id = 0; id < slots_; ++id) {
-      ids_[scene.walls.walls[id].vertices] = id;
-    }
-  }
-
-  WallChange turn(const std::vector<std::uint32_t>& cells, bool impassable) {
-    WallChange change;
-    change.impassable = impassable;
-    change.volumes = volume_ids(world_, cells);
-    for (const std::uint32_t cell : cells) {
-      obstacle_[cell] = impassable ? 1 : 0;
-      for (std::uint32_t side = 0; side < 6; ++side) {
-        const std::uint32_t other = scenes::neighbour(grid_, cell, side);
-        const bool beyond_passable = other != kNone && obstacle_[other] == 0;
-        const scenes::Wall wall =
-            beyond_passable ? scenes::cell_wall(grid_, other, side ^ 1u) : scenes::cell_wall(grid_, cell, side);
-        // A wall to a passable neighbour comes with the obstacle; one of the cell's own goes with it.
-        (beyond_passable == impassable ? change.added : change.removed).push_back({id_of(wall), wall});
-      }
-    }
-    return change;
-  }
-
-  bool passable(std::uint32_t cell) const { return obstacle_[cell] == 0; }
-  std::size_t slots() const { return slots_; }
-
- private:
-  struct Hash {
-    std::size_t operator()(const std::array<std::uint32_t, 4>& v) const {
-      return v[0] * 0x9e3779b97f4a7c15u ^ v[1] * 0xc2b2ae3d27d4eb4fu ^ v[2] * 0x165667b19e3779f9u ^ v[3];
-    }
-  };
-
-  /** A wall keeps its id when it comes back, so the list can be run again. */
-  std::uint32_t id_of(const scenes::Wall& wall) {
-    const auto [found, is_new] = ids_.try_emplace(wall.vertices, static_cast<std::uint32_t>(slots_));
-    slots_ += is_new ? 1 : 0;
-    return found->second;
-  }
-
-  const scenes::HexGrid& grid_;
-  const World& world_;
-  std::vector<std::uint8_t> obstacle_;
-  std::unordered_map<std::array<std::uint32_t, 4>, std::uint32_t, Hash> ids_;
-  std::size_t slots_;
-};
 
 template <typename Apply>
 double time_changes(const std::vector<WallChange>& changes, Apply&& apply) {
@@ -95,7 +43,7 @@ void run_change(const Options& options, Report& report) {
     occupied[scene.grid.cell_at(&scene.motion.starts()[3 * i])] = 1;
   }
 
-  ChangeList list(scene);
+  ChangeList list(scene.grid, scene.world, scene.walls);
   scenes::Random random(21);
   std::vector<std::vector<std::uint32_t>> sets(options.quick ? 32 : 128);
   std::vector<WallChange> changes;

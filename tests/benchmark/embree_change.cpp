@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <unordered_map>
 
@@ -90,6 +91,8 @@ class Single final : public EmbreeUpdater {
   }
 
  private:
+  RTCSceneTy* rays_meet() const override { return scene_; }
+
   void write(std::size_t slot, const std::array<Corner, 6>& values) {
     std::copy(values.begin(), values.end(), vertices_ + 6 * slot);
   }
@@ -172,6 +175,8 @@ class Chunks final : public EmbreeUpdater {
   }
 
  private:
+  RTCSceneTy* rays_meet() const override { return scene_; }
+
   struct Chunk {
     std::vector<std::array<Corner, 6>> walls;
     std::vector<std::uint32_t> ids;
@@ -199,7 +204,8 @@ class Chunks final : public EmbreeUpdater {
     return chunk;
   }
 
-  /** Copies the chunk's triangles into its buffers, which have some room; the rest are points. */
+  /** Copies the chunk's triangles into its buffers, which have some room; the rest are no numbers, which Embree leaves out (points in
+   * one place make it abort). */
   void fill(Chunk& chunk) {
     if (chunk.walls.size() > chunk.capacity) {
       chunk.capacity = chunk.walls.size() + chunk.walls.size() / 4 + 8;
@@ -215,7 +221,8 @@ class Chunks final : public EmbreeUpdater {
     for (const auto& wall : chunk.walls) {
       out = std::copy(wall.begin(), wall.end(), out);
     }
-    std::fill(out, chunk.vertices + 6 * chunk.capacity, Corner{0, 0, 0});
+    constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
+    std::fill(out, chunk.vertices + 6 * chunk.capacity, Corner{kNoNumber, kNoNumber, kNoNumber});
     rtcUpdateGeometryBuffer(chunk.geometry, RTC_BUFFER_TYPE_VERTEX, 0);
     rtcCommitGeometry(chunk.geometry);
   }
@@ -228,6 +235,44 @@ class Chunks final : public EmbreeUpdater {
 };
 
 }  // namespace
+
+void EmbreeUpdater::prepare(const Segments& segments) {
+  rays_.resize(segments.count());
+  for (std::size_t i = 0; i < rays_.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      rays_[i].from[k] = static_cast<float>(segments.from[3 * i + k]);
+      rays_[i].direction[k] = static_cast<float>(segments.to[3 * i + k] - segments.from[3 * i + k]);
+    }
+  }
+  times_.resize(segments.batch);
+}
+
+void EmbreeUpdater::run(std::size_t first, std::size_t count) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  RTCScene scene = rays_meet();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Ray& ray = rays_[first + i];
+    RTCRayHit query{};
+    query.ray.org_x = ray.from[0];
+    query.ray.org_y = ray.from[1];
+    query.ray.org_z = ray.from[2];
+    query.ray.dir_x = ray.direction[0];
+    query.ray.dir_y = ray.direction[1];
+    query.ray.dir_z = ray.direction[2];
+    query.ray.tfar = 1.0f;
+    query.ray.mask = ~0u;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene, &context, &query);
+    times_[i] = query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? -1.0f : query.ray.tfar;
+  }
+}
+
+Answer EmbreeUpdater::answer(std::size_t i) const {
+  return times_[i] < 0 ? Answer{} : Answer{0, static_cast<double>(times_[i])};
+}
 
 std::unique_ptr<EmbreeUpdater> make_embree_single(const WallMesh& walls, std::size_t slots, bool refit) {
   return std::make_unique<Single>(walls, slots, refit);

@@ -4,6 +4,8 @@
 
 #include "engine.h"
 
+struct RTCSceneTy;
+
 namespace dsw::bench {
 
 /** Walls that one change takes away and brings, by id: slots that are reused, so ids stay dense. */
@@ -17,19 +19,31 @@ struct WallChange {
   std::vector<Item> removed, added;
 };
 
-class EmbreeUpdater {
+/** An engine whose walls change. Its answers name no wall (0 stands for any). */
+class ChangingEngine : public Engine {
  public:
-  explicit EmbreeUpdater(std::string name) : name_(std::move(name)) {}
-  virtual ~EmbreeUpdater() = default;
-  EmbreeUpdater(const EmbreeUpdater&) = delete;
-  EmbreeUpdater& operator=(const EmbreeUpdater&) = delete;
-
-  const std::string& name() const { return name_; }
-  /** Timed: new triangles in place and the scene ready for rays. */
+  using Engine::Engine;
+  /** Timed: new triangles in place and the engine ready for casts. */
   virtual void apply(const WallChange& change) = 0;
+};
+
+/** Single rays as rtcIntersect1 answers them. */
+class EmbreeUpdater : public ChangingEngine {
+ public:
+  using ChangingEngine::ChangingEngine;
+  void prepare(const Segments& segments) override;
+  void run(std::size_t first, std::size_t count) override;
+  Answer answer(std::size_t i) const override;
+
+ protected:
+  virtual RTCSceneTy* rays_meet() const = 0;
 
  private:
-  std::string name_;
+  struct Ray {
+    float from[3], direction[3];
+  };
+  std::vector<Ray> rays_;
+  std::vector<float> times_;  // negative: nothing is met
 };
 
 /** All triangles in one geometry, rebuilt fast or refitted (a triangle that is gone shrinks to a point). */

@@ -9,14 +9,16 @@
 
 int main(int argc, char** argv) {
   using namespace dsw::bench;
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   Options options;
   std::string json = "benchmark.json";
-  const std::vector<std::string> known = {"hex", "threads", "tet", "vessel", "change", "create"};
+  const std::vector<std::string> known = {"hex", "threads", "tet", "vessel", "change", "create", "fig11", "fig12", "catheter"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
   app.add_flag("--quick", options.quick, "Fewer steps and rounds");
   app.add_option("--json", json, "File to write");
   app.add_option("--vessel", options.vessel, "Mesh converted by read_mesh.py");
+  app.add_option("--data", options.data, "Folder with surfaces and vessels");
   app.add_option("--part", parts, "Parts to run; all if not given")->check(CLI::IsMember(known));
   CLI11_PARSE(app, argc, argv);
 
@@ -51,6 +53,15 @@ int main(int argc, char** argv) {
     }
     if (wanted("hex")) {
       run_hex(options, report, agreement);
+    }
+    if (wanted("fig11")) {
+      run_fig11(options, report, agreement);
+    }
+    if (wanted("fig12")) {
+      run_fig12(options, report);
+    }
+    if (wanted("catheter")) {
+      run_catheter(options, report);
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

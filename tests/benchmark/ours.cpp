@@ -55,7 +55,9 @@ World::World(const scenes::VolumeMesh& mesh, std::uint32_t threads, bool count_m
   desc.connectivity = mesh.connectivity.data();
   desc.connectivity_count = mesh.connectivity.size();
   desc.regions = mesh.regions.empty() ? nullptr : mesh.regions.data();
-  desc.uniform_cell_type = mesh.points_per_cell == 8 ? DSW_CELL_TYPE_HEXAHEDRON : DSW_CELL_TYPE_TETRA;
+  desc.uniform_cell_type = mesh.points_per_cell == 8   ? DSW_CELL_TYPE_HEXAHEDRON
+                           : mesh.points_per_cell == 5 ? DSW_CELL_TYPE_PYRAMID
+                                                       : DSW_CELL_TYPE_TETRA;
   build_report_.struct_size = sizeof build_report_;
   const dsw_status status = dsw_environment_create(context_, &desc, &environment_, &build_report_);
   if (status != DSW_STATUS_OK) {

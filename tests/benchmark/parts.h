@@ -12,6 +12,7 @@ namespace dsw::bench {
 struct Options {
   bool quick = false;
   std::string vessel;  // file of read_mesh.py, or empty
+  std::string data;    // folder with surfaces and centrelines, or empty
 };
 
 void run_hex(const Options& options, Report& report, Agreement& agreement);
@@ -20,6 +21,9 @@ void run_tet(const Options& options, Report& report, Agreement& agreement);
 void run_vessel(const Options& options, Report& report, Agreement& agreement);
 void run_change(const Options& options, Report& report);
 void run_create(const Options& options, Report& report);
+void run_fig12(const Options& options, Report& report);
+void run_catheter(const Options& options, Report& report);
+void run_fig11(const Options& options, Report& report, Agreement& agreement);
 
 }  // namespace dsw::bench
 

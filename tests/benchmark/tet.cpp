@@ -6,14 +6,13 @@
 #include "grid.h"
 #include "ours.h"
 #include "timing.h"
+#include "vessel_case.h"
 
 #include "scenes/delaunay.h"
 #include "scenes/tets.h"
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <stdexcept>
 
 namespace dsw::bench {
 
@@ -90,29 +89,6 @@ void report_work(const std::string& prefix, const std::string& suffix, const Wor
   report.set(prefix + "orientation_tests_per_cast" + suffix, work.orientation_tests / work.casts);
   report.set(prefix + "cells_per_cast" + suffix, work.cells / work.casts);
   report.set(prefix + "hit_share" + suffix, work.contacts / work.casts);
-}
-
-scenes::VolumeMesh read_vessel(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::int64_t counts[2] = {};
-  file.read(reinterpret_cast<char*>(counts), sizeof counts);
-  if (!file || counts[0] < 4 || counts[1] < 1 || counts[0] > 100000000 || counts[1] > 100000000) {
-    throw std::runtime_error("cannot read " + path);
-  }
-  scenes::VolumeMesh mesh;
-  mesh.points_per_cell = 4;
-  const auto read = [&](auto& values, std::int64_t count) {
-    values.resize(static_cast<std::size_t>(count));
-    file.read(reinterpret_cast<char*>(values.data()),
-              static_cast<std::streamsize>(values.size() * sizeof(values.front())));
-  };
-  read(mesh.points, 3 * counts[0]);
-  read(mesh.connectivity, 4 * counts[1]);
-  read(mesh.regions, counts[1]);
-  if (!file) {
-    throw std::runtime_error("cannot read " + path);
-  }
-  return mesh;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace dsw::scenes {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-/** Cells of one type, points ordered as in VTK: 4 points a cell are tetrahedra, 8 are hexahedra. */
+/** Cells of one type, points ordered as in VTK: 4 points a cell are tetrahedra, 5 pyramids, 8 hexahedra. */
 struct VolumeMesh {
   std::vector<double> points;              // 3 a point
   std::vector<std::int32_t> connectivity;  // points_per_cell a cell

@@ -1,0 +1,310 @@
+// A catheter in a vessel of 200,000 tetrahedra: figure 9 of [JCD10] (how much of the mesh is looked at), long edges against
+// Embree, and sliding along the wall.
+#include "parts.h"
+
+#include "embree.h"
+#include "surface_bodies.h"
+#include "timing.h"
+#include "vessel_case.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <unordered_set>
+
+namespace dsw::bench {
+
+namespace {
+
+constexpr double kSpacing = 5.6;  // between particles, mm
+constexpr double kStep = 0.05;    // 50 mm/s at 1 kHz
+constexpr std::size_t kStroke = 200;
+constexpr std::size_t kParticles = 20;
+
+using Vector = std::array<double, 3>;
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector along(const Vector& a, double times, const Vector& b) {
+  return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
+}
+Vector unit(const Vector& a) {
+  const double size = std::sqrt(dot(a, a));
+  return {a[0] / size, a[1] / size, a[2] / size};
+}
+Vector vertex(const std::vector<double>& positions, std::size_t i) {
+  return {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]};
+}
+
+BodyShape chain(std::size_t particles) {
+  BodyShape shape;
+  shape.vertices = particles;
+  for (std::uint32_t i = 1; i < particles; ++i) {
+    shape.edges.insert(shape.edges.end(), {i - 1, i});
+  }
+  return shape;
+}
+
+/** Particles along the centreline, the last at its start as it is pushed in. */
+std::vector<double> chain_at(const Line& line, std::size_t particles, std::size_t step) {
+  const std::size_t in_stroke = step % (2 * kStroke);
+  const double pushed = kStep * static_cast<double>(in_stroke <= kStroke ? in_stroke : 2 * kStroke - in_stroke);
+  std::vector<double> positions;
+  for (std::size_t i = particles; i-- > 0;) {
+    const Vector at = line.point(kSpacing * static_cast<double>(i) + pushed);
+    positions.insert(positions.end(), at.begin(), at.end());
+  }
+  return positions;
+}
+
+constexpr std::uint32_t kSleeve = 3;  // vertices of a ring
+
+/** A closed tube round the chain: rings joined by triangles, its ends closed by one each. */
+BodyShape sleeve(std::size_t rings) {
+  BodyShape shape;
+  shape.vertices = kSleeve * rings;
+  const auto at = [](std::uint32_t ring, std::uint32_t i) { return kSleeve * ring + i % kSleeve; };
+  for (std::uint32_t ring = 0; ring + 1 < rings; ++ring) {
+    for (std::uint32_t i = 0; i < kSleeve; ++i) {
+      shape.corners.insert(shape.corners.end(), {at(ring, i), at(ring, i + 1), at(ring + 1, i + 1)});
+      shape.corners.insert(shape.corners.end(), {at(ring, i), at(ring + 1, i + 1), at(ring + 1, i)});
+    }
+  }
+  const auto last = static_cast<std::uint32_t>(rings - 1);
+  shape.corners.insert(shape.corners.end(), {at(0, 0), at(0, 2), at(0, 1)});
+  shape.corners.insert(shape.corners.end(), {at(last, 0), at(last, 1), at(last, 2)});
+  return shape;
+}
+
+std::vector<double> sleeve_at(const std::vector<double>& chain) {
+  constexpr double kRadius = 0.4;
+  std::vector<double> positions;
+  for (std::size_t i = 0; i < chain.size(); i += 3) {
+    for (std::uint32_t k = 0; k < kSleeve; ++k) {
+      const double angle = 2.0943951023931953 * k;
+      positions.insert(positions.end(),
+                       {chain[i], chain[i + 1] + kRadius * std::cos(angle), chain[i + 2] + kRadius * std::sin(angle)});
+    }
+  }
+  return positions;
+}
+
+/** What a move casts: every particle on its way, then its edges. */
+Segments segments_of(const std::vector<double>& before, const std::vector<double>& targets) {
+  Segments segments;
+  const std::size_t count = before.size() / 3;
+  const auto cast = [&](const double* from, std::size_t v) {
+    segments.from.insert(segments.from.end(), from, from + 3);
+    segments.to.insert(segments.to.end(), &targets[3 * v], &targets[3 * v] + 3);
+  };
+  for (std::size_t v = 0; v < count; ++v) {
+    cast(&before[3 * v], v);
+    if (v > 0) {
+      cast(&targets[3 * (v - 1)], v);
+    }
+    if (v + 1 < count) {
+      cast(&before[3 * (v + 1)], v);
+    }
+  }
+  segments.batch = segments.count();
+  return segments;
+}
+
+/** Figure 9: different cells that the casts of a step enter. */
+void run_fig9(const VesselCase& vessel, Report& report) {
+  const double cells = static_cast<double>(vessel.mesh.cell_count());
+  double largest = 0.0;
+  for (const std::size_t particles : {5u, 10u, 20u, 30u, 40u, 50u, 60u}) {
+    if (kSpacing * static_cast<double>(particles) + kStep * kStroke > vessel.line.length()) {
+      continue;
+    }
+    Flock flock(vessel.world.environment(), {"", DSW_LEVEL_EDGES, 0}, chain(particles),
+                chain_at(vessel.line, particles, 0), DSW_FEATURE_STATISTICS);
+    double share = 0.0, visits = 0.0;
+    for (std::size_t step = 1; step <= 20; ++step) {
+      std::vector<double> before;
+      std::vector<dsw_volume_id> volumes;
+      flock.places(before, volumes);
+      const auto targets = chain_at(vessel.line, particles, step);
+      const Segments segments = segments_of(before, targets);
+      std::unordered_set<std::uint32_t> entered;
+      for (std::size_t i = 0; i < segments.count(); ++i) {
+        dsw_crossing crossings[1024];
+        std::size_t count = 0;
+        check(dsw_environment_cast_path(vessel.world.environment(), volumes[0], &segments.from[3 * i],
+                                        &segments.to[3 * i], nullptr, crossings, 1024, &count, nullptr));
+        for (std::size_t k = 0; k < count; ++k) {
+          entered.insert(crossings[k].volume.index);
+        }
+      }
+      share = std::max(share, static_cast<double>(entered.size()) / cells);
+      check(dsw_scene_reset_statistics(flock.scene()));
+      flock.move(targets.data());
+      dsw_statistics statistics{};
+      statistics.struct_size = sizeof statistics;
+      check(dsw_scene_get_statistics(flock.scene(), &statistics));
+      visits = std::max(visits, static_cast<double>(statistics.cells_visited) / cells);
+    }
+    report.set("edges.fig9.cells_tested_share.p" + std::to_string(particles), share);
+    report.set("edges.fig9.cell_visits_share.p" + std::to_string(particles), visits);
+    largest = std::max(largest, share);
+  }
+  report.set("edges.fig9.cells_tested_share_max", largest);
+}
+
+using Times = std::map<std::string, std::vector<double>>;
+
+/** Moves variants of a body in turns, and whatever else, in blocks of steps. */
+template <typename Targets, typename Beside>
+Times time_variants(const VesselCase& vessel, const std::vector<Variant>& variants, const BodyShape& shape,
+                    std::size_t steps, Targets&& targets_at, Beside&& beside) {
+  constexpr std::size_t kBlock = 20;
+  std::vector<std::unique_ptr<Flock>> flocks;
+  for (const Variant& variant : variants) {
+    flocks.push_back(
+        std::make_unique<Flock>(vessel.world.environment(), variant, shape, targets_at(std::size_t{0})));
+  }
+  Times times;
+  for (std::size_t step = 1; step <= steps; ++step) {
+    const auto targets = targets_at(step);
+    const auto keep = [&](const std::string& name, double ns) {
+      auto& of = times[name];
+      if ((step - 1) % kBlock == 0) {
+        of.push_back(0.0);
+      }
+      of.back() += ns / static_cast<double>(kBlock);
+    };
+    std::vector<double> before;
+    std::vector<dsw_volume_id> volumes;
+    flocks[0]->places(before, volumes);
+    beside(before, targets, keep);
+    for (std::size_t i = 0; i < flocks.size(); ++i) {
+      Flock& flock = *flocks[(step + i) % flocks.size()];
+      keep(flock.variant().name, time_ns([&] { flock.move(targets.data()); }));
+    }
+  }
+  return times;
+}
+
+void run_long(const VesselCase& vessel, const Options& options, Report& report) {
+  const std::size_t steps = options.quick ? 400 : 2000;
+  std::unique_ptr<Engine> embree;
+  double casts = 0;
+  const std::vector<Variant> variants = {{"edges", DSW_LEVEL_EDGES, 0},
+                                         {"edges_sequences", DSW_LEVEL_EDGES, DSW_BODY_SEQUENCES},
+                                         {"edges_clearance", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_CLEARANCE},
+                                         {"swept", DSW_LEVEL_EDGES_SWEPT, 0},
+                                         {"swept_sequences", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SEQUENCES}};
+  Times times = time_variants(
+      vessel, variants, chain(kParticles), steps,
+      [&](std::size_t step) { return chain_at(vessel.line, kParticles, step); },
+      [&](const std::vector<double>& before, const std::vector<double>& targets, const auto& keep) {
+        const Segments segments = segments_of(before, targets);
+        if (!embree) {
+          embree = keep_fastest(make_embrees(vessel.walls), segments);
+        }
+        casts = static_cast<double>(segments.batch);
+        embree->prepare(segments);
+        keep("embree", time_ns([&] { embree->run(0, segments.batch); }));
+      });
+  for (const auto& [name, ns] : times) {
+    report.set("edges.long.ns_per_cast." + name, median(ns) / casts);
+  }
+  const auto over = [&](const char* name, const char* below) { return median_ratio(times[name], times[below]); };
+  report.set("edges.long.vs_embree", over("embree", "edges_sequences"));
+  report.set("edges.long.vs_embree.no_sequences", over("embree", "edges"));
+  report.set("edges.long.vs_embree.swept", over("embree", "swept_sequences"));
+  report.set("edges.long.vs_embree.swept_no_sequences", over("embree", "swept"));
+  report.set("edges.swept_over_edges.catheter", over("swept", "edges"));
+  report.set("edges.swept_over_edges.catheter_sequences", over("swept_sequences", "edges"));
+
+  const std::vector<Variant> surfaces = {{"edges", DSW_LEVEL_EDGES, 0},
+                                         {"faces", DSW_LEVEL_FACES, 0},
+                                         {"faces_sequences", DSW_LEVEL_FACES, DSW_BODY_SEQUENCES}};
+  Times tube = time_variants(
+      vessel, surfaces, sleeve(kParticles), steps / 4,
+      [&](std::size_t step) { return sleeve_at(chain_at(vessel.line, kParticles, step + 20)); },
+      [](const auto&, const auto&, const auto&) {});
+  report.set("edges.faces_over_edges.catheter", median_ratio(tube["faces"], tube["edges"]));
+  report.set("edges.faces_over_edges.catheter_sequences", median_ratio(tube["faces_sequences"], tube["edges"]));
+}
+
+/** A catheter is pressed on the wall, then pushed along it: vertices that touch aim along the facet and a little into it. */
+void run_sliding(const VesselCase& vessel, dsw_response response, const std::string& key, const Options& options,
+                 Report& report) {
+  constexpr double kPress = 0.5;  // of the step, into the wall
+  constexpr double kProgress = 1e-3;  // of the step: less is none
+  dsw_move_options moves;
+  dsw_move_options_init(&moves, sizeof moves);
+  moves.vertex_response = response;
+  moves.edge_response = response;
+  dsw_move_options pressing = moves;
+  pressing.vertex_response = pressing.edge_response = DSW_RESPONSE_SLIDE;
+  scenes::Random random(41);
+  std::size_t tried = 0, stuck = 0;
+  for (int trial = 0; trial < (options.quick ? 40 : 400); ++trial) {
+    const Vector aside = unit({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    const auto start = static_cast<std::size_t>(random.index(2 * kStroke));
+    Flock flock(vessel.world.environment(), {"", DSW_LEVEL_EDGES_SWEPT, 0}, chain(kParticles),
+                chain_at(vessel.line, kParticles, start));
+    std::vector<double> at;
+    std::vector<dsw_volume_id> volumes;
+    const auto shifted = [&](double by) {
+      flock.places(at, volumes);
+      std::vector<double> targets = at;
+      for (std::size_t i = 0; i < targets.size(); ++i) {
+        targets[i] += by * aside[i % 3];
+      }
+      return targets;
+    };
+    for (int step = 0; step < 60; ++step) {
+      flock.move(shifted(0.1).data(), &pressing);
+    }
+    for (int step = 0; step < 20; ++step) {
+      const dsw_contact* contacts = nullptr;
+      std::size_t count = 0;
+      check(dsw_body_get_contacts(flock.scene(), flock.bodies().front(), &contacts, &count));
+      std::vector<double> targets = shifted(kStep);
+      std::map<std::size_t, Vector> ways;
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t v = contacts[i].vertex.index;
+        const Vector normal = {contacts[i].normal[0], contacts[i].normal[1], contacts[i].normal[2]};
+        const std::size_t ahead = v == 0 ? 0 : v - 1, behind = v == 0 ? 1 : v;
+        const Vector axis = unit(along(vertex(at, ahead), -1.0, vertex(at, behind)));
+        const Vector on_wall = along(axis, -dot(axis, normal), normal);
+        if (dot(on_wall, on_wall) < 0.01) {
+          continue;  // it is pushed straight into the wall
+        }
+        ways[v] = unit(on_wall);
+        const Vector target = along(along(vertex(at, v), kStep, ways[v]), -kPress * kStep, normal);
+        std::copy(target.begin(), target.end(), &targets[3 * v]);
+      }
+      flock.move(targets.data(), &moves);
+      std::vector<double> now;
+      flock.places(now, volumes);
+      for (const auto& [v, way] : ways) {
+        ++tried;
+        stuck += dot(along(vertex(now, v), -1.0, vertex(at, v)), way) < kProgress * kStep ? 1 : 0;
+      }
+    }
+  }
+  report.set("response.sliding_moves" + key, static_cast<double>(tried));
+  report.set("response.stuck_share" + key, static_cast<double>(stuck) / static_cast<double>(std::max<std::size_t>(tried, 1)));
+}
+
+}  // namespace
+
+void run_catheter(const Options& options, Report& report) {
+  const bool real = !options.vessel.empty() && !options.data.empty();
+  if (!real) {
+    std::printf("  no data: a generated vessel instead of the phantom\n");
+  }
+  const VesselCase vessel(real ? options.vessel : "", options.data);
+  report.set("edges.catheter.cells", static_cast<double>(vessel.mesh.cell_count()));
+  run_fig9(vessel, report);
+  run_long(vessel, options, report);
+  run_sliding(vessel, DSW_RESPONSE_SLIDE, "", options, report);
+  run_sliding(vessel, DSW_RESPONSE_STOP, ".stop", options, report);
+}
+
+}  // namespace dsw::bench

@@ -1,0 +1,244 @@
+// Figure 12 of [JCD10]: a closed surface of 12,000 vertices falls among obstacles in an environment of pyramids, presses on them and
+// is lifted again. What edges cost over vertices alone, and what every elimination saves.
+#include "parts.h"
+
+#include "embree.h"
+#include "surface.h"
+#include "surface_bodies.h"
+#include "timing.h"
+
+#include "scenes/pyramids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+namespace dsw::bench {
+
+namespace {
+
+constexpr double kCube = 0.05;            // edge of a cube: four to five edges of the surface
+constexpr double kStep = 0.001;           // a fall of 0.2 m/s at 1 kHz for a hand 0.2 m long
+constexpr std::size_t kFall = 60;         // steps down, then as many up
+constexpr std::size_t kFree = 20;         // steps of the fall before anything can be met
+constexpr std::size_t kBlock = 10;        // steps that are timed together
+
+struct Fall {
+  Surface surface;
+  BodyShape shape;
+  scenes::Pyramids pyramids;
+};
+
+double height(std::size_t step) {
+  const std::size_t in_cycle = step % (2 * kFall);
+  return -kStep * static_cast<double>(in_cycle <= kFall ? in_cycle : 2 * kFall - in_cycle);
+}
+
+Fall make_fall(const std::string& path) {
+  Fall fall;
+  fall.surface = path.empty() ? make_surface() : read_surface(path);
+  const auto& points = fall.surface.points;
+  fall.shape.vertices = points.size() / 3;
+  fall.shape.edges = surface_edges(fall.surface);
+  for (const auto& face : fall.surface.faces) {
+    fall.shape.corners.insert(fall.shape.corners.end(), face.begin(), face.end());
+  }
+  std::array<double, 3> low{}, high{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    low[k] = high[k] = points[k];
+    for (std::size_t i = k; i < points.size(); i += 3) {
+      low[k] = std::min(low[k], points[i]);
+      high[k] = std::max(high[k], points[i]);
+    }
+  }
+  scenes::PyramidOptions options;
+  options.edge = kCube;
+  for (std::size_t k = 0; k < 3; ++k) {
+    options.low[k] = low[k] - 4.3 * kCube;  // so that nothing is aligned with the cubes
+    options.size[k] = static_cast<std::uint32_t>(std::ceil((high[k] - low[k]) / kCube)) + 9;
+  }
+  fall.pyramids = scenes::make_pyramids(options);
+  for (const auto& face : fall.surface.faces) {  // the surface starts free, and falls freely for some steps
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [least, most] = std::minmax({points[3 * face[0] + k], points[3 * face[1] + k], points[3 * face[2] + k]});
+      low[k] = least;
+      high[k] = most;
+    }
+    low[2] -= kStep * static_cast<double>(kFree);
+    scenes::clear_box(fall.pyramids, low, high);
+  }
+  return fall;
+}
+
+std::vector<double> place(const Fall& fall, std::size_t step) {
+  std::vector<double> at = fall.surface.points;
+  for (std::size_t i = 2; i < at.size(); i += 3) {
+    at[i] += height(step);
+  }
+  return at;
+}
+
+/** What was cast for a move: every vertex on its way, then its edges from where their other ends were. */
+Segments segments_of(const Fall& fall, const std::vector<double>& before, const std::vector<double>& after,
+                     const std::vector<double>& targets) {
+  Segments segments;
+  const auto cast = [&](const double* from, std::size_t v) {
+    segments.from.insert(segments.from.end(), from, from + 3);
+    segments.to.insert(segments.to.end(), &targets[3 * v], &targets[3 * v] + 3);
+  };
+  for (std::size_t v = 0; v < fall.shape.vertices; ++v) {
+    cast(&before[3 * v], v);
+  }
+  for (std::size_t e = 0; e < fall.shape.edges.size(); e += 2) {
+    const std::size_t a = fall.shape.edges[e], b = fall.shape.edges[e + 1];
+    cast(&before[3 * b], a);  // a < b: b has not moved when it is a's turn
+    cast(&after[3 * a], b);
+  }
+  segments.batch = segments.count();
+  return segments;
+}
+
+/** Edges of a body that meet something where it is. */
+std::size_t count_not_free(const Fall& fall, const World& world, const Flock& flock) {
+  std::vector<double> at, from, to;
+  std::vector<dsw_volume_id> volumes, starts;
+  flock.places(at, volumes);
+  for (std::size_t e = 0; e < fall.shape.edges.size(); e += 2) {
+    const std::size_t a = fall.shape.edges[e], b = fall.shape.edges[e + 1];
+    from.insert(from.end(), &at[3 * a], &at[3 * a] + 3);
+    to.insert(to.end(), &at[3 * b], &at[3 * b] + 3);
+    starts.push_back(volumes[a]);
+  }
+  std::vector<dsw_flight> flights(starts.size());
+  check(dsw_environment_cast_segments(world.environment(), starts.size(), starts.data(), from.data(), to.data(), 0,
+                                      nullptr, flights.data()));
+  return static_cast<std::size_t>(std::count_if(
+      flights.begin(), flights.end(), [](const dsw_flight& f) { return f.outcome != DSW_OUTCOME_REACHED; }));
+}
+
+std::set<std::uint32_t> touched(const Flock& flock) {
+  const dsw_contact* contacts = nullptr;
+  std::size_t count = 0;
+  check(dsw_body_get_contacts(flock.scene(), flock.bodies().front(), &contacts, &count));
+  std::set<std::uint32_t> vertices;
+  for (std::size_t i = 0; i < count; ++i) {
+    vertices.insert(contacts[i].vertex.index);
+  }
+  return vertices;
+}
+
+const std::vector<Variant>& variants() {
+  static const std::vector<Variant> all = {
+      {"points", DSW_LEVEL_POINTS, 0},
+      {"edges", DSW_LEVEL_EDGES, 0},
+      {"edges_environment", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_ENVIRONMENT},
+      {"edges_motion", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_MOTION},
+      {"edges_hybrid", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_MOTION},
+      {"edges_clearance", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_CLEARANCE},
+      {"edges_sequences", DSW_LEVEL_EDGES, DSW_BODY_SEQUENCES},
+      {"swept", DSW_LEVEL_EDGES_SWEPT, 0},
+      {"swept_environment", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SKIP_BY_ENVIRONMENT},
+      {"swept_clearance", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SKIP_BY_CLEARANCE},
+      {"swept_sequences", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SEQUENCES},
+      {"faces", DSW_LEVEL_FACES, 0},
+      {"faces_sequences", DSW_LEVEL_FACES, DSW_BODY_SEQUENCES},
+      {"faces_clearance", DSW_LEVEL_FACES, DSW_BODY_SKIP_BY_CLEARANCE},
+  };
+  return all;
+}
+
+}  // namespace
+
+void run_fig12(const Options& options, Report& report) {
+  const std::string path = options.data.empty() ? "" : options.data + "/surfaces/hand_12k.obj";
+  if (path.empty()) {
+    std::printf("  no data: a generated surface instead of the hand\n");
+  }
+  const Fall fall = make_fall(path);
+  World world(fall.pyramids.mesh, 1);
+  std::vector<std::uint8_t> impassable;
+  for (const std::uint8_t obstacle : fall.pyramids.obstacle) {
+    impassable.insert(impassable.end(), 6, obstacle);
+  }
+  mark_cells(world, impassable);
+  const WallMesh walls(fall.pyramids.mesh.points, scenes::pyramid_walls(fall.pyramids));
+  report.set("edges.fig12.vertices", static_cast<double>(fall.shape.vertices));
+  report.set("edges.fig12.cells", static_cast<double>(fall.pyramids.mesh.cell_count()));
+
+  std::map<std::string, std::unique_ptr<Flock>> flocks;
+  for (const Variant& variant : variants()) {
+    flocks[variant.name] = std::make_unique<Flock>(world.environment(), variant, fall.shape, fall.surface.points);
+  }
+  std::unique_ptr<Engine> embree;
+  std::map<std::string, std::vector<double>> times;  // of each block
+  std::map<std::string, std::size_t> swept, skipped;
+  std::size_t contacts = 0, missed = 0, not_free = 0, stops = 0;
+  const std::size_t steps = options.quick ? 60 : 360;
+  const double per_block = static_cast<double>(fall.shape.vertices * kBlock);
+  for (std::size_t step = 1; step <= steps; ++step) {
+    const auto targets = place(fall, step);
+    std::vector<double> before, after;
+    std::vector<dsw_volume_id> volumes;
+    flocks["edges"]->places(before, volumes);
+    const bool new_block = (step - 1) % kBlock == 0;
+    const auto keep = [&](const std::string& name, double ns) {
+      auto& of = times[name];
+      if (new_block) {
+        of.push_back(0.0);
+      }
+      of.back() += ns / per_block;
+    };
+    for (auto& [name, flock] : flocks) {
+      keep(name, time_ns([&, at = flock.get()] { at->move(targets.data()); }));
+      swept[name] += flock->swept();
+      skipped[name] += flock->skipped();
+    }
+    flocks["edges"]->places(after, volumes);
+    const Segments segments = segments_of(fall, before, after, targets);
+    if (!embree) {
+      embree = keep_fastest(make_embrees(walls), segments);
+    }
+    embree->prepare(segments);
+    keep("embree", time_ns([&] { embree->run(0, segments.batch); }));
+
+    const auto all = touched(*flocks["edges"]), seen = touched(*flocks["edges_motion"]);
+    contacts += all.size();
+    stops += flocks["edges"]->stopped();
+    for (const std::uint32_t v : all) {
+      missed += seen.count(v) == 0 ? 1 : 0;
+    }
+    not_free += count_not_free(fall, world, *flocks["edges_motion"]);
+    not_free += count_not_free(fall, world, *flocks["edges_hybrid"]);
+  }
+  for (const auto& [name, ns] : times) {
+    report.set("edges.fig12.ns." + name, median(ns));
+  }
+  for (const auto& [name, count] : skipped) {
+    if (count != 0) {
+      report.set("edges.fig12.skipped_share." + name, static_cast<double>(count) / static_cast<double>(swept[name]));
+    }
+  }
+  const auto over = [&](const std::string& name, const std::string& below) {
+    return median_ratio(times[name], times[below]);
+  };
+  report.set("edges.fig12.overhead", over("edges", "points"));
+  report.set("edges.fig12.overhead_environment", over("edges_environment", "points"));
+  report.set("edges.fig12.overhead_motion", over("edges_motion", "points"));
+  report.set("edges.fig12.overhead_hybrid", over("edges_hybrid", "points"));
+  report.set("edges.fig12.overhead_clearance", over("edges_clearance", "points"));
+  report.set("edges.fig12.swept_over_edges", over("swept", "edges"));
+  report.set("edges.fig12.faces_over_edges", over("faces", "edges"));
+  report.set("edges.fig12.vs_embree", over("embree", "edges"));
+  report.set("edges.fig12.vs_embree.environment", over("embree", "edges_environment"));
+  report.set("edges.fig12.vs_embree.hybrid", over("embree", "edges_hybrid"));
+  report.set("edges.fig12.vs_embree.swept", over("embree", "swept"));
+  report.set("edges.fig12.contacts", static_cast<double>(contacts));
+  report.set("edges.fig12.stopped_share",
+             static_cast<double>(stops) / static_cast<double>(steps * fall.shape.vertices));
+  report.set("edges.hybrid_missed_share", static_cast<double>(missed) / static_cast<double>(std::max<std::size_t>(contacts, 1)));
+  report.set("edges.hybrid_not_free_after", static_cast<double>(not_free));
+}
+
+}  // namespace dsw::bench
