@@ -85,6 +85,11 @@ bool StarSweep::follows_sequence(const Body& body, const EdgeSweep& sweep) const
   if (!stays && !sweep.crossed.valid()) return false;
   if (body.level != SweepLevel::kEdges && !keeps(from.position, from.cell, facets.data(), facets.size())) return false;
   if (stays) return keeps(sweep.to, sweep.arrival, facets.data(), facets.size());
+  // What is noted may be of another place, at EDGES: then it does not go on where the path has left its cell.
+  if (!facets.empty()) {
+    const HalfFacet end = first ? HalfFacet{facets.front()} : env_.map.opposite({facets.back()});
+    if (env_.map.cell_of(end) != from.cell) return false;
+  }
   // As the sequence would name it: passed on the way from ends[0].
   const uint32_t left = first ? sweep.crossed.word : env_.map.opposite(sweep.crossed).word;
   const uint32_t met = first ? env_.map.opposite(sweep.crossed).word : sweep.crossed.word;

@@ -299,5 +299,25 @@ TEST_F(BodyRigidTest, MotionsThatAreNone) {
   EXPECT_EQ(everything(body), before);
 }
 
+// Vertex 0 is stopped halfway by the edge to vertex 1, so that the volumes noted for the edge to vertex 2 are not those that it
+// crosses. Then its path enters one more volume, and between that and what was noted stands an obstacle.
+TEST_F(BodyMoveTest, ASequenceThatTheEdgeDoesNotCrossAnyMoreIsNotContinued) {
+  mark_volume(cube(1, 1, 1));
+  const Vec u = {0.5, 1.5, 1.5}, q = {3.1, 1.55, 1.5};
+  for (dsw_level level : {DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT}) {
+    std::string answers[2];
+    for (uint32_t flags : {0u, static_cast<uint32_t>(DSW_BODY_SEQUENCES)}) {
+      const dsw_body_id body = make({{{1.1, 0.2, 1.5}, u, q}, {{0, 2}, {0, 1}}, {}}, level, flags);
+      EXPECT_EQ(move(body, {{2.5, 1.1, 1.5}, u, q}).contacts.size(), 1u);
+      const BodyAnswer answer = move(body, {{0.9, 0.55, 1.5}, u, q});
+      EXPECT_EQ(answer.contacts.size(), 1u) << "level " << level << ", flags " << flags;
+      answers[flags == 0 ? 0 : 1] = bits_of(answer.after);
+      // Raising the level casts every edge.
+      EXPECT_EQ(dsw_body_set_level(scene(), body, DSW_LEVEL_FACES), DSW_STATUS_OK) << dsw_last_error_message();
+    }
+    EXPECT_EQ(answers[0], answers[1]);
+  }
+}
+
 }  // namespace
 }  // namespace dsw::oracle
