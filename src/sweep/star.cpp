@@ -113,6 +113,7 @@ bool StarSweep::keeps_sequence(const Body& body, uint32_t e) const {
 /** Whether an edge is not known to be free in its new place; fills hit_edges_ with all, or with some if one is enough. */
 bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough) {
   hit_edges_.clear();
+  wave_.clear();  // of casts that ran out of memory
   const auto run = [&] {
     wave_.run(env_, counters);
     for (uint32_t i = 0; i < wave_.count(); ++i) {
