@@ -319,5 +319,54 @@ TEST_F(BodyMoveTest, ASequenceThatTheEdgeDoesNotCrossAnyMoreIsNotContinued) {
   }
 }
 
+// A thin wedge whose edge runs through the origin, in volumes so large that distances to it are rounded by more than its distance
+// from the body: what is measured must not pass for clear.
+TEST(BodyClearanceTest, DistancesInHugeVolumesAreNotTrusted) {
+  const double size = 1e13, far = 1e-3, turn = std::acos(-1.0) / 180;
+  Rng rng(5);
+  int met = 0;
+  for (int tries = 0; tries < 100; ++tries) {
+    // An orthogonal frame: the wedge's edge along x, its inside along -z.
+    const auto random = [&] { return rng.range(-1, 1); };
+    const auto cross = [](const Vec& a, const Vec& b) {
+      return Vec{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    };
+    const auto unit = [](const Vec& a) {
+      const double length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+      return Vec{a[0] / length, a[1] / length, a[2] / length};
+    };
+    const Vec x = unit({random(), random(), random()}), y = unit(cross(x, {random(), random(), random()}));
+    const Vec z = cross(x, y);
+    const auto at = [&](double a, double b, double c) {
+      Vec p;
+      for (size_t k = 0; k < 3; ++k) p[k] = a * x[k] + b * y[k] + c * z[k];
+      return p;
+    };
+    Mesh mesh;
+    mesh.points = {at(-size, 0, 0), at(size, 0, 0)};
+    const int ring[] = {-20, 20, 90, 180, 270};  // degrees from -z
+    for (int angle : ring) mesh.points.push_back(at(0, size * std::sin(angle * turn), -size * std::cos(angle * turn)));
+    for (int i = 0; i < 5; ++i) mesh.add_standard(DSW_CELL_TYPE_TETRA, {0, 1, 2 + i, 2 + (i + 1) % 5});
+    const Place place = place_of(std::move(mesh));
+    ASSERT_NE(place.environment, nullptr) << dsw_last_error_message();
+    const dsw_volume_id wedge = place.world->ids[0];
+    ASSERT_EQ(dsw_environment_mark_volumes(place.get(), &wedge, 1, DSW_MARK_IMPASSABLE, 0, nullptr), DSW_STATUS_OK);
+    const ScenePtr scene = make_scene(place.get());
+    const Vec p = at(0, 0, far), to = at(0, -0.3 * far, -0.11 * far), q = at(0, 0.3 * far, -0.11 * far);
+    std::string answers[2];
+    for (uint32_t flags : {0u, static_cast<uint32_t>(DSW_BODY_SKIP_BY_CLEARANCE)}) {
+      dsw_body_id body;
+      ASSERT_EQ(create_body(scene.get(), segment(p, q), DSW_LEVEL_EDGES_SWEPT, flags, {}, &body), DSW_STATUS_OK)
+          << dsw_last_error_message();
+      BodyAnswer answer;
+      ASSERT_EQ(move_body(scene.get(), body, {to, q}, nullptr, answer), "");
+      answers[flags == 0 ? 0 : 1] = bits_of(answer.after);
+      met += answer.contacts.empty() ? 0 : 1;
+    }
+    EXPECT_EQ(answers[0], answers[1]) << "try " << tries;
+  }
+  EXPECT_EQ(met, 200);
+}
+
 }  // namespace
 }  // namespace dsw::oracle
