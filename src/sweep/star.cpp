@@ -53,6 +53,8 @@ StarSweep::Settled StarSweep::settle(const Body& body, const EdgeSweep& sweep) {
     counts.skipped += skipping.by_environment ? 1 : 0;
     if (skipping.by_environment || keeps) return Settled::kInside;
   }
+  // What is known must not carry an edge past the work limit that it meets without.
+  if (max_cells != 0) return Settled::kNo;
   Settled settled = Settled::kNo;
   if (skipping.by_clearance && is_clear(body, sweep)) {
     settled = Settled::kClear;

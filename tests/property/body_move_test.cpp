@@ -368,5 +368,22 @@ TEST(BodyClearanceTest, DistancesInHugeVolumesAreNotTrusted) {
   EXPECT_EQ(met, 200);
 }
 
+TEST_F(BodyMoveTest, TheWorkLimitStopsTheSameMovesWithAndWithoutWhatIsLossless) {
+  const std::vector<Vec> at = {{0.5, 0.5, 0.5}, {3.5, 0.5, 0.5}};
+  const std::vector<Vec> to = {{0.5, 0.5, 0.5}, {3.5, 0.625, 0.5}}, further = {to[0], {3.5, 0.75, 0.5}};
+  for (dsw_level level : {DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
+    std::string answers[8];
+    for (uint32_t flags = 0; flags < 8; ++flags) {
+      const dsw_body_id body = make({at, {{0, 1}}, {}}, level, flags);
+      EXPECT_EQ(move(body, to).report.vertices_stopped, 0u);
+      dsw_move_options options = default_options();
+      options.max_cells = 2;
+      const BodyAnswer answer = move(body, further, &options);
+      EXPECT_EQ(answer.report.vertices_stopped, 1u) << "level " << level << ", flags " << flags;
+      answers[flags] = bits_of(answer.after);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dsw::oracle
