@@ -385,5 +385,28 @@ TEST_F(BodyMoveTest, TheWorkLimitStopsTheSameMovesWithAndWithoutWhatIsLossless) 
   }
 }
 
+TEST_F(BodyMoveTest, AStandOffBeyondAllDoublesInsertsNoVertexThere) {
+  mark_wire(2, 2, 1);
+  dsw_move_options options = default_options();
+  for (double stand_off : {1e300, 1e307, 1.7e308}) {
+    for (int i = 0; i < 64; ++i) {
+      const double d = 0.37 * i / 64;
+      const dsw_body_id body = make({{{1.1 + d, 1.5, 1.4}, {1.3, 2.6 + d, 1.61}}, {{0, 1}}, {}});
+      const std::vector<Vec> to = {{2.7, 1.2 + d, 1.45}, {1.3, 2.6 + d, 1.61}};
+      // Up to the wire, so near that a point on the edge may round to its other side.
+      options.stand_off = -1;
+      options.edge_response = DSW_RESPONSE_STOP;
+      move(body, to, &options);
+      options.stand_off = stand_off;
+      options.edge_response = DSW_RESPONSE_ADAPTIVE_MANY;
+      const BodyAnswer answer = move(body, to, &options);
+      for (const Vec& p : answer.after.at) {
+        for (double x : p) EXPECT_TRUE(x >= 0 && x <= 4);
+      }
+      EXPECT_EQ(dsw_body_destroy(scene(), body), DSW_STATUS_OK);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dsw::oracle
