@@ -138,10 +138,10 @@ struct Contest {
   Times times;
 };
 
-Contest make_contest(const std::string& label, std::size_t cells, std::size_t steps, Agreement& agreement,
-                     Report& report) {
+/** In place: engines point at the contest's segments. */
+void make_contest(Contest& contest, const std::string& label, std::size_t cells, std::size_t steps,
+                  Agreement& agreement, Report& report) {
   std::printf("  %s\n", label.c_str());
-  Contest contest;
   contest.label = label;
   contest.scene = std::make_unique<Fig11Case>(cells);
   Fig11Case& scene = *contest.scene;
@@ -183,8 +183,7 @@ Contest make_contest(const std::string& label, std::size_t cells, std::size_t st
       contest.ours_total->apply(change);
       peer->apply(change);
     }
-    report.add("edges.fig11.total_different",
-               static_cast<double>(count_different(script, *contest.ours_total, *peer)));
+    report.add("edges.fig11.total_different", static_cast<double>(count_different(script, *contest.ours_total, *peer)));
     const WallChange& back = script.changes.size() > 1 ? script.changes[1][0] : script.undo[0];
     contest.ours_total->apply(back);
     peer->apply(back);
@@ -198,7 +197,6 @@ Contest make_contest(const std::string& label, std::size_t cells, std::size_t st
   for (const auto& targets : script.targets) {
     contest.positions.emplace_back(targets.begin(), targets.end());
   }
-  return contest;
 }
 
 /** Our bodies through a script with its changes; ns a cast that the paper would make, of the median period. */
@@ -250,8 +248,8 @@ void compare_levels(Contest& contest, Report& report) {
   };
   std::vector<std::unique_ptr<Flock>> flocks;
   for (const Variant& variant : variants) {
-    flocks.push_back(std::make_unique<Flock>(contest.scene->world.environment(), variant, contest.scene->shape,
-                                             script.starts));
+    flocks.push_back(
+        std::make_unique<Flock>(contest.scene->world.environment(), variant, contest.scene->shape, script.starts));
   }
   std::map<std::string, std::vector<double>> times;
   for (std::size_t step = 0; step < script.steps; ++step) {
@@ -340,11 +338,11 @@ void compare_sweeps(const Contest& contest, std::size_t checked_most, Report& re
 void run_fig11(const Options& options, Report& report, Agreement& agreement) {
   const std::size_t steps = options.quick ? 40 : 100, periods = steps / kStepsPerChange;
   const int rounds = options.quick ? 5 : 9;
-  std::vector<Contest> contests;
+  std::array<Contest, 4> contests;
   const std::pair<const char*, std::size_t> sizes[] = {
       {".n1e3", 1000}, {".n1e4", 10000}, {".n1e5", 100000}, {".n1e6", 1000000}};
-  for (const auto& [label, cells] : sizes) {
-    contests.push_back(make_contest(label, cells, steps, agreement, report));
+  for (std::size_t i = 0; i < contests.size(); ++i) {
+    make_contest(contests[i], sizes[i].first, sizes[i].second, steps, agreement, report);
   }
   for (int round = 0; round < rounds; ++round) {
     for (Contest& contest : contests) {

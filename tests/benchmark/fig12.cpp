@@ -19,11 +19,11 @@ namespace dsw::bench {
 
 namespace {
 
-constexpr double kCube = 0.05;            // edge of a cube: four to five edges of the surface
-constexpr double kStep = 0.001;           // a fall of 0.2 m/s at 1 kHz for a hand 0.2 m long
-constexpr std::size_t kFall = 60;         // steps down, then as many up
-constexpr std::size_t kFree = 20;         // steps of the fall before anything can be met
-constexpr std::size_t kBlock = 10;        // steps that are timed together
+constexpr double kCube = 0.05;      // edge of a cube: four to five edges of the surface
+constexpr double kStep = 0.001;     // a fall of 0.2 m/s at 1 kHz for a hand 0.2 m long
+constexpr std::size_t kFall = 60;   // steps down, then as many up
+constexpr std::size_t kFree = 20;   // steps of the fall before anything can be met
+constexpr std::size_t kBlock = 10;  // steps that are timed together
 
 struct Fall {
   Surface surface;
@@ -62,7 +62,8 @@ Fall make_fall(const std::string& path) {
   fall.pyramids = scenes::make_pyramids(options);
   for (const auto& face : fall.surface.faces) {  // the surface starts free, and falls freely for some steps
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto [least, most] = std::minmax({points[3 * face[0] + k], points[3 * face[1] + k], points[3 * face[2] + k]});
+      const auto [least, most] =
+          std::minmax({points[3 * face[0] + k], points[3 * face[1] + k], points[3 * face[2] + k]});
       low[k] = least;
       high[k] = most;
     }
@@ -114,8 +115,8 @@ std::size_t count_not_free(const Fall& fall, const World& world, const Flock& fl
   std::vector<dsw_flight> flights(starts.size());
   check(dsw_environment_cast_segments(world.environment(), starts.size(), starts.data(), from.data(), to.data(), 0,
                                       nullptr, flights.data()));
-  return static_cast<std::size_t>(std::count_if(
-      flights.begin(), flights.end(), [](const dsw_flight& f) { return f.outcome != DSW_OUTCOME_REACHED; }));
+  return static_cast<std::size_t>(std::count_if(flights.begin(), flights.end(),
+                                                [](const dsw_flight& f) { return f.outcome != DSW_OUTCOME_REACHED; }));
 }
 
 std::set<std::uint32_t> touched(const Flock& flock) {
@@ -237,7 +238,8 @@ void run_fig12(const Options& options, Report& report) {
   report.set("edges.fig12.contacts", static_cast<double>(contacts));
   report.set("edges.fig12.stopped_share",
              static_cast<double>(stops) / static_cast<double>(steps * fall.shape.vertices));
-  report.set("edges.hybrid_missed_share", static_cast<double>(missed) / static_cast<double>(std::max<std::size_t>(contacts, 1)));
+  report.set("edges.hybrid_missed_share",
+             static_cast<double>(missed) / static_cast<double>(std::max<std::size_t>(contacts, 1)));
   report.set("edges.hybrid_not_free_after", static_cast<double>(not_free));
 }
 
