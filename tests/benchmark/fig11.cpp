@@ -234,9 +234,39 @@ void time_queries(Contest& contest) {
   }
 }
 
+/** Which bodies of a script are free where they start, faces included. */
+std::vector<std::size_t> bodies_with_free_faces(const Contest& contest) {
+  const std::size_t size = 3 * contest.scene->shape.vertices;
+  const std::vector<double>& starts = contest.still.starts;
+  std::vector<std::size_t> free;
+  for (std::size_t body = 0; body < starts.size() / size; ++body) {
+    const std::vector<double> one(&starts[body * size], &starts[body * size] + size);
+    try {
+      Flock(contest.scene->world.environment(), {"", DSW_LEVEL_FACES, 0}, contest.scene->shape, one);
+      free.push_back(body);
+    } catch (const std::exception&) {
+      // An obstacle's corner stands in one of its faces, which the script, made for edges, does not see.
+    }
+  }
+  return free;
+}
+
+/** Of positions body by body those of some bodies. */
+std::vector<double> positions_of(const std::vector<std::size_t>& bodies, std::size_t size,
+                                 const std::vector<double>& positions) {
+  std::vector<double> some;
+  for (const std::size_t body : bodies) {
+    some.insert(some.end(), &positions[body * size], &positions[body * size] + size);
+  }
+  return some;
+}
+
 /** Bodies at every level, step by step in turns. */
 void compare_levels(Contest& contest, Report& report) {
   const Script& script = contest.still;
+  const std::vector<std::size_t> bodies = bodies_with_free_faces(contest);
+  const std::size_t size = 3 * contest.scene->shape.vertices;
+  const std::vector<double> starts = positions_of(bodies, size, script.starts);
   const std::vector<Variant> variants = {
       {"points", DSW_LEVEL_POINTS, 0},
       {"edges", DSW_LEVEL_EDGES, 0},
@@ -249,20 +279,23 @@ void compare_levels(Contest& contest, Report& report) {
   std::vector<std::unique_ptr<Flock>> flocks;
   for (const Variant& variant : variants) {
     flocks.push_back(
-        std::make_unique<Flock>(contest.scene->world.environment(), variant, contest.scene->shape, script.starts));
+        std::make_unique<Flock>(contest.scene->world.environment(), variant, contest.scene->shape, starts));
   }
   std::map<std::string, std::vector<double>> times;
   for (std::size_t step = 0; step < script.steps; ++step) {
+    const std::vector<double> targets = positions_of(bodies, size, script.targets[step]);
     for (std::size_t i = 0; i < flocks.size(); ++i) {
       Flock& flock = *flocks[(step + i) % flocks.size()];
-      times[flock.variant().name].push_back(time_ns([&] { flock.move(script.targets[step].data()); }) /
-                                            static_cast<double>(script.segments.batch));
+      times[flock.variant().name].push_back(time_ns([&] { flock.move(targets.data()); }) /
+                                            static_cast<double>(7 * targets.size() / 3));
     }
   }
   for (const auto& [name, ns] : times) {
     report.set("edges.fig11.body_ns." + name, median(ns));
   }
-  report.set("edges.fig11.stopped_share", static_cast<double>(flocks[1]->stopped()) / double(script.particles));
+  report.set("edges.fig11.stopped_share",
+             static_cast<double>(flocks[1]->stopped()) / static_cast<double>(starts.size() / 3));
+  report.set("edges.fig11.bodies_left_out", static_cast<double>(script.starts.size() / size - bodies.size()));
   report.set("edges.swept_over_edges", median_ratio(times["swept"], times["edges"]));
   report.set("edges.swept_over_edges.sequences", median_ratio(times["swept_sequences"], times["edges"]));
   report.set("edges.faces_over_edges", median_ratio(times["faces"], times["edges"]));
