@@ -7,9 +7,12 @@
 #include "timing.h"
 #include "vessel_case.h"
 
+#include "scenes/random.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <unordered_set>
 
@@ -180,7 +183,7 @@ Times time_variants(const VesselCase& vessel, const std::vector<Variant>& varian
     beside(before, targets, keep);
     for (std::size_t i = 0; i < flocks.size(); ++i) {
       Flock& flock = *flocks[(step + i) % flocks.size()];
-      keep(flock.variant().name, time_ns([&] { flock.move(targets.data()); }));
+      keep(flock.variant().name, cpu_time_ns([&] { flock.move(targets.data()); }));
     }
   }
   return times;
@@ -205,7 +208,7 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
         }
         casts = static_cast<double>(segments.batch);
         embree->prepare(segments);
-        keep("embree", time_ns([&] { embree->run(0, segments.batch); }));
+        keep("embree", cpu_time_ns([&] { embree->run(0, segments.batch); }));
       });
   for (const auto& [name, ns] : times) {
     report.set("edges.long.ns_per_cast." + name, median(ns) / casts);
@@ -295,11 +298,12 @@ void run_sliding(const VesselCase& vessel, dsw_response response, const std::str
 }  // namespace
 
 void run_catheter(const Options& options, Report& report) {
-  const bool real = !options.vessel.empty() && !options.data.empty();
+  const std::string line = options.data + "/vessels/vascular_phantom_centreline.csv";
+  const bool real = !options.vessel.empty() && std::filesystem::exists(line);
   if (!real) {
     std::printf("  no data: a generated vessel instead of the phantom\n");
   }
-  const VesselCase vessel(real ? options.vessel : "", options.data);
+  const VesselCase vessel(real ? options.vessel : "", line);
   report.set("edges.catheter.cells", static_cast<double>(vessel.mesh.cell_count()));
   run_fig9(vessel, report);
   run_long(vessel, options, report);

@@ -69,9 +69,10 @@ if [ -n "${DARTSWEEP_DATA:-}" ] && [ -e "$data" ]; then
     python=/usr/bin/python3
   fi
   "$python" "$here/read_mesh.py" "$data" "$tree/vessel.bin"
-  vessel=(--vessel "$tree/vessel.bin")
+  vessel=(--vessel "$tree/vessel.bin" --data "$DARTSWEEP_DATA")
 else
-  echo "benchmark: DARTSWEEP_DATA names no folder with vessels/vascular_phantom.msh.gz: no walk.vessel.* figures"
+  echo "benchmark: DARTSWEEP_DATA names no folder with vessels/vascular_phantom.msh.gz: no walk.vessel.* figures," \
+    "and a generated surface and vessel for edges.*"
 fi
 
 mkdir -p "$tree"
