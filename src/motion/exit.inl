@@ -60,6 +60,11 @@ class ExitFinder {
         tally_.tests(known == 0 ? 6 : 5);
         return Look::of_planes(outside_flat_box(env_, w, q_, known, uncounted_));
       }
+      if (form == Form::kPyramid && (w[0] & kConvexBit) != 0) {
+        const uint32_t known = entry.known_inside(5);
+        tally_.tests(known == 0 ? 5 : 4);
+        return Look::of_planes(outside_flat_pyramid(env_, w, q_, known, uncounted_));
+      }
     }
     return Look::of_nothing();
   }
@@ -123,14 +128,22 @@ class ExitFinder {
 
   // Cells that are convex with flat facets: one plane a facet, and p is inside all of them.
 
+  /** The first simplex of a facet. Tetrahedra, pyramids and boxes only. */
+  uint32_t simplex_of(Cell c, uint32_t f) const noexcept {
+    const Form form = map_.form(c);
+    return form == Form::kSimplex ? f : form == Form::kPyramid ? f + (f != 0 ? 1 : 0) : 2 * f;
+  }
+
   /** Of two facets that share a ridge and both have q outside: whether the segment passes it on the side of f. 0: they share
-   * none. Tetrahedra and boxes only. */
+   * none. For the same forms. */
   DSW_HOT int keeps(Cell c, uint32_t f, uint32_t g) noexcept {
     const uint32_t* w = map_.record(c);
-    const bool simplex = form_of(w[0]) == Form::kSimplex;
-    const Ridge shared = simplex ? kTetrahedronRidges.of[f][g] : kBoxRidges.of[f][g];
+    const Form form = form_of(w[0]);
+    const Ridge shared = form == Form::kSimplex    ? kTetrahedronRidges.of[f][g]
+                         : form == Form::kPyramid ? kPyramidRidges.of[f][g]
+                                                  : kBoxRidges.of[f][g];
     if (shared.a == shared.b) return 0;
-    w += simplex ? 0 : kUnitWords;
+    w += form == Form::kSimplex ? 0 : kUnitWords;
     const double* ridge[2] = {env_.point(w[shared.a] & kVertexMask), env_.point(w[shared.b] & kVertexMask)};
     return line_side<3>(p_, q_, ridge, tally_).sign;
   }
@@ -154,7 +167,7 @@ class ExitFinder {
     if (outside == 0) return {};
     if ((outside & (outside - 1)) != 0) return exit_of_several(c, outside);
     const uint32_t f = static_cast<uint32_t>(__builtin_ctz(outside));
-    return {f, map_.form(c) == Form::kSimplex ? f : 2 * f};
+    return {f, simplex_of(c, f)};
   }
 
   DSW_HOT Exit exit_of_several(Cell c, uint32_t outside) noexcept {
@@ -165,7 +178,7 @@ class ExitFinder {
       if (__builtin_expect(side == 0, 0)) return apart().first_pierced(c, outside);
       f = side < 0 ? g : f;
     }
-    return {f, map_.form(c) == Form::kSimplex ? f : 2 * f};
+    return {f, simplex_of(c, f)};
   }
 
   /** Facets without a common ridge can both have q outside (a cell that narrows): then each is asked in full. */

@@ -1,5 +1,5 @@
 #pragma once
-// Facets of tetrahedra and hexahedra as constants: for code that meets them too often to ask a shape.
+// Facets of tetrahedra, pyramids and hexahedra as constants: for code that meets them too often to ask a shape.
 
 #include "environment/environment.h"
 
@@ -9,6 +9,9 @@ namespace dsw {
 constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
 constexpr uint8_t kBoxFacets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
                                       {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+
+/** A triangle repeats its last vertex. */
+constexpr uint8_t kPyramidFacets[5][4] = {{0, 3, 2, 1}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}};
 
 /** Three vertices give the plane of a flat facet, so that vertices 0 and 6 of a box need not be read: what remains of a facet
  * are three neighbours on the ring 1 2 3 7 4 5. They may lie in a row; then no filter settles the facet. */
@@ -31,7 +34,7 @@ constexpr RidgeTable<Facets> make_ridges(const uint8_t (&facets)[Facets][Vertice
     for (uint32_t g = 0; g < Facets; ++g) {
       for (uint32_t i = 0; i < Vertices * Vertices; ++i) {
         const uint8_t a = facets[f][i / Vertices], b = facets[f][(i / Vertices + 1) % Vertices];
-        if (facets[g][i % Vertices] == b && facets[g][(i % Vertices + 1) % Vertices] == a) table.of[f][g] = {a, b};
+        if (a != b && facets[g][i % Vertices] == b && facets[g][(i % Vertices + 1) % Vertices] == a) table.of[f][g] = {a, b};
       }
     }
   }
@@ -39,6 +42,7 @@ constexpr RidgeTable<Facets> make_ridges(const uint8_t (&facets)[Facets][Vertice
 }
 constexpr RidgeTable<4> kTetrahedronRidges = make_ridges(kTetrahedronFacets);
 constexpr RidgeTable<6> kBoxRidges = make_ridges(kBoxFacets);
+constexpr RidgeTable<5> kPyramidRidges = make_ridges(kPyramidFacets);
 
 /** Triangle `half` of facet f of a hexahedron, as its standard shape has it. */
 inline void box_triangle(const Environment<3>& env, const uint32_t* w, uint32_t f, uint32_t half,

@@ -6,6 +6,7 @@
 #include "motion/lanes.inl"
 #include "motion/box.inl"
 #include "motion/simplex.inl"
+#include "motion/pyramid.inl"
 #include "motion/exit.inl"
 #if defined(DSW_ISA_AVX512)
 #include "motion/flat_boxes.inl"

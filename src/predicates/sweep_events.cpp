@@ -5,6 +5,7 @@
 
 #include "predicates/filtered.h"
 #include "predicates/integers.h"
+#include "predicates/plane_hit.h"
 #include "predicates/ratio.h"
 #include "predicates/tally.h"
 
@@ -154,7 +155,24 @@ ShiftedSign compare_events(const double* p, const double* to, const SweepEvent& 
   return {compare_ties(at, a.kind, b.kind), true};
 }
 
+namespace {
+
+// What all kinds of events are without the shift: p passes the plane of three points, turned so that it passes it outwards. False
+// where a filter does not see it pass.
+bool plane_passed(const double* p, const double* to, const SweepEvent& event, const double* (&plane)[3]) noexcept {
+  std::copy_n(event.points, 3, plane);
+  bool in_range = true;
+  const filter::Ratio ratio = filter::time_ratio<3>(p, filter::difference<3>(to, p), plane, in_range);
+  if (!in_range || !(std::fabs(ratio.denominator) > ratio.bound)) return false;
+  if (ratio.denominator < 0) std::swap(plane[0], plane[1]);
+  return true;
+}
+
+}  // namespace
+
 double event_time(const double* p, const double* to, const SweepEvent& event) noexcept {
+  const double* plane[3];
+  if (plane_passed(p, to, event, plane)) return crossing_time<3>(p, to, plane);
   const EventPoints at(p, to, event, event);
   double time = 0;
   integers::evaluate<3>(at.points, [&](const auto& x) noexcept {

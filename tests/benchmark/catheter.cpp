@@ -3,6 +3,7 @@
 #include "parts.h"
 
 #include "embree.h"
+#include "scenes/random.h"
 #include "surface_bodies.h"
 #include "timing.h"
 #include "vessel_case.h"
