@@ -3,7 +3,6 @@
 #include "parts.h"
 
 #include "embree.h"
-#include "scenes/random.h"
 #include "surface_bodies.h"
 #include "timing.h"
 #include "vessel_case.h"
@@ -161,7 +160,7 @@ using Times = std::map<std::string, std::vector<double>>;
 /** Moves variants of a body in turns, and whatever else, in blocks of steps. */
 template <typename Targets, typename Beside>
 Times time_variants(const VesselCase& vessel, const std::vector<Variant>& variants, const BodyShape& shape,
-                    std::size_t steps, Targets&& targets_at, Beside&& beside) {
+                    std::size_t steps, Targets&& targets_at, Beside&& beside, Report& report) {
   constexpr std::size_t kBlock = 20;
   std::vector<std::unique_ptr<Flock>> flocks;
   for (const Variant& variant : variants) {
@@ -169,6 +168,7 @@ Times time_variants(const VesselCase& vessel, const std::vector<Variant>& varian
         std::make_unique<Flock>(vessel.world.environment(), variant, shape, targets_at(std::size_t{0})));
   }
   Times times;
+  std::map<std::string, double> swept, skipped;
   for (std::size_t step = 1; step <= steps; ++step) {
     const auto targets = targets_at(step);
     const auto keep = [&](const std::string& name, double ns) {
@@ -185,6 +185,13 @@ Times time_variants(const VesselCase& vessel, const std::vector<Variant>& varian
     for (std::size_t i = 0; i < flocks.size(); ++i) {
       Flock& flock = *flocks[(step + i) % flocks.size()];
       keep(flock.variant().name, cpu_time_ns([&] { flock.move(targets.data()); }));
+      swept[flock.variant().name] += static_cast<double>(flock.swept());
+      skipped[flock.variant().name] += static_cast<double>(flock.skipped());
+    }
+  }
+  for (const Variant& variant : variants) {
+    if (variant.flags != 0) {
+      report.set("edges.long.skipped_share." + variant.name, skipped[variant.name] / swept[variant.name]);
     }
   }
   return times;
@@ -210,7 +217,8 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
         casts = static_cast<double>(segments.batch);
         embree->prepare(segments);
         keep("embree", cpu_time_ns([&] { embree->run(0, segments.batch); }));
-      });
+      },
+      report);
   for (const auto& [name, ns] : times) {
     report.set("edges.long.ns_per_cast." + name, median(ns) / casts);
   }
@@ -228,7 +236,7 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
   Times tube = time_variants(
       vessel, surfaces, sleeve(kParticles), steps / 4,
       [&](std::size_t step) { return sleeve_at(chain_at(vessel.line, kParticles, step + 20)); },
-      [](const auto&, const auto&, const auto&) {});
+      [](const auto&, const auto&, const auto&) {}, report);
   report.set("edges.faces_over_edges.catheter", median_ratio(tube["faces"], tube["edges"]));
   report.set("edges.faces_over_edges.catheter_sequences", median_ratio(tube["faces_sequences"], tube["edges"]));
 }

@@ -75,7 +75,9 @@ double time_script(const Script& script, std::size_t periods, Change&& change, S
   for (std::size_t period = 0; period < periods; ++period) {
     ns.push_back(cpu_time_ns([&] {
                    for (const WallChange& each : script.changes[period]) {
-                     change(each);
+                     if (!each.volumes.empty()) {
+                       change(each);
+                     }
                    }
                    for (std::size_t step = period * kStepsPerChange; step < (period + 1) * kStepsPerChange; ++step) {
                      run(step);
@@ -220,6 +222,12 @@ void time_totals(Contest& contest, std::size_t periods, bool with_gimpact) {
   contest.times["embree_total_ns"].push_back(time_script(script, periods, *contest.embree_total));
   contest.times["bullet_total_ns"].push_back(time_script(script, periods, *contest.bullet_total));
   contest.times["body_total_ns"].push_back(time_bodies(contest, periods));
+  contest.times["mark_ns"].push_back(cpu_time_ns([&] {
+    for (const WallChange& change : script.changes[0]) {
+      mark(contest.scene->world, change);
+    }
+  }));
+  mark(contest.scene->world, script.changes[1][0]);
   if (with_gimpact) {
     contest.times["gimpact_total_ns"].push_back(time_script(
         script, 1, [&](const WallChange& change) { contest.gimpact->apply(change); },
