@@ -230,6 +230,16 @@ uint32_t split_edge(Body& body, uint32_t edge, uint32_t middle) noexcept {
 bool can_collapse(const Body& body, uint32_t edge, uint32_t vertex) noexcept {
   const BodyEdge& e = body.edges[edge];
   const uint32_t kept = e.other(vertex);
+  // A wire between two surfaces would join them in a vertex alone.
+  const auto has_face = [&](uint32_t v) {
+    bool any = false;
+    for_each_face(body, v, [&](uint32_t) {
+      any = true;
+      return false;
+    });
+    return any;
+  };
+  if (e.faces[0] == kNone && e.faces[1] == kNone && has_face(vertex) && has_face(kept)) return false;
   bool fits = true;
   // A neighbour of both ends must be the far corner of a face at the edge: its two other edges become one.
   for_each_edge(body, vertex, [&](uint32_t other) {

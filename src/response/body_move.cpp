@@ -131,6 +131,7 @@ bool BodyMove::try_together(Body& body, PlaceFn where, const void* user, double 
 
 void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
   sweeps_.counts = {};
+  wave_.clear();  // of casts left by a move that ran out of memory
   skipped_.clear();
   if (body.keeps_sequences()) {
     writers_.reserve(kWave);  // casts point at them

@@ -12,6 +12,10 @@ namespace {
 constexpr uint32_t kMostSlides = 8, kMostInsertions = 64;
 constexpr double kStandOffShare = 1e-9;
 
+bool is_finite(const double* point) {
+  return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+}
+
 double extent(const Environment<3>& env, Cell c) {
   double size = 0;
   for (int k = 0; k < 3; ++k) {
@@ -146,6 +150,7 @@ bool VertexMove::insert(uint32_t v, const dsw_contact& contact) {
       return true;
     }
     store(on_edge + lift * normal, point);
+    if (!is_finite(point)) return false;
   }
   return false;
 }
@@ -176,7 +181,7 @@ bool VertexMove::slide(uint32_t v, const double* target, const dsw_contact& cont
   if (gap < off / 2) rest = rest + (off - gap) * normal;
   store(to_vec(at) + rest, to);
   // Where the rest is longer than doubles go, the move ends here.
-  return std::isfinite(to[0]) && std::isfinite(to[1]) && std::isfinite(to[2]) && !std::equal(to, to + 3, at);
+  return is_finite(to) && !std::equal(to, to + 3, at);
 }
 
 }  // namespace dsw

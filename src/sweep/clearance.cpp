@@ -11,7 +11,7 @@ namespace {
 constexpr uint32_t kMostPatience = 1024;
 constexpr double kReach = 4;  // how far is measured, in units of what is needed
 // The distance to an obstacle is rounded. What is left of a ball is free if that error, a few units in the last place of the
-// coordinates, is smaller than what is left out of it.
+// coordinates, is smaller than what is left out of it. The obstacle's count too: its ends can be far from where it is near.
 constexpr double kKept = 0.999, kLeastShare = 1e-9;
 
 double distance(const double* a, const double* b) noexcept {
@@ -44,9 +44,10 @@ void refresh_clearance(const Environment<3>& env, Body& body, uint32_t v, double
   if (!std::isfinite(reach)) return;
   const bool found = find_nearest(env, at, body.vertices[v].cell, reach, nearest);
   const double radius = kKept * (found ? nearest.distance : reach);
-  const double largest = std::max({std::fabs(at[0]), std::fabs(at[1]), std::fabs(at[2])});
+  double largest = reach;
+  for (int k = 0; k < 3; ++k) largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
   std::copy_n(at, 3, ball.centre);
-  ball.radius = radius > kLeastShare * (largest + reach) ? radius : 0;
+  ball.radius = radius > kLeastShare * largest ? radius : 0;
   ball.version = env.obstacle_version;
   if (ball.radius > needed) {
     ball.patience = 1;

@@ -53,6 +53,8 @@ StarSweep::Settled StarSweep::settle(const Body& body, const EdgeSweep& sweep) {
     counts.skipped += skipping.by_environment ? 1 : 0;
     if (skipping.by_environment || keeps) return Settled::kInside;
   }
+  // What is known must not carry an edge past the work limit that it meets without.
+  if (max_cells != 0) return Settled::kNo;
   Settled settled = Settled::kNo;
   if (skipping.by_clearance && is_clear(body, sweep)) {
     settled = Settled::kClear;
@@ -85,6 +87,11 @@ bool StarSweep::follows_sequence(const Body& body, const EdgeSweep& sweep) const
   if (!stays && !sweep.crossed.valid()) return false;
   if (body.level != SweepLevel::kEdges && !keeps(from.position, from.cell, facets.data(), facets.size())) return false;
   if (stays) return keeps(sweep.to, sweep.arrival, facets.data(), facets.size());
+  // What is noted may be of another place, at EDGES: then it does not go on where the path has left its cell.
+  if (!facets.empty()) {
+    const HalfFacet end = first ? HalfFacet{facets.front()} : env_.map.opposite({facets.back()});
+    if (env_.map.cell_of(end) != from.cell) return false;
+  }
   // As the sequence would name it: passed on the way from ends[0].
   const uint32_t left = first ? sweep.crossed.word : env_.map.opposite(sweep.crossed).word;
   const uint32_t met = first ? env_.map.opposite(sweep.crossed).word : sweep.crossed.word;
@@ -108,6 +115,7 @@ bool StarSweep::keeps_sequence(const Body& body, uint32_t e) const {
 /** Whether an edge is not known to be free in its new place; fills hit_edges_ with all, or with some if one is enough. */
 bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough) {
   hit_edges_.clear();
+  wave_.clear();  // of casts that ran out of memory
   const auto run = [&] {
     wave_.run(env_, counters);
     for (uint32_t i = 0; i < wave_.count(); ++i) {

@@ -219,5 +219,21 @@ TEST_F(BodyEditTest, ATriangleMayBecomeAnEdge) {
   EXPECT_EQ(after.edges.size(), 1u);
 }
 
+TEST_F(BodyEditTest, AWireBetweenTwoSurfacesDoesNotCollapseToAVertexOfTwoFans) {
+  const dsw_body_id body = make({{kA, kB, kC, {1.5, 1.5, 0.5}, {1.75, 1.5, 0.5}, {1.5, 1.75, 0.5}, {1.25, 1.5, 0.75}},
+                                 {{0, 3}, {3, 6}},
+                                 {{0, 1, 2}, {3, 4, 5}}});
+  const BodyState s = read(body);
+  for (uint32_t v : {0u, 3u}) {
+    refuse(DSW_STATUS_BAD_CELL, body, [&] {
+      return dsw_body_collapse_edge(scene(), body, s.edge_ids[edge_between(s, 0, 3)], s.vertices[v], nullptr);
+    });
+  }
+  // Where only one of them is a surface there is one fan.
+  EXPECT_EQ(dsw_body_collapse_edge(scene(), body, s.edge_ids[edge_between(s, 3, 6)], s.vertices[3], nullptr),
+            DSW_STATUS_OK)
+      << dsw_last_error_message();
+}
+
 }  // namespace
 }  // namespace dsw::oracle

@@ -203,5 +203,41 @@ TEST_F(BodyMemoryTest, ARigidMove) {
                     [&] { return bits_of(read(body)) == before; });
 }
 
+// A move that fails while casts wait in its wave must not leave them to the next one, which has other targets and may be smaller.
+TEST_F(BodyMemoryTest, AMoveThatFailedLeavesNoCastsBehind) {
+  scene_ = make_scene(place_.get(), DSW_FEATURE_STATISTICS);
+  const auto casts = [&] {
+    dsw_statistics statistics = {};
+    statistics.struct_size = sizeof statistics;
+    EXPECT_EQ(dsw_scene_get_statistics(scene(), &statistics), DSW_STATUS_OK);
+    return statistics.casts;
+  };
+  BodyPlan fan = {{{0.5, 0.5, 0.5}}, {}, {}};
+  for (uint32_t i = 1; i <= 30; ++i) {
+    fan.at.push_back({1.5 + 0.03125 * i, 1.5, 1.25});
+    fan.edges.push_back({{0, i}});
+  }
+  std::vector<Vec> targets = fan.at;
+  for (Vec& p : targets) p = {p[0] + 0.5, p[1] + 0.5, p[2] + 0.5};
+  mark_wall(2, 2, 1);
+  for (dsw_level level : {DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT}) {
+    const dsw_body_id body = make(fan, level, DSW_BODY_SEQUENCES);
+    const dsw_body_id small = make({{{0.5, 0.5, 0.5}}, {}, {}}, DSW_LEVEL_POINTS);
+    double x = 0.5;
+    size_t most = 0;
+    until_it_succeeds(
+        [&] { return dsw_body_move(scene(), body, targets[0].data(), targets.size(), 0, nullptr, nullptr); },
+        [&] {
+          const size_t before = casts();
+          x = x < 0.75 ? x + 0.001 : 0.5;
+          BodyAnswer answer;
+          EXPECT_EQ(move_body(scene(), small, {{x, 0.5, 0.5}}, nullptr, answer), "");
+          most = std::max(most, static_cast<size_t>(casts() - before));
+          return casts() - before == 1;
+        });
+    EXPECT_LE(most, 1u);
+  }
+}
+
 }  // namespace
 }  // namespace dsw::oracle

@@ -299,5 +299,114 @@ TEST_F(BodyRigidTest, MotionsThatAreNone) {
   EXPECT_EQ(everything(body), before);
 }
 
+// Vertex 0 is stopped halfway by the edge to vertex 1, so that the volumes noted for the edge to vertex 2 are not those that it
+// crosses. Then its path enters one more volume, and between that and what was noted stands an obstacle.
+TEST_F(BodyMoveTest, ASequenceThatTheEdgeDoesNotCrossAnyMoreIsNotContinued) {
+  mark_volume(cube(1, 1, 1));
+  const Vec u = {0.5, 1.5, 1.5}, q = {3.1, 1.55, 1.5};
+  for (dsw_level level : {DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT}) {
+    std::string answers[2];
+    for (uint32_t flags : {0u, static_cast<uint32_t>(DSW_BODY_SEQUENCES)}) {
+      const dsw_body_id body = make({{{1.1, 0.2, 1.5}, u, q}, {{0, 2}, {0, 1}}, {}}, level, flags);
+      EXPECT_EQ(move(body, {{2.5, 1.1, 1.5}, u, q}).contacts.size(), 1u);
+      const BodyAnswer answer = move(body, {{0.9, 0.55, 1.5}, u, q});
+      EXPECT_EQ(answer.contacts.size(), 1u) << "level " << level << ", flags " << flags;
+      answers[flags == 0 ? 0 : 1] = bits_of(answer.after);
+      // Raising the level casts every edge.
+      EXPECT_EQ(dsw_body_set_level(scene(), body, DSW_LEVEL_FACES), DSW_STATUS_OK) << dsw_last_error_message();
+    }
+    EXPECT_EQ(answers[0], answers[1]);
+  }
+}
+
+// A thin wedge whose edge runs through the origin, in volumes so large that distances to it are rounded by more than its distance
+// from the body: what is measured must not pass for clear.
+TEST(BodyClearanceTest, DistancesInHugeVolumesAreNotTrusted) {
+  const double size = 1e13, far = 1e-3, turn = std::acos(-1.0) / 180;
+  Rng rng(5);
+  int met = 0;
+  for (int tries = 0; tries < 100; ++tries) {
+    // An orthogonal frame: the wedge's edge along x, its inside along -z.
+    const auto random = [&] { return rng.range(-1, 1); };
+    const auto cross = [](const Vec& a, const Vec& b) {
+      return Vec{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    };
+    const auto unit = [](const Vec& a) {
+      const double length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+      return Vec{a[0] / length, a[1] / length, a[2] / length};
+    };
+    const Vec x = unit({random(), random(), random()}), y = unit(cross(x, {random(), random(), random()}));
+    const Vec z = cross(x, y);
+    const auto at = [&](double a, double b, double c) {
+      Vec p;
+      for (size_t k = 0; k < 3; ++k) p[k] = a * x[k] + b * y[k] + c * z[k];
+      return p;
+    };
+    Mesh mesh;
+    mesh.points = {at(-size, 0, 0), at(size, 0, 0)};
+    const int ring[] = {-20, 20, 90, 180, 270};  // degrees from -z
+    for (int angle : ring) mesh.points.push_back(at(0, size * std::sin(angle * turn), -size * std::cos(angle * turn)));
+    for (int i = 0; i < 5; ++i) mesh.add_standard(DSW_CELL_TYPE_TETRA, {0, 1, 2 + i, 2 + (i + 1) % 5});
+    const Place place = place_of(std::move(mesh));
+    ASSERT_NE(place.environment, nullptr) << dsw_last_error_message();
+    const dsw_volume_id wedge = place.world->ids[0];
+    ASSERT_EQ(dsw_environment_mark_volumes(place.get(), &wedge, 1, DSW_MARK_IMPASSABLE, 0, nullptr), DSW_STATUS_OK);
+    const ScenePtr scene = make_scene(place.get());
+    const Vec p = at(0, 0, far), to = at(0, -0.3 * far, -0.11 * far), q = at(0, 0.3 * far, -0.11 * far);
+    std::string answers[2];
+    for (uint32_t flags : {0u, static_cast<uint32_t>(DSW_BODY_SKIP_BY_CLEARANCE)}) {
+      dsw_body_id body;
+      ASSERT_EQ(create_body(scene.get(), segment(p, q), DSW_LEVEL_EDGES_SWEPT, flags, {}, &body), DSW_STATUS_OK)
+          << dsw_last_error_message();
+      BodyAnswer answer;
+      ASSERT_EQ(move_body(scene.get(), body, {to, q}, nullptr, answer), "");
+      answers[flags == 0 ? 0 : 1] = bits_of(answer.after);
+      met += answer.contacts.empty() ? 0 : 1;
+    }
+    EXPECT_EQ(answers[0], answers[1]) << "try " << tries;
+  }
+  EXPECT_EQ(met, 200);
+}
+
+TEST_F(BodyMoveTest, TheWorkLimitStopsTheSameMovesWithAndWithoutWhatIsLossless) {
+  const std::vector<Vec> at = {{0.5, 0.5, 0.5}, {3.5, 0.5, 0.5}};
+  const std::vector<Vec> to = {{0.5, 0.5, 0.5}, {3.5, 0.625, 0.5}}, further = {to[0], {3.5, 0.75, 0.5}};
+  for (dsw_level level : {DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
+    std::string answers[8];
+    for (uint32_t flags = 0; flags < 8; ++flags) {
+      const dsw_body_id body = make({at, {{0, 1}}, {}}, level, flags);
+      EXPECT_EQ(move(body, to).report.vertices_stopped, 0u);
+      dsw_move_options options = default_options();
+      options.max_cells = 2;
+      const BodyAnswer answer = move(body, further, &options);
+      EXPECT_EQ(answer.report.vertices_stopped, 1u) << "level " << level << ", flags " << flags;
+      answers[flags] = bits_of(answer.after);
+    }
+  }
+}
+
+TEST_F(BodyMoveTest, AStandOffBeyondAllDoublesInsertsNoVertexThere) {
+  mark_wire(2, 2, 1);
+  dsw_move_options options = default_options();
+  for (double stand_off : {1e300, 1e307, 1.7e308}) {
+    for (int i = 0; i < 64; ++i) {
+      const double d = 0.37 * i / 64;
+      const dsw_body_id body = make({{{1.1 + d, 1.5, 1.4}, {1.3, 2.6 + d, 1.61}}, {{0, 1}}, {}});
+      const std::vector<Vec> to = {{2.7, 1.2 + d, 1.45}, {1.3, 2.6 + d, 1.61}};
+      // Up to the wire, so near that a point on the edge may round to its other side.
+      options.stand_off = -1;
+      options.edge_response = DSW_RESPONSE_STOP;
+      move(body, to, &options);
+      options.stand_off = stand_off;
+      options.edge_response = DSW_RESPONSE_ADAPTIVE_MANY;
+      const BodyAnswer answer = move(body, to, &options);
+      for (const Vec& p : answer.after.at) {
+        for (double x : p) EXPECT_TRUE(x >= 0 && x <= 4);
+      }
+      EXPECT_EQ(dsw_body_destroy(scene(), body), DSW_STATUS_OK);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dsw::oracle
