@@ -170,8 +170,8 @@ class Tree final : public Casting {
   void insert(std::size_t slot) {
     for (std::size_t part = 0; part < 2; ++part) {
       const std::size_t index = 2 * slot + part;
-      leaves_[index] = tree_.insert(btDbvtVolume::FromPoints(&corners_.corners[3 * index], 3),
-                                    reinterpret_cast<void*>(index));
+      leaves_[index] =
+          tree_.insert(btDbvtVolume::FromPoints(&corners_.corners[3 * index], 3), reinterpret_cast<void*>(index));
     }
   }
 

@@ -164,8 +164,7 @@ Times time_variants(const VesselCase& vessel, const std::vector<Variant>& varian
   constexpr std::size_t kBlock = 20;
   std::vector<std::unique_ptr<Flock>> flocks;
   for (const Variant& variant : variants) {
-    flocks.push_back(
-        std::make_unique<Flock>(vessel.world.environment(), variant, shape, targets_at(std::size_t{0})));
+    flocks.push_back(std::make_unique<Flock>(vessel.world.environment(), variant, shape, targets_at(std::size_t{0})));
   }
   Times times;
   std::map<std::string, double> swept, skipped;
@@ -244,7 +243,7 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
 /** A catheter is pressed on the wall, then pushed along it: vertices that touch aim along the facet and a little into it. */
 void run_sliding(const VesselCase& vessel, dsw_response response, const std::string& key, const Options& options,
                  Report& report) {
-  constexpr double kPress = 0.5;  // of the step, into the wall
+  constexpr double kPress = 0.5;      // of the step, into the wall
   constexpr double kProgress = 1e-3;  // of the step: less is none
   dsw_move_options moves;
   dsw_move_options_init(&moves, sizeof moves);
@@ -301,7 +300,8 @@ void run_sliding(const VesselCase& vessel, dsw_response response, const std::str
     }
   }
   report.set("response.sliding_moves" + key, static_cast<double>(tried));
-  report.set("response.stuck_share" + key, static_cast<double>(stuck) / static_cast<double>(std::max<std::size_t>(tried, 1)));
+  report.set("response.stuck_share" + key,
+             static_cast<double>(stuck) / static_cast<double>(std::max<std::size_t>(tried, 1)));
 }
 
 }  // namespace

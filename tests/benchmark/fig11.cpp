@@ -187,8 +187,7 @@ std::unique_ptr<Contest> make_contest(const std::string& label, std::size_t cell
       contest.ours_total->apply(change);
       peer->apply(change);
     }
-    report.add("edges.fig11.total_different",
-               static_cast<double>(count_different(script, *contest.ours_total, *peer)));
+    report.add("edges.fig11.total_different", static_cast<double>(count_different(script, *contest.ours_total, *peer)));
     const WallChange& back = script.changes.size() > 1 ? script.changes[1][0] : script.undo[0];
     contest.ours_total->apply(back);
     peer->apply(back);
@@ -269,8 +268,8 @@ void compare_levels(Contest& contest, Report& report) {
   };
   std::vector<std::unique_ptr<Flock>> flocks;
   for (const Variant& variant : variants) {
-    flocks.push_back(std::make_unique<Flock>(contest.scene->world.environment(), variant, contest.scene->shape,
-                                             script.starts));
+    flocks.push_back(
+        std::make_unique<Flock>(contest.scene->world.environment(), variant, contest.scene->shape, script.starts));
   }
   std::map<std::string, std::vector<double>> times;
   for (std::size_t step = 0; step < script.steps; ++step) {
@@ -401,6 +400,9 @@ void run_fig11(const Options& options, Report& report, Agreement& agreement) {
   compare_levels(*contests[3], report);
   count_tests(*contests[3], "", DSW_BODY_SKIP_BY_ENVIRONMENT, report);
   count_tests(*contests[3], ".no_elimination", 0, report);
+  const Work work = count_work(contests[3]->scene->world, contests[3]->still.segments, 10);
+  report.set("edges.fig11.orientation_tests_per_cast.casts_alone", work.orientation_tests / work.casts);
+  report.set("edges.fig11.cells_per_cast", work.cells / work.casts);
   compare_sweeps(*contests[3], options.quick ? 5000 : 50000, report);
 }
 

@@ -108,8 +108,8 @@ scenes::VolumeMesh make_vessel() {
       {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
   for (std::uint32_t cube = 0; cube < kSide * kSide * kSide; ++cube) {
     const std::uint32_t x = cube % kSide, y = cube / kSide % kSide, z = cube / (kSide * kSide);
-    const auto p = static_cast<std::int32_t>(x) + row * static_cast<std::int32_t>(y) +
-                   layer * static_cast<std::int32_t>(z);
+    const auto p =
+        static_cast<std::int32_t>(x) + row * static_cast<std::int32_t>(y) + layer * static_cast<std::int32_t>(z);
     for (std::size_t i = 0; i < orders.size(); ++i) {
       const std::int32_t a = p + steps[orders[i][0]], b = a + steps[orders[i][1]], c = b + steps[orders[i][2]];
       const bool odd = i >= 3;
