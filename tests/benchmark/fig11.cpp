@@ -187,7 +187,9 @@ std::unique_ptr<Contest> make_contest(const std::string& label, std::size_t cell
       contest.ours_total->apply(change);
       peer->apply(change);
     }
-    report.add("edges.fig11.total_different", static_cast<double>(count_different(script, *contest.ours_total, *peer)));
+    const std::string name = peer->name().substr(0, peer->name().find(','));
+    report.add("edges.fig11.total_different." + name,
+               static_cast<double>(count_different(script, *contest.ours_total, *peer)));
     const WallChange& back = script.changes.size() > 1 ? script.changes[1][0] : script.undo[0];
     contest.ours_total->apply(back);
     peer->apply(back);
