@@ -139,7 +139,7 @@ class ExitFinder {
   DSW_HOT int keeps(Cell c, uint32_t f, uint32_t g) noexcept {
     const uint32_t* w = map_.record(c);
     const Form form = form_of(w[0]);
-    const Ridge shared = form == Form::kSimplex    ? kTetrahedronRidges.of[f][g]
+    const Ridge shared = form == Form::kSimplex   ? kTetrahedronRidges.of[f][g]
                          : form == Form::kPyramid ? kPyramidRidges.of[f][g]
                                                   : kBoxRidges.of[f][g];
     if (shared.a == shared.b) return 0;

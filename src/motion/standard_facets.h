@@ -34,7 +34,8 @@ constexpr RidgeTable<Facets> make_ridges(const uint8_t (&facets)[Facets][Vertice
     for (uint32_t g = 0; g < Facets; ++g) {
       for (uint32_t i = 0; i < Vertices * Vertices; ++i) {
         const uint8_t a = facets[f][i / Vertices], b = facets[f][(i / Vertices + 1) % Vertices];
-        if (a != b && facets[g][i % Vertices] == b && facets[g][(i % Vertices + 1) % Vertices] == a) table.of[f][g] = {a, b};
+        if (a != b && facets[g][i % Vertices] == b && facets[g][(i % Vertices + 1) % Vertices] == a)
+          table.of[f][g] = {a, b};
       }
     }
   }

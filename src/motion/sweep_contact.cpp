@@ -14,16 +14,6 @@ auto order_of(const Map<3>& map, const SweepContact& c) {
                          h.valid() ? map.local_of(h, owner) : c.dart, map.index(c.front), c.simplex, c.dart);
 }
 
-/** How many facets of `from` lead to `to`. */
-uint32_t facets_between(const Map<3>& map, Cell from, Cell to) noexcept {
-  uint32_t count = 0;
-  for (uint32_t f = 0, facets = map.facets_of(from); f < facets; ++f) {
-    const HalfFacet o = map.opposite(map.half_facet(from, f));
-    count += o.valid() && map.cell_of(o) == to ? 1u : 0u;
-  }
-  return count;
-}
-
 }  // namespace
 
 bool same_event(const SweepContact& a, const SweepContact& b) noexcept {
@@ -39,24 +29,6 @@ bool comes_before(const Map<3>& map, const double* p, const double* to, const Sw
   if (sign != 0) return sign < 0;
   if (kind_of(a) != kind_of(b)) return kind_of(a) < kind_of(b);
   return order_of(map, a) < order_of(map, b);
-}
-
-// Both edges cross the cells c_0 .. c_n, convex ones, so that what lies between them in one cell, the quad of the points in
-// which they enter and leave it, lies in that cell; and the quads fill the triangle p p' q. Shifted, the triangle lies in no
-// facet's plane, so a quad meets its cell's boundary only along the segments in which it meets the next quads. Each of them
-// lies in what c_i and c_i+1 share, with its ends inside of facets. Two convex cells share a convex set in one plane. If that is
-// a single facet, then it is convex and the segment runs inside of it: a facet that both edges cross, so a passable one,
-// and no edge or other facet is met.
-bool same_sequence_settles(const Map<3>& map, const Cell* old_cells, size_t old_count, const Cell* new_cells,
-                           size_t new_count) noexcept {
-  if (old_count != new_count) return false;
-  for (size_t i = 0; i < old_count; ++i) {
-    if (old_cells[i] != new_cells[i] || !map.convex(old_cells[i])) return false;
-    if (i > 0 && map.form(old_cells[i]) != Form::kSimplex && facets_between(map, old_cells[i - 1], old_cells[i]) != 1) {
-      return false;
-    }
-  }
-  return old_count != 0;
 }
 
 }  // namespace dsw

@@ -37,9 +37,4 @@ bool same_event(const SweepContact& a, const SweepContact& b) noexcept;
 bool comes_before(const Map<3>& map, const double* p, const double* to, const SweepContact& a,
                   const SweepContact& b) noexcept;
 
-/** Whether an edge p q may be swept to p' q without a look at the triangle, given the cells that each of the two crosses on
- * its way, both free: the first contains p (p'), the last contains q. O(cells). */
-bool same_sequence_settles(const Map<3>& map, const Cell* old_cells, size_t old_count, const Cell* new_cells,
-                           size_t new_count) noexcept;
-
 }  // namespace dsw

@@ -56,7 +56,7 @@ for header in embree3/rtcore.h:libembree-dev bullet/btBulletCollisionCommon.h:li
 done
 [ ${#missing[@]} = 0 ] || install "${missing[@]}"
 
-vessel=()
+vessel=() folder=()
 data=${DARTSWEEP_DATA:-}/vessels/vascular_phantom.msh.gz
 if [ -n "${DARTSWEEP_DATA:-}" ] && [ -e "$data" ]; then
   mkdir -p "$tree"
@@ -69,10 +69,9 @@ if [ -n "${DARTSWEEP_DATA:-}" ] && [ -e "$data" ]; then
     python=/usr/bin/python3
   fi
   "$python" "$here/read_mesh.py" "$data" "$tree/vessel.bin"
-  vessel=(--vessel "$tree/vessel.bin" --data "$DARTSWEEP_DATA")
+  vessel=(--vessel "$tree/vessel.bin") folder=(--data "$DARTSWEEP_DATA")
 else
-  echo "benchmark: DARTSWEEP_DATA names no folder with vessels/vascular_phantom.msh.gz: no walk.vessel.* figures," \
-    "and a generated surface and vessel for edges.*"
+  echo "benchmark: DARTSWEEP_DATA names no folder with vessels/vascular_phantom.msh.gz: no walk.vessel.* figures, and a generated vessel and surface for edges.*"
 fi
 
 mkdir -p "$tree"
@@ -82,7 +81,7 @@ cmake --build "$tree" -j "$(nproc)" --target dartsweep_bench dartsweep_bench_pre
 
 bench=$tree/tests/benchmark
 if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 cases=110000; else casts=10000000 sweeps=1000000 bodies=250000 cases=500000; fi
-"$bench/dartsweep_bench" $quick --json "$tree/walk.json" "${vessel[@]}"
+"$bench/dartsweep_bench" $quick --json "$tree/walk.json" "${vessel[@]}" "${folder[@]}"
 # The exact parts report what they find and fail on a single difference; their figures are wanted either way.
 failed=0
 "$bench/dartsweep_bench_predicates" --cases "$cases" --json "$tree/predicates.json" || failed=1

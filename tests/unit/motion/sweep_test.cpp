@@ -1,6 +1,7 @@
 // Swept edges and faces where one can say what they meet.
 
 #include "motion/sweep.h"
+#include "motion/sequence.h"
 
 #include <gtest/gtest.h>
 
@@ -163,7 +164,7 @@ TEST(SweepEdge, AllContactsAreCollectedInTheirOrder) {
 }
 
 /** Two boxes that share a square in two facets: one like an L, and what it leaves out, which is impassable. */
-TEST(SameSequence, FacetsThatAreNotConvexDoNotSettle) {
+TEST(Sequence, FacetsThatAreNotConvexDoNotSettle) {
   Mesh3 mesh;
   const auto add = [&](double x, double y, double z) { return mesh.point({x, y, z}); };
   const int64_t s[9] = {add(0, 0, 1), add(1, 0, 1), add(2, 0, 1), add(0, 1, 1), add(1, 1, 1),
@@ -185,25 +186,14 @@ TEST(SameSequence, FacetsThatAreNotConvexDoNotSettle) {
   const Map<3>& map = env->map;
   const Cell low = map.cell(0), high = map.cell(1);
   ASSERT_TRUE(map.convex(low) && map.convex(high));
-  const Cell way[2] = {low, high};
-  EXPECT_FALSE(same_sequence_settles(map, way, 2, way, 2));
-  EXPECT_TRUE(same_sequence_settles(map, way, 1, way, 1));
   // From one arm of the L to the other, over the corner that it leaves out.
   set_facet_mark(*env, map.half_facet(low, 6), true);
   const Point p{0.5, 0.25, 0.75}, to{1.75, 1.5, 0.75}, q{1.1, 0.9, 1.5};
+  const uint32_t passed = map.half_facet(low, 5).word;
+  EXPECT_FALSE(follows(*env, p.data(), q.data(), low, high, &passed, 1) &&
+               follows(*env, to.data(), q.data(), low, high, &passed, 1));
   SweepFlood flood(*env);
   EXPECT_EQ(flood.sweep(EdgeMotion{p.data(), to.data(), q.data()}, low, 0).end, SweepEnd::kContact);
-}
-
-TEST(SameSequence, OnlyEqualOnesOfConvexCells) {
-  Lattice lattice(3);
-  const Map<3>& map = lattice.env->map;
-  const Cell a[3] = {lattice.cell(0, 0, 0), lattice.cell(1, 0, 0), lattice.cell(1, 1, 0)};
-  const Cell b[3] = {lattice.cell(0, 0, 0), lattice.cell(0, 1, 0), lattice.cell(1, 1, 0)};
-  EXPECT_TRUE(same_sequence_settles(map, a, 3, a, 3));
-  EXPECT_FALSE(same_sequence_settles(map, a, 3, b, 3));
-  EXPECT_FALSE(same_sequence_settles(map, a, 3, a, 2));
-  EXPECT_FALSE(same_sequence_settles(map, a, 0, a, 0));
 }
 
 }  // namespace
