@@ -385,6 +385,8 @@ bool BodyMove::are_skipped_free(const Body& body) {
   for (const uint32_t e : skipped_) {
     if (!body.has_edge(e)) continue;
     const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
+    // [JCD10] 6.3: both eliminations.
+    if (body.skipping.by_environment && StarSweep::stays_inside(env_, a.cell, a.cell, b.cell)) continue;
     wave_.add(env_, a.cell, a.position, b.position);
     if (wave_.full()) run();
   }

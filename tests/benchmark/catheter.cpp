@@ -3,14 +3,16 @@
 #include "parts.h"
 
 #include "embree.h"
-#include "scenes/random.h"
 #include "surface_bodies.h"
 #include "timing.h"
 #include "vessel_case.h"
 
+#include "scenes/random.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <unordered_set>
 
@@ -158,13 +160,14 @@ using Times = std::map<std::string, std::vector<double>>;
 /** Moves variants of a body in turns, and whatever else, in blocks of steps. */
 template <typename Targets, typename Beside>
 Times time_variants(const VesselCase& vessel, const std::vector<Variant>& variants, const BodyShape& shape,
-                    std::size_t steps, Targets&& targets_at, Beside&& beside) {
+                    std::size_t steps, Targets&& targets_at, Beside&& beside, Report& report) {
   constexpr std::size_t kBlock = 20;
   std::vector<std::unique_ptr<Flock>> flocks;
   for (const Variant& variant : variants) {
     flocks.push_back(std::make_unique<Flock>(vessel.world.environment(), variant, shape, targets_at(std::size_t{0})));
   }
   Times times;
+  std::map<std::string, double> swept, skipped;
   for (std::size_t step = 1; step <= steps; ++step) {
     const auto targets = targets_at(step);
     const auto keep = [&](const std::string& name, double ns) {
@@ -180,7 +183,14 @@ Times time_variants(const VesselCase& vessel, const std::vector<Variant>& varian
     beside(before, targets, keep);
     for (std::size_t i = 0; i < flocks.size(); ++i) {
       Flock& flock = *flocks[(step + i) % flocks.size()];
-      keep(flock.variant().name, time_ns([&] { flock.move(targets.data()); }));
+      keep(flock.variant().name, cpu_time_ns([&] { flock.move(targets.data()); }));
+      swept[flock.variant().name] += static_cast<double>(flock.swept());
+      skipped[flock.variant().name] += static_cast<double>(flock.skipped());
+    }
+  }
+  for (const Variant& variant : variants) {
+    if (variant.flags != 0) {
+      report.set("edges.long.skipped_share." + variant.name, skipped[variant.name] / swept[variant.name]);
     }
   }
   return times;
@@ -205,8 +215,9 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
         }
         casts = static_cast<double>(segments.batch);
         embree->prepare(segments);
-        keep("embree", time_ns([&] { embree->run(0, segments.batch); }));
-      });
+        keep("embree", cpu_time_ns([&] { embree->run(0, segments.batch); }));
+      },
+      report);
   for (const auto& [name, ns] : times) {
     report.set("edges.long.ns_per_cast." + name, median(ns) / casts);
   }
@@ -224,7 +235,7 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
   Times tube = time_variants(
       vessel, surfaces, sleeve(kParticles), steps / 4,
       [&](std::size_t step) { return sleeve_at(chain_at(vessel.line, kParticles, step + 20)); },
-      [](const auto&, const auto&, const auto&) {});
+      [](const auto&, const auto&, const auto&) {}, report);
   report.set("edges.faces_over_edges.catheter", median_ratio(tube["faces"], tube["edges"]));
   report.set("edges.faces_over_edges.catheter_sequences", median_ratio(tube["faces_sequences"], tube["edges"]));
 }
@@ -296,11 +307,12 @@ void run_sliding(const VesselCase& vessel, dsw_response response, const std::str
 }  // namespace
 
 void run_catheter(const Options& options, Report& report) {
-  const bool real = !options.vessel.empty() && !options.data.empty();
+  const std::string line = options.data + "/vessels/vascular_phantom_centreline.csv";
+  const bool real = !options.vessel.empty() && std::filesystem::exists(line);
   if (!real) {
     std::printf("  no data: a generated vessel instead of the phantom\n");
   }
-  const VesselCase vessel(real ? options.vessel : "", options.data);
+  const VesselCase vessel(real ? options.vessel : "", line);
   report.set("edges.catheter.cells", static_cast<double>(vessel.mesh.cell_count()));
   run_fig9(vessel, report);
   run_long(vessel, options, report);

@@ -87,7 +87,7 @@ Script Fig11Case::record(std::size_t steps, bool changed) {
   ChangeList list(grid, world, walls);
   const Neighbours neighbours = neighbours_of(shape);
   scenes::Random random(23);
-  Flock flock(world.environment(), {"driver", DSW_LEVEL_EDGES_SWEPT, 0}, shape, motion.starts());
+  Flock flock(world.environment(), {"driver", DSW_LEVEL_FACES, 0}, shape, motion.starts());
   std::vector<double> before, after;
   std::vector<dsw_volume_id> from, to;
   flock.places(after, to);

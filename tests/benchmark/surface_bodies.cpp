@@ -23,8 +23,8 @@ Flock::Flock(dsw_environment* environment, const Variant& variant, const BodySha
   desc.edge_count = shape.edges.size() / 2;
   desc.face_offsets = offsets.data();
   desc.face_corners = shape.corners.data();
+  desc.face_corner_count = shape.corners.size();
   desc.face_count = offsets.size() - 1;
-  desc.face_corner_count = offsets.back();
   for (std::size_t i = 0; i < reports_.size(); ++i) {
     desc.positions = &positions[3 * vertices_ * i];
     bodies_.emplace_back();

@@ -146,10 +146,10 @@ std::array<double, 3> Line::direction(double distance) const {
   return {(b[0] - a[0]) / size, (b[1] - a[1]) / size, (b[2] - a[2]) / size};
 }
 
-VesselCase::VesselCase(const std::string& mesh_file, const std::string& data_folder)
+VesselCase::VesselCase(const std::string& mesh_file, const std::string& line_file)
     : mesh(mesh_file.empty() ? make_vessel() : read_vessel(mesh_file)),
       world(mesh, 1),
       walls(marked_wall(mesh, world)),
-      line(mesh_file.empty() ? make_line() : read_line(data_folder + "/vessels/vascular_phantom_centreline.csv")) {}
+      line(mesh_file.empty() ? make_line() : read_line(line_file)) {}
 
 }  // namespace dsw::bench

@@ -29,8 +29,8 @@ class Line {
 
 /** The mesh with its wall marked, and a centreline from the entry to the end. */
 struct VesselCase {
-  /** @param mesh_file of read_mesh.py, empty: a generated vessel. @param data_folder of the centreline. */
-  VesselCase(const std::string& mesh_file, const std::string& data_folder);
+  /** @param mesh_file of read_mesh.py, empty: a generated vessel. @param line_file of its centreline. */
+  VesselCase(const std::string& mesh_file, const std::string& line_file);
 
   scenes::VolumeMesh mesh;
   World world;
