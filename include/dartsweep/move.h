@@ -14,9 +14,10 @@ extern "C" {
 /** How a contact is found. */
 typedef enum dsw_search {
   DSW_SEARCH_EXACT = 0, /**< The first contact, at its exact time. */
-  DSW_SEARCH_ALL = 1,   /**< All obstacles under the new edges, by time (angle); the first is that of EXACT. */
+  DSW_SEARCH_ALL =
+      1, /**< All obstacles under the new edges, by time (angle); the first is that of EXACT. A face only if it is the first. */
   DSW_SEARCH_BISECTION =
-      2, /**< Halving the move `bisection_depth` times: free at the reported time, which may be late. */
+      2, /**< That obstacle, with a time from halving the move `bisection_depth` times: free there, but it may be late. */
   DSW_SEARCH_FORCE_INT32 = 0x7fffffff
 } dsw_search;
 
@@ -108,7 +109,7 @@ typedef struct dsw_rigid_motion {
  * put back and the fraction halved, up to 52 times; the last fraction that was made is kept. Each position is rounded, so the shape
  * keeps to one unit in the last place of the coordinates for each call. A fraction of a rotation is that of its quaternion,
  * normalised.
- * @param options [in] may be null; responses are not used. @param report [out] may be null.
+ * @param options [in] may be null; of it only `order` is used, which must name all vertices. @param report [out] may be null.
  * @return as dsw_body_move; OUT_OF_RANGE (a zero quaternion). @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body, const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);

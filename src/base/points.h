@@ -1,6 +1,7 @@
 #pragma once
 // Arrays of points as a host lends them, and the checks of what is in them. Messages name argument, position, value.
 
+#include <cmath>
 #include <cstddef>
 
 #include "base/error.h"
@@ -25,6 +26,11 @@ struct ElementName {
   char text[64];
   ElementName(ArgumentName argument, size_t index) noexcept;
 };
+
+/** Of a point in space. */
+inline bool is_finite(const double* point) noexcept {
+  return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+}
 
 /** Index of the first point that is not finite, or `count`. */
 size_t find_non_finite(PointArray points, size_t count, int dimension) noexcept;

@@ -76,9 +76,7 @@ void check_targets(const dsw::Body& body, dsw::PointArray targets, const dsw::Mo
     const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
     if (!body.has_vertex(v)) continue;
     const double* const t = targets[first + v];
-    if (!(std::isfinite(t[0]) && std::isfinite(t[1]) && std::isfinite(t[2]))) {
-      dsw::fail_non_finite(targets, first + v, 3, {"targets", true});
-    }
+    if (!dsw::is_finite(t)) dsw::fail_non_finite(targets, first + v, 3, {"targets", true});
   }
 }
 
@@ -216,8 +214,9 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
     const Rigid rigid(*motion);
     for (const dsw::BodyVertex& each : of.body.vertices) {
       double to[3];
+      if (!each.cell.valid()) continue;
       Rigid::place(&rigid, each.position, 1, to);
-      if (!(std::isfinite(to[0]) && std::isfinite(to[1]) && std::isfinite(to[2]))) {
+      if (!dsw::is_finite(to)) {
         fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
       }
     }

@@ -13,10 +13,7 @@ void name_obstacle(const Environment<3>& env, const SweepContact& met, dsw_conta
   if (met.facet.valid()) {
     contact.wall = face_id(map, canonical(map, met.facet));
     contact.cause = obstacle_kind(env, met.facet);
-    // The wall of a corner can be named from behind.
-    const HalfFacet beyond = map.opposite(met.facet);
-    const bool from_behind = beyond.valid() && map.marked(map.cell_of(met.facet));
-    contact.tag = obstacle_tag(env, from_behind ? beyond : met.facet, map.cell_of(met.facet));
+    contact.tag = obstacle_tag(env, met.facet, map.cell_of(met.facet));
   }
   switch (kind_of(met)) {
     case ContactKind::kVertex:

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/vec.h"
+#include "base/vec.h"
 #include "motion/move.h"
 #include "motion/standard_facets.h"
 #include "predicates/plane_hit.h"
@@ -32,7 +32,7 @@ double share_along(const double* end, const double* q, const double* point) {
 Vec wall_normal(const Environment<3>& env, const SweepContact& contact) {
   if (!contact.facet.valid() || contact.event.kind == EventKind::kFace) return {};
   const double* triangle[3];
-  obstacle_triangle(env, contact, triangle);
+  boundary_points(env, contact.front, contact.simplex, triangle);
   double outward[3];
   unit_normal<3>(triangle, outward);
   return {0 - outward[0], 0 - outward[1], 0 - outward[2]};
@@ -46,10 +46,6 @@ Vec against(const Vec& chosen, const Vec& move, const Vec& wall) {
 }
 
 }  // namespace
-
-void obstacle_triangle(const Environment<3>& env, const SweepContact& contact, const double* (&triangle)[3]) noexcept {
-  boundary_points(env, contact.front, contact.simplex, triangle);
-}
 
 ContactGeometry contact_geometry(const Environment<3>& env, const double* p, const double* to,
                                  const SweepContact& contact) {

@@ -17,7 +17,4 @@ struct ContactGeometry {
 ContactGeometry contact_geometry(const Environment<3>& env, const double* p, const double* to,
                                  const SweepContact& contact);
 
-/** The boundary triangle of a contact at a facet, seen from `front`; its vertices turn as those of the cell. */
-void obstacle_triangle(const Environment<3>& env, const SweepContact& contact, const double* (&triangle)[3]) noexcept;
-
 }  // namespace dsw

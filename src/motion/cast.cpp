@@ -1,5 +1,7 @@
 #include "motion/cast.h"
 
+#include <cmath>
+
 #include "motion/walk.h"
 #include "predicates/plane_hit.h"
 
@@ -23,6 +25,16 @@ Walk<D> choose_walk() noexcept {
 template <int D>
 const Walk<D> kWalk = choose_walk<D>();
 
+template <int D>
+[[maybe_unused]] bool are_finite(const CastRequest* requests, uint32_t count) noexcept {
+  for (uint32_t i = 0; i < count; ++i) {
+    for (int k = 0; k < D; ++k) {
+      if (!std::isfinite(requests[i].from[k]) || !std::isfinite(requests[i].to[k])) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 template <int D>
@@ -35,7 +47,7 @@ CastResult cast(const Environment<D>& env, const CastRequest& request, CastCount
 template <int D>
 void cast_side_by_side(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
                        CastCounters* counters) noexcept {
-  DSW_ASSERT(count <= kWave);
+  DSW_ASSERT(count <= kWave && are_finite<D>(requests, count));
   if (counters == nullptr) {
     kWalk<D>.plain(env, requests, count, results);
   } else {

@@ -54,6 +54,18 @@ struct CastRequest {
 template <int D>
 CastResult cast(const Environment<D>& env, const CastRequest& request, CastCounters* counters) noexcept;
 
+/** A plain cast. */
+template <int D>
+CastResult cast(const Environment<D>& env, const double* from, const double* to, Cell start, uint32_t max_cells = 0,
+                CastCounters* counters = nullptr) noexcept {
+  CastRequest request;
+  request.from = from;
+  request.to = to;
+  request.start = start;
+  request.max_cells = max_cells;
+  return cast(env, request, counters);
+}
+
 constexpr uint32_t kWave = 128;  // most casts that run side by side
 
 /** The same for `count` <= kWave casts, which together take half the time or less. Results and counters do not depend on how

@@ -4,18 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "base/vec.h"
 #include "environment/marking.h"
 #include "map/dart.h"
 
 namespace dsw {
 namespace {
 
-struct Vec {
-  double x, y, z;
-};
-Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Vec along(const Vec& a, double t, const Vec& d) { return {a.x + t * d.x, a.y + t * d.y, a.z + t * d.z}; }
-double dot(const Vec& a, const Vec& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
 
 /** Nearest point of segment ab to the origin. */
 Vec nearest_on(const Vec& a, const Vec& b) {

@@ -31,12 +31,11 @@ bool passes_through(const double* p, const double* q, const double* const* trian
 
 /** The numbers of an event's environment vertices; those of a line in ascending order. */
 std::array<ptrdiff_t, 3> event_key(const Environment<3>& env, const SweepContact& c) {
-  std::array<ptrdiff_t, 3> key;
-  for (size_t i = 0; i < 3; ++i) key[i] = c.event.points[i] - env.points;
-  if (c.event.kind == EventKind::kEdge) {
-    key[0] = -1;
-    if (key[2] < key[1]) std::swap(key[1], key[2]);
-  }
+  // The first point of an edge event is the body's.
+  const bool of_line = c.event.kind == EventKind::kEdge;
+  std::array<ptrdiff_t, 3> key{-1};
+  for (size_t i = of_line ? 1 : 0; i < 3; ++i) key[i] = c.event.points[i] - env.points;
+  if (of_line && key[2] < key[1]) std::swap(key[1], key[2]);
   return key;
 }
 
@@ -80,17 +79,8 @@ SweepResult SweepFlood::sweep(const EdgeMotion& m, Cell start, uint32_t max_cell
 /** Reads the vertices of a cell. False for a hexahedron all of whose facets lie beside the triangle's box: the main path, where p, p'
  * and q are in one cell and nothing can be met. It holds for warped cells too. */
 bool SweepFlood::read_corners(Cell c) {
-  const uint32_t* const w = map_.record(c);
-  const Form form = form_of(w[0]);
-  const uint32_t count = map_.vertices_of(c);
-  corners_.resize(count);
-  const uint32_t* const words = form == Form::kSimplex ? w : w + kUnitWords;
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t vertex = form == Form::kGeneral ? map_.vertex(c, i) : words[i] & kVertexMask;
-    const double* const at = env_.point(vertex);
-    corners_[i] = {at, vertex, triangle_->beyond_box(at), kUnknown};
-  }
-  if (form != Form::kBox) return true;
+  read_vertices(c, *triangle_);
+  if (map_.form(c) != Form::kBox) return true;
   for (const auto& f : kBoxFacets) {
     const uint32_t beyond =
         corners_[f[0]].beyond & corners_[f[1]].beyond & corners_[f[2]].beyond & corners_[f[3]].beyond;

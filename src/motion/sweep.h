@@ -49,6 +49,20 @@ class SweepFlood {
     int side;         // of the swept plane, or bits of the faces it lies beyond; kUnknown: nobody has asked
   };
 
+  /** Vertices of a cell, and on which sides of the box of what is swept they lie. */
+  template <class Swept>
+  void read_vertices(Cell c, const Swept& swept) {
+    const uint32_t* const w = map_.record(c);
+    const Form form = form_of(w[0]);
+    const uint32_t count = map_.vertices_of(c);
+    corners_.resize(count);
+    const uint32_t* const words = form == Form::kSimplex ? w : w + kUnitWords;
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t vertex = form == Form::kGeneral ? map_.vertex(c, i) : words[i] & kVertexMask;
+      const double* const at = env_.point(vertex);
+      corners_[i] = {at, vertex, swept.beyond_box(at), kUnknown};
+    }
+  }
   bool read_corners(Cell c);
   int side(Corner& corner) const;
   uint32_t outside(const Corner& a, const Corner& b);

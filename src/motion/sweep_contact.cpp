@@ -2,6 +2,8 @@
 
 #include <tuple>
 
+#include "motion/standard_facets.h"
+
 namespace dsw {
 namespace {
 
@@ -15,6 +17,16 @@ auto order_of(const Map<3>& map, const SweepContact& c) {
 }
 
 }  // namespace
+
+SweepContact path_contact(const Environment<3>& env, const CastResult& path) noexcept {
+  SweepContact found;
+  found.front = path.cell;
+  found.facet = path.facet;
+  found.faces_start = true;
+  found.simplex = path.simplex;
+  boundary_points(env, path.cell, path.simplex, found.event.points);
+  return found;
+}
 
 bool same_event(const SweepContact& a, const SweepContact& b) noexcept {
   const double *const *x = a.event.points, *const *y = b.event.points;

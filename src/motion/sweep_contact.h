@@ -2,6 +2,7 @@
 // What the swept edges and faces of one moving vertex meet, and in which order.
 
 #include "environment/environment.h"
+#include "motion/cast.h"
 #include "predicates/sweep_events.h"
 
 namespace dsw {
@@ -13,12 +14,15 @@ struct SweepContact {
   SweepEvent event;
   Cell front;       // the cell from which it is met
   HalfFacet facet;  // impassable, seen from `front`; invalid for a wire. Of a face: the lowest impassable facet
-                    // at the vertex by its canonical name; invalid if only a mark or a wire makes it impassable
+      // at the vertex by its canonical name, from its passable side; invalid if only a mark or a wire makes it impassable
   bool faces_start = false;     // p lies on this side of the plane
   uint32_t simplex = 0;         // of `front`, in `facet`; not of a face
   uint32_t dart = kNoFacet;     // of `front`, along the obstacle's edge; kNoFacet for other events and on a diagonal
   uint32_t vertex = kNoVertex;  // of a face: the environment vertex it meets
 };
+
+/** That of a cast which hit something: the moving end alone. */
+SweepContact path_contact(const Environment<3>& env, const CastResult& path) noexcept;
 
 /** In the order in which they count at one time. */
 enum class ContactKind : uint32_t { kVertex, kEdge, kPlane };

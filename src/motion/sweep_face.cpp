@@ -109,11 +109,7 @@ SweepResult SweepFlood::sweep(const FaceMotion& m, Cell start, uint32_t max_cell
     ++result_.cells_visited;
     const Cell c = cells_[i];
     const Shape shape = map_.shape(c);
-    corners_.resize(shape.vertex_count());
-    for (uint32_t v = 0; v < shape.vertex_count(); ++v) {
-      const uint32_t vertex = map_.vertex(c, v);
-      corners_[v] = {env_.point(vertex), vertex, t.beyond_box(env_.point(vertex)), kUnknown};
-    }
+    read_vertices(c, t);
     look_at_inside_vertices(t, c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
@@ -160,11 +156,11 @@ void SweepFlood::look_at_inside_vertices(const Tetrahedron& t, Cell c) {
   }
 }
 
-/** Whether a vertex of cell c is impassable, and its lowest impassable facet. All cells round it are linked through facets at
+/** Whether a vertex of cell c is impassable, and its lowest impassable facet, seen from where one can be. All cells round it are linked through facets at
  * it, but for vertices of the outer boundary, where each part of them has facets of that. */
 bool SweepFlood::judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet) {
   bool impassable = vertex_marked(env_, vertex);
-  facet = {};
+  HalfFacet lowest;
   const auto lower = [&](HalfFacet a, HalfFacet b) {
     const Cell x = map_.cell_of(a), y = map_.cell_of(b);
     return x != y ? map_.index(x) < map_.index(y) : map_.local_of(a, x) < map_.local_of(b, y);
@@ -182,12 +178,14 @@ bool SweepFlood::judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet) {
       if (is_impassable(map_, h)) {
         impassable = true;
         const HalfFacet name = canonical(map_, h);
-        if (!facet.valid() || lower(name, facet)) facet = name;
+        if (!lowest.valid() || lower(name, lowest)) lowest = name;
       } else if (env_.marked_edges != 0) {
         impassable = impassable || edge_marked(env_, vertex, map_.vertex(at, shape.dart_vertex(shape.beta1(d))));
       }
     }
   }
+  const bool from_behind = lowest.valid() && map_.marked(map_.cell_of(lowest)) && map_.opposite(lowest).valid();
+  facet = from_behind ? map_.opposite(lowest) : lowest;
   return impassable;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vec.h"
 #include "map/dart.h"
 
 namespace dsw {
@@ -17,19 +18,10 @@ constexpr double kConeSlack = 1e-6;
 /** How far from the contact point a feature may pass, and how far it may reach, of the obstacle's size. */
 constexpr double kNearby = 0.1, kFarthest = 4;
 
-struct Vec {
-  double x, y, z;
-};
-
-Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec operator*(double s, const Vec& a) { return {s * a.x, s * a.y, s * a.z}; }
-double dot(const Vec& a, const Vec& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
-Vec cross(const Vec& a, const Vec& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 double largest(const Vec& a) { return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}); }
 
-/** Length 1; NaN where there is none. */
-Vec unit(const Vec& a) {
+/** Length 1; NaN where there is none, which is no opinion in the end. */
+Vec direction(const Vec& a) {
   const Vec b = (1 / largest(a)) * a;
   return (1 / std::sqrt(dot(b, b))) * b;
 }
@@ -93,7 +85,7 @@ NoFeatures rescale(const Frame& frame, Features& features) {
 
 /** The part of segment a b that is no farther than `reach` from `foot`, moved by `shift`. */
 void add_segment(Hull& hull, const Vec& a, const Vec& b, const Vec& foot, double reach, const Vec& shift) {
-  const Vec along = unit(b - a);
+  const Vec along = direction(b - a);
   const double before = std::min(dot(foot - a, along), reach), after = std::min(dot(b - foot, along), reach);
   add(hull, foot - before * along + shift);
   add(hull, foot + after * along + shift);
@@ -101,7 +93,7 @@ void add_segment(Hull& hull, const Vec& a, const Vec& b, const Vec& foot, double
 
 /** The point of segment a b that is nearest to the contact point. */
 Vec foot_on(const Vec& a, const Vec& b) {
-  const Vec along = unit(b - a);
+  const Vec along = direction(b - a);
   const double length = dot(b - a, along);
   return a + std::clamp(-dot(a, along), 0.0, length) * along;
 }
@@ -114,10 +106,10 @@ struct Wedge {
 
 /** The two corners between which all others lie, seen along the edge, if the normal is one of the wedge's. */
 NoFeatures extreme_corners(const Wedge& wedge, const Vec& normal, const Vec*& first, const Vec*& last) {
-  const Vec along = unit(wedge.b - wedge.a), aside = cross(along, normal);
+  const Vec along = direction(wedge.b - wedge.a), aside = cross(along, normal);
   double lowest = 4, highest = -4;
   for (const Vec& corner : wedge.corners) {
-    const Vec off = corner - wedge.a, across = unit(off - dot(off, along) * along);
+    const Vec off = corner - wedge.a, across = direction(off - dot(off, along) * along);
     const double above = dot(across, normal);
     if (!std::isfinite(above)) return NoFeatures::kDegenerate;
     if (above > kConeSlack) return NoFeatures::kOutsideCone;
@@ -137,7 +129,7 @@ NoFeatures extreme_corners(const Wedge& wedge, const Vec& normal, const Vec*& fi
 /** The touching segment against the tetrahedron of a wedge. */
 NoFeatures segment_on_wedge(const Frame& frame, const Touch& touch, const Wedge& wedge, Features& features) {
   const Vec p = frame.at(touch.position), q = frame.at(touch.fixed);
-  const Vec sine = cross(unit(wedge.b - wedge.a), unit(q - p));
+  const Vec sine = cross(direction(wedge.b - wedge.a), direction(q - p));
   if (!(dot(sine, sine) >= kParallel * kParallel)) return NoFeatures::kParallel;
   const Vec *first = nullptr, *last = nullptr;
   const NoFeatures reason = extreme_corners(wedge, frame.normal(), first, last);
@@ -213,7 +205,7 @@ NoFeatures diagonal_features(const Environment<3>& env, const Frame& frame, cons
 /** Triangle of the wall, counter-clockwise seen from behind it. */
 struct Triangle {
   Vec corner[3];
-  Vec outward() const { return unit(cross(corner[1] - corner[0], corner[2] - corner[0])); }
+  Vec outward() const { return direction(cross(corner[1] - corner[0], corner[2] - corner[0])); }
 };
 
 Triangle wall_triangle(const Frame& frame, Cell c, const Shape& shape, uint32_t simplex) {
@@ -227,7 +219,7 @@ double inside_by(const Triangle& t) {
   double least = HUGE_VAL;
   for (int k = 0; k < 3; ++k) {
     const Vec& a = t.corner[k];
-    least = std::min(least, dot(cross(a, unit(t.corner[(k + 1) % 3] - a)), n));
+    least = std::min(least, dot(cross(a, direction(t.corner[(k + 1) % 3] - a)), n));
   }
   return least;
 }
@@ -288,7 +280,7 @@ NoFeatures corner_features(const Environment<3>& env, const Frame& frame, const 
     if (dot(away, n) > kConeSlack * largest(away)) return NoFeatures::kOutsideCone;
   }
   const Vec p = frame.at(touch.position), q = frame.at(touch.fixed), r = frame.at(touch.fixed + 3);
-  const Vec across = unit(cross(unit(q - p), unit(r - p))), shift = dot(corner - p, across) * across;
+  const Vec across = direction(cross(direction(q - p), direction(r - p))), shift = dot(corner - p, across) * across;
   double reach = 0;
   for (size_t i = 0; i < features.obstacle.count(); ++i) {
     reach = std::max(reach, largest(Vec{points[3 * i], points[3 * i + 1], points[3 * i + 2]} - corner));

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "base/vec.h"
 #include "contact/describe.h"
-#include "contact/vec.h"
 #include "response/insertion.h"
 #include "response/vertex_move.h"
 #include "sweep/clearance.h"
@@ -15,12 +15,6 @@ namespace dsw {
 namespace {
 
 bool is_same_point(const double* a, const double* b) { return std::equal(a, a + 3, b); }
-
-/** Square of the distance that may be compared with that of others; can overflow to infinity, which compares as it should. */
-double distance_squared(const double* a, const double* b) {
-  const Vec d = difference(a, b);
-  return dot(d, d);
-}
 
 }  // namespace
 
@@ -107,7 +101,11 @@ bool BodyMove::try_together(Body& body, PlaceFn where, const void* user, double 
                             MoveRecord& record) {
   const PointArray targets{places_.data(), 3};
   for (uint32_t v = 0; v < before_.size(); ++v) {
-    where(user, before_[v].position, fraction, places_.data() + 3 * size_t{v});
+    double* const to = places_.data() + 3 * size_t{v};
+    std::copy_n(before_[v].position, 3, to);
+    if (!body.has_vertex(v)) continue;
+    where(user, before_[v].position, fraction, to);
+    if (!is_finite(to)) return false;  // a part of a motion can lead further than the whole
   }
   start(body, order, targets);
   sweep_all(body, targets, false);
@@ -133,9 +131,7 @@ void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
   sweeps_.counts = {};
   wave_.clear();  // of casts left by a move that ran out of memory
   skipped_.clear();
-  if (body.keeps_sequences()) {
-    writers_.reserve(kWave);  // casts point at them
-  }
+  if (body.keeps_sequences()) writers_.reserve(kWave);  // casts point at them
   order_.clear();
   moving_.assign(body.vertices.size(), Moving{});
   const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
@@ -409,7 +405,7 @@ void BodyMove::remove_noise(Body& body, double share, MoveRecord& record) {
     const double size = length(line), beside = length(cross(off, unit(line)));
     if (!(beside <= share * size) || !(dot(off, line) > 0) || !(dot(off, line) < dot(line, line))) continue;
     dsw_body_edit edit;
-    record.edits.reserve(record.edits.size() + 1);
+    reserve_more(record.edits, 1);
     if (merge_vertex(sweeps_, body, edges[0], v, &edit)) record.edits.push_back(edit);
   }
 }

@@ -6,14 +6,8 @@
 namespace dsw {
 namespace {
 
-bool is_reached(const Environment<3>& env, const double* from, const double* to, Cell start, Cell* cell) noexcept {
-  CastRequest request;
-  request.from = from;
-  request.to = to;
-  request.start = start;
-  const CastResult result = cast(env, request, nullptr);
-  if (cell != nullptr) *cell = result.cell;
-  return result.end == CastEnd::kReached;
+bool is_reached(const Environment<3>& env, const double* from, const double* to, Cell start) noexcept {
+  return cast(env, from, to, start).end == CastEnd::kReached;
 }
 
 }  // namespace
@@ -26,9 +20,9 @@ bool can_bend(const Environment<3>& env, StarSweep& sweeps, const Body& body, ui
     *cell = locate(env, point, p.cell, nullptr).cell;
     return cell->valid() && !env.map.marked(*cell);
   }
-  if (!is_reached(env, p.position, point, p.cell, cell) || !is_reached(env, point, q.position, *cell, nullptr)) {
-    return false;
-  }
+  const CastResult to_point = cast(env, p.position, point, p.cell);
+  *cell = to_point.cell;
+  if (to_point.end != CastEnd::kReached || !is_reached(env, point, q.position, *cell)) return false;
   const bool swept = body.level >= SweepLevel::kEdgesSwept;
   if (swept && !sweeps.is_triangle_free({p.position, point, q.position}, p.cell)) return false;
   for (const uint32_t f : e.faces) {
@@ -36,7 +30,7 @@ bool can_bend(const Environment<3>& env, StarSweep& sweeps, const Body& body, ui
     const BodyFace& face = body.faces[f];
     const uint32_t far = face.after(e.ends[0]) == e.ends[1] ? face.before(e.ends[0]) : face.after(e.ends[0]);
     const double* const r = body.position(far);
-    if (!is_reached(env, point, r, *cell, nullptr)) return false;
+    if (!is_reached(env, point, r, *cell)) return false;
     if (body.level != SweepLevel::kFaces) continue;
     if (!sweeps.is_triangle_free({p.position, point, r}, p.cell) ||
         !sweeps.is_tetrahedron_free({p.position, point, q.position, r}, p.cell)) {

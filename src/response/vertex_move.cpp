@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/points.h"
 #include "contact/describe.h"
 #include "motion/retreat.h"
 #include "response/insertion.h"
@@ -11,10 +12,6 @@ namespace {
 
 constexpr uint32_t kMostSlides = 8, kMostInsertions = 64;
 constexpr double kStandOffShare = 1e-9;
-
-bool is_finite(const double* point) {
-  return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
-}
 
 double extent(const Environment<3>& env, Cell c) {
   double size = 0;
@@ -91,7 +88,7 @@ dsw_contact VertexMove::record_contacts(uint32_t v, const double* to, const Star
   record_.contacts.push_back(contact);
   if (settings_.search != Search::kAll) return contact;
   Array<StarContact> all{Allocator<StarContact>(env_.memory)};
-  sweeps_.find_all(body_, v, to, all);
+  sweeps_.find_all(body_, v, to, first, all);
   for (size_t i = 1; i < all.size(); ++i) record_.contacts.push_back(describe(env_, body_, v, to, all[i]));
   return contact;
 }
@@ -142,8 +139,8 @@ bool VertexMove::insert(uint32_t v, const dsw_contact& contact) {
   for (int tries = 0; tries < 8; ++tries, lift *= 4) {
     if (can_bend(env_, sweeps_, body_, e, point, &cell)) {
       dsw_body_edit edit;
-      record_.edits.reserve(record_.edits.size() + 1);
-      body_.inserted.reserve(body_.inserted.size() + 1);
+      reserve_more(record_.edits, 1);
+      reserve_more(body_.inserted, 1);
       const uint32_t middle = insert_vertex(body_, e, point, cell, share, &edit);
       record_.edits.push_back(edit);
       body_.inserted.push_back(middle);
@@ -162,13 +159,12 @@ bool VertexMove::slide(uint32_t v, const double* target, const dsw_contact& cont
   Vec rest = difference(target, at);
   const double into = dot(rest, normal);
   if (into < 0) rest = rest - into * normal;
-  for (int k = 0; k < walls.count; ++k) {
-    if (dot(rest, walls.normals[k]) >= 0) continue;
+  // Along the crease with the latest wall that this would go into. Whether another is in the way is the next sweep's to say.
+  for (int k = walls.count - 1; k >= 0; --k) {
     const Vec crease = unit(cross(walls.normals[k], normal));
+    if (dot(rest, walls.normals[k]) >= 0 || is_zero(crease)) continue;
     rest = dot(difference(target, at), crease) * crease;
-  }
-  for (int k = 0; k < walls.count; ++k) {
-    if (dot(rest, walls.normals[k]) < -1e-12 * length(rest)) return false;
+    break;
   }
   if (walls.count == 2) {
     walls.normals[0] = walls.normals[1];

@@ -1,7 +1,7 @@
 #pragma once
 // One vertex of a body on its way to a target, with the responses to what it meets [JCD10] 4.2.
 
-#include "contact/vec.h"
+#include "base/vec.h"
 #include "response/settings.h"
 
 namespace dsw {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/body_probe.h"
 #include "scene/scene.h"
 
 namespace dsw {
@@ -79,7 +80,8 @@ void check_face(const Body& body, size_t face, uint32_t a, uint32_t b, uint32_t 
 }
 
 void check_free(Scene<3>& scene, const Body& body, SweepLevel level) {
-  find_offending(scene, body, level);
+  scene.offending.clear();
+  BodyProbe(scene.env, Box::everything(), Obstacle::kCells).find_blocked(body, level, scene.offending);
   if (scene.offending.empty()) return;
   fail(DSW_STATUS_OCCUPIED, "%zu edges meet something impassable; the first joins vertices %u and %u",
        scene.offending.size() / 2, scene.offending[0], scene.offending[1]);
@@ -98,7 +100,11 @@ dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
   for (size_t i = 0; i < d.vertex_count; ++i) add_vertex(body, d.positions[i], cells[i]);
   add_edges(body, d);
   add_faces(body, d);
-  body.edges.shrink_to_fit();
+  body.edges.shrink_to_fit();  // faces may have found their edges
+  if (body.keeps_sequences()) {
+    body.sequences.resize(body.edges.size());
+    body.sequences.shrink_to_fit();
+  }
   check_free(scene, body, body.level);
   scene.body_slots.reserve(1);
   reserve_more(scene.bodies, 1);
@@ -129,41 +135,6 @@ void set_level(Scene<3>& scene, Body& body, SweepLevel level) {
   if (level > body.level) check_free(scene, body, level);
   if (level >= SweepLevel::kEdgesSwept) keep_sequences(body, body.edges.size());
   body.level = level;
-}
-
-void find_offending(Scene<3>& scene, const Body& body, SweepLevel level) {
-  scene.offending.clear();
-  if (level == SweepLevel::kPoints) return;
-  Wave<3> wave;
-  uint32_t edges[kWave];
-  const auto offend = [&](uint32_t a, uint32_t b) {
-    scene.offending.push_back(a);
-    scene.offending.push_back(b);
-  };
-  const auto run = [&] {
-    wave.run(scene.env, nullptr);
-    for (uint32_t i = 0; i < wave.count(); ++i) {
-      if (wave.result(i).end == CastEnd::kHit) offend(body.edges[edges[i]].ends[0], body.edges[edges[i]].ends[1]);
-    }
-    wave.clear();
-  };
-  for (uint32_t e = 0; e < body.edges.size(); ++e) {
-    if (!body.has_edge(e)) continue;
-    const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
-    edges[wave.count()] = e;
-    wave.add(scene.env, a.cell, a.position, b.position);
-    if (wave.full()) run();
-  }
-  run();
-  if (level != SweepLevel::kFaces || !scene.offending.empty()) return;
-  // A face with free edges is free if the triangle that one of its edges sweeps over it is.
-  StarSweep sweeps(scene.env);
-  for (uint32_t f = 0; f < body.faces.size(); ++f) {
-    if (!body.has_face(f)) continue;
-    const uint32_t* const corners = body.faces[f].corners;
-    const EdgeMotion m{body.position(corners[0]), body.position(corners[1]), body.position(corners[2])};
-    if (!sweeps.is_triangle_free(m, body.vertices[corners[0]].cell)) offend(corners[0], corners[1]);
-  }
 }
 
 }  // namespace dsw

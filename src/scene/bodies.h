@@ -80,7 +80,4 @@ void check_face(const Body& body, size_t face, uint32_t a, uint32_t b, uint32_t 
 /** Throws OCCUPIED, and fills scene.offending, unless a body is free at a level. */
 void check_free(Scene<3>& scene, const Body& body, SweepLevel level);
 
-/** Collects into scene.offending the pairs of vertices of edges that are not free at a level, faces' edges included. */
-void find_offending(Scene<3>& scene, const Body& body, SweepLevel level);
-
 }  // namespace dsw

@@ -8,16 +8,9 @@
 namespace dsw {
 namespace {
 
-bool is_edge_free(const Environment<3>& env, const Body& body, uint32_t a, uint32_t b) noexcept {
-  CastRequest request;
-  request.from = body.position(a);
-  request.to = body.position(b);
-  request.start = body.vertices[a].cell;
-  return cast(env, request, nullptr).end == CastEnd::kReached;
-}
-
 void check_edge_free(const Environment<3>& env, const Body& body, uint32_t a, uint32_t b) {
-  if (body.level == SweepLevel::kPoints || is_edge_free(env, body, a, b)) return;
+  if (body.level == SweepLevel::kPoints) return;
+  if (cast(env, body.position(a), body.position(b), body.vertices[a].cell).end == CastEnd::kReached) return;
   fail(DSW_STATUS_OCCUPIED, "the edge between vertices %u and %u meets something impassable", a, b);
 }
 

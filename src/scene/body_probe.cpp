@@ -1,5 +1,5 @@
-// Vertices are looked up, edges cast and faces swept by one of their edges, each once, as when a body is created; only what overlaps
-// the box of the new obstacles is looked at.
+// Vertices are looked up, edges cast and faces swept by one of their edges, each once: when a body is created or its level raised, and
+// when obstacles appear; then only what overlaps their box is looked at.
 
 #include "scene/body_probe.h"
 
@@ -29,6 +29,12 @@ struct Unmarking {
 Box::Box() noexcept {
   std::fill(lower, lower + 3, std::numeric_limits<double>::infinity());
   std::fill(upper, upper + 3, -std::numeric_limits<double>::infinity());
+}
+
+Box Box::everything() noexcept {
+  Box box;
+  std::swap(box.lower, box.upper);
+  return box;
 }
 
 void Box::add(const double* point) noexcept {
@@ -66,8 +72,8 @@ bool BodyProbe::visit_vertices(const Body& body, Visit visit) {
 }
 
 template <class Visit>
-bool BodyProbe::visit_edges(const Body& body, Visit visit) {
-  if (kind_ == Obstacle::kWires || body.level == SweepLevel::kPoints) return true;
+bool BodyProbe::visit_edges(const Body& body, SweepLevel level, Visit visit) {
+  if (kind_ == Obstacle::kWires || level == SweepLevel::kPoints) return true;
   uint32_t edges[kWave];
   wave_.clear();
   const auto run = [&] {
@@ -93,8 +99,8 @@ bool BodyProbe::visit_edges(const Body& body, Visit visit) {
 
 /** Vertices and edges of the body are free. */
 template <class Visit>
-bool BodyProbe::visit_faces(const Body& body, Visit visit) {
-  if (body.level != SweepLevel::kFaces) return true;
+bool BodyProbe::visit_faces(const Body& body, SweepLevel level, Visit visit) {
+  if (level != SweepLevel::kFaces) return true;
   for (uint32_t f = 0; f < body.faces.size(); ++f) {
     if (!body.has_face(f)) continue;
     const uint32_t* const c = body.faces[f].corners;
@@ -113,7 +119,17 @@ bool BodyProbe::sweep_face(const Body& body, uint32_t face) {
 
 bool BodyProbe::is_free(const Body& body) {
   const auto stop = [](uint32_t) { return false; };
-  return visit_vertices(body, stop) && visit_edges(body, stop) && visit_faces(body, stop);
+  return visit_vertices(body, stop) && visit_edges(body, body.level, stop) && visit_faces(body, body.level, stop);
+}
+
+void BodyProbe::find_blocked(const Body& body, SweepLevel level, Array<uint32_t>& pairs) {
+  const auto add = [&](const uint32_t* vertices) {
+    pairs.push_back(vertices[0]);
+    pairs.push_back(vertices[1]);
+    return true;
+  };
+  visit_edges(body, level, [&](uint32_t e) { return add(body.edges[e].ends); });
+  if (pairs.empty()) visit_faces(body, level, [&](uint32_t f) { return add(body.faces[f].corners); });
 }
 
 size_t BodyProbe::leave_out(Environment<3>& env, const Body& body) {
@@ -122,7 +138,7 @@ size_t BodyProbe::leave_out(Environment<3>& env, const Body& body) {
     Unmarking::enter(&passed, {}, 0, body.vertices[v].cell);
     return true;
   });
-  visit_edges(body, [&](uint32_t e) {
+  visit_edges(body, body.level, [&](uint32_t e) {
     // All on its way was passable before, so that every mark there is new; one flight through them finds them all.
     CastRequest request;
     request.from = body.position(body.edges[e].ends[0]);
@@ -134,7 +150,7 @@ size_t BodyProbe::leave_out(Environment<3>& env, const Body& body) {
     cast(env_, request, nullptr);
     return true;
   });
-  visit_faces(body, [&](uint32_t f) {
+  visit_faces(body, body.level, [&](uint32_t f) {
     do {
       const size_t before = passed.count;
       for (const SweepContact& contact : flood_.all()) {

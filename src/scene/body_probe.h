@@ -12,6 +12,7 @@ struct Box {
   double lower[3], upper[3];
 
   Box() noexcept;
+  static Box everything() noexcept;
   void add(const double* point) noexcept;
   /** Whether it overlaps the box of these points. */
   bool overlaps(const double* const* points, int count) const noexcept;
@@ -20,7 +21,7 @@ struct Box {
 /** What has become impassable. */
 enum class Obstacle { kCells, kFacets, kWires };
 
-/** Looks for what of a body meets obstacles that appeared inside of a box while the body, free until then, stood still. At every level
+/** Looks for what of a body, which stands still, meets obstacles inside of a box. At every level
  * vertices lie in cells; edges are stopped by facets from EDGES on; at FACES facets and wires pierce faces. The shift lets neither
  * an edge meet a wire nor anything a single vertex. */
 class BodyProbe {
@@ -31,6 +32,9 @@ class BodyProbe {
   /** O(size of the body + volumes met by edges and faces in the box). */
   bool is_free(const Body& body);
 
+  /** Appends the ends of the edges that are not free at a level; if all are, two corners of each face that is not. */
+  void find_blocked(const Body& body, SweepLevel level, Array<uint32_t>& pairs);
+
   /** Takes back the marks of the cells that the body meets. All of them have just been set. Returns how many there were. */
   size_t leave_out(Environment<3>& env, const Body& body);
 
@@ -38,9 +42,9 @@ class BodyProbe {
   template <class Visit>
   bool visit_vertices(const Body& body, Visit visit);
   template <class Visit>
-  bool visit_edges(const Body& body, Visit visit);
+  bool visit_edges(const Body& body, SweepLevel level, Visit visit);
   template <class Visit>
-  bool visit_faces(const Body& body, Visit visit);
+  bool visit_faces(const Body& body, SweepLevel level, Visit visit);
   bool sweep_face(const Body& body, uint32_t face);
 
   const Environment<3>& env_;

@@ -5,7 +5,6 @@
 #include <new>
 
 #include "contact/geometry.h"
-#include "motion/standard_facets.h"
 #include "scene/batch.h"
 #include "scene/report.h"
 #include "scene/starts.h"
@@ -63,7 +62,7 @@ class Sweeper {
       if (swept.end == SweepEnd::kContact) report_contact(env_, m, swept.contact, sweep);
       if (swept.end != SweepEnd::kFree) return;
     }
-    if (path.end == CastEnd::kHit) return report_path(m, path, sweep);
+    if (path.end == CastEnd::kHit) return report_contact(env_, m, path_contact(env_, path), sweep);
     sweep.outcome = DSW_OUTCOME_REACHED;
     sweep.time = 1;
     sweep.volume = volume_id(env_.map, path.cell);
@@ -82,12 +81,9 @@ class Sweeper {
   CastResult fly(const double* from, const double* to, Cell start, dsw_sweep& sweep) const {
     CastResult result;
     result.end = CastEnd::kWorkLimit;
-    CastRequest request;
-    request.from = from;
-    request.to = to;
-    request.start = start;
-    if (!work_left(sweep, request.max_cells)) return result;
-    result = cast(env_, request, nullptr);
+    uint32_t left = 0;
+    if (!work_left(sweep, left)) return result;
+    result = cast(env_, from, to, start, left);
     sweep.cells_visited += result.cells_visited;
     if (result.end == CastEnd::kWorkLimit) sweep.outcome = DSW_OUTCOME_WORK_LIMIT;
     return result;
@@ -98,16 +94,6 @@ class Sweeper {
     if (options_.level == SweepLevel::kPoints) return false;
     if (options_.level == SweepLevel::kEdgesSwept || path.end == CastEnd::kHit) return true;
     return fly(m.to, m.q, path.cell, sweep).end == CastEnd::kHit;
-  }
-
-  /** The contact of the moving end alone. */
-  void report_path(const EdgeMotion& m, const CastResult& path, dsw_sweep& sweep) const {
-    SweepContact contact;
-    contact.front = path.cell;
-    contact.facet = path.facet;
-    contact.simplex = path.simplex;
-    boundary_points(env_, path.cell, path.simplex, contact.event.points);
-    report_contact(env_, m, contact, sweep);
   }
 
   const Environment<3>& env_;

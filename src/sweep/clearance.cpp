@@ -3,21 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vec.h"
 #include "motion/nearest.h"
 
 namespace dsw {
 namespace {
 
 constexpr uint32_t kMostPatience = 1024;
-constexpr double kReach = 4;  // how far is measured, in units of what is needed
+constexpr double kReach = 2;  // how far is measured, in units of what is needed
 // The distance to an obstacle is rounded. What is left of a ball is free if that error, a few units in the last place of the
 // coordinates, is smaller than what is left out of it. The obstacle's count too: its ends can be far from where it is near.
 constexpr double kKept = 0.999, kLeastShare = 1e-9;
-
-double distance(const double* a, const double* b) noexcept {
-  const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-  return std::sqrt((x * x + y * y) + z * z);
-}
 
 bool is_known(const Environment<3>& env, const Clearance& ball) noexcept {
   return ball.radius > 0 && ball.version == env.obstacle_version;
@@ -27,14 +23,15 @@ bool is_known(const Environment<3>& env, const Clearance& ball) noexcept {
 
 bool covers(const Environment<3>& env, const Clearance& ball, const double* a, const double* b,
             const double* c) noexcept {
-  return is_known(env, ball) && distance(a, ball.centre) < ball.radius && distance(b, ball.centre) < ball.radius &&
-         distance(c, ball.centre) < ball.radius;
+  const double limit = ball.radius * ball.radius;
+  return is_known(env, ball) && distance_squared(a, ball.centre) < limit && distance_squared(b, ball.centre) < limit &&
+         distance_squared(c, ball.centre) < limit;
 }
 
 void refresh_clearance(const Environment<3>& env, Body& body, uint32_t v, double needed) {
   Clearance& ball = body.clearances[v];
   const double* const at = body.position(v);
-  if (is_known(env, ball) && distance(at, ball.centre) + needed < ball.radius) return;
+  if (is_known(env, ball) && length(difference(at, ball.centre)) + needed < ball.radius) return;
   if (ball.wait != 0) {
     --ball.wait;
     return;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "motion/sequence.h"
-#include "motion/standard_facets.h"
 #include "sweep/clearance.h"
 
 namespace dsw {
@@ -12,26 +11,6 @@ namespace {
 /** The only facet that a path has crossed. */
 HalfFacet crossed(const Environment<3>& env, Cell start, const CastResult& path) noexcept {
   return path.cells_visited == 2 ? env.map.half_facet(start, path.first_facet) : HalfFacet{};
-}
-
-CastResult fly(const Environment<3>& env, const double* from, const double* to, Cell start, uint32_t max_cells,
-               CastCounters* counters) noexcept {
-  CastRequest request;
-  request.max_cells = max_cells;
-  request.from = from;
-  request.to = to;
-  request.start = start;
-  return cast(env, request, counters);
-}
-
-StarContact path_contact(const Environment<3>& env, const CastResult& path) noexcept {
-  StarContact found;
-  found.contact.front = path.cell;
-  found.contact.facet = path.facet;
-  found.contact.simplex = path.simplex;
-  found.contact.faces_start = true;
-  boundary_points(env, path.cell, path.simplex, found.contact.event.points);
-  return found;
 }
 
 /** The vertex before its edges before its faces. */
@@ -143,7 +122,7 @@ bool StarSweep::is_free(const Body& body, uint32_t v, const double* to, Cell* ce
     *cell = at.cell;
     return true;
   }
-  const CastResult path = fly(env_, at.position, to, at.cell, max_cells, counters);
+  const CastResult path = cast(env_, at.position, to, at.cell, max_cells, counters);
   *cell = path.cell;
   if (path.end != CastEnd::kReached || body.level == SweepLevel::kPoints) return path.end == CastEnd::kReached;
   if (body.level == SweepLevel::kEdges) return !find_hit_edges(body, v, to, path.cell, true);
@@ -152,17 +131,14 @@ bool StarSweep::is_free(const Body& body, uint32_t v, const double* to, Cell* ce
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
     if (settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed})) return true;
-    free = flood_.sweep(EdgeMotion{at.position, to, fixed.position}, at.cell, max_cells).end == SweepEnd::kFree;
-    return free;
+    return free = is_triangle_free({at.position, to, fixed.position}, at.cell);
   });
   if (!free || body.level != SweepLevel::kFaces) return free;
   for_each_face(body, v, [&](uint32_t f) {
     const BodyFace& face = body.faces[f];
     const BodyVertex &q = body.vertices[face.after(v)], &r = body.vertices[face.before(v)];
     if (stays_inside(env_, at.cell, path.cell, q.cell) && q.cell == r.cell) return true;
-    const FaceMotion m{at.position, to, q.position, r.position};
-    free = flood_.sweep(m, at.cell, max_cells).end == SweepEnd::kFree;
-    return free;
+    return free = is_tetrahedron_free({at.position, to, q.position, r.position}, at.cell);
   });
   return free;
 }
@@ -173,13 +149,13 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
     *cell = at.cell;
     return SweepEnd::kFree;
   }
-  const CastResult path = fly(env_, at.position, to, at.cell, max_cells, counters);
+  const CastResult path = cast(env_, at.position, to, at.cell, max_cells, counters);
   *cell = path.cell;
   limited_ = path.end == CastEnd::kWorkLimit;
   if (limited_) return SweepEnd::kWorkLimit;
   bool any = false;
   const auto answer = [&] { return limited_ ? SweepEnd::kWorkLimit : any ? SweepEnd::kContact : SweepEnd::kFree; };
-  if (path.end == CastEnd::kHit) consider(at.position, to, path_contact(env_, path), first, &any);
+  if (path.end == CastEnd::kHit) consider(at.position, to, {path_contact(env_, path), kNone, kNone}, first, &any);
   if (body.level == SweepLevel::kPoints) return answer();
 
   const auto sweep_edge = [&](uint32_t e) {
@@ -212,17 +188,19 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
   return answer();
 }
 
-void StarSweep::find_all(const Body& body, uint32_t v, const double* to, Array<StarContact>& all) {
+void StarSweep::find_all(const Body& body, uint32_t v, const double* to, const StarContact& first,
+                         Array<StarContact>& all) {
   const BodyVertex& at = body.vertices[v];
   all.clear();
-  const CastResult path = fly(env_, at.position, to, at.cell, max_cells, counters);
-  if (path.end == CastEnd::kHit) all.push_back(path_contact(env_, path));
+  const CastResult path = cast(env_, at.position, to, at.cell, max_cells, counters);
+  if (path.end == CastEnd::kHit) all.push_back({path_contact(env_, path), kNone, kNone});
   if (body.level == SweepLevel::kPoints) return;
   const auto collect = [&](uint32_t e) {
     flood_.sweep(EdgeMotion{at.position, to, body.position(body.edges[e].other(v))}, at.cell, max_cells, true);
     for (const SweepContact& each : flood_.all()) {
-      // The diagonal of a flat face is nothing to be met.
-      const bool flat = kind_of(each) == ContactKind::kPlane && env_.map.convex(each.front);
+      // The diagonal of a flat face is nothing to be met, but where the shift meets it first.
+      const bool flat = kind_of(each) == ContactKind::kPlane && env_.map.convex(each.front) &&
+                        !(e == first.edge && same_event(each, first.contact));
       if (each.event.kind != EventKind::kVertex && !flat) all.push_back({each, e, kNone});
     }
     return true;
@@ -233,12 +211,7 @@ void StarSweep::find_all(const Body& body, uint32_t v, const double* to, Array<S
   } else {
     for_each_edge(body, v, collect);
   }
-  StarContact first;
-  Cell cell;
-  if (body.level == SweepLevel::kFaces && find_first(body, v, to, &first, &cell) == SweepEnd::kContact &&
-      first.face != kNone) {
-    all.push_back(first);
-  }
+  if (first.face != kNone) all.push_back(first);
   std::sort(all.begin(), all.end(), [&](const StarContact& a, const StarContact& b) {
     if (comes_before(env_.map, at.position, to, a.contact, b.contact)) return true;
     return !comes_before(env_.map, at.position, to, b.contact, a.contact) && feature(a) < feature(b);

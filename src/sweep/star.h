@@ -31,8 +31,8 @@ class StarSweep {
    * neither. */
   SweepEnd find_first(const Body& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
 
-  /** All contacts on that way of the vertex and its edges, by time, where find_first has found one; of faces only the first. */
-  void find_all(const Body& body, uint32_t v, const double* to, Array<StarContact>& all);
+  /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only that. */
+  void find_all(const Body& body, uint32_t v, const double* to, const StarContact& first, Array<StarContact>& all);
 
   /** Whether an edge sweeps inside of one cell, and so meets nothing. */
   static bool stays_inside(const Environment<3>& env, Cell from, Cell to, Cell fixed) {

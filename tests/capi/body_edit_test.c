@@ -286,6 +286,44 @@ static void a_collapse_is_swept(void) {
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 
+static void all_is_read_at_once(void) {
+  const dsw_body_id body = make_square(DSW_LEVEL_FACES), stale = {99, 1};
+  dsw_body_vertex_id v = {7, 7};
+  uint32_t pairs[10], triples[6], none = 77;
+  size_t count = 55;
+  CHECK_OK(dsw_body_get_vertex(g_scene, body, 4, &v));
+  CHECK(v.index == 4 && v.generation == 1);
+  v = g_gone;
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_get_vertex(g_scene, body, 5, &v));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_get_vertex(g_scene, body, 0xffffffffu, &v));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_vertex(g_scene, body, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_vertex(NULL, body, 0, &v));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_vertex(g_scene, stale, 0, &v));
+  CHECK(v.index == g_gone.index && v.generation == g_gone.generation);
+
+  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_edge_vertices(g_scene, body, &none, 0, &count));
+  CHECK(count == 5 && none == 77);
+  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_body_get_face_vertices(g_scene, body, &none, 1, &count));
+  CHECK(count == 2 && none == 77);
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_edge_vertices(g_scene, body, NULL, 5, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_face_vertices(g_scene, body, triples, 2, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_edge_vertices(g_scene, stale, pairs, 5, &count));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_face_vertices(g_scene, stale, triples, 2, &count));
+  CHECK_OK(dsw_body_get_edge_vertices(g_scene, body, pairs, 5, &count));
+  CHECK(count == 5 && pairs[0] == 0 && pairs[1] == 1 && pairs[8] == 3 && pairs[9] == 0);
+  CHECK_OK(dsw_body_get_face_vertices(g_scene, body, triples, 2, &count));
+  CHECK(count == 2 && triples[0] == 0 && triples[1] == 1 && triples[2] == 2 && triples[5] == 3);
+
+  CHECK_OK(dsw_body_remove_edge(g_scene, body, edge_id(0))); /* and face 0 with it */
+  CHECK_OK(dsw_body_get_edge_vertices(g_scene, body, pairs, 5, &count));
+  CHECK(count == 5 && pairs[0] == 0xffffffffu && pairs[1] == 0xffffffffu && pairs[2] == 1);
+  CHECK_OK(dsw_body_get_face_vertices(g_scene, body, triples, 2, &count));
+  CHECK(triples[0] == 0xffffffffu && triples[2] == 0xffffffffu && triples[3] == 0);
+  CHECK_OK(dsw_body_remove_vertex(g_scene, body, vertex_id(4)));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_get_vertex(g_scene, body, 4, &v));
+  CHECK_OK(dsw_body_destroy(g_scene, body));
+}
+
 int main(void) {
   g_env = make_environment(NULL, NX, NY, NZ);
   g_scene = make_scene(g_env, 0);
@@ -295,6 +333,7 @@ int main(void) {
   edges_are_split();
   edges_are_collapsed();
   a_collapse_is_swept();
+  all_is_read_at_once();
   CHECK_OK(dsw_scene_destroy(g_scene));
   CHECK_OK(dsw_environment_destroy(g_env));
   return check_result();

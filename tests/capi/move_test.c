@@ -78,7 +78,8 @@ static void init_writes_the_defaults(void) {
   dsw_move_options_init(&o, sizeof o);
   CHECK(o.struct_size == sizeof o && o.flags == 0 && o.vertex_response == DSW_RESPONSE_STOP);
   CHECK(o.edge_response == DSW_RESPONSE_STOP && o.search == DSW_SEARCH_EXACT && o.bisection_depth == 0);
-  CHECK(o.min_part == 0 && o.stand_off == 0 && o.noise_share == 0 && o.order == NULL && o.order_count == 0);
+  CHECK(o.min_part == 0 && o.stand_off == 0 && o.min_length == 0 && o.max_cells == 0 && o.noise_share == 0 &&
+        o.order == NULL && o.order_count == 0);
   memset(&o, 0xff, sizeof o);
   dsw_move_options_init(&o, 8);
   CHECK(o.struct_size == 8 && o.flags == 0 && o.bisection_depth == 0xffffffffu);
@@ -100,6 +101,23 @@ static void a_free_move_arrives(void) {
     CHECK(r.fraction == 1 && r.vertices_moved == 2 && r.vertices_stopped == 0 && is_at(body, g_right, 2));
     CHECK_OK(dsw_body_move(g_scene, body, g_left, 2, 24, NULL, NULL)); /* nobody wants the report */
     CHECK(is_at(body, g_left, 2));
+    CHECK_OK(dsw_body_destroy(g_scene, body));
+  }
+}
+
+/* From one cube to the next but one: three volumes. */
+static void a_work_limit_stops_free(void) {
+  int level;
+  for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_FACES; ++level) {
+    const dsw_body_id body = make_line(g_left, 2, (dsw_level)level);
+    dsw_move_options o = options();
+    dsw_move_report r;
+    o.max_cells = 1;
+    r = move(body, g_right, 2, &o);
+    CHECK(r.vertices_stopped == 2 && r.vertices_limited == 2 && r.contact_count == 0 && is_at(body, g_left, 2));
+    o.max_cells = 1000;
+    r = move(body, g_right, 2, &o);
+    CHECK(r.vertices_stopped == 0 && r.vertices_limited == 0 && is_at(body, g_right, 2));
     CHECK_OK(dsw_body_destroy(g_scene, body));
   }
 }
@@ -284,12 +302,12 @@ static void bad_options_are_refused(void) {
     dsw_move_options known;
     uint32_t unknown;
   } newer;
-  dsw_move_options bad[20];
-  dsw_status status[20];
+  dsw_move_options bad[24];
+  dsw_status status[24];
   const uint32_t twice[2] = {1, 1}, astray[2] = {0, 2};
   size_t n = 0, i;
   memset(&newer, 0, sizeof newer);
-  for (i = 0; i < 20; ++i) bad[i] = options();
+  for (i = 0; i < 24; ++i) bad[i] = options();
 #define BAD(which, member, value) (bad[n].member = (value), status[n++] = DSW_STATUS_##which)
   BAD(BAD_STRUCT_SIZE, struct_size, 16);
   BAD(UNSUPPORTED, struct_size, 4097);
@@ -306,6 +324,10 @@ static void bad_options_are_refused(void) {
   BAD(OUT_OF_RANGE, min_part, NAN);
   BAD(NON_FINITE, stand_off, NAN);
   BAD(NON_FINITE, stand_off, INFINITY);
+  BAD(OUT_OF_RANGE, min_length, -1);
+  BAD(OUT_OF_RANGE, min_length, NAN);
+  BAD(OUT_OF_RANGE, min_length, INFINITY);
+  BAD(UNSUPPORTED, reserved, 1);
   BAD(OUT_OF_RANGE, noise_share, -1);
   BAD(OUT_OF_RANGE, noise_share, NAN);
   BAD(NULL_ARGUMENT, order_count, 2);
@@ -314,7 +336,7 @@ static void bad_options_are_refused(void) {
   bad[n].order = astray;
   BAD(OUT_OF_RANGE, order_count, 2);
 #undef BAD
-  CHECK(n == 20);
+  CHECK(n == 24);
   for (i = 0; i < n; ++i) {
     dsw_move_report r, before;
     memset(&r, 0x55, sizeof r);
@@ -424,6 +446,7 @@ int main(void) {
   g_scene = make_scene(g_env, 0);
   init_writes_the_defaults();
   a_free_move_arrives();
+  a_work_limit_stops_free();
   a_contact_says_everything();
   a_new_vertex_has_no_history();
   every_obstacle_has_its_history();

@@ -31,7 +31,11 @@ void check_report(const Environment<3>& env, const SweepContact& contact) {
       }
     }
   }
-  ASSERT_TRUE(contact.facet == lowest);
+  ASSERT_TRUE(contact.facet.valid() == lowest.valid());
+  if (!lowest.valid()) return;
+  ASSERT_TRUE(canonical(map, contact.facet) == lowest);
+  const HalfFacet behind = map.opposite(contact.facet);
+  ASSERT_TRUE(!behind.valid() || !map.marked(map.cell_of(contact.facet)) || map.marked(map.cell_of(behind)));
 }
 
 /// One face: its own flood, those of its edges, and the truth.

@@ -18,9 +18,10 @@ extern "C" {
 
 /** Flags of a body: ways to leave out work. Those marked lossless change no result by a bit. */
 enum {
-  /** Edges keep the volumes that they cross, 4 bytes for each: a sweep that crosses the same ones is done [lossless]. */
+  /** Edges keep the faces that they cross, 4 bytes for each: a sweep that crosses the same ones is done [lossless]. From
+   * DSW_LEVEL_EDGES_SWEPT on they do so anyway; the flag says it for DSW_LEVEL_EDGES. */
   DSW_BODY_SEQUENCES = 0x1,
-  /** Skip edges that sweep inside of one volume [JCD10] 6.1 [lossless]. */
+  /** Skip edges that sweep inside of one exactly convex volume [JCD10] 6.1 [lossless]. */
   DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,
   /** Skip edges that sweep inside of a ball known to hold nothing impassable [lossless]. */
   DSW_BODY_SKIP_BY_CLEARANCE = 0x4,
@@ -48,7 +49,7 @@ typedef struct dsw_body_desc {
   const uint32_t *face_corners;
   size_t face_count;        /**< face_offsets has one more entry. */
   size_t face_corner_count; /**< Entries of face_corners: the last of face_offsets. */
-  double motion_share; /**< For DSW_BODY_SKIP_BY_MOTION; 0 means 0.1. */
+  double motion_share;      /**< For DSW_BODY_SKIP_BY_MOTION; 0 means 0.1. */
 } dsw_body_desc;
 
 /** How many vertices, edges and triangles a body has, and below which number their indices are. */

@@ -14,9 +14,10 @@ extern "C" {
 /** How a contact is found. */
 typedef enum dsw_search {
   DSW_SEARCH_EXACT = 0, /**< The first contact, at its exact time. */
-  DSW_SEARCH_ALL = 1,   /**< All obstacles under the new edges, by time (angle); the first is that of EXACT. */
+  DSW_SEARCH_ALL =
+      1, /**< All obstacles under the new edges, by time (angle); the first is that of EXACT. A face only if it is the first. */
   DSW_SEARCH_BISECTION =
-      2, /**< Halving the move `bisection_depth` times: free at the reported time, which may be late. */
+      2, /**< That obstacle, with a time from halving the move `bisection_depth` times: free there, but it may be late. */
   DSW_SEARCH_FORCE_INT32 = 0x7fffffff
 } dsw_search;
 
@@ -44,11 +45,12 @@ typedef struct dsw_move_options {
   dsw_response edge_response;   /**< When an edge or face of it touches; STOP by default. */
   dsw_search search;            /**< EXACT by default. */
   uint32_t bisection_depth;     /**< 1 to 52; 0 means 20. */
-  uint32_t max_cells; /**< Work limit: volumes that the sweep of one vertex's path, of one edge or one face may look at; 0: none. A
+  uint32_t
+      max_cells; /**< Work limit: volumes that the sweep of one vertex's path, of one edge or one face may look at; 0: none. A
                            vertex that comes to it stops there, free and without a contact. */
-  uint32_t reserved;  /**< 0. */
-  double min_part;              /**< Least part of an edge that a split leaves, in (0,0.5]; 0 means 0.25. */
-  double min_length;            /**< Least length of such a part, scene units. 0: none, then parts can get ever smaller. */
+  uint32_t reserved; /**< 0. */
+  double min_part;   /**< Least part of an edge that a split leaves, in (0,0.5]; 0 means 0.25. */
+  double min_length; /**< Least length of such a part, scene units. 0: none, then parts can get ever smaller. */
   /** Distance kept from a wall that is touched, a dial without guarantee, scene units. Negative: none. 0: 1e-9 of the size of the
    * volume in front. */
   double stand_off;
@@ -107,7 +109,7 @@ typedef struct dsw_rigid_motion {
  * put back and the fraction halved, up to 52 times; the last fraction that was made is kept. Each position is rounded, so the shape
  * keeps to one unit in the last place of the coordinates for each call. A fraction of a rotation is that of its quaternion,
  * normalised.
- * @param options [in] may be null; responses are not used. @param report [out] may be null.
+ * @param options [in] may be null; of it only `order` is used, which must name all vertices. @param report [out] may be null.
  * @return as dsw_body_move; OUT_OF_RANGE (a zero quaternion). @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body, const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);

@@ -19,6 +19,11 @@ inline Vec cross(const Vec& a, const Vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double dot(const Vec& a, const Vec& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+/** To compare with others; overflows to infinity, which compares as it should. */
+inline double distance_squared(const double* a, const double* b) {
+  const Vec d = difference(a, b);
+  return dot(d, d);
+}
 inline bool is_zero(const Vec& a) { return a.x == 0 && a.y == 0 && a.z == 0; }
 inline void store(const Vec& a, double* out) {
   out[0] = a.x;
