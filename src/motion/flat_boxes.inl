@@ -1,8 +1,6 @@
 // Flat boxes eight casts at a time, a lane for each: the planes of box.inl bit for bit, but a cross product serves both facets
 // at its edge, and what is left of the work for one cast are its loads.
 
-constexpr uint32_t kAbreast = 8;
-
 struct FlatBoxes {
   const uint32_t* vertices[kAbreast];
   const double* q[kAbreast];

@@ -8,6 +8,7 @@
 #include "motion/simplex.inl"
 #include "motion/pyramid.inl"
 #include "motion/exit.inl"
+constexpr uint32_t kAbreast = 8;  // casts that are looked at together
 #if defined(DSW_ISA_AVX512)
 #include "motion/flat_boxes.inl"
 #endif
@@ -76,14 +77,15 @@ class Walkers {
   template <bool First>
   DSW_HOT uint32_t look_all(uint32_t count) noexcept {
     for (uint32_t k = 0; k < count;) {
-#if defined(DSW_ISA_AVX512)
-      if (D == 3 && count - k >= kAbreast && look_abreast<First>(k)) {
-        k += kAbreast;
-        continue;
+      const uint32_t end = std::min(k + kAbreast, count);
+      if (First) {
+#pragma GCC unroll 1
+        for (uint32_t i = k; i < end; ++i) begin(i);
       }
-#endif
-      if (First) begin(k);
-      look<First>(active_[k++]);
+      if (!look_abreast<First>(k, end)) {
+        for (uint32_t j = k; j < end; ++j) look<First>(active_[j]);
+      }
+      k = end;
     }
     return keep(count, [&](uint32_t i) { return looks_[i].facets != 0; });
   }
@@ -93,23 +95,25 @@ class Walkers {
     looks_[i] = finder(i).look(results_[i].cell, entry<First>(i));
   }
 
-#if defined(DSW_ISA_AVX512)
-  /** Looks at kAbreast casts, if all are in flat boxes. */
+  /** Looks at kAbreast casts at once, if there are so many and all are in flat boxes. */
   template <bool First>
-  DSW_HOT bool look_abreast(uint32_t first) noexcept {
+  DSW_HOT bool look_abreast(uint32_t first, uint32_t end) noexcept {
+#if defined(DSW_ISA_AVX512)
+    if (D != 3 || end - first != kAbreast) return false;
     constexpr uint32_t kFlatBox = static_cast<uint32_t>(Form::kBox) << kFormShift | kConvexBit;
+    constexpr uint32_t kFormMask = 7u << kFormShift | kConvexBit;
+    if ((map_.record(results_[active_[first]].cell)[0] & kFormMask) != kFlatBox) return false;
     FlatBoxes boxes;
     uint32_t different = 0;
 #pragma GCC unroll 1
     for (uint32_t j = 0; j < kAbreast; ++j) {
-      if (First) begin(first + j);
       const uint32_t i = active_[first + j];
       const uint32_t* const w = map_.record(results_[i].cell);
       different |= w[0] ^ kFlatBox;
       boxes.vertices[j] = w + kUnitWords;
       boxes.q[j] = requests_[i].to;
     }
-    if ((different & (7u << kFormShift | kConvexBit)) != 0) return false;
+    if ((different & kFormMask) != 0) return false;
     FlatBoxSides sides;
     sides.look(env_.points, boxes);
 #pragma GCC unroll 1
@@ -124,8 +128,11 @@ class Walkers {
       looks_[i] = Look::of_planes(sides.outside[j] & ~known);
     }
     return true;
-  }
+#else
+    static_cast<void>(first), static_cast<void>(end);
+    return false;
 #endif
+  }
 
   DSW_HOT bool leave_first(uint32_t i) noexcept {
     new (flights_ + i) Flight{{}, {}, {}, {}, visit_bit(results_[i].cell)};
