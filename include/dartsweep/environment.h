@@ -38,7 +38,7 @@ typedef enum dsw_cell_type {
 
 /** Flags of dsw_environment_desc. */
 enum {
-  /** points is retained instead of copied: it must stay, unchanged, until the environment is destroyed;
+  /** points is retained instead of copied: it must stay, unchanged, until the environment is destroyed or deformed (deform.h);
    * point_stride_bytes must be 0 or 24. */
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
   /** Volumes that are turned inside out are mirrored instead of refused (meshes differ in their wedges). */

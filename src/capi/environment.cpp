@@ -188,7 +188,7 @@ dsw_status dsw_environment_get_neighbour(const dsw_environment* environment, dsw
     const dsw::HalfFacet h = facet_of(map, c, local);
     const dsw::HalfFacet o = map.opposite(h);
     if (neighbour != nullptr) *neighbour = volume_id(map, o.valid() ? map.cell_of(o) : dsw::Cell{});
-    if (impassable != nullptr) *impassable = is_impassable(map, h) ? 1 : 0;
+    if (impassable != nullptr) *impassable = is_impassable(environment->engine, h) ? 1 : 0;
   });
 }
 

@@ -58,6 +58,11 @@ dsw_scene* only_scene(const dsw_environment& environment) {
 void attach(dsw_scene& scene) {
   dsw_environment& home = *scene.environment;
   const std::lock_guard<std::mutex> lock(home.scenes_mutex);
+  const dsw_scene* const other = home.first_scene;
+  if (other != nullptr && (other->engine.features.deforming || scene.engine.features.deforming)) {
+    fail(DSW_STATUS_IN_USE, "%u scenes use the environment, and %s deforms it", home.scene_count,
+         other->engine.features.deforming ? "one" : "the new one");
+  }
   scene.next = home.first_scene;
   if (scene.next != nullptr) scene.next->previous = &scene;
   home.first_scene = &scene;

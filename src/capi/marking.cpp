@@ -53,8 +53,8 @@ struct CellImpassable {
   const dsw::Environment<3>& env;
   bool vertex(uint32_t v) const { return vertex_impassable(env, v); }
   bool edge(dsw::Dart d) const { return edge_impassable(env, d); }
-  bool face(dsw::HalfFacet h) const { return is_impassable(env.map, h); }
-  bool volume(dsw::Cell c) const { return env.map.marked(c); }
+  bool face(dsw::HalfFacet h) const { return is_impassable(env, h); }
+  bool volume(dsw::Cell c) const { return is_closed(env, c); }
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ using dsw::fail;
 namespace {
 
 dsw_place place_of(const dsw::Environment<3>& env, dsw::Cell c) noexcept {
-  return !c.valid() ? DSW_PLACE_OUTSIDE : env.map.marked(c) ? DSW_PLACE_IMPASSABLE : DSW_PLACE_PASSABLE;
+  return !c.valid() ? DSW_PLACE_OUTSIDE : is_closed(env, c) ? DSW_PLACE_IMPASSABLE : DSW_PLACE_PASSABLE;
 }
 
 void check_point(const double* point, const char* name) {
@@ -40,8 +40,8 @@ dsw_cell to_public(const dsw::Environment<3>& env, const dsw::FeatureRef& featur
 /** The side of a facet that a viewer in the direction of `normal` sees. Behind a marked cell there is no viewer. */
 dsw::HalfFacet seen_side(const dsw::Environment<3>& env, const dsw::FeatureRef& facet, const double* normal) noexcept {
   const dsw::HalfFacet h = env.map.half_facet(facet.cell, facet.local), o = env.map.opposite(h);
-  if (!o.valid() || env.map.marked(env.map.cell_of(o))) return h;
-  if (env.map.marked(facet.cell)) return o;
+  if (!o.valid() || is_closed(env, env.map.cell_of(o))) return h;
+  if (is_closed(env, facet.cell)) return o;
   const dsw::Shape shape = env.map.shape(facet.cell);
   const double* simplex[3];
   simplex_points(env, facet.cell, shape, shape.simplex_first(facet.local), simplex);
@@ -160,7 +160,7 @@ dsw_status dsw_environment_find_nearest(const dsw_environment* environment, cons
     capi::check_hint(env.map, volume, "volume");
     const dsw::Cell c = dsw::is_null(volume) ? locate_point(env, point, volume) : env.map.cell(volume.index);
     if (!c.valid()) fail(DSW_STATUS_OUTSIDE, "point (%g, %g, %g) lies in no volume", point[0], point[1], point[2]);
-    if (env.map.marked(c)) {
+    if (is_closed(env, c)) {
       fail(DSW_STATUS_IMPASSABLE, "point (%g, %g, %g) lies in volume %u, which is impassable", point[0], point[1],
            point[2], env.map.index(c));
     }

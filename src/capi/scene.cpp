@@ -1,6 +1,7 @@
 #include "dartsweep/scene.h"
 
 #include "capi/convert.h"
+#include "environment/moving.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -22,11 +23,28 @@ dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* 
     dsw_environment& home = capi::check_handle(environment, "environment");
     capi::require(scene, "scene");
     const dsw_scene_desc d = desc == nullptr ? dsw_scene_desc{} : capi::read_struct(desc, "desc");
-    capi::check_flags(d.features, DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS, "desc->features");
+    capi::check_flags(d.features, DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING,
+                      "desc->features");
     const dsw::SceneFeatures features{(d.features & DSW_FEATURE_STATISTICS) != 0,
-                                      (d.features & DSW_FEATURE_CROSSINGS) != 0};
+                                      (d.features & DSW_FEATURE_CROSSINGS) != 0,
+                                      (d.features & DSW_FEATURE_DEFORMING) != 0};
     dsw_scene* const made = capi::create_object<dsw_scene>(home.engine.memory, &home, features);
-    capi::attach(*made);
+    try {
+      if (features.deforming) made->engine.deformation.make(home.engine);
+      capi::attach(*made);
+    } catch (...) {
+      capi::destroy_object(home.engine.memory, made);
+      throw;
+    }
+    if (features.deforming) {
+      try {
+        let_points_move(home.engine);
+      } catch (...) {
+        capi::detach(*made);
+        capi::destroy_object(home.engine.memory, made);
+        throw;
+      }
+    }
     *scene = made;
   });
 }

@@ -6,6 +6,18 @@
 namespace capi = dsw::capi;
 using dsw::fail;
 
+namespace {
+
+/** Of points that move nobody knows, and an invalid cell could not be loaded again. */
+void check_all_valid(const dsw::Environment<3>& env) {
+  if (!env.checked.active()) return;
+  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
+    if (!admits(env, env.map.cell(i))) fail(DSW_STATUS_INVALID_CELL, "volume %u is not valid", i);
+  }
+}
+
+}  // namespace
+
 dsw_status dsw_environment_save(const dsw_environment* environment, void* block, size_t capacity_bytes,
                                 size_t* size_bytes) {
   return capi::guard("dsw_environment_save", [&] {
@@ -17,7 +29,10 @@ dsw_status dsw_environment_save(const dsw_environment* environment, void* block,
       *size_bytes = needed;
       fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity_bytes is %zu, must be at least %zu", capacity_bytes, needed);
     }
-    if (capacity_bytes != 0) save(env, static_cast<uint8_t*>(block));
+    if (capacity_bytes != 0) {
+      check_all_valid(env);
+      save(env, static_cast<uint8_t*>(block));
+    }
     *size_bytes = needed;
   });
 }

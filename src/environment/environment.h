@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/parallel.h"
+#include "environment/checked_cells.h"
 #include "environment/edge_marks.h"
 #include "environment/grid.h"
 #include "map/map.h"
@@ -26,6 +27,7 @@ struct Environment {
   uint32_t part_count = 0;
   double lower[D] = {}, upper[D] = {};  // box of the vertices that cells use
   Grid<D> grid;                         // empty unless asked for
+  CheckedCells checked;                 // of moving points: cells may be invalid
 
   explicit Environment(const Memory* source)
       : memory(source),
@@ -35,7 +37,8 @@ struct Environment {
         tags(Allocator<uint32_t>(source)),
         edge_marks(source),
         vertex_marks(Allocator<uint64_t>(source)),
-        grid(source) {}
+        grid(source),
+        checked(source) {}
   Environment(const Environment&) = delete;
   Environment& operator=(const Environment&) = delete;
 
@@ -46,7 +49,8 @@ struct Environment {
   uint64_t memory_bytes() const {
     const uint64_t borrowed = owned_points.empty() ? uint64_t{map.vertex_count} * D * sizeof(double) : 0;
     return sizeof(*this) + map.memory_bytes() + array_bytes(owned_points) + borrowed + array_bytes(regions) +
-           array_bytes(tags) + edge_marks.memory_bytes() + array_bytes(vertex_marks) + grid.memory_bytes();
+           array_bytes(tags) + edge_marks.memory_bytes() + array_bytes(vertex_marks) + grid.memory_bytes() +
+           checked.memory_bytes();
   }
 };
 
@@ -55,6 +59,32 @@ struct Environment {
  * finite input. */
 template <int D>
 void centre(const Environment<D>& env, Cell c, double* out);
+
+/** Looks whether a cell of moving points is valid, and notes it. */
+template <int D>
+bool find_out_validity(const Environment<D>& env, Cell c) noexcept;
+
+/** Whether a cell can be entered: it is valid, which is known unless points move. Invalid cells count as impassable. */
+template <int D>
+inline bool admits(const Environment<D>& env, Cell c) noexcept {
+  if (!env.checked.active()) return true;
+  const CheckedCells::Known known = env.checked.known(env.map.index(c));
+  return known == CheckedCells::Known::kNothing ? find_out_validity(env, c) : known == CheckedCells::Known::kValid;
+}
+
+/** Impassable by its own mark, or invalid. */
+template <int D>
+inline bool is_closed(const Environment<D>& env, Cell c) noexcept {
+  return env.map.marked(c) || !admits(env, c);
+}
+
+/** As of the map, and by invalid cells on either side. */
+template <int D>
+inline bool is_impassable(const Environment<D>& env, HalfFacet h) noexcept {
+  if (is_impassable(env.map, h)) return true;
+  return env.checked.active() &&
+         !(admits(env, env.map.cell_of(h)) && admits(env, env.map.cell_of(env.map.opposite(h))));
+}
 
 /** Points of simplex `simplex` of a cell. */
 template <int D>

@@ -72,7 +72,7 @@ bool edge_impassable(const Environment<3>& env, Dart d) noexcept {
   if (edge_marked(env, dart_vertex(map, d), dart_target(map, d))) return true;
   bool found = false;
   for_each_volume_round_edge(map, d, [&](Dart e) {
-    found = is_impassable(map, half_facet(map, e)) || is_impassable(map, half_facet(map, beta2(map, e)));
+    found = is_impassable(env, half_facet(map, e)) || is_impassable(env, half_facet(map, beta2(map, e)));
     return !found;
   });
   return found;
@@ -88,7 +88,7 @@ bool vertex_impassable(const Environment<D>& env, uint32_t vertex) noexcept {
     for (uint32_t d = 0; d < shape.dart_count(); ++d) {
       const uint32_t target = shape.dart_vertex(D == 2 ? (d + 1) % shape.dart_count() : shape.beta1(d));
       if (map.vertex(c, shape.dart_vertex(d)) != vertex && map.vertex(c, target) != vertex) continue;
-      if (is_impassable(map, map.half_facet(c, shape.dart_facet(d)))) return true;
+      if (is_impassable(env, map.half_facet(c, shape.dart_facet(d)))) return true;
     }
   }
   return false;

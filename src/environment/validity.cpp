@@ -1,5 +1,7 @@
 #include "environment/validity.h"
 
+#include <cmath>
+
 #include "predicates/filtered.h"
 
 namespace dsw {
@@ -89,6 +91,22 @@ CellState check_cell(const Environment<D>& env, Cell c) noexcept {
   return is_flat_and_convex(env, c, shape) ? CellState::kValidConvex : CellState::kValid;
 }
 
+template <int D>
+bool find_out_validity(const Environment<D>& env, Cell c) noexcept {
+  bool valid = true;  // nobody has looked at the host's numbers
+  for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) {
+    for (int k = 0; k < D; ++k) valid = valid && std::isfinite(env.point(c, i)[k]);
+  }
+  if (valid) {
+    const CellState state = check_cell(env, c);
+    valid = state == CellState::kValid || state == CellState::kValidConvex;
+  }
+  env.checked.note(env.map.index(c), valid ? CheckedCells::Known::kValid : CheckedCells::Known::kInvalid);
+  return valid;
+}
+
+template bool find_out_validity(const Environment<2>&, Cell) noexcept;
+template bool find_out_validity(const Environment<3>&, Cell) noexcept;
 template CellState check_cell(const Environment<2>&, Cell) noexcept;
 template CellState check_cell(const Environment<3>&, Cell) noexcept;
 

@@ -24,7 +24,7 @@ bool box_holds(const Environment<D>& env, Cell c, const double* point) noexcept 
 template <int D>
 bool holds(const Environment<D>& env, uint32_t index, const double* point) noexcept {
   const Cell c = env.map.cell(index);
-  return box_holds(env, c, point) && contains(env, c, point);
+  return box_holds(env, c, point) && admits(env, c) && contains(env, c, point);
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ LocateResult locate(const Environment<D>& env, const double* point, Cell hint, C
   double from[D];
   if (hint.valid()) centre(env, hint, from);
   // The centre of a sliver can round to a point outside of it, from where no walk may start.
-  if (hint.valid() && (env.map.form(hint) != Form::kSimplex || contains(env, hint, from))) {
+  if (hint.valid() && admits(env, hint) && (env.map.form(hint) != Form::kSimplex || contains(env, hint, from))) {
     CastRequest request{from, point, hint};
     request.through_walls = true;
     const CastResult walked = cast(env, request, counters);

@@ -106,7 +106,7 @@ class Flood {
       const double distance = std::sqrt(dot(at, at));
       if (!(distance <= best_)) continue;
       const HalfFacet h = map_.half_facet(c, f);
-      if (is_impassable(map_, h)) {
+      if (is_impassable(env_, h)) {
         const HalfFacet first = canonical(map_, h);
         const Cell owner = map_.cell_of(first);
         offer(distance, at, {2, owner, map_.local_of(first, owner)});

@@ -64,6 +64,7 @@ bool follows(const Environment<3>& env, const double* from, const double* to, Ce
   uint32_t marks = map.record(last)[0];
   for (size_t n = 0; n < count; ++n) {
     const HalfFacet h{facets[n]};
+    if (env.checked.active() && !admits(env, map.cell_of(h))) return false;
     const uint32_t* w = map.words.data() + size_t{h.word / kUnitWords} * kUnitWords;
     const uint32_t slot = h.word % kUnitWords;
     marks |= w[0] | w[slot];
@@ -94,7 +95,7 @@ bool follows(const Environment<3>& env, const double* from, const double* to, Ce
       }
     }
   }
-  return (marks & kMarkBit) == 0 && map.convex(last) && shear.passed_all();
+  return (marks & kMarkBit) == 0 && map.convex(last) && admits(env, last) && shear.passed_all();
 }
 
 bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {

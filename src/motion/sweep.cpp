@@ -106,7 +106,7 @@ void SweepFlood::look_at_facets(Cell c, const Shape& shape) {
     const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
     const bool wall = !o.valid() || map_.facet_marked(h);
     if ((!wall && cells_.contains(Cell{o.word / kUnitWords})) || !facet_met(shape, f)) continue;
-    if (wall || is_impassable(map_, h)) {
+    if (wall || is_impassable(env_, h)) {
       look_at_obstacle(c, shape, f);
     } else {
       cells_.insert(map_.cell_of(o));

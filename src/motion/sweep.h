@@ -28,6 +28,9 @@ class SweepFlood {
    * then. With `collect`, all() has every contact afterwards. Throws std::bad_alloc. O(cells met). */
   SweepResult sweep(const EdgeMotion& m, Cell start, uint32_t max_cells, bool collect = false);
 
+  /** The cells met by the last sweep. */
+  const CellQueue& cells() const { return cells_; }
+
   /** Every contact of the last sweep of an edge that collected, also of one that met the work limit: in the order of
    * comes_before, one for each line and for each triangle. Sorting throws nothing. */
   const Array<SweepContact>& all() const { return found_; }

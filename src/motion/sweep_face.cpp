@@ -116,7 +116,7 @@ SweepResult SweepFlood::sweep(const FaceMotion& m, Cell start, uint32_t max_cell
       if (!o.valid() || map_.facet_marked(h) || cells_.contains(Cell{o.word / kUnitWords})) continue;
       for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
         if (!simplex_met(t, shape.simplices() + 3 * s)) continue;
-        if (!is_impassable(map_, h)) cells_.insert(map_.cell_of(o));
+        if (!is_impassable(env_, h)) cells_.insert(map_.cell_of(o));
         break;
       }
     }
@@ -175,7 +175,7 @@ bool SweepFlood::judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet) {
       const HalfFacet h = map_.half_facet(at, shape.dart_facet(d));
       const HalfFacet o = map_.opposite(h);
       if (o.valid()) around_.insert(map_.cell_of(o));
-      if (is_impassable(map_, h)) {
+      if (is_impassable(env_, h)) {
         impassable = true;
         const HalfFacet name = canonical(map_, h);
         if (!lowest.valid() || lower(name, lowest)) lowest = name;
@@ -184,7 +184,7 @@ bool SweepFlood::judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet) {
       }
     }
   }
-  const bool from_behind = lowest.valid() && map_.marked(map_.cell_of(lowest)) && map_.opposite(lowest).valid();
+  const bool from_behind = lowest.valid() && is_closed(env_, map_.cell_of(lowest)) && map_.opposite(lowest).valid();
   facet = from_behind ? map_.opposite(lowest) : lowest;
   return impassable;
 }

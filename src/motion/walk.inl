@@ -162,7 +162,8 @@ class Walkers {
     CastResult& result = results_[i];
     const HalfFacet o = {f.link & ~kMarkBit};
     const Cell next = o.valid() ? map_.cell_of(o) : Cell{};
-    if (!o.valid() || (!request.through_walls && ((f.link & kMarkBit) != 0 || map_.marked(next)))) {
+    if (!o.valid() || (!request.through_walls && ((f.link & kMarkBit) != 0 || map_.marked(next))) ||
+        __builtin_expect(!admits(env_, next), 0)) {
       result.end = CastEnd::kHit;
       result.facet = f.at;
       result.simplex = f.exit.simplex;

@@ -18,7 +18,7 @@ bool can_bend(const Environment<3>& env, StarSweep& sweeps, const Body& body, ui
   const BodyVertex &p = body.vertices[e.ends[0]], &q = body.vertices[e.ends[1]];
   if (body.level == SweepLevel::kPoints) {
     *cell = locate(env, point, p.cell, nullptr).cell;
-    return cell->valid() && !env.map.marked(*cell);
+    return cell->valid() && !is_closed(env, *cell);
   }
   const CastResult to_point = cast(env, p.position, point, p.cell);
   *cell = to_point.cell;

@@ -46,7 +46,7 @@ void check_places(const Scene<D>& scene, PointArray positions, size_t count, con
                   size_t* offender) {
   for (size_t i = 0; i < count; ++i) {
     const bool inside = cells[i].valid();
-    if (inside && !scene.env.map.marked(cells[i])) continue;
+    if (inside && !is_closed(scene.env, cells[i])) continue;
     set_offender(offender, i);
     const ElementName name({indexed ? "positions" : "position", indexed}, i);
     const double* const p = positions[i];

@@ -6,24 +6,18 @@
 
 #include <cstdint>
 
+#include "base/owned.h"
 #include "base/parallel.h"
 #include "base/points.h"
 #include "base/slot_pool.h"
 #include "environment/environment.h"
 #include "motion/move.h"
+#include "motion/particle_state.h"
 #include "scene/bodies.h"
+#include "scene/deformation.h"
 #include "scene/report.h"
 
 namespace dsw {
-
-/** Where a particle is; two to a cache line in space. A slot without a particle has no cell. */
-template <int D>
-struct ParticleState {
-  double position[D];
-  Cell cell;                     // contains the position, passable
-  uint32_t forecast = kNoFacet;  // local facet of `cell` that the particle was last seen aiming at
-};
-static_assert(sizeof(ParticleState<3>) == 32 && sizeof(ParticleState<2>) == 24);
 
 struct SceneStatistics {
   CastCounters cast;
@@ -37,7 +31,7 @@ struct SceneStatistics {
 };
 
 struct SceneFeatures {
-  bool statistics = false, crossings = false;
+  bool statistics = false, crossings = false, deforming = false;
 };
 
 template <int D>
@@ -58,8 +52,9 @@ struct Scene {
   Array<dsw_body_id> occupant_bodies;       // likewise
   Array<BodyRecord> bodies;                 // by slot
   SlotPool body_slots;
-  Array<BodyMove> mover;      // none or one: what moves of single bodies keep from call to call
-  Array<uint32_t> offending;  // pairs of vertices of edges that were found not free
+  Array<BodyMove> mover;           // none or one: what moves of single bodies keep from call to call
+  Array<uint32_t> offending;       // pairs of vertices of edges that were found not free
+  Owned<Deformation> deformation;  // if named
 
   Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted)
       : env(environment),
@@ -77,7 +72,8 @@ struct Scene {
         bodies(Allocator<BodyRecord>(source)),
         body_slots(source),
         mover(Allocator<BodyMove>(source)),
-        offending(Allocator<uint32_t>(source)) {
+        offending(Allocator<uint32_t>(source)),
+        deformation(source) {
     if (features.crossings) crossing_first.push_back(0);
   }
   Scene(const Scene&) = delete;
@@ -86,6 +82,7 @@ struct Scene {
   uint64_t memory_bytes() const {
     uint64_t of_bodies = array_bytes(bodies) + array_bytes(mover) + body_slots.memory_bytes() + array_bytes(offending);
     for (const BodyRecord& each : bodies) of_bodies += each.memory_bytes();
+    if (deformation.get() != nullptr) of_bodies += deformation.get()->memory_bytes();
     return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
            array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) +
            array_bytes(occupants) + array_bytes(occupant_bodies) + of_bodies;

@@ -10,7 +10,7 @@ namespace dsw {
 /** Whether a cast can start there. */
 template <int D>
 inline bool is_passable(const Environment<D>& env, Cell start) noexcept {
-  return start.valid() && !env.map.marked(start);
+  return start.valid() && !is_closed(env, start);
 }
 
 /** Where casts start: known, or located with or without a hint. */

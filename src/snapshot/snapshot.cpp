@@ -188,15 +188,17 @@ void load_map(Map<D>& map) {
   if (broken != nullptr) corrupt(broken);
 }
 
-/** Every cell again: that it is valid, and that it says rightly whether it is convex. */
+/** Every cell again: that it is valid, and not wrongly called convex. One whose points have moved does not say that it is: it does
+ * from now on. */
 template <int D>
-void check_cells(const Environment<D>& env) {
-  const Map<D>& map = env.map;
+void check_cells(Environment<D>& env) {
+  Map<D>& map = env.map;
   for (uint32_t i = 0; i < map.cell_count; ++i) {
     const Cell c = map.cell(i);
     const CellState state = check_cell(env, c);
     if (state != CellState::kValid && state != CellState::kValidConvex) corrupt("a cell is not valid");
-    if (map.convex(c) != (state == CellState::kValidConvex)) corrupt("a cell is wrongly called convex, or not");
+    if (map.convex(c) && state != CellState::kValidConvex) corrupt("a cell is wrongly called convex");
+    if (!map.convex(c) && state == CellState::kValidConvex) map.record(c)[0] |= kConvexBit;
   }
 }
 

@@ -2,6 +2,7 @@
 // Casts, locates and particle moves, swept edges, and moves of bodies (N: of single vertices, at each level), in many
 // small environments, each compared with exact arithmetic. Without --casts, --sweeps and --bodies: casts.
 #include "body_run.h"
+#include "deform_run.h"
 #include "run.h"
 #include "sweep_run.h"
 
@@ -14,6 +15,7 @@ int main(int argc, char** argv) {
   dsw::oracle::SweepRunOptions sweeps;
   sweeps.sweeps = 0;
   dsw::oracle::BodyRunOptions bodies;
+  dsw::oracle::DeformRunOptions deformations;
   const char* json = nullptr;
   int print_most = 20;
   bool casts_given = false, quick = false, show_stuck = false;
@@ -26,14 +28,16 @@ int main(int argc, char** argv) {
       sweeps.sweeps = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--bodies") == 0 && more) {
       bodies.steps = std::strtoull(argv[++i], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--deformations") == 0 && more) {
+      deformations.steps = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--scene-seed") == 0 && more) {
-      bodies.scene_seed = std::strtoull(argv[++i], nullptr, 10);
+      bodies.scene_seed = deformations.scene_seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--level") == 0 && more) {
       bodies.level = std::atoi(argv[++i]);
     } else if (std::strcmp(argv[i], "--seed") == 0 && more) {
-      options.seed = sweeps.seed = bodies.seed = std::strtoull(argv[++i], nullptr, 10);
+      options.seed = sweeps.seed = bodies.seed = deformations.seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--only") == 0 && more) {
-      options.only = sweeps.only = bodies.only = argv[++i];
+      options.only = sweeps.only = bodies.only = deformations.only = argv[++i];
     } else if (std::strcmp(argv[i], "--quick") == 0) {
       quick = true;
       if (!casts_given) options.casts = 120000;
@@ -45,7 +49,8 @@ int main(int argc, char** argv) {
       json = argv[++i];
     } else {
       std::fprintf(stderr,
-                   "usage: %s [--casts N] [--sweeps N] [--bodies N [--level 1..4] [--scene-seed S]] [--seed S] "
+                   "usage: %s [--casts N] [--sweeps N] [--bodies N [--level 1..4]] "
+                   "[--deformations N] [--scene-seed S] [--seed S] "
                    "[--quick] [--only SCENE] "
                    "[--print N] [--stuck] [--json FILE]\n",
                    argv[0]);
@@ -54,18 +59,21 @@ int main(int argc, char** argv) {
   }
   dsw::oracle::Report report(print_most);
   report.show_stuck = show_stuck;
-  const bool with_casts = casts_given || quick || sweeps.sweeps + bodies.steps == 0;
+  const bool with_casts = casts_given || quick || sweeps.sweeps + bodies.steps + deformations.steps == 0;
   if (with_casts) dsw::oracle::run(options, report);
   dsw::oracle::SweepReport sweep_report(print_most);
   if (sweeps.sweeps != 0) dsw::oracle::run_sweeps(sweeps, sweep_report);
   dsw::oracle::BodyReport body_report(print_most);
   if (bodies.steps != 0) dsw::oracle::run_bodies(bodies, body_report);
+  dsw::oracle::DeformReport deform_report(print_most);
+  if (deformations.steps != 0) dsw::oracle::run_deformations(deformations, deform_report);
   std::string text = with_casts ? dsw::oracle::to_json(report) : "";
   const auto join = [&](const std::string& more) {  // one flat object
     text = text.empty() ? more : text.substr(0, text.rfind("\n}")) + "," + more.substr(1);
   };
   if (sweeps.sweeps != 0) join(dsw::oracle::to_json(sweep_report));
   if (bodies.steps != 0) join(dsw::oracle::to_json(body_report));
+  if (deformations.steps != 0) join(dsw::oracle::to_json(deform_report));
   std::fputs(text.c_str(), stdout);
   if (json != nullptr) {
     std::FILE* file = std::fopen(json, "w");
@@ -77,7 +85,9 @@ int main(int argc, char** argv) {
   const bool casts_right = report.total.mismatches == 0 && report.total.lost == 0 && report.total.casts > 0;
   const bool sweeps_right = sweep_report.total.faults() == 0 && sweep_report.total.sweeps > 0;
   const bool bodies_right = body_report.faults() == 0 && body_report.bodies > 0;
-  const bool right =
-      (casts_right || !with_casts) && (sweeps_right || sweeps.sweeps == 0) && (bodies_right || bodies.steps == 0);
+  const bool deformations_right =
+      deform_report.wrong + deform_report.lost + deform_report.not_free == 0 && deform_report.bodies > 0;
+  const bool right = (deformations_right || deformations.steps == 0) && (casts_right || !with_casts) &&
+                     (sweeps_right || sweeps.sweeps == 0) && (bodies_right || bodies.steps == 0);
   return right ? 0 : 1;
 }

@@ -1,0 +1,116 @@
+#include "dartsweep/deform.h"
+
+#include "capi/convert.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+dsw::Deformation& deformation_of(const dsw_scene* scene) {
+  dsw::Deformation* const of = capi::check_handle(scene, "scene").engine.deformation.get();
+  if (of == nullptr) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_DEFORMING");
+  return *of;
+}
+
+void check_number(uint32_t value, uint32_t last, const char* name) {
+  if (value > last) fail(DSW_STATUS_UNSUPPORTED, "%s is %u, this version knows 0 .. %u", name, value, last);
+}
+
+dsw::WallSettings read_settings(const dsw_deform_options* options) {
+  const dsw_deform_options o = options == nullptr ? dsw_deform_options{} : capi::read_struct(options, "options");
+  capi::check_flags(o.flags, 0, "options->flags");
+  check_number(capi::raw_value(o.method), DSW_DEFORM_END_STATE, "options->method");
+  check_number(capi::raw_value(o.response), DSW_WALL_STOP, "options->response");
+  check_number(capi::raw_value(o.invalid), DSW_INVALID_REFUSE, "options->invalid");
+  dsw::WallSettings s;
+  s.end_state = o.method == DSW_DEFORM_END_STATE;
+  s.response = o.response;
+  s.refuses_invalid = o.invalid == DSW_INVALID_REFUSE;
+  if (s.end_state && (s.response == DSW_WALL_INSERT || s.response == DSW_WALL_HOLD)) {
+    fail(DSW_STATUS_UNSUPPORTED, "options->response is %u, with END_STATE it must be PUSH or STOP",
+         capi::raw_value(o.response));
+  }
+  if (o.most_halvings > 10) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "options->most_halvings is %u, must be 1 to 10, or 0", o.most_halvings);
+  }
+  if (o.most_halvings != 0) s.most_halvings = o.most_halvings;
+  if (!(o.min_part >= 0 && o.min_part <= 0.5)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "options->min_part is %g, must be in (0, 0.5], or 0", o.min_part);
+  }
+  if (o.min_part != 0) s.min_part = o.min_part;
+  return s;
+}
+
+template <class T>
+void hand_out(const dsw::Array<T>& array, const T** items, size_t* count, const char* name) {
+  capi::require(items, name);
+  capi::require(count, "count");
+  *items = array.data();
+  *count = array.size();
+}
+
+}  // namespace
+
+void dsw_deform_options_init(dsw_deform_options* options, size_t size) {
+  capi::init_struct(options, size, dsw_deform_options{});
+}
+
+dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, const dsw_deform_options* options,
+                            dsw_deform_report* report) {
+  return capi::guard("dsw_scene_deform", [&] {
+    const dsw::Deformation& of = deformation_of(scene);
+    capi::require(next, "next");
+    if (point_count != of.env.map.vertex_count) {
+      fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, the environment has %u vertices", point_count,
+           of.env.map.vertex_count);
+    }
+    if (next == of.env.points) fail(DSW_STATUS_IN_USE, "next is the array that the environment reads now");
+    deform(scene->engine, next, read_settings(options));
+    if (report == nullptr) return;
+    const dsw::WallRecord& done = of.record;
+    *report = {done.fraction,
+               done.outcome,
+               done.steps,
+               done.near,
+               static_cast<uint32_t>(done.held.size()),
+               static_cast<uint32_t>(done.contacts.size()),
+               static_cast<uint32_t>(done.invalid.size()),
+               done.pushed,
+               0};
+  });
+}
+
+dsw_status dsw_scene_get_wall_contacts(const dsw_scene* scene, const dsw_wall_contact** contacts, size_t* count) {
+  return capi::guard("dsw_scene_get_wall_contacts",
+                     [&] { hand_out(deformation_of(scene).record.contacts, contacts, count, "contacts"); });
+}
+
+dsw_status dsw_scene_get_held_vertices(const dsw_scene* scene, const dsw_vertex_id** vertices, size_t* count) {
+  return capi::guard("dsw_scene_get_held_vertices",
+                     [&] { hand_out(deformation_of(scene).record.held, vertices, count, "vertices"); });
+}
+
+dsw_status dsw_scene_get_invalid_volumes(const dsw_scene* scene, const dsw_volume_id** volumes, size_t* count) {
+  return capi::guard("dsw_scene_get_invalid_volumes",
+                     [&] { hand_out(deformation_of(scene).record.invalid, volumes, count, "volumes"); });
+}
+
+dsw_status dsw_environment_is_valid(const dsw_environment* environment, dsw_volume_id volume, int* valid) {
+  return capi::guard("dsw_environment_is_valid", [&] {
+    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
+    capi::require(valid, "valid");
+    *valid = admits(env, c) ? 1 : 0;
+  });
+}
+
+dsw_status dsw_environment_get_points(const dsw_environment* environment, const double** points, size_t* count) {
+  return capi::guard("dsw_environment_get_points", [&] {
+    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    capi::require(points, "points");
+    capi::require(count, "count");
+    *points = env.points;
+    *count = env.map.vertex_count;
+  });
+}

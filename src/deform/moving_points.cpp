@@ -1,0 +1,74 @@
+#include "deform/moving_points.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/slot_pool.h"
+#include "deform/way.h"
+#include "environment/moving.h"
+
+namespace dsw {
+
+MovingPoints::MovingPoints(Environment<3>& env)
+    : env_(env),
+      place_(Allocator<uint32_t>(env.memory)),
+      touched_(Allocator<uint32_t>(env.memory)),
+      targets_(Allocator<double>(env.memory)) {}
+
+void MovingPoints::begin(double* next) {
+  place_.resize(env_.map.vertex_count, kUntouched);
+  start_ = env_.points;
+  next_ = next;
+  env_.points = next;
+  env_.checked.close_all();
+}
+
+void MovingPoints::finish() noexcept {
+  next_ = nullptr;
+  for (const uint32_t v : touched_) place_[v] = kUntouched;
+  touched_.clear();
+  targets_.clear();
+  release_owned_points(env_);
+  env_.checked.forget_all();
+}
+
+void MovingPoints::take_back() noexcept {
+  if (next_ == nullptr) return;
+  for (size_t i = 0; i < touched_.size(); ++i) {
+    std::copy_n(&targets_[3 * i], 3, next_ + size_t{3} * touched_[i]);
+    place_[touched_[i]] = kUntouched;
+  }
+  touched_.clear();
+  targets_.clear();
+  next_ = nullptr;
+  env_.points = start_;
+  env_.checked.forget_all();
+}
+
+void MovingPoints::touch(uint32_t v, double fraction) {
+  if (is_touched(v)) return;
+  const double* const target = next_ + size_t{3} * v;
+  if (!is_finite(target)) fail_non_finite({next_, 3}, v, 3, {"next", true});
+  reserve_more(touched_, 1);
+  targets_.insert(targets_.end(), target, target + 3);
+  place_[v] = static_cast<uint32_t>(touched_.size());
+  touched_.push_back(v);
+  double position[3];
+  at(v, fraction, position);
+  put(v, position);
+}
+
+void MovingPoints::at(uint32_t v, double fraction, double* out) const noexcept {
+  point_on_way(start_ + size_t{3} * v, &targets_[size_t{3} * place_[v]], fraction, out);
+}
+
+void MovingPoints::put(uint32_t v, const double* position) noexcept { std::copy_n(position, 3, next_ + size_t{3} * v); }
+
+void MovingPoints::shorten(double fraction) noexcept {
+  for (uint32_t v = 0; v < env_.map.vertex_count; ++v) {
+    double* const to = next_ + size_t{3} * v;
+    if (!is_touched(v)) point_on_way(start_ + size_t{3} * v, to, fraction, to);
+  }
+}
+
+}  // namespace dsw

@@ -1,0 +1,62 @@
+#pragma once
+// What is known of the cells of an environment whose points move: whether they are valid in its present geometry. A cell is looked
+// at when it is first entered, on whatever thread, since looking at all of them would take as long as there are cells.
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/memory.h"
+
+namespace dsw {
+
+class CheckedCells {
+ public:
+  enum class Known : uint32_t { kNothing, kInvalid, kValid };
+
+  explicit CheckedCells(const Memory* memory) : stamps_(Allocator<std::atomic<uint32_t>>(memory)) {}
+
+  /** Whether points move at all; if not, nothing is kept. */
+  bool active() const noexcept { return round_ != 0; }
+  /** Throws std::bad_alloc. */
+  void activate(size_t cells) {
+    stamps_ = Array<std::atomic<uint32_t>>(cells, stamps_.get_allocator());
+    forget_all();
+  }
+
+  /** Nothing is known any more, and any cell may be looked at. */
+  void forget_all() noexcept { start_round(false); }
+  /** Nothing is known any more, and only cells that are opened may be looked at: the others count as invalid. */
+  void close_all() noexcept { start_round(true); }
+  /** A cell may be looked at, and nothing is known of it. */
+  void open(uint32_t cell) noexcept { note(cell, Known::kNothing); }
+
+  /** Since everything was forgotten last. */
+  bool is_open(uint32_t cell) const noexcept { return stamps_[cell].load(std::memory_order_relaxed) >> 2 == round_; }
+
+  Known known(uint32_t cell) const noexcept {
+    const uint32_t stamp = stamps_[cell].load(std::memory_order_relaxed);
+    return stamp >> 2 == round_ ? static_cast<Known>(stamp & 3u) : closed_ ? Known::kInvalid : Known::kNothing;
+  }
+  /** Whoever finds out comes to the same answer, so it does not matter who notes it. */
+  void note(uint32_t cell, Known known) const noexcept {
+    stamps_[cell].store(round_ << 2 | static_cast<uint32_t>(known), std::memory_order_relaxed);
+  }
+  uint64_t memory_bytes() const noexcept { return array_bytes(stamps_); }
+
+ private:
+  static constexpr uint32_t kLastRound = 0x3fffffffu;
+
+  void start_round(bool closed) noexcept {
+    closed_ = closed;
+    if (++round_ <= kLastRound) return;
+    for (std::atomic<uint32_t>& stamp : stamps_) stamp.store(0, std::memory_order_relaxed);
+    round_ = 1;
+  }
+
+  mutable Array<std::atomic<uint32_t>> stamps_;  // by cell: round, and what is known since it began
+  uint32_t round_ = 0;
+  bool closed_ = false;
+};
+
+}  // namespace dsw

@@ -1,0 +1,28 @@
+#include "environment/moving.h"
+
+namespace dsw {
+
+template <int D>
+void let_points_move(Environment<D>& env) {
+  if (env.checked.active()) return;
+  Map<D>& map = env.map;
+  env.checked.activate(map.cell_count);
+  for (uint32_t i = 0; i < map.cell_count; ++i) {
+    const Cell c = map.cell(i);
+    if (map.form(c) != Form::kSimplex) map.record(c)[0] &= ~kConvexBit;
+  }
+  env.grid = Grid<D>(env.memory);
+}
+
+template <int D>
+void release_owned_points(Environment<D>& env) noexcept {
+  if (env.points == env.owned_points.data()) return;
+  Array<double>(env.owned_points.get_allocator()).swap(env.owned_points);
+}
+
+template void release_owned_points(Environment<2>&) noexcept;
+template void release_owned_points(Environment<3>&) noexcept;
+template void let_points_move(Environment<2>&);
+template void let_points_move(Environment<3>&);
+
+}  // namespace dsw

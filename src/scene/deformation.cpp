@@ -1,0 +1,40 @@
+#include "scene/deformation.h"
+
+#include "scene/scene.h"
+
+namespace dsw {
+
+Deformation::Deformation(Environment<3>& environment)
+    : env(environment),
+      all(environment.memory),
+      swept(environment, all),
+      end_state(environment, all),
+      record(environment.memory) {}
+
+uint64_t Deformation::memory_bytes() const noexcept {
+  return sizeof(*this) + all.memory_bytes() + swept.memory_bytes() + record.memory_bytes();
+}
+
+void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
+  Deformation& d = *scene.deformation.get();
+  d.record.clear();
+  d.all.particles = scene.particles.data();
+  d.all.particle_count = scene.particles.size();
+  d.all.particle_slots = &scene.slots;
+  d.all.bodies.assign(scene.bodies.size(), Occupants::Owner{});
+  for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
+    const uint32_t generation = scene.body_slots.generation(slot);
+    if (!scene.body_slots.alive(slot, generation)) continue;
+    BodyRecord& body = scene.bodies[slot];
+    d.all.bodies[slot] = {&body.body, &body.record, {slot, generation}};
+    body.record.edits.clear();
+  }
+  if (settings.end_state) {
+    d.end_state.run(next, settings, d.record);
+  } else {
+    d.swept.run(next, settings, d.record);
+  }
+  ++d.env.obstacle_version;
+}
+
+}  // namespace dsw

@@ -1,0 +1,26 @@
+#pragma once
+// What a scene keeps to deform its environment.
+
+#include "walls/end_state.h"
+#include "walls/wall_motion.h"
+
+namespace dsw {
+
+template <int D>
+struct Scene;
+
+struct Deformation {
+  Environment<3>& env;
+  Occupants all;
+  WallMotion swept;
+  EndState end_state;
+  WallRecord record;  // of the last call
+
+  explicit Deformation(Environment<3>& environment);
+  uint64_t memory_bytes() const noexcept;
+};
+
+/** Takes the points of a scene's environment to `next`. Throws std::bad_alloc and NON_FINITE: then nothing has changed. */
+void deform(Scene<3>& scene, double* next, const WallSettings& settings);
+
+}  // namespace dsw

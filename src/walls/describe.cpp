@@ -1,0 +1,46 @@
+#include "walls/describe.h"
+
+#include <algorithm>
+
+#include "contact/describe.h"
+
+namespace dsw {
+
+dsw_wall_contact describe(const Environment<3>& env, const Occupants& all, const WallHit& hit, uint32_t vertex,
+                          const double* from, const double* to, dsw_wall_response done) noexcept {
+  const WallTouch touch = describe_touch(env, all, hit, from, to);
+  dsw_wall_contact c{};
+  std::copy_n(from, 3, c.from);
+  std::copy_n(to, 3, c.to);
+  c.time = hit.time;
+  std::copy_n(touch.point, 3, c.point);
+  std::copy_n(touch.normal, 3, c.normal);
+  c.along = touch.along;
+  c.moving = {vertex, kGeneration};
+  if (hit.q != kNone) c.others[0] = {hit.q, kGeneration};
+  if (hit.r != kNone) c.others[1] = {hit.r, kGeneration};
+  c.response = done;
+  name_wall(env, hit.wall, c);
+  name_feature(all, hit.feature, c);
+  return c;
+}
+
+void name_feature(const Occupants& all, const Feature& feature, dsw_wall_contact& contact) noexcept {
+  if (feature.kind == Feature::kParticle) {
+    contact.particle = {feature.index, all.particle_slots->generation(feature.index)};
+    return;
+  }
+  const Occupants::Owner& owner = all.bodies[feature.owner];
+  contact.body = owner.id;
+  if (feature.kind == Feature::kVertex) contact.vertex = vertex_id(*owner.body, feature.index);
+  if (feature.kind == Feature::kEdge) contact.edge = edge_id(*owner.body, feature.index);
+  if (feature.kind == Feature::kFace) contact.face = face_id(*owner.body, feature.index);
+}
+
+void name_wall(const Environment<3>& env, HalfFacet wall, dsw_wall_contact& contact) noexcept {
+  if (!wall.valid()) return;
+  contact.wall = face_id(env.map, canonical(env.map, wall));
+  contact.tag = obstacle_tag(env, wall, env.map.cell_of(wall));
+}
+
+}  // namespace dsw

@@ -1,0 +1,189 @@
+#include "walls/end_state.h"
+
+#include "base/points.h"
+#include "contact/names.h"
+#include "deform/way.h"
+#include "environment/moving.h"
+#include "motion/move.h"
+#include "motion/prefetch.h"
+#include "walls/describe.h"
+
+namespace dsw {
+namespace {
+
+constexpr int kMostShortened = 52;
+
+}  // namespace
+
+EndState::EndState(Environment<3>& env, Occupants& all)
+    : env_(env), all_(all), points_(Allocator<Feature>(env.memory)), flood_(env) {}
+
+void EndState::run(double* next, const WallSettings& settings, WallRecord& record) {
+  record.clear();
+  points_.reserve(kWave);
+  const double* const start = env_.points;
+  const size_t count = env_.map.vertex_count;
+  Array<double> targets{Allocator<double>(env_.memory)};  // if the way is shortened
+  const auto go_back = [&] {
+    env_.points = start;
+    env_.checked.forget_all();
+    all_.restore();
+    record.pushed = 0;
+  };
+  try {
+    double way = 1;
+    for (int shortened = 0;; ++shortened) {
+      all_.save(false);
+      record.contacts.clear();
+      env_.points = next;
+      env_.checked.forget_all();
+      const Went went = try_seats(settings, record);
+      if (went == Went::kThrough) break;
+      go_back();
+      if (went == Went::kInvalid && settings.refuses_invalid) {
+        std::copy(targets.begin(), targets.end(), next);
+        record.outcome = DSW_DEFORM_REFUSED;
+        record.fraction = 0;
+        return;
+      }
+      if (targets.empty()) targets.assign(next, next + 3 * count);
+      way = shortened == kMostShortened ? 0 : way / 2;
+      for (size_t v = 0; v < count; ++v) point_on_way(start + 3 * v, &targets[3 * v], way, next + 3 * v);
+    }
+    record.fraction = way;
+    record.outcome = way == 1 ? DSW_DEFORM_DONE : DSW_DEFORM_FRACTION;
+    release_owned_points(env_);
+  } catch (...) {
+    std::copy(targets.begin(), targets.end(), next);
+    go_back();
+    throw;
+  }
+}
+
+EndState::Went EndState::try_seats(const WallSettings& settings, WallRecord& record) {
+  Went went = Went::kThrough;
+  const auto add = [&](const Feature& point) {
+    points_.push_back(point);
+    if (points_.size() == kWave) went = run_seats(settings, record);
+    return went == Went::kThrough;
+  };
+  points_.clear();
+  for (uint32_t i = 0; i < all_.particle_count; ++i) {
+    if (all_.particles[i].cell.valid() && !add({Feature::kParticle, 0, i})) return went;
+  }
+  for (uint32_t owner = 0; owner < all_.bodies.size(); ++owner) {
+    if (all_.bodies[owner].body == nullptr) continue;
+    const Body& body = *all_.bodies[owner].body;
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (body.has_vertex(v) && !add({Feature::kVertex, owner, v})) return went;
+    }
+  }
+  went = run_seats(settings, record);
+  if (went != Went::kThrough) return went;
+  return are_edges_free() && are_faces_free() ? Went::kThrough : Went::kStopped;
+}
+
+/** Follows points from the centres of their cells, side by side. */
+EndState::Went EndState::run_seats(const WallSettings& settings, WallRecord& record) {
+  wave_.clear();
+  for (const Feature& point : points_) prefetch_record(env_, cell_of(all_, point));
+  for (const Feature& point : points_) prefetch_vertices(env_, cell_of(all_, point));
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const Cell c = cell_of(all_, points_[i]);
+    if (!admits(env_, c)) {
+      for (uint32_t k = 0, corners = env_.map.vertices_of(c); k < corners; ++k) {
+        const uint32_t v = env_.map.vertex(c, k);
+        if (!is_finite(env_.point(v))) fail_non_finite({env_.points, 3}, v, 3, {"next", true});
+      }
+      record.invalid.push_back(volume_id(env_.map, c));
+      return Went::kInvalid;
+    }
+    centre(env_, c, centres_[i]);
+    // That of a sliver can round to a point outside, from where no walk may start.
+    const double* const at = position(all_, points_[i]);
+    const bool thin = env_.map.form(c) == Form::kSimplex && !contains(env_, c, centres_[i]);
+    if (thin && !contains(env_, c, at)) return Went::kStopped;
+    wave_.add(env_, c, thin ? at : centres_[i], at);
+  }
+  wave_.run(env_, nullptr);
+  for (uint32_t i = 0; i < wave_.count(); ++i) {
+    const CastResult& flight = wave_.result(i);
+    if (flight.end == CastEnd::kReached) {
+      if (flight.cells_visited != 1) seat(all_, points_[i], position(all_, points_[i]), flight.cell);
+    } else if (!put_before(wave_.request(i), flight, points_[i], settings.response, record) ||
+               settings.response == DSW_WALL_STOP) {
+      return Went::kStopped;
+    }
+  }
+  points_.clear();
+  return Went::kThrough;
+}
+
+/** Puts a point that lies beyond a wall to where the way from its cell's centre meets that; false if an invalid cell is met. */
+bool EndState::put_before(const CastRequest& request, const CastResult& flight, const Feature& point,
+                          dsw_wall_response done, WallRecord& record) {
+  const HalfFacet o = env_.map.opposite(flight.facet);
+  if (o.valid() && !admits(env_, env_.map.cell_of(o))) {
+    record.invalid.push_back(volume_id(env_.map, env_.map.cell_of(o)));
+    return false;
+  }
+  const MoveResult<3> move = finish_move(env_, request, flight, true, nullptr);
+  dsw_wall_contact contact{};
+  std::copy_n(request.from, 3, contact.from);
+  std::copy_n(request.to, 3, contact.to);
+  contact.time = move.time;
+  std::copy_n(move.position, 3, contact.point);
+  std::copy_n(move.normal, 3, contact.normal);
+  contact.response = done;
+  name_wall(env_, flight.facet, contact);
+  name_feature(all_, point, contact);
+  record.contacts.push_back(contact);
+  seat(all_, point, move.position, move.cell);
+  ++record.pushed;
+  return true;
+}
+
+template <class Visit>
+bool EndState::for_each_body(Visit visit) {
+  for (const Occupants::Owner& owner : all_.bodies) {
+    if (owner.body != nullptr && !visit(*owner.body)) return false;
+  }
+  return true;
+}
+
+bool EndState::are_edges_free() {
+  bool free = true;
+  wave_.clear();
+  const auto run = [&] {
+    wave_.run(env_, nullptr);
+    for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.result(i).end == CastEnd::kReached;
+    wave_.clear();
+    return free;
+  };
+  return for_each_body([&](const Body& body) {
+           if (body.level < SweepLevel::kEdges) return true;
+           for (uint32_t e = 0; e < body.edges.size(); ++e) {
+             if (!body.has_edge(e)) continue;
+             const BodyVertex &p = body.vertices[body.edges[e].ends[0]], &q = body.vertices[body.edges[e].ends[1]];
+             wave_.add(env_, p.cell, p.position, q.position);
+             if (wave_.full() && !run()) return false;
+           }
+           return true;
+         }) &&
+         run();
+}
+
+bool EndState::are_faces_free() {
+  return for_each_body([&](const Body& body) {
+    if (body.level != SweepLevel::kFaces) return true;
+    for (uint32_t f = 0; f < body.faces.size(); ++f) {
+      if (!body.has_face(f)) continue;
+      const uint32_t(&corners)[3] = body.faces[f].corners;
+      const EdgeMotion m{body.position(corners[0]), body.position(corners[1]), body.position(corners[2])};
+      if (flood_.sweep(m, body.vertices[corners[0]].cell, 0).end != SweepEnd::kFree) return false;
+    }
+    return true;
+  });
+}
+
+}  // namespace dsw

@@ -1,0 +1,207 @@
+#include "walls/neighbourhood.h"
+
+#include "environment/moving.h"
+
+namespace dsw {
+
+Neighbourhood::Neighbourhood(Environment<3>& env, Occupants& all)
+    : env_(env),
+      all_(all),
+      points_(env),
+      features_(env.memory),
+      flood_(env),
+      near_(Allocator<Near>(env.memory)),
+      cells_(Allocator<CellNode>(env.memory)),
+      occupied_(Allocator<Cell>(env.memory)),
+      open_(Allocator<Cell>(env.memory)),
+      around_(env.memory),
+      star_(Allocator<Cell>(env.memory)),
+      traced_(Allocator<Cell>(env.memory)) {}
+
+void Neighbourhood::find_occupants() {
+  begun_ = false;
+  features_.start(env_.map.cell_count);
+  occupied_.clear();
+  for (uint32_t i = 0; i < all_.particle_count; ++i) {
+    if (all_.particles[i].cell.valid()) note_point({Feature::kParticle, 0, i});
+  }
+  for (uint32_t owner = 0; owner < all_.bodies.size(); ++owner) {
+    if (all_.bodies[owner].body == nullptr) continue;
+    const Body& body = *all_.bodies[owner].body;
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (body.has_vertex(v)) note_point({Feature::kVertex, owner, v});
+    }
+    const auto note_all = [&](Feature::Kind kind, size_t count, auto exists) {
+      for (uint32_t i = 0; i < count; ++i) {
+        if (!exists(i)) continue;
+        trace({kind, owner, i});
+        note_traced({kind, owner, i});
+      }
+    };
+    if (body.level >= SweepLevel::kEdges) {
+      note_all(Feature::kEdge, body.edges.size(), [&](uint32_t e) { return body.has_edge(e); });
+    }
+    if (body.level == SweepLevel::kFaces) {
+      note_all(Feature::kFace, body.faces.size(), [&](uint32_t f) { return body.has_face(f); });
+    }
+  }
+}
+
+void Neighbourhood::begin(double* next) {
+  near_.clear();
+  cells_.clear();
+  open_.clear();
+  near_count_ = 0;
+  step_ = 0;
+  fraction_ = 0;
+  points_.begin(next);
+  begun_ = true;
+  for (const Cell c : occupied_) add_cell(c);
+}
+
+void Neighbourhood::begin_step(double fraction) {
+  ++step_;
+  fraction_ = fraction;
+  env_.checked.close_all();
+  for (const Cell c : open_) env_.checked.open(env_.map.index(c));
+  features_.tidy();
+}
+
+bool Neighbourhood::find_turns(Array<uint32_t>& turns) {
+  turns.clear();
+  for (size_t i = 0; i < near_.size(); ++i) {
+    if (near_[i].first_cell == kNone || near_[i].step == step_) continue;
+    turns.push_back(points_.touched()[i]);
+    near_[i].step = step_;
+  }
+  std::sort(turns.begin(), turns.end());
+  return !turns.empty();
+}
+
+void Neighbourhood::end_step(double fraction) noexcept {
+  for (size_t i = 0; i < near_.size(); ++i) {
+    if (near_[i].first_cell != kNone) continue;
+    double position[3];
+    points_.at(points_.touched()[i], fraction, position);
+    points_.put(points_.touched()[i], position);
+  }
+}
+
+const Array<Cell>& Neighbourhood::find_star(uint32_t v) {
+  around_.clear();
+  star_.clear();
+  for (uint32_t n = near_[points_.place(v)].first_cell; n != kNone; n = cells_[n].next) around_.insert(cells_[n].cell);
+  for_each_cell_at_vertex(env_.map, v, around_, [&](Cell c) { star_.push_back(c); });
+  return star_;
+}
+
+void Neighbourhood::find_features(Array<Feature>& features) {
+  features.clear();
+  for (const Cell c : star_) {
+    features_.for_each(env_.map.index(c), [&](const Feature& feature) { features.push_back(feature); });
+  }
+  std::sort(features.begin(), features.end());
+  features.erase(std::unique(features.begin(), features.end()), features.end());
+}
+
+void Neighbourhood::forget_star() noexcept {
+  for (const Cell c : star_) env_.checked.open(env_.map.index(c));
+}
+
+void Neighbourhood::enter(void* user, Cell, uint32_t, Cell to) noexcept {
+  Neighbourhood& self = *static_cast<Neighbourhood*>(user);
+  if (self.traced_.size() < self.traced_.capacity()) self.traced_.push_back(to);
+  ++self.traced_count_;
+}
+
+bool Neighbourhood::trace(const Feature& feature) {
+  const Body& body = *all_.bodies[feature.owner].body;
+  if (feature.kind == Feature::kFace) {
+    const uint32_t(&corners)[3] = body.faces[feature.index].corners;
+    const EdgeMotion m{body.position(corners[0]), body.position(corners[1]), body.position(corners[2])};
+    const SweepEnd end = flood_.sweep(m, body.vertices[corners[0]].cell, 0).end;
+    traced_.clear();
+    for (size_t i = 0; i < flood_.cells().size(); ++i) traced_.push_back(flood_.cells()[i]);
+    return end == SweepEnd::kFree;
+  }
+  const BodyVertex &p = body.vertices[body.edges[feature.index].ends[0]],
+                   &q = body.vertices[body.edges[feature.index].ends[1]];
+  CastRequest request{p.position, q.position, p.cell};
+  request.crossing = enter;
+  request.crossing_user = this;
+  for (;;) {
+    traced_.clear();
+    traced_.reserve(16);
+    traced_.push_back(p.cell);
+    traced_count_ = 1;
+    const CastResult result = cast(env_, request, nullptr);
+    if (traced_count_ == traced_.size()) return result.end == CastEnd::kReached;
+    traced_.reserve(traced_count_);  // a cast allocates nothing
+  }
+}
+
+void Neighbourhood::note_traced(const Feature& feature) {
+  for (const Cell c : traced_) note(c, feature);
+}
+
+bool Neighbourhood::note_vertex(uint32_t owner, uint32_t v) {
+  const Body& body = *all_.bodies[owner].body;
+  note_point({Feature::kVertex, owner, v});
+  bool free = true;
+  const auto follow = [&](const Feature& feature) {
+    free = trace(feature) && free;
+    note_traced(feature);
+    return true;
+  };
+  if (body.level >= SweepLevel::kEdges) {
+    for_each_edge(body, v, [&](uint32_t e) { return follow({Feature::kEdge, owner, e}); });
+  }
+  if (body.level == SweepLevel::kFaces) {
+    for_each_face(body, v, [&](uint32_t f) { return follow({Feature::kFace, owner, f}); });
+  }
+  return free;
+}
+
+void Neighbourhood::note(Cell c, const Feature& feature) {
+  if (!features_.add(env_.map.index(c), feature)) return;
+  if (begun_) {
+    add_cell(c);
+  } else {
+    occupied_.push_back(c);
+  }
+}
+
+/** Makes the vertices of a cell near. */
+void Neighbourhood::add_cell(Cell c) {
+  for (uint32_t i = 0, count = env_.map.vertices_of(c); i < count; ++i) {
+    const uint32_t v = env_.map.vertex(c, i);
+    points_.touch(v, fraction_);
+    near_.resize(points_.touched().size());
+    Near& near = near_[points_.place(v)];
+    const bool is_new = near.first_cell == kNone;
+    cells_.push_back({c, near.first_cell});
+    near.first_cell = static_cast<uint32_t>(cells_.size() - 1);
+    if (!is_new) continue;
+    ++near_count_;
+    around_.clear();
+    around_.insert(c);
+    for_each_cell_at_vertex(env_.map, v, around_, [&](Cell at) {
+      for (uint32_t k = 0, corners = env_.map.vertices_of(at); k < corners; ++k) {
+        points_.touch(env_.map.vertex(at, k), fraction_);
+      }
+    });
+    near_.resize(points_.touched().size());
+    for (size_t k = 0; k < around_.size(); ++k) {
+      if (env_.checked.is_open(env_.map.index(around_[k]))) continue;
+      open_.push_back(around_[k]);
+      env_.checked.open(env_.map.index(around_[k]));
+    }
+  }
+}
+
+uint64_t Neighbourhood::memory_bytes() const noexcept {
+  return points_.memory_bytes() + features_.memory_bytes() + array_bytes(near_) + array_bytes(cells_) +
+         array_bytes(occupied_) + array_bytes(open_) + array_bytes(star_) + array_bytes(traced_);
+}
+
+}  // namespace dsw

@@ -1,0 +1,83 @@
+#pragma once
+// The part of an environment that matters while its points move: cells that hold occupants, their vertices ("near"), and the cells round
+// those. Only these cells can be entered meanwhile; the rest of the environment is at its new place already.
+
+#include "deform/moving_points.h"
+#include "motion/cell_queue.h"
+#include "motion/sweep.h"
+#include "walls/occupants.h"
+
+namespace dsw {
+
+class Neighbourhood {
+ public:
+  Neighbourhood(Environment<3>& env, Occupants& all);
+
+  /** Finds out which cells hold what. Throws std::bad_alloc. */
+  void find_occupants();
+  /** Starts to move points; see MovingPoints::begin. */
+  void begin(double* next);
+  MovingPoints& points() noexcept { return points_; }
+  size_t near_count() const noexcept { return near_count_; }
+
+  /** A step takes near vertices, one at a time, from one fraction of their way to the next. */
+  void begin_step(double fraction);
+  /** The near vertices that have not had their turn in this step, by index; whether there are any. They get near also by what others
+   * do in their turns. */
+  bool find_turns(Array<uint32_t>& turns);
+  /** Takes the vertices round the near ones along. Nothing lies in their cells. */
+  void end_step(double fraction) noexcept;
+
+  /** The cells round a near vertex. Valid until the next call. */
+  const Array<Cell>& find_star(uint32_t v);
+  /** What lies in the star that was found last, and perhaps more. */
+  void find_features(Array<Feature>& features);
+  /** What was known of its cells holds no more. */
+  void forget_star() noexcept;
+
+  /** Finds the cells that an edge or face meets; whether it is free. */
+  bool trace(const Feature& feature);
+  /** Notes that a feature lies in the cells that were traced last, or in that of a point. */
+  void note_traced(const Feature& feature);
+  void note_point(const Feature& point) { note(cell_of(all_, point), point); }
+  /** Traces and notes a body's edges and faces at a vertex, and itself. Whether all are free. */
+  bool note_vertex(uint32_t owner, uint32_t v);
+
+  uint64_t memory_bytes() const noexcept;
+
+ private:
+  /** A touched vertex. */
+  struct Near {
+    uint32_t first_cell = kNone;  // of those that hold occupants, in cells_; kNone: it is not near
+    uint32_t step = 0;            // the last that it had its turn in
+  };
+  struct CellNode {
+    Cell cell;
+    uint32_t next;
+  };
+  static void enter(void* user, Cell from, uint32_t simplex, Cell to) noexcept;
+
+  void note(Cell c, const Feature& feature);
+  void add_cell(Cell c);
+  void touch_star(uint32_t v);
+
+  Environment<3>& env_;
+  Occupants& all_;
+  MovingPoints points_;
+  CellFeatures features_;
+  SweepFlood flood_;
+  bool begun_ = false;
+  double fraction_ = 0;  // where vertices are that have not had their turn
+  uint32_t step_ = 0;
+  size_t near_count_ = 0;
+  Array<Near> near_;  // by place among the touched
+  Array<CellNode> cells_;
+  Array<Cell> occupied_;  // cells with features, before points move
+  Array<Cell> open_;      // cells that can be entered
+  CellQueue around_;
+  Array<Cell> star_;
+  Array<Cell> traced_;
+  size_t traced_count_ = 0;  // may be more than there was room for
+};
+
+}  // namespace dsw

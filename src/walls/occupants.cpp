@@ -1,0 +1,43 @@
+#include "walls/occupants.h"
+
+namespace dsw {
+
+void Occupants::save(bool whole) {
+  saved_vertices_.clear();
+  saved_bodies_.clear();
+  saved_particles_.assign(particles, particles + particle_count);
+  for (const Owner& owner : bodies) {
+    if (owner.body == nullptr) continue;
+    if (whole) {
+      saved_bodies_.push_back(*owner.body);
+    } else {
+      saved_vertices_.insert(saved_vertices_.end(), owner.body->vertices.begin(), owner.body->vertices.end());
+    }
+  }
+}
+
+void Occupants::restore() noexcept {
+  std::copy(saved_particles_.begin(), saved_particles_.end(), particles);
+  auto body = saved_bodies_.begin();
+  auto vertex = saved_vertices_.begin();
+  for (const Owner& owner : bodies) {
+    if (owner.body == nullptr) continue;
+    owner.record->edits.clear();
+    if (!saved_bodies_.empty()) {
+      std::swap(*owner.body, *body++);
+    } else if (!saved_vertices_.empty()) {
+      const auto end = vertex + static_cast<std::ptrdiff_t>(owner.body->vertices.size());
+      std::copy(vertex, end, owner.body->vertices.begin());
+      vertex = end;
+    }
+  }
+  saved_particles_.clear();
+  saved_vertices_.clear();
+  saved_bodies_.clear();
+}
+
+uint64_t Occupants::memory_bytes() const noexcept {
+  return array_bytes(bodies) + array_bytes(saved_particles_) + array_bytes(saved_vertices_);
+}
+
+}  // namespace dsw

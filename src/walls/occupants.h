@@ -1,0 +1,130 @@
+#pragma once
+// What of bodies and particles lies in which cells.
+
+#include <algorithm>
+
+#include "motion/particle_state.h"
+#include "response/settings.h"
+
+namespace dsw {
+
+/** All that lies in an environment. */
+struct Occupants {
+  struct Owner {
+    Body* body = nullptr;  // null: a free slot
+    MoveRecord* record = nullptr;
+    dsw_body_id id = {};
+  };
+  Array<Owner> bodies;
+  ParticleState<3>* particles = nullptr;
+  size_t particle_count = 0;
+  const SlotPool* particle_slots = nullptr;
+
+  explicit Occupants(const Memory* memory)
+      : bodies(Allocator<Owner>(memory)),
+        saved_particles_(Allocator<ParticleState<3>>(memory)),
+        saved_vertices_(Allocator<BodyVertex>(memory)),
+        saved_bodies_(Allocator<Body>(memory)) {}
+
+  /** Keeps where everything is, and if vertices will be inserted the bodies as a whole. Throws std::bad_alloc. */
+  void save(bool whole);
+  /** Puts everything back to where it was when it was saved, once. */
+  void restore() noexcept;
+  uint64_t memory_bytes() const noexcept;
+
+ private:
+  Array<ParticleState<3>> saved_particles_;
+  Array<BodyVertex> saved_vertices_;
+  Array<Body> saved_bodies_;
+};
+
+/** A vertex, edge or face of a body, or a particle. */
+struct Feature {
+  enum Kind : uint32_t { kParticle, kVertex, kEdge, kFace };
+  Kind kind = kParticle;
+  uint32_t owner = 0;  // place in Occupants::bodies
+  uint32_t index = 0;
+
+  bool operator==(const Feature& o) const { return kind == o.kind && owner == o.owner && index == o.index; }
+  bool operator<(const Feature& o) const {
+    return kind != o.kind ? kind < o.kind : owner != o.owner ? owner < o.owner : index < o.index;
+  }
+  bool is_point() const { return kind <= kVertex; }
+};
+
+inline const double* position(const Occupants& all, const Feature& point) {
+  return point.kind == Feature::kParticle ? all.particles[point.index].position
+                                          : all.bodies[point.owner].body->position(point.index);
+}
+inline Cell cell_of(const Occupants& all, const Feature& point) {
+  return point.kind == Feature::kParticle ? all.particles[point.index].cell
+                                          : all.bodies[point.owner].body->vertices[point.index].cell;
+}
+inline void seat(Occupants& all, const Feature& point, const double* at, Cell cell) {
+  if (point.kind == Feature::kParticle) {
+    ParticleState<3>& p = all.particles[point.index];
+    if (p.cell != cell) p.forecast = kNoFacet;
+    std::copy_n(at, 3, p.position);
+    p.cell = cell;
+  } else {
+    BodyVertex& v = all.bodies[point.owner].body->vertices[point.index];
+    std::copy_n(at, 3, v.position);
+    v.cell = cell;
+  }
+}
+
+/** Features by cell. One may be noted in more cells than it lies in, and more than once. */
+class CellFeatures {
+ public:
+  explicit CellFeatures(const Memory* memory) : heads_(Allocator<uint32_t>(memory)), nodes_(Allocator<Node>(memory)) {}
+
+  /** Empty, for so many cells. Throws std::bad_alloc. */
+  void start(size_t cells) {
+    clear();
+    heads_.resize(cells, kNone);
+  }
+  void clear() noexcept {
+    for (const Node& node : nodes_) heads_[node.cell] = kNone;
+    nodes_.clear();
+  }
+  /** Whether it is the cell's first. Throws std::bad_alloc before it changes anything. */
+  bool add(uint32_t cell, const Feature& feature) {
+    const uint32_t head = heads_[cell];
+    if (head != kNone && nodes_[head].feature == feature) return false;
+    nodes_.push_back({feature, cell, head});
+    heads_[cell] = static_cast<uint32_t>(nodes_.size() - 1);
+    return head == kNone;
+  }
+  /** Drops what stands twice, once that is most of it. */
+  void tidy() {
+    if (nodes_.size() < 2 * tidied_ + 1024) return;
+    const auto before = [](const Node& a, const Node& b) {
+      return a.cell != b.cell ? a.cell < b.cell : a.feature < b.feature;
+    };
+    const auto same = [](const Node& a, const Node& b) { return a.cell == b.cell && a.feature == b.feature; };
+    std::sort(nodes_.begin(), nodes_.end(), before);
+    nodes_.erase(std::unique(nodes_.begin(), nodes_.end(), same), nodes_.end());
+    for (uint32_t n = 0; n < nodes_.size(); ++n) {
+      const bool first = n == 0 || nodes_[n - 1].cell != nodes_[n].cell;
+      nodes_[n].next = first ? kNone : n - 1;
+      heads_[nodes_[n].cell] = n;
+    }
+    tidied_ = nodes_.size();
+  }
+  template <class Visit>
+  void for_each(uint32_t cell, Visit visit) const {
+    for (uint32_t n = heads_[cell]; n != kNone; n = nodes_[n].next) visit(nodes_[n].feature);
+  }
+  uint64_t memory_bytes() const noexcept { return array_bytes(heads_) + array_bytes(nodes_); }
+
+ private:
+  struct Node {
+    Feature feature;
+    uint32_t cell, next;
+  };
+  Array<uint32_t> heads_;  // by cell
+  Array<Node> nodes_;
+  size_t tidied_ = 0;
+};
+
+}  // namespace dsw

@@ -1,0 +1,42 @@
+#pragma once
+// How an environment's points are moved, and what comes of it.
+
+#include "dartsweep/deform.h"
+#include "walls/wall_sweep.h"
+
+namespace dsw {
+
+/** See dsw_deform_options. */
+struct WallSettings {
+  dsw_wall_response response = DSW_WALL_PUSH;
+  bool end_state = false;
+  bool refuses_invalid = false;
+  uint32_t most_halvings = 10;  // of the steps
+  double min_part = 0.25;       // of an edge, that a split leaves
+};
+
+/** What a deformation leaves for the host to read. */
+struct WallRecord {
+  Array<dsw_wall_contact> contacts;
+  Array<dsw_vertex_id> held;     // of the environment, not where they should be
+  Array<dsw_volume_id> invalid;  // that could not be let become what they would have
+  dsw_deform_outcome outcome = DSW_DEFORM_DONE;
+  double fraction = 1;
+  uint32_t steps = 0, near = 0, pushed = 0;
+
+  explicit WallRecord(const Memory* memory)
+      : contacts(Allocator<dsw_wall_contact>(memory)),
+        held(Allocator<dsw_vertex_id>(memory)),
+        invalid(Allocator<dsw_volume_id>(memory)) {}
+  void clear() {
+    contacts.clear();
+    held.clear();
+    invalid.clear();
+    outcome = DSW_DEFORM_DONE;
+    fraction = 1;
+    steps = near = pushed = 0;
+  }
+  uint64_t memory_bytes() const { return array_bytes(contacts) + array_bytes(held) + array_bytes(invalid); }
+};
+
+}  // namespace dsw

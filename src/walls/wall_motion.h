@@ -1,0 +1,34 @@
+#pragma once
+// The environment's points go to new places, and what lies there is kept free [JCD10] 5.1: near occupants one vertex at a time, by index, so
+// that nothing is passed; elsewhere at once.
+
+#include "walls/wall_move.h"
+
+namespace dsw {
+
+class WallMotion {
+ public:
+  WallMotion(Environment<3>& env, Occupants& all);
+
+  /** Takes the points to `next` in 2^k steps; k grows until the cells that are met stay valid with every single vertex. The environment
+   * reads `next` from then on, in which there is what was reached. Throws std::bad_alloc, and NON_FINITE for a point near occupants:
+   * then all is as it was before. O(occupants, volumes met); where the way is shortened, O(points). */
+  void run(double* next, const WallSettings& settings, WallRecord& record);
+
+  uint64_t memory_bytes() const noexcept { return around_.memory_bytes() + array_bytes(turns_); }
+
+ private:
+  enum class Went { kThrough, kInvalid, kStopped, kRefused };
+
+  Went try_ways(double* next, const WallSettings& settings, WallRecord& record, double* way);
+  Went try_way(double* next, double way, uint32_t halvings, const WallSettings& settings, WallRecord& record);
+  void finish(double way, WallRecord& record);
+
+  Environment<3>& env_;
+  Occupants& all_;
+  Neighbourhood around_;
+  WallMove move_;
+  Array<uint32_t> turns_;
+};
+
+}  // namespace dsw

@@ -1,0 +1,180 @@
+#include "walls/wall_move.h"
+
+#include "base/vec.h"
+#include "contact/names.h"
+#include "response/insertion.h"
+#include "walls/describe.h"
+
+namespace dsw {
+namespace {
+
+constexpr int kMostPushes = 4;
+
+}  // namespace
+
+WallMove::WallMove(Environment<3>& env, Occupants& all, Neighbourhood& around)
+    : env_(env),
+      all_(all),
+      around_(around),
+      walls_(env),
+      sweeps_(env),
+      features_(Allocator<Feature>(env.memory)),
+      hits_(Allocator<WallHit>(env.memory)),
+      points_(Allocator<Feature>(env.memory)),
+      before_(Allocator<Seat>(env.memory)) {}
+
+WallMove::Moved WallMove::move(uint32_t v, const double* to, const WallSettings& settings, WallRecord& record_to) {
+  double from[3];
+  std::copy_n(env_.point(v), 3, from);
+  if (std::equal(from, from + 3, to)) return Moved::kYes;
+  star_ = &around_.find_star(v);
+  around_.find_features(features_);
+  walls_.start(v, *star_);
+  for (int pushes = 0; walls_.has_walls() && find_hits(from, to); ++pushes) {
+    const bool moves_things = settings.response == DSW_WALL_PUSH || settings.response == DSW_WALL_INSERT;
+    const bool made = moves_things && pushes < kMostPushes && make_room(from, to, settings, record_to);
+    const dsw_wall_response done = made || !moves_things ? settings.response : DSW_WALL_HOLD;
+    if (pushes == 0 || !made) record(v, from, to, done, record_to);
+    if (!made) return settings.response == DSW_WALL_STOP ? Moved::kStopped : Moved::kHeld;
+    around_.find_features(features_);
+  }
+  put(v, to);
+  if (seat_all()) return Moved::kYes;
+  put(v, from);
+  return Moved::kInvalid;
+}
+
+void WallMove::put(uint32_t v, const double* position) {
+  around_.points().put(v, position);
+  around_.forget_star();
+}
+
+bool WallMove::find_hits(const double* from, const double* to) {
+  hits_.clear();
+  for (const Feature& feature : features_) {
+    WallHit hit;
+    if (walls_.meets(all_, feature, from, to, &hit)) hits_.push_back(hit);
+  }
+  std::sort(hits_.begin(), hits_.end());
+  return !hits_.empty();
+}
+
+/** The first hit. */
+void WallMove::record(uint32_t v, const double* from, const double* to, dsw_wall_response done, WallRecord& record) {
+  record.contacts.push_back(describe(env_, all_, hits_.front(), v, from, to, done));
+}
+
+/** Moves what is hit as the wall's vertex moves, each thing along a way that is free; whether all of it could go. */
+bool WallMove::make_room(const double* from, const double* to, const WallSettings& settings, WallRecord& record) {
+  points_.clear();
+  for (const WallHit& hit : hits_) {
+    const Feature& f = hit.feature;
+    if (f.is_point()) {
+      points_.push_back(f);
+    } else if (f.kind == Feature::kFace) {
+      for (const uint32_t v : all_.bodies[f.owner].body->faces[f.index].corners) {
+        points_.push_back({Feature::kVertex, f.owner, v});
+      }
+    } else {
+      // What a split leaves of other hits is seen in the next round.
+      if (settings.response == DSW_WALL_INSERT && insert(hit, from, to, settings, record)) return true;
+      for (const uint32_t v : all_.bodies[f.owner].body->edges[f.index].ends) {
+        points_.push_back({Feature::kVertex, f.owner, v});
+      }
+    }
+  }
+  std::sort(points_.begin(), points_.end());
+  points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+  for (const Feature& point : points_) {
+    if (!push(point, from, to)) return false;
+    ++record.pushed;
+  }
+  return true;
+}
+
+bool WallMove::push(const Feature& point, const double* from, const double* to) {
+  const double* const at = position(all_, point);
+  double target[3];
+  store(to_vec(at) + difference(to, from), target);
+  if (!is_finite(target)) return false;
+  if (point.kind == Feature::kParticle) {
+    const CastResult way = cast(env_, at, target, cell_of(all_, point));
+    if (way.end != CastEnd::kReached) return false;
+    seat(all_, point, target, way.cell);
+    around_.note_point(point);
+    return true;
+  }
+  Body& body = *all_.bodies[point.owner].body;
+  Cell cell;
+  if (!sweeps_.is_free(body, point.index, target, &cell)) return false;
+  seat(all_, point, target, cell);
+  return around_.note_vertex(point.owner, point.index);
+}
+
+/** Puts a vertex on an edge where it is hit, and pushes that. */
+bool WallMove::insert(const WallHit& hit, const double* from, const double* to, const WallSettings& settings,
+                      WallRecord& record) {
+  const WallTouch touch = describe_touch(env_, all_, hit, from, to);
+  if (!(touch.along >= settings.min_part && touch.along <= 1 - settings.min_part)) return false;
+  const uint32_t owner = hit.feature.owner;
+  Body& body = *all_.bodies[owner].body;
+  Cell cell;
+  if (!can_bend(env_, sweeps_, body, hit.feature.index, touch.point, &cell)) return false;
+  dsw_body_edit edit;
+  MoveRecord& edits = *all_.bodies[owner].record;
+  reserve_more(edits.edits, 1);
+  reserve_more(body.inserted, 1);
+  const uint32_t middle = insert_vertex(body, hit.feature.index, touch.point, cell, touch.along, &edit);
+  edits.edits.push_back(edit);
+  body.inserted.push_back(middle);
+  around_.note_vertex(owner, middle);
+  if (push({Feature::kVertex, owner, middle}, from, to)) ++record.pushed;
+  return true;
+}
+
+/** Finds the cells in which things are now; false, and points back in theirs, if one is in none that is valid or an edge or face is not
+ * free. */
+bool WallMove::seat_all() {
+  before_.clear();
+  bool fine = true;
+  for (const Feature& feature : features_) {
+    if (!feature.is_point()) break;  // these come first
+    const Cell old = cell_of(all_, feature), now = find_cell(feature);
+    fine = now.valid();
+    if (!fine) break;
+    if (now == old) continue;
+    before_.push_back({feature, old});
+    seat(all_, feature, position(all_, feature), now);
+    around_.note_point(feature);
+  }
+  for (const Feature& feature : features_) {
+    if (!fine || feature.is_point()) continue;
+    fine = around_.trace(feature);
+    if (fine) around_.note_traced(feature);
+  }
+  if (fine) return true;
+  for (const Seat& each : before_) seat(all_, each.point, position(all_, each.point), each.cell);
+  return false;
+}
+
+Cell WallMove::find_cell(const Feature& point) const {
+  const double* const at = position(all_, point);
+  const Cell old = cell_of(all_, point);
+  if (admits(env_, old) && contains(env_, old, at)) return old;
+  for (const Cell c : *star_) {
+    if (c != old && !is_closed(env_, c) && contains(env_, c, at)) return c;
+  }
+  return {};
+}
+
+void WallMove::find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& invalid) {
+  double from[3];
+  std::copy_n(env_.point(v), 3, from);
+  put(v, to);
+  for (const Cell c : *star_) {
+    if (!admits(env_, c)) invalid.push_back(volume_id(env_.map, c));
+  }
+  put(v, from);
+}
+
+}  // namespace dsw

@@ -1,0 +1,50 @@
+#pragma once
+// One vertex of the environment on its way to a target, with the walls at it, and what is done about what they meet [JCD10] 5.1.
+
+#include "walls/neighbourhood.h"
+#include "walls/settings.h"
+
+namespace dsw {
+
+class WallMove {
+ public:
+  WallMove(Environment<3>& env, Occupants& all, Neighbourhood& around);
+
+  /** kHeld: by what is met. kInvalid: cells that hold occupants would not be valid, or something could not be followed into its new
+   * cell. In both cases the vertex stays. kStopped: as kHeld, and nothing has been done. */
+  enum class Moved { kYes, kHeld, kInvalid, kStopped };
+
+  /** Moves near vertex v. Contacts go to the record. Throws std::bad_alloc, with a state that holds no more. */
+  Moved move(uint32_t v, const double* to, const WallSettings& settings, WallRecord& record);
+
+  /** Cells round the vertex that was moved last which are not valid with it at `to`. */
+  void find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& invalid);
+
+ private:
+  bool find_hits(const double* from, const double* to);
+  void record(uint32_t v, const double* from, const double* to, dsw_wall_response done, WallRecord& record);
+  bool make_room(const double* from, const double* to, const WallSettings& settings, WallRecord& record);
+  bool push(const Feature& point, const double* from, const double* to);
+  bool insert(const WallHit& hit, const double* from, const double* to, const WallSettings& settings,
+              WallRecord& record);
+  void put(uint32_t v, const double* position);
+  bool seat_all();
+  Cell find_cell(const Feature& point) const;
+
+  Environment<3>& env_;
+  Occupants& all_;
+  Neighbourhood& around_;
+  WallSweep walls_;
+  StarSweep sweeps_;
+  const Array<Cell>* star_ = nullptr;
+  Array<Feature> features_;  // in the star
+  Array<WallHit> hits_;
+  Array<Feature> points_;  // to be pushed
+  struct Seat {
+    Feature point;
+    Cell cell;
+  };
+  Array<Seat> before_;  // cells of the star's points
+};
+
+}  // namespace dsw
