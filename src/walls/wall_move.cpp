@@ -39,9 +39,24 @@ WallMove::Moved WallMove::move(uint32_t v, const double* to, const WallSettings&
     around_.find_features(features_);
   }
   put(v, to);
-  if (seat_all()) return Moved::kYes;
+  bool fine = seat_all();
+  // What goes from cell to cell is followed only where the cells fill the same space before and after.
+  if (fine && !before_.empty()) {
+    fine = is_star_valid();
+    if (fine) {
+      put(v, from);
+      fine = is_star_valid();
+      put(v, to);
+    }
+    if (!fine) unseat();
+  }
+  if (fine) return Moved::kYes;
   put(v, from);
   return Moved::kInvalid;
+}
+
+bool WallMove::is_star_valid() const noexcept {
+  return std::all_of(star_->begin(), star_->end(), [&](Cell c) { return admits(env_, c); });
 }
 
 void WallMove::put(uint32_t v, const double* position) {
@@ -152,9 +167,13 @@ bool WallMove::seat_all() {
     fine = around_.trace(feature);
     if (fine) around_.note_traced(feature);
   }
-  if (fine) return true;
+  if (!fine) unseat();
+  return fine;
+}
+
+void WallMove::unseat() noexcept {
   for (const Seat& each : before_) seat(all_, each.point, position(all_, each.point), each.cell);
-  return false;
+  before_.clear();
 }
 
 Cell WallMove::find_cell(const Feature& point) const {

@@ -29,6 +29,8 @@ class WallMove {
               WallRecord& record);
   void put(uint32_t v, const double* position);
   bool seat_all();
+  void unseat() noexcept;
+  bool is_star_valid() const noexcept;
   Cell find_cell(const Feature& point) const;
 
   Environment<3>& env_;

@@ -96,8 +96,8 @@ void Deformer::settle() {
     Bodies source(stage_, exact_, rng_, level);
     for (int tries = 0; tries < 10; ++tries) {
       Lodger lodger{{0, 0}, level, {}};
-      if (create_body(scene_.get(), source.next(), level, rng_.chance(0.5) ? uint32_t{DSW_BODY_SEQUENCES} : 0u, {}, &lodger.id) !=
-          DSW_STATUS_OK) {
+      if (create_body(scene_.get(), source.next(), level, rng_.chance(0.5) ? uint32_t{DSW_BODY_SEQUENCES} : 0u, {},
+                      &lodger.id) != DSW_STATUS_OK) {
         continue;
       }
       const std::string fault = read_body(scene_.get(), lodger.id, lodger.state);
@@ -195,10 +195,10 @@ void Deformer::check_vertex(Picture& now, const Vec& at, dsw_volume_id volume, i
   ++report_.lost;
   int valid = 0;
   dsw_environment_is_valid(stage_.environment.get(), volume, &valid);
-  report_.faults.fault(SweepReport::kWrong, what + " at " + hex(at) + (in ? "" : " is not") + " in " + (valid ? "" : "invalid ") + "volume " +
-                                                std::to_string(cell) + ", chamber " +
-                                                std::to_string(chamber_[static_cast<size_t>(cell)]) + " for " +
-                                                std::to_string(chamber));
+  report_.faults.fault(SweepReport::kWrong, what + " at " + hex(at) + (in ? "" : " is not") + " in " +
+                                                (valid ? "" : "invalid ") + "volume " + std::to_string(cell) +
+                                                ", chamber " + std::to_string(chamber_[static_cast<size_t>(cell)]) +
+                                                " for " + std::to_string(chamber));
 }
 
 /// Everything against a picture of the environment as it is.
