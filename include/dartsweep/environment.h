@@ -101,7 +101,7 @@ typedef struct dsw_environment_info {
   uint32_t part_count;          /**< Parts connected through faces. */
   uint32_t scene_count;         /**< Scenes that use it now. */
   uint64_t memory_bytes;        /**< All memory it holds; borrowed points included. */
-  double lower[3], upper[3];    /**< Box around the points that volumes use. */
+  double lower[3], upper[3];    /**< Box around the points that volumes use, as they were created or loaded. */
 } dsw_environment_info;
 
 /** Writes the defaults (3-dimensional, hexahedra, 8-byte indices) into at most `size` bytes and sets struct_size.

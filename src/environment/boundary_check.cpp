@@ -18,7 +18,18 @@ namespace {
 class Check {
  public:
   explicit Check(const Environment<3>& env)
-      : env_(env), surface_(env), tree_(env, surface_), bad_cells_(Allocator<uint32_t>(env.memory)) {}
+      : env_(env), surface_(env), tree_(env, surface_), bad_cells_(Allocator<uint32_t>(env.memory)) {
+    std::copy_n(at(surface_.triangles[0].vertex[0]), 3, lower_);
+    std::copy_n(lower_, 3, upper_);
+    for (const Triangle& t : surface_.triangles) {
+      double lower[3], upper[3];
+      box_of(t, lower, upper);
+      for (int k = 0; k < 3; ++k) {
+        lower_[k] = std::min(lower_[k], lower[k]);
+        upper_[k] = std::max(upper_[k], upper[k]);
+      }
+    }
+  }
 
   bool run(Offenders* offenders) {
     check_pairs();
@@ -224,8 +235,8 @@ class Check {
       for (int axis = 0; axis < 3; ++axis) {
         double p[3], q[3];
         for (int k = 0; k < 3; ++k) p[k] = q[k] = (w[0] * a[k] + w[1] * b[k]) + w[2] * c[k];
-        p[axis] = env_.lower[axis];
-        q[axis] = env_.upper[axis];  // shifted beyond everything
+        p[axis] = lower_[axis];
+        q[axis] = upper_[axis];  // shifted beyond everything
         const int through = pierced(t, p, q);
         if (through == 0) continue;
         *covered = through > 0 ? 1 + count_behind(i, p, q, true) : count_behind(i, p, q, false);
@@ -256,6 +267,7 @@ class Check {
   BoundarySurface surface_;
   BoundaryTree tree_;
   Array<uint32_t> bad_cells_;
+  double lower_[3], upper_[3];  // of the surface, which is that of all points that cells use
 };
 
 }  // namespace

@@ -2,9 +2,27 @@
 
 #include <algorithm>
 
+#include "base/vec.h"
 #include "contact/describe.h"
+#include "predicates/plane_hit.h"
 
 namespace dsw {
+namespace {
+
+/** The side of a wall from which something is that it meets with this normal. Behind the wall of an impassable volume is nothing. */
+HalfFacet seen_from(const Environment<3>& env, HalfFacet wall, const double* normal) noexcept {
+  const HalfFacet o = wall.valid() ? env.map.opposite(wall) : wall;
+  if (!o.valid() || env.map.marked(env.map.cell_of(o))) return wall;
+  const Cell c = env.map.cell_of(wall);
+  const Shape shape = env.map.shape(c);
+  const double* triangle[3];
+  simplex_points(env, c, shape, shape.simplex_first(env.map.local_of(wall, c)), triangle);
+  double outward[3];
+  unit_normal<3>(triangle, outward);
+  return dot(to_vec(outward), to_vec(normal)) > 0 ? o : wall;
+}
+
+}  // namespace
 
 dsw_wall_contact describe(const Environment<3>& env, const Occupants& all, const WallHit& hit, uint32_t vertex,
                           const double* from, const double* to, dsw_wall_response done) noexcept {
@@ -20,7 +38,7 @@ dsw_wall_contact describe(const Environment<3>& env, const Occupants& all, const
   if (hit.q != kNone) c.others[0] = {hit.q, kGeneration};
   if (hit.r != kNone) c.others[1] = {hit.r, kGeneration};
   c.response = done;
-  name_wall(env, hit.wall, c);
+  name_wall(env, seen_from(env, hit.wall, touch.normal), c);
   name_feature(all, hit.feature, c);
   return c;
 }

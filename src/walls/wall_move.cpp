@@ -23,7 +23,7 @@ WallMove::WallMove(Environment<3>& env, Occupants& all, Neighbourhood& around)
       points_(Allocator<Feature>(env.memory)),
       before_(Allocator<Seat>(env.memory)) {}
 
-WallMove::Moved WallMove::move(uint32_t v, const double* to, const WallSettings& settings, WallRecord& record_to) {
+WallMove::Moved WallMove::move(uint32_t v, const double* to, const WallSettings& settings, WallRecord& record) {
   double from[3];
   std::copy_n(env_.point(v), 3, from);
   if (std::equal(from, from + 3, to)) return Moved::kYes;
@@ -31,11 +31,12 @@ WallMove::Moved WallMove::move(uint32_t v, const double* to, const WallSettings&
   around_.find_features(features_);
   walls_.start(v, *star_);
   for (int pushes = 0; walls_.has_walls() && find_hits(from, to); ++pushes) {
-    const bool moves_things = settings.response == DSW_WALL_PUSH || settings.response == DSW_WALL_INSERT;
-    const bool made = moves_things && pushes < kMostPushes && make_room(from, to, settings, record_to);
-    const dsw_wall_response done = made || !moves_things ? settings.response : DSW_WALL_HOLD;
-    if (pushes == 0 || !made) record(v, from, to, done, record_to);
-    if (!made) return settings.response == DSW_WALL_STOP ? Moved::kStopped : Moved::kHeld;
+    record.contacts.push_back(describe(env_, all_, hits_.front(), v, from, to, settings.response));
+    if (settings.response == DSW_WALL_STOP) return Moved::kStopped;
+    if (settings.response == DSW_WALL_HOLD || pushes == kMostPushes || !make_room(from, to, settings, record)) {
+      record.contacts.back().response = DSW_WALL_HOLD;
+      return Moved::kHeld;
+    }
     around_.find_features(features_);
   }
   put(v, to);
@@ -72,11 +73,6 @@ bool WallMove::find_hits(const double* from, const double* to) {
   }
   std::sort(hits_.begin(), hits_.end());
   return !hits_.empty();
-}
-
-/** The first hit. */
-void WallMove::record(uint32_t v, const double* from, const double* to, dsw_wall_response done, WallRecord& record) {
-  record.contacts.push_back(describe(env_, all_, hits_.front(), v, from, to, done));
 }
 
 /** Moves what is hit as the wall's vertex moves, each thing along a way that is free; whether all of it could go. */

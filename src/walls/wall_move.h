@@ -22,7 +22,6 @@ class WallMove {
 
  private:
   bool find_hits(const double* from, const double* to);
-  void record(uint32_t v, const double* from, const double* to, dsw_wall_response done, WallRecord& record);
   bool make_room(const double* from, const double* to, const WallSettings& settings, WallRecord& record);
   bool push(const Feature& point, const double* from, const double* to);
   bool insert(const WallHit& hit, const double* from, const double* to, const WallSettings& settings,

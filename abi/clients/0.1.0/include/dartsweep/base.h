@@ -63,7 +63,7 @@ typedef enum dsw_status {
   DSW_STATUS_OUTSIDE = 19,            /**< The point lies in no cell. */
   DSW_STATUS_IMPASSABLE = 20,         /**< The point lies in an impassable volume. */
   DSW_STATUS_OCCUPIED = 21,           /**< The change would make a cell impassable that something occupies. */
-  DSW_STATUS_IN_USE = 22,             /**< Scenes still use the environment. */
+  DSW_STATUS_IN_USE = 22,             /**< Scenes (or other scenes) use the environment. */
   DSW_STATUS_SHARED = 23,             /**< Several scenes share the environment: it can't be changed. */
   DSW_STATUS_DUPLICATE_ID = 24,       /**< An id stands twice in a batch. */
   DSW_STATUS_NOT_FOUND = 25,          /**< No cell has these vertices. */

@@ -9,6 +9,7 @@
 #include "dartsweep/contact.h"
 #include "dartsweep/contact_check.h"
 #include "dartsweep/context.h"
+#include "dartsweep/deform.h"
 #include "dartsweep/environment.h"
 #include "dartsweep/ids.h"
 #include "dartsweep/marking.h"

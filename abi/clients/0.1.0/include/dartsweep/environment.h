@@ -38,7 +38,7 @@ typedef enum dsw_cell_type {
 
 /** Flags of dsw_environment_desc. */
 enum {
-  /** points is retained instead of copied: it must stay, unchanged, until the environment is destroyed;
+  /** points is retained instead of copied: it must stay, unchanged, until the environment is destroyed or deformed (deform.h);
    * point_stride_bytes must be 0 or 24. */
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
   /** Volumes that are turned inside out are mirrored instead of refused (meshes differ in their wedges). */
@@ -101,7 +101,7 @@ typedef struct dsw_environment_info {
   uint32_t part_count;          /**< Parts connected through faces. */
   uint32_t scene_count;         /**< Scenes that use it now. */
   uint64_t memory_bytes;        /**< All memory it holds; borrowed points included. */
-  double lower[3], upper[3];    /**< Box around the points that volumes use. */
+  double lower[3], upper[3];    /**< Box around the points that volumes use, as they were created or loaded. */
 } dsw_environment_info;
 
 /** Writes the defaults (3-dimensional, hexahedra, 8-byte indices) into at most `size` bytes and sets struct_size.

@@ -19,7 +19,10 @@ enum {
   /** Counters, see dsw_statistics. */
   DSW_FEATURE_STATISTICS = 0x1,
   /** Moves record every volume crossed, see dsw_scene_get_crossings. */
-  DSW_FEATURE_CROSSINGS = 0x2
+  DSW_FEATURE_CROSSINGS = 0x2,
+  /** The environment can be bent, see deform.h: it belongs to this scene alone. Costs some 12 bytes a volume and 4 a vertex, and walks
+   * through hexahedra take them for warped, also after the scene; the grid of DSW_ENVIRONMENT_LOCATE_GRID is given up. */
+  DSW_FEATURE_DEFORMING = 0x4
 };
 
 /** Describes a scene. */
@@ -48,8 +51,9 @@ DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 /** Creates a scene.
  * @param environment [in] retained until the scene is destroyed; may be shared with other scenes.
  * @param desc [in] null: no features. @param scene [out] owned by the caller.
- * @return DSW_STATUS_NULL_ARGUMENT, DSW_STATUS_BAD_STRUCT_SIZE, DSW_STATUS_UNSUPPORTED, DSW_STATUS_OUT_OF_MEMORY.
- * @note O(1). Thread: writer of the environment. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT, DSW_STATUS_BAD_STRUCT_SIZE, DSW_STATUS_UNSUPPORTED, DSW_STATUS_OUT_OF_MEMORY,
+ * DSW_STATUS_IN_USE: one of two scenes of an environment is to deform it.
+ * @note O(1); the first with DSW_FEATURE_DEFORMING O(volumes). Thread: writer of the environment. @since 0.1 */
 DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc, dsw_scene **scene);
 
 /** Destroys a scene with all it holds. @param scene [in] null is allowed. @note Thread: writer of the environment.

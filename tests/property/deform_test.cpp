@@ -1,0 +1,119 @@
+// Deformations: memory that runs out at every single point, and the same bits twice.
+#include "deform_support.h"
+#include "host_memory.h"
+
+namespace dsw::oracle {
+namespace {
+
+/// A wave through the points.
+std::vector<double> bent(const std::vector<double>& points, double by) {
+  std::vector<double> next = points;
+  for (size_t i = 0; i + 2 < next.size(); i += 3) {
+    next[i] += by * std::sin(3 * points[i + 1]);
+    next[i + 2] += by * std::sin(2 * points[i] + points[i + 1]);
+  }
+  return next;
+}
+
+class DeformTest : public BodyTest {
+ protected:
+  void SetUp() override {
+    BodyTest::SetUp();
+    scene_.reset();
+    scene_ = make_deforming(place_.get());
+    mark_wall(1, 1, 1);
+    mark_wall(1, 2, 1);
+    mark_wire(2, 2, 1);
+  }
+};
+
+TEST_F(DeformTest, GivesTheSameBitsTwice) {
+  std::string bits[2];
+  for (std::string& each : bits) {
+    SetUp();
+    const dsw_body_id body = make(tetrahedron({2.05, 1.5, 1.25}, 0.5), DSW_LEVEL_FACES, DSW_BODY_SEQUENCES);
+    std::vector<double> next = bent(points_of(place_.get()), 0.2);
+    ASSERT_EQ(dsw_scene_deform(scene(), next.data(), next.size() / 3, nullptr, nullptr), DSW_STATUS_OK);
+    const dsw_wall_contact* contacts = nullptr;
+    size_t count = 0;
+    ASSERT_EQ(dsw_scene_get_wall_contacts(scene(), &contacts, &count), DSW_STATUS_OK);
+    each = bits_of(read(body)) + std::string(reinterpret_cast<const char*>(next.data()), 8 * next.size()) +
+           std::string(reinterpret_cast<const char*>(contacts), count * sizeof *contacts);
+    scene_.reset();
+    place_ = Place();
+  }
+  EXPECT_EQ(bits[0], bits[1]);
+  SetUp();
+}
+
+TEST_F(DeformTest, CostsNothingWhereNothingLies) {
+  std::vector<double> next = bent(points_of(place_.get()), 0.2);
+  dsw_deform_report report;
+  ASSERT_EQ(dsw_scene_deform(scene(), next.data(), next.size() / 3, nullptr, &report), DSW_STATUS_OK);
+  EXPECT_EQ(report.near_count, 0u);
+  EXPECT_EQ(report.outcome, DSW_DEFORM_DONE);
+  EXPECT_EQ(points_of(place_.get()), next);
+}
+
+class DeformMemoryTest : public MemoryTest {
+ protected:
+  void SetUp() override {
+    MemoryTest::SetUp();
+    scene_.reset();
+    scene_ = make_deforming(place_.get());
+  }
+};
+
+TEST_F(DeformMemoryTest, NamingTheFeature) {
+  scene_.reset();
+  place_ = place_of(hex_grid(axis(4, 1), axis(4, 1), axis(3, 1)), 0, context_.get());
+  const size_t before = memory_.alive;
+  dsw_scene_desc desc;
+  dsw_scene_desc_init(&desc, sizeof desc);
+  desc.features = DSW_FEATURE_DEFORMING;
+  dsw_scene* made = nullptr;
+  const size_t refusals = until_it_succeeds([&] { return dsw_scene_create(place_.get(), &desc, &made); },
+                                            [&] { return made == nullptr && memory_.alive == before; });
+  EXPECT_GT(refusals, 2u);
+  scene_.reset(made);
+}
+
+TEST_F(DeformMemoryTest, Deforming) {
+  mark_wall(1, 1, 1);
+  mark_wall(1, 2, 1);
+  mark_wire(2, 2, 1);
+  const double at[3] = {2.25, 1.5, 1.5};
+  dsw_particle_id particle;
+  ASSERT_EQ(dsw_particle_create(scene(), at, {0, 0}, &particle), DSW_STATUS_OK);
+  const dsw_body_id body = make(tetrahedron({2.05, 1.5, 1.25}, 0.5), DSW_LEVEL_FACES, DSW_BODY_SEQUENCES);
+  std::vector<std::vector<double>> arrays;  // all lent
+  for (int method : {DSW_DEFORM_SWEPT, DSW_DEFORM_END_STATE}) {
+    for (int response : {DSW_WALL_PUSH, DSW_WALL_INSERT, DSW_WALL_HOLD, DSW_WALL_STOP}) {
+      if (method == DSW_DEFORM_END_STATE && (response == DSW_WALL_INSERT || response == DSW_WALL_HOLD)) continue;
+      dsw_deform_options options;
+      dsw_deform_options_init(&options, sizeof options);
+      options.method = static_cast<dsw_deform_method>(method);
+      options.response = static_cast<dsw_wall_response>(response);
+      const std::vector<double> before = points_of(place_.get());
+      const std::string bits = bits_of(read(body));
+      arrays.push_back(bent(before, response % 2 == 0 ? 0.2 : -0.2));
+      std::vector<double>& next = arrays.back();
+      const std::vector<double> asked = next;
+      double where[3];
+      dsw_particle_get(scene(), particle, where, nullptr);
+      const auto unchanged = [&] {
+        double now[3];
+        return dsw_particle_get(scene(), particle, now, nullptr) == DSW_STATUS_OK && std::equal(now, now + 3, where) &&
+               next == asked && points_of(place_.get()) == before && bits_of(read(body)) == bits;
+      };
+      const size_t refusals = until_it_succeeds(
+          [&] { return dsw_scene_deform(scene(), next.data(), next.size() / 3, &options, nullptr); }, unchanged);
+      EXPECT_GE(refusals, arrays.size() == 1 ? 5u : 0u);
+    }
+  }
+  scene_.reset();
+  place_.environment.reset();  // before the arrays that it reads
+}
+
+}  // namespace
+}  // namespace dsw::oracle
