@@ -188,17 +188,15 @@ void load_map(Map<D>& map) {
   if (broken != nullptr) corrupt(broken);
 }
 
-/** Every cell again: that it is valid, and not wrongly called convex. One whose points have moved does not say that it is: it does
- * from now on. */
+/** Every cell again: that it is valid, and that it says rightly whether it is convex. */
 template <int D>
-void check_cells(Environment<D>& env) {
-  Map<D>& map = env.map;
+void check_cells(const Environment<D>& env) {
+  const Map<D>& map = env.map;
   for (uint32_t i = 0; i < map.cell_count; ++i) {
     const Cell c = map.cell(i);
     const CellState state = check_cell(env, c);
     if (state != CellState::kValid && state != CellState::kValidConvex) corrupt("a cell is not valid");
-    if (map.convex(c) && state != CellState::kValidConvex) corrupt("a cell is wrongly called convex");
-    if (!map.convex(c) && state == CellState::kValidConvex) map.record(c)[0] |= kConvexBit;
+    if (map.convex(c) != (state == CellState::kValidConvex)) corrupt("a cell is wrongly called convex, or not");
   }
 }
 
@@ -256,6 +254,19 @@ void count_marks(Environment<D>& env) {
   if (env.marked_vertices == 0) corrupt("marks of vertices without any");
 }
 
+/** The records as they are when points stay: cells of moving ones do not say that they are convex. */
+template <int D>
+Array<uint32_t> words_of_rest(const Environment<D>& env) {
+  Array<uint32_t> words = env.map.words;
+  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
+    const Cell c = env.map.cell(i);
+    if (env.map.form(c) != Form::kSimplex && check_cell(env, c) == CellState::kValidConvex) {
+      words[size_t{c.unit} * kUnitWords] |= kConvexBit;
+    }
+  }
+  return words;
+}
+
 }  // namespace
 
 template <int D>
@@ -289,7 +300,7 @@ void save(const Environment<D>& env, uint8_t* out) {
     std::fill(at + bytes, at + padded(bytes), uint8_t{0});
     at += padded(bytes);
   };
-  write(kWords, env.map.words.data());
+  write(kWords, env.checked.active() ? words_of_rest(env).data() : env.map.words.data());
   write(kShapes, env.map.shape_tables.data());
   write(kPoints, env.points);
   write(kRegions, env.regions.data());
