@@ -135,7 +135,7 @@ TEST_F(WallSweepTest, FindsWhatIsTouched) {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> place(2, 14);
   int met[3] = {}, free = 0, with_ties = 0;
-  for (int scene = 0; scene < 400; ++scene) {
+  for (int scene = 0; scene < 100; ++scene) {
     build(random);
     mark(random);
     find_walls();
@@ -199,11 +199,11 @@ TEST_F(WallSweepTest, FindsWhatIsTouched) {
       free += touched ? 0 : 1;
     }
   }
-  EXPECT_GT(met[0], 100);
-  EXPECT_GT(met[1], 500);
-  EXPECT_GT(met[2], 500);
-  EXPECT_GT(free, 5000);
-  EXPECT_GT(with_ties, 5);
+  EXPECT_GT(met[0], 25);
+  EXPECT_GT(met[1], 120);
+  EXPECT_GT(met[2], 120);
+  EXPECT_GT(free, 1200);
+  EXPECT_GT(with_ties, 1);
 }
 
 TEST_F(WallSweepTest, MeetsWiresFromEdgesSweptOn) {
