@@ -67,8 +67,10 @@ class Walkers {
     return First ? Entry{} : flight(i).entry;
   }
 
+  /** Copied whole: member by member GCC 12 makes a loop of each. */
   DSW_HOT void begin(uint32_t i) noexcept {
-    new (results_ + i) CastResult;
+    static constexpr CastResult kFresh{};
+    new (results_ + i) CastResult(kFresh);
     results_[i].cell = requests_[i].start;
     active_[i] = static_cast<uint8_t>(i);
   }
@@ -79,7 +81,6 @@ class Walkers {
     for (uint32_t k = 0; k < count;) {
       const uint32_t end = std::min(k + kAbreast, count);
       if (First) {
-#pragma GCC unroll 1
         for (uint32_t i = k; i < end; ++i) begin(i);
       }
       if (!look_abreast<First>(k, end)) {
