@@ -51,6 +51,57 @@ inline uint32_t outside_flat_box(const Environment<3>& env, const uint32_t* w, c
   return __builtin_expect(sure == kAllFacets, 1) ? outside : settle_flat_box(env, w, q, sure, outside, tally);
 }
 
+/** Facets with four corners in lanes: those of one hexahedron, or one facet of each of several. */
+struct Quads {
+  Points a, b, c, d;    // the loop turned so that the diagonal joins a and c
+  Points diagonal;      // a x c
+  Lanes first, second;  // q outside of the triangles a b c and c d a, where positive
+};
+
+/** `cut`: where the diagonal joins the second and fourth corners. */
+DSW_HOT Quads make_quads(const Points& c0, const Points& c1, const Points& c2, const Points& c3,
+                         Lanes::Mask cut) noexcept {
+  Quads quads;
+  quads.a = select(cut, c1, c0), quads.b = select(cut, c2, c1);
+  quads.c = select(cut, c3, c2), quads.d = select(cut, c0, c3);
+  quads.diagonal = cross(quads.a, quads.c);
+  quads.first = dot(quads.diagonal, quads.b);
+  quads.second = Lanes::all(0) - dot(quads.diagonal, quads.d);
+  return quads;
+}
+
+/** How p -> q passes quads, a bit each. */
+struct Piercings {
+  uint32_t pierced;  // outwards
+  uint32_t second;   // on the side of the second triangle
+  uint32_t settled;  // the filter answers for those with q outside of a triangle
+};
+
+/** `out1`, `out2`: quads with q outside of their triangles. `back`: p -> q. The diagonal decides between a quad's triangles, two
+ * more edges whether that one is pierced. */
+DSW_HOT Piercings pierce(const Quads& quads, uint32_t out1, uint32_t out2, const Points& back, Lanes bound) noexcept {
+  const Lanes minus_bound = Lanes::all(0) - bound;
+  const Lanes over = dot(quads.diagonal, back);  // > 0: on the side of the second triangle
+  const Lanes::Mask is_second = Lanes::greater(over, bound);
+  const Points from = select(is_second, quads.c, quads.a), tip = select(is_second, quads.d, quads.b),
+               to = select(is_second, quads.a, quads.c);
+  const Lanes edge1 = dot(cross(from, tip), back), edge2 = dot(cross(tip, to), back);
+  const uint32_t on_second = Lanes::bits(is_second), on_first = Lanes::bits(Lanes::greater(minus_bound, over));
+  const uint32_t inside1 = Lanes::bits(Lanes::greater(edge1, bound)),
+                 inside2 = Lanes::bits(Lanes::greater(edge2, bound));
+  const uint32_t beside = Lanes::bits(Lanes::greater(minus_bound, edge1) | Lanes::greater(minus_bound, edge2));
+  const uint32_t q_outside = (on_second & out2) | (on_first & out1);
+  const uint32_t hit = q_outside & inside1 & inside2;
+  // p against the triangle: minus that of q plus the three line tests is minus the volume seen from p, four determinants.
+  const Lanes of_q = Lanes::select(is_second, quads.second, quads.first);
+  const Lanes magnitude = Lanes::absolute(over);
+  const Lanes of_p = ((of_q - edge1) - edge2) - magnitude;
+  const Lanes p_bound = Lanes::all(6) * bound;
+  const uint32_t p_inside = Lanes::bits(Lanes::greater(Lanes::all(0) - p_bound, of_p));
+  const uint32_t p_outside = Lanes::bits(Lanes::greater(of_p, p_bound));
+  return {hit & p_inside, on_second, ((on_first | on_second) & (~q_outside | beside)) | (hit & (p_inside | p_outside))};
+}
+
 /** What the lanes say about the exits of a hexahedron that need not be convex. */
 struct BoxExits {
   uint32_t pierced = 0;     // facets that p -> q pierces outwards
@@ -64,47 +115,24 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   const BoxVertices v(env.points, w + kUnitWords, q);
   const Points c0 = corner<0>(v), c1 = corner<1>(v), c2 = corner<2>(v), c3 = corner<3>(v);
   if (__builtin_expect(!v.extent.in_range(), 0)) return exits;
-  // a b c d: the loop turned so that the diagonal joins a and c.
-  const Lanes::Mask cut = Lanes::spread(w[0] & kShapeMask);
-  const Points a = select(cut, c1, c0), b = select(cut, c2, c1), c = select(cut, c3, c2), d = select(cut, c0, c3);
-  const Points diagonal = cross(a, c);
-  const Lanes first = dot(diagonal, b), second = Lanes::all(0) - dot(diagonal, d), bound = Lanes::all(v.extent.bound());
-  const Lanes minus_bound = Lanes::all(0) - bound;
-  const uint32_t out1 = Lanes::bits(Lanes::greater(first, bound)), out2 = Lanes::bits(Lanes::greater(second, bound));
-  const uint32_t in1 = Lanes::bits(Lanes::greater(minus_bound, first)),
-                 in2 = Lanes::bits(Lanes::greater(minus_bound, second));
+  const Quads quads = make_quads(c0, c1, c2, c3, Lanes::spread(w[0] & kShapeMask));
+  const Lanes bound = Lanes::all(v.extent.bound()), minus_bound = Lanes::all(0) - bound;
+  const uint32_t out1 = Lanes::bits(Lanes::greater(quads.first, bound)),
+                 out2 = Lanes::bits(Lanes::greater(quads.second, bound));
+  const uint32_t in1 = Lanes::bits(Lanes::greater(minus_bound, quads.first)),
+                 in2 = Lanes::bits(Lanes::greater(minus_bound, quads.second));
   if (__builtin_expect((((out1 | in1) & (out2 | in2)) ^ kAllFacets) != 0, 0)) return exits;
   exits.sure = true;
   exits.candidates = out1 | out2;
   if (exits.candidates == 0) return exits;
 
-  // The diagonal decides between a facet's triangles, two more edges whether that one is pierced.
   const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-  const Points back = {Lanes::all(u[0]), Lanes::all(u[1]), Lanes::all(u[2])};
   const Extent reach = {std::max(v.extent.x, std::fabs(u[0])), std::max(v.extent.y, std::fabs(u[1])),
                         std::max(v.extent.z, std::fabs(u[2]))};
-  const Lanes line_bound = Lanes::all(reach.bound()), minus_line_bound = Lanes::all(0) - line_bound;
-  const Lanes over = dot(diagonal, back);  // > 0: on the side of the second triangle
-  const Lanes::Mask is_second = Lanes::greater(over, line_bound);
-  const Points from = select(is_second, c, a), tip = select(is_second, d, b), to = select(is_second, a, c);
-  const Lanes edge1 = dot(cross(from, tip), back), edge2 = dot(cross(tip, to), back);
-  const uint32_t on_second = Lanes::bits(is_second), on_first = Lanes::bits(Lanes::greater(minus_line_bound, over));
-  const uint32_t inside1 = Lanes::bits(Lanes::greater(edge1, line_bound)),
-                 inside2 = Lanes::bits(Lanes::greater(edge2, line_bound));
-  const uint32_t beside =
-      Lanes::bits(Lanes::greater(minus_line_bound, edge1) | Lanes::greater(minus_line_bound, edge2));
-  const uint32_t q_outside = (on_second & out2) | (on_first & out1);
-  const uint32_t hit = q_outside & inside1 & inside2;
-  // p against the triangle: minus that of q plus the three line tests is minus the volume seen from p, four determinants.
-  const Lanes of_q = Lanes::select(is_second, second, first);
-  const Lanes magnitude = Lanes::absolute(over);
-  const Lanes of_p = ((of_q - edge1) - edge2) - magnitude;
-  const Lanes p_bound = Lanes::all(6) * line_bound;
-  const uint32_t p_inside = Lanes::bits(Lanes::greater(Lanes::all(0) - p_bound, of_p));
-  const uint32_t p_outside = Lanes::bits(Lanes::greater(of_p, p_bound));
-  exits.pierced = hit & p_inside;
-  exits.second = on_second;
-  const uint32_t settled = ((on_first | on_second) & (~q_outside | beside)) | (hit & (p_inside | p_outside));
-  exits.sure = reach.in_range() && (exits.candidates & ~settled) == 0;
+  const Piercings lines =
+      pierce(quads, out1, out2, {Lanes::all(u[0]), Lanes::all(u[1]), Lanes::all(u[2])}, Lanes::all(reach.bound()));
+  exits.pierced = lines.pierced;
+  exits.second = lines.second;
+  exits.sure = reach.in_range() && (exits.candidates & ~lines.settled) == 0;
   return exits;
 }

@@ -35,6 +35,13 @@ struct Look {
   bool settled;  // kBox: at most one facet is pierced, for certain
 
   static Look of_planes(uint32_t outside) { return {static_cast<uint8_t>(outside), 0, LookKind::kPlanes, true}; }
+  template <class Tally>
+  static Look of_box(const BoxExits& exits, Tally& tally) {
+    tally.tests(12 + 4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
+    const bool several = (exits.pierced & (exits.pierced - 1)) != 0;
+    return {static_cast<uint8_t>(exits.sure ? exits.pierced : kNotKnown), static_cast<uint8_t>(exits.second),
+            LookKind::kBox, exits.sure && !several};
+  }
   static Look of_nothing() { return {kNotKnown, 0, LookKind::kNothing, false}; }
 };
 
@@ -55,7 +62,7 @@ class ExitFinder {
         return Look::of_planes(outside_tetrahedron(env_, w, q_, known, uncounted_));
       }
       if (form == Form::kBox) {
-        if ((w[0] & kConvexBit) == 0) return look_through_box(w);
+        if ((w[0] & kConvexBit) == 0) return Look::of_box(box_exits(env_, w, p_, q_), tally_);
         const uint32_t known = entry.known_inside(6);
         tally_.tests(known == 0 ? 6 : 5);
         return Look::of_planes(outside_flat_box(env_, w, q_, known, uncounted_));
@@ -205,7 +212,8 @@ class ExitFinder {
     return {};
   }
 
-  // Cells that need not be convex: one plane a simplex.
+  // Cells that need not be convex: one plane a simplex. Of a hexahedron the lanes settle nearly all; what they leave open is
+  // asked triangle by triangle.
 
   /** The earliest of the exits seen so far. */
   struct Earliest {
@@ -224,15 +232,6 @@ class ExitFinder {
     if (best.exit.facet != kStays && compare_times<D>(p_, q_, points, best.points, tally_).sign >= 0) return;
     best.exit = {facet, simplex};
     std::copy(points, points + D, best.points);
-  }
-
-  /** Hexahedron: the lanes settle nearly all; what they leave open is asked triangle by triangle. */
-  DSW_HOT Look look_through_box(const uint32_t* w) noexcept {
-    const BoxExits exits = box_exits(env_, w, p_, q_);
-    tally_.tests(12 + 4 * static_cast<uint32_t>(__builtin_popcount(exits.candidates)));
-    const bool several = (exits.pierced & (exits.pierced - 1)) != 0;
-    return {static_cast<uint8_t>(exits.sure ? exits.pierced : kNotKnown), static_cast<uint8_t>(exits.second),
-            LookKind::kBox, exits.sure && !several};
   }
 
   DSW_HOT Exit exit_box(const uint32_t* w, const Look& look, const Entry& entry) noexcept {

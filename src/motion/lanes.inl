@@ -16,7 +16,7 @@ struct Extent {
 
 #if defined(DSW_ISA_AVX512)
 
-/** One 512-bit register; the last two lanes are idle. */
+/** One 512-bit register. For six facets the last two lanes are idle: they hold one point, so every sign in them is 0. */
 struct Lanes {
   using Mask = unsigned;
   __m512d v;
@@ -25,7 +25,7 @@ struct Lanes {
   static Lanes absolute(Lanes a) noexcept { return {_mm512_abs_pd(a.v)}; }
   static Mask greater(Lanes a, Lanes b) noexcept { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ); }
   static Mask spread(uint32_t bits) noexcept { return bits; }
-  static uint32_t bits(Mask m) noexcept { return m & 0x3fu; }
+  static uint32_t bits(Mask m) noexcept { return m; }
   static Lanes select(Mask m, Lanes yes, Lanes no) noexcept {
     return {_mm512_mask_blend_pd(static_cast<__mmask8>(m), no.v, yes.v)};
   }

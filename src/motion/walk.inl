@@ -10,7 +10,7 @@
 #include "motion/exit.inl"
 constexpr uint32_t kAbreast = 8;  // casts that are looked at together
 #if defined(DSW_ISA_AVX512)
-#include "motion/flat_boxes.inl"
+#include "motion/boxes.inl"
 #endif
 // clang-format on
 
@@ -67,8 +67,10 @@ class Walkers {
     return First ? Entry{} : flight(i).entry;
   }
 
+  /** Copied whole: member by member GCC 12 makes a loop of each. */
   DSW_HOT void begin(uint32_t i) noexcept {
-    new (results_ + i) CastResult;
+    static constexpr CastResult kFresh{};
+    new (results_ + i) CastResult(kFresh);
     results_[i].cell = requests_[i].start;
     active_[i] = static_cast<uint8_t>(i);
   }
@@ -79,7 +81,6 @@ class Walkers {
     for (uint32_t k = 0; k < count;) {
       const uint32_t end = std::min(k + kAbreast, count);
       if (First) {
-#pragma GCC unroll 1
         for (uint32_t i = k; i < end; ++i) begin(i);
       }
       if (!look_abreast<First>(k, end)) {
@@ -95,25 +96,40 @@ class Walkers {
     looks_[i] = finder(i).look(results_[i].cell, entry<First>(i));
   }
 
-  /** Looks at kAbreast casts at once, if there are so many and all are in flat boxes. */
+  /** Looks at kAbreast casts at once, if there are so many and all are in hexahedra that are flat, or all in others. */
   template <bool First>
   DSW_HOT bool look_abreast(uint32_t first, uint32_t end) noexcept {
 #if defined(DSW_ISA_AVX512)
     if (D != 3 || end - first != kAbreast) return false;
-    constexpr uint32_t kFlatBox = static_cast<uint32_t>(Form::kBox) << kFormShift | kConvexBit;
     constexpr uint32_t kFormMask = 7u << kFormShift | kConvexBit;
-    if ((map_.record(results_[active_[first]].cell)[0] & kFormMask) != kFlatBox) return false;
-    FlatBoxes boxes;
+    const uint32_t kind = map_.record(results_[active_[first]].cell)[0] & kFormMask;
+    if (kind >> kFormShift != static_cast<uint32_t>(Form::kBox)) return false;
+    Boxes boxes;
     uint32_t different = 0;
 #pragma GCC unroll 1
     for (uint32_t j = 0; j < kAbreast; ++j) {
       const uint32_t i = active_[first + j];
-      const uint32_t* const w = map_.record(results_[i].cell);
-      different |= w[0] ^ kFlatBox;
-      boxes.vertices[j] = w + kUnitWords;
+      boxes.records[j] = map_.record(results_[i].cell);
+      boxes.p[j] = requests_[i].from;
       boxes.q[j] = requests_[i].to;
+      different |= boxes.records[j][0] ^ kind;
     }
     if ((different & kFormMask) != 0) return false;
+    if ((kind & kConvexBit) != 0) {
+      look_flat<First>(first, boxes);
+    } else {
+      look_warped<First>(first, boxes);
+    }
+    return true;
+#else
+    static_cast<void>(first), static_cast<void>(end);
+    return false;
+#endif
+  }
+
+#if defined(DSW_ISA_AVX512)
+  template <bool First>
+  DSW_HOT void look_flat(uint32_t first, const Boxes& boxes) noexcept {
     FlatBoxSides sides;
     sides.look(env_.points, boxes);
 #pragma GCC unroll 1
@@ -127,12 +143,23 @@ class Walkers {
       tally_.tests(known == 0 ? 6 : 5);
       looks_[i] = Look::of_planes(sides.outside[j] & ~known);
     }
-    return true;
-#else
-    static_cast<void>(first), static_cast<void>(end);
-    return false;
-#endif
   }
+
+  template <bool First>
+  DSW_HOT void look_warped(uint32_t first, const Boxes& boxes) noexcept {
+    WarpedBoxExits exits;
+    exits.look(env_.points, boxes);
+#pragma GCC unroll 1
+    for (uint32_t j = 0; j < kAbreast; ++j) {
+      const uint32_t i = active_[first + j];
+      if (__builtin_expect((exits.sure >> j & 1u) == 0, 0)) {
+        look<First>(i);
+        continue;
+      }
+      looks_[i] = Look::of_box({exits.pierced[j], exits.second[j], exits.candidates[j], true}, tally_);
+    }
+  }
+#endif
 
   DSW_HOT bool leave_first(uint32_t i) noexcept {
     new (flights_ + i) Flight{{}, {}, {}, {}, visit_bit(results_[i].cell)};

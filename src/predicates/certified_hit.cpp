@@ -48,15 +48,25 @@ bool round_component(const Number& n, const Number& ai, const Number& aj, const 
 
 using Certify = bool (*)(const double*, const double*, const double* const*, bool, CertifiedHit*) noexcept;
 
-Certify choose() noexcept {
+using CertifySeveral = uint32_t (*)(const PlaneFlight<3>*, PlaneHit<3>*) noexcept;
+
+struct Choice {
+  Certify one = certified_hit_without_fma;
+  CertifySeveral several = [](const PlaneFlight<3>*, PlaneHit<3>*) noexcept -> uint32_t { return 0; };
+};
+
+Choice choose() noexcept {
+  Choice choice;
 #if defined(__x86_64__)
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return certified_hit_with_fma;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    choice = {certified_hit_with_fma, certified_hits_with_fma};
+  }
 #endif
-  return certified_hit_without_fma;
+  return choice;
 }
 
-const Certify kCertify = choose();
+const Choice kChoice = choose();
 
 }  // namespace
 
@@ -79,7 +89,11 @@ bool certified_hit_without_fma(const double* p, const double* q, const double* c
 
 bool certified_hit(const double* p, const double* q, const double* const* triangle, bool with_normal,
                    CertifiedHit* hit) noexcept {
-  return kCertify(p, q, triangle, with_normal, hit);
+  return kChoice.one(p, q, triangle, with_normal, hit);
+}
+
+uint32_t certified_hits(const PlaneFlight<3>* flights, PlaneHit<3>* hits) noexcept {
+  return kChoice.several(flights, hits);
 }
 
 }  // namespace dsw

@@ -2,6 +2,10 @@
 // answers only where the bound leaves one answer. Private to this folder.
 #pragma once
 
+#include <cstdint>
+
+#include "predicates/plane_hit.h"
+
 namespace dsw {
 
 // The exact value of a contact rounded as plane_hit.h says, but for the normal: its components rounded to nearest, not
@@ -21,5 +25,12 @@ bool certified_hit_with_fma(const double* p, const double* q, const double* cons
                             CertifiedHit* hit) noexcept;
 bool certified_hit_without_fma(const double* p, const double* q, const double* const* triangle, bool with_normal,
                                CertifiedHit* hit) noexcept;
+
+// Flights that certified_hits looks at together.
+constexpr uint32_t kHitsAbreast = 4;
+
+// Whole hits of so many flights. A bit for each that it can tell; the others are undefined.
+uint32_t certified_hits(const PlaneFlight<3>* flights, PlaneHit<3>* hits) noexcept;
+uint32_t certified_hits_with_fma(const PlaneFlight<3>* flights, PlaneHit<3>* hits) noexcept;
 
 }  // namespace dsw

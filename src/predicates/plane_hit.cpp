@@ -119,6 +119,21 @@ PlaneHit<D> plane_hit(const double* p, const double* q, const double* const* sim
 }
 
 template <int D>
+void plane_hits(const PlaneFlight<D>* flights, uint32_t count, PlaneHit<D>* hits) noexcept {
+  for (uint32_t i = 0; i < count; i += kHitsAbreast) {
+    const uint32_t now = std::min(kHitsAbreast, count - i);
+    PlaneFlight<D> together[kHitsAbreast];  // repeats the last
+    PlaneHit<D> certified[kHitsAbreast];
+    for (uint32_t j = 0; j < kHitsAbreast; ++j) together[j] = flights[i + std::min(j, now - 1)];
+    const uint32_t settled = certified_hits(together, certified);
+    for (uint32_t j = 0; j < now; ++j) {
+      const PlaneFlight<D>& f = together[j];
+      hits[i + j] = (settled >> j & 1u) != 0 ? certified[j] : plane_hit<D>(f.p, f.q, f.simplex);
+    }
+  }
+}
+
+template <int D>
 double crossing_time(const double* p, const double* q, const double* const* simplex) noexcept {
   if constexpr (D == 3) {
     CertifiedHit certified;
@@ -140,6 +155,7 @@ void unit_normal(const double* const* simplex, double* normal) noexcept {
 
 template PlaneHit<2> plane_hit<2>(const double*, const double*, const double* const*) noexcept;
 template PlaneHit<3> plane_hit<3>(const double*, const double*, const double* const*) noexcept;
+template void plane_hits<3>(const PlaneFlight<3>*, uint32_t, PlaneHit<3>*) noexcept;
 template double crossing_time<2>(const double*, const double*, const double* const*) noexcept;
 template double crossing_time<3>(const double*, const double*, const double* const*) noexcept;
 template void unit_normal<2>(const double* const*, double*) noexcept;

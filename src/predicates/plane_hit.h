@@ -1,6 +1,8 @@
 // Where the flight of a body point meets a plane it crosses: reported values, rounded in a fixed direction.
 #pragma once
 
+#include <cstdint>
+
 namespace dsw {
 
 template <int D>
@@ -13,6 +15,17 @@ struct PlaneHit {
 // sides of the plane or on it, n.(q-p) > 0. Exactly that double for any finite input. The shift does not enter.
 template <int D>
 PlaneHit<D> plane_hit(const double* p, const double* q, const double* const* simplex) noexcept;
+
+template <int D>
+struct PlaneFlight {
+  const double* p;
+  const double* q;
+  const double* simplex[D];
+};
+
+// The same for several flights side by side.
+template <int D>
+void plane_hits(const PlaneFlight<D>* flights, uint32_t count, PlaneHit<D>* hits) noexcept;
 
 // The same time, without the normal.
 template <int D>

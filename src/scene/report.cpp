@@ -49,23 +49,22 @@ void report_arrival(const Environment<D>& env, const CastRequest& request, const
   flight->reserved[0] = flight->reserved[1] = 0;
 }
 
-/** What is different for one that did not. */
+/** What is different for one that met something. */
 template <int D>
-void report_stop(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
-                 dsw_flight* flight) noexcept {
-  flight->outcome = outcome_of(result.end);
-  if (!detail) return;
-  flight->time = 0;
-  if (result.end == CastEnd::kHit) {
-    const double* simplex[D];
-    boundary_points(env, result.cell, result.simplex, simplex);
-    const PlaneHit<D> hit = plane_hit<D>(request.from, request.to, simplex);
-    flight->time = hit.time;
-    copy_point<D>(hit.normal, flight->normal);
-    report_obstacle(env, result.facet, result.cell, flight);
-  } else if (result.previous.valid()) {
-    flight->time = crossing_time(env, result.previous, result.simplex, request.from, request.to);
-  }
+void report_hit(const Environment<D>& env, const CastRequest& request, const CastResult& result, const PlaneHit<D>& hit,
+                dsw_flight* flight) noexcept {
+  flight->time = hit.time;
+  copy_point<D>(hit.normal, flight->normal);
+  report_obstacle(env, result.facet, result.cell, flight);
+  point_at<D>(request.from, request.to, flight->time, flight->position);
+}
+
+/** What is different for one that came to its work limit. */
+template <int D>
+void report_limit(const Environment<D>& env, const CastRequest& request, const CastResult& result,
+                  dsw_flight* flight) noexcept {
+  flight->time =
+      result.previous.valid() ? crossing_time(env, result.previous, result.simplex, request.from, request.to) : 0;
   point_at<D>(request.from, request.to, flight->time, flight->position);
 }
 
@@ -75,7 +74,12 @@ template <int D>
 void report_cast(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
                  dsw_flight* flight) noexcept {
   report_arrival(env, request, result, detail, flight);
-  if (result.end != CastEnd::kReached) report_stop(env, request, result, detail, flight);
+  flight->outcome = outcome_of(result.end);
+  if (!detail || result.end == CastEnd::kReached) return;
+  if (result.end == CastEnd::kWorkLimit) return report_limit(env, request, result, flight);
+  const double* simplex[D];
+  boundary_points(env, result.cell, result.simplex, simplex);
+  report_hit(env, request, result, plane_hit<D>(request.from, request.to, simplex), flight);
 }
 
 template <int D>
@@ -86,9 +90,27 @@ void report_wave(const Environment<D>& env, const Wave<D>& wave, bool detail, ds
     stops[stop_count] = i;
     stop_count += wave.result(i).end != CastEnd::kReached ? 1 : 0;
   }
+  PlaneFlight<D> paths[kWave];
+  uint32_t hits[kWave], hit_count = 0;
   for (uint32_t k = 0; k < stop_count; ++k) {
     const uint32_t i = stops[k];
-    report_stop(env, wave.request(i), wave.result(i), detail, flights[i]);
+    const CastRequest& request = wave.request(i);
+    const CastResult& result = wave.result(i);
+    flights[i]->outcome = outcome_of(result.end);
+    if (!detail) continue;
+    if (result.end == CastEnd::kWorkLimit) {
+      report_limit(env, request, result, flights[i]);
+      continue;
+    }
+    paths[hit_count] = {request.from, request.to, {}};
+    boundary_points(env, result.cell, result.simplex, paths[hit_count].simplex);
+    hits[hit_count++] = i;
+  }
+  PlaneHit<D> planes[kWave];
+  plane_hits(paths, hit_count, planes);
+  for (uint32_t k = 0; k < hit_count; ++k) {
+    const uint32_t i = hits[k];
+    report_hit(env, wave.request(i), wave.result(i), planes[k], flights[i]);
   }
 }
 

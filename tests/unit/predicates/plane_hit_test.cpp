@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <random>
+#include <vector>
 
 #include "cases.h"
 #include "oracle.h"
@@ -165,6 +168,36 @@ void check_certified(bool across_an_axis) {
 
 TEST(PlaneHit, OrdinaryContactsAreSettledWithoutIntegers) { check_certified(false); }
 TEST(PlaneHit, WallsAcrossAnAxisAreSettledWithoutIntegers) { check_certified(true); }
+
+/** Flights through random triangles at every scale, on lattices too, where times are doubles and components 0. */
+TEST(PlaneHit, FlightsSideBySideAreThoseOneByOne) {
+  std::mt19937_64 random(29);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const double scales[] = {1, 1, 1, 1e3, 1e-60, 1e60, 1e-150, 1e200};
+  std::vector<std::array<std::array<double, 3>, 5>> points;
+  while (points.size() < 3000) {
+    std::array<std::array<double, 3>, 5> x;
+    const double scale = scales[random() % 8];
+    const bool lattice = random() % 4 == 0;
+    for (auto& point : x) {
+      for (double& c : point) c = scale * (lattice ? std::round(3 * coordinate(random)) : coordinate(random));
+    }
+    const double* const triangle[] = {x[2].data(), x[3].data(), x[4].data()};
+    if (orient<3>(triangle, x[0].data()) < 0 && orient<3>(triangle, x[1].data()) > 0) points.push_back(x);
+  }
+  std::vector<PlaneFlight<3>> flights;
+  for (const auto& x : points) flights.push_back({x[0].data(), x[1].data(), {x[2].data(), x[3].data(), x[4].data()}});
+  uint32_t count = 0;
+  for (size_t first = 0; first + count <= flights.size(); first += count, count = (count + 1) % 11) {
+    std::vector<PlaneHit<3>> hits(count);
+    plane_hits(flights.data() + first, count, hits.data());
+    for (uint32_t i = 0; i < count; ++i) {
+      const PlaneFlight<3>& f = flights[first + i];
+      const PlaneHit<3> alone = plane_hit<3>(f.p, f.q, f.simplex);
+      ASSERT_EQ(std::memcmp(&hits[i], &alone, sizeof alone), 0);
+    }
+  }
+}
 
 TEST(PlaneHit, NormalPointsBackToTheFlightAndIsExactAcrossAnAxis) {
   const double a[] = {0, 0, 7}, b[] = {0.1, 0, 7}, c[] = {0, 0.3, 7};
