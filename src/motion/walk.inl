@@ -36,6 +36,8 @@ class Walkers {
       : env_(env), map_(env.map), requests_(requests), results_(results), tally_(tally) {}
 
   void run(uint32_t count) noexcept {
+    for (uint32_t i = 0; i < count; ++i) begin(i);
+    count = keep(count, [&](uint32_t i) { return !ends_in(i, results_[i].cell); });
     count = look_all<true>(count);
     count = keep(count, [&](uint32_t i) { return leave_first(i); });
     for (;;) {
@@ -73,15 +75,14 @@ class Walkers {
     active_[i] = static_cast<uint8_t>(i);
   }
 
+  /** Whether a cast is known to end in a cell that it is in: it can't leave a convex one that holds its target. */
+  DSW_HOT bool ends_in(uint32_t i, Cell cell) noexcept { return cell == requests_[i].end && map_.convex(cell); }
+
   /** Keeps the casts that may leave their cells. */
   template <bool First>
   DSW_HOT uint32_t look_all(uint32_t count) noexcept {
     for (uint32_t k = 0; k < count;) {
       const uint32_t end = std::min(k + kAbreast, count);
-      if (First) {
-#pragma GCC unroll 1
-        for (uint32_t i = k; i < end; ++i) begin(i);
-      }
       if (!look_abreast<First>(k, end)) {
         for (uint32_t j = k; j < end; ++j) look<First>(active_[j]);
       }
@@ -180,7 +181,7 @@ class Walkers {
     result.previous = result.cell;
     result.cell = next;
     ++result.cells_visited;
-    return true;
+    return !ends_in(i, next);
   }
 
   const Environment<D>& env_;

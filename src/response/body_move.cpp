@@ -186,6 +186,7 @@ void BodyMove::cast_paths(const Body& body, PointArray targets) {
     for (uint32_t i = 0; i < wave_.count(); ++i) {
       const CastResult& path = wave_.result(i);
       Moving& moving = moving_[wave_vertices_[i]];
+      if (path.end != CastEnd::kReached) continue;
       moving.arrival = path.cell;
       if (path.cells_visited == 2) moving.crossed = env_.map.half_facet(wave_.request(i).start, path.first_facet);
     }
@@ -238,18 +239,16 @@ void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
 void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v) {
   Moving& moving = moving_[v];
   if (moving.rank == kNone) return;
+  const uint32_t other = body.edges[e].other(v);
+  const Cell fixed = cell_at(body, other, moving.rank);
+  // Where the other one will be is not known if there is something on its way.
+  moving.doubtful = moving.doubtful || !fixed.valid();
   if (moving.doubtful) {
     if (!keeps_.empty()) keeps_[e] = false;
     return;
   }
-  const uint32_t other = body.edges[e].other(v);
-  const StarSweep::EdgeSweep sweep{e,
-                                   v,
-                                   targets[v],
-                                   moving.arrival,
-                                   place(body, targets, other, moving.rank),
-                                   cell_at(body, other, moving.rank),
-                                   moving.crossed};
+  const StarSweep::EdgeSweep sweep{
+      e, v, targets[v], moving.arrival, place(body, targets, other, moving.rank), fixed, moving.crossed};
   const StarSweep::Settled settled = sweeps_.settle(body, sweep);
   if (!keeps_.empty()) {
     const bool same = settled == StarSweep::Settled::kInside ||
@@ -274,6 +273,7 @@ void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
   const bool turned = body.keeps_sequences() && body.edges[sweep.e].ends[0] != sweep.v;
   CastRequest& request =
       turned ? wave_.add(env_, sweep.fixed, sweep.q, sweep.to) : wave_.add(env_, sweep.arrival, sweep.to, sweep.q);
+  request.end = turned ? sweep.arrival : sweep.fixed;
   request.max_cells = sweeps_.max_cells;
   if (body.keeps_sequences()) {
     if (writers_.size() == at) writers_.emplace_back(env_.memory);
@@ -383,7 +383,7 @@ bool BodyMove::are_skipped_free(const Body& body) {
     const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
     // [JCD10] 6.3: both eliminations.
     if (body.skipping.by_environment && StarSweep::stays_inside(env_, a.cell, a.cell, b.cell)) continue;
-    wave_.add(env_, a.cell, a.position, b.position);
+    wave_.add(env_, a.cell, a.position, b.position).end = b.cell;
     if (wave_.full()) run();
   }
   run();

@@ -33,7 +33,7 @@ class BodyMove {
  private:
   struct Moving {
     uint32_t rank = kNone;  // place in the order; kNone: stays
-    Cell arrival;           // contains the target
+    Cell arrival;           // contains the target; invalid if something is on the path
     HalfFacet crossed;      // the only facet on its path
     bool doubtful = false;  // something is, or may be, met on the way
   };

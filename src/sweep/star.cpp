@@ -108,7 +108,9 @@ bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, C
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
     if (settles(body, {e, v, to, cell, fixed.position, fixed.cell, {}})) return true;
     wave_edges_[wave_.count()] = e;
-    wave_.add(env_, cell, to, fixed.position).max_cells = max_cells;
+    CastRequest& request = wave_.add(env_, cell, to, fixed.position);
+    request.end = fixed.cell;
+    request.max_cells = max_cells;
     if (wave_.full()) run();
     return !(one_is_enough && !hit_edges_.empty());
   });
