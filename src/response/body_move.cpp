@@ -14,6 +14,8 @@
 namespace dsw {
 namespace {
 
+constexpr uint32_t kAhead = 16;  // edges for which memory is asked ahead
+
 bool is_same_point(const double* a, const double* b) { return std::equal(a, a + 3, b); }
 
 }  // namespace
@@ -24,6 +26,7 @@ BodyMove::BodyMove(const Environment<3>& env)
       writers_(Allocator<SequenceWriter>(env.memory)),
       order_(Allocator<uint32_t>(env.memory)),
       moving_(Allocator<Moving>(env.memory)),
+      crossed_(Allocator<HalfFacet>(env.memory)),
       skipped_(Allocator<uint32_t>(env.memory)),
       keeps_(Allocator<bool>(env.memory)),
       sides_(Allocator<uint32_t>(env.memory)),
@@ -134,6 +137,8 @@ void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
   if (body.keeps_sequences()) writers_.reserve(kWave);  // casts point at them
   order_.clear();
   moving_.assign(body.vertices.size(), Moving{});
+  if (body.keeps_sequences()) crossed_.assign(body.vertices.size(), HalfFacet{});
+  for (size_t v = 0; v < moving_.size(); ++v) moving_[v].from = moving_[v].arrival = body.vertices[v].cell;
   const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
   for (size_t i = 0; i < count; ++i) {
     const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
@@ -173,22 +178,28 @@ void BodyMove::measure_clearances(Body& body, PointArray targets) {
   }
 }
 
-void BodyMove::run_wave() {
+void BodyMove::run_wave(const Body& body) {
   wave_.run(env_, sweeps_.counters);
   for (uint32_t i = 0; i < wave_.count(); ++i) {
-    if (wave_.result(i).end != CastEnd::kReached) moving_[wave_vertices_[i]].doubtful = true;
+    if (wave_.result(i).end == CastEnd::kReached) continue;
+    if (wave_vertices_[i] != kNone) {
+      moving_[wave_vertices_[i]].doubtful = true;
+    } else {
+      for (const uint32_t v : body.edges[wave_edges_[i]].ends) moving_[v].doubtful = true;
+    }
   }
 }
 
 void BodyMove::cast_paths(const Body& body, PointArray targets) {
   const auto run = [&] {
-    run_wave();
+    run_wave(body);
     for (uint32_t i = 0; i < wave_.count(); ++i) {
       const CastResult& path = wave_.result(i);
       Moving& moving = moving_[wave_vertices_[i]];
-      if (path.end != CastEnd::kReached) continue;
-      moving.arrival = path.cell;
-      if (path.cells_visited == 2) moving.crossed = env_.map.half_facet(wave_.request(i).start, path.first_facet);
+      moving.arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
+      if (body.keeps_sequences() && path.cells_visited == 2) {
+        crossed_[wave_vertices_[i]] = env_.map.half_facet(wave_.request(i).start, path.first_facet);
+      }
     }
     wave_.clear();
   };
@@ -205,50 +216,74 @@ void BodyMove::cast_paths(const Body& body, PointArray targets) {
 const double* BodyMove::place(const Body& body, PointArray targets, uint32_t v, uint32_t rank) const {
   return moving_[v].rank < rank ? targets[v] : body.position(v);
 }
-Cell BodyMove::cell_at(const Body& body, uint32_t v, uint32_t rank) const {
-  return moving_[v].rank < rank ? moving_[v].arrival : body.vertices[v].cell;
+Cell BodyMove::cell_at(uint32_t v, uint32_t rank) const {
+  return moving_[v].rank < rank ? moving_[v].arrival : moving_[v].from;
 }
 
 void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
   keeps_.assign(body.level == SweepLevel::kFaces ? body.edges.size() : 0, true);
-  const double share = body.skipping.motion_share * body.skipping.motion_share;
   for (uint32_t e = 0; e < body.edges.size(); ++e) {
-    if (!body.has_edge(e)) continue;
-    const BodyEdge& edge = body.edges[e];
-    const uint32_t a = edge.ends[0], b = edge.ends[1];
-    const uint32_t moves = (moving_[a].rank != kNone ? 1 : 0) + (moving_[b].rank != kNone ? 1 : 0);
-    if (moves == 0) continue;
-    if (may_skip && !moving_[a].doubtful && !moving_[b].doubtful) {
-      const double limit = share * distance_squared(body.position(a), body.position(b));
-      const auto is_short = [&](uint32_t v) {
-        return moving_[v].rank == kNone || distance_squared(targets[v], body.position(v)) < limit;
-      };
-      if (is_short(a) && is_short(b)) {
-        sweeps_.counts.swept += moves;
-        sweeps_.counts.skipped += moves;
-        skipped_.push_back(e);
-        continue;
+    if (body.has_edge(e + kAhead)) {
+      for (const uint32_t v : body.edges[e + kAhead].ends) {
+        __builtin_prefetch(&moving_[v]);
+        __builtin_prefetch(&body.vertices[v]);
+        __builtin_prefetch(targets[v]);
       }
     }
-    sweep_edge(body, targets, e, a);
-    sweep_edge(body, targets, e, b);
+    if (!body.has_edge(e) || (may_skip && skip_by_motion(body, targets, e))) continue;
+    const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
+    sweep_edge(body, targets, e, a, b);
+    sweep_edge(body, targets, e, b, a);
   }
   run_edges(body);
 }
 
-void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v) {
+/** Leaves out the sweeps of an edge whose ends go less than a share of its length [JCD10] 6.2, and casts it where they arrive. */
+bool BodyMove::skip_by_motion(Body& body, PointArray targets, uint32_t e) {
+  const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
+  const Moving &at_a = moving_[a], &at_b = moving_[b];
+  const uint32_t moves = (at_a.rank != kNone ? 1 : 0) + (at_b.rank != kNone ? 1 : 0);
+  if (moves == 0 || at_a.doubtful || at_b.doubtful) return false;
+  // Both eliminations, [JCD10] 6.3: the other one leaves nothing to do.
+  const bool stays = body.skipping.by_environment && at_a.arrival == at_b.arrival;
+  if (stays && at_a.from == at_b.from && StarSweep::stays_inside(env_, at_a.from, at_a.arrival, at_b.from))
+    return false;
+  const double share = body.skipping.motion_share;
+  const double limit = share * share * distance_squared(body.position(a), body.position(b));
+  const auto is_short = [&](uint32_t v) {
+    return moving_[v].rank == kNone || distance_squared(targets[v], body.position(v)) < limit;
+  };
+  if (!is_short(a) || !is_short(b)) return false;
+  sweeps_.counts.swept += moves;
+  sweeps_.counts.skipped += moves;
+  skipped_.push_back(e);
+  if (stays && env_.map.convex(at_a.arrival)) return true;
+  wave_vertices_[wave_.count()] = kNone;
+  wave_edges_[wave_.count()] = e;
+  CastRequest& request = wave_.add(env_, at_a.arrival, at_a.rank != kNone ? targets[a] : body.position(a),
+                                   at_b.rank != kNone ? targets[b] : body.position(b));
+  request.end = at_b.arrival;
+  if (wave_.full()) run_edges(body);
+  return true;
+}
+
+void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other) {
   Moving& moving = moving_[v];
   if (moving.rank == kNone) return;
-  const uint32_t other = body.edges[e].other(v);
-  const Cell fixed = cell_at(body, other, moving.rank);
+  const Cell fixed = cell_at(other, moving.rank);
   // Where the other one will be is not known if there is something on its way.
   moving.doubtful = moving.doubtful || !fixed.valid();
   if (moving.doubtful) {
     if (!keeps_.empty()) keeps_[e] = false;
     return;
   }
-  const StarSweep::EdgeSweep sweep{
-      e, v, targets[v], moving.arrival, place(body, targets, other, moving.rank), fixed, moving.crossed};
+  const StarSweep::EdgeSweep sweep{e,
+                                   v,
+                                   targets[v],
+                                   moving.arrival,
+                                   place(body, targets, other, moving.rank),
+                                   fixed,
+                                   body.keeps_sequences() ? crossed_[v] : HalfFacet{}};
   const StarSweep::Settled settled = sweeps_.settle(body, sweep);
   if (!keeps_.empty()) {
     const bool same = settled == StarSweep::Settled::kInside ||
@@ -283,7 +318,7 @@ void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
 }
 
 void BodyMove::run_edges(Body& body) {
-  run_wave();
+  run_wave(body);
   if (body.keeps_sequences()) {
     for (uint32_t i = 0; i < wave_.count(); ++i) {
       if (wave_.result(i).end == CastEnd::kReached) writers_[i].finish(body.sequences[wave_edges_[i]]);
@@ -300,8 +335,8 @@ void BodyMove::sweep_faces(const Body& body, PointArray targets) {
       Moving& moving = moving_[v];
       if (moving.rank == kNone || moving.doubtful) continue;
       const uint32_t q = body.faces[f].after(v), r = body.faces[f].before(v);
-      const Cell from = body.vertices[v].cell, at_q = cell_at(body, q, moving.rank);
-      if (at_q == cell_at(body, r, moving.rank) && StarSweep::stays_inside(env_, from, moving.arrival, at_q)) continue;
+      const Cell from = body.vertices[v].cell, at_q = cell_at(q, moving.rank);
+      if (at_q == cell_at(r, moving.rank) && StarSweep::stays_inside(env_, from, moving.arrival, at_q)) continue;
       moving.doubtful = !sweeps_.is_tetrahedron_free(
           {body.position(v), targets[v], place(body, targets, q, moving.rank), place(body, targets, r, moving.rank)},
           from);
@@ -371,18 +406,19 @@ void BodyMove::disturb(const Body& body, uint32_t v) {
   });
 }
 
+/** Of edges whose ends arrived this is known already. */
 bool BodyMove::are_skipped_free(const Body& body) {
   bool free = true;
+  const auto has_moved_alone = [&](uint32_t v) { return v >= moving_.size() || moving_[v].doubtful; };
   const auto run = [&] {
     wave_.run(env_, sweeps_.counters);
     for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.result(i).end == CastEnd::kReached;
     wave_.clear();
   };
   for (const uint32_t e : skipped_) {
-    if (!body.has_edge(e)) continue;
+    if (!body.has_edge(e) || !(has_moved_alone(body.edges[e].ends[0]) || has_moved_alone(body.edges[e].ends[1])))
+      continue;
     const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
-    // [JCD10] 6.3: both eliminations.
-    if (body.skipping.by_environment && StarSweep::stays_inside(env_, a.cell, a.cell, b.cell)) continue;
     wave_.add(env_, a.cell, a.position, b.position).end = b.cell;
     if (wave_.full()) run();
   }
