@@ -36,8 +36,7 @@ class Walkers {
       : env_(env), map_(env.map), requests_(requests), results_(results), tally_(tally) {}
 
   void run(uint32_t count) noexcept {
-    for (uint32_t i = 0; i < count; ++i) begin(i);
-    count = keep(count, [&](uint32_t i) { return !ends_in(i, results_[i].cell); });
+    count = begin_all(count);
     count = look_all<true>(count);
     count = keep(count, [&](uint32_t i) { return leave_first(i); });
     for (;;) {
@@ -72,11 +71,24 @@ class Walkers {
   DSW_HOT void begin(uint32_t i) noexcept {
     new (results_ + i) CastResult;
     results_[i].cell = requests_[i].start;
-    active_[i] = static_cast<uint8_t>(i);
+  }
+
+  /** Keeps the casts that may leave where they start. */
+  DSW_HOT uint32_t begin_all(uint32_t count) noexcept {
+    uint32_t kept = 0;
+#pragma GCC unroll 1
+    for (uint32_t i = 0; i < count; ++i) {
+      begin(i);
+      active_[kept] = static_cast<uint8_t>(i);
+      kept += ends_in(i, requests_[i].start) ? 0 : 1;
+    }
+    return kept;
   }
 
   /** Whether a cast is known to end in a cell that it is in: it can't leave a convex one that holds its target. */
-  DSW_HOT bool ends_in(uint32_t i, Cell cell) noexcept { return cell == requests_[i].end && map_.convex(cell); }
+  DSW_HOT bool ends_in(uint32_t i, Cell cell) noexcept {
+    return static_cast<uint32_t>(cell == requests_[i].end) & static_cast<uint32_t>(map_.convex(cell));
+  }
 
   /** Keeps the casts that may leave their cells. */
   template <bool First>
