@@ -14,8 +14,6 @@
 namespace dsw {
 namespace {
 
-constexpr uint32_t kAhead = 16;  // edges for which memory is asked ahead
-
 bool is_same_point(const double* a, const double* b) { return std::equal(a, a + 3, b); }
 
 }  // namespace
@@ -31,7 +29,8 @@ BodyMove::BodyMove(const Environment<3>& env)
       keeps_(Allocator<bool>(env.memory)),
       sides_(Allocator<uint32_t>(env.memory)),
       before_(Allocator<BodyVertex>(env.memory)),
-      places_(Allocator<double>(env.memory)) {}
+      places_(Allocator<double>(env.memory)),
+      rooms_(Allocator<double>(env.memory)) {}
 
 void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record) {
   record.clear();
@@ -164,29 +163,20 @@ void BodyMove::sweep_all(Body& body, PointArray targets, bool may_skip) {
   if (body.level == SweepLevel::kFaces) sweep_faces(body, targets);
 }
 
-/** For vertices whose edges leave what is known to be free. */
+/** For vertices whose edges had to be cast; and how much room all have now. */
 void BodyMove::measure_clearances(Body& body, PointArray targets) {
+  double longest = 0;
   for (const uint32_t v : order_) {
-    if (moving_[v].rank == kNone) continue;
-    double longest = 0;
-    for_each_edge(body, v, [&](uint32_t e) {
-      longest = std::max(longest, length(difference(body.position(body.edges[e].other(v)), body.position(v))));
-      return true;
-    });
-    const double way = length(difference(targets[v], body.position(v)));
-    refresh_clearance(env_, body, v, longest + way);
+    if (moving_[v].rank != kNone) longest = std::max(longest, distance_squared(targets[v], body.position(v)));
   }
-}
-
-void BodyMove::run_wave(const Body& body) {
-  wave_.run(env_, sweeps_.counters);
-  for (uint32_t i = 0; i < wave_.count(); ++i) {
-    if (wave_.result(i).end == CastEnd::kReached) continue;
-    if (wave_vertices_[i] != kNone) {
-      moving_[wave_vertices_[i]].doubtful = true;
-    } else {
-      for (const uint32_t v : body.edges[wave_edges_[i]].ends) moving_[v].doubtful = true;
-    }
+  const double way = std::sqrt(longest);
+  rooms_.assign(body.vertices.size(), 0);
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (!body.has_vertex(v)) continue;
+    Clearance& ball = body.clearances[v];
+    if (ball.wanted > 0) refresh_clearance(env_, body, v, std::sqrt(ball.wanted) + way);
+    ball.wanted = 0;
+    rooms_[v] = room_squared(env_, ball, body.position(v), way);
   }
 }
 
@@ -210,121 +200,6 @@ void BodyMove::cast_paths(const Body& body, PointArray targets) {
     if (wave_.full()) run();
   }
   run();
-}
-
-/** Where vertex v is when it is the turn of that with `rank`, if nobody meets anything. */
-const double* BodyMove::place(const Body& body, PointArray targets, uint32_t v, uint32_t rank) const {
-  return moving_[v].rank < rank ? targets[v] : body.position(v);
-}
-Cell BodyMove::cell_at(uint32_t v, uint32_t rank) const {
-  return moving_[v].rank < rank ? moving_[v].arrival : moving_[v].from;
-}
-
-void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
-  keeps_.assign(body.level == SweepLevel::kFaces ? body.edges.size() : 0, true);
-  for (uint32_t e = 0; e < body.edges.size(); ++e) {
-    if (body.has_edge(e + kAhead)) {
-      for (const uint32_t v : body.edges[e + kAhead].ends) {
-        __builtin_prefetch(&moving_[v]);
-        __builtin_prefetch(&body.vertices[v]);
-        __builtin_prefetch(targets[v]);
-      }
-    }
-    if (!body.has_edge(e) || (may_skip && skip_by_motion(body, targets, e))) continue;
-    const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
-    sweep_edge(body, targets, e, a, b);
-    sweep_edge(body, targets, e, b, a);
-  }
-  run_edges(body);
-}
-
-/** Leaves out the sweeps of an edge whose ends go less than a share of its length [JCD10] 6.2, and casts it where they arrive. */
-bool BodyMove::skip_by_motion(Body& body, PointArray targets, uint32_t e) {
-  const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
-  const Moving &at_a = moving_[a], &at_b = moving_[b];
-  const uint32_t moves = (at_a.rank != kNone ? 1 : 0) + (at_b.rank != kNone ? 1 : 0);
-  if (moves == 0 || at_a.doubtful || at_b.doubtful) return false;
-  // Both eliminations, [JCD10] 6.3: the other one leaves nothing to do.
-  const bool stays = body.skipping.by_environment && at_a.arrival == at_b.arrival;
-  if (stays && at_a.from == at_b.from && StarSweep::stays_inside(env_, at_a.from, at_a.arrival, at_b.from))
-    return false;
-  const double share = body.skipping.motion_share;
-  const double limit = share * share * distance_squared(body.position(a), body.position(b));
-  const auto is_short = [&](uint32_t v) {
-    return moving_[v].rank == kNone || distance_squared(targets[v], body.position(v)) < limit;
-  };
-  if (!is_short(a) || !is_short(b)) return false;
-  sweeps_.counts.swept += moves;
-  sweeps_.counts.skipped += moves;
-  skipped_.push_back(e);
-  if (stays && env_.map.convex(at_a.arrival)) return true;
-  wave_vertices_[wave_.count()] = kNone;
-  wave_edges_[wave_.count()] = e;
-  CastRequest& request = wave_.add(env_, at_a.arrival, at_a.rank != kNone ? targets[a] : body.position(a),
-                                   at_b.rank != kNone ? targets[b] : body.position(b));
-  request.end = at_b.arrival;
-  if (wave_.full()) run_edges(body);
-  return true;
-}
-
-void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other) {
-  Moving& moving = moving_[v];
-  if (moving.rank == kNone) return;
-  const Cell fixed = cell_at(other, moving.rank);
-  // Where the other one will be is not known if there is something on its way.
-  moving.doubtful = moving.doubtful || !fixed.valid();
-  if (moving.doubtful) {
-    if (!keeps_.empty()) keeps_[e] = false;
-    return;
-  }
-  const StarSweep::EdgeSweep sweep{e,
-                                   v,
-                                   targets[v],
-                                   moving.arrival,
-                                   place(body, targets, other, moving.rank),
-                                   fixed,
-                                   body.keeps_sequences() ? crossed_[v] : HalfFacet{}};
-  const StarSweep::Settled settled = sweeps_.settle(body, sweep);
-  if (!keeps_.empty()) {
-    const bool same = settled == StarSweep::Settled::kInside ||
-                      (settled == StarSweep::Settled::kStrip && body.vertices[v].cell == moving.arrival);
-    keeps_[e] = keeps_[e] && same;
-  }
-  if (settled != StarSweep::Settled::kNo) return;
-  if (body.level != SweepLevel::kEdges) {
-    const BodyVertex& from = body.vertices[v];
-    moving.doubtful = !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
-    if (moving.doubtful) return;
-  }
-  cast_edge(body, sweep);
-}
-
-/** To see whether an edge is free in its new place, and which cells it crosses there. */
-void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
-  const uint32_t at = wave_.count();
-  wave_vertices_[at] = sweep.v;
-  wave_edges_[at] = sweep.e;
-  // A sequence is noted in the direction of the edge.
-  const bool turned = body.keeps_sequences() && body.edges[sweep.e].ends[0] != sweep.v;
-  CastRequest& request =
-      turned ? wave_.add(env_, sweep.fixed, sweep.q, sweep.to) : wave_.add(env_, sweep.arrival, sweep.to, sweep.q);
-  request.end = turned ? sweep.arrival : sweep.fixed;
-  request.max_cells = sweeps_.max_cells;
-  if (body.keeps_sequences()) {
-    if (writers_.size() == at) writers_.emplace_back(env_.memory);
-    writers_[at].attach(env_, request);
-  }
-  if (wave_.full()) run_edges(body);
-}
-
-void BodyMove::run_edges(Body& body) {
-  run_wave(body);
-  if (body.keeps_sequences()) {
-    for (uint32_t i = 0; i < wave_.count(); ++i) {
-      if (wave_.result(i).end == CastEnd::kReached) writers_[i].finish(body.sequences[wave_edges_[i]]);
-    }
-  }
-  wave_.clear();
 }
 
 void BodyMove::sweep_faces(const Body& body, PointArray targets) {

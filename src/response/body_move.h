@@ -31,6 +31,8 @@ class BodyMove {
   void set_counters(CastCounters* counters) { sweeps_.counters = counters; }
 
  private:
+  static constexpr uint32_t kChunk = 64;
+
   /** What sweeps of edges ask of their ends: small, since edges ask in no order. */
   struct Moving {
     uint32_t rank = kNone;  // place in the order; kNone: stays
@@ -46,8 +48,14 @@ class BodyMove {
   void cast_paths(const Body& body, PointArray targets);
   void sweep_all(Body& body, PointArray targets, bool may_skip);
   void sweep_edges(Body& body, PointArray targets, bool may_skip);
+  uint32_t gather_edges(const Body& body, PointArray targets, uint32_t& next);
+  template <class Drops>
+  uint32_t drop(const Body& body, uint32_t count, Drops drops);
+  uint32_t drop_inside(const Body& body, uint32_t count);
+  uint32_t drop_clear(Body& body, uint32_t count);
+  uint32_t drop_short(Body& body, PointArray targets, uint32_t count);
+  void cast_skipped(Body& body, PointArray targets, uint32_t e);
   void sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other);
-  bool skip_by_motion(Body& body, PointArray targets, uint32_t e);
   void cast_edge(Body& body, const StarSweep::EdgeSweep& sweep);
   void run_edges(Body& body);
   void sweep_faces(const Body& body, PointArray targets);
@@ -68,6 +76,7 @@ class BodyMove {
   uint32_t wave_vertices_[kWave] = {};  // kNone: of both ends of the edge
   uint32_t wave_edges_[kWave] = {};
   Array<SequenceWriter> writers_;  // of the wave, if sequences are kept
+  uint32_t chunk_[kChunk] = {};    // edges that are looked at
   Array<uint32_t> order_;
   Array<Moving> moving_;      // by vertex
   Array<HalfFacet> crossed_;  // by vertex, if sequences are kept: the only facet on its path
@@ -76,6 +85,7 @@ class BodyMove {
   Array<uint32_t> sides_;     // by face, at FACES: its edges, that opposite of corner k in place k
   Array<BodyVertex> before_;  // to go back to
   Array<double> places_;      // of all vertices, when they move together
+  Array<double> rooms_;       // by vertex, if balls are kept: see room_squared
 };
 
 }  // namespace dsw

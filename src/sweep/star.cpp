@@ -23,12 +23,12 @@ uint64_t feature(const StarContact& c) noexcept {
 
 StarSweep::StarSweep(const Environment<3>& env) : env_(env), flood_(env), hit_edges_(Allocator<uint32_t>(env.memory)) {}
 
-StarSweep::Settled StarSweep::settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep) {
+StarSweep::Settled StarSweep::settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls) {
   // What is known must not carry an edge past the work limit that it meets without.
   if (max_cells != 0) return Settled::kNo;
   const Skipping& skipping = body.skipping;
   Settled settled = Settled::kNo;
-  if (skipping.by_clearance && is_clear(body, sweep)) {
+  if (ask_balls && is_clear(body, sweep)) {
     settled = Settled::kClear;
   } else if (body.keeps_sequences() && follows_sequence(body, sweep)) {
     settled = Settled::kStrip;
