@@ -50,6 +50,7 @@ struct Clearance {
   double radius = 0;                // 0: none is known
   uint64_t version = 0;             // of the environment when it was measured
   uint32_t wait = 0, patience = 1;  // moves until it is measured again where it was too small
+  double wanted = 0;                // square of the longest edge that the last move had to cast for want of room
 };
 
 using EdgeSequence = Array<uint32_t>;
@@ -62,7 +63,8 @@ struct Body {
   Array<uint32_t> inserted;  // vertices that a response has inserted
   // By edge, if they are kept: the facets passed from ends[0] to ends[1], see motion/sequence.h. A forecast: changes no result.
   mutable Array<EdgeSequence> sequences;
-  Array<Clearance> clearances;  // by vertex, if they are kept
+  Array<Clearance> clearances;   // by vertex, if they are kept
+  int64_t clearance_credit = 0;  // what measuring them may cost, see sweep/clearance.h
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
 

@@ -1,13 +1,13 @@
-// Pyramids that are convex with a flat base: five planes from the vertices relative to the target, one filter bound.
+// Pyramids that are convex with a flat base: five planes from the vertices relative to the target, three cross products serving
+// all of them, one filter bound for the cell.
 
 struct RelativePyramid {
   double x[5], y[5], z[5];
 
-  /** Minus the determinant of three vertices: positive where the target is outside of their plane. */
-  double outside(uint32_t a, uint32_t b, uint32_t c) const noexcept {
-    const double cx = y[a] * z[b] - z[a] * y[b], cy = z[a] * x[b] - x[a] * z[b], cz = x[a] * y[b] - y[a] * x[b];
-    return -((cx * x[c] + cy * y[c]) + cz * z[c]);
+  Vector cross(uint32_t a, uint32_t b) const noexcept {
+    return {y[a] * z[b] - z[a] * y[b], z[a] * x[b] - x[a] * z[b], x[a] * y[b] - y[a] * x[b]};
   }
+  double dot(const Vector& c, uint32_t i) const noexcept { return (c.x * x[i] + c.y * y[i]) + c.z * z[i]; }
 };
 
 /** Asks exactly about the facets that the filter left open. */
@@ -43,13 +43,18 @@ inline uint32_t outside_flat_pyramid(const Environment<3>& env, const uint32_t* 
   }
   const bool in_range = std::min(std::min(mx, my), mz) >= kFilterMin && std::max(std::max(mx, my), mz) <= kFilterMax;
   const double bound = kPlaneFilter3 * mx * my * mz;
-  const double det[5] = {v.outside(0, 3, 2), v.outside(0, 1, 4), v.outside(1, 2, 4), v.outside(2, 3, 4),
-                         v.outside(3, 0, 4)};
   uint32_t outside = 0, inside = 0;
-  for (uint32_t f = 0; f < 5; ++f) {
-    outside |= (det[f] > bound ? 1u : 0u) << f;
-    inside |= (det[f] < -bound ? 1u : 0u) << f;
-  }
+  // No array of determinants: what compilers make of it waits for its own stores.
+  const auto test = [&](uint32_t f, double det) {
+    outside |= (det > bound ? 1u : 0u) << f;
+    inside |= (det < -bound ? 1u : 0u) << f;
+  };
+  const Vector base = v.cross(2, 3), first = v.cross(0, 4), second = v.cross(4, 2);
+  test(0, v.dot(base, 0));
+  test(1, v.dot(first, 1));
+  test(2, v.dot(second, 1));
+  test(3, -v.dot(second, 3));
+  test(4, -v.dot(first, 3));
   outside &= ~known;
   const uint32_t sure = (in_range ? outside | inside : 0) | known;
   return __builtin_expect(sure == 0x1fu, 1) ? outside : settle_pyramid(env, w, q, sure, outside, tally);

@@ -16,6 +16,13 @@ auto order_of(const Map<3>& map, const SweepContact& c) {
                          h.valid() ? map.local_of(h, owner) : c.dart, map.index(c.front), c.simplex, c.dart);
 }
 
+/** Whether the moving end passes the plane of one flat facet in both: what a path and an edge say of it may name two of its
+ * triangles, and that their times are equal would be found last of all. */
+bool same_plane(const Map<3>& map, const SweepContact& a, const SweepContact& b) noexcept {
+  return a.event.kind == EventKind::kVertex && b.event.kind == EventKind::kVertex && a.facet.valid() &&
+         a.facet == b.facet && map.convex(a.front);
+}
+
 }  // namespace
 
 SweepContact path_contact(const Environment<3>& env, const CastResult& path) noexcept {
@@ -37,7 +44,7 @@ bool same_event(const SweepContact& a, const SweepContact& b) noexcept {
 
 bool comes_before(const Map<3>& map, const double* p, const double* to, const SweepContact& a,
                   const SweepContact& b) noexcept {
-  const int sign = same_event(a, b) ? 0 : compare_events(p, to, a.event, b.event).sign;
+  const int sign = same_event(a, b) || same_plane(map, a, b) ? 0 : compare_events(p, to, a.event, b.event).sign;
   if (sign != 0) return sign < 0;
   if (kind_of(a) != kind_of(b)) return kind_of(a) < kind_of(b);
   return order_of(map, a) < order_of(map, b);

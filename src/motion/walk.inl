@@ -36,6 +36,7 @@ class Walkers {
       : env_(env), map_(env.map), requests_(requests), results_(results), tally_(tally) {}
 
   void run(uint32_t count) noexcept {
+    count = begin_all(count);
     count = look_all<true>(count);
     count = keep(count, [&](uint32_t i) { return leave_first(i); });
     for (;;) {
@@ -72,7 +73,23 @@ class Walkers {
     static constexpr CastResult kFresh{};
     new (results_ + i) CastResult(kFresh);
     results_[i].cell = requests_[i].start;
-    active_[i] = static_cast<uint8_t>(i);
+  }
+
+  /** Keeps the casts that may leave where they start. */
+  DSW_HOT uint32_t begin_all(uint32_t count) noexcept {
+    uint32_t kept = 0;
+#pragma GCC unroll 1
+    for (uint32_t i = 0; i < count; ++i) {
+      begin(i);
+      active_[kept] = static_cast<uint8_t>(i);
+      kept += ends_in(i, requests_[i].start) ? 0 : 1;
+    }
+    return kept;
+  }
+
+  /** Whether a cast is known to end in a cell that it is in: it can't leave a convex one that holds its target. */
+  DSW_HOT bool ends_in(uint32_t i, Cell cell) noexcept {
+    return static_cast<uint32_t>(cell == requests_[i].end) & static_cast<uint32_t>(map_.convex(cell));
   }
 
   /** Keeps the casts that may leave their cells. */
@@ -80,9 +97,6 @@ class Walkers {
   DSW_HOT uint32_t look_all(uint32_t count) noexcept {
     for (uint32_t k = 0; k < count;) {
       const uint32_t end = std::min(k + kAbreast, count);
-      if (First) {
-        for (uint32_t i = k; i < end; ++i) begin(i);
-      }
       if (!look_abreast<First>(k, end)) {
         for (uint32_t j = k; j < end; ++j) look<First>(active_[j]);
       }
@@ -208,7 +222,7 @@ class Walkers {
     result.previous = result.cell;
     result.cell = next;
     ++result.cells_visited;
-    return true;
+    return !ends_in(i, next);
   }
 
   const Environment<D>& env_;

@@ -24,11 +24,13 @@ BodyMove::BodyMove(const Environment<3>& env)
       writers_(Allocator<SequenceWriter>(env.memory)),
       order_(Allocator<uint32_t>(env.memory)),
       moving_(Allocator<Moving>(env.memory)),
+      crossed_(Allocator<HalfFacet>(env.memory)),
       skipped_(Allocator<uint32_t>(env.memory)),
       keeps_(Allocator<bool>(env.memory)),
       sides_(Allocator<uint32_t>(env.memory)),
       before_(Allocator<BodyVertex>(env.memory)),
-      places_(Allocator<double>(env.memory)) {}
+      places_(Allocator<double>(env.memory)),
+      rooms_(Allocator<double>(env.memory)) {}
 
 void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record) {
   record.clear();
@@ -134,6 +136,8 @@ void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
   if (body.keeps_sequences()) writers_.reserve(kWave);  // casts point at them
   order_.clear();
   moving_.assign(body.vertices.size(), Moving{});
+  if (body.keeps_sequences()) crossed_.assign(body.vertices.size(), HalfFacet{});
+  for (size_t v = 0; v < moving_.size(); ++v) moving_[v].from = moving_[v].arrival = body.vertices[v].cell;
   const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
   for (size_t i = 0; i < count; ++i) {
     const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
@@ -159,35 +163,33 @@ void BodyMove::sweep_all(Body& body, PointArray targets, bool may_skip) {
   if (body.level == SweepLevel::kFaces) sweep_faces(body, targets);
 }
 
-/** For vertices whose edges leave what is known to be free. */
+/** For vertices whose edges had to be cast; and how much room all have now. */
 void BodyMove::measure_clearances(Body& body, PointArray targets) {
+  double longest = 0;
   for (const uint32_t v : order_) {
-    if (moving_[v].rank == kNone) continue;
-    double longest = 0;
-    for_each_edge(body, v, [&](uint32_t e) {
-      longest = std::max(longest, length(difference(body.position(body.edges[e].other(v)), body.position(v))));
-      return true;
-    });
-    const double way = length(difference(targets[v], body.position(v)));
-    refresh_clearance(env_, body, v, longest + way);
+    if (moving_[v].rank != kNone) longest = std::max(longest, distance_squared(targets[v], body.position(v)));
   }
-}
-
-void BodyMove::run_wave() {
-  wave_.run(env_, sweeps_.counters);
-  for (uint32_t i = 0; i < wave_.count(); ++i) {
-    if (wave_.result(i).end != CastEnd::kReached) moving_[wave_vertices_[i]].doubtful = true;
+  const double way = std::sqrt(longest);
+  rooms_.assign(body.vertices.size(), 0);
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (!body.has_vertex(v)) continue;
+    Clearance& ball = body.clearances[v];
+    if (ball.wanted > 0) refresh_clearance(env_, body, v, std::sqrt(ball.wanted) + way);
+    ball.wanted = 0;
+    rooms_[v] = room_squared(env_, ball, body.position(v), way);
   }
 }
 
 void BodyMove::cast_paths(const Body& body, PointArray targets) {
   const auto run = [&] {
-    run_wave();
+    run_wave(body);
     for (uint32_t i = 0; i < wave_.count(); ++i) {
       const CastResult& path = wave_.result(i);
       Moving& moving = moving_[wave_vertices_[i]];
-      moving.arrival = path.cell;
-      if (path.cells_visited == 2) moving.crossed = env_.map.half_facet(wave_.request(i).start, path.first_facet);
+      moving.arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
+      if (body.keeps_sequences() && path.cells_visited == 2) {
+        crossed_[wave_vertices_[i]] = env_.map.half_facet(wave_.request(i).start, path.first_facet);
+      }
     }
     wave_.clear();
   };
@@ -200,98 +202,6 @@ void BodyMove::cast_paths(const Body& body, PointArray targets) {
   run();
 }
 
-/** Where vertex v is when it is the turn of that with `rank`, if nobody meets anything. */
-const double* BodyMove::place(const Body& body, PointArray targets, uint32_t v, uint32_t rank) const {
-  return moving_[v].rank < rank ? targets[v] : body.position(v);
-}
-Cell BodyMove::cell_at(const Body& body, uint32_t v, uint32_t rank) const {
-  return moving_[v].rank < rank ? moving_[v].arrival : body.vertices[v].cell;
-}
-
-void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
-  keeps_.assign(body.level == SweepLevel::kFaces ? body.edges.size() : 0, true);
-  const double share = body.skipping.motion_share * body.skipping.motion_share;
-  for (uint32_t e = 0; e < body.edges.size(); ++e) {
-    if (!body.has_edge(e)) continue;
-    const BodyEdge& edge = body.edges[e];
-    const uint32_t a = edge.ends[0], b = edge.ends[1];
-    const uint32_t moves = (moving_[a].rank != kNone ? 1 : 0) + (moving_[b].rank != kNone ? 1 : 0);
-    if (moves == 0) continue;
-    if (may_skip && !moving_[a].doubtful && !moving_[b].doubtful) {
-      const double limit = share * distance_squared(body.position(a), body.position(b));
-      const auto is_short = [&](uint32_t v) {
-        return moving_[v].rank == kNone || distance_squared(targets[v], body.position(v)) < limit;
-      };
-      if (is_short(a) && is_short(b)) {
-        sweeps_.counts.swept += moves;
-        sweeps_.counts.skipped += moves;
-        skipped_.push_back(e);
-        continue;
-      }
-    }
-    sweep_edge(body, targets, e, a);
-    sweep_edge(body, targets, e, b);
-  }
-  run_edges(body);
-}
-
-void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v) {
-  Moving& moving = moving_[v];
-  if (moving.rank == kNone) return;
-  if (moving.doubtful) {
-    if (!keeps_.empty()) keeps_[e] = false;
-    return;
-  }
-  const uint32_t other = body.edges[e].other(v);
-  const StarSweep::EdgeSweep sweep{e,
-                                   v,
-                                   targets[v],
-                                   moving.arrival,
-                                   place(body, targets, other, moving.rank),
-                                   cell_at(body, other, moving.rank),
-                                   moving.crossed};
-  const StarSweep::Settled settled = sweeps_.settle(body, sweep);
-  if (!keeps_.empty()) {
-    const bool same = settled == StarSweep::Settled::kInside ||
-                      (settled == StarSweep::Settled::kStrip && body.vertices[v].cell == moving.arrival);
-    keeps_[e] = keeps_[e] && same;
-  }
-  if (settled != StarSweep::Settled::kNo) return;
-  if (body.level != SweepLevel::kEdges) {
-    const BodyVertex& from = body.vertices[v];
-    moving.doubtful = !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
-    if (moving.doubtful) return;
-  }
-  cast_edge(body, sweep);
-}
-
-/** To see whether an edge is free in its new place, and which cells it crosses there. */
-void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
-  const uint32_t at = wave_.count();
-  wave_vertices_[at] = sweep.v;
-  wave_edges_[at] = sweep.e;
-  // A sequence is noted in the direction of the edge.
-  const bool turned = body.keeps_sequences() && body.edges[sweep.e].ends[0] != sweep.v;
-  CastRequest& request =
-      turned ? wave_.add(env_, sweep.fixed, sweep.q, sweep.to) : wave_.add(env_, sweep.arrival, sweep.to, sweep.q);
-  request.max_cells = sweeps_.max_cells;
-  if (body.keeps_sequences()) {
-    if (writers_.size() == at) writers_.emplace_back(env_.memory);
-    writers_[at].attach(env_, request);
-  }
-  if (wave_.full()) run_edges(body);
-}
-
-void BodyMove::run_edges(Body& body) {
-  run_wave();
-  if (body.keeps_sequences()) {
-    for (uint32_t i = 0; i < wave_.count(); ++i) {
-      if (wave_.result(i).end == CastEnd::kReached) writers_[i].finish(body.sequences[wave_edges_[i]]);
-    }
-  }
-  wave_.clear();
-}
-
 void BodyMove::sweep_faces(const Body& body, PointArray targets) {
   find_sides(body);
   for (uint32_t f = 0; f < body.faces.size(); ++f) {
@@ -300,8 +210,8 @@ void BodyMove::sweep_faces(const Body& body, PointArray targets) {
       Moving& moving = moving_[v];
       if (moving.rank == kNone || moving.doubtful) continue;
       const uint32_t q = body.faces[f].after(v), r = body.faces[f].before(v);
-      const Cell from = body.vertices[v].cell, at_q = cell_at(body, q, moving.rank);
-      if (at_q == cell_at(body, r, moving.rank) && StarSweep::stays_inside(env_, from, moving.arrival, at_q)) continue;
+      const Cell from = body.vertices[v].cell, at_q = cell_at(q, moving.rank);
+      if (at_q == cell_at(r, moving.rank) && StarSweep::stays_inside(env_, from, moving.arrival, at_q)) continue;
       moving.doubtful = !sweeps_.is_tetrahedron_free(
           {body.position(v), targets[v], place(body, targets, q, moving.rank), place(body, targets, r, moving.rank)},
           from);
@@ -371,19 +281,20 @@ void BodyMove::disturb(const Body& body, uint32_t v) {
   });
 }
 
+/** Of edges whose ends arrived this is known already. */
 bool BodyMove::are_skipped_free(const Body& body) {
   bool free = true;
+  const auto has_moved_alone = [&](uint32_t v) { return v >= moving_.size() || moving_[v].doubtful; };
   const auto run = [&] {
     wave_.run(env_, sweeps_.counters);
     for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.result(i).end == CastEnd::kReached;
     wave_.clear();
   };
   for (const uint32_t e : skipped_) {
-    if (!body.has_edge(e)) continue;
+    if (!body.has_edge(e) || !(has_moved_alone(body.edges[e].ends[0]) || has_moved_alone(body.edges[e].ends[1])))
+      continue;
     const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
-    // [JCD10] 6.3: both eliminations.
-    if (body.skipping.by_environment && StarSweep::stays_inside(env_, a.cell, a.cell, b.cell)) continue;
-    wave_.add(env_, a.cell, a.position, b.position);
+    wave_.add(env_, a.cell, a.position, b.position).end = b.cell;
     if (wave_.full()) run();
   }
   run();

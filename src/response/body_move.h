@@ -31,12 +31,15 @@ class BodyMove {
   void set_counters(CastCounters* counters) { sweeps_.counters = counters; }
 
  private:
+  static constexpr uint32_t kChunk = 64;
+
+  /** What sweeps of edges ask of their ends: small, since edges ask in no order. */
   struct Moving {
     uint32_t rank = kNone;  // place in the order; kNone: stays
-    Cell arrival;           // contains the target
-    HalfFacet crossed;      // the only facet on its path
+    Cell from, arrival;     // contains the target, or the vertex that stays; invalid if something is on the path
     bool doubtful = false;  // something is, or may be, met on the way
   };
+  static_assert(sizeof(Moving) == 16);
 
   bool try_together(Body& body, PlaceFn where, const void* user, double fraction, MoveOrder order, MoveRecord& record);
   void start(const Body& body, MoveOrder order, PointArray targets);
@@ -45,34 +48,44 @@ class BodyMove {
   void cast_paths(const Body& body, PointArray targets);
   void sweep_all(Body& body, PointArray targets, bool may_skip);
   void sweep_edges(Body& body, PointArray targets, bool may_skip);
-  void sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v);
+  uint32_t gather_edges(const Body& body, PointArray targets, uint32_t& next);
+  template <class Drops>
+  uint32_t drop(const Body& body, uint32_t count, Drops drops);
+  uint32_t drop_inside(const Body& body, uint32_t count);
+  uint32_t drop_clear(Body& body, uint32_t count);
+  uint32_t drop_short(Body& body, PointArray targets, uint32_t count);
+  void cast_skipped(Body& body, PointArray targets, uint32_t e);
+  void sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other);
   void cast_edge(Body& body, const StarSweep::EdgeSweep& sweep);
   void run_edges(Body& body);
   void sweep_faces(const Body& body, PointArray targets);
   void find_sides(const Body& body);
   bool shares_strip(const Body& body, uint32_t f) const;
-  void run_wave();
+  void run_wave(const Body& body);
   void arrive(Body& body, PointArray targets, uint32_t v) const;
   void finish(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record);
   void disturb(const Body& body, uint32_t v);
   bool are_skipped_free(const Body& body);
   void remove_noise(Body& body, double share, MoveRecord& record);
   const double* place(const Body& body, PointArray targets, uint32_t v, uint32_t rank) const;
-  Cell cell_at(const Body& body, uint32_t v, uint32_t rank) const;
+  Cell cell_at(uint32_t v, uint32_t rank) const;
 
   const Environment<3>& env_;
   StarSweep sweeps_;
   Wave<3> wave_;
-  uint32_t wave_vertices_[kWave] = {};
+  uint32_t wave_vertices_[kWave] = {};  // kNone: of both ends of the edge
   uint32_t wave_edges_[kWave] = {};
   Array<SequenceWriter> writers_;  // of the wave, if sequences are kept
+  uint32_t chunk_[kChunk] = {};    // edges that are looked at
   Array<uint32_t> order_;
   Array<Moving> moving_;      // by vertex
+  Array<HalfFacet> crossed_;  // by vertex, if sequences are kept: the only facet on its path
   Array<uint32_t> skipped_;   // edges left out by their motion
   Array<bool> keeps_;         // by edge, at FACES: it keeps to one sequence all through the move
   Array<uint32_t> sides_;     // by face, at FACES: its edges, that opposite of corner k in place k
   Array<BodyVertex> before_;  // to go back to
   Array<double> places_;      // of all vertices, when they move together
+  Array<double> rooms_;       // by vertex, if balls are kept: see room_squared
 };
 
 }  // namespace dsw

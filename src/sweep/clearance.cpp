@@ -10,13 +10,51 @@ namespace dsw {
 namespace {
 
 constexpr uint32_t kMostPatience = 1024;
-constexpr double kReach = 2;  // how far is measured, in units of what is needed
+constexpr double kReach = 4;    // how far is measured, in units of what is needed
+constexpr double kLasts = 1.5;  // a ball of so many of these units is not left at once
+// Credit, in hundredths of a cast: half of what is saved may be spent again, and a twentieth of what is not. A cell that a measurement
+// looks at takes as long as some 25 casts.
+constexpr int64_t kSaved = 50, kSwept = 5, kCell = 2500, kMostOfEdge = 200;
 // The distance to an obstacle is rounded. What is left of a ball is free if that error, a few units in the last place of the
 // coordinates, is smaller than what is left out of it. The obstacle's count too: its ends can be far from where it is near.
 constexpr double kKept = 0.999, kLeastShare = 1e-9;
 
 bool is_known(const Environment<3>& env, const Clearance& ball) noexcept {
   return ball.radius > 0 && ball.version == env.obstacle_version;
+}
+
+/** Takes the ball of a neighbour, if that is large enough. */
+bool borrow(const Environment<3>& env, Body& body, uint32_t v, double needed) noexcept {
+  Clearance& ball = body.clearances[v];
+  bool found = false;
+  for_each_edge(body, v, [&](uint32_t e) {
+    const Clearance& other = body.clearances[body.edges[e].other(v)];
+    found = room_squared(env, other, body.position(v), 0) > needed * needed;
+    if (!found) return true;
+    std::copy_n(other.centre, 3, ball.centre);
+    ball.radius = other.radius;
+    ball.version = other.version;
+    return false;
+  });
+  return found;
+}
+
+/** False if it can't be paid. */
+bool measure(const Environment<3>& env, Body& body, uint32_t v, double needed) {
+  const double reach = kReach * needed;
+  if (body.clearance_credit < 0 || !std::isfinite(reach)) return false;
+  Clearance& ball = body.clearances[v];
+  const double* const at = body.position(v);
+  NearestResult nearest;
+  const bool found = find_nearest(env, at, body.vertices[v].cell, reach, nearest);
+  body.clearance_credit -= kCell * nearest.cells_visited;
+  const double radius = kKept * (found ? nearest.distance : reach);
+  double largest = reach;
+  for (int k = 0; k < 3; ++k) largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
+  std::copy_n(at, 3, ball.centre);
+  ball.radius = radius > kLeastShare * largest ? radius : 0;
+  ball.version = env.obstacle_version;
+  return true;
 }
 
 }  // namespace
@@ -28,30 +66,29 @@ bool covers(const Environment<3>& env, const Clearance& ball, const double* a, c
          distance_squared(c, ball.centre) < limit;
 }
 
+double room_squared(const Environment<3>& env, const Clearance& ball, const double* at, double way) noexcept {
+  if (!is_known(env, ball)) return 0;
+  const double room = ball.radius - std::sqrt(distance_squared(at, ball.centre)) - way;
+  return room > 0 ? room * room : 0;
+}
+
 void refresh_clearance(const Environment<3>& env, Body& body, uint32_t v, double needed) {
   Clearance& ball = body.clearances[v];
-  const double* const at = body.position(v);
-  if (is_known(env, ball) && length(difference(at, ball.centre)) + needed < ball.radius) return;
   if (ball.wait != 0) {
     --ball.wait;
     return;
   }
-  NearestResult nearest;
-  const double reach = kReach * needed;
-  if (!std::isfinite(reach)) return;
-  const bool found = find_nearest(env, at, body.vertices[v].cell, reach, nearest);
-  const double radius = kKept * (found ? nearest.distance : reach);
-  double largest = reach;
-  for (int k = 0; k < 3; ++k) largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
-  std::copy_n(at, 3, ball.centre);
-  ball.radius = radius > kLeastShare * largest ? radius : 0;
-  ball.version = env.obstacle_version;
-  if (ball.radius > needed) {
+  if ((borrow(env, body, v, needed) || measure(env, body, v, needed)) && ball.radius > kLasts * needed) {
     ball.patience = 1;
     return;
   }
   ball.wait = ball.patience;
   ball.patience = std::min(2 * ball.patience, kMostPatience);
+}
+
+void earn_credit(Body& body, uint32_t saved, uint32_t swept) noexcept {
+  const int64_t most = kMostOfEdge * static_cast<int64_t>(body.edges.size());
+  body.clearance_credit = std::min(body.clearance_credit + kSaved * saved + kSwept * swept, most);
 }
 
 }  // namespace dsw

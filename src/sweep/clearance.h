@@ -1,5 +1,7 @@
 #pragma once
-// Balls round a body's vertices that are known to hold nothing impassable: what an edge sweeps inside of one is free.
+// Balls round a body's vertices that are known to hold nothing impassable: what an edge sweeps inside of one is free. A ball serves
+// whoever is in it, so vertices borrow those of their neighbours. Measuring one takes as long as hundreds of casts: it is paid with
+// what balls have saved before, and with a twentieth of what had to be cast.
 
 #include "body/body.h"
 
@@ -9,8 +11,14 @@ namespace dsw {
 bool covers(const Environment<3>& env, const Clearance& ball, const double* a, const double* b,
             const double* c) noexcept;
 
-/** Measures the ball of vertex v again unless it still reaches `needed` far from where the vertex is, or was found too small not
- * long ago: the wait doubles each time. May throw std::bad_alloc. */
+/** Square of the length of edges at a vertex that stay in its ball while none of their ends goes further than `way`. */
+double room_squared(const Environment<3>& env, const Clearance& ball, const double* at, double way) noexcept;
+
+/** Finds a ball for vertex v that reaches `needed` far from where it is: a neighbour's, or a new one if there is credit. Where none was
+ * found it waits, twice as long each time. May throw std::bad_alloc. */
 void refresh_clearance(const Environment<3>& env, Body& body, uint32_t v, double needed);
+
+/** Notes how many sweeps balls have saved and how many they have not. */
+void earn_credit(Body& body, uint32_t saved, uint32_t swept) noexcept;
 
 }  // namespace dsw

@@ -23,21 +23,14 @@ uint64_t feature(const StarContact& c) noexcept {
 
 StarSweep::StarSweep(const Environment<3>& env) : env_(env), flood_(env), hit_edges_(Allocator<uint32_t>(env.memory)) {}
 
-StarSweep::Settled StarSweep::settle(const Body& body, const EdgeSweep& sweep) {
-  ++counts.swept;
-  const Skipping& skipping = body.skipping;
-  const bool keeps = body.keeps_sequences();
-  if (stays_inside(env_, body.vertices[sweep.v].cell, sweep.arrival, sweep.fixed)) {
-    if (keeps) body.sequences[sweep.e].clear();
-    counts.skipped += skipping.by_environment ? 1 : 0;
-    if (skipping.by_environment || keeps) return Settled::kInside;
-  }
+StarSweep::Settled StarSweep::settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls) {
   // What is known must not carry an edge past the work limit that it meets without.
   if (max_cells != 0) return Settled::kNo;
+  const Skipping& skipping = body.skipping;
   Settled settled = Settled::kNo;
-  if (skipping.by_clearance && is_clear(body, sweep)) {
+  if (ask_balls && is_clear(body, sweep)) {
     settled = Settled::kClear;
-  } else if (keeps && follows_sequence(body, sweep)) {
+  } else if (body.keeps_sequences() && follows_sequence(body, sweep)) {
     settled = Settled::kStrip;
   }
   counts.skipped += settled != Settled::kNo && (skipping.by_clearance || skipping.sequences) ? 1 : 0;
@@ -108,7 +101,9 @@ bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, C
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
     if (settles(body, {e, v, to, cell, fixed.position, fixed.cell, {}})) return true;
     wave_edges_[wave_.count()] = e;
-    wave_.add(env_, cell, to, fixed.position).max_cells = max_cells;
+    CastRequest& request = wave_.add(env_, cell, to, fixed.position);
+    request.end = fixed.cell;
+    request.max_cells = max_cells;
     if (wave_.full()) run();
     return !(one_is_enough && !hit_edges_.empty());
   });

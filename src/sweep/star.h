@@ -51,8 +51,21 @@ class StarSweep {
   /** What is known without a look at the triangle: nothing, or that nothing is met because it lies inside of one convex cell, of a ball
    * that is free, or of the strip of cells that the edge is known to cross. */
   enum class Settled : uint32_t { kNo, kInside, kClear, kStrip };
-  /** Counts what is settled. The path of v is free. */
-  Settled settle(const Body& body, const EdgeSweep& sweep);
+  /** Counts what is settled. The path of v is free.
+   * @param ask_balls whether the balls of its ends have not been asked. */
+  Settled settle(const Body& body, const EdgeSweep& sweep, bool ask_balls = true) {
+    ++counts.swept;
+    const Skipping& skipping = body.skipping;
+    const bool keeps = body.keeps_sequences();
+    if ((skipping.by_environment || keeps) &&
+        stays_inside(env_, body.vertices[sweep.v].cell, sweep.arrival, sweep.fixed)) {
+      if (keeps) body.sequences[sweep.e].clear();
+      counts.skipped += skipping.by_environment ? 1 : 0;
+      return Settled::kInside;
+    }
+    ask_balls = ask_balls && skipping.by_clearance;
+    return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls) : Settled::kNo;
+  }
   bool settles(const Body& body, const EdgeSweep& sweep) { return settle(body, sweep) != Settled::kNo; }
   /** Whether the edge is known to keep to its sequence in its present place. */
   bool keeps_sequence(const Body& body, uint32_t e) const;
@@ -69,6 +82,7 @@ class StarSweep {
   uint32_t max_cells = 0;            // work limit of each cast and flood; 0: none
 
  private:
+  Settled settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls);
   bool is_clear(const Body& body, const EdgeSweep& sweep) const;
   bool follows_sequence(const Body& body, const EdgeSweep& sweep) const;
   bool find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);

@@ -1,0 +1,199 @@
+// Edges of a body on its way, as if nobody met anything. What need not be cast is dropped a chunk at a time, the rest is cast side by
+// side.
+
+#include <algorithm>
+
+#include "base/vec.h"
+#include "response/body_move.h"
+#include "sweep/clearance.h"
+
+namespace dsw {
+
+void BodyMove::run_wave(const Body& body) {
+  wave_.run(env_, sweeps_.counters);
+  for (uint32_t i = 0; i < wave_.count(); ++i) {
+    if (wave_.result(i).end == CastEnd::kReached) continue;
+    if (wave_vertices_[i] != kNone) {
+      moving_[wave_vertices_[i]].doubtful = true;
+    } else {
+      for (const uint32_t v : body.edges[wave_edges_[i]].ends) moving_[v].doubtful = true;
+    }
+  }
+}
+
+/** Where vertex v is when it is the turn of that with `rank`, if nobody meets anything. */
+const double* BodyMove::place(const Body& body, PointArray targets, uint32_t v, uint32_t rank) const {
+  return moving_[v].rank < rank ? targets[v] : body.position(v);
+}
+Cell BodyMove::cell_at(uint32_t v, uint32_t rank) const {
+  return moving_[v].rank < rank ? moving_[v].arrival : moving_[v].from;
+}
+
+void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
+  keeps_.assign(body.level == SweepLevel::kFaces ? body.edges.size() : 0, true);
+  const bool asks_cells = body.skipping.by_environment && body.level == SweepLevel::kEdges && !body.keeps_sequences();
+  const bool asks_balls = body.skipping.by_clearance && sweeps_.max_cells == 0;
+  for (uint32_t next = 0; next < body.edges.size();) {
+    uint32_t count = gather_edges(body, targets, next);
+    if (asks_cells) count = drop_inside(body, count);
+    if (asks_balls) count = drop_clear(body, count);
+    if (may_skip) count = drop_short(body, targets, count);
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t e = chunk_[i], a = body.edges[e].ends[0], b = body.edges[e].ends[1];
+      sweep_edge(body, targets, e, a, b);
+      sweep_edge(body, targets, e, b, a);
+    }
+  }
+  run_edges(body);
+}
+
+/** The next edges into chunk_; what is known of their ends is on its way when they are looked at. */
+uint32_t BodyMove::gather_edges(const Body& body, PointArray targets, uint32_t& next) {
+  uint32_t count = 0;
+  for (; next < body.edges.size() && count < kChunk; ++next) {
+    if (!body.has_edge(next)) continue;
+    for (const uint32_t v : body.edges[next].ends) {
+      __builtin_prefetch(&moving_[v]);
+      __builtin_prefetch(&body.vertices[v]);
+      __builtin_prefetch(targets[v]);
+    }
+    chunk_[count++] = next;
+  }
+  return count;
+}
+
+/** Of the first `count` edges of chunk_ drops those that do not move, and those without doubt for which drops(a, b, e) holds: these
+ * are counted as skipped. Without a branch, which would be mispredicted for every other edge. */
+template <class Drops>
+uint32_t BodyMove::drop(const Body& body, uint32_t count, Drops drops) {
+  uint32_t kept = 0, skipped = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t e = chunk_[i];
+    const Moving &a = moving_[body.edges[e].ends[0]], &b = moving_[body.edges[e].ends[1]];
+    const uint32_t moves = (a.rank != kNone ? 1u : 0u) + (b.rank != kNone ? 1u : 0u);
+    const bool dropped = (moves != 0) & !a.doubtful & !b.doubtful && drops(a, b, e);
+    chunk_[kept] = e;
+    kept += dropped | (moves == 0) ? 0 : 1;
+    skipped += dropped ? moves : 0;
+  }
+  sweeps_.counts.swept += skipped;
+  sweeps_.counts.skipped += skipped;
+  return kept;
+}
+
+/** Edges that do not leave a convex cell [JCD10] 6.1. */
+uint32_t BodyMove::drop_inside(const Body& body, uint32_t count) {
+  return drop(body, count, [&](const Moving& a, const Moving& b, uint32_t) {
+    return (a.from == a.arrival) & (b.from == b.arrival) & (a.from == b.from) & env_.map.convex(a.from);
+  });
+}
+
+/** Edges that do not leave the ball of an end. */
+uint32_t BodyMove::drop_clear(Body& body, uint32_t count) {
+  const uint32_t before = sweeps_.counts.skipped;
+  const uint32_t kept = drop(body, count, [&](const Moving&, const Moving&, uint32_t e) {
+    const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
+    const bool clear = distance_squared(body.position(a), body.position(b)) < std::max(rooms_[a], rooms_[b]);
+    if (!keeps_.empty() && clear) keeps_[e] = false;
+    return clear;
+  });
+  for (uint32_t i = 0; i < kept; ++i) {
+    const uint32_t a = body.edges[chunk_[i]].ends[0], b = body.edges[chunk_[i]].ends[1];
+    const double square = distance_squared(body.position(a), body.position(b));
+    for (const uint32_t v : {a, b}) body.clearances[v].wanted = std::max(body.clearances[v].wanted, square);
+  }
+  earn_credit(body, sweeps_.counts.skipped - before, 2 * kept);
+  return kept;
+}
+
+/** Edges whose ends go less than a share of their length [JCD10] 6.2; they are cast where they arrive. */
+uint32_t BodyMove::drop_short(Body& body, PointArray targets, uint32_t count) {
+  const double share = body.skipping.motion_share * body.skipping.motion_share;
+  const size_t before = skipped_.size();
+  skipped_.resize(before + count);
+  size_t end = before;
+  const uint32_t kept = drop(body, count, [&](const Moving& a, const Moving& b, uint32_t e) {
+    const uint32_t v = body.edges[e].ends[0], w = body.edges[e].ends[1];
+    const double limit = share * distance_squared(body.position(v), body.position(w));
+    const double way_v = a.rank != kNone ? distance_squared(targets[v], body.position(v)) : 0;
+    const double way_w = b.rank != kNone ? distance_squared(targets[w], body.position(w)) : 0;
+    const bool is_short = std::max(way_v, way_w) < limit;
+    skipped_[end] = e;
+    end += is_short ? 1 : 0;
+    return is_short;
+  });
+  skipped_.resize(end);
+  for (size_t i = before; i < end; ++i) cast_skipped(body, targets, skipped_[i]);
+  return kept;
+}
+
+void BodyMove::cast_skipped(Body& body, PointArray targets, uint32_t e) {
+  const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
+  wave_vertices_[wave_.count()] = kNone;
+  wave_edges_[wave_.count()] = e;
+  wave_.add(env_, moving_[a].arrival, place(body, targets, a, kNone), place(body, targets, b, kNone)).end =
+      moving_[b].arrival;
+  if (wave_.full()) run_edges(body);
+}
+
+void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other) {
+  Moving& moving = moving_[v];
+  if (moving.rank == kNone) return;
+  const Cell fixed = cell_at(other, moving.rank);
+  // Where the other one will be is not known if there is something on its way.
+  moving.doubtful = moving.doubtful || !fixed.valid();
+  if (moving.doubtful) {
+    if (!keeps_.empty()) keeps_[e] = false;
+    return;
+  }
+  const StarSweep::EdgeSweep sweep{e,
+                                   v,
+                                   targets[v],
+                                   moving.arrival,
+                                   place(body, targets, other, moving.rank),
+                                   fixed,
+                                   body.keeps_sequences() ? crossed_[v] : HalfFacet{}};
+  const StarSweep::Settled settled = sweeps_.settle(body, sweep, false);
+  if (!keeps_.empty()) {
+    const bool same = settled == StarSweep::Settled::kInside ||
+                      (settled == StarSweep::Settled::kStrip && body.vertices[v].cell == moving.arrival);
+    keeps_[e] = keeps_[e] && same;
+  }
+  if (settled != StarSweep::Settled::kNo) return;
+  if (body.level != SweepLevel::kEdges) {
+    const BodyVertex& from = body.vertices[v];
+    moving.doubtful = !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
+    if (moving.doubtful) return;
+  }
+  cast_edge(body, sweep);
+}
+
+/** To see whether an edge is free in its new place, and which cells it crosses there. */
+void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
+  const uint32_t at = wave_.count();
+  wave_vertices_[at] = sweep.v;
+  wave_edges_[at] = sweep.e;
+  // A sequence is noted in the direction of the edge.
+  const bool turned = body.keeps_sequences() && body.edges[sweep.e].ends[0] != sweep.v;
+  CastRequest& request =
+      turned ? wave_.add(env_, sweep.fixed, sweep.q, sweep.to) : wave_.add(env_, sweep.arrival, sweep.to, sweep.q);
+  request.end = turned ? sweep.arrival : sweep.fixed;
+  request.max_cells = sweeps_.max_cells;
+  if (body.keeps_sequences()) {
+    if (writers_.size() == at) writers_.emplace_back(env_.memory);
+    writers_[at].attach(env_, request);
+  }
+  if (wave_.full()) run_edges(body);
+}
+
+void BodyMove::run_edges(Body& body) {
+  run_wave(body);
+  if (body.keeps_sequences()) {
+    for (uint32_t i = 0; i < wave_.count(); ++i) {
+      if (wave_.result(i).end == CastEnd::kReached) writers_[i].finish(body.sequences[wave_edges_[i]]);
+    }
+  }
+  wave_.clear();
+}
+
+}  // namespace dsw
