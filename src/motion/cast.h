@@ -43,7 +43,7 @@ struct CastRequest {
   const double* from;  // D finite doubles, in `start` under the shift
   const double* to;
   Cell start;
-  Cell end;                // contains `to` under the shift, if that is known: a convex one is entered and not looked at
+  Cell end = {};           // contains `to` under the shift, if that is known: a convex one is entered and not looked at
   uint32_t max_cells = 0;  // 0: no limit
   uint32_t forecast = kNoFacet;  // local facet of `start` to test first, in convex cells of other than the common forms
   bool through_walls = false;    // ends only at the target or the outer boundary (locating)
