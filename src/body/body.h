@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "base/slot_pool.h"
-#include "environment/environment.h"
+#include "motion/sequence.h"
 
 namespace dsw {
 
@@ -53,8 +53,6 @@ struct Clearance {
   double wanted = 0;                // square of the longest edge that the last move had to cast for want of room
 };
 
-using EdgeSequence = Array<uint32_t>;
-
 struct Body {
   Array<BodyVertex> vertices;
   Array<BodyEdge> edges;
@@ -86,7 +84,7 @@ struct Body {
   const double* position(uint32_t v) const { return vertices[v].position; }
   uint64_t memory_bytes() const {
     uint64_t of_sequences = array_bytes(sequences);
-    for (const EdgeSequence& each : sequences) of_sequences += array_bytes(each);
+    for (const EdgeSequence& each : sequences) of_sequences += array_bytes(each.passages);
     return of_sequences + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) +
            array_bytes(inserted) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() + face_slots.memory_bytes();
   }

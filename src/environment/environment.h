@@ -23,7 +23,7 @@ struct Environment {
   EdgeMarks edge_marks;            // wires, by their two vertices
   Array<uint64_t> vertex_marks;    // bits; empty: none
   uint64_t marked_cells = 0, marked_facets = 0, marked_edges = 0, marked_vertices = 0;
-  uint64_t obstacle_version = 0;  // grows when something becomes impassable
+  uint64_t obstacle_version = 0;  // grows when something becomes impassable, or points move
   uint32_t part_count = 0;
   double lower[D] = {}, upper[D] = {};  // box of the vertices that cells use
   Grid<D> grid;                         // empty unless asked for

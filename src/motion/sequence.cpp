@@ -1,107 +1,151 @@
 #include "motion/sequence.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "motion/shear.h"
 #include "motion/standard_facets.h"
 
 namespace dsw {
 namespace {
 
-// Line tests of many edges against one line, by a shear along the line onto the plane of two axes: with d = q - p, its longest
-// component d_k and A' = A - (A_k / d_k) d, d.(A x B) = d_k (A'_i B'_j - A'_j B'_i).
-// With u the unit roundoff and M over the components of all A: A is off by uM, the ratio of two components of d by 4u, A' by 9uM with
-// |A'| <= 2M, and the two products and their difference by (72 + 16)uM^2.
-constexpr double kBound = 128 * 1.1102230246251565e-16;
-constexpr double kLeast = 1e-120, kMost = 1e120;  // of M: squares stay normal
+const PassTriangles kPassTriangles = choose_pass_triangles();
 
-class Shear {
- public:
-  Shear(const double* p, const double* q) noexcept : p_(p) {
-    double d[3];
-    for (int k = 0; k < 3; ++k) d[k] = q[k] - p[k];
-    k_ = std::fabs(d[1]) > std::fabs(d[0]) ? 1 : 0;
-    if (std::fabs(d[2]) > std::fabs(d[k_])) k_ = 2;
-    i_ = (k_ + 1) % 3;
-    j_ = (k_ + 2) % 3;
-    slope_i_ = d[i_] / d[k_];
-    slope_j_ = d[j_] / d[k_];
-    turn_ = d[k_] < 0 ? -1 : 1;
-    largest_ = std::fabs(d[k_]);
+Passage passage(const Map<3>& map, HalfFacet h) noexcept {
+  Passage p{h.word, {}};
+  const uint32_t* const w = map.words.data() + size_t{h.word / kUnitWords} * kUnitWords;
+  if (form_of(w[0]) != Form::kSimplex) return p;
+  const uint8_t(&local)[3] = kTetrahedronFacets[h.word % kUnitWords - (kUnitWords - 4)];
+  for (int i = 0; i < 3; ++i) p.corners[i] = w[local[i]] & kVertexMask;
+  return p;
+}
+
+bool is_triangle(const Map<3>& map, HalfFacet h) noexcept {
+  return form_of(map.words[h.word / kUnitWords * kUnitWords]) == Form::kSimplex;
+}
+
+/** Whether passages and the last cell are passable, and the cells valid and exactly convex. */
+bool are_open(const Environment<3>& env, const Array<Passage>& passages, Cell last) noexcept {
+  const Map<3>& map = env.map;
+  uint32_t marks = map.record(last)[0];
+  bool convex = map.convex(last) && admits(env, last);
+  for (const Passage& p : passages) {
+    const Cell c = map.cell_of({p.facet});
+    marks |= map.record(c)[0] | map.words[p.facet];
+    convex = convex && map.convex(c) && admits(env, c);
   }
+  return convex && (marks & kMarkBit) == 0;
+}
 
-  struct Point {
-    double i, j;
-  };
-  Point operator()(const double* x) noexcept {
-    const double a = x[i_] - p_[i_], b = x[j_] - p_[j_], c = x[k_] - p_[k_];
-    largest_ = std::max(largest_, std::max(std::max(std::fabs(a), std::fabs(b)), std::fabs(c)));
-    return {a - slope_i_ * c, b - slope_j_ * c};
+/** Facets of any form. */
+void pass(const Environment<3>& env, Shear& shear, const Array<Passage>& passages) noexcept {
+  const Map<3>& map = env.map;
+  for (const Passage& p : passages) {
+    const Cell c = map.cell_of({p.facet});
+    const uint32_t* const w = map.record(c);
+    if (form_of(w[0]) == Form::kBox) {
+      const uint8_t(&local)[4] = kBoxFacets[map.local_of({p.facet}, c)];
+      Shear::Point corners[4];
+      for (int i = 0; i < 4; ++i) corners[i] = shear(env.point(w[kUnitWords + local[i]]));
+      for (int i = 0; i < 4; ++i) shear.pass(corners[i], corners[(i + 1) % 4]);
+      continue;
+    }
+    const Shape shape = map.shape(c);
+    const uint32_t facet = map.local_of({p.facet}, c);
+    for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
+      shear.pass(shear(env.point(c, shape.dart_vertex(d))), shear(env.point(c, shape.dart_vertex(shape.beta1(d)))));
+    }
   }
-  /** The line leaves a facet whose boundary goes from a to b, counter-clockwise seen from outside, if this is positive for all. */
-  void pass(const Point& a, const Point& b) noexcept { lowest_ = std::min(lowest_, turn_ * (a.i * b.j - a.j * b.i)); }
+}
 
-  bool passed_all() const noexcept {
-    // A line of no length has no slope.
-    return !std::isnan(slope_i_) && largest_ > kLeast && largest_ < kMost && lowest_ > kBound * largest_ * largest_;
-  }
-
- private:
-  const double* p_;
-  int i_, j_, k_;
-  double slope_i_, slope_j_, turn_, largest_, lowest_ = 1e300;
-};
+bool is_same_point(const double* a, const double* b) noexcept { return std::equal(a, a + 3, b); }
 
 }  // namespace
 
-bool follows(const Environment<3>& env, const double* from, const double* to, Cell first, Cell last,
-             const uint32_t* facets, size_t count) noexcept {
+void EdgeSequence::add(const Map<3>& map, HalfFacet facet, bool first) {
+  passages.insert(first ? passages.begin() : passages.end(), passage(map, facet));
+  placed = false;
+  if (is_triangle(map, facet)) return;
+  triangles = false;
+  version = kNever;  // whether the cell is convex has not been asked
+}
+
+bool follows(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, Cell first,
+             Cell last) noexcept {
   const Map<3>& map = env.map;
-  if (count == 0) return first == last && map.convex(first);
-  if (facets[0] == kNoFacet || map.cell_of({facets[0]}) != first) return false;
-  if (map.cell_of(map.opposite({facets[count - 1]})) != last) return false;
+  const Array<Passage>& passages = sequence.passages;
+  if (passages.empty()) return first == last && map.convex(first);
+  if (!sequence.known() || map.cell_of({passages.front().facet}) != first) return false;
+  if (map.cell_of(map.opposite({passages.back().facet})) != last) return false;
+  if (sequence.version != env.obstacle_version) {
+    if (!are_open(env, passages, last)) return false;
+    sequence.version = env.obstacle_version;
+    sequence.placed = false;
+  }
+  if (!map.convex(last)) return false;
+  if (sequence.placed && is_same_point(from, sequence.from) && is_same_point(to, sequence.to)) return true;
   Shear shear(from, to);
-  uint32_t marks = map.record(last)[0];
-  for (size_t n = 0; n < count; ++n) {
-    const HalfFacet h{facets[n]};
-    if (env.checked.active() && !admits(env, map.cell_of(h))) return false;
-    const uint32_t* w = map.words.data() + size_t{h.word / kUnitWords} * kUnitWords;
-    const uint32_t slot = h.word % kUnitWords;
-    marks |= w[0] | w[slot];
-    if (form_of(w[0]) == Form::kSimplex) {
-      const uint8_t(&local)[3] = kTetrahedronFacets[slot - (kUnitWords - 4)];
-      const Shear::Point a = shear(env.point(w[local[0]] & kVertexMask)),
-                         b = shear(env.point(w[local[1]] & kVertexMask)),
-                         c = shear(env.point(w[local[2]] & kVertexMask));
-      shear.pass(a, b);
-      shear.pass(b, c);
-      shear.pass(c, a);
-    } else if (form_of(w[0]) == Form::kBox && (w[0] & kConvexBit) != 0) {
-      const uint8_t(&local)[4] = kBoxFacets[slot - (kUnitWords - 6)];
-      const Shear::Point a = shear(env.point(w[kUnitWords + local[0]])), b = shear(env.point(w[kUnitWords + local[1]])),
-                         c = shear(env.point(w[kUnitWords + local[2]])), d = shear(env.point(w[kUnitWords + local[3]]));
-      shear.pass(a, b);
-      shear.pass(b, c);
-      shear.pass(c, d);
-      shear.pass(d, a);
-    } else {
-      const Cell c = map.cell_of(h);
-      if (!map.convex(c)) return false;
-      const Shape shape = map.shape(c);
-      const uint32_t facet = map.local_of(h, c);
-      marks |= map.record(c)[0];
-      for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
-        shear.pass(shear(env.point(c, shape.dart_vertex(d))), shear(env.point(c, shape.dart_vertex(shape.beta1(d)))));
+  if (sequence.triangles) {
+    kPassTriangles(shear, env.points, passages.data(), passages.size());
+  } else {
+    pass(env, shear, passages);
+  }
+  if (!shear.passed_all()) return false;
+  std::copy_n(from, 3, sequence.from);
+  std::copy_n(to, 3, sequence.to);
+  sequence.placed = true;
+  return true;
+}
+
+bool turn(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, VertexPair& edge) {
+  constexpr size_t kMost = 64;  // facets at an edge
+  const Map<3>& map = env.map;
+  const Array<Passage>& old = sequence.passages;
+  if (!sequence.triangles || !sequence.known()) return false;
+  Shear shear(from, to);
+  size_t begin = 0;
+  const auto find_edge = [&] {
+    for (; begin < old.size(); ++begin) {
+      const uint32_t(&corners)[3] = old[begin].corners;
+      for (int i = 0; i < 3; ++i) {
+        edge = {corners[i], corners[(i + 1) % 3]};
+        if (!(shear.side(shear(env.point(edge.a)), shear(env.point(edge.b))) > 0)) return true;
       }
     }
+    return false;
+  };
+  if (!find_edge()) return false;
+  const auto has = [](const uint32_t(&corners)[3], uint32_t vertex) {
+    return corners[0] == vertex || corners[1] == vertex || corners[2] == vertex;
+  };
+  const auto is_at_edge = [&](const Passage& p) { return has(p.corners, edge.a) && has(p.corners, edge.b); };
+  size_t end = begin + 1;
+  while (end < old.size() && is_at_edge(old[end])) ++end;
+
+  const Cell last = map.cell_of(map.opposite({old[end - 1].facet}));
+  Array<Passage> turned(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(begin), old.get_allocator());
+  HalfFacet entered{old[begin].facet};
+  for (Cell c = map.cell_of(entered); c != last; c = map.cell_of(entered)) {
+    if (map.form(c) != Form::kSimplex || turned.size() == begin + kMost) return false;
+    Passage next;
+    for (uint32_t f = 0; f < 4; ++f) {
+      const HalfFacet h = map.half_facet(c, f);
+      if (h != entered && is_at_edge(passage(map, h))) next = passage(map, h);
+    }
+    turned.push_back(next);
+    entered = map.opposite({next.facet});
+    if (!entered.valid()) return false;
   }
-  return (marks & kMarkBit) == 0 && map.convex(last) && admits(env, last) && shear.passed_all();
+  turned.insert(turned.end(), old.begin() + static_cast<std::ptrdiff_t>(end), old.end());
+  std::swap(sequence.passages, turned);
+  sequence.version = EdgeSequence::kNever;
+  sequence.placed = false;
+  return true;
 }
 
 bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {
   // Facet i of a sequence in the direction of the view.
   const auto at = [&](const SequenceView& s, size_t i) {
-    return s.turned ? map.opposite({s.facets[s.count - 1 - i]}).word : s.facets[i];
+    return s.turned ? map.opposite({s.passages[s.count - 1 - i].facet}).word : s.passages[i].facet;
   };
   const auto is_sum = [&](const SequenceView& whole, const SequenceView& first, const SequenceView& second) {
     if (whole.count != first.count + second.count) return false;
@@ -110,17 +154,20 @@ bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceVi
     }
     return true;
   };
-  const auto turn = [](SequenceView s) { return SequenceView{s.facets, s.count, !s.turned}; };
+  const auto turn = [](SequenceView s) { return SequenceView{s.passages, s.count, !s.turned}; };
   return is_sum(turn(ca), ab, bc) || is_sum(turn(ab), bc, ca) || is_sum(turn(bc), ca, ab);
 }
 
-void SequenceWriter::finish(Array<uint32_t>& sequence) {
-  if (passed_ == facets_.size()) {
-    sequence.assign(facets_.begin(), facets_.end());
+void SequenceWriter::finish(EdgeSequence& sequence) {
+  sequence.clear();
+  if (passed_ != facets_.size()) {
+    sequence.passages.assign(1, Passage{});
+    facets_.reserve(2 * passed_);
     return;
   }
-  sequence.assign(1, kNoFacet);
-  facets_.reserve(2 * passed_);
+  sequence.passages.reserve(facets_.size());
+  sequence.version = env_->obstacle_version;
+  for (const uint32_t facet : facets_) sequence.add(env_->map, {facet}, false);
 }
 
 void SequenceWriter::write(void* user, Cell from, uint32_t simplex, Cell) noexcept {

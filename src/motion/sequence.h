@@ -6,15 +6,58 @@
 
 namespace dsw {
 
-/** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all passable, each seen
- * from the cell that is left. Cells are exactly convex with flat facets. False also where a filter cannot tell: then the segment
- * must be cast. Much cheaper than a cast: nothing waits for a decision. O(count). */
-bool follows(const Environment<3>& env, const double* from, const double* to, Cell first, Cell last,
-             const uint32_t* facets, size_t count) noexcept;
+/** A half-facet that an edge passes, seen from the cell that is left. */
+struct Passage {
+  uint32_t facet = kNoFacet;
+  uint32_t corners[3] = {};  // of a tetrahedron's facet, in the order of its shape
+};
+
+/** The facets that an edge was last known to pass; a single kNoFacet if they are unknown. */
+struct EdgeSequence {
+  static constexpr uint64_t kNever = ~uint64_t{0};
+
+  Array<Passage> passages;
+  bool triangles = true;      // all are facets of tetrahedra
+  uint64_t version = kNever;  // of the environment when all were passable and their cells convex
+  bool placed = false;        // where the edge passes them for certain:
+  double from[3] = {}, to[3] = {};
+
+  explicit EdgeSequence(const Allocator<Passage>& allocator) : passages(allocator) {}
+
+  void clear() noexcept {
+    passages.clear();
+    triangles = true;
+    placed = false;
+  }
+  /** Not a single kNoFacet. */
+  bool known() const noexcept { return passages.empty() || passages[0].facet != kNoFacet; }
+  /** One more or one less, first or last. Throws std::bad_alloc if there is no room for one more. */
+  void add(const Map<3>& map, HalfFacet facet, bool first);
+  void remove(bool first) noexcept {
+    passages.erase(first ? passages.begin() : passages.end() - 1);
+    placed = false;
+  }
+};
+
+/** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all passable. Cells
+ * are exactly convex with flat facets. False also where a filter cannot tell: then the segment must be cast. Much cheaper than a cast:
+ * nothing waits for a decision. Notes the place. O(facets). */
+bool follows(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, Cell first,
+             Cell last) noexcept;
+
+/** An edge of the environment, by its vertices. */
+struct VertexPair {
+  uint32_t a = 0, b = 0;
+};
+
+/** Turns a sequence round the first edge that the segment passes on the wrong side, if its cells are tetrahedra: what it then passes is
+ * the other half of the facets there. The sequence may still not be that of the segment. False, and nothing is changed: there is no such
+ * edge, or no way round it. Throws std::bad_alloc. */
+bool turn(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, VertexPair& edge);
 
 /** A sequence as it was noted, or passed the other way round. */
 struct SequenceView {
-  const uint32_t* facets = nullptr;
+  const Passage* passages = nullptr;
   size_t count = 0;
   bool turned = false;
 };
@@ -39,8 +82,8 @@ class SequenceWriter {
     request.crossing = write;
     request.crossing_user = this;
   }
-  /** Copies the sequence of a cast that reached its target; an unknown one is a single kNoFacet. Throws std::bad_alloc. */
-  void finish(Array<uint32_t>& sequence);
+  /** Copies the sequence of a cast that reached its target. Throws std::bad_alloc. */
+  void finish(EdgeSequence& sequence);
 
  private:
   static constexpr size_t kFirstRoom = 16;

@@ -102,7 +102,7 @@ dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
   add_faces(body, d);
   body.edges.shrink_to_fit();  // faces may have found their edges
   if (body.keeps_sequences()) {
-    body.sequences.resize(body.edges.size());
+    body.sequences.erase(body.sequences.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.sequences.end());
     body.sequences.shrink_to_fit();
   }
   check_free(scene, body, body.level);

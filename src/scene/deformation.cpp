@@ -34,7 +34,6 @@ void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
   } else {
     d.swept.run(next, settings, d.record);
   }
-  ++d.env.obstacle_version;
 }
 
 }  // namespace dsw

@@ -8,6 +8,8 @@
 namespace dsw {
 namespace {
 
+constexpr int kMostTurns = 4;  // then a cast costs no more
+
 /** The only facet that a path has crossed. */
 HalfFacet crossed(const Environment<3>& env, Cell start, const CastResult& path) noexcept {
   return path.cells_visited == 2 ? env.map.half_facet(start, path.first_facet) : HalfFacet{};
@@ -21,7 +23,8 @@ uint64_t feature(const StarContact& c) noexcept {
 
 }  // namespace
 
-StarSweep::StarSweep(const Environment<3>& env) : env_(env), flood_(env), hit_edges_(Allocator<uint32_t>(env.memory)) {}
+StarSweep::StarSweep(const Environment<3>& env)
+    : env_(env), flood_(env), before_(Allocator<Passage>(env.memory)), hit_edges_(Allocator<uint32_t>(env.memory)) {}
 
 StarSweep::Settled StarSweep::settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls) {
   // What is known must not carry an edge past the work limit that it meets without.
@@ -30,8 +33,8 @@ StarSweep::Settled StarSweep::settle_by_what_is_kept(const Body& body, const Edg
   Settled settled = Settled::kNo;
   if (ask_balls && is_clear(body, sweep)) {
     settled = Settled::kClear;
-  } else if (body.keeps_sequences() && follows_sequence(body, sweep)) {
-    settled = Settled::kStrip;
+  } else if (body.keeps_sequences()) {
+    settled = follow_sequence(body, sweep);
   }
   counts.skipped += settled != Settled::kNo && (skipping.by_clearance || skipping.sequences) ? 1 : 0;
   return settled;
@@ -44,44 +47,72 @@ bool StarSweep::is_clear(const Body& body, const EdgeSweep& sweep) const {
          covers(env_, body.clearances[body.edges[sweep.e].other(sweep.v)], p, sweep.to, sweep.q);
 }
 
-/** Whether the edge keeps to the facets that it was last known to pass, but for one that its end passes itself: then it is free in its
- * new place. If it did so before, too, the triangle's sides share a strip of cells. */
-bool StarSweep::follows_sequence(const Body& body, const EdgeSweep& sweep) const {
-  Array<uint32_t>& facets = body.sequences[sweep.e];
+/** The path of an end has passed a facet: the edge has one facet less to pass, or one more. */
+bool StarSweep::pass_on(EdgeSequence& sequence, const EdgeSweep& sweep, Cell from, bool first) const {
+  // As the sequence names it: passed on the way from ends[0].
+  const HalfFacet beyond = env_.map.opposite(sweep.crossed);
+  const HalfFacet left = first ? sweep.crossed : beyond, met = first ? beyond : sweep.crossed;
+  if (!sequence.passages.empty()) {
+    const HalfFacet end{first ? sequence.passages.front().facet : sequence.passages.back().facet};
+    // What is noted may be of another place, at EDGES: then it does not go on where the path has left its cell.
+    if (env_.map.cell_of(first ? end : env_.map.opposite(end)) != from) return false;
+    if (end == left) {
+      sequence.remove(first);
+      return true;
+    }
+  }
+  sequence.add(env_.map, met, first);
+  return true;
+}
+
+/** Whether a triangle lies in two strips of tetrahedra that part at one edge of the environment, which is not marked: its side in the old
+ * place passes half of the facets round that edge, its side in the new place the others.
+ * Before and after these the sides share facets, and what of the triangle lies there is in cells, as in one strip. Let Q be what lies
+ * between. Its boundary is in the cells round the edge and goes once round the edge's line, so Q meets that line; with the edge's ends on
+ * either side of the triangle's plane it does so in a point y of the edge. Q is convex: each of its points is between y and one of its
+ * boundary. Both are in one cell, as all of these cells have the edge, so all between is in that cell. */
+bool StarSweep::turns_freely(const Body& body, const EdgeSweep& sweep, VertexPair edge) const {
+  const double* const triangle[3] = {body.position(sweep.v), sweep.to, sweep.q};
+  const int a = orient<3>(triangle, env_.point(edge.a)), b = orient<3>(triangle, env_.point(edge.b));
+  return a * b < 0 && (env_.marked_edges == 0 || !env_.edge_marks.contains(edge.a, edge.b));
+}
+
+/** Whether the edge keeps to the facets that it was last known to pass, but for one that its end passes itself, and for those round an
+ * edge of the environment to whose other side it goes: then it is free in its new place. If it kept to them before, too, the triangle's
+ * sides share a strip of cells, or part at one edge. At EDGES the new place is all that counts. */
+StarSweep::Settled StarSweep::follow_sequence(const Body& body, const EdgeSweep& sweep) {
+  EdgeSequence& sequence = body.sequences[sweep.e];
   const BodyVertex& from = body.vertices[sweep.v];
   const bool first = body.edges[sweep.e].ends[0] == sweep.v;
-  const auto keeps = [&](const double* p, Cell cell, const uint32_t* passed, size_t count) {
-    return first ? follows(env_, p, sweep.q, cell, sweep.fixed, passed, count)
-                 : follows(env_, sweep.q, p, sweep.fixed, cell, passed, count);
+  const auto keeps = [&](const double* p, Cell cell) {
+    return first ? follows(env_, sequence, p, sweep.q, cell, sweep.fixed)
+                 : follows(env_, sequence, sweep.q, p, sweep.fixed, cell);
   };
-  if (facets.size() == 1 && facets[0] == kNoFacet) return false;
+  if (!sequence.known()) return Settled::kNo;
   const bool stays = from.cell == sweep.arrival;
-  if (!stays && !sweep.crossed.valid()) return false;
-  if (body.level != SweepLevel::kEdges && !keeps(from.position, from.cell, facets.data(), facets.size())) return false;
-  if (stays) return keeps(sweep.to, sweep.arrival, facets.data(), facets.size());
-  // What is noted may be of another place, at EDGES: then it does not go on where the path has left its cell.
-  if (!facets.empty()) {
-    const HalfFacet end = first ? HalfFacet{facets.front()} : env_.map.opposite({facets.back()});
-    if (env_.map.cell_of(end) != from.cell) return false;
+  if (!stays && !sweep.crossed.valid()) return Settled::kNo;
+  if (body.level != SweepLevel::kEdges && !keeps(from.position, from.cell)) return Settled::kNo;
+  if (stays && keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
+  before_ = sequence;
+  if (!stays) {
+    if (!pass_on(sequence, sweep, from.cell, first)) return Settled::kNo;
+    if (keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
   }
-  // As the sequence would name it: passed on the way from ends[0].
-  const uint32_t left = first ? sweep.crossed.word : env_.map.opposite(sweep.crossed).word;
-  const uint32_t met = first ? env_.map.opposite(sweep.crossed).word : sweep.crossed.word;
-  if (!facets.empty() && (first ? facets.front() : facets.back()) == left) {
-    if (!keeps(sweep.to, sweep.arrival, facets.data() + (first ? 1 : 0), facets.size() - 1)) return false;
-    facets.erase(first ? facets.begin() : facets.end() - 1);
-    return true;
+  for (int turns = body.level == SweepLevel::kEdges ? kMostTurns : 1; turns != 0; --turns) {
+    VertexPair edge;
+    const bool turned =
+        first ? turn(env_, sequence, sweep.to, sweep.q, edge) : turn(env_, sequence, sweep.q, sweep.to, edge);
+    if (!turned) break;
+    if (!keeps(sweep.to, sweep.arrival)) continue;
+    if (body.level == SweepLevel::kEdges || turns_freely(body, sweep, edge)) return Settled::kTurned;
   }
-  facets.insert(first ? facets.begin() : facets.end(), met);
-  if (keeps(sweep.to, sweep.arrival, facets.data(), facets.size())) return true;
-  facets.erase(first ? facets.begin() : facets.end() - 1);
-  return false;
+  sequence = before_;
+  return Settled::kNo;
 }
 
 bool StarSweep::keeps_sequence(const Body& body, uint32_t e) const {
   const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
-  const Array<uint32_t>& facets = body.sequences[e];
-  return follows(env_, a.position, b.position, a.cell, b.cell, facets.data(), facets.size());
+  return follows(env_, body.sequences[e], a.position, b.position, a.cell, b.cell);
 }
 
 /** Whether an edge is not known to be free in its new place; fills hit_edges_ with all, or with some if one is enough. */

@@ -49,8 +49,8 @@ class StarSweep {
     HalfFacet crossed;  // the only facet on the path of v, seen from where it starts; invalid if there are none or more
   };
   /** What is known without a look at the triangle: nothing, or that nothing is met because it lies inside of one convex cell, of a ball
-   * that is free, or of the strip of cells that the edge is known to cross. */
-  enum class Settled : uint32_t { kNo, kInside, kClear, kStrip };
+   * that is free, of the strip of cells that the edge is known to cross, or of these and the others at one edge that it turns round. */
+  enum class Settled : uint32_t { kNo, kInside, kClear, kStrip, kTurned };
   /** Counts what is settled. The path of v is free.
    * @param ask_balls whether the balls of its ends have not been asked. */
   Settled settle(const Body& body, const EdgeSweep& sweep, bool ask_balls = true) {
@@ -84,13 +84,16 @@ class StarSweep {
  private:
   Settled settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls);
   bool is_clear(const Body& body, const EdgeSweep& sweep) const;
-  bool follows_sequence(const Body& body, const EdgeSweep& sweep) const;
+  Settled follow_sequence(const Body& body, const EdgeSweep& sweep);
+  bool pass_on(EdgeSequence& sequence, const EdgeSweep& sweep, Cell from, bool first) const;
+  bool turns_freely(const Body& body, const EdgeSweep& sweep, VertexPair edge) const;
   bool find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
   void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;
 
   const Environment<3>& env_;
   bool limited_ = false;  // the work limit was met
   SweepFlood flood_;
+  EdgeSequence before_;  // of an edge that may leave it
   Wave<3> wave_;
   uint32_t wave_edges_[kWave] = {};
   Array<uint32_t> hit_edges_;  // at EDGES: those whose new place is not free

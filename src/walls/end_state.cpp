@@ -26,6 +26,7 @@ void EndState::run(double* next, const WallSettings& settings, WallRecord& recor
   Array<double> targets{Allocator<double>(env_.memory)};  // if the way is shortened
   const auto go_back = [&] {
     env_.points = start;
+    ++env_.obstacle_version;
     env_.checked.forget_all();
     all_.restore();
     record.pushed = 0;
@@ -36,6 +37,7 @@ void EndState::run(double* next, const WallSettings& settings, WallRecord& recor
       all_.save(false);
       record.contacts.clear();
       env_.points = next;
+      ++env_.obstacle_version;
       env_.checked.forget_all();
       const Went went = try_seats(settings, record);
       if (went == Went::kThrough) break;

@@ -6,6 +6,7 @@
 #include "motion/locate.h"
 #include "motion/sequence.h"
 #include "motion/sweep.h"
+#include "sweep/star.h"
 
 namespace dsw::swept {
 namespace {
@@ -92,10 +93,8 @@ TEST(SweptEdgeTest, AllContactsInTheirOrder) {
   EXPECT_GT(count.full, 300);
 }
 
-/** The cells that a free segment crosses; empty if it is not free. */
 /** What a segment passes, if it reaches its end and passes every facet where `follows` can tell; *known says so. */
-Array<uint32_t> facets_passed(const Environment<3>& env, const double* from, const double* to, Cell start,
-                              bool* known) {
+EdgeSequence facets_passed(const Environment<3>& env, const double* from, const double* to, Cell start, bool* known) {
   SequenceWriter writer(nullptr);
   CastRequest request;
   request.from = from;
@@ -103,14 +102,28 @@ Array<uint32_t> facets_passed(const Environment<3>& env, const double* from, con
   request.start = start;
   writer.attach(env, request);
   const CastResult result = cast(env, request, nullptr);
-  Array<uint32_t> facets;
-  writer.finish(facets);
-  *known = result.end == CastEnd::kReached && follows(env, from, to, start, result.cell, facets.data(), facets.size());
-  return facets;
+  EdgeSequence sequence{Array<Passage>::allocator_type(nullptr)};
+  writer.finish(sequence);
+  *known = result.end == CastEnd::kReached && follows(env, sequence, from, to, start, result.cell);
+  return sequence;
+}
+
+/** What is known of an edge's sweep from what the edge passes at first; the path of its end is free. */
+StarSweep::Settled settled_by(const Environment<3>& env, const double* p, Cell start, const double* to, Cell target,
+                              const double* q, const EdgeSequence& before, const EdgeSequence& path) {
+  Body body(nullptr);
+  reserve(body, 2, 1, 0);
+  add_vertex(body, p, start);
+  add_vertex(body, q, locate(env, q, Cell{}, nullptr).cell);
+  add_edge(body, 0, 1);
+  body.sequences[0] = before;
+  StarSweep star(env);
+  const HalfFacet crossed = path.passages.size() == 1 ? HalfFacet{path.passages[0].facet} : HalfFacet{};
+  return star.settle(body, {0, 0, to, target, q, body.vertices[1].cell, crossed});
 }
 
 TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
-  int settled = 0, of_many_cells = 0, free_but_open = 0;
+  int settled = 0, of_many_cells = 0, free_but_open = 0, kept = 0, turned = 0;
   for (const SceneKind& kind : oracle::sweep_scenes()) {
     for (uint64_t seed = 1; seed <= 3; ++seed) {
       static const Shares shares[] = {{0.1, 0, 0.3, 0}, {0, 0.2, 0.1, 0}, {0, 0.05, 0.05, 0}};
@@ -121,7 +134,7 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
       SweptTruth truth(*env);
       SweepFlood flood(*env);
       Bodies bodies(*env, truth, rng);
-      for (int i = 0; i < 2000; ++i) {
+      for (int i = 0; i < 10000; ++i) {
         Vec x[4];
         bodies.draw(x);
         const double by = rng.chance(0.5) ? 0.05 : 0.3;
@@ -135,11 +148,18 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
         const auto after = facets_passed(*env, x[1].data(), x[2].data(), target, &known[2]);
         const SweepEnd end = flood.sweep(EdgeMotion{x[0].data(), x[1].data(), x[2].data()}, start, 0).end;
         const bool strip = known[0] && known[1] && known[2] &&
-                           share_strip(env->map, {path.data(), path.size()}, {after.data(), after.size()},
-                                       {before.data(), before.size(), true});
+                           share_strip(env->map, {path.passages.data(), path.passages.size()},
+                                       {after.passages.data(), after.passages.size()},
+                                       {before.passages.data(), before.passages.size(), true});
+        if (known[0] && known[1]) {
+          const auto how = settled_by(*env, x[0].data(), start, x[1].data(), target, x[2].data(), before, path);
+          kept += how == StarSweep::Settled::kStrip ? 1 : 0;
+          turned += how == StarSweep::Settled::kTurned ? 1 : 0;
+          ASSERT_TRUE(how == StarSweep::Settled::kNo || end == SweepEnd::kFree) << kind.name << " " << seed << " " << i;
+        }
         if (strip) {
           ++settled;
-          of_many_cells += before.size() > 1 ? 1 : 0;
+          of_many_cells += before.passages.size() > 1 ? 1 : 0;
           ASSERT_EQ(end, SweepEnd::kFree) << kind.name << " " << seed << " " << i;
         } else {
           free_but_open += end == SweepEnd::kFree ? 1 : 0;
@@ -150,6 +170,8 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
   EXPECT_GT(settled, 5000);
   EXPECT_GT(of_many_cells, 500);
   EXPECT_GT(free_but_open, 500);
+  EXPECT_GT(kept, 500);
+  EXPECT_GT(turned, 50);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "environment/marking.h"
 #include "motion/locate.h"
+#include "motion/shear.h"
 #include "motion/walk.h"
 #include "small_meshes.h"
 
@@ -244,5 +245,30 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scales, InstructionSetTest, testing::Values(1.0, 0x1p-3, 1e100, 1e-100, 1e-300));
+
+TEST(InstructionSets, TrianglesArePassedWithTheSameBits) {
+#if defined(__x86_64__)
+  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP();
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::uniform_int_distribution<uint32_t> vertex(0, 99);
+  for (int round = 0; round < 2000; ++round) {
+    const double scale = std::ldexp(1.0, round % 5 * 50 - 100);
+    std::vector<double> points(300);
+    for (double& x : points) x = scale * coordinate(random);
+    std::vector<Passage> passages(static_cast<size_t>(round % 23));
+    for (Passage& each : passages) {
+      for (uint32_t& corner : each.corners) corner = vertex(random);
+    }
+    Shear portable(points.data(), points.data() + 3), avx2 = portable;
+    pass_triangles(portable, points.data(), passages.data(), passages.size());
+    pass_triangles_avx2(avx2, points.data(), passages.data(), passages.size());
+    ASSERT_EQ(portable.lowest(), avx2.lowest());
+    ASSERT_EQ(portable.largest(), avx2.largest());
+  }
+#else
+  GTEST_SKIP();
+#endif
+}
 
 }  // namespace
