@@ -43,6 +43,7 @@ class Deformer {
   bool step(const SweepChecker& walls);
   void check(const std::string& how);
   void check_vertex(Picture& now, const Vec& at, dsw_volume_id volume, int chamber, const std::string& what);
+  int chamber_of(const BodyState& before, const BodyState& now, size_t vertex) const;
   void find_chambers();
   void wrong(const std::string& text) {
     ++report_.wrong;
@@ -201,6 +202,18 @@ void Deformer::check_vertex(Picture& now, const Vec& at, dsw_volume_id volume, i
                                                 " for " + std::to_string(chamber));
 }
 
+/// Where a vertex must be: where it was, or if it is new, where its neighbours are.
+int Deformer::chamber_of(const BodyState& before, const BodyState& now, size_t vertex) const {
+  const auto old = [&](size_t v) { return v < before.at.size() && before.vertices[v].generation != 0; };
+  if (old(vertex)) return chamber_[before.volumes[vertex].index];
+  for (const auto& e : now.edges) {
+    for (size_t k = 0; k < 2; ++k) {
+      if (e[k] == vertex) return chamber_[now.volumes[e[1 - k]].index];
+    }
+  }
+  return -1;
+}
+
 /// Everything against a picture of the environment as it is.
 void Deformer::check(const std::string& how) {
   Picture now(stage_, now_);
@@ -217,16 +230,10 @@ void Deformer::check(const std::string& how) {
       lodger.state = state;
       continue;
     }
-    int chamber = -1;
-    for (size_t v = 0; v < lodger.state.at.size() && chamber < 0; ++v) {
-      if (lodger.state.vertices[v].generation != 0) chamber = chamber_[lodger.state.volumes[v].index];
-    }
     for (size_t v = 0; v < state.at.size(); ++v) {
       if (state.vertices[v].generation == 0) continue;
-      // At POINTS a body can have vertices here and there.
-      const bool old = v < lodger.state.at.size() && lodger.state.vertices[v].generation != 0;
-      const int own = old ? chamber_[lodger.state.volumes[v].index] : chamber;
-      check_vertex(now, state.at[v], state.volumes[v], own, how + ": vertex " + std::to_string(v));
+      check_vertex(now, state.at[v], state.volumes[v], chamber_of(lodger.state, state, v),
+                   how + ": vertex " + std::to_string(v));
     }
     lodger.state = state;
     if (!whole) continue;
