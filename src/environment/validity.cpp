@@ -92,6 +92,7 @@ CellState check_star(const Environment<D>& env, Cell c, const Shape& shape) noex
     const int side = orient<D>(points, env.point(c, 2));  // facet 0 joins vertices 0 1 (3): vertex 2 is the apex
     return side < 0 ? CellState::kValidConvex : side > 0 ? CellState::kInverted : CellState::kInvalid;
   }
+  if (is_plainly_valid(env, c)) return CellState::kValid;
   double apex[D];
   centre(env, c, apex);
   uint32_t inside = 0, outside = 0;

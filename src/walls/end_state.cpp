@@ -87,7 +87,7 @@ EndState::Went EndState::try_seats(const WallSettings& settings, WallRecord& rec
 EndState::Went EndState::run_seats(const WallSettings& settings, WallRecord& record) {
   wave_.clear();
   for (const Feature& point : points_) prefetch_record(env_, cell_of(all_, point));
-  for (const Feature& point : points_) prefetch_vertices(env_, cell_of(all_, point));
+  for (const Feature& point : points_) prefetch_moving(env_, cell_of(all_, point));
   for (size_t i = 0; i < points_.size(); ++i) {
     const Cell c = cell_of(all_, points_[i]);
     if (!admits(env_, c)) {
