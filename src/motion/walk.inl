@@ -11,6 +11,7 @@
 constexpr uint32_t kAbreast = 8;  // casts that are looked at together
 #if defined(DSW_ISA_AVX512)
 #include "motion/flat_boxes.inl"
+#include "motion/boxes.inl"
 #endif
 // clang-format on
 
@@ -95,23 +96,28 @@ class Walkers {
     looks_[i] = finder(i).look(results_[i].cell, entry<First>(i));
   }
 
-  /** Looks at kAbreast casts at once, if there are so many and all are in flat boxes. */
+  /** Looks at kAbreast casts at once, if there are so many, all in boxes and none or all of these flat. */
   template <bool First>
   DSW_HOT bool look_abreast(uint32_t first, uint32_t end) noexcept {
 #if defined(DSW_ISA_AVX512)
     if (D != 3 || end - first != kAbreast) return false;
-    constexpr uint32_t kFlatBox = static_cast<uint32_t>(Form::kBox) << kFormShift | kConvexBit;
-    constexpr uint32_t kFormMask = 7u << kFormShift | kConvexBit;
-    if ((map_.record(results_[active_[first]].cell)[0] & kFormMask) != kFlatBox) return false;
+    const uint32_t word0 = map_.record(results_[active_[first]].cell)[0];
+    if (form_of(word0) != Form::kBox) return false;
     FlatBoxes boxes;
     uint32_t different = 0;
 #pragma GCC unroll 1
     for (uint32_t j = 0; j < kAbreast; ++j) {
       const uint32_t i = active_[first + j];
       const uint32_t* const w = map_.record(results_[i].cell);
-      different |= w[0] ^ kFlatBox;
+      different |= w[0] ^ word0;
       boxes.vertices[j] = w + kUnitWords;
       boxes.q[j] = requests_[i].to;
+    }
+    constexpr uint32_t kFormMask = 7u << kFormShift | kConvexBit;
+    if ((word0 & kConvexBit) == 0) {
+      if ((different & (kFormMask | kShapeMask)) != 0) return false;
+      look_through_boxes<First>(first, inside_boxes(env_.points, boxes, word0));
+      return true;
     }
     if ((different & kFormMask) != 0) return false;
     FlatBoxSides sides;
@@ -132,6 +138,17 @@ class Walkers {
     static_cast<void>(first), static_cast<void>(end);
     return false;
 #endif
+  }
+
+  /** Looks at the casts of which it is not known that they end inside. */
+  template <bool First>
+  DSW_HOT void look_through_boxes(uint32_t first, uint32_t inside) noexcept {
+#pragma GCC unroll 1
+    for (uint32_t j = 0; j < kAbreast; ++j) looks_[active_[first + j]] = {0, 0, LookKind::kBox, true};
+    tally_.tests(12 * static_cast<uint32_t>(__builtin_popcount(inside)));
+    for (uint32_t rest = inside ^ ((1u << kAbreast) - 1); rest != 0; rest &= rest - 1) {
+      look<First>(active_[first + static_cast<uint32_t>(__builtin_ctz(rest))]);
+    }
   }
 
   DSW_HOT bool leave_first(uint32_t i) noexcept {
