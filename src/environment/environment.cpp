@@ -8,15 +8,18 @@ template <int D>
 void centre(const Environment<D>& env, Cell c, double* out) {
   const uint32_t n = env.map.vertices_of(c);
   const double count = n;
+  double sum[D] = {};
+  for (uint32_t i = 0; i < n; ++i) {
+    const double* const p = env.point(c, i);
+    for (int k = 0; k < D; ++k) sum[k] += p[k];
+  }
   for (int k = 0; k < D; ++k) {
-    double sum = 0;
-    for (uint32_t i = 0; i < n; ++i) sum += env.point(c, i)[k];
-    if (std::isfinite(sum)) {
-      out[k] = sum / count;
+    if (__builtin_expect(!std::isfinite(sum[k]), 0)) {
+      sum[k] = 0;
+      for (uint32_t i = 0; i < n; ++i) sum[k] += env.point(c, i)[k] / count;
+      out[k] = sum[k];
     } else {
-      sum = 0;
-      for (uint32_t i = 0; i < n; ++i) sum += env.point(c, i)[k] / count;
-      out[k] = sum;
+      out[k] = sum[k] / count;
     }
   }
 }

@@ -54,17 +54,45 @@ uint32_t count_pierced(const Environment<D>& env, Cell c, const Shape& shape, co
   return count;
 }
 
-}  // namespace
+/** Whether a hexahedron is valid, and so clearly that the filter sees it: any three vertices of a facet, in its order, have a positive
+ * volume with the centre. Then seen from there facets are convex, however they are cut, and a vertex has three angles of less than pi.
+ * Round it that makes less than 3 pi, so once; and a sphere that covers a sphere without a branch covers it once. */
+bool is_plainly_valid(const Environment<3>& env, Cell c) noexcept {
+  const uint32_t* const w = env.map.record(c);
+  if (form_of(w[0]) != Form::kBox) return false;
+  double apex[3];
+  centre(env, c, apex);
+  filter::Vec<3> of[8], m{0, 0, 0};
+  for (uint32_t i = 0; i < 8; ++i) {
+    of[i] = filter::difference<3>(env.point(w[kUnitWords + i]), apex);
+    m = filter::extent(m, of[i]);
+  }
+  if (!(filter::lowest(m) >= kFilterMin && filter::highest(m) <= kFilterMax)) return false;
+  const double bound = filter::bound(m);
+  bool sure = true;
+  for (const auto& facet : kBoxFacets) {
+    const filter::Vec<3>&p = of[facet[0]], &q = of[facet[1]], &r = of[facet[2]], &s = of[facet[3]];
+    const filter::Vec<3> pr = filter::cross(p, r), qs = filter::cross(q, s);
+    sure &= filter::dot(pr, s) > bound;
+    sure &= filter::dot(pr, q) < -bound;
+    sure &= filter::dot(qs, p) > bound;
+    sure &= filter::dot(qs, r) < -bound;
+  }
+  return sure;
+}
 
+bool is_plainly_valid(const Environment<2>&, Cell) noexcept { return false; }
+
+/** As check_cell, but does not look whether a valid cell is convex. */
 template <int D>
-CellState check_cell(const Environment<D>& env, Cell c) noexcept {
-  const Shape shape = env.map.shape(c);
+CellState check_star(const Environment<D>& env, Cell c, const Shape& shape) noexcept {
   if (env.map.form(c) == Form::kSimplex) {
     const double* points[D];
     simplex_points(env, c, shape, 0, points);
     const int side = orient<D>(points, env.point(c, 2));  // facet 0 joins vertices 0 1 (3): vertex 2 is the apex
     return side < 0 ? CellState::kValidConvex : side > 0 ? CellState::kInverted : CellState::kInvalid;
   }
+  if (is_plainly_valid(env, c)) return CellState::kValid;
   double apex[D];
   centre(env, c, apex);
   uint32_t inside = 0, outside = 0;
@@ -88,19 +116,33 @@ CellState check_cell(const Environment<D>& env, Cell c) noexcept {
   if (count_pierced(env, c, shape, apex, through) != 1 && count_pierced(env, c, shape, apex, points[0]) != 1) {
     return CellState::kInvalid;
   }
-  return is_flat_and_convex(env, c, shape) ? CellState::kValidConvex : CellState::kValid;
+  return CellState::kValid;
+}
+
+/** Nobody has looked at the host's numbers. */
+template <int D>
+bool is_valid(const Environment<D>& env, Cell c) noexcept {
+  for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) {
+    for (int k = 0; k < D; ++k) {
+      if (!std::isfinite(env.point(c, i)[k])) return false;
+    }
+  }
+  const CellState state = check_star(env, c, env.map.shape(c));
+  return state == CellState::kValid || state == CellState::kValidConvex;
+}
+
+}  // namespace
+
+template <int D>
+CellState check_cell(const Environment<D>& env, Cell c) noexcept {
+  const Shape shape = env.map.shape(c);
+  const CellState state = check_star(env, c, shape);
+  return state == CellState::kValid && is_flat_and_convex(env, c, shape) ? CellState::kValidConvex : state;
 }
 
 template <int D>
 bool find_out_validity(const Environment<D>& env, Cell c) noexcept {
-  bool valid = true;  // nobody has looked at the host's numbers
-  for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) {
-    for (int k = 0; k < D; ++k) valid = valid && std::isfinite(env.point(c, i)[k]);
-  }
-  if (valid) {
-    const CellState state = check_cell(env, c);
-    valid = state == CellState::kValid || state == CellState::kValidConvex;
-  }
+  const bool valid = is_plainly_valid(env, c) || is_valid(env, c);
   env.checked.note(env.map.index(c), valid ? CheckedCells::Known::kValid : CheckedCells::Known::kInvalid);
   return valid;
 }

@@ -81,6 +81,10 @@ void set_triangles(uint16_t* table, uint32_t facet, const uint16_t* triangles);
  * not counted) is cut from its second loop vertex instead of its first. */
 Shape standard_shape(Form form, uint32_t cuts);
 
+/** Facets of a hexahedron, as its table has them. */
+constexpr uint8_t kBoxFacets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
+                                      {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+
 /** Table of a triangle (3) or a quadrilateral (4) in the plane. Facets are its edges: facet i is dart i, from vertex i
  * to the next; there is no beta2 inside a planar cell. */
 Shape planar_shape(uint32_t vertex_count);

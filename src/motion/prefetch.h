@@ -21,4 +21,11 @@ inline void prefetch_vertices(const Environment<D>& env, Cell c) noexcept {
   for (int i = 0; i <= D; ++i) __builtin_prefetch(env.point(w[i] & kVertexMask));
 }
 
+/** What is known of a cell of moving points, and its vertices. The record is read. */
+template <int D>
+inline void prefetch_moving(const Environment<D>& env, Cell c) noexcept {
+  env.checked.prefetch(env.map.index(c));
+  for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) __builtin_prefetch(env.point(c, i));
+}
+
 }  // namespace dsw

@@ -7,8 +7,6 @@ namespace dsw {
 
 /** As standard_shape has them. */
 constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
-constexpr uint8_t kBoxFacets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
-                                      {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
 /** A triangle repeats its last vertex. */
 constexpr uint8_t kPyramidFacets[5][4] = {{0, 3, 2, 1}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}};

@@ -87,25 +87,35 @@ EndState::Went EndState::try_seats(const WallSettings& settings, WallRecord& rec
 
 /** Follows points from the centres of their cells, side by side. */
 EndState::Went EndState::run_seats(const WallSettings& settings, WallRecord& record) {
-  wave_.clear();
-  for (const Feature& point : points_) prefetch_record(env_, cell_of(all_, point));
-  for (const Feature& point : points_) prefetch_vertices(env_, cell_of(all_, point));
+  uint8_t place[kWave];  // of their cells
+  cells_.clear();
   for (size_t i = 0; i < points_.size(); ++i) {
     const Cell c = cell_of(all_, points_[i]);
+    prefetch_record(env_, c);
+    place[i] = static_cast<uint8_t>(cells_.insert(c));
+  }
+  for (uint32_t k = 0; k < cells_.count(); ++k) prefetch_moving(env_, cells_[k]);
+  for (uint32_t k = 0; k < cells_.count(); ++k) {
+    const Cell c = cells_[k];
     if (!admits(env_, c)) {
-      for (uint32_t k = 0, corners = env_.map.vertices_of(c); k < corners; ++k) {
-        const uint32_t v = env_.map.vertex(c, k);
+      for (uint32_t i = 0, corners = env_.map.vertices_of(c); i < corners; ++i) {
+        const uint32_t v = env_.map.vertex(c, i);
         if (!is_finite(env_.point(v))) fail_non_finite({env_.points, 3}, v, 3, {"next", true});
       }
       record.invalid.push_back(volume_id(env_.map, c));
       return Went::kInvalid;
     }
-    centre(env_, c, centres_[i]);
+    centre(env_, c, centres_[k]);
+  }
+  wave_.clear();
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const Cell c = cells_[place[i]];
+    const double* const from = centres_[place[i]];
     // That of a sliver can round to a point outside, from where no walk may start.
     const double* const at = position(all_, points_[i]);
-    const bool thin = env_.map.form(c) == Form::kSimplex && !contains(env_, c, centres_[i]);
+    const bool thin = env_.map.form(c) == Form::kSimplex && !contains(env_, c, from);
     if (thin && !contains(env_, c, at)) return Went::kStopped;
-    wave_.add(env_, c, thin ? at : centres_[i], at);
+    wave_.add(env_, c, thin ? at : from, at);
   }
   wave_.run(env_, nullptr);
   for (uint32_t i = 0; i < wave_.count(); ++i) {

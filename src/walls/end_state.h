@@ -8,6 +8,36 @@
 
 namespace dsw {
 
+/** The cells that the points of a wave lie in, each once: neighbours on a body share them. */
+class WaveCells {
+ public:
+  void clear() noexcept {
+    count_ = 0;
+    std::fill_n(places_, kSlots, kEmpty);
+  }
+  uint32_t count() const noexcept { return count_; }
+  Cell operator[](uint32_t place) const noexcept { return cells_[place]; }
+  /** Its place. */
+  uint32_t insert(Cell c) noexcept {
+    uint32_t slot = (c.unit * 0x9e3779b1u) >> 24;
+    for (; places_[slot] != kEmpty; slot = (slot + 1) % kSlots) {
+      if (cells_[places_[slot]] == c) return places_[slot];
+    }
+    cells_[count_] = c;
+    places_[slot] = static_cast<uint8_t>(count_);
+    return count_++;
+  }
+
+ private:
+  static constexpr uint32_t kSlots = 256;
+  static constexpr uint8_t kEmpty = 0xff;
+  static_assert(2 * kWave <= kSlots);
+
+  uint32_t count_ = 0;
+  Cell cells_[kWave];
+  uint8_t places_[kSlots];  // by hash, linear probing
+};
+
 class EndState {
  public:
   EndState(Environment<3>& env, Occupants& all);
@@ -32,7 +62,8 @@ class EndState {
   Occupants& all_;
   Wave<3> wave_;
   Array<Feature> points_;  // of the wave
-  double centres_[kWave][3];
+  WaveCells cells_;
+  double centres_[kWave][3];  // of these
   SweepFlood flood_;
 };
 

@@ -1,5 +1,7 @@
 #include "grid.h"
 
+#include "bucket_walk.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -223,45 +225,8 @@ inline void Grid::test_bucket(std::size_t bucket, const double* from, const doub
 }
 
 inline Answer Grid::cast(const double* from, const double* to) const {
-  std::int32_t at[3], end[3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    // A point outside walks in the outermost bucket of its row, where the walls it can meet are.
-    at[k] = std::clamp(static_cast<std::int32_t>(std::floor((from[k] - low_[k]) * inverse_)), 0, size_[k] - 1);
-    end[k] = std::clamp(static_cast<std::int32_t>(std::floor((to[k] - low_[k]) * inverse_)), 0, size_[k] - 1);
-  }
-  Answer answer;
-  const std::int32_t stride[3] = {1, size_[0], size_[0] * size_[1]};
-  auto bucket = static_cast<std::ptrdiff_t>(at[0]) +
-                static_cast<std::ptrdiff_t>(size_[0]) * (at[1] + static_cast<std::ptrdiff_t>(size_[1]) * at[2]);
-  test_bucket(static_cast<std::size_t>(bucket), from, to, answer);
-  std::int32_t left = std::abs(end[0] - at[0]) + std::abs(end[1] - at[1]) + std::abs(end[2] - at[2]);
-  if (left == 0) {
-    return answer;
-  }
-  double next[3], delta[3];
-  std::int32_t step[3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double along = to[k] - from[k];
-    step[k] = end[k] > at[k] ? 1 : -1;
-    if (end[k] == at[k]) {
-      next[k] = delta[k] = std::numeric_limits<double>::infinity();
-    } else {
-      const double side = low_[k] + (at[k] + (step[k] > 0 ? 1 : 0)) * bucket_;
-      next[k] = (side - from[k]) / along;
-      delta[k] = bucket_ / std::fabs(along);
-    }
-  }
-  for (; left > 0; --left) {
-    const std::size_t axis = next[0] <= next[1] ? (next[0] <= next[2] ? 0 : 2) : (next[1] <= next[2] ? 1 : 2);
-    if (answer.wall != kNone && answer.time < next[axis] - 1e-12) {
-      break;
-    }
-    at[axis] += step[axis];
-    next[axis] = at[axis] == end[axis] ? std::numeric_limits<double>::infinity() : next[axis] + delta[axis];
-    bucket += step[axis] * static_cast<std::ptrdiff_t>(stride[axis]);
-    test_bucket(static_cast<std::size_t>(bucket), from, to, answer);
-  }
-  return answer;
+  return walk_buckets({{low_[0], low_[1], low_[2]}, bucket_, inverse_, {size_[0], size_[1], size_[2]}}, from, to,
+                      [&](std::size_t bucket, Answer& answer) { test_bucket(bucket, from, to, answer); });
 }
 
 std::size_t Grid::bytes() const {

@@ -12,8 +12,8 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   Options options;
   std::string json = "benchmark.json";
-  const std::vector<std::string> known = {"hex",    "threads", "tet",   "vessel",  "change",
-                                          "create", "fig11",   "fig12", "catheter"};
+  const std::vector<std::string> known = {"hex",    "threads", "tet",   "vessel",   "change",
+                                          "create", "fig11",   "fig12", "catheter", "deform"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
   app.add_flag("--quick", options.quick, "Fewer steps and rounds");
@@ -63,6 +63,9 @@ int main(int argc, char** argv) {
     }
     if (wanted("catheter")) {
       run_catheter(options, report);
+    }
+    if (wanted("deform")) {
+      run_deform(options, report, agreement);
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -231,8 +231,7 @@ void Ours::run(std::size_t first, std::size_t count) {
                                       &segments_.to[3 * first], 0, &options_, flights_.data()));
 }
 
-Answer Ours::answer(std::size_t i) const {
-  const dsw_flight& flight = flights_[i];
+Answer Ours::answer_of(const dsw_flight& flight) const {
   if (flight.outcome == DSW_OUTCOME_REACHED) {
     return {};
   }

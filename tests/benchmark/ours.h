@@ -68,9 +68,11 @@ class Ours final : public Engine {
 
   void prepare(const Segments& segments) override;
   void run(std::size_t first, std::size_t count) override;
-  Answer answer(std::size_t i) const override;
+  Answer answer(std::size_t i) const override { return answer_of(flights_[i]); }
 
   const std::vector<dsw_flight>& flights() const { return flights_; }
+  /** What a flight says of the walls. */
+  Answer answer_of(const dsw_flight& flight) const;
 
  private:
   const World& world_;

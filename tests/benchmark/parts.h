@@ -23,6 +23,7 @@ void run_change(const Options& options, Report& report);
 void run_create(const Options& options, Report& report);
 void run_fig12(const Options& options, Report& report);
 void run_catheter(const Options& options, Report& report);
+void run_deform(const Options& options, Report& report, Agreement& agreement);
 void run_fig11(const Options& options, Report& report, Agreement& agreement);
 
 }  // namespace dsw::bench
