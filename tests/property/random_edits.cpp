@@ -1,0 +1,460 @@
+#include "random_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+#include "body_check.h"
+#include "environment/marking.h"
+#include "environment/validity.h"
+#include "map/integrity.h"
+#include "scene/body_probe.h"
+#include "sweep_scenes.h"
+
+namespace dsw::oracle {
+namespace {
+
+constexpr double kTolerance = 1e-9;  // of the sum of volumes, which is rounded
+
+template <class T>
+void append(std::string& out, const T* data, size_t count) {
+  if (count != 0) out.append(reinterpret_cast<const char*>(data), count * sizeof(T));
+}
+template <class T>
+void append(std::string& out, const Array<T>& array) {
+  append(out, array.data(), array.size());
+}
+/// Lists that have room for more sizes are the same lists.
+void append_heads(std::string& out, const Array<uint32_t>& heads) {
+  size_t count = heads.size();
+  while (count != 0 && heads[count - 1] == kNoCell) --count;
+  append(out, heads.data(), count);
+}
+void append_slots(std::string& out, const SlotPool& slots) {
+  for (uint32_t i = 0; i < slots.slot_count(); ++i) {
+    const uint32_t generation = slots.generation(i);
+    append(out, &generation, 1);
+  }
+  for (size_t k = 0; k < slots.slot_count() - slots.alive_count(); ++k) {
+    const uint32_t next = slots.upcoming(k);
+    append(out, &next, 1);
+  }
+}
+
+}  // namespace
+
+const char* name_of(Operation operation) {
+  const char* const names[] = {"sew",         "unsew",      "remove",     "merge volumes", "split volume",
+                               "merge faces", "split face", "split edge", "merge edges",   "collapse"};
+  return names[static_cast<size_t>(operation)];
+}
+
+RandomEdits::RandomEdits(const std::string& scene, uint64_t seed)
+    : place_(make_place(scene, seed)), rng_(seed ^ 0x70c0) {
+  if (place_.environment == nullptr) return;
+  first_count_ = env().map.cell_count;
+  volume_ = volume();
+  mark_some();
+  scene_ = make_scene(place_.get());
+  add_particles();
+  add_bodies();
+}
+
+void RandomEdits::mark_some() {
+  for (int i = 0; i < 3; ++i) {
+    const dsw_volume_id v = volume_id(env().map, some_cell());
+    dsw_environment_mark_volumes(place_.get(), &v, 1, DSW_MARK_IMPASSABLE, 0, nullptr);
+    const dsw_face_id f = some_face();
+    dsw_environment_mark_faces(place_.get(), &f, 1, DSW_MARK_IMPASSABLE);
+    const dsw_edge_id e = some_edge();
+    dsw_environment_mark_edges(place_.get(), &e, 1, DSW_MARK_IMPASSABLE);
+    const dsw_vertex_id end = vertex_of(some_edge());
+    dsw_environment_mark_vertices(place_.get(), &end, 1, DSW_MARK_IMPASSABLE);
+  }
+}
+
+void RandomEdits::add_particles() {
+  Motions motions(*place_.world, rng_);
+  for (int i = 0; i < 25; ++i) {
+    const Vec p = motions.start();
+    dsw_particle_id id;
+    dsw_particle_create(scene_.get(), p.data(), {0, 0}, &id);
+  }
+}
+
+/// Chains and surfaces, at every level; those that are not free are not made.
+void RandomEdits::add_bodies() {
+  Motions motions(*place_.world, rng_);
+  for (int i = 0; i < 12; ++i) {
+    BodyPlan plan;
+    const double reach = place_.world->size * (i % 3 == 0 ? 0.5 : 0.15);
+    plan.at.push_back(motions.start());
+    for (int k = 0; k < 3; ++k) {
+      Vec p = plan.at.back();
+      for (double& x : p) x += rng_.range(-reach, reach);
+      plan.at.push_back(p);
+    }
+    if (i % 2 == 0) {
+      plan.edges = {{0, 1}, {1, 2}, {2, 3}};
+    } else {
+      plan.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}};
+    }
+    dsw_body_id body;
+    const uint32_t flags = i % 2 == 0 ? DSW_BODY_SKIP_BY_CLEARANCE : 0;
+    create_body(scene_.get(), plan, static_cast<dsw_level>(1 + i % 4), flags, {}, &body);
+  }
+}
+
+dsw::Cell RandomEdits::some_cell() {
+  for (;;) {
+    const dsw::Cell c = env().map.cell(rng_.below(env().map.index_count()));
+    if (c.valid()) return c;
+  }
+}
+
+dsw_face_id RandomEdits::some_face() {
+  const dsw::Cell c = some_cell();
+  return {env().map.index(c), env().map.generation(c), rng_.below(env().map.facets_of(c))};
+}
+
+dsw_edge_id RandomEdits::some_edge() {
+  const dsw::Cell c = some_cell();
+  return {env().map.index(c), env().map.generation(c), rng_.below(env().map.shape(c).edge_count())};
+}
+
+dsw_vertex_id RandomEdits::vertex_of(dsw_edge_id edge) {
+  dsw_vertex_id ends[2];
+  size_t count;
+  dsw_environment_copy_vertices(place_.get(), cell_of(edge), ends, 2, &count);
+  return ends[rng_.below(2)];
+}
+
+/// More is taken apart where there are few volumes, more is put together where there are many.
+Operation RandomEdits::choose() {
+  const size_t count = volume_count();
+  const bool few = count<first_count_ / 2 + 3, many = count> 2 * first_count_;
+  for (;;) {
+    const auto operation = static_cast<Operation>(rng_.below(static_cast<uint32_t>(Operation::kCount)));
+    const bool takes =
+        operation == Operation::kRemove || operation == Operation::kCollapse || operation == Operation::kMergeVolumes;
+    if (takes && few) continue;
+    if (operation == Operation::kRemove && !rng_.chance(many ? 0.3 : 0.04)) continue;
+    if (operation == Operation::kUnsew && !rng_.chance(0.3)) continue;
+    if (operation == Operation::kSplitVolume && many) continue;
+    if (operation == Operation::kSplitEdge && rng_.chance(0.6)) continue;
+    return operation;
+  }
+}
+
+dsw_status RandomEdits::sew() {
+  if (unsewn_.empty() || rng_.chance(0.1)) {
+    const dsw_face_id a = some_face(), b = some_face();
+    return dsw_environment_sew_faces(place_.get(), &a, &b, 1);
+  }
+  const size_t i = rng_.below(unsewn_.size());
+  const auto pair = unsewn_[i];
+  const dsw_status status = dsw_environment_sew_faces(place_.get(), &pair[0], &pair[1], 1);
+  if (status != DSW_STATUS_OCCUPIED) unsewn_.erase(unsewn_.begin() + static_cast<ptrdiff_t>(i));
+  return status;
+}
+
+/// Along the boundary of some faces that hang together, when that is one loop.
+dsw_status RandomEdits::split_volume() {
+  const Map<3>& map = env().map;
+  for (;;) {
+    const dsw::Cell c = some_cell();
+    const Shape shape = map.shape(c);
+    std::set<uint32_t> faces{rng_.below(shape.facet_count())};
+    const uint32_t wanted = 1 + rng_.below(shape.facet_count() - 1);
+    for (int tries = 0; faces.size() < wanted && tries < 50; ++tries) {
+      const uint32_t d = rng_.below(shape.dart_count());
+      if (faces.count(shape.dart_facet(d)) != 0) faces.insert(shape.dart_facet(shape.dart_beta2(d)));
+    }
+    std::map<uint32_t, uint32_t> next;
+    size_t darts = 0;
+    for (const uint32_t f : faces) {
+      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+        if (faces.count(shape.dart_facet(shape.dart_beta2(d))) != 0) continue;
+        next[map.vertex(c, shape.dart_vertex(d))] = map.vertex(c, shape.dart_vertex(shape.beta1(d)));
+        ++darts;
+      }
+    }
+    if (next.size() != darts || next.empty()) continue;
+    std::vector<dsw_vertex_id> loop;
+    for (uint32_t v = next.begin()->first; loop.size() <= darts;) {
+      loop.push_back({v, map.vertex_generation(v)});
+      v = next[v];
+      if (v == next.begin()->first) break;
+    }
+    if (loop.size() != darts) continue;
+    return dsw_environment_split_volume(place_.get(), volume_id(map, c), loop.data(), loop.size(), nullptr, nullptr);
+  }
+}
+
+dsw_status RandomEdits::split_face() {
+  const Map<3>& map = env().map;
+  dsw_face_id face = some_face();
+  for (int tries = 0; tries < 30 && map.shape(map.cell(face.volume)).facet_size(face.local) == 3; ++tries)
+    face = some_face();
+  std::vector<dsw_vertex_id> vertices(100);
+  size_t count = 0;
+  if (dsw_environment_copy_vertices(place_.get(), cell_of(face), vertices.data(), vertices.size(), &count) != 0) {
+    return DSW_STATUS_BUFFER_TOO_SMALL;
+  }
+  const dsw::Cell c = map.cell(face.volume);
+  may_change_ = !map.opposite(map.half_facet(c, face.local)).valid();
+  return dsw_environment_split_face(place_.get(), face, vertices[rng_.below(count)], vertices[rng_.below(count)],
+                                    nullptr, nullptr);
+}
+
+dsw_status RandomEdits::call(Operation operation) {
+  dsw_environment* const environment = place_.get();
+  const Map<3>& map = env().map;
+  may_change_ = false;
+  switch (operation) {
+    case Operation::kSew:
+      return sew();
+    case Operation::kUnsew: {
+      const dsw_face_id face = some_face();
+      const HalfFacet h = map.half_facet(map.cell(face.volume), face.local), o = map.opposite(h);
+      const dsw_status status = dsw_environment_unsew_face(environment, face);
+      if (status == DSW_STATUS_OK) unsewn_.push_back({face_id(map, h), face_id(map, o)});
+      return status;
+    }
+    case Operation::kRemove: {
+      const dsw_volume_id v = volume_id(map, some_cell());
+      may_change_ = true;
+      return dsw_environment_remove_volumes(environment, &v, 1);
+    }
+    case Operation::kMergeVolumes:
+      return dsw_environment_merge_volumes(environment, some_face(), nullptr);
+    case Operation::kSplitVolume:
+      return split_volume();
+    case Operation::kMergeFaces:
+      return dsw_environment_merge_faces(environment, some_edge(), nullptr);
+    case Operation::kSplitFace:
+      return split_face();
+    case Operation::kSplitEdge:
+      return dsw_environment_split_edge(environment, some_edge(), rng_.chance(0.5) ? 0.5 : rng_.range(0.1, 0.9),
+                                        nullptr, nullptr);
+    case Operation::kMergeEdges: {
+      // A vertex with two edges, if one is found soon.
+      dsw_edge_id edge = some_edge();
+      dsw_vertex_id vertex = vertex_of(edge);
+      for (int tries = 0; tries < 200 && map.vertex_uses.size() > vertex.index; ++tries) {
+        const dsw::Cell c = map.cell(edge.volume);
+        const Shape shape = map.shape(c);
+        uint32_t darts = 0;
+        for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+          darts += map.vertex(c, shape.dart_vertex(d)) == vertex.index ? 1u : 0u;
+        }
+        if (darts == 2) break;
+        edge = some_edge();
+        vertex = vertex_of(edge);
+      }
+      may_change_ = true;
+      return dsw_environment_merge_edges(environment, edge, vertex, nullptr);
+    }
+    default: {
+      const dsw_edge_id edge = some_edge();
+      return dsw_environment_collapse_edge(environment, edge, vertex_of(edge));
+    }
+  }
+}
+
+/// Everything that a failed call must leave as it was, byte for byte.
+std::string RandomEdits::state() const {
+  const Environment<3>& e = env();
+  std::string out;
+  append(out, e.map.words);
+  append(out, e.map.shape_tables);
+  append(out, e.map.shape_offsets);
+  append(out, e.map.unit_of_cell);
+  append(out, e.map.cell_of_unit);
+  append(out, e.map.vertex_uses);
+  append_heads(out, e.map.free_records);
+  append_heads(out, e.map.free_shapes);
+  append_slots(out, e.map.cell_slots);
+  append_slots(out, e.map.vertex_slots);
+  append(out, e.owned_points);
+  append(out, e.vertex_marks);
+  append(out, e.regions);
+  append(out, e.tags);
+  Array<uint64_t> edges;
+  e.edge_marks.copy_sorted(edges);
+  append(out, edges);
+  const uint64_t counts[] = {e.map.cell_count,  e.map.vertex_count, e.map.facet_count, e.map.boundary_facet_count,
+                             e.marked_cells,    e.marked_facets,    e.marked_edges,    e.marked_vertices,
+                             e.obstacle_version};
+  append(out, counts, std::size(counts));
+  append(out, e.lower, 3);
+  append(out, e.upper, 3);
+  append(out, scene().particles);
+  for (const BodyRecord& record : scene().bodies) {
+    append(out, record.body.vertices);
+    for (const EdgeSequence& sequence : record.body.sequences) append(out, sequence);
+  }
+  return out;
+}
+
+double RandomEdits::volume() const {
+  double sum = 0;
+  for_each_cell(env().map, [&](dsw::Cell c) {
+    const Shape shape = env().map.shape(c);
+    double apex[3];
+    centre(env(), c, apex);
+    for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
+      const double* p[3];
+      simplex_points(env(), c, shape, s, p);
+      double d[3][3];
+      for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) d[i][k] = p[i][k] - apex[k];
+      }
+      sum += d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) - d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+             d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+    }
+  });
+  return std::fabs(sum) / 6;
+}
+
+std::string RandomEdits::check_counts() const {
+  const Environment<3>& e = env();
+  uint64_t cells = 0, sides = 0;
+  for_each_cell(e.map, [&](dsw::Cell c) {
+    cells += e.map.marked(c) ? 1u : 0u;
+    for (uint32_t f = 0; f < e.map.facets_of(c); ++f) {
+      const HalfFacet h = e.map.half_facet(c, f);
+      if (e.map.facet_marked(h)) sides += e.map.opposite(h).valid() ? 1u : 2u;
+    }
+  });
+  if (cells != e.marked_cells) return "marked volumes are counted wrongly";
+  if (sides != 2 * e.marked_facets) return "marked faces are counted wrongly";
+  Array<uint64_t> keys;
+  e.edge_marks.copy_sorted(keys);
+  if (keys.size() != e.marked_edges) return "marked edges are counted wrongly";
+  for_each_cell(e.map, [&](dsw::Cell c) {
+    for (uint32_t d = 0; d < e.map.shape(c).dart_count(); ++d) {
+      const uint64_t a = dart_vertex(e.map, {c, d}), b = dart_target(e.map, {c, d});
+      keys.erase(std::remove(keys.begin(), keys.end(), std::min(a, b) << 32 | std::max(a, b)), keys.end());
+    }
+  });
+  return keys.empty() ? "" : "an edge that is none is marked";
+}
+
+std::string RandomEdits::check() const {
+  const Environment<3>& e = env();
+  if (const char* const broken = check_integrity(e.map)) return broken;
+  std::string wrong = check_counts();
+  const auto test = [&](dsw::Cell c, const double* at, const char* what, uint32_t i) {
+    const bool alive = c.unit < e.map.cell_of_unit.size() && e.map.cell_of_unit[c.unit] != kNoCell;
+    if (!alive || e.map.marked(c) || !contains(e, c, at)) wrong = what + std::to_string(i) + " is not in its volume";
+  };
+  for (uint32_t i = 0; i < scene().particles.size(); ++i) {
+    const ParticleState<3>& p = scene().particles[i];
+    if (p.cell.valid()) test(p.cell, p.position, "particle ", i);
+  }
+  BodyProbe probe(e, Box::everything(), Obstacle::kCells);
+  for (uint32_t b = 0; b < scene().bodies.size(); ++b) {
+    const Body& body = scene().bodies[b].body;
+    for (const BodyVertex& v : body.vertices) {
+      if (v.cell.valid()) test(v.cell, v.position, "a vertex of body ", b);
+    }
+    if (wrong.empty() && !probe.is_free(body)) wrong = "body " + std::to_string(b) + " is not free";
+  }
+  return wrong;
+}
+
+std::string RandomEdits::step() {
+  const Operation operation = choose();
+  EditTally& tally = tallies[static_cast<size_t>(operation)];
+  const std::string before = env().map.has_changed() ? state() : "";
+  const dsw_status status = call(operation);
+  ++tally.tried;
+  std::string wrong;
+  if (status != DSW_STATUS_OK) {
+    tally.occupied += status == DSW_STATUS_OCCUPIED ? 1u : 0u;
+    if (status != DSW_STATUS_OCCUPIED && status != DSW_STATUS_BAD_TOPOLOGY && status != DSW_STATUS_BAD_CELL &&
+        status != DSW_STATUS_INVALID_CELL && status != DSW_STATUS_STALE_ID) {
+      wrong = std::string("unexpected: ") + dsw_last_error_message();
+    }
+    if (!before.empty() && state() != before) wrong = "a call that failed has changed something";
+  } else {
+    ++tally.done;
+    wrong = check();
+    const double now = volume();
+    // Parts of the outer boundary that lie in one plane can move by the rounding of a vertex.
+    if (!may_change_ && std::fabs(now - volume_) > kTolerance * volume_) wrong = "the volumes fill another space";
+    volume_ = now;
+  }
+  return wrong.empty() ? wrong : std::string(name_of(operation)) + ": " + wrong;
+}
+
+std::string RandomEdits::check_exactly() {
+  const Environment<3>& e = env();
+  Mesh mesh;
+  mesh.points.resize(e.map.vertex_count);
+  for (uint32_t v = 0; v < e.map.vertex_count; ++v) std::copy_n(e.point(v), 3, mesh.points[v].begin());
+  World::Changed changed;
+  std::vector<dsw_volume_id>& ids = changed.volumes;
+  std::map<uint32_t, size_t> place;  // unit -> cell of the mesh
+  std::string wrong;
+  for_each_cell(e.map, [&](dsw::Cell c) {
+    const CellState state = check_cell(e, c);
+    if (state != CellState::kValid && state != CellState::kValidConvex) wrong = "a volume is not valid";
+    if (e.map.convex(c) != (state == CellState::kValidConvex)) wrong = "a volume is wrongly called convex, or not";
+    const Shape shape = e.map.shape(c);
+    std::vector<Loop> loops(shape.facet_count());
+    changed.outer.emplace_back();
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      changed.outer.back().push_back(e.map.opposite(e.map.half_facet(c, f)).valid() ? 0 : 1);
+    }
+    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+      loops[shape.dart_facet(d)].push_back(static_cast<int>(e.map.vertex(c, shape.dart_vertex(d))));
+    }
+    place[c.unit] = ids.size();
+    ids.push_back(volume_id(e.map, c));
+    mesh.add_polyhedron(std::move(loops));
+  });
+  if (!wrong.empty()) return wrong;
+  World world(mesh, place_.get(), changed);
+  if (!world.fault().empty()) return world.fault();
+  for (size_t i = 0; i < ids.size(); ++i) world.cell_marked[i] = e.map.marked(e.map.cell(ids[i].index)) ? 1 : 0;
+  for (Face& face : world.faces) {
+    const dsw::Cell c = e.map.cell(ids[static_cast<size_t>(face.cell[0])].index);
+    face.marked = e.map.facet_marked(e.map.half_facet(c, static_cast<uint32_t>(face.local[0])));
+  }
+  Array<uint64_t> keys;
+  e.edge_marks.copy_sorted(keys);
+  std::vector<std::array<int, 2>> wires;
+  for (const uint64_t key : keys) wires.push_back({static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffffu)});
+  SweepReport report(0);
+  SweepWorld exact(world, wires);
+  const SweepChecker walls(world, exact, report);
+  BodyChecker checker(world, exact, walls, report);
+  for (const ParticleState<3>& p : scene().particles) {
+    if (p.cell.valid() && !world.contains(static_cast<int>(place.at(p.cell.unit)), world.body(p.position))) {
+      return "a particle is not in its volume";
+    }
+  }
+  // Where the outer boundary has been moved through itself, the oracle sees walls that are not in the way.
+  const dsw_status partition = dsw_environment_check(place_.get(), nullptr);
+  if (partition == DSW_STATUS_BOUNDARY_CROSSES) return "";
+  if (partition != DSW_STATUS_OK) return dsw_last_error_message();
+  ++exact_checks;
+  Big sum = 0;
+  for (size_t i = 0; i < ids.size(); ++i) sum += world.volume6(static_cast<int>(i));
+  if (sum != world.outer_volume6()) return "the volumes do not fill what the outer boundary encloses";
+  for (uint32_t b = 0; b < scene().bodies.size(); ++b) {
+    const uint32_t generation = scene().body_slots.generation(b);
+    if (!scene().body_slots.alive(b, generation)) continue;
+    BodyState state;
+    wrong = read_body(scene_.get(), {b, generation}, state);
+    if (wrong.empty())
+      wrong = checker.not_free(state, static_cast<dsw_level>(1 + static_cast<int>(scene().bodies[b].body.level)));
+    if (!wrong.empty()) return wrong;
+  }
+  return "";
+}
+
+}  // namespace dsw::oracle
