@@ -57,6 +57,45 @@ DSW_API dsw_status dsw_environment_sew_faces(dsw_environment *environment, const
  * @return DSW_STATUS_BAD_TOPOLOGY: it is on the outer boundary already. @note All ids stay valid. @since 0.1 */
 DSW_API dsw_status dsw_environment_unsew_face(dsw_environment *environment, dsw_face_id face);
 
+/** Describes volumes to be added. All arrays are read in place, once; nothing is retained. */
+typedef struct dsw_volumes_desc {
+  uint32_t struct_size;          /**< sizeof(dsw_volumes_desc). */
+  uint32_t index_bytes;          /**< Size of the signed integers in offsets and connectivity: 4 or 8; 0 means 8. */
+  const dsw_vertex_id *vertices; /**< Vertices that the environment has: 0 .. vertex_count-1 in connectivity. */
+  size_t vertex_count;
+  const double *points;      /**< New vertices, 3 doubles each, finite: vertex_count and following in connectivity. */
+  size_t point_count;        /**< 0 where the points of the environment are borrowed. */
+  size_t point_stride_bytes; /**< Distance of two points; 0 means 24. */
+  const uint8_t *cell_types; /**< dsw_cell_type of each volume; null: all are uniform_cell_type. */
+  size_t cell_count;         /**< At least 1. */
+  const void *offsets;       /**< As in dsw_environment_desc; null is allowed with uniform_cell_type. */
+  const void *connectivity;  /**< Indices as above; for a polyhedron its face stream. */
+  size_t connectivity_count; /**< Number of integers in connectivity. */
+  const int32_t *regions;    /**< Null, or a label for each volume. */
+  const uint32_t *tags;      /**< Null, or a host tag for each volume. */
+  const dsw_face_id
+      *sew_to; /**< Faces on the outer boundary to which the new volumes are sewn; each has the vertices of a
+                                   face of one of these. Others stay apart, also where they have the same vertices. */
+  size_t sew_count;
+  uint32_t uniform_cell_type; /**< dsw_cell_type of all volumes when cell_types is null; not polyhedron. */
+  uint32_t reserved;          /**< 0. */
+} dsw_volumes_desc;
+
+/** Writes the defaults (hexahedra, 8-byte indices) into at most `size` bytes and sets struct_size.
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_volumes_desc). @note Thread: any. @since 0.1 */
+DSW_API void dsw_volumes_desc_init(dsw_volumes_desc *desc, size_t size);
+
+/** Adds volumes. They are passable, joined with each other where they share faces, and sewn to the given faces of the outer boundary,
+ * whose marks stay. That they overlap nothing is the caller's to see to: dsw_environment_check tells.
+ * @param desc [in] see dsw_volumes_desc. @param volumes [out] desc->cell_count ids, may be null.
+ * @param vertices [out] desc->point_count ids of the new vertices, may be null.
+ * @return DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED, WRONG_SIZE, OUT_OF_RANGE, NON_FINITE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, BORROWED
+ * (new points where they are the host's), DUPLICATE_CELL, SHARED_FACE (among the new volumes), NOT_FOUND (a face in sew_to that no new
+ * volume has), BAD_TOPOLOGY (one that is not on the outer boundary). The message names the volume by its place in desc.
+ * @since 0.1 */
+DSW_API dsw_status dsw_environment_add_volumes(dsw_environment *environment, const dsw_volumes_desc *desc,
+                                               dsw_volume_id *volumes, dsw_vertex_id *vertices);
+
 /** Removes volumes; faces that they share with others are on the outer boundary then. An id may stand twice.
  * @return DSW_STATUS_BAD_TOPOLOGY: no volume would be left. @since 0.1 */
 DSW_API dsw_status dsw_environment_remove_volumes(dsw_environment *environment, const dsw_volume_id *volumes,

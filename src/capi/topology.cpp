@@ -49,7 +49,64 @@ class Change {
   dsw::Edit edit_;
 };
 
+void check_arrays(const dsw_volumes_desc& d) {
+  if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
+  if (d.index_bytes != 0 && d.index_bytes != 4 && d.index_bytes != 8) {
+    fail(DSW_STATUS_UNSUPPORTED, "desc->index_bytes is %u, must be 4 or 8", d.index_bytes);
+  }
+  if (d.cell_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->cell_count is 0, must be at least 1");
+  if (d.cell_count > dsw::kVertexMask || d.point_count > dsw::kVertexMask) {
+    fail(DSW_STATUS_TOO_LARGE, "desc->cell_count is %zu and desc->point_count is %zu, must be below 2^28", d.cell_count,
+         d.point_count);
+  }
+  capi::require_array(d.vertices, d.vertex_count, "desc->vertices");
+  capi::require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
+  capi::require_array(d.sew_to, d.sew_count, "desc->sew_to");
+  if (d.offsets == nullptr && (d.cell_types != nullptr || d.uniform_cell_type == DSW_CELL_TYPE_POLYHEDRON)) {
+    fail(DSW_STATUS_NULL_ARGUMENT, "desc->offsets is null, which needs one uniform type with a fixed number of points");
+  }
+}
+
 }  // namespace
+
+void dsw_volumes_desc_init(dsw_volumes_desc* desc, size_t size) {
+  dsw_volumes_desc d{};
+  d.index_bytes = 8;
+  d.uniform_cell_type = DSW_CELL_TYPE_HEXAHEDRON;
+  capi::init_struct(desc, size, d);
+}
+
+dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_volumes_desc* desc,
+                                       dsw_volume_id* volumes, dsw_vertex_id* vertices) {
+  return capi::guard("dsw_environment_add_volumes", [&] {
+    Change change(environment);
+    capi::require(desc, "desc");
+    const dsw_volumes_desc d = capi::read_struct(desc, "desc");
+    check_arrays(d);
+    const dsw::PointArray points = capi::to_points(d.points, d.point_count, d.point_stride_bytes, "desc->points");
+    dsw::check_finite(points, d.point_count, 3, {"desc->points", true});
+    dsw::Array<uint32_t> all{dsw::Allocator<uint32_t>(change.memory())};
+    all.reserve(d.vertex_count + d.point_count);
+    for (size_t i = 0; i < d.vertex_count; ++i) {
+      all.push_back(capi::to_vertex(change.map(), d.vertices[i], {"desc->vertices", true}, i));
+    }
+    for (size_t i = 0; i < d.point_count; ++i) all.push_back(change.edit().add_vertex(points[i]));
+    dsw::Array<dsw::HalfFacet> faces{dsw::Allocator<dsw::HalfFacet>(change.memory())};
+    for (size_t i = 0; i < d.sew_count; ++i) {
+      faces.push_back(capi::to_half_facet(change.map(), d.sew_to[i], {"desc->sew_to", true}, i));
+    }
+    dsw::NewCells input{all.data(),    all.size(),   d.cell_types,   d.uniform_cell_type,  d.cell_count,
+                        d.index_bytes, d.offsets,    d.connectivity, d.connectivity_count, d.regions,
+                        d.tags,        faces.data(), faces.size()};
+    if (input.index_bytes == 0) input.index_bytes = 8;
+    add_cells(change.edit(), input);
+    change.carry_out();
+    for (size_t i = 0; volumes != nullptr && i < d.cell_count; ++i) volumes[i] = change.volume(i);
+    for (size_t i = 0; vertices != nullptr && i < d.point_count; ++i) {
+      vertices[i] = capi::vertex_id(change.map(), all[d.vertex_count + i]);
+    }
+  });
+}
 
 dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_face_id* faces_a,
                                      const dsw_face_id* faces_b, size_t count) {

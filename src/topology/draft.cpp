@@ -1,6 +1,8 @@
 #include "topology/draft.h"
 
-#include <cmath>
+#include "base/error.h"
+#include "environment/recut.h"
+#include "predicates/filtered.h"
 
 namespace dsw {
 namespace {
@@ -74,6 +76,28 @@ bool cut_alike(const FacetDraft& a, const FacetDraft& b) {
 void cut_like(FacetDraft& facet, const FacetDraft& other) {
   facet.triangles = other.triangles;
   for (size_t t = 0; t < facet.triangles.size(); t += 3) std::swap(facet.triangles[t + 1], facet.triangles[t + 2]);
+}
+
+bool is_cut_well(const Environment<3>& env, const FacetDraft& facet, const double* apex, const double* beyond) {
+  for (size_t t = 0; t < facet.triangles.size(); t += 3) {
+    const double* points[3];
+    for (size_t k = 0; k < 3; ++k) points[k] = env.point(facet.triangles[t + k]);
+    if (orient<3>(points, apex) >= 0 || (beyond != nullptr && orient<3>(points, beyond) <= 0)) return false;
+  }
+  return true;
+}
+
+bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Array<uint32_t>& hole, const double* apex,
+              const double* beyond) {
+  if (hole.size() > kMostTriangulated) {
+    fail(DSW_STATUS_TOO_LARGE, "a face of %zu vertices has to be cut anew, more than %u", hole.size(),
+         kMostTriangulated);
+  }
+  std::vector<const double*> points;
+  for (const uint32_t v : hole) points.push_back(env.point(v));
+  const std::vector<size_t> triangles = triangulate(points, apex, beyond);
+  for (const size_t place : triangles) facet.triangles.push_back(hole[place]);
+  return !triangles.empty();
 }
 
 void list_vertices(const CellDraft& draft, Array<uint32_t>& out) {

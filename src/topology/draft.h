@@ -58,6 +58,12 @@ bool cut_alike(const FacetDraft& a, const FacetDraft& b);
 /** Gives a facet the triangles of the one that it faces. */
 void cut_like(FacetDraft& facet, const FacetDraft& other);
 
+/** Whether the triangles of a facet are positive seen from a point, and negative from a point `beyond` unless that is null. */
+bool is_cut_well(const Environment<3>& env, const FacetDraft& facet, const double* apex, const double* beyond);
+/** Adds triangles to a facet that fill `hole` and are such; false if there are none. Throws TOO_LARGE where it is not worth the search. */
+bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Array<uint32_t>& hole, const double* apex,
+              const double* beyond);
+
 /** Vertices of a draft, each once, in the order of first use. */
 void list_vertices(const CellDraft& draft, Array<uint32_t>& out);
 /** The mean of a draft's vertices in that order. */

@@ -1,11 +1,9 @@
 // Edges split by a vertex, merged where a vertex goes, and collapsed. All volumes round the edge, or the vertex, change.
 
 #include <cmath>
-#include <limits>
 
 #include "base/error.h"
 #include "environment/marking.h"
-#include "environment/recut.h"
 #include "predicates/filtered.h"
 #include "topology/operations.h"
 
@@ -284,16 +282,10 @@ MergedEdge merge_edges(Edit& edit, Dart d, uint32_t vertex) {
     double apex[3], beyond[3];
     centre(env, draft, apex);
     if (other != nullptr) centre(env, *other, beyond);
-    std::vector<const double*> points;
-    for (const uint32_t v : hole.loop) points.push_back(env.point(v));
-    if (points.size() > kMostTriangulated)
-      fail(DSW_STATUS_TOO_LARGE, "vertex %u has too many triangles round it", vertex);
-    const std::vector<size_t> triangles = triangulate(points, apex, other != nullptr ? beyond : nullptr);
-    if (triangles.empty()) {
+    if (!cut_anew(env, facet, hole.loop, apex, other != nullptr ? beyond : nullptr)) {
       fail(DSW_STATUS_INVALID_CELL, "what vertex %u leaves of a face can't be cut so that its volumes stay valid",
            vertex);
     }
-    for (const size_t place : triangles) facet.triangles.push_back(hole.loop[place]);
     if (other != nullptr) cut_like(other->facets[facet_from(*other, facet.far)], facet);
   }
   if (edge_marked(env, ends[0], vertex) || edge_marked(env, vertex, ends[1])) edit.set_mark(ends[0], ends[1], true);

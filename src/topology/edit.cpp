@@ -35,6 +35,8 @@ Edit::~Edit() {
     made_.pop_back();
   }
   shrink(map_, room_);
+  if (made_regions_) env_.regions.clear();
+  if (made_tags_) env_.tags.clear();
   if (vertices_.empty()) return;
   for (const uint32_t v : vertices_) std::fill_n(&env_.owned_points[size_t{v} * 3], 3, 0.0);
   env_.owned_points.resize(point_doubles_);
@@ -313,8 +315,7 @@ void Edit::count_all() noexcept {
 void Edit::reserve() {
   map_.cell_slots.reserve(fresh_, removed_.size());
   reserve_more(map_.unit_of_cell, fresh_);
-  if (!env_.regions.empty()) reserve_more(env_.regions, fresh_);
-  if (!env_.tags.empty()) reserve_more(env_.tags, fresh_);
+  reserve_labels();
   size_t corners = 0;
   for (const Cell c : removed_) corners += map_.vertices_of(c);
   map_.vertex_slots.reserve(vertices_.size(), corners);
@@ -323,6 +324,24 @@ void Edit::reserve() {
   for (const MarkChange& mark : marks_) edges += mark.marked && mark.b != kNoCell ? 1u : 0u;
   reserve_edge_marks(env_, edges);
   changes_.reserve(most_changes());
+}
+
+/** New volumes can be the first with labels. */
+void Edit::reserve_labels() {
+  const auto reserve = [&](auto& labels, auto label_of, bool& made) {
+    if (labels.empty()) {
+      if (std::all_of(drafts_.begin(), drafts_.end(), [&](const CellDraft& draft) { return label_of(draft) == 0; }))
+        return;
+      labels.reserve(map_.index_count() + fresh_);
+      labels.assign(map_.index_count(), 0);
+      made = true;
+    }
+    reserve_more(labels, fresh_);
+  };
+  reserve(
+      env_.regions, [](const CellDraft& draft) { return draft.region; }, made_regions_);
+  reserve(
+      env_.tags, [](const CellDraft& draft) { return draft.tag; }, made_tags_);
 }
 
 void Edit::set_marks(bool back) noexcept {

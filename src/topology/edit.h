@@ -96,6 +96,7 @@ class Edit {
   void drop_marks();
   bool is_edge_left(Dart d) const;
   void reserve();
+  void reserve_labels();
   void count(uint32_t link, int sign) noexcept;
   void count_all() noexcept;
   void set_marks(bool back) noexcept;
@@ -108,7 +109,7 @@ class Edit {
   Room room_;  // before
   uint64_t obstacle_version_;
   size_t point_doubles_, vertex_mark_words_;
-  bool applied_ = false, finished_ = false;
+  bool applied_ = false, finished_ = false, made_regions_ = false, made_tags_ = false;
   Array<Cell> removed_;
   Array<CellDraft> drafts_;
   Array<Made> made_;

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "environment/recut.h"
 #include "topology/operations.h"
 
 namespace dsw {
@@ -67,16 +66,7 @@ SplitFacet split_facet(Edit& edit, HalfFacet h, uint32_t a, uint32_t b) {
     if (o.valid()) centre(env, beyond, apex_beyond);
     for (FacetDraft* part : {&from_a, &from_b}) {
       part->triangles.clear();
-      if (part->loop.size() > kMostTriangulated) {
-        fail(DSW_STATUS_TOO_LARGE, "a face would have %zu vertices, more than %u", part->loop.size(),
-             kMostTriangulated);
-      }
-      std::vector<const double*> points;
-      for (const uint32_t v : part->loop) points.push_back(env.point(v));
-      for (const size_t place : triangulate(points, apex, o.valid() ? apex_beyond : nullptr)) {
-        part->triangles.push_back(part->loop[place]);
-      }
-      if (part->triangles.empty()) {
+      if (!cut_anew(env, *part, part->loop, apex, o.valid() ? apex_beyond : nullptr)) {
         fail(DSW_STATUS_INVALID_CELL, "the parts of the face can't be cut so that the volumes beside it stay valid");
       }
     }

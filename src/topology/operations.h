@@ -17,6 +17,26 @@ void sew(Edit& edit, const FacetPair* pairs, size_t count);
 /** A face between two volumes becomes two on the outer boundary. */
 void unsew(Edit& edit, HalfFacet h);
 
+/** The host's arrays, read in place; see dsw_volumes_desc. */
+struct NewCells {
+  const uint32_t* vertices;  // of the environment: what indices in connectivity mean
+  size_t vertex_count;
+  const uint8_t* cell_types;
+  uint32_t uniform_cell_type;
+  size_t cell_count;
+  uint32_t index_bytes;
+  const void* offsets;
+  const void* connectivity;
+  size_t connectivity_count;
+  const int32_t* regions;
+  const uint32_t* tags;
+  const HalfFacet* sew_to;
+  size_t sew_count;
+};
+/** Adds volumes, joined with each other where they share faces, and with given faces on the outer boundary. Drafts are theirs, in
+ * order. Also throws BAD_CELL_TYPE, WRONG_SIZE, INDEX_OUT_OF_RANGE, DUPLICATE_CELL, SHARED_FACE, NOT_FOUND. */
+void add_cells(Edit& edit, const NewCells& input);
+
 void remove_cells(Edit& edit, const Cell* cells, size_t count);
 /** Two volumes become one: all faces that they share go. Returns its draft. */
 size_t merge_cells(Edit& edit, HalfFacet h);

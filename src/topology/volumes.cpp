@@ -1,8 +1,6 @@
 // Faces sewn and unsewn, volumes removed, merged and split.
 
 #include "base/error.h"
-#include "environment/recut.h"
-#include "predicates/filtered.h"
 #include "topology/operations.h"
 
 namespace dsw {
@@ -13,12 +11,7 @@ bool can_cut_like(const Environment<3>& env, Cell c, FacetDraft facet, const Fac
   double apex[3];
   centre(env, c, apex);
   cut_like(facet, other);
-  for (size_t t = 0; t < facet.triangles.size(); t += 3) {
-    const double* points[3];
-    for (size_t k = 0; k < 3; ++k) points[k] = env.point(facet.triangles[t + k]);
-    if (orient<3>(points, apex) >= 0) return false;
-  }
-  return true;
+  return is_cut_well(env, facet, apex, nullptr);
 }
 
 void check_pair(const Environment<3>& env, const FacetPair& pair, size_t i) {
@@ -86,20 +79,6 @@ void find_left(const Shape& shape, const Array<uint32_t>& loop, Array<uint8_t>& 
     for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
       if (!is_crossed(d) && !is_crossed(shape.dart_beta2(d))) visit(shape.dart_facet(shape.dart_beta2(d)));
     }
-  }
-}
-
-/** Cuts a new face, as the volume on one side sees it, so that both volumes stay positive. */
-void cut_between(const Environment<3>& env, FacetDraft& facet, const double* apex, const double* beyond) {
-  if (facet.loop.size() > kMostTriangulated) {
-    fail(DSW_STATUS_TOO_LARGE, "the new face has %zu vertices, must have at most %u", facet.loop.size(),
-         kMostTriangulated);
-  }
-  std::vector<const double*> points;
-  for (const uint32_t v : facet.loop) points.push_back(env.point(v));
-  for (const size_t place : triangulate(points, apex, beyond)) facet.triangles.push_back(facet.loop[place]);
-  if (facet.triangles.empty()) {
-    fail(DSW_STATUS_INVALID_CELL, "the new face can't be cut into triangles that leave both volumes valid");
   }
 }
 
@@ -211,10 +190,8 @@ SplitCell split_cell(Edit& edit, Cell c, const uint32_t* loop, size_t count) {
   double left_apex[3], right_apex[3];
   centre(env, left, left_apex);
   centre(env, right, right_apex);
-  if (count == 3) {
-    turned.triangles = turned.loop;
-  } else {
-    cut_between(env, turned, left_apex, right_apex);
+  if (!cut_anew(env, turned, turned.loop, left_apex, right_apex)) {
+    fail(DSW_STATUS_INVALID_CELL, "the new face can't be cut into triangles that leave both volumes valid");
   }
   cut_like(inserted, turned);
   left.facets.push_back(std::move(turned));

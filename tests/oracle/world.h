@@ -66,8 +66,8 @@ class World {
     std::vector<std::vector<char>> outer;
   };
   /// Reads the triangles of every volume from the library and checks them against the mesh. Empty `fault` if sound.
-  World(const Mesh& mesh, const dsw_environment* environment) : World(mesh, environment, Changed{}) {}
-  World(const Mesh& mesh, const dsw_environment* environment, const Changed& changed);
+  World(const Mesh& m, const dsw_environment* environment) : World(m, environment, Changed{}) {}
+  World(const Mesh& m, const dsw_environment* environment, const Changed& changed);
 
   const std::string& fault() const { return fault_; }
   BodyPoint body(const double* xyz) const;

@@ -22,7 +22,7 @@ TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) {
   constexpr size_t kRound = 150;  // changes of one environment
   constexpr size_t kExact = 50;   // and how often that is checked in exact integers
   EditTally sums[static_cast<size_t>(Operation::kCount)];
-  size_t done = 0;
+  size_t done = 0, exact_checks = 0;
   for (uint64_t seed = 1; done < wanted; ++seed) {
     RandomEdits edits(GetParam(), seed);
     if (edits.environment() == nullptr) continue;
@@ -38,12 +38,14 @@ TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) {
       ASSERT_EQ(edits.check_exactly(), "") << "scene seed " << seed << ", call " << calls;
     }
     done += round;
+    exact_checks += edits.exact_checks;
     for (size_t i = 0; i < std::size(sums); ++i) {
       sums[i].tried += edits.tallies[i].tried;
       sums[i].done += edits.tallies[i].done;
       sums[i].occupied += edits.tallies[i].occupied;
     }
   }
+  EXPECT_GT(exact_checks, 0u);
   for (size_t i = 0; i < std::size(sums); ++i) {
     RecordProperty(name_of(static_cast<Operation>(i)), static_cast<int>(sums[i].done));
   }
@@ -52,6 +54,19 @@ TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) {
     std::cout << name_of(static_cast<Operation>(i)) << ": " << sums[i].tried << " tried, " << sums[i].done << " done, "
               << sums[i].occupied << " occupied\n";
   }
+}
+
+TEST_P(EditsTest, RunningOutOfMemoryAnywhereChangesNothing) {
+  FailingMemory memory;
+  RandomEdits edits(GetParam(), 3, &memory);
+  if (edits.environment() == nullptr) GTEST_SKIP() << "creation may refuse this mesh";
+  size_t done = 0;
+  for (size_t calls = 0; done < 40 && calls < 2000; ++calls) {
+    ASSERT_EQ(edits.step(), "") << "call " << calls;
+    done = 0;
+    for (const EditTally& tally : edits.tallies) done += tally.done;
+  }
+  EXPECT_GT(edits.refusals, 200u);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <set>
 
@@ -45,13 +46,32 @@ void append_slots(std::string& out, const SlotPool& slots) {
 }  // namespace
 
 const char* name_of(Operation operation) {
-  const char* const names[] = {"sew",         "unsew",      "remove",     "merge volumes", "split volume",
-                               "merge faces", "split face", "split edge", "merge edges",   "collapse"};
+  const char* const names[] = {"sew",           "unsew",        "remove",      "add",
+                               "merge volumes", "split volume", "merge faces", "split face",
+                               "split edge",    "merge edges",  "collapse"};
   return names[static_cast<size_t>(operation)];
 }
 
-RandomEdits::RandomEdits(const std::string& scene, uint64_t seed)
-    : place_(make_place(scene, seed)), rng_(seed ^ 0x70c0) {
+ContextPtr FailingMemory::make_context() {
+  dsw_context_desc desc;
+  dsw_context_desc_init(&desc, sizeof desc);
+  desc.user = this;
+  desc.allocate = [](void* user, size_t size, size_t alignment) -> void* {
+    auto& self = *static_cast<FailingMemory*>(user);
+    if (self.countdown != 0 && --self.countdown == 0) return nullptr;
+    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  };
+  desc.release = [](void*, void* block, size_t, size_t) { std::free(block); };
+  dsw_context* context = nullptr;
+  EXPECT_EQ(dsw_context_create(&desc, &context), DSW_STATUS_OK);
+  return ContextPtr(context);
+}
+
+RandomEdits::RandomEdits(const std::string& scene, uint64_t seed, FailingMemory* memory)
+    : memory_(memory),
+      context_(memory == nullptr ? nullptr : memory->make_context()),
+      place_(make_place(scene, seed, 0, context_.get())),
+      choices_{Rng(seed ^ 0x70c0), {}, {}} {
   if (place_.environment == nullptr) return;
   first_count_ = env().map.cell_count;
   volume_ = volume();
@@ -155,7 +175,95 @@ dsw_status RandomEdits::sew() {
   const size_t i = rng_.below(unsewn_.size());
   const auto pair = unsewn_[i];
   const dsw_status status = dsw_environment_sew_faces(place_.get(), &pair[0], &pair[1], 1);
-  if (status != DSW_STATUS_OCCUPIED) unsewn_.erase(unsewn_.begin() + static_cast<ptrdiff_t>(i));
+  if (status != DSW_STATUS_OCCUPIED && status != DSW_STATUS_OUT_OF_MEMORY)
+    unsewn_.erase(unsewn_.begin() + static_cast<ptrdiff_t>(i));
+  return status;
+}
+
+dsw_status RandomEdits::remove() {
+  const Map<3>& map = env().map;
+  const dsw::Cell c = some_cell();
+  const Shape shape = map.shape(c);
+  Gone gone;
+  gone.faces.resize(shape.facet_count());
+  for (uint32_t d = 0; d < shape.dart_count(); ++d) gone.faces[shape.dart_facet(d)].push_back(shape.dart_vertex(d));
+  for (uint32_t k = 0; k < shape.vertex_count(); ++k) {
+    const uint32_t v = map.vertex(c, k);
+    gone.vertices.push_back({v, map.vertex_generation(v)});
+    gone.positions.push_back({env().point(v)[0], env().point(v)[1], env().point(v)[2]});
+  }
+  may_change_ = true;
+  const dsw_volume_id id = volume_id(map, c);
+  const dsw_status status = dsw_environment_remove_volumes(place_.get(), &id, 1);
+  if (status == DSW_STATUS_OK) choices_.gone.push_back(std::move(gone));
+  return status;
+}
+
+/// Puts a volume back as a polyhedron, on the vertices that are left, sewn to all that fits.
+dsw_status RandomEdits::add() {
+  if (choices_.gone.empty()) return DSW_STATUS_STALE_ID;
+  const Gone gone = choices_.gone.back();
+  const Map<3>& map = env().map;
+  std::vector<dsw_vertex_id> vertices;
+  std::vector<double> points;
+  std::vector<int64_t> index(gone.vertices.size(), -1), stream{static_cast<int64_t>(gone.faces.size())};
+  const auto alive = [&](const dsw_vertex_id& v) {
+    return map.is_vertex_alive(v.index, v.generation) &&
+           std::equal(env().point(v.index), env().point(v.index) + 3,
+                      gone.positions[static_cast<size_t>(&v - gone.vertices.data())].begin());
+  };
+  for (size_t k = 0; k < index.size(); ++k) {
+    if (!alive(gone.vertices[k])) continue;
+    index[k] = static_cast<int64_t>(vertices.size());
+    vertices.push_back(gone.vertices[k]);
+  }
+  for (size_t k = 0; k < index.size(); ++k) {
+    if (index[k] >= 0) continue;
+    index[k] = static_cast<int64_t>(vertices.size() + points.size() / 3);
+    points.insert(points.end(), gone.positions[k].begin(), gone.positions[k].end());
+  }
+  std::set<std::vector<uint32_t>> wanted;
+  for (const auto& face : gone.faces) {
+    stream.push_back(static_cast<int64_t>(face.size()));
+    std::vector<uint32_t> sorted;
+    for (const size_t k : face) {
+      stream.push_back(index[k]);
+      sorted.push_back(gone.vertices[k].index);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    wanted.insert(sorted);
+  }
+  std::vector<dsw_face_id> sew_to;
+  for_each_cell(map, [&](dsw::Cell c) {
+    for (uint32_t f = 0; f < map.facets_of(c); ++f) {
+      const HalfFacet h = map.half_facet(c, f);
+      if (map.opposite(h).valid()) continue;
+      const Shape shape = map.shape(c);
+      std::vector<uint32_t> sorted;
+      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d)
+        sorted.push_back(dart_vertex(map, {c, d}));
+      std::sort(sorted.begin(), sorted.end());
+      if (wanted.erase(sorted) != 0) sew_to.push_back(face_id(map, h));
+    }
+  });
+  const int64_t offsets[2] = {0, static_cast<int64_t>(stream.size())};
+  const uint8_t type = DSW_CELL_TYPE_POLYHEDRON;
+  dsw_volumes_desc desc;
+  dsw_volumes_desc_init(&desc, sizeof desc);
+  desc.vertices = vertices.data();
+  desc.vertex_count = vertices.size();
+  desc.points = points.data();
+  desc.point_count = points.size() / 3;
+  desc.cell_types = &type;
+  desc.cell_count = 1;
+  desc.offsets = offsets;
+  desc.connectivity = stream.data();
+  desc.connectivity_count = stream.size();
+  desc.sew_to = sew_to.data();
+  desc.sew_count = sew_to.size();
+  may_change_ = true;
+  const dsw_status status = dsw_environment_add_volumes(place_.get(), &desc, nullptr, nullptr);
+  if (status != DSW_STATUS_OUT_OF_MEMORY) choices_.gone.pop_back();
   return status;
 }
 
@@ -222,11 +330,10 @@ dsw_status RandomEdits::call(Operation operation) {
       if (status == DSW_STATUS_OK) unsewn_.push_back({face_id(map, h), face_id(map, o)});
       return status;
     }
-    case Operation::kRemove: {
-      const dsw_volume_id v = volume_id(map, some_cell());
-      may_change_ = true;
-      return dsw_environment_remove_volumes(environment, &v, 1);
-    }
+    case Operation::kRemove:
+      return remove();
+    case Operation::kAdd:
+      return add();
     case Operation::kMergeVolumes:
       return dsw_environment_merge_volumes(environment, some_face(), nullptr);
     case Operation::kSplitVolume:
@@ -365,17 +472,35 @@ std::string RandomEdits::check() const {
   return wrong;
 }
 
+/// The same call with its first allocation refused, then the second, and so on until it needs no more.
+dsw_status RandomEdits::call_without_memory(Operation operation, const std::string& before, std::string& wrong) {
+  const Choices choices = choices_;
+  for (size_t n = 1;; ++n) {
+    memory_->countdown = n;
+    const dsw_status status = call(operation);
+    memory_->countdown = 0;
+    if (status != DSW_STATUS_OUT_OF_MEMORY) return status;
+    ++refusals;
+    if (state() != before) wrong = "a call that ran out of memory has changed something";
+    choices_.rng = choices.rng;
+    choices_.unsewn = choices.unsewn;
+    choices_.gone = choices.gone;
+  }
+}
+
 std::string RandomEdits::step() {
   const Operation operation = choose();
   EditTally& tally = tallies[static_cast<size_t>(operation)];
   const std::string before = env().map.has_changed() ? state() : "";
-  const dsw_status status = call(operation);
-  ++tally.tried;
   std::string wrong;
+  const bool refuse = memory_ != nullptr && !before.empty();
+  const dsw_status status = refuse ? call_without_memory(operation, before, wrong) : call(operation);
+  ++tally.tried;
+  if (!wrong.empty()) return std::string(name_of(operation)) + ": " + wrong;
   if (status != DSW_STATUS_OK) {
     tally.occupied += status == DSW_STATUS_OCCUPIED ? 1u : 0u;
     if (status != DSW_STATUS_OCCUPIED && status != DSW_STATUS_BAD_TOPOLOGY && status != DSW_STATUS_BAD_CELL &&
-        status != DSW_STATUS_INVALID_CELL && status != DSW_STATUS_STALE_ID) {
+        status != DSW_STATUS_INVALID_CELL && status != DSW_STATUS_STALE_ID && status != DSW_STATUS_NOT_FOUND) {
       wrong = std::string("unexpected: ") + dsw_last_error_message();
     }
     if (!before.empty() && state() != before) wrong = "a call that failed has changed something";
