@@ -4,7 +4,8 @@
  *
  * An operation changes a few volumes and leaves all others, and their ids, alone. A volume that changes keeps its index and gets the
  * next generation, because the numbers of its faces and edges change: its old id, and those of faces and edges that name it, answer
- * DSW_STATUS_STALE_ID from then on. dsw_environment_get_volume_changes lists what became of what. Region label, tag and mark of
+ * DSW_STATUS_STALE_ID from then on. What comes out as a tetrahedron, pyramid, wedge or hexahedron is one, with vertices and faces in the
+ * order of that type; any other volume is a polyhedron. dsw_environment_get_volume_changes lists what became of what. Region label, tag and mark of
  * a volume are those of the volume it comes from. Marks of faces, edges and vertices stay where these do.
  * With points of its own an environment removes a vertex with its last volume, and may give its index to a later one with the next
  * generation; borrowed points keep their ids for ever.
