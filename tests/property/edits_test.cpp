@@ -31,6 +31,9 @@ TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) {
     for (size_t calls = 0; round < goal && calls < 40 * kRound; ++calls) {
       const std::string wrong = edits.step();
       ASSERT_EQ(wrong, "") << "scene seed " << seed << ", call " << calls;
+      if (calls % 16 == 15) {
+        ASSERT_EQ(edits.move_all(), "") << "scene seed " << seed << ", call " << calls;
+      }
       round = 0;
       for (const EditTally& tally : edits.tallies) round += tally.done;
       if (round < exact + kExact && round < goal) continue;

@@ -515,6 +515,35 @@ std::string RandomEdits::step() {
   return wrong.empty() ? wrong : std::string(name_of(operation)) + ": " + wrong;
 }
 
+std::string RandomEdits::move_all() {
+  const double reach = 0.2 * place_.world->size;
+  const auto near = [&](const double* at, double* to) {
+    for (int k = 0; k < 3; ++k) to[k] = at[k] + rng_.range(-reach, reach);
+  };
+  for (uint32_t i = 0; i < scene().particles.size(); ++i) {
+    double to[3];
+    near(scene().particles[i].position, to);
+    if (dsw_particle_move(scene_.get(), {i, scene().slots.generation(i)}, to, nullptr, nullptr) != DSW_STATUS_OK) {
+      return dsw_last_error_message();
+    }
+  }
+  for (uint32_t b = 0; b < scene().bodies.size(); ++b) {
+    const dsw_body_id id = {b, scene().body_slots.generation(b)};
+    std::vector<double> targets;
+    double shift[3];
+    const double origin[3] = {};
+    near(origin, shift);
+    for (const BodyVertex& v : scene().bodies[b].body.vertices) {
+      for (int k = 0; k < 3; ++k) targets.push_back(v.position[k] + shift[k]);
+    }
+    if (dsw_body_move(scene_.get(), id, targets.data(), targets.size() / 3, 0, nullptr, nullptr) != DSW_STATUS_OK) {
+      return dsw_last_error_message();
+    }
+  }
+  const std::string wrong = check();
+  return wrong.empty() ? wrong : "moves: " + wrong;
+}
+
 std::string RandomEdits::check_exactly() {
   const Environment<3>& e = env();
   Mesh mesh;

@@ -42,6 +42,8 @@ class RandomEdits {
 
   /// One call with random arguments, then all checks that do not need exact integers. What is wrong; empty: nothing.
   std::string step();
+  /// Moves all particles and bodies a little: what they keep from move to move must fit what has changed.
+  std::string move_all();
   /// Particles, bodies and volumes against brute force in exact integers.
   std::string check_exactly();
 
