@@ -75,7 +75,7 @@ AT(dsw_build_report, unused_point_count, 52);
 AT(dsw_build_report, boundary_face_count, 56);
 AT(dsw_build_report, convex_cell_count, 60);
 
-SIZE(dsw_environment_info, 88);
+SIZE(dsw_environment_info, 96);
 AT(dsw_environment_info, struct_size, 0);
 AT(dsw_environment_info, dimension, 4);
 AT(dsw_environment_info, vertex_count, 8);
@@ -87,6 +87,8 @@ AT(dsw_environment_info, scene_count, 28);
 AT(dsw_environment_info, memory_bytes, 32);
 AT(dsw_environment_info, lower, 40);
 AT(dsw_environment_info, upper, 64);
+AT(dsw_environment_info, volume_index_count, 88);
+AT(dsw_environment_info, vertex_index_count, 92);
 
 SIZE(dsw_vertex_id, 8);
 AT(dsw_vertex_id, index, 0);
@@ -168,6 +170,30 @@ AT(dsw_sweep, obstacle, 136);
 AT(dsw_sweep, tag, 140);
 AT(dsw_sweep, cells_visited, 144);
 AT(dsw_sweep, reserved, 148);
+
+SIZE(dsw_volume_change, 16);
+AT(dsw_volume_change, before, 0);
+AT(dsw_volume_change, after, 8);
+
+SIZE(dsw_volumes_desc, 128);
+AT(dsw_volumes_desc, struct_size, 0);
+AT(dsw_volumes_desc, index_bytes, 4);
+AT(dsw_volumes_desc, vertices, 8);
+AT(dsw_volumes_desc, vertex_count, 16);
+AT(dsw_volumes_desc, points, 24);
+AT(dsw_volumes_desc, point_count, 32);
+AT(dsw_volumes_desc, point_stride_bytes, 40);
+AT(dsw_volumes_desc, cell_types, 48);
+AT(dsw_volumes_desc, cell_count, 56);
+AT(dsw_volumes_desc, offsets, 64);
+AT(dsw_volumes_desc, connectivity, 72);
+AT(dsw_volumes_desc, connectivity_count, 80);
+AT(dsw_volumes_desc, regions, 88);
+AT(dsw_volumes_desc, tags, 96);
+AT(dsw_volumes_desc, sew_to, 104);
+AT(dsw_volumes_desc, sew_count, 112);
+AT(dsw_volumes_desc, uniform_cell_type, 120);
+AT(dsw_volumes_desc, reserved, 124);
 
 SIZE(dsw_trace_data, 96);
 AT(dsw_trace_data, struct_size, 0);

@@ -14,7 +14,7 @@ extern "C" {
 /** Writes a snapshot.
  * @param block [out] null if capacity is 0. @param capacity_bytes [in] its size. @param size_bytes [out] size needed.
  * @return DSW_STATUS_BUFFER_TOO_SMALL when 0 < capacity_bytes < *size_bytes; capacity 0 is a query. DSW_STATUS_INVALID_CELL: a volume of a
- * deformed environment is not valid.
+ * deformed environment is not valid. DSW_STATUS_UNSUPPORTED once the topology has changed (topology.h): the format does not keep that yet.
  * @note O(n). Thread: reader. Borrowed points are written too. @since 0.1 */
 DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void *block, size_t capacity_bytes,
                                         size_t *size_bytes);

@@ -30,12 +30,26 @@ class SlotPool {
   explicit SlotPool(const Memory* memory, uint32_t last_generation = kLastGeneration)
       : words_(Allocator<uint32_t>(memory)), free_(Allocator<uint32_t>(memory)), last_(last_generation) {}
 
+  /** Takes the slots 0 .. count - 1 of an empty pool. */
+  void start(size_t count) {
+    words_.assign(count, 1);
+    alive_ = count;
+  }
   /** Makes room, so that `more` calls of acquire, and every release, cannot fail. */
   void reserve(size_t more) {
     const size_t fresh = more > free_.size() ? more - free_.size() : 0;
+    reserve(more, words_.size() + fresh - free_.size());
+  }
+  /** Likewise, but for `releases` more releases only. */
+  void reserve(size_t more, size_t releases) {
+    const size_t fresh = more > free_.size() ? more - free_.size() : 0;
     if (fresh > UINT32_MAX - words_.size()) throw std::bad_alloc();
     reserve_more(words_, fresh);
-    reserve_more(free_, words_.size() + fresh - free_.size());
+    reserve_more(free_, releases);
+  }
+  /** Index that the call number `k` of acquire from now on will give, if nothing is released before. */
+  uint32_t upcoming(size_t k) const noexcept {
+    return k < free_.size() ? free_[free_.size() - 1 - k] : static_cast<uint32_t>(words_.size() + k - free_.size());
   }
   /** Room must have been made. */
   Slot acquire() noexcept {
@@ -56,6 +70,13 @@ class SlotPool {
     if (words_[index] < last_) free_.push_back(index);  // else it is retired: its next generation would wrap
     words_[index] |= kFreeBit;
     --alive_;
+  }
+  /** Whether a slot that is alive has a next generation. */
+  bool can_renew(uint32_t index) const noexcept { return words_[index] < last_; }
+  /** Gives a slot that is alive its next generation: what it held has been replaced. */
+  void renew(uint32_t index) noexcept {
+    DSW_ASSERT(can_renew(index));
+    ++words_[index];
   }
   bool alive(uint32_t index, uint32_t generation) const noexcept {
     return index < words_.size() && words_[index] == generation && (generation & kFreeBit) == 0;

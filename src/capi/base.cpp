@@ -42,6 +42,8 @@ const char* dsw_status_string(dsw_status status) {
     DSW_NAME(DSW_STATUS_NOT_NAMED);
     DSW_NAME(DSW_STATUS_NOT_BUILT);
     DSW_NAME(DSW_STATUS_INTERNAL);
+    DSW_NAME(DSW_STATUS_BAD_TOPOLOGY);
+    DSW_NAME(DSW_STATUS_BORROWED);
 #undef DSW_NAME
     case DSW_STATUS_FORCE_INT32:
       break;

@@ -47,10 +47,14 @@ auto visit_cell(const Map<3>& map, dsw_cell cell, const Visitor& visitor) {
 }
 
 using dsw::edge_id;
-inline dsw_vertex_id vertex_id(uint32_t vertex) noexcept { return {vertex, kGeneration}; }
+inline dsw_vertex_id vertex_id(const Map<3>& map, uint32_t vertex) noexcept {
+  return {vertex, map.vertex_generation(vertex)};
+}
 inline dsw_cell cell_of_face(dsw_face_id id) noexcept { return {DSW_CELL_FACE, id.volume, id.generation, id.local}; }
 inline dsw_cell cell_of_edge(dsw_edge_id id) noexcept { return {DSW_CELL_EDGE, id.volume, id.generation, id.local}; }
-inline dsw_cell cell_of_vertex(uint32_t vertex) noexcept { return {DSW_CELL_VERTEX, vertex, kGeneration, 0}; }
+inline dsw_cell cell_of_vertex(const Map<3>& map, uint32_t vertex) noexcept {
+  return {DSW_CELL_VERTEX, vertex, map.vertex_generation(vertex), 0};
+}
 
 /** An array of `count` things; null is allowed when there are none. */
 void require_array(const void* array, size_t count, const char* name);

@@ -20,6 +20,7 @@ constexpr size_t first_size = 0;
 DSW_FIRST_SIZE(dsw_context_desc, parallel_for);
 DSW_FIRST_SIZE(dsw_environment_desc, reserved);
 DSW_FIRST_SIZE(dsw_build_report, convex_cell_count);
+DSW_FIRST_SIZE(dsw_volumes_desc, reserved);
 DSW_FIRST_SIZE(dsw_environment_info, upper);
 DSW_FIRST_SIZE(dsw_cast_options, reserved);
 DSW_FIRST_SIZE(dsw_sweep_options, max_cells);

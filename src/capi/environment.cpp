@@ -2,6 +2,7 @@
 
 #include "capi/convert.h"
 #include "capi/environment_build.h"
+#include "environment/builder.h"
 #include "environment/find_facets.h"
 
 namespace capi = dsw::capi;
@@ -102,17 +103,20 @@ dsw_status dsw_environment_get_info(const dsw_environment* environment, dsw_envi
     capi::check_size(info, "info");
     dsw_environment_info i{};
     i.dimension = 3;
-    i.vertex_count = env.map.vertex_count;
+    i.vertex_count =
+        env.map.has_changed() ? static_cast<uint32_t>(env.map.vertex_slots.alive_count()) : env.map.vertex_count;
     i.volume_count = env.map.cell_count;
     i.face_count = env.map.facet_count;
     i.boundary_face_count = env.map.boundary_facet_count;
-    i.part_count = env.part_count;
+    i.part_count = env.map.has_changed() ? count_parts(env) : env.part_count;
     i.scene_count = capi::scene_count(handle);
-    i.memory_bytes = env.memory_bytes() + sizeof(dsw_environment) - sizeof env;
+    i.memory_bytes = env.memory_bytes() + dsw::array_bytes(handle.changes) + sizeof(dsw_environment) - sizeof env;
     for (int k = 0; k < 3; ++k) {
       i.lower[k] = env.lower[k];
       i.upper[k] = env.upper[k];
     }
+    i.volume_index_count = env.map.index_count();
+    i.vertex_index_count = env.map.vertex_count;
     capi::write_struct(info, i);
   });
 }
@@ -129,10 +133,11 @@ dsw_status dsw_environment_get_volume(const dsw_environment* environment, uint32
   return capi::guard("dsw_environment_get_volume", [&] {
     const dsw::Map<3>& map = map_of(environment);
     capi::require(volume, "volume");
-    if (index >= map.cell_count) {
-      fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.cell_count - 1);
+    if (index >= map.index_count()) {
+      fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.index_count() - 1);
     }
-    *volume = {index, dsw::kGeneration};
+    if (!map.cell(index).valid()) fail(DSW_STATUS_NOT_FOUND, "volume %u has been removed", index);
+    *volume = volume_id(map, map.cell(index));
   });
 }
 
@@ -143,7 +148,9 @@ dsw_status dsw_environment_get_vertex(const dsw_environment* environment, uint32
     if (index >= map.vertex_count) {
       fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.vertex_count - 1);
     }
-    *vertex = capi::vertex_id(index);
+    const dsw_vertex_id id = capi::vertex_id(map, index);
+    if (!map.is_vertex_alive(id.index, id.generation)) fail(DSW_STATUS_NOT_FOUND, "vertex %u has been removed", index);
+    *vertex = id;
   });
 }
 
@@ -225,7 +232,7 @@ dsw_status dsw_environment_copy_vertices(const dsw_environment* environment, dsw
     if (capacity < needed) {
       fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity is %zu, must be 0 or at least %zu", capacity, needed);
     }
-    for_each_vertex(map, cell, [&](uint32_t vertex) { *vertices++ = capi::vertex_id(vertex); });
+    for_each_vertex(map, cell, [&](uint32_t vertex) { *vertices++ = capi::vertex_id(map, vertex); });
   });
 }
 
@@ -305,7 +312,7 @@ dsw_status dsw_environment_set_tag(dsw_environment* environment, dsw_volume_id v
     const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
     if (env.tags.empty()) {
       if (tag == 0) return;
-      env.tags.resize(env.map.cell_count, 0u);
+      env.tags.resize(env.map.index_count(), 0u);
     }
     env.tags[env.map.index(c)] = tag;
   });

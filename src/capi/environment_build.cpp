@@ -163,11 +163,11 @@ void check_environment(const dsw_environment& environment, dsw_build_report* rep
   ReportWriter(report).run([&](BuildReport& found) -> const Environment<3>& {
     const Map<3>& map = env.map;
     if (const char* const broken = check_integrity(map)) fail(DSW_STATUS_INTERNAL, "the map is broken: %s", broken);
-    for (uint32_t i = 0; i < map.cell_count; ++i) {
-      const CellState state = check_cell(env, map.cell(i));
-      if (state == CellState::kInverted || state == CellState::kInvalid) found.offenders.add(i);
+    for_each_cell(map, [&](Cell c) {
+      const CellState state = check_cell(env, c);
+      if (state == CellState::kInverted || state == CellState::kInvalid) found.offenders.add(map.index(c));
       if (state == CellState::kValidConvex) ++found.convex_cell_count;
-    }
+    });
     if (found.offenders.count != 0) {
       fail(DSW_STATUS_INVALID_CELL, "cell %u is not valid", found.offenders.index[0]);
     }

@@ -5,7 +5,10 @@
 #include <cstdio>
 #include <thread>
 
-dsw_environment::dsw_environment(dsw_context* owner) : context(owner), engine(dsw::capi::memory_of(owner)) {
+dsw_environment::dsw_environment(dsw_context* owner)
+    : context(owner),
+      engine(dsw::capi::memory_of(owner)),
+      changes(dsw::Allocator<dsw_volume_change>(dsw::capi::memory_of(owner))) {
   if (owner != nullptr) {
     parallel = owner->parallel;
   } else {

@@ -9,6 +9,7 @@
 
 #include "capi/guard.h"
 #include "dartsweep/scene.h"
+#include "dartsweep/topology.h"
 #include "environment/environment.h"
 #include "scene/scene.h"
 
@@ -31,6 +32,7 @@ struct dsw_environment {
   mutable std::mutex scenes_mutex;   // hosts make scenes of a shared environment on several threads
   dsw_scene* first_scene = nullptr;  // a list through dsw_scene::next
   uint32_t scene_count = 0;
+  dsw::Array<dsw_volume_change> changes;  // of the last change of the topology
 
   explicit dsw_environment(dsw_context* owner);
 };

@@ -27,13 +27,13 @@ dsw_cell to_public(const dsw::Environment<3>& env, const dsw::FeatureRef& featur
   const dsw::Map<3>& map = env.map;
   switch (feature.dimension) {
     case 0:
-      return capi::cell_of_vertex(map.vertex(feature.cell, feature.local));
+      return capi::cell_of_vertex(map, map.vertex(feature.cell, feature.local));
     case 1:
       return capi::cell_of_edge(capi::edge_id(map, dart_of_edge(map, feature.cell, feature.local)));
     case 2:
       return capi::cell_of_face(face_id(map, canonical(map, map.half_facet(feature.cell, feature.local))));
     default:
-      return {DSW_CELL_VOLUME, map.index(feature.cell), dsw::kGeneration, 0};
+      return {DSW_CELL_VOLUME, map.index(feature.cell), map.generation(feature.cell), 0};
   }
 }
 

@@ -11,9 +11,9 @@ namespace {
 /** Of points that move nobody knows, and an invalid cell could not be loaded again. */
 void check_all_valid(const dsw::Environment<3>& env) {
   if (!env.checked.active()) return;
-  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
-    if (!admits(env, env.map.cell(i))) fail(DSW_STATUS_INVALID_CELL, "volume %u is not valid", i);
-  }
+  for_each_cell(env.map, [&](dsw::Cell c) {
+    if (!admits(env, c)) fail(DSW_STATUS_INVALID_CELL, "volume %u is not valid", env.map.index(c));
+  });
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ void name_obstacle(const Environment<3>& env, const SweepContact& met, dsw_conta
   switch (kind_of(met)) {
     case ContactKind::kVertex:
       contact.kind = DSW_CONTACT_VERTEX;
-      contact.obstacle = {DSW_CELL_VERTEX, met.vertex, kGeneration, 0};
+      contact.obstacle = {DSW_CELL_VERTEX, met.vertex, map.vertex_generation(met.vertex), 0};
       if (!met.facet.valid()) contact.cause = vertex_marked(env, met.vertex) ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
       break;
     case ContactKind::kEdge: {

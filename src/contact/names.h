@@ -7,19 +7,16 @@
 
 namespace dsw {
 
-/** Cells do not change in this release, so every generation is the first. */
-constexpr uint32_t kGeneration = 1;
-
 template <int D>
 dsw_volume_id volume_id(const Map<D>& map, Cell c) noexcept {
-  return c.valid() ? dsw_volume_id{map.index(c), kGeneration} : dsw_volume_id{0, 0};
+  return c.valid() ? dsw_volume_id{map.index(c), map.generation(c)} : dsw_volume_id{0, 0};
 }
 
 /** Names the half-facet as it is given; reports pass the canonical one. */
 template <int D>
 dsw_face_id face_id(const Map<D>& map, HalfFacet h) noexcept {
   const Cell c = map.cell_of(h);
-  return {map.index(c), kGeneration, map.local_of(h, c)};
+  return {map.index(c), map.generation(c), map.local_of(h, c)};
 }
 
 /** Canonical: that of the volume with the lowest index round the edge. */
@@ -29,7 +26,7 @@ inline bool is_null(dsw_volume_id id) noexcept { return (id.index | id.generatio
 
 template <int D>
 bool is_alive(const Map<D>& map, dsw_volume_id id) noexcept {
-  return id.generation == kGeneration && id.index < map.cell_count;
+  return map.is_alive(id.index, id.generation);
 }
 
 /** Host tag of what stands behind an impassable facet; at the outer boundary that of `in_front`. */

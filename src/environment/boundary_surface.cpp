@@ -38,8 +38,7 @@ BoundarySurface::BoundarySurface(const Environment<3>& env)
     : triangles(Allocator<BoundaryTriangle>(env.memory)), sheet(Allocator<uint32_t>(env.memory)) {
   const Map<3>& map = env.map;
   Array<FacetStart> starts{Allocator<FacetStart>(env.memory)};
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
-    const Cell c = map.cell(i);
+  for_each_cell(map, [&](Cell c) {
     const Shape shape = map.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const HalfFacet h = map.half_facet(c, f);
@@ -50,7 +49,7 @@ BoundarySurface::BoundarySurface(const Environment<3>& env)
         triangles.push_back({{map.vertex(c, local[0]), map.vertex(c, local[1]), map.vertex(c, local[2])}, {}, c});
       }
     }
-  }
+  });
   std::sort(starts.begin(), starts.end());
   const auto first_of = [&](HalfFacet h) {
     return std::lower_bound(starts.begin(), starts.end(), FacetStart{h.word, 0})->first;

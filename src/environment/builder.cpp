@@ -101,21 +101,19 @@ void build(Environment<D>& env, const MeshInput& input, BuildReport& report) {
 }
 
 template <int D>
-void finish_topology(Environment<D>& env, BuildReport* report) {
+uint32_t count_parts(const Environment<D>& env) {
   const Map<D>& map = env.map;
-  // Parts: union by the lower index, with path halving; nearly linear.
-  Array<uint32_t> parent(map.cell_count, 0, Allocator<uint32_t>(env.memory));
-  for (uint32_t i = 0; i < map.cell_count; ++i) parent[i] = i;
+  // Union by the lower index, with path halving; nearly linear.
+  Array<uint32_t> parent(map.index_count(), 0, Allocator<uint32_t>(env.memory));
+  for (uint32_t i = 0; i < parent.size(); ++i) parent[i] = i;
   const auto root = [&](uint32_t i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
   };
-  env.part_count = map.cell_count;
-  Array<uint64_t> used((size_t{map.vertex_count} + 63) / 64, 0, Allocator<uint64_t>(env.memory));
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
-    const Cell c = map.cell(i);
-    const uint32_t facets = map.facets_of(c);
-    for (uint32_t f = 0; f < facets; ++f) {
+  uint32_t count = map.cell_count;
+  for_each_cell(map, [&](Cell c) {
+    const uint32_t i = map.index(c);
+    for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
       const HalfFacet o = map.opposite(map.half_facet(c, f));
       if (!o.valid()) continue;
       const uint32_t j = map.index(map.cell_of(o));
@@ -123,13 +121,23 @@ void finish_topology(Environment<D>& env, BuildReport* report) {
       const uint32_t a = root(i), b = root(j);
       if (a == b) continue;
       parent[std::max(a, b)] = std::min(a, b);
-      --env.part_count;
+      --count;
     }
-    for (uint32_t k = 0; k < map.vertices_of(c); ++k) {
+  });
+  return count;
+}
+
+template <int D>
+void finish_topology(Environment<D>& env, BuildReport* report) {
+  const Map<D>& map = env.map;
+  env.part_count = count_parts(env);
+  Array<uint64_t> used((size_t{map.vertex_count} + 63) / 64, 0, Allocator<uint64_t>(env.memory));
+  for_each_cell(map, [&](Cell c) {
+    for (uint32_t k = 0, n = map.vertices_of(c); k < n; ++k) {
       const uint32_t v = map.vertex(c, k);
       used[v / 64] |= uint64_t{1} << (v % 64);
     }
-  }
+  });
   bool any = false;
   uint32_t unused = 0;
   for (uint32_t v = 0; v < map.vertex_count; ++v) {
@@ -149,6 +157,8 @@ void finish_topology(Environment<D>& env, BuildReport* report) {
 
 template void build(Environment<2>&, const MeshInput&, BuildReport&);
 template void build(Environment<3>&, const MeshInput&, BuildReport&);
+template uint32_t count_parts(const Environment<2>&);
+template uint32_t count_parts(const Environment<3>&);
 template void finish_topology(Environment<2>&, BuildReport*);
 template void finish_topology(Environment<3>&, BuildReport*);
 

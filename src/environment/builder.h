@@ -46,6 +46,10 @@ struct BuildReport {
 template <int D>
 void build(Environment<D>& env, const MeshInput& input, BuildReport& report);
 
+/** How many parts there are, connected through facets. Throws std::bad_alloc. */
+template <int D>
+uint32_t count_parts(const Environment<D>& env);
+
 /** Counts the parts connected through facets and sets the box of used vertices; for build and for loading. */
 template <int D>
 void finish_topology(Environment<D>& env, BuildReport* report);

@@ -24,6 +24,14 @@ class CheckedCells {
     forget_all();
   }
 
+  /** For so many cells; nothing is known of those that come. Throws std::bad_alloc. */
+  void make_room(size_t cells) {
+    if (!active() || cells <= stamps_.size()) return;
+    Array<std::atomic<uint32_t>> more(cells + cells / 2, stamps_.get_allocator());
+    for (size_t i = 0; i < stamps_.size(); ++i) more[i].store(stamps_[i].load(std::memory_order_relaxed));
+    stamps_.swap(more);
+  }
+
   /** Nothing is known any more, and any cell may be looked at. */
   void forget_all() noexcept { start_round(false); }
   /** Nothing is known any more, and only cells that are opened may be looked at: the others count as invalid. */

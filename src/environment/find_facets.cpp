@@ -40,8 +40,7 @@ void find_facets(const Environment<3>& env, size_t count, const size_t* offsets,
   }
   Array<uint32_t> face{Allocator<uint32_t>(env.memory)};
   size_t found = 0;
-  for (uint32_t c = 0; c < map.cell_count; ++c) {
-    const Cell cell = map.cell(c);
+  for_each_cell(map, [&](Cell cell) {
     const Shape shape = map.shape(cell);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const HalfFacet h = map.half_facet(cell, f);
@@ -59,7 +58,7 @@ void find_facets(const Environment<3>& env, size_t count, const size_t* offsets,
         ++found;
       }
     }
-  }
+  });
   *missing = count - found;
 }
 
@@ -72,8 +71,7 @@ void find_edges(const Environment<3>& env, size_t count, const uint32_t* indices
     if (a < b && b < map.vertex_count) queries.add(static_cast<uint32_t>(i), a);
   }
   size_t found = 0;
-  for (uint32_t c = 0; c < map.cell_count; ++c) {
-    const Cell cell = map.cell(c);
+  for_each_cell(map, [&](Cell cell) {
     const Shape shape = map.shape(cell);
     for (uint32_t d = 0; d < shape.dart_count(); ++d) {
       if (shape.dart_beta2(d) < d) continue;
@@ -85,7 +83,7 @@ void find_edges(const Environment<3>& env, size_t count, const uint32_t* indices
         ++found;
       }
     }
-  }
+  });
   *missing = count - found;
 }
 

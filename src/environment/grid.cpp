@@ -102,20 +102,21 @@ void build_grid(Environment<D>& env) {
     choose_sizes(grid, env.upper, wanted);
     counts.assign(bucket_count(grid) + 1, 0);
     entries = 0;
-    for (uint32_t i = 0; i < env.map.cell_count && (entries <= most || wanted <= 1); ++i) {
-      for_each_bucket(grid, box_of(env, env.map.cell(i)), [&](size_t bucket) {
+    for_each_cell(env.map, [&](Cell c) {
+      if (entries > most && wanted > 1) return;
+      for_each_bucket(grid, box_of(env, c), [&](size_t bucket) {
         ++counts[bucket + 1];
         ++entries;
       });
-    }
+    });
     if (entries <= most || wanted <= 1) break;
   }
   for (size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
   grid.cells.resize(entries);
   Array<uint32_t> next(counts.begin(), counts.end() - 1, counts.get_allocator());
-  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
-    for_each_bucket(grid, box_of(env, env.map.cell(i)), [&](size_t bucket) { grid.cells[next[bucket]++] = i; });
-  }
+  for_each_cell(env.map, [&](Cell c) {
+    for_each_bucket(grid, box_of(env, c), [&](size_t bucket) { grid.cells[next[bucket]++] = env.map.index(c); });
+  });
   grid.first = std::move(counts);
 }
 

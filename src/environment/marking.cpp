@@ -82,8 +82,9 @@ template <int D>
 bool vertex_impassable(const Environment<D>& env, uint32_t vertex) noexcept {
   if (vertex_marked(env, vertex)) return true;
   const Map<D>& map = env.map;
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
+  for (uint32_t i = 0, count = map.index_count(); i < count; ++i) {
     const Cell c = map.cell(i);
+    if (!c.valid()) continue;
     const Shape shape = map.shape(c);
     for (uint32_t d = 0; d < shape.dart_count(); ++d) {
       const uint32_t target = shape.dart_vertex(D == 2 ? (d + 1) % shape.dart_count() : shape.beta1(d));

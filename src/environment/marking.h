@@ -29,10 +29,9 @@ bool set_vertex_mark(Environment<D>& env, uint32_t vertex, bool marked) noexcept
 /** Calls visit(cell) for every cell with a region label. */
 template <int D, class Visit>
 void for_each_cell_of_region(const Environment<D>& env, int32_t region, Visit visit) {
-  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
-    const Cell c = env.map.cell(i);
+  for_each_cell(env.map, [&](Cell c) {
     if (env.region(c) == region) visit(c);
-  }
+  });
 }
 
 /** Calls visit(facet) for every facet between a cell of region `a` and one of region `b`, each once. */

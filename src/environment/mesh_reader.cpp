@@ -13,62 +13,6 @@ namespace {
 constexpr uint32_t kMaxVertices = kVertexMask;     // 28 bits
 constexpr uint64_t kMaxUnits = uint64_t{1} << 28;  // a link is a word address below 2^31
 
-/** Signed integers of 4 or 8 bytes, as VTK keeps them. */
-class Integers {
- public:
-  Integers(const void* data, uint32_t bytes) : data_(static_cast<const unsigned char*>(data)), bytes_(bytes) {}
-  int64_t operator[](size_t i) const {
-    if (bytes_ == 4) {
-      int32_t value;
-      std::memcpy(&value, data_ + 4 * i, 4);
-      return value;
-    }
-    int64_t value;
-    std::memcpy(&value, data_ + 8 * i, 8);
-    return value;
-  }
-
- private:
-  const unsigned char* data_;
-  uint32_t bytes_;
-};
-
-struct CellType {
-  Form form;
-  uint32_t vertex_count;  // 0: as many as its entry has
-  bool known;
-};
-
-template <int D>
-CellType cell_type(uint32_t vtk) {
-  if (D == 3) {
-    switch (vtk) {
-      case 10:
-        return {Form::kSimplex, 4, true};
-      case 12:
-        return {Form::kBox, 8, true};
-      case 13:
-        return {Form::kPrism, 6, true};
-      case 14:
-        return {Form::kPyramid, 5, true};
-      case 42:
-        return {Form::kGeneral, 0, true};
-      default:
-        return {Form::kGeneral, 0, false};
-    }
-  }
-  switch (vtk) {
-    case 5:
-      return {Form::kSimplex, 3, true};
-    case 9:
-      return {Form::kBox, 4, true};
-    case 7:
-      return {Form::kGeneral, 0, true};
-    default:
-      return {Form::kGeneral, 0, false};
-  }
-}
-
 /** Every quad is cut from its lowest vertex, a rule that gives both sides the same diagonal. */
 uint32_t cuts_of(Form form, const uint32_t* vertices) {
   const Shape shape = standard_shape(form, 0);
@@ -330,6 +274,36 @@ class Reader {
 }  // namespace
 
 template <int D>
+CellType cell_type(uint32_t vtk) {
+  if (D == 3) {
+    switch (vtk) {
+      case 10:
+        return {Form::kSimplex, 4, true};
+      case 12:
+        return {Form::kBox, 8, true};
+      case 13:
+        return {Form::kPrism, 6, true};
+      case 14:
+        return {Form::kPyramid, 5, true};
+      case 42:
+        return {Form::kGeneral, 0, true};
+      default:
+        return {Form::kGeneral, 0, false};
+    }
+  }
+  switch (vtk) {
+    case 5:
+      return {Form::kSimplex, 3, true};
+    case 9:
+      return {Form::kBox, 4, true};
+    case 7:
+      return {Form::kGeneral, 0, true};
+    default:
+      return {Form::kGeneral, 0, false};
+  }
+}
+
+template <int D>
 void read_points(Environment<D>& env, const MeshInput& input, BuildReport& report) {
   if (input.point_count > kMaxVertices) {
     fail(DSW_STATUS_TOO_LARGE, "point_count is %zu, must be below 2^28", input.point_count);
@@ -401,6 +375,8 @@ void mirror_cell(Environment<D>& env, Cell c) {
   if (D == 3) w[0] = (w[0] & ~kShapeMask) | cuts_of(form, v);
 }
 
+template CellType cell_type<2>(uint32_t);
+template CellType cell_type<3>(uint32_t);
 template void read_points(Environment<2>&, const MeshInput&, BuildReport&);
 template void read_points(Environment<3>&, const MeshInput&, BuildReport&);
 template void read_cells(Environment<2>&, const MeshInput&, BuildReport&);

@@ -1,9 +1,41 @@
 #pragma once
 // First half of creation: the host's arrays become records, every index and count checked before it is used.
 
+#include <cstring>
+
 #include "environment/builder.h"
 
 namespace dsw {
+
+/** Signed integers of 4 or 8 bytes, as VTK keeps them. */
+class Integers {
+ public:
+  Integers(const void* data, uint32_t bytes) : data_(static_cast<const unsigned char*>(data)), bytes_(bytes) {}
+  int64_t operator[](size_t i) const {
+    if (bytes_ == 4) {
+      int32_t value;
+      std::memcpy(&value, data_ + 4 * i, 4);
+      return value;
+    }
+    int64_t value;
+    std::memcpy(&value, data_ + 8 * i, 8);
+    return value;
+  }
+
+ private:
+  const unsigned char* data_;
+  uint32_t bytes_;
+};
+
+struct CellType {
+  Form form;
+  uint32_t vertex_count;  // 0: as many as its entry has
+  bool known;
+};
+
+/** Of a VTK number. */
+template <int D>
+CellType cell_type(uint32_t vtk);
 
 /** Copies or borrows the points. Throws NON_FINITE, with the first such points in the report. */
 template <int D>

@@ -6,11 +6,10 @@ template <int D>
 void let_points_move(Environment<D>& env) {
   if (env.checked.active()) return;
   Map<D>& map = env.map;
-  env.checked.activate(map.cell_count);
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
-    const Cell c = map.cell(i);
+  env.checked.activate(map.index_count());
+  for_each_cell(map, [&](Cell c) {
     if (map.form(c) != Form::kSimplex) map.record(c)[0] &= ~kConvexBit;
-  }
+  });
   env.grid = Grid<D>(env.memory);
 }
 

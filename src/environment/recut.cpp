@@ -7,8 +7,6 @@
 namespace dsw {
 namespace {
 
-constexpr uint32_t kMostVertices = 256;  // of a facet that is worth a search of cubic time
-
 /** One facet with its loop as both of its cells number it. */
 struct Facet {
   Cell cell, other;  // other is invalid at the outer boundary
@@ -39,40 +37,6 @@ Facet read_facet(const Environment<3>& env, Cell c, uint32_t f) {
     facet.other_loop.push_back(static_cast<uint16_t>(other.dart_vertex(d)));
   }
   return facet;
-}
-
-bool is_positive(const Environment<3>& env, const Facet& facet, size_t i, size_t j, size_t k) {
-  const double* points[3] = {env.point(facet.cell, facet.loop[i]), env.point(facet.cell, facet.loop[j]),
-                             env.point(facet.cell, facet.loop[k])};
-  return orient<3>(points, facet.apex) < 0 && (!facet.other.valid() || orient<3>(points, facet.other_apex) > 0);
-}
-
-/** A triangulation of the loop by positive triangles: the part between positions i and j has one if some k between them
- * makes a positive triangle and both remaining parts have one. Fans are among those tried. Empty: there is none. */
-std::vector<size_t> triangulate(const Environment<3>& env, const Facet& facet) {
-  const size_t n = facet.loop.size();
-  std::vector<size_t> third(n * n, n), triangles;
-  const auto possible = [&](size_t i, size_t j) { return j == i + 1 || third[i * n + j] != n; };
-  for (size_t span = 2; span < n; ++span) {
-    for (size_t i = 0; i + span < n; ++i) {
-      const size_t j = i + span;
-      for (size_t k = i + 1; k < j && third[i * n + j] == n; ++k) {
-        if (possible(i, k) && possible(k, j) && is_positive(env, facet, i, k, j)) third[i * n + j] = k;
-      }
-    }
-  }
-  if (!possible(0, n - 1)) return triangles;
-  std::vector<std::pair<size_t, size_t>> parts{{0, n - 1}};
-  while (!parts.empty()) {
-    const auto [i, j] = parts.back();
-    parts.pop_back();
-    if (j == i + 1) continue;
-    const size_t k = third[i * n + j];
-    triangles.insert(triangles.end(), {i, k, j});
-    parts.push_back({i, k});
-    parts.push_back({k, j});
-  }
-  return triangles;
 }
 
 /** Writes triangles, given by loop positions, into one cell; the other side sees them turned round. */
@@ -113,14 +77,49 @@ bool is_cut_well(const Environment<3>& env, Cell c, uint32_t f, const double* ap
 
 }  // namespace
 
+/** The part between positions i and j has such triangles if some k between them makes a positive triangle and both remaining parts have
+ * them. Fans are among what is tried. */
+std::vector<size_t> triangulate(const std::vector<const double*>& loop, const double* apex, const double* beyond) {
+  const size_t n = loop.size();
+  const auto is_positive = [&](size_t i, size_t j, size_t k) {
+    const double* points[3] = {loop[i], loop[j], loop[k]};
+    return orient<3>(points, apex) < 0 && (beyond == nullptr || orient<3>(points, beyond) > 0);
+  };
+  std::vector<size_t> third(n * n, n), triangles;
+  const auto possible = [&](size_t i, size_t j) { return j == i + 1 || third[i * n + j] != n; };
+  for (size_t span = 2; span < n; ++span) {
+    for (size_t i = 0; i + span < n; ++i) {
+      const size_t j = i + span;
+      for (size_t k = i + 1; k < j && third[i * n + j] == n; ++k) {
+        if (possible(i, k) && possible(k, j) && is_positive(i, k, j)) third[i * n + j] = k;
+      }
+    }
+  }
+  if (!possible(0, n - 1)) return triangles;
+  std::vector<std::pair<size_t, size_t>> parts{{0, n - 1}};
+  while (!parts.empty()) {
+    const auto [i, j] = parts.back();
+    parts.pop_back();
+    if (j == i + 1) continue;
+    const size_t k = third[i * n + j];
+    triangles.insert(triangles.end(), {i, k, j});
+    parts.push_back({i, k});
+    parts.push_back({k, j});
+  }
+  return triangles;
+}
+
 void recut_cell(Environment<3>& env, Cell c, Array<Cell>& changed) {
   double apex[3];
   centre(env, c, apex);
   for (uint32_t f = 0; f < env.map.facets_of(c); ++f) {
     const uint32_t size = env.map.shape(c).facet_size(f);
-    if (size == 3 || size > kMostVertices || is_cut_well(env, c, f, apex)) continue;
+    if (size == 3 || size > kMostTriangulated || is_cut_well(env, c, f, apex)) continue;
     const Facet facet = read_facet(env, c, f);
-    const std::vector<size_t> triangles = triangulate(env, facet);
+    std::vector<const double*> loop;
+    for (const uint16_t v : facet.loop) loop.push_back(env.point(c, v));
+    const std::vector<size_t> triangles =
+        triangulate(loop, facet.apex, facet.other.valid() ? facet.other_apex : nullptr);
     if (triangles.empty()) continue;
     write_triangles(env.map, c, f, facet.loop, triangles, false);
     if (!facet.other.valid()) continue;

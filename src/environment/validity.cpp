@@ -8,8 +8,8 @@ namespace dsw {
 namespace {
 
 /** Exactly flat facets, and no vertex beyond a facet across any of its edges: with positive stars that cover every
- * direction once, locally convex is convex. */
-bool is_flat_and_convex(const Environment<3>& env, Cell c, const Shape& shape) noexcept {
+ * direction once, locally convex is convex. Facets have to be convex too, which says more where two lie in one plane. */
+bool is_flat_and_convex(const Environment<3>& env, Cell c, const Shape& shape, const double* apex) noexcept {
   const double* triangle[3];
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     simplex_points(env, c, shape, shape.simplex_first(f), triangle);
@@ -17,12 +17,17 @@ bool is_flat_and_convex(const Environment<3>& env, Cell c, const Shape& shape) n
       if (shape.facet_size(f) > 3 && orient<3>(triangle, env.point(c, shape.dart_vertex(d))) != 0) return false;
       const uint32_t beyond = shape.beta0(shape.dart_beta2(d));
       if (orient<3>(triangle, env.point(c, shape.dart_vertex(beyond))) > 0) return false;
+      if (shape.facet_size(f) == 3) continue;
+      const uint32_t corner[3] = {shape.beta0(d), d, shape.beta1(d)};
+      const double* turn[3];
+      for (int k = 0; k < 3; ++k) turn[k] = env.point(c, shape.dart_vertex(corner[k]));
+      if (orient<3>(turn, apex) > 0) return false;
     }
   }
   return true;
 }
 
-bool is_flat_and_convex(const Environment<2>& env, Cell c, const Shape& shape) noexcept {
+bool is_flat_and_convex(const Environment<2>& env, Cell c, const Shape& shape, const double*) noexcept {
   const uint32_t n = shape.vertex_count();
   for (uint32_t i = 0; i < n; ++i) {
     const double* edge[2] = {env.point(c, i), env.point(c, (i + 1) % n)};
@@ -137,7 +142,10 @@ template <int D>
 CellState check_cell(const Environment<D>& env, Cell c) noexcept {
   const Shape shape = env.map.shape(c);
   const CellState state = check_star(env, c, shape);
-  return state == CellState::kValid && is_flat_and_convex(env, c, shape) ? CellState::kValidConvex : state;
+  if (state != CellState::kValid) return state;
+  double apex[D];
+  centre(env, c, apex);
+  return is_flat_and_convex(env, c, shape, apex) ? CellState::kValidConvex : state;
 }
 
 template <int D>

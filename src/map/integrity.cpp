@@ -74,11 +74,15 @@ template <int D>
 bool shapes_sound(const Map<D>& map) {
   Array<uint16_t> scratch(map.shape_tables.get_allocator());
   size_t at = 0;
-  for (const uint32_t offset : map.shape_offsets) {
-    if (offset != at || at >= map.shape_tables.size()) return false;
-    const size_t length = sound_table_length<D>(map.shape_tables.data() + at, map.shape_tables.size() - at, scratch);
-    if (length == 0) return false;
-    at += length;
+  for (size_t i = 0; i < map.shape_offsets.size(); ++i) {
+    if (map.shape_offsets[i] != at || at >= map.shape_tables.size()) return false;
+    const bool last = i + 1 == map.shape_offsets.size();
+    const size_t end = last ? map.shape_tables.size() : map.shape_offsets[i + 1];
+    if (end <= at || end > map.shape_tables.size()) return false;
+    const bool is_free = map.has_changed() && map.shape_tables[at] == kFreeShape;
+    if (is_free ? end - at < 3 : sound_table_length<D>(&map.shape_tables[at], end - at, scratch) != end - at)
+      return false;
+    at = end;
   }
   return at == map.shape_tables.size();
 }
@@ -132,29 +136,104 @@ bool vertices_sound(const Map<D>& map, Cell c, Array<uint32_t>& sorted) {
   return sorted.back() < map.vertex_count && std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
 }
 
-/** Records follow each other without gaps, in the order of cells, and the tables say where. */
+/** Whether `count` things are in lists, each once and in that of its size; `next` leads on. */
+template <class SizeOf, class Next>
+bool lists_sound(const Array<uint32_t>& heads, size_t count, SizeOf size_of, Next next) {
+  for (uint32_t size = 0; size < heads.size(); ++size) {
+    for (uint32_t i = heads[size]; i != kNoCell; i = next(i)) {
+      if (size_of(i) != size || count-- == 0) return false;  // a list that runs in a circle has too many
+    }
+  }
+  return count == 0;
+}
+
+/** Of a map that has changed: what is free is in the lists of what is free. Records are sound; `records` of them and `shapes` of
+ * their shapes are free. */
+template <int D>
+const char* check_free(const Map<D>& map, size_t records, size_t shapes) {
+  const auto units_of_free = [&](uint32_t unit) {
+    if (unit >= map.cell_of_unit.size() || map.cell_of_unit[unit] != kNoCell) return 0u;
+    const uint32_t word0 = map.words[size_t{unit} * kUnitWords];
+    return form_of(word0) == Form::kFree ? word0 & kShapeMask : 0u;
+  };
+  const auto next_record = [&](uint32_t unit) { return map.words[size_t{unit} * kUnitWords + 1]; };
+  if (!lists_sound(map.free_records, records, units_of_free, next_record)) return "a free record is in no list";
+  const auto length_of_free = [&](uint32_t number) -> size_t {
+    if (number >= map.shape_offsets.size() || map.shape_tables[map.shape_offsets[number]] != kFreeShape) return 0;
+    const bool last = number + 1 == map.shape_offsets.size();
+    return (last ? map.shape_tables.size() : map.shape_offsets[number + 1]) - map.shape_offsets[number];
+  };
+  const auto next_shape = [&](uint32_t number) {
+    const uint16_t* const table = map.shape_tables.data() + map.shape_offsets[number];
+    return table[1] | static_cast<uint32_t>(table[2]) << 16;
+  };
+  if (!lists_sound(map.free_shapes, shapes, length_of_free, next_shape)) return "a free shape is in no list";
+  return nullptr;
+}
+
+/** Of a map that has changed: slots and uses. Records and tables are sound. */
+template <int D>
+const char* check_slots(const Map<D>& map) {
+  if (map.cell_slots.alive_count() != map.cell_count) return "cells are counted wrongly";
+  if (map.vertex_slots.slot_count() != map.vertex_count || map.vertex_uses.size() != map.vertex_count) {
+    return "the tables of vertices have the wrong size";
+  }
+  for (uint32_t i = 0; i < map.unit_of_cell.size(); ++i) {
+    if (map.cell_slots.alive(i, map.cell_slots.generation(i)) != map.cell(i).valid()) return "an index without a cell";
+  }
+  Array<uint32_t> uses(map.vertex_count, 0u, map.words.get_allocator());
+  for_each_cell(map, [&](Cell c) {
+    for (uint32_t k = 0, n = map.vertices_of(c); k < n; ++k) ++uses[map.vertex(c, k)];
+  });
+  for (uint32_t v = 0; v < map.vertex_count; ++v) {
+    if (uses[v] != map.vertex_uses[v]) return "uses of a vertex are counted wrongly";
+    if (uses[v] != 0 && !map.vertex_slots.alive(v, map.vertex_slots.generation(v)))
+      return "a cell has a vertex that is gone";
+  }
+  return nullptr;
+}
+
+/** Records follow each other without gaps and the tables say where; before the first change also in the order of cells. */
 template <int D>
 const char* check_records(const Map<D>& map) {
   const uint64_t units = map.words.size() / kUnitWords;
   const bool uniform = map.unit_of_cell.empty();
   if (uniform) {
     const uint32_t n = map.units_per_cell;
-    if (n == 0 || !map.cell_of_unit.empty() || uint64_t{map.cell_count} * n != units)
+    if (n == 0 || map.has_changed() || !map.cell_of_unit.empty() || uint64_t{map.cell_count} * n != units)
       return "records and cells differ in number";
-  } else if (map.units_per_cell != 0 || map.unit_of_cell.size() != map.cell_count || map.cell_of_unit.size() != units) {
+  } else if (map.units_per_cell != 0 || map.unit_of_cell.size() != map.index_count() ||
+             map.cell_of_unit.size() != units) {
     return "the tables of records have the wrong size";
   }
   Array<uint8_t> shape_used(map.shape_offsets.size(), 0, map.words.get_allocator());
   Array<uint32_t> sorted(map.words.get_allocator());
-  size_t shapes = 0;
+  size_t shapes = 0, free_records = 0;
   uint64_t unit = 0;
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
+  for (uint32_t found = 0; found < map.cell_count || (map.has_changed() && unit < units);) {
     if (unit >= units) return "records and cells differ in number";
     const Cell c{static_cast<uint32_t>(unit)};
-    if (!uniform && (map.unit_of_cell[i] != c.unit || map.cell_of_unit[c.unit] != i))
-      return "a cell and its record disagree";
-    const uint32_t word0 = map.record(c)[0], n = record_units(map, word0);
+    const uint32_t word0 = map.record(c)[0];
+    const bool is_free = map.has_changed() && form_of(word0) == Form::kFree;
+    const uint32_t n = is_free ? word0 & kShapeMask : record_units(map, word0);
     if (n == 0 || n > units - unit) return "a record has no form, or no room";
+    if (is_free) {
+      const uint32_t* const w = map.record(c);
+      if ((word0 & kMarkBit) != 0 || map.cell_of_unit[c.unit] != kNoCell) return "a free record has a cell";
+      if (std::any_of(w + 2, w + size_t{n} * kUnitWords, [](uint32_t word) { return word != 0; })) {
+        return "an unused word of a record is not zero";
+      }
+      for (uint32_t u = 1; u < n; ++u) {
+        if (map.cell_of_unit[c.unit + u] != kNoCell) return "a cell begins inside of a record";
+      }
+      ++free_records;
+      unit += n;
+      continue;
+    }
+    const uint32_t i = map.has_changed() ? map.cell_of_unit[c.unit] : found;
+    ++found;
+    if (!uniform && (i >= map.unit_of_cell.size() || map.unit_of_cell[i] != c.unit || map.cell_of_unit[c.unit] != i))
+      return "a cell and its record disagree";
     if (uniform && (n != map.units_per_cell || form_of(word0) == Form::kGeneral)) return "records differ in size";
     if (const char* broken = check_record(map, c, n)) return broken;
     if (!vertices_sound(map, c, sorted)) return "a cell names a vertex twice, or one that does not exist";
@@ -169,6 +248,10 @@ const char* check_records(const Map<D>& map) {
     unit += n;
   }
   if (unit != units) return "records and cells differ in number";
+  if (map.has_changed()) {
+    if (const char* broken = check_free(map, free_records, map.shape_offsets.size() - shapes)) return broken;
+    return check_slots(map);
+  }
   return shapes == map.shape_offsets.size() ? nullptr : "a shape belongs to no cell";
 }
 
@@ -242,8 +325,9 @@ bool facets_fit(const Map<2>& map, Cell a, uint32_t fa, Cell b, uint32_t fb) {
 
 template <int D>
 const char* check_links(const Map<D>& map) {
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
+  for (uint32_t i = 0, count = map.index_count(); i < count; ++i) {
     const Cell c = map.cell(i);
+    if (!c.valid()) continue;
     for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
       const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
       if (!o.valid()) continue;
@@ -302,12 +386,11 @@ uint32_t record_units(const Map<D>& map, uint32_t word0) {
 template <int D>
 void count_facets(const Map<D>& map, uint32_t* facets, uint32_t* boundary_facets) {
   uint64_t sides = 0, boundary = 0;
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
-    const Cell c = map.cell(i);
+  for_each_cell(map, [&](Cell c) {
     const uint32_t n = map.facets_of(c);
     sides += n;
     for (uint32_t f = 0; f < n; ++f) boundary += map.opposite(map.half_facet(c, f)).valid() ? 0u : 1u;
-  }
+  });
   *facets = static_cast<uint32_t>((sides - boundary) / 2 + boundary);
   *boundary_facets = static_cast<uint32_t>(boundary);
 }

@@ -8,6 +8,7 @@
 //   pyramid .. box     2 units: links ending at w7, vertices from w8
 //   general            links in words 1..7 of the first units, then vertices in words 1..7 of the following ones; word 0
 //                      of every unit but the first is a continuation that counts back to the first
+//   free               units that a cell has left: their number in bits 0 to 26, in w1 the next free record of that size
 // A facet of a cell (a "half-facet") is named by the address of its link word, which is why a link needs no decoding: it is
 // the address of the half-facet on the other side, with bit 31 for the facet's own mark. kNoFacet: the outer boundary.
 // Nothing else is stored: beta1 and beta2 come from the shape, beta3 from the link.
@@ -16,6 +17,7 @@
 
 #include "base/assert.h"
 #include "base/memory.h"
+#include "base/slot_pool.h"
 #include "map/shape.h"
 
 namespace dsw {
@@ -59,8 +61,13 @@ struct Map {
   Array<uint32_t> words;          // all records
   Array<uint16_t> shape_tables;   // tables of general cells
   Array<uint32_t> shape_offsets;  // shape number -> start in shape_tables
-  Array<uint32_t> unit_of_cell;   // public index -> unit; empty when all records have the same size
+  Array<uint32_t> unit_of_cell;   // public index -> unit, kNoCell: no cell; empty when all records have the same size
   Array<uint32_t> cell_of_unit;   // the way back; empty likewise
+  SlotPool cell_slots;            // generations by public index; empty before the first change, see records.h
+  SlotPool vertex_slots;          // likewise by vertex
+  Array<uint32_t> vertex_uses;    // how many cells have a vertex; empty likewise
+  Array<uint32_t> free_records;   // by size in units: the first free record, or kNoCell
+  Array<uint32_t> free_shapes;    // by length: the first free table's number, or kNoCell
   uint32_t cell_count = 0;
   uint32_t units_per_cell = 0;  // 1 or 2, when there are no such tables
   uint32_t vertex_count = 0;
@@ -72,8 +79,27 @@ struct Map {
         shape_tables(Allocator<uint16_t>(memory)),
         shape_offsets(Allocator<uint32_t>(memory)),
         unit_of_cell(Allocator<uint32_t>(memory)),
-        cell_of_unit(Allocator<uint32_t>(memory)) {}
+        cell_of_unit(Allocator<uint32_t>(memory)),
+        cell_slots(memory),
+        vertex_slots(memory),
+        vertex_uses(Allocator<uint32_t>(memory)),
+        free_records(Allocator<uint32_t>(memory)),
+        free_shapes(Allocator<uint32_t>(memory)) {}
 
+  /** Whether cells have changed, or are about to: only then are there indices without a cell. */
+  bool has_changed() const { return cell_slots.slot_count() != 0; }
+  /** Public indices are below. */
+  uint32_t index_count() const { return has_changed() ? static_cast<uint32_t>(cell_slots.slot_count()) : cell_count; }
+  uint32_t generation(Cell c) const { return has_changed() ? cell_slots.generation(index(c)) : 1u; }
+  bool is_alive(uint32_t index, uint32_t generation) const {
+    return has_changed() ? cell_slots.alive(index, generation) : generation == 1 && index < cell_count;
+  }
+  uint32_t vertex_generation(uint32_t vertex) const { return has_changed() ? vertex_slots.generation(vertex) : 1u; }
+  bool is_vertex_alive(uint32_t vertex, uint32_t generation) const {
+    return has_changed() ? vertex_slots.alive(vertex, generation) : generation == 1 && vertex < vertex_count;
+  }
+
+  /** Invalid where an index has no cell. */
   Cell cell(uint32_t index) const { return {unit_of_cell.empty() ? index * units_per_cell : unit_of_cell[index]}; }
   uint32_t index(Cell c) const { return cell_of_unit.empty() ? c.unit >> (units_per_cell - 1) : cell_of_unit[c.unit]; }
 
@@ -133,9 +159,19 @@ struct Map {
   }
   uint64_t memory_bytes() const {
     return array_bytes(words) + array_bytes(shape_tables) + array_bytes(shape_offsets) + array_bytes(unit_of_cell) +
-           array_bytes(cell_of_unit);
+           array_bytes(cell_of_unit) + cell_slots.memory_bytes() + vertex_slots.memory_bytes() +
+           array_bytes(vertex_uses) + array_bytes(free_records) + array_bytes(free_shapes);
   }
 };
+
+/** Calls visit(cell) for all cells in the order of their public indices. */
+template <int D, class Visit>
+void for_each_cell(const Map<D>& map, Visit visit) {
+  for (uint32_t i = 0, count = map.index_count(); i < count; ++i) {
+    const Cell c = map.cell(i);
+    if (c.valid()) visit(c);
+  }
+}
 
 /** The lower of the two names of a facet: the one that every report gives. */
 template <int D>

@@ -12,7 +12,15 @@ namespace dsw {
 
 /** Form of a cell, as stored in its record. A simplex is a tetrahedron in space and a triangle in the plane; box is a
  * hexahedron or a quadrilateral, general a polyhedron or a polygon. */
-enum class Form : uint32_t { kSimplex = 0, kPyramid = 1, kPrism = 2, kBox = 3, kGeneral = 4, kContinuation = 5 };
+enum class Form : uint32_t {
+  kSimplex = 0,
+  kPyramid = 1,
+  kPrism = 2,
+  kBox = 3,
+  kGeneral = 4,
+  kContinuation = 5,
+  kFree = 6
+};
 
 /** View of one shape table: counts, then arrays, all 16 bits wide. Darts are numbered facet by facet, along each facet
  * counter-clockwise seen from outside; dart d runs from dart_vertex(d) to that of beta1(d). */
@@ -66,6 +74,9 @@ struct FacetLoops {
   uint32_t facet_count;
   uint32_t vertex_count;
 };
+
+/** Begins a table that no cell has; the two words after it lead to the next of its length. No shape has so many vertices. */
+constexpr uint16_t kFreeShape = 0xffff;
 
 /** Why loops do not make a shape. */
 enum class ShapeDefect { kNone, kTooLarge, kShortFacet, kRepeatedVertex, kOpen, kNotSphere };

@@ -22,36 +22,53 @@ bool box_holds(const Environment<D>& env, Cell c, const double* point) noexcept 
 }
 
 template <int D>
-bool holds(const Environment<D>& env, uint32_t index, const double* point) noexcept {
-  const Cell c = env.map.cell(index);
-  return box_holds(env, c, point) && admits(env, c) && contains(env, c, point);
+bool holds(const Environment<D>& env, Cell c, const double* point) noexcept {
+  return c.valid() && box_holds(env, c, point) && admits(env, c) && contains(env, c, point);
+}
+
+/** The cell of a point, if a walk from a cell finds it. */
+template <int D>
+Cell walk(const Environment<D>& env, const double* point, Cell from, CastCounters* counters) noexcept {
+  if (!admits(env, from)) return {};
+  double start[D];
+  centre(env, from, start);
+  // The centre of a sliver can round to a point outside of it, from where no walk may start.
+  if (env.map.form(from) == Form::kSimplex && !contains(env, from, start)) return {};
+  CastRequest request{start, point, from};
+  request.through_walls = true;
+  const CastResult walked = cast(env, request, counters);
+  return walked.end == CastEnd::kReached ? walked.cell : Cell{};
+}
+
+/** The cell of a point by the grid. Where cells have changed since it was built it proves nothing: a cell listed near the point is then
+ * as good a start for a walk as any. */
+template <int D>
+Cell find_in_grid(const Environment<D>& env, const double* point, CastCounters* counters) noexcept {
+  size_t bucket = 0;
+  if (!find_bucket(env.grid, env.upper, point, &bucket)) return {};
+  Cell near;
+  for (uint32_t i = env.grid.first[bucket]; i < env.grid.first[bucket + 1]; ++i) {
+    const Cell c = env.map.cell(env.grid.cells[i]);
+    if (holds(env, c, point)) return c;
+    if (c.valid()) near = c;
+  }
+  return env.map.has_changed() && near.valid() ? walk(env, point, near, counters) : Cell{};
 }
 
 }  // namespace
 
 template <int D>
 LocateResult locate(const Environment<D>& env, const double* point, Cell hint, CastCounters* counters) noexcept {
-  double from[D];
-  if (hint.valid()) centre(env, hint, from);
-  // The centre of a sliver can round to a point outside of it, from where no walk may start.
-  if (hint.valid() && admits(env, hint) && (env.map.form(hint) != Form::kSimplex || contains(env, hint, from))) {
-    CastRequest request{from, point, hint};
-    request.through_walls = true;
-    const CastResult walked = cast(env, request, counters);
-    if (walked.end == CastEnd::kReached) return {walked.cell};
+  Cell found;
+  if (hint.valid()) found = walk(env, point, hint, counters);
+  if (!found.valid() && !env.grid.empty()) {
+    found = find_in_grid(env, point, counters);
+    if (!env.map.has_changed()) return {found};
   }
-  if (!env.grid.empty()) {
-    size_t bucket = 0;
-    if (!find_bucket(env.grid, env.upper, point, &bucket)) return {};
-    for (uint32_t i = env.grid.first[bucket]; i < env.grid.first[bucket + 1]; ++i) {
-      if (holds(env, env.grid.cells[i], point)) return {env.map.cell(env.grid.cells[i])};
-    }
-    return {};
+  for (uint32_t i = 0, count = env.map.index_count(); !found.valid() && i < count; ++i) {
+    if (holds(env, env.map.cell(i), point)) found = env.map.cell(i);
   }
-  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
-    if (holds(env, i, point)) return {env.map.cell(i)};
-  }
-  return {};
+  return {found};
 }
 
 template LocateResult locate(const Environment<2>&, const double*, Cell, CastCounters*) noexcept;

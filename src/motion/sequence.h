@@ -29,6 +29,12 @@ struct EdgeSequence {
     triangles = true;
     placed = false;
   }
+  /** Makes what is known and not empty unknown. */
+  void forget() noexcept {
+    passages.resize(1);
+    passages[0] = {};
+    placed = false;
+  }
   /** Not a single kNoFacet. */
   bool known() const noexcept { return passages.empty() || passages[0].facet != kNoFacet; }
   /** One more or one less, first or last. Throws std::bad_alloc if there is no room for one more. */

@@ -66,20 +66,6 @@ class Trial {
   Box box_;
 };
 
-[[noreturn]] void refuse(const Scene<3>& scene) {
-  const size_t particles = scene.occupants.size(), bodies = scene.occupant_bodies.size();
-  if (particles == 0) {
-    const dsw_body_id first = scene.occupant_bodies[0];
-    fail(DSW_STATUS_OCCUPIED, "%zu bodies are in the way; the first is {index %u, generation %u}", bodies, first.index,
-         first.generation);
-  }
-  char others[48] = "";
-  if (bodies != 0) std::snprintf(others, sizeof others, "; so are %zu bodies", bodies);
-  const dsw_particle_id first = scene.occupants[0];
-  fail(DSW_STATUS_OCCUPIED, "%zu particles are in the way; the first is {index %u, generation %u} in volume %u%s",
-       particles, first.index, first.generation, scene.env.map.index(scene.particles[first.index].cell), others);
-}
-
 void find_occupant_bodies(Scene<3>& scene, BodyProbe& probe) {
   for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
     const uint32_t generation = scene.body_slots.generation(slot);
@@ -144,6 +130,20 @@ auto each_of(const Item* items, size_t count) {
 constexpr auto kNoParticles = [] {};
 
 }  // namespace
+
+void refuse(const Scene<3>& scene) {
+  const size_t particles = scene.occupants.size(), bodies = scene.occupant_bodies.size();
+  if (particles == 0) {
+    const dsw_body_id first = scene.occupant_bodies[0];
+    fail(DSW_STATUS_OCCUPIED, "%zu bodies are in the way; the first is {index %u, generation %u}", bodies, first.index,
+         first.generation);
+  }
+  char others[48] = "";
+  if (bodies != 0) std::snprintf(others, sizeof others, "; so are %zu bodies", bodies);
+  const dsw_particle_id first = scene.occupants[0];
+  fail(DSW_STATUS_OCCUPIED, "%zu particles are in the way; the first is {index %u, generation %u} in volume %u%s",
+       particles, first.index, first.generation, scene.env.map.index(scene.particles[first.index].cell), others);
+}
 
 void clear_occupants(Scene<3>* scene) noexcept {
   if (scene == nullptr) return;

@@ -12,6 +12,9 @@ namespace dsw {
 /** Forgets who was in the way of the last marking call; comes before each. */
 void clear_occupants(Scene<3>* scene) noexcept;
 
+/** Throws OCCUPIED with a message about who is in the way: some are. */
+[[noreturn]] void refuse(const Scene<3>& scene);
+
 /** Sets the marks of cells; returns how many were left out. */
 size_t mark_cells(Environment<3>& env, Scene<3>* scene, const Cell* cells, size_t count, bool marked,
                   bool skip_occupied);

@@ -38,7 +38,7 @@ void report_arrival(const Environment<D>& env, const CastRequest& request, const
     flight->normal[k] = 0;
   }
   flight->time = detail ? 1 : 0;
-  flight->volume = {env.map.index(result.cell), kGeneration};
+  flight->volume = volume_id(env.map, result.cell);
   flight->face = {0, 0, 0};
   flight->behind = {0, 0};
   flight->outcome = DSW_OUTCOME_REACHED;

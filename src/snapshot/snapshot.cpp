@@ -41,6 +41,7 @@ constexpr uint64_t vertex_mark_words(uint64_t vertices) { return (vertices + 63)
 
 template <int D>
 Header header_of(const Environment<D>& env) {
+  if (env.map.has_changed()) fail(DSW_STATUS_UNSUPPORTED, "the topology has changed, which snapshots do not keep yet");
   Header h;
   h.flags = env.grid.empty() ? 0 : kHasGrid;
   h.vertex_count = env.map.vertex_count;

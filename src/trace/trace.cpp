@@ -145,9 +145,8 @@ void add_impassable(Trace& trace, const Environment<3>& env, bool with_boundary,
   env.edge_marks.copy_sorted(edges);
   Array<uint8_t> edge_shown(edges.size(), 0, Allocator<uint8_t>(env.memory));
   Array<uint8_t> vertex_shown(env.marked_vertices == 0 ? 0 : map.vertex_count, 0, Allocator<uint8_t>(env.memory));
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
-    const Cell c = map.cell(i);
-    if (map.marked(c)) continue;
+  for_each_cell(map, [&](Cell c) {
+    if (map.marked(c)) return;
     const Shape shape = map.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       if (!is_shown(map, map.half_facet(c, f), with_boundary)) continue;
@@ -164,7 +163,7 @@ void add_impassable(Trace& trace, const Environment<3>& env, bool with_boundary,
       const uint32_t v = map.vertex(c, k);
       if (vertex_marked(env, v)) vertex_shown[v] = 1;
     }
-  }
+  });
   for (size_t e = 0; e < edges.size(); ++e) {
     if (edge_shown[e] == 0) continue;
     const uint32_t a = points[static_cast<uint32_t>(edges[e] >> 32)];

@@ -34,9 +34,9 @@ dsw_wall_contact describe(const Environment<3>& env, const Occupants& all, const
   std::copy_n(touch.point, 3, c.point);
   std::copy_n(touch.normal, 3, c.normal);
   c.along = touch.along;
-  c.moving = {vertex, kGeneration};
-  if (hit.q != kNone) c.others[0] = {hit.q, kGeneration};
-  if (hit.r != kNone) c.others[1] = {hit.r, kGeneration};
+  c.moving = {vertex, env.map.vertex_generation(vertex)};
+  if (hit.q != kNone) c.others[0] = {hit.q, env.map.vertex_generation(hit.q)};
+  if (hit.r != kNone) c.others[1] = {hit.r, env.map.vertex_generation(hit.r)};
   c.response = done;
   name_wall(env, seen_from(env, hit.wall, touch.normal), c);
   name_feature(all, hit.feature, c);

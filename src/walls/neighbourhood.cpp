@@ -20,7 +20,7 @@ Neighbourhood::Neighbourhood(Environment<3>& env, Occupants& all)
 
 void Neighbourhood::find_occupants() {
   begun_ = false;
-  features_.start(env_.map.cell_count);
+  features_.start(env_.map.index_count());
   occupied_.clear();
   for (uint32_t i = 0; i < all_.particle_count; ++i) {
     if (all_.particles[i].cell.valid()) note_point({Feature::kParticle, 0, i});

@@ -89,7 +89,7 @@ void WallMotion::finish(double way, WallRecord& record) {
   for (const uint32_t v : points.touched()) {
     double to[3];
     points.at(v, way, to);
-    if (!std::equal(to, to + 3, env_.point(v))) record.held.push_back({v, kGeneration});
+    if (!std::equal(to, to + 3, env_.point(v))) record.held.push_back({v, env_.map.vertex_generation(v)});
   }
   const auto before = [](const auto& a, const auto& b) { return a.index < b.index; };
   std::sort(record.held.begin(), record.held.end(), before);

@@ -20,7 +20,7 @@ static void info_counts_and_measures(void) {
   CHECK(i.known.boundary_face_count == 32 && i.known.face_count == (12 * 6 + 32) / 2);
   CHECK(i.known.part_count == 1 && i.known.scene_count == 1 && i.known.memory_bytes > 12 * 64);
   CHECK(i.known.lower[0] == 0 && i.known.upper[0] == 3 && i.known.upper[2] == 2);
-  i.known.struct_size = sizeof(dsw_environment_info) - 1;
+  i.known.struct_size = offsetof(dsw_environment_info, volume_index_count) - 1;
   CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_get_info(g_env, &i.known));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_info(g_env, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_info(NULL, &i.known));

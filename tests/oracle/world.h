@@ -59,8 +59,15 @@ struct Walk {
 
 class World {
  public:
+  /// Of an environment whose topology has changed: cell i of the mesh is volumes[i], and its face f lies on the outer boundary if
+  /// outer[i][f] says so, also where another face has the same vertices.
+  struct Changed {
+    std::vector<dsw_volume_id> volumes;
+    std::vector<std::vector<char>> outer;
+  };
   /// Reads the triangles of every volume from the library and checks them against the mesh. Empty `fault` if sound.
-  World(const Mesh& mesh, const dsw_environment* environment);
+  World(const Mesh& m, const dsw_environment* environment) : World(m, environment, Changed{}) {}
+  World(const Mesh& m, const dsw_environment* environment, const Changed& changed);
 
   const std::string& fault() const { return fault_; }
   BodyPoint body(const double* xyz) const;
@@ -104,7 +111,7 @@ class World {
     Big numerator, denominator, shift[3];
   };
 
-  void read_topology(const dsw_environment* environment);
+  void read_topology(const dsw_environment* environment, const Changed& changed);
   void prepare_numbers();
   Query query(const BodyPoint& p, const BodyPoint& q) const;
   void need_big(Query& s) const;

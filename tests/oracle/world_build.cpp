@@ -27,30 +27,34 @@ std::vector<int> sorted(std::vector<int> v) {
 
 }  // namespace
 
-World::World(const Mesh& m, const dsw_environment* environment) : mesh(m) {
-  read_topology(environment);
+World::World(const Mesh& m, const dsw_environment* environment, const Changed& changed) : mesh(m) {
+  read_topology(environment, changed);
   if (!fault_.empty()) return;
   prepare_numbers();
   for (size_t t = 0; t < triangles.size(); ++t) all_.push_back(static_cast<int>(t));
   tie_.assign(triangles.size(), 0);
 }
 
-void World::read_topology(const dsw_environment* environment) {
+void World::read_topology(const dsw_environment* environment, const Changed& changed) {
   const size_t count = mesh.cells.size();
   ids.resize(count);
   cell_marked.assign(count, 0);
   cell_triangles.resize(count);
   cell_faces.resize(count);
   used_.assign(mesh.points.size(), 0);
-  std::map<std::vector<int>, int> face_of;  // sorted vertices -> face
+  std::map<std::vector<int>, int> face_of;  // sorted vertices, and what tells it from others with the same -> face
   for (size_t c = 0; c < count; ++c) {
-    if (dsw_environment_get_volume(environment, static_cast<uint32_t>(c), &ids[c]) != DSW_STATUS_OK) {
+    if (!changed.volumes.empty()) {
+      ids[c] = changed.volumes[c];
+    } else if (dsw_environment_get_volume(environment, static_cast<uint32_t>(c), &ids[c]) != DSW_STATUS_OK) {
       fault_ = "get_volume failed for cell " + std::to_string(c);
       return;
     }
     for (size_t f = 0; f < mesh.cells[c].faces.size(); ++f) {
       const Loop& loop = mesh.cells[c].faces[f];
-      const auto [it, fresh] = face_of.insert({sorted(loop), static_cast<int>(faces.size())});
+      std::vector<int> key = sorted(loop);
+      if (!changed.outer.empty() && changed.outer[c][f] != 0) key.push_back(-1 - static_cast<int>(c));
+      const auto [it, fresh] = face_of.insert({key, static_cast<int>(faces.size())});
       if (fresh) {
         faces.emplace_back();
         faces.back().loop = loop;

@@ -141,4 +141,21 @@ TEST(ReserveMore, GrowsByDoubling) {
   EXPECT_THROW(dsw::reserve_more(array, SIZE_MAX), std::bad_alloc);
 }
 
+TEST(SlotPool, TellsWhatItWillGiveOutAndRenews) {
+  SlotPool pool(nullptr, 2);
+  pool.start(3);
+  EXPECT_EQ(pool.alive_count(), 3u);
+  pool.reserve(3, 2);
+  EXPECT_TRUE(pool.can_renew(1));
+  pool.renew(1);
+  EXPECT_TRUE(pool.alive(1, 2));
+  EXPECT_FALSE(pool.alive(1, 1));
+  EXPECT_FALSE(pool.can_renew(1));
+  pool.release(0);
+  pool.release(2);
+  const uint32_t wanted[3] = {pool.upcoming(0), pool.upcoming(1), pool.upcoming(2)};
+  EXPECT_EQ(wanted[2], 3u);
+  for (const uint32_t index : wanted) EXPECT_EQ(pool.acquire().index, index);
+}
+
 }  // namespace

@@ -45,6 +45,27 @@ TEST(Cast, LeavesAFlatFaceWithAStraightCorner) {
   }
 }
 
+/** Two faces in one plane, one of them L-shaped: the volume is convex, the face is not, and lines that leave through it run on both
+ * sides of its rim. */
+TEST(Cast, LeavesAnLShapedFaceOfAConvexVolume) {
+  SmallMesh mesh;
+  mesh.name = "a box with a divided top";
+  mesh.points = {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 0, 0, 1, 2, 0, 1, 2, 2, 1, 0, 2, 1, 2, 1, 1, 1, 1, 1, 1, 2, 1};
+  mesh.offsets = {0};
+  mesh.cell(kPolyhedron, {7, 4,  0, 3, 2, 1, 4, 0, 1, 5, 4, 5, 1, 2,  6, 8, 5, 5, 2, 3,
+                          7, 10, 6, 4, 3, 0, 4, 7, 6, 4, 5, 8, 9, 10, 7, 4, 9, 8, 6, 10});
+  Environment<3> env(nullptr);
+  build_mesh(env, mesh);
+  EXPECT_FALSE(env.map.convex(env.map.cell(0)));
+  const double from[3] = {.75, .5, .5};
+  for (const double x : {1.75, .25}) {
+    for (const double y : {.25, 1.75}) {
+      const double to[3] = {x, y, 1.75};
+      expect_contact(env, from, to);
+    }
+  }
+}
+
 TEST(Cast, LeavesASlantedFaceWithAStraightCorner) {
   Environment<3> env(nullptr);
   build_mesh(env, one_hexahedron({0, 0, 0, .5, 0, .5, 1, 2, 1, 0, 2, 0, 0, 0, 2, 2, 0, 2, 2, 2, 2, 0, 2, 2}));

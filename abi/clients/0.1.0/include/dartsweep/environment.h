@@ -94,14 +94,16 @@ typedef struct dsw_build_report {
 typedef struct dsw_environment_info {
   uint32_t struct_size;  /**< Set by the caller: sizeof(dsw_environment_info). */
   uint32_t dimension;    /**< 3. */
-  uint32_t vertex_count; /**< Points given at creation, unused ones included. */
+  uint32_t vertex_count; /**< Unused points included. */
   uint32_t volume_count;
   uint32_t face_count;          /**< A face between two volumes counts once. */
   uint32_t boundary_face_count; /**< Faces with one volume. */
   uint32_t part_count;          /**< Parts connected through faces. */
   uint32_t scene_count;         /**< Scenes that use it now. */
   uint64_t memory_bytes;        /**< All memory it holds; borrowed points included. */
-  double lower[3], upper[3];    /**< Box around the points that volumes use, as they were created or loaded. */
+  double lower[3], upper[3];    /**< Box around the points that volumes use, or have used; as they were before they moved (deform.h). */
+  uint32_t volume_index_count;  /**< Indices of volumes are below: more than volume_count where some were removed. */
+  uint32_t vertex_index_count;  /**< Likewise of vertices. */
 } dsw_environment_info;
 
 /** Writes the defaults (3-dimensional, hexahedra, 8-byte indices) into at most `size` bytes and sets struct_size.
@@ -127,7 +129,8 @@ DSW_API dsw_status dsw_environment_create(dsw_context *context, const dsw_enviro
  * @return DSW_STATUS_IN_USE, and nothing happens, while scenes use it. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_environment_destroy(dsw_environment *environment);
 
-/** Fills `info`. @param info [in,out] its struct_size set. @note O(1). Thread: reader. @since 0.1 */
+/** Fills `info`. @param info [in,out] its struct_size set. @note O(1); once the topology has changed (topology.h) O(n), to count
+ * parts. Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_info(const dsw_environment *environment, dsw_environment_info *info);
 
 /** Proves everything again: links, every cell's validity, and that the outer boundary does not pass through
@@ -137,11 +140,13 @@ DSW_API dsw_status dsw_environment_get_info(const dsw_environment *environment, 
  * @note O(n log n) expected. Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_check(const dsw_environment *environment, dsw_build_report *report);
 
-/** Id of the volume made from cell `index`, or DSW_STATUS_OUT_OF_RANGE. @note O(1). Thread: reader. @since 0.1 */
+/** Id of the volume with an index: at first that made from cell `index`. DSW_STATUS_OUT_OF_RANGE from volume_index_count on,
+ * DSW_STATUS_NOT_FOUND where the volume has been removed. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_volume(const dsw_environment *environment, uint32_t index,
                                               dsw_volume_id *volume);
 
-/** Id of the vertex made from point `index`, or DSW_STATUS_OUT_OF_RANGE. @note O(1). Thread: reader. @since 0.1 */
+/** Id of the vertex with an index: at first that made from point `index`. DSW_STATUS_OUT_OF_RANGE from vertex_index_count on,
+ * DSW_STATUS_NOT_FOUND where the vertex has been removed. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_vertex(const dsw_environment *environment, uint32_t index,
                                               dsw_vertex_id *vertex);
 

@@ -1,0 +1,247 @@
+#include "dartsweep/topology.h"
+
+#include "capi/convert.h"
+#include "scene/edits.h"
+#include "topology/operations.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace {
+
+/** One call: an edit of an environment that no more than one scene uses. */
+class Change {
+ public:
+  explicit Change(dsw_environment* environment)
+      : handle_(capi::check_handle(environment, "environment")),
+        scene_(capi::only_scene(handle_)),
+        edit_(handle_.engine) {}
+
+  const dsw::Map<3>& map() const { return handle_.engine.map; }
+  const dsw::Memory* memory() const { return handle_.engine.memory; }
+  dsw::Edit& edit() { return edit_; }
+
+  void carry_out() {
+    dsw::Array<dsw_volume_change> changes{dsw::Allocator<dsw_volume_change>(memory())};
+    changes.reserve(edit_.most_changes());
+    dsw::carry_out(edit_, scene_ == nullptr ? nullptr : &scene_->engine);
+    for (const dsw::VolumeChange& c : edit_.changes()) {
+      changes.push_back({{c.before.index, c.before.generation}, {c.after.index, c.after.generation}});
+    }
+    handle_.changes.swap(changes);
+  }
+
+  /** What has come of a draft. */
+  dsw_volume_id volume(size_t draft) const { return volume_id(map(), edit_.cell(draft)); }
+  dsw_face_id face(size_t draft, uint32_t facet) const {
+    return face_id(map(), canonical(map(), edit_.half_facet(draft, facet)));
+  }
+  dsw_edge_id edge(size_t draft, uint32_t a, uint32_t b) const {
+    const dsw::Cell c = edit_.cell(draft);
+    uint32_t d = 0;
+    while (dart_vertex(map(), {c, d}) != a || dart_target(map(), {c, d}) != b) ++d;
+    return capi::edge_id(map(), {c, d});
+  }
+
+ private:
+  dsw_environment& handle_;
+  dsw_scene* scene_;
+  dsw::Edit edit_;
+};
+
+void check_arrays(const dsw_volumes_desc& d) {
+  if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
+  if (d.index_bytes != 0 && d.index_bytes != 4 && d.index_bytes != 8) {
+    fail(DSW_STATUS_UNSUPPORTED, "desc->index_bytes is %u, must be 4 or 8", d.index_bytes);
+  }
+  if (d.cell_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->cell_count is 0, must be at least 1");
+  if (d.cell_count > dsw::kVertexMask || d.point_count > dsw::kVertexMask) {
+    fail(DSW_STATUS_TOO_LARGE, "desc->cell_count is %zu and desc->point_count is %zu, must be below 2^28", d.cell_count,
+         d.point_count);
+  }
+  capi::require_array(d.vertices, d.vertex_count, "desc->vertices");
+  capi::require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
+  capi::require_array(d.sew_to, d.sew_count, "desc->sew_to");
+  if (d.offsets == nullptr && (d.cell_types != nullptr || d.uniform_cell_type == DSW_CELL_TYPE_POLYHEDRON)) {
+    fail(DSW_STATUS_NULL_ARGUMENT, "desc->offsets is null, which needs one uniform type with a fixed number of points");
+  }
+}
+
+}  // namespace
+
+void dsw_volumes_desc_init(dsw_volumes_desc* desc, size_t size) {
+  dsw_volumes_desc d{};
+  d.index_bytes = 8;
+  d.uniform_cell_type = DSW_CELL_TYPE_HEXAHEDRON;
+  capi::init_struct(desc, size, d);
+}
+
+dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_volumes_desc* desc,
+                                       dsw_volume_id* volumes, dsw_vertex_id* vertices) {
+  return capi::guard("dsw_environment_add_volumes", [&] {
+    Change change(environment);
+    capi::require(desc, "desc");
+    const dsw_volumes_desc d = capi::read_struct(desc, "desc");
+    check_arrays(d);
+    const dsw::PointArray points = capi::to_points(d.points, d.point_count, d.point_stride_bytes, "desc->points");
+    dsw::check_finite(points, d.point_count, 3, {"desc->points", true});
+    dsw::Array<uint32_t> all{dsw::Allocator<uint32_t>(change.memory())};
+    all.reserve(d.vertex_count + d.point_count);
+    for (size_t i = 0; i < d.vertex_count; ++i) {
+      all.push_back(capi::to_vertex(change.map(), d.vertices[i], {"desc->vertices", true}, i));
+    }
+    for (size_t i = 0; i < d.point_count; ++i) all.push_back(change.edit().add_vertex(points[i]));
+    dsw::Array<dsw::HalfFacet> faces{dsw::Allocator<dsw::HalfFacet>(change.memory())};
+    for (size_t i = 0; i < d.sew_count; ++i) {
+      faces.push_back(capi::to_half_facet(change.map(), d.sew_to[i], {"desc->sew_to", true}, i));
+    }
+    dsw::NewCells input{all.data(),    all.size(),   d.cell_types,   d.uniform_cell_type,  d.cell_count,
+                        d.index_bytes, d.offsets,    d.connectivity, d.connectivity_count, d.regions,
+                        d.tags,        faces.data(), faces.size()};
+    if (input.index_bytes == 0) input.index_bytes = 8;
+    add_cells(change.edit(), input);
+    change.carry_out();
+    for (size_t i = 0; volumes != nullptr && i < d.cell_count; ++i) volumes[i] = change.volume(i);
+    for (size_t i = 0; vertices != nullptr && i < d.point_count; ++i) {
+      vertices[i] = capi::vertex_id(change.map(), all[d.vertex_count + i]);
+    }
+  });
+}
+
+dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_face_id* faces_a,
+                                     const dsw_face_id* faces_b, size_t count) {
+  return capi::guard("dsw_environment_sew_faces", [&] {
+    Change change(environment);
+    capi::require_array(faces_a, count, "faces_a");
+    capi::require_array(faces_b, count, "faces_b");
+    dsw::Array<dsw::FacetPair> pairs(count, dsw::FacetPair{}, dsw::Allocator<dsw::FacetPair>(change.memory()));
+    for (size_t i = 0; i < count; ++i) {
+      pairs[i].a = capi::to_half_facet(change.map(), faces_a[i], {"faces_a", true}, i);
+      pairs[i].b = capi::to_half_facet(change.map(), faces_b[i], {"faces_b", true}, i);
+    }
+    sew(change.edit(), pairs.data(), count);
+    change.carry_out();
+  });
+}
+
+dsw_status dsw_environment_unsew_face(dsw_environment* environment, dsw_face_id face) {
+  return capi::guard("dsw_environment_unsew_face", [&] {
+    Change change(environment);
+    unsew(change.edit(), capi::to_half_facet(change.map(), face, {"face", false}));
+    change.carry_out();
+  });
+}
+
+dsw_status dsw_environment_remove_volumes(dsw_environment* environment, const dsw_volume_id* volumes, size_t count) {
+  return capi::guard("dsw_environment_remove_volumes", [&] {
+    Change change(environment);
+    capi::require_array(volumes, count, "volumes");
+    dsw::Array<dsw::Cell> cells(count, dsw::Cell{}, dsw::Allocator<dsw::Cell>(change.memory()));
+    for (size_t i = 0; i < count; ++i) cells[i] = capi::to_cell(change.map(), volumes[i], {"volumes", true}, i);
+    remove_cells(change.edit(), cells.data(), count);
+    change.carry_out();
+  });
+}
+
+dsw_status dsw_environment_merge_volumes(dsw_environment* environment, dsw_face_id face, dsw_volume_id* volume) {
+  return capi::guard("dsw_environment_merge_volumes", [&] {
+    Change change(environment);
+    const size_t merged = merge_cells(change.edit(), capi::to_half_facet(change.map(), face, {"face", false}));
+    change.carry_out();
+    if (volume != nullptr) *volume = change.volume(merged);
+  });
+}
+
+dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume_id volume, const dsw_vertex_id* loop,
+                                        size_t count, dsw_volume_id* volumes, dsw_face_id* face) {
+  return capi::guard("dsw_environment_split_volume", [&] {
+    Change change(environment);
+    const dsw::Cell c = capi::to_cell(change.map(), volume, {"volume", false});
+    capi::require_array(loop, count, "loop");
+    dsw::Array<uint32_t> vertices(count, 0u, dsw::Allocator<uint32_t>(change.memory()));
+    for (size_t i = 0; i < count; ++i) vertices[i] = capi::to_vertex(change.map(), loop[i], {"loop", true}, i);
+    const dsw::SplitCell split = split_cell(change.edit(), c, vertices.data(), count);
+    change.carry_out();
+    if (volumes != nullptr) {
+      volumes[0] = change.volume(split.left);
+      volumes[1] = change.volume(split.right);
+    }
+    if (face != nullptr) *face = change.face(split.left, split.left_facet);
+  });
+}
+
+dsw_status dsw_environment_merge_faces(dsw_environment* environment, dsw_edge_id edge, dsw_face_id* face) {
+  return capi::guard("dsw_environment_merge_faces", [&] {
+    Change change(environment);
+    const dsw::MergedFacet merged = merge_facets(change.edit(), capi::to_dart(change.map(), edge, {"edge", false}));
+    change.carry_out();
+    if (face != nullptr) *face = change.face(merged.draft, merged.facet);
+  });
+}
+
+dsw_status dsw_environment_split_face(dsw_environment* environment, dsw_face_id face, dsw_vertex_id a, dsw_vertex_id b,
+                                      dsw_face_id* faces, dsw_edge_id* edge) {
+  return capi::guard("dsw_environment_split_face", [&] {
+    Change change(environment);
+    const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
+    const uint32_t from = capi::to_vertex(change.map(), a, {"a", false});
+    const uint32_t to = capi::to_vertex(change.map(), b, {"b", false});
+    const dsw::SplitFacet split = split_facet(change.edit(), h, from, to);
+    change.carry_out();
+    if (faces != nullptr) {
+      faces[0] = change.face(split.draft, split.from_a);
+      faces[1] = change.face(split.draft, split.from_b);
+    }
+    if (edge != nullptr) *edge = change.edge(split.draft, from, to);
+  });
+}
+
+dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id edge, double share,
+                                      dsw_vertex_id* vertex, dsw_edge_id* edges) {
+  return capi::guard("dsw_environment_split_edge", [&] {
+    Change change(environment);
+    const dsw::Map<3>& map = change.map();
+    const dsw::Dart d = capi::to_dart(map, edge, {"edge", false});
+    if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must be above 0 and below 1", share);
+    const uint32_t ends[2] = {dart_vertex(map, d), dart_target(map, d)};
+    const uint32_t middle = split_edge(change.edit(), d, share);
+    change.carry_out();
+    if (vertex != nullptr) *vertex = capi::vertex_id(map, middle);
+    if (edges != nullptr) {
+      edges[0] = change.edge(0, ends[0], middle);
+      edges[1] = change.edge(0, middle, ends[1]);
+    }
+  });
+}
+
+dsw_status dsw_environment_merge_edges(dsw_environment* environment, dsw_edge_id edge, dsw_vertex_id vertex,
+                                       dsw_edge_id* merged) {
+  return capi::guard("dsw_environment_merge_edges", [&] {
+    Change change(environment);
+    const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
+    const uint32_t middle = capi::to_vertex(change.map(), vertex, {"vertex", false});
+    const dsw::MergedEdge ends = merge_edges(change.edit(), d, middle);
+    change.carry_out();
+    if (merged != nullptr) *merged = change.edge(0, ends.a, ends.b);
+  });
+}
+
+dsw_status dsw_environment_collapse_edge(dsw_environment* environment, dsw_edge_id edge, dsw_vertex_id vertex) {
+  return capi::guard("dsw_environment_collapse_edge", [&] {
+    Change change(environment);
+    const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
+    collapse_edge(change.edit(), d, capi::to_vertex(change.map(), vertex, {"vertex", false}));
+    change.carry_out();
+  });
+}
+
+dsw_status dsw_environment_get_volume_changes(const dsw_environment* environment, const dsw_volume_change** changes,
+                                              size_t* count) {
+  return capi::guard("dsw_environment_get_volume_changes", [&] {
+    const dsw_environment& handle = capi::check_handle(environment, "environment");
+    capi::require(changes, "changes");
+    capi::require(count, "count");
+    *changes = handle.changes.data();
+    *count = handle.changes.size();
+  });
+}

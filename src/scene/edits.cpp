@@ -1,0 +1,157 @@
+// The new cells lie where the old ones were, so each point of those is in exactly one of these, under the shift; where the outer
+// boundary moves by a rounding, or volumes are removed, it can be in none. Bodies are looked at after the change has been applied.
+
+#include "scene/edits.h"
+
+#include "motion/cast.h"
+#include "scene/body_probe.h"
+#include "scene/occupation.h"
+
+namespace dsw {
+namespace {
+
+/** Particles and bodies of one scene in the course of an edit that is prepared. */
+class Followers {
+ public:
+  Followers(Edit& edit, Scene<3>& scene)
+      : edit_(edit),
+        env_(edit.environment()),
+        scene_(scene),
+        particles_(Allocator<Seat>(scene.memory)),
+        vertices_(Allocator<Seat>(scene.memory)) {}
+
+  /** Finds new cells; those without any go to the scene's occupants. */
+  void find_cells() {
+    for (uint32_t slot = 0; slot < scene_.particles.size(); ++slot) {
+      const ParticleState<3>& particle = scene_.particles[slot];
+      if (!has_to_move(particle.cell)) continue;
+      const Cell c = find(particle.position);
+      particles_.push_back({0, slot, particle.cell, c});
+      if (!is_passable(c)) scene_.occupants.push_back({slot, scene_.slots.generation(slot)});
+    }
+    for_each_body([&](uint32_t slot, Body& body) {
+      bool all = true;
+      for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+        if (!has_to_move(body.vertices[v].cell)) continue;
+        const Cell c = find(body.position(v));
+        vertices_.push_back({slot, v, body.vertices[v].cell, c});
+        all = all && is_passable(c);
+      }
+      if (!all) scene_.occupant_bodies.push_back({slot, scene_.body_slots.generation(slot)});
+    });
+  }
+
+  /** After the edit was applied: bodies that are not free go to the scene's occupants. Their vertices are in their new cells. */
+  void find_blocked_bodies() {
+    BodyProbe probe(env_, changed_box(), Obstacle::kCells);
+    for_each_body([&](uint32_t slot, Body& body) {
+      if (!probe.is_free(body)) scene_.occupant_bodies.push_back({slot, scene_.body_slots.generation(slot)});
+    });
+  }
+
+  void move_vertices(bool back) noexcept {
+    for (const Seat& seat : vertices_) {
+      scene_.bodies[seat.body].body.vertices[seat.place].cell = back ? seat.before : seat.after;
+    }
+  }
+
+  void finish() noexcept {
+    for (const Seat& seat : particles_) {
+      scene_.particles[seat.place].cell = seat.after;
+      scene_.particles[seat.place].forecast = kNoFacet;
+    }
+    for_each_body([&](uint32_t, Body& body) {
+      for (EdgeSequence& sequence : body.sequences) {
+        const auto gone = [&](const Passage& passage) { return is_gone(passage.facet); };
+        if (std::none_of(sequence.passages.begin(), sequence.passages.end(), gone)) continue;
+        sequence.forget();
+      }
+    });
+  }
+
+ private:
+  /** Of a particle, or of a vertex of a body. */
+  struct Seat {
+    uint32_t body, place;
+    Cell before, after;
+  };
+
+  template <class Visit>
+  void for_each_body(Visit visit) {
+    for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
+      if (scene_.body_slots.alive(slot, scene_.body_slots.generation(slot))) visit(slot, scene_.bodies[slot].body);
+    }
+  }
+  bool has_to_move(Cell c) const { return c.valid() && edit_.is_removed(c); }
+  bool is_passable(Cell c) const { return c.valid() && !env_.map.marked(c); }
+  Cell find(const double* point) const {
+    for (size_t i = 0; i < edit_.cell_count(); ++i) {
+      if (contains(env_, edit_.cell(i), point)) return edit_.cell(i);
+    }
+    return {};
+  }
+  /** Whether a half-facet in a sequence goes, or leads elsewhere now. */
+  bool is_gone(uint32_t word) const {
+    if (word == kNoFacet) return false;
+    return edit_.is_removed(env_.map.cell_of({word})) || edit_.is_relinked({word});
+  }
+  Box changed_box() const {
+    Box box;
+    const auto add = [&](Cell c) {
+      for (uint32_t k = 0, n = env_.map.vertices_of(c); k < n; ++k) box.add(env_.point(c, k));
+    };
+    for (const Cell c : edit_.removed()) add(c);
+    for (size_t i = 0; i < edit_.cell_count(); ++i) add(edit_.cell(i));
+    for (size_t i = 0; i < edit_.link_count(); ++i) {
+      const FacetDraft facet = draft_of(env_, edit_.link(i));
+      for (const uint32_t v : facet.loop) box.add(env_.point(v));
+    }
+    return box;
+  }
+
+  Edit& edit_;
+  const Environment<3>& env_;
+  Scene<3>& scene_;
+  Array<Seat> particles_, vertices_;
+};
+
+void follow(Edit& edit, Scene<3>& scene) {
+  Followers followers(edit, scene);
+  const auto is_occupied = [&] { return !scene.occupants.empty() || !scene.occupant_bodies.empty(); };
+  followers.find_cells();
+  if (is_occupied()) refuse(scene);
+  edit.apply();
+  if (scene.body_slots.alive_count() != 0) {
+    followers.move_vertices(false);
+    try {
+      followers.find_blocked_bodies();
+      if (is_occupied()) refuse(scene);
+    } catch (...) {
+      followers.move_vertices(true);
+      edit.revert();
+      throw;
+    }
+  }
+  followers.finish();
+  edit.finish();
+}
+
+}  // namespace
+
+void carry_out(Edit& edit, Scene<3>* scene) {
+  clear_occupants(scene);
+  edit.prepare();
+  if (scene == nullptr) {
+    edit.apply();
+    edit.finish();
+    return;
+  }
+  try {
+    follow(edit, *scene);
+  } catch (const std::bad_alloc&) {
+    clear_occupants(scene);
+    throw;
+  }
+}
+
+}  // namespace dsw

@@ -1,0 +1,15 @@
+#pragma once
+// Changes of the topology while a scene lives in the environment: its particles and bodies follow.
+
+#include "scene/scene.h"
+#include "topology/edit.h"
+
+namespace dsw {
+
+/** Carries an edit out. `scene` is the only one that uses the environment, or null. Particles and vertices of bodies in cells that
+ * go get those new cells that contain them. Throws OCCUPIED, and leaves in the scene who is in the way, unless all of them are in
+ * passable cells then and all bodies are free; and what prepare() throws. Then nothing has changed.
+ * O(what changes + particles and size of the bodies). */
+void carry_out(Edit& edit, Scene<3>* scene);
+
+}  // namespace dsw

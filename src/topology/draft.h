@@ -1,0 +1,72 @@
+#pragma once
+// A cell on paper: what an operation wants a cell to become, before anything is changed.
+
+#include <algorithm>
+
+#include "environment/environment.h"
+
+namespace dsw {
+
+constexpr uint32_t kNoPair = 0xffffffffu;
+
+/** One facet. Vertices are those of the environment. */
+struct FacetDraft {
+  Array<uint32_t> loop;       // counter-clockwise seen from outside
+  Array<uint32_t> triangles;  // three vertices each, oriented likewise, that fill the loop
+  HalfFacet near, far;  // what it comes from, and what is behind it: as before the edit, where both may be about to go
+  uint32_t pair = kNoPair;  // of a new facet between two new cells: a number that both sides have
+  bool marked = false;
+
+  explicit FacetDraft(const Memory* memory)
+      : loop(Allocator<uint32_t>(memory)), triangles(Allocator<uint32_t>(memory)) {}
+
+  uint32_t place_of(uint32_t vertex) const {
+    return static_cast<uint32_t>(std::find(loop.begin(), loop.end(), vertex) - loop.begin());
+  }
+  bool has(uint32_t vertex) const { return place_of(vertex) != loop.size(); }
+  /** The vertex `steps` after the one in a place of the loop. */
+  uint32_t after(uint32_t place, size_t steps = 1) const { return loop[(place + steps) % loop.size()]; }
+};
+
+struct CellDraft {
+  Array<FacetDraft> facets;
+  Cell from, also;  // what it comes from; both invalid: out of nothing. Label, tag and index are those of `from`
+  bool keeps_index = true;
+  bool marked = false;
+  int32_t region = 0;
+  uint32_t tag = 0;
+
+  explicit CellDraft(const Memory* memory) : facets(Allocator<FacetDraft>(memory)) {}
+};
+
+/** A facet as it is. */
+FacetDraft draft_of(const Environment<3>& env, HalfFacet h);
+/** A cell as it is. */
+CellDraft draft_of(const Environment<3>& env, Cell c);
+
+/** Number of the draft's facet that comes from `h`. */
+inline uint32_t facet_from(const CellDraft& draft, HalfFacet h) {
+  uint32_t f = 0;
+  while (draft.facets[f].near != h) ++f;
+  return f;
+}
+
+/** Whether two facets seen from opposite sides have the same vertices. */
+bool face_each_other(const FacetDraft& a, const FacetDraft& b);
+/** Whether the triangles of two such facets are the same, too. */
+bool cut_alike(const FacetDraft& a, const FacetDraft& b);
+/** Gives a facet the triangles of the one that it faces. */
+void cut_like(FacetDraft& facet, const FacetDraft& other);
+
+/** Whether the triangles of a facet are positive seen from a point, and negative from a point `beyond` unless that is null. */
+bool is_cut_well(const Environment<3>& env, const FacetDraft& facet, const double* apex, const double* beyond);
+/** Adds triangles to a facet that fill `hole` and are such; false if there are none. Throws TOO_LARGE where it is not worth the search. */
+bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Array<uint32_t>& hole, const double* apex,
+              const double* beyond);
+
+/** Vertices of a draft, each once, in the order of first use. */
+void list_vertices(const CellDraft& draft, Array<uint32_t>& out);
+/** The mean of a draft's vertices in that order. */
+void centre(const Environment<3>& env, const CellDraft& draft, double* out);
+
+}  // namespace dsw

@@ -1,0 +1,463 @@
+#include "topology/edit.h"
+
+#include "base/error.h"
+#include "environment/marking.h"
+#include "environment/validity.h"
+#include "map/integrity.h"
+#include "topology/standard_form.h"
+
+namespace dsw {
+
+Edit::Edit(Environment<3>& env)
+    : env_(env),
+      map_(env.map),
+      removed_(Allocator<Cell>(env.memory)),
+      drafts_(Allocator<CellDraft>(env.memory)),
+      made_(Allocator<Made>(env.memory)),
+      links_(Allocator<Link>(env.memory)),
+      marks_(Allocator<MarkChange>(env.memory)),
+      vertices_(Allocator<uint32_t>(env.memory)),
+      changes_(Allocator<VolumeChange>(env.memory)) {
+  make_ready(map_);
+  room_ = room_of(map_);
+  point_doubles_ = env.owned_points.size();
+  vertex_mark_words_ = env.vertex_marks.size();
+}
+
+Edit::~Edit() {
+  if (finished_) return;
+  if (applied_) revert();
+  while (!made_.empty()) {
+    const Made& made = made_.back();
+    if (made.cell.valid()) untake_record(map_, made.cell.unit, made.units, room_);
+    if (made.shape != kNoCell) untake_shape(map_, made.shape, room_);
+    made_.pop_back();
+  }
+  shrink(map_, room_);
+  if (made_regions_) env_.regions.clear();
+  if (made_tags_) env_.tags.clear();
+  if (vertices_.empty()) return;
+  for (const uint32_t v : vertices_) std::fill_n(&env_.owned_points[size_t{v} * 3], 3, 0.0);
+  env_.owned_points.resize(point_doubles_);
+  env_.vertex_marks.resize(vertex_mark_words_);
+}
+
+void Edit::remove(Cell c) {
+  if (std::find(removed_.begin(), removed_.end(), c) == removed_.end()) removed_.push_back(c);
+}
+
+CellDraft* Edit::find_draft(Cell c) {
+  const auto at = std::find_if(drafts_.begin(), drafts_.end(), [&](const CellDraft& draft) { return draft.from == c; });
+  return at == drafts_.end() ? nullptr : &*at;
+}
+
+size_t Edit::replace(Cell c) {
+  if (const CellDraft* const known = find_draft(c)) return static_cast<size_t>(known - drafts_.data());
+  remove(c);
+  return add(draft_of(env_, c));
+}
+
+size_t Edit::add(CellDraft&& draft) {
+  drafts_.push_back(std::move(draft));
+  return drafts_.size() - 1;
+}
+
+uint32_t Edit::add_vertex(const double* position) {
+  if (env_.owned_points.empty()) fail(DSW_STATUS_BORROWED, "the points are the host's: no vertex can be added");
+  const uint32_t v = map_.vertex_slots.upcoming(vertices_.size());
+  if (v >= kVertexMask) fail(DSW_STATUS_TOO_LARGE, "there are 2^28 vertices already");
+  reserve_more(vertices_, 1);
+  const size_t doubles = (size_t{v} + 1) * 3;
+  if (doubles > env_.owned_points.size()) {
+    reserve_more(env_.owned_points, doubles - env_.owned_points.size());
+    env_.points = env_.owned_points.data();
+    if (!env_.vertex_marks.empty()) reserve_more(env_.vertex_marks, 1);
+    env_.owned_points.resize(doubles);
+    if (!env_.vertex_marks.empty()) env_.vertex_marks.resize(size_t{v} / 64 + 1, 0);
+  }
+  std::copy_n(position, 3, &env_.owned_points[size_t{v} * 3]);
+  vertices_.push_back(v);
+  return v;
+}
+
+void Edit::set_link(HalfFacet h, HalfFacet to, bool marked) {
+  links_.push_back({h.word, map_.words[h.word], to.word | (marked ? kMarkBit : 0)});
+}
+
+void Edit::set_mark(uint32_t a, uint32_t b, bool marked) { marks_.push_back({a, b, marked, false}); }
+void Edit::set_mark(uint32_t vertex, bool marked) { marks_.push_back({vertex, kNoCell, marked, false}); }
+
+bool Edit::is_removed(Cell c) const {
+  return std::binary_search(removed_.begin(), removed_.end(), c, [](Cell a, Cell b) { return a.unit < b.unit; });
+}
+
+HalfFacet Edit::half_facet(size_t i, uint32_t facet) const { return {made_[i].words[facet]}; }
+
+void Edit::prepare() {
+  std::sort(removed_.begin(), removed_.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
+  for (const Cell c : removed_) reserve_return(map_, c);
+  made_.reserve(drafts_.size());
+  for (size_t i = 0; i < drafts_.size(); ++i) write_record(i);
+  choose_indices();
+  collect_links();
+  connect();
+  check_cells();
+  drop_marks();
+  count_all();
+  reserve();
+}
+
+void Edit::write_record(size_t i) {
+  const CellDraft& draft = drafts_[i];
+  Array<uint32_t> vertices{Allocator<uint32_t>(env_.memory)};
+  Array<uint16_t> loops{Allocator<uint16_t>(env_.memory)}, first(loops), table(loops);
+  list_vertices(draft, vertices);
+  const auto local = [&](uint32_t v) {
+    return static_cast<uint16_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
+  };
+  size_t corners = 0;
+  for (const FacetDraft& facet : draft.facets) corners += facet.loop.size();
+  if (corners >= UINT16_MAX) fail(DSW_STATUS_TOO_LARGE, "a volume would have %zu corners of faces", corners);
+  first.push_back(0);
+  for (const FacetDraft& facet : draft.facets) {
+    for (const uint32_t v : facet.loop) loops.push_back(local(v));
+    first.push_back(static_cast<uint16_t>(loops.size()));
+  }
+  const auto facet_count = static_cast<uint32_t>(draft.facets.size());
+  const FacetLoops faces{loops.data(), first.data(), facet_count, static_cast<uint32_t>(vertices.size())};
+  if (append_polyhedron(faces, nullptr, table) != ShapeDefect::kNone) {
+    fail(DSW_STATUS_BAD_CELL, "the faces of what comes of volume %u would not close a sphere",
+         draft.from.valid() ? map_.index(draft.from) : map_.index_count());
+  }
+  for (uint32_t f = 0; f < facet_count; ++f) {
+    Array<uint16_t> triangles{Allocator<uint16_t>(env_.memory)};
+    for (const uint32_t v : draft.facets[f].triangles) triangles.push_back(local(v));
+    set_triangles(table.data(), f, triangles.data());
+  }
+  const Shape shape(table.data());
+  const StandardMatch match = match_standard_form(shape);
+  made_.emplace_back(env_.memory);
+  Made& made = made_.back();
+  made.words.resize(facet_count);
+  if (match.form == Form::kGeneral) {
+    write_general(draft, made, table, vertices);
+    return;
+  }
+  made.units = match.form == Form::kSimplex ? 1 : 2;
+  made.cell = {take_record(map_, made.units)};
+  uint32_t* const w = map_.record(made.cell);
+  const uint32_t count = Map<3>::standard_vertex_count(match.form);
+  for (uint32_t k = 0; k < count; ++k)
+    w[(match.form == Form::kSimplex ? 0 : kUnitWords) + k] = vertices[match.vertex[k]];
+  if (match.form != Form::kSimplex) w[0] = static_cast<uint32_t>(match.form) << kFormShift | match.cuts;
+  for (uint32_t f = 0; f < facet_count; ++f) made.words[match.facet[f]] = map_.half_facet(made.cell, f).word;
+}
+
+void Edit::write_general(const CellDraft& draft, Made& made, const Array<uint16_t>& table,
+                         const Array<uint32_t>& vertices) {
+  const auto facets = static_cast<uint32_t>(draft.facets.size()), count = static_cast<uint32_t>(vertices.size());
+  const uint32_t link_units = (facets + 6) / 7;
+  made.shape = take_shape(map_, table);
+  made.units = link_units + (count + 6) / 7;
+  made.cell = {take_record(map_, made.units)};
+  uint32_t* const w = map_.record(made.cell);
+  w[0] = static_cast<uint32_t>(Form::kGeneral) << kFormShift | made.shape;
+  for (uint32_t u = 1; u < made.units; ++u) {
+    w[u * kUnitWords] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | u;
+  }
+  for (uint32_t k = 0; k < count; ++k) w[(link_units + k / 7) * kUnitWords + 1 + k % 7] = vertices[k];
+  for (uint32_t f = 0; f < facets; ++f) made.words[f] = map_.half_facet(made.cell, f).word;
+}
+
+/** A cell that only changes keeps its index and gets the next generation. */
+void Edit::choose_indices() {
+  for (size_t i = 0; i < drafts_.size(); ++i) {
+    const CellDraft& draft = drafts_[i];
+    const bool keeps = draft.from.valid() && draft.keeps_index && map_.cell_slots.can_renew(map_.index(draft.from));
+    made_[i].index = keeps ? map_.index(draft.from) : map_.cell_slots.upcoming(fresh_++);
+    map_.cell_of_unit[made_[i].cell.unit] = made_[i].index;
+    cells_ += 1;
+  }
+  cells_ -= static_cast<int64_t>(removed_.size());
+}
+
+Edit::Link* Edit::find_link(uint32_t word) {
+  return &*std::lower_bound(links_.begin(), links_.end(), Link{word, 0, 0});
+}
+
+/** Every half-facet of a cell that stays whose link has to change. Unless a new facet claims it, it then is on the outside. */
+void Edit::collect_links() {
+  const auto add = [&](HalfFacet h) {
+    const uint32_t before = map_.words[h.word];
+    links_.push_back({h.word, before, kNoFacet | (before & kMarkBit)});
+  };
+  for (const Cell c : removed_) {
+    for (uint32_t f = 0, facets = map_.facets_of(c); f < facets; ++f) {
+      const HalfFacet o = map_.opposite(map_.half_facet(c, f));
+      if (o.valid() && !is_removed(map_.cell_of(o))) add(o);
+    }
+  }
+  for (const CellDraft& draft : drafts_) {
+    for (const FacetDraft& facet : draft.facets) {
+      if (facet.far.valid() && !map_.opposite(facet.far).valid() && !is_removed(map_.cell_of(facet.far)))
+        add(facet.far);
+    }
+  }
+  std::sort(links_.begin(), links_.end());
+}
+
+void Edit::connect() {
+  Array<Origin> origins{Allocator<Origin>(env_.memory)};
+  for (uint32_t i = 0; i < drafts_.size(); ++i) {
+    for (uint32_t f = 0; f < drafts_[i].facets.size(); ++f) {
+      const FacetDraft& facet = drafts_[i].facets[f];
+      // Numbers of pairs and addresses share one range; pairs come from its end.
+      origins.push_back({facet.pair != kNoPair ? kNoPair - 1 - facet.pair : facet.near.word, i, f});
+    }
+  }
+  std::sort(origins.begin(), origins.end());
+  for (size_t i = 0; i < drafts_.size(); ++i) {
+    for (uint32_t f = 0; f < drafts_[i].facets.size(); ++f) connect(i, f, origins);
+  }
+}
+
+/** Writes the link of a new facet, and that which leads back if it belongs to a cell that stays. */
+void Edit::connect(size_t i, uint32_t f, const Array<Origin>& origins) {
+  const FacetDraft& facet = drafts_[i].facets[f];
+  const uint32_t mark = facet.marked ? kMarkBit : 0;
+  uint32_t& word = map_.words[made_[i].words[f]];
+  word = kNoFacet | mark;
+  if (facet.pair == kNoPair && !facet.far.valid()) return;
+  if (facet.pair == kNoPair && !is_removed(map_.cell_of(facet.far))) {
+    word = facet.far.word | mark;
+    find_link(facet.far.word)->after = made_[i].words[f] | mark;
+    return;
+  }
+  const uint32_t key = facet.pair != kNoPair ? kNoPair - 1 - facet.pair : facet.far.word;
+  auto at = std::lower_bound(origins.begin(), origins.end(), Origin{key, 0, 0});
+  for (; at != origins.end() && at->word == key; ++at) {
+    const FacetDraft& other = drafts_[at->draft].facets[at->facet];
+    if (&other == &facet || !face_each_other(facet, other)) continue;
+    if (at->draft == i) fail(DSW_STATUS_BAD_TOPOLOGY, "a volume would lie on both sides of one of its faces");
+    DSW_ASSERT(cut_alike(facet, other) && facet.marked == other.marked);
+    word = made_[at->draft].words[at->facet] | mark;
+    return;
+  }
+}
+
+void Edit::check_cells() {
+  for (size_t i = 0; i < made_.size(); ++i) {
+    const Cell c = made_[i].cell;
+    const CellState state = check_cell(env_, c);
+    const CellDraft& draft = drafts_[i];
+    if (state != CellState::kValid && state != CellState::kValidConvex) {
+      const bool inverted = state == CellState::kInverted;
+      const char* const what = inverted ? "turned inside out" : "flat, folded, or cover a part of itself twice";
+      if (!draft.from.valid()) fail(DSW_STATUS_INVALID_CELL, "new volume %zu would be %s", i, what);
+      fail(DSW_STATUS_INVALID_CELL, "what comes of volume %u would be %s", map_.index(draft.from), what);
+    }
+    uint32_t& word0 = map_.record(c)[0];
+    const bool says_convex = map_.form(c) != Form::kSimplex && !env_.checked.active();  // see let_points_move
+    if (says_convex && state == CellState::kValidConvex) word0 |= kConvexBit;
+    if (draft.marked) word0 |= kMarkBit;
+  }
+}
+
+/** Whether an edge of a cell that goes is still that of a new cell, or of one that stays and is joined to it through faces. */
+bool Edit::is_edge_left(Dart d) const {
+  const uint32_t a = dart_vertex(map_, d), b = dart_target(map_, d);
+  for (const CellDraft& draft : drafts_) {
+    for (const FacetDraft& facet : draft.facets) {
+      const uint32_t at = facet.place_of(a);
+      if (at != facet.loop.size() && (facet.after(at) == b || facet.after(at, facet.loop.size() - 1) == b)) return true;
+    }
+  }
+  bool left = false;
+  for_each_volume_round_edge(map_, d, [&](Dart e) {
+    left = !is_removed(e.cell);
+    return !left;
+  });
+  return left;
+}
+
+/** Marks of edges that are no more. */
+void Edit::drop_marks() {
+  if (env_.edge_marks.size() == 0) return;
+  for (const Cell c : removed_) {
+    const Shape shape = map_.shape(c);
+    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+      const uint32_t a = map_.vertex(c, shape.dart_vertex(d)), b = dart_target(map_, {c, d});
+      if (a < b && edge_marked(env_, a, b) && !is_edge_left({c, d})) set_mark(a, b, false);
+    }
+  }
+}
+
+void Edit::count(uint32_t link, int sign) noexcept {
+  const bool outer = (link & ~kMarkBit) == kNoFacet;
+  sides_ += sign;
+  boundary_ += outer ? sign : 0;
+  if ((link & kMarkBit) != 0) marked_ += outer ? 2 * sign : sign;
+}
+
+void Edit::count_all() noexcept {
+  for (const Cell c : removed_) {
+    for (uint32_t f = 0, facets = map_.facets_of(c); f < facets; ++f) count(map_.words[map_.half_facet(c, f).word], -1);
+  }
+  for (const Made& made : made_) {
+    for (const uint32_t word : made.words) count(map_.words[word], 1);
+  }
+  for (const Link& link : links_) {
+    count(link.before, -1);
+    count(link.after, 1);
+  }
+}
+
+void Edit::reserve() {
+  map_.cell_slots.reserve(fresh_, removed_.size());
+  reserve_more(map_.unit_of_cell, fresh_);
+  env_.checked.make_room(map_.index_count() + fresh_);
+  reserve_labels();
+  size_t corners = 0;
+  for (const Cell c : removed_) corners += map_.vertices_of(c);
+  map_.vertex_slots.reserve(vertices_.size(), corners);
+  reserve_more(map_.vertex_uses, vertices_.size());
+  size_t edges = 0;
+  for (const MarkChange& mark : marks_) edges += mark.marked && mark.b != kNoCell ? 1u : 0u;
+  reserve_edge_marks(env_, edges);
+  changes_.reserve(most_changes());
+}
+
+/** New volumes can be the first with labels. */
+void Edit::reserve_labels() {
+  const auto reserve = [&](auto& labels, auto label_of, bool& made) {
+    if (labels.empty()) {
+      if (std::all_of(drafts_.begin(), drafts_.end(), [&](const CellDraft& draft) { return label_of(draft) == 0; }))
+        return;
+      labels.reserve(map_.index_count() + fresh_);
+      labels.assign(map_.index_count(), 0);
+      made = true;
+    }
+    reserve_more(labels, fresh_);
+  };
+  reserve(
+      env_.regions, [](const CellDraft& draft) { return draft.region; }, made_regions_);
+  reserve(
+      env_.tags, [](const CellDraft& draft) { return draft.tag; }, made_tags_);
+}
+
+void Edit::set_marks(bool back) noexcept {
+  const auto set = [&](MarkChange& mark, bool marked) {
+    return mark.b == kNoCell ? set_vertex_mark(env_, mark.a, marked) : set_edge_mark(env_, mark.a, mark.b, marked);
+  };
+  if (!back) {
+    for (MarkChange& mark : marks_) mark.done = set(mark, mark.marked);
+    return;
+  }
+  for (size_t i = marks_.size(); i-- != 0;) {
+    if (marks_[i].done) set(marks_[i], !marks_[i].marked);
+  }
+}
+
+void Edit::apply() noexcept {
+  for (const Link& link : links_) map_.words[link.word] = link.after;
+  set_marks(false);
+  forget_cells();
+  applied_ = true;
+}
+
+void Edit::revert() noexcept {
+  for (const Link& link : links_) map_.words[link.word] = link.before;
+  set_marks(true);
+  forget_cells();
+  applied_ = false;
+}
+
+/** What is known of cells, and what was passable, may be so no more. */
+void Edit::forget_cells() noexcept {
+  ++env_.obstacle_version;
+  if (!env_.checked.active()) return;
+  for (const Made& made : made_) env_.checked.open(made.index);
+}
+
+/** Ids from before, then those from after: slots are released last, so that no index is given out twice. */
+void Edit::log_changes() noexcept {
+  const auto id = [&](Cell c) { return SlotPool::Slot{map_.index(c), map_.generation(c)}; };
+  for (const CellDraft& draft : drafts_) {
+    changes_.push_back({draft.from.valid() ? id(draft.from) : SlotPool::Slot{0, 0}, {0, 0}});
+    if (draft.also.valid()) changes_.push_back({id(draft.also), {0, 0}});
+  }
+  const size_t named = changes_.size();
+  for (const Cell c : removed_) {
+    const SlotPool::Slot before = id(c);
+    const auto same = [&](const VolumeChange& change) {
+      return change.before.index == before.index && change.before.generation == before.generation;
+    };
+    const auto end = changes_.begin() + static_cast<ptrdiff_t>(named);
+    if (std::none_of(changes_.begin(), end, same)) changes_.push_back({before, {0, 0}});
+  }
+}
+
+void Edit::move_uses() noexcept {
+  for (const uint32_t v : vertices_) {
+    map_.vertex_slots.acquire();
+    if (v == map_.vertex_uses.size()) map_.vertex_uses.push_back(0);
+  }
+  map_.vertex_count = static_cast<uint32_t>(map_.vertex_slots.slot_count());
+  for (const Made& made : made_) {
+    for (uint32_t k = 0, n = map_.vertices_of(made.cell); k < n; ++k) {
+      const uint32_t v = map_.vertex(made.cell, k);
+      ++map_.vertex_uses[v];
+      for (int axis = 0; axis < 3; ++axis) {
+        env_.lower[axis] = std::min(env_.lower[axis], env_.point(v)[axis]);
+        env_.upper[axis] = std::max(env_.upper[axis], env_.point(v)[axis]);
+      }
+    }
+  }
+  for (const Cell c : removed_) {
+    for (uint32_t k = 0, n = map_.vertices_of(c); k < n; ++k) {
+      const uint32_t v = map_.vertex(c, k);
+      if (--map_.vertex_uses[v] != 0 || env_.owned_points.empty()) continue;
+      set_vertex_mark(env_, v, false);
+      map_.vertex_slots.release(v);
+      std::fill_n(&env_.owned_points[size_t{v} * 3], 3, 0.0);
+    }
+  }
+}
+
+void Edit::finish() noexcept {
+  log_changes();
+  for (const Cell c : removed_) env_.marked_cells -= map_.marked(c) ? 1u : 0u;
+  move_uses();
+  size_t at = 0;
+  for (uint32_t k = 0; k < fresh_; ++k) {
+    const uint32_t index = map_.cell_slots.acquire().index;
+    if (index < map_.unit_of_cell.size()) continue;
+    map_.unit_of_cell.push_back(kNoCell);
+    if (!env_.regions.empty()) env_.regions.push_back(0);
+    if (!env_.tags.empty()) env_.tags.push_back(0);
+  }
+  for (const Cell c : removed_) map_.unit_of_cell[map_.index(c)] = kNoCell;
+  for (size_t i = 0; i < made_.size(); ++i) {
+    const CellDraft& draft = drafts_[i];
+    const uint32_t index = made_[i].index;
+    map_.unit_of_cell[index] = made_[i].cell.unit;
+    if (draft.from.valid() && map_.index(draft.from) == index) map_.cell_slots.renew(index);
+    if (!env_.regions.empty()) env_.regions[index] = draft.region;
+    if (!env_.tags.empty()) env_.tags[index] = draft.tag;
+    env_.marked_cells += draft.marked ? 1u : 0u;
+    const SlotPool::Slot after{index, map_.cell_slots.generation(index)};
+    changes_[at++].after = after;
+    if (draft.also.valid()) changes_[at++].after = after;
+  }
+  for (const Cell c : removed_) {
+    if (map_.unit_of_cell[map_.index(c)] == kNoCell) map_.cell_slots.release(map_.index(c));
+    give_back(map_, c);
+  }
+  map_.cell_count = static_cast<uint32_t>(map_.cell_count + cells_);
+  map_.facet_count = static_cast<uint32_t>(map_.facet_count + (sides_ + boundary_) / 2);
+  map_.boundary_facet_count = static_cast<uint32_t>(map_.boundary_facet_count + boundary_);
+  env_.marked_facets = static_cast<uint64_t>(static_cast<int64_t>(env_.marked_facets) + marked_ / 2);
+  finished_ = true;
+}
+
+}  // namespace dsw

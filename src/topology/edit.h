@@ -1,0 +1,125 @@
+#pragma once
+// One change of the topology: some cells go, others take their place. It is written down, prepared (all that can fail: cells
+// checked exactly, room made, records written where nothing leads to them yet), applied (the links of the cells around lead to the new
+// cells; can be taken back), and finished. An edit that is not finished leaves everything as it was.
+//
+// Paper 5.2 names the operations; that cells are replaced instead of changed in place is ours: what was is still there when bodies are
+// asked whether they stay free.
+
+#include "map/records.h"
+#include "topology/draft.h"
+
+namespace dsw {
+
+/** What became of a volume: ids by index and generation; index 0 with generation 0 is none. */
+struct VolumeChange {
+  SlotPool::Slot before, after;
+};
+
+class Edit {
+ public:
+  /** Makes the map ready to change. Throws std::bad_alloc, as all up to prepare(). */
+  explicit Edit(Environment<3>& env);
+  ~Edit();
+  Edit(const Edit&) = delete;
+  Edit& operator=(const Edit&) = delete;
+
+  /** A cell goes. */
+  void remove(Cell c);
+  /** A cell goes and what takes its place is drafted, at first as it is. Returns the draft's number; asked again, the same. */
+  size_t replace(Cell c);
+  /** A further draft; returns its number. */
+  size_t add(CellDraft&& draft);
+  CellDraft& draft(size_t i) { return drafts_[i]; }
+  /** The draft that takes a cell's place, or null. */
+  CellDraft* find_draft(Cell c);
+  /** A vertex with this position. Throws BORROWED where points are the host's. */
+  uint32_t add_vertex(const double* position);
+  /** Links of cells that stay: the half-facet leads to another (which is told separately) or to the outside. */
+  void set_link(HalfFacet h, HalfFacet to, bool marked);
+  void set_mark(uint32_t a, uint32_t b, bool marked);
+  void set_mark(uint32_t vertex, bool marked);
+
+  /** Throws INVALID_CELL, BAD_CELL, BAD_TOPOLOGY, TOO_LARGE, std::bad_alloc. */
+  void prepare();
+  void apply() noexcept;
+  /** Takes an applied edit back. */
+  void revert() noexcept;
+  void finish() noexcept;
+
+  /** After prepare(): the cells that go, by unit, and those that come. */
+  const Array<Cell>& removed() const { return removed_; }
+  bool is_removed(Cell c) const;
+  size_t cell_count() const { return made_.size(); }
+  Cell cell(size_t i) const { return made_[i].cell; }
+  /** Half-facet of a draft's facet. */
+  HalfFacet half_facet(size_t i, uint32_t facet) const;
+  /** Half-facets of cells that stay whose links change, by address. */
+  size_t link_count() const { return links_.size(); }
+  HalfFacet link(size_t i) const { return {links_[i].word}; }
+  bool is_relinked(HalfFacet h) const { return std::binary_search(links_.begin(), links_.end(), Link{h.word, 0, 0}); }
+  Environment<3>& environment() const { return env_; }
+
+  /** How long changes() can be; the rest after finish(). */
+  size_t most_changes() const { return 2 * drafts_.size() + removed_.size(); }
+  Array<VolumeChange>& changes() { return changes_; }
+
+ private:
+  /** A record that has been written. */
+  struct Made {
+    Cell cell;
+    uint32_t units = 0, shape = kNoCell, index = 0;
+    Array<uint32_t> words;  // of the draft's facets
+    explicit Made(const Memory* memory) : words(Allocator<uint32_t>(memory)) {}
+  };
+  struct Link {
+    uint32_t word, before, after;
+    bool operator<(const Link& o) const { return word < o.word; }
+  };
+  struct MarkChange {
+    uint32_t a, b;  // b is kNoCell: of vertex a
+    bool marked, done;
+  };
+  /** Which draft's facet comes from a half-facet. */
+  struct Origin {
+    uint32_t word, draft, facet;
+    bool operator<(const Origin& o) const { return word < o.word; }
+  };
+
+  void write_record(size_t i);
+  void write_general(const CellDraft& draft, Made& made, const Array<uint16_t>& table, const Array<uint32_t>& vertices);
+  void collect_links();
+  void connect();
+  void connect(size_t i, uint32_t facet, const Array<Origin>& origins);
+  void check_cells();
+  void choose_indices();
+  void drop_marks();
+  bool is_edge_left(Dart d) const;
+  void reserve();
+  void reserve_labels();
+  void count(uint32_t link, int sign) noexcept;
+  void count_all() noexcept;
+  void set_marks(bool back) noexcept;
+  void forget_cells() noexcept;
+  void move_uses() noexcept;
+  void log_changes() noexcept;
+  Link* find_link(uint32_t word);
+
+  Environment<3>& env_;
+  Map<3>& map_;
+  Room room_;  // before
+  size_t point_doubles_, vertex_mark_words_;
+  bool applied_ = false, finished_ = false, made_regions_ = false, made_tags_ = false;
+  Array<Cell> removed_;
+  Array<CellDraft> drafts_;
+  Array<Made> made_;
+  Array<Link> links_;
+  Array<MarkChange> marks_;
+  Array<uint32_t> vertices_;  // new ones
+  Array<VolumeChange> changes_;
+  uint32_t fresh_ = 0;  // cells that get an index of their own
+  int64_t sides_ = 0, boundary_ = 0, marked_ = 0,
+          cells_ = 0;  // by how much counts change; facets counted from both sides
+};
+
+}  // namespace dsw

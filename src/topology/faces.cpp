@@ -1,0 +1,124 @@
+// Faces split by an edge, and merged where an edge goes.
+
+#include <utility>
+
+#include "base/error.h"
+#include "topology/operations.h"
+
+namespace dsw {
+namespace {
+
+/** The part of a facet's loop from one of its vertices to another. */
+FacetDraft part_of(const FacetDraft& whole, uint32_t from, uint32_t to) {
+  FacetDraft part = whole;
+  part.loop.clear();
+  part.triangles.clear();
+  for (uint32_t at = whole.place_of(from);; ++at) {
+    part.loop.push_back(whole.after(at, 0));
+    if (part.loop.back() == to) return part;
+  }
+}
+
+/** Shares a facet's triangles out between its parts; false where one lies in none. */
+bool share_triangles(const FacetDraft& whole, FacetDraft& a, FacetDraft& b) {
+  for (size_t t = 0; t < whole.triangles.size(); t += 3) {
+    const auto first = whole.triangles.begin() + static_cast<ptrdiff_t>(t);
+    const auto is_in = [&](const FacetDraft& part) {
+      return std::all_of(first, first + 3, [&](uint32_t v) { return part.has(v); });
+    };
+    if (!is_in(a) && !is_in(b)) return false;
+    FacetDraft& part = is_in(a) ? a : b;
+    part.triangles.insert(part.triangles.end(), first, first + 3);
+  }
+  return true;
+}
+
+/** The same facet seen from the other side. */
+FacetDraft turned(const FacetDraft& facet) {
+  FacetDraft other = facet;
+  std::reverse(other.loop.begin(), other.loop.end());
+  cut_like(other, facet);
+  std::swap(other.near, other.far);
+  return other;
+}
+
+}  // namespace
+
+SplitFacet split_facet(Edit& edit, HalfFacet h, uint32_t a, uint32_t b) {
+  const Environment<3>& env = edit.environment();
+  const Map<3>& map = env.map;
+  const HalfFacet o = map.opposite(h);
+  const Cell c = map.cell_of(h), beyond = o.valid() ? map.cell_of(o) : Cell{};
+  const FacetDraft whole = draft_of(env, h);
+  const size_t n = whole.loop.size();
+  for (const uint32_t v : {a, b}) {
+    if (!whole.has(v)) fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u is none of the face", v);
+  }
+  const size_t distance = (whole.place_of(b) + n - whole.place_of(a)) % n;
+  if (distance < 2 || distance > n - 2) {
+    fail(DSW_STATUS_BAD_TOPOLOGY, "vertices %u and %u are the same, or joined already", a, b);
+  }
+  FacetDraft from_a = part_of(whole, a, b), from_b = part_of(whole, b, a);
+  if (!share_triangles(whole, from_a, from_b)) {
+    // The new edge crosses a cut: both parts are cut anew, as both volumes see them.
+    double apex[3], apex_beyond[3];
+    centre(env, c, apex);
+    if (o.valid()) centre(env, beyond, apex_beyond);
+    for (FacetDraft* part : {&from_a, &from_b}) {
+      part->triangles.clear();
+      if (!cut_anew(env, *part, part->loop, apex, o.valid() ? apex_beyond : nullptr)) {
+        fail(DSW_STATUS_INVALID_CELL, "the parts of the face can't be cut so that the volumes beside it stay valid");
+      }
+    }
+  }
+  if (o.valid()) {
+    CellDraft& other = edit.draft(edit.replace(beyond));
+    other.facets[facet_from(other, o)] = turned(from_a);
+    other.facets.push_back(turned(from_b));
+  }
+  const size_t i = edit.replace(c);
+  CellDraft& draft = edit.draft(i);
+  const uint32_t place = facet_from(draft, h);
+  draft.facets[place] = std::move(from_a);
+  draft.facets.push_back(std::move(from_b));
+  return {i, place, static_cast<uint32_t>(draft.facets.size() - 1)};
+}
+
+MergedFacet merge_facets(Edit& edit, Dart d) {
+  const Environment<3>& env = edit.environment();
+  const Map<3>& map = env.map;
+  const Dart e = beta2(map, d);
+  const HalfFacet h = half_facet(map, d), g = half_facet(map, e);
+  const Dart across_d = beta3(map, d), across_e = beta3(map, e);
+  const bool two = across_d.cell.valid() && across_e.cell.valid() && beta2(map, across_d) == across_e;
+  if (!two && (across_d.cell.valid() || across_e.cell.valid())) {
+    fail(DSW_STATUS_BAD_TOPOLOGY, "the edge between vertices %u and %u has more than two faces", dart_vertex(map, d),
+         dart_target(map, d));
+  }
+  if (map.facet_marked(h) != map.facet_marked(g)) {
+    fail(DSW_STATUS_BAD_TOPOLOGY, "one of the two faces is marked, the other is not");
+  }
+  const FacetDraft first = draft_of(env, h), second = draft_of(env, g);
+  const uint32_t a = dart_vertex(map, d), b = dart_target(map, d);
+  // Both sides have to name the merged face after the same one of the two.
+  const bool after_first =
+      !two || std::min(first.near.word, first.far.word) < std::min(second.near.word, second.far.word);
+  FacetDraft merged = part_of(first, b, a);
+  const FacetDraft rest = part_of(second, a, b);
+  merged.loop.insert(merged.loop.end(), rest.loop.begin() + 1, rest.loop.end() - 1);
+  merged.triangles = first.triangles;
+  merged.triangles.insert(merged.triangles.end(), second.triangles.begin(), second.triangles.end());
+  merged.near = after_first ? first.near : second.near;
+  merged.far = after_first ? first.far : second.far;
+  const auto put = [&](Cell c, HalfFacet kept, HalfFacet gone, const FacetDraft& facet) {
+    const size_t i = edit.replace(c);
+    CellDraft& draft = edit.draft(i);
+    draft.facets[facet_from(draft, kept)] = facet;
+    draft.facets.erase(draft.facets.begin() + facet_from(draft, gone));
+    return MergedFacet{i, facet_from(draft, kept)};
+  };
+  if (two) put(across_d.cell, merged.far, after_first ? second.far : first.far, turned(merged));
+  return put(d.cell, merged.near, after_first ? second.near : first.near, merged);
+}
+
+}  // namespace dsw

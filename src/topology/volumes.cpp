@@ -1,0 +1,206 @@
+// Faces sewn and unsewn, volumes removed, merged and split.
+
+#include "base/error.h"
+#include "topology/operations.h"
+
+namespace dsw {
+namespace {
+
+/** Whether a facet of a cell is still positive seen from the centre if it is cut like another one. */
+bool can_cut_like(const Environment<3>& env, Cell c, FacetDraft facet, const FacetDraft& other) {
+  double apex[3];
+  centre(env, c, apex);
+  cut_like(facet, other);
+  return is_cut_well(env, facet, apex, nullptr);
+}
+
+void check_pair(const Environment<3>& env, const FacetPair& pair, size_t i) {
+  const Map<3>& map = env.map;
+  for (const HalfFacet h : {pair.a, pair.b}) {
+    if (!map.opposite(h).valid()) continue;
+    fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: face %u of volume %u is not on the outer boundary", i,
+         map.local_of(h, map.cell_of(h)), map.index(map.cell_of(h)));
+  }
+  if (map.cell_of(pair.a) == map.cell_of(pair.b)) {
+    fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: both faces are those of volume %u", i, map.index(map.cell_of(pair.a)));
+  }
+}
+
+/** A facet as it will be. */
+FacetDraft current(Edit& edit, HalfFacet h) {
+  const CellDraft* const draft = edit.find_draft(edit.environment().map.cell_of(h));
+  return draft == nullptr ? draft_of(edit.environment(), h) : draft->facets[facet_from(*draft, h)];
+}
+
+/** Makes the two facets of a pair have the same triangles. */
+void fit(Edit& edit, const FacetPair& pair, size_t i) {
+  const Environment<3>& env = edit.environment();
+  const FacetDraft a = current(edit, pair.a), b = current(edit, pair.b);
+  if (!face_each_other(a, b)) {
+    fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: the faces do not have the same vertices in opposite order", i);
+  }
+  if (cut_alike(a, b)) return;
+  const auto cut = [&](HalfFacet h, const FacetDraft& like) {
+    CellDraft& draft = edit.draft(edit.replace(env.map.cell_of(h)));
+    cut_like(draft.facets[facet_from(draft, h)], like);
+  };
+  if (can_cut_like(env, env.map.cell_of(pair.b), b, a)) {
+    cut(pair.b, a);
+  } else if (can_cut_like(env, env.map.cell_of(pair.a), a, b)) {
+    cut(pair.a, b);
+  } else {
+    fail(DSW_STATUS_INVALID_CELL, "pair %zu: the faces are cut differently, and neither volume can be cut anew", i);
+  }
+}
+
+/** Whether a loop vertex is followed by another one in some facet of the shape: that dart, or dart_count(). */
+uint32_t find_dart(const Map<3>& map, Cell c, const Shape& shape, uint32_t from, uint32_t to) {
+  uint32_t d = 0;
+  while (d < shape.dart_count() &&
+         (map.vertex(c, shape.dart_vertex(d)) != from || map.vertex(c, shape.dart_vertex(shape.beta1(d))) != to)) {
+    ++d;
+  }
+  return d;
+}
+
+/** Facets on the left of the loop's darts: reached from them without crossing one. */
+void find_left(const Shape& shape, const Array<uint32_t>& loop, Array<uint8_t>& left) {
+  Array<uint32_t> stack(loop.get_allocator());
+  const auto visit = [&](uint32_t facet) {
+    if (left[facet] != 0) return;
+    left[facet] = 1;
+    stack.push_back(facet);
+  };
+  const auto is_crossed = [&](uint32_t d) { return std::find(loop.begin(), loop.end(), d) != loop.end(); };
+  for (const uint32_t d : loop) visit(shape.dart_facet(d));
+  while (!stack.empty()) {
+    const uint32_t f = stack.back();
+    stack.pop_back();
+    for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+      if (!is_crossed(d) && !is_crossed(shape.dart_beta2(d))) visit(shape.dart_facet(shape.dart_beta2(d)));
+    }
+  }
+}
+
+}  // namespace
+
+void sew(Edit& edit, const FacetPair* pairs, size_t count) {
+  const Environment<3>& env = edit.environment();
+  Array<uint32_t> words{Allocator<uint32_t>(env.memory)};
+  for (size_t i = 0; i < count; ++i) {
+    check_pair(env, pairs[i], i);
+    words.push_back(pairs[i].a.word);
+    words.push_back(pairs[i].b.word);
+  }
+  std::sort(words.begin(), words.end());
+  if (std::adjacent_find(words.begin(), words.end()) != words.end()) {
+    fail(DSW_STATUS_DUPLICATE_ID, "a face stands in two pairs");
+  }
+  for (size_t i = 0; i < count; ++i) fit(edit, pairs[i], i);
+  for (size_t i = 0; i < count; ++i) {
+    const HalfFacet sides[2] = {pairs[i].a, pairs[i].b};
+    CellDraft* drafts[2];
+    for (int k = 0; k < 2; ++k) drafts[k] = edit.find_draft(env.map.cell_of(sides[k]));
+    const bool marked = env.map.facet_marked(sides[0]) || env.map.facet_marked(sides[1]);
+    for (int k = 0; k < 2; ++k) {
+      if (drafts[k] != nullptr) {
+        FacetDraft& facet = drafts[k]->facets[facet_from(*drafts[k], sides[k])];
+        facet.far = sides[1 - k];
+        facet.marked = marked;
+      } else if (drafts[1 - k] == nullptr) {
+        edit.set_link(sides[k], sides[1 - k], marked);
+      }
+    }
+  }
+}
+
+void unsew(Edit& edit, HalfFacet h) {
+  const Map<3>& map = edit.environment().map;
+  const HalfFacet o = map.opposite(h);
+  if (!o.valid()) fail(DSW_STATUS_BAD_TOPOLOGY, "the face is on the outer boundary already");
+  const bool marked = map.facet_marked(h);
+  edit.set_link(h, {}, marked);
+  edit.set_link(o, {}, marked);
+}
+
+void remove_cells(Edit& edit, const Cell* cells, size_t count) {
+  for (size_t i = 0; i < count; ++i) edit.remove(cells[i]);
+  if (edit.removed().size() == edit.environment().map.cell_count) {
+    fail(DSW_STATUS_BAD_TOPOLOGY, "an environment keeps one volume at least");
+  }
+}
+
+size_t merge_cells(Edit& edit, HalfFacet h) {
+  const Environment<3>& env = edit.environment();
+  const Map<3>& map = env.map;
+  const HalfFacet o = map.opposite(h);
+  if (!o.valid()) fail(DSW_STATUS_BAD_TOPOLOGY, "the face is on the outer boundary: there is nothing to merge with");
+  const Cell a = map.cell_of(h), b = map.cell_of(o);
+  if (map.marked(a) != map.marked(b)) {
+    fail(DSW_STATUS_BAD_TOPOLOGY, "one of volumes %u and %u is marked, the other is not", map.index(a), map.index(b));
+  }
+  CellDraft merged = draft_of(env, a), other = draft_of(env, b);
+  const auto drop_shared = [&](CellDraft& draft, Cell beyond) {
+    const auto is_shared = [&](const FacetDraft& facet) {
+      return facet.far.valid() && map.cell_of(facet.far) == beyond;
+    };
+    draft.facets.erase(std::remove_if(draft.facets.begin(), draft.facets.end(), is_shared), draft.facets.end());
+  };
+  drop_shared(merged, b);
+  drop_shared(other, a);
+  for (FacetDraft& facet : other.facets) merged.facets.push_back(std::move(facet));
+  merged.also = b;
+  edit.remove(a);
+  edit.remove(b);
+  return edit.add(std::move(merged));
+}
+
+SplitCell split_cell(Edit& edit, Cell c, const uint32_t* loop, size_t count) {
+  const Environment<3>& env = edit.environment();
+  const Map<3>& map = env.map;
+  const Shape shape = map.shape(c);
+  if (count < 3) fail(DSW_STATUS_BAD_TOPOLOGY, "the loop has %zu vertices, must have 3 at least", count);
+  Array<uint32_t> darts{Allocator<uint32_t>(env.memory)};
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t from = loop[i], to = loop[(i + 1) % count], d = find_dart(map, c, shape, from, to);
+    if (d == shape.dart_count()) {
+      fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u has no edge from vertex %u to vertex %u", map.index(c), from, to);
+    }
+    if (std::find(loop, loop + i, from) != loop + i) {
+      fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u stands twice in the loop", from);
+    }
+    darts.push_back(d);
+  }
+  Array<uint8_t> is_left(shape.facet_count(), 0, Allocator<uint8_t>(env.memory));
+  find_left(shape, darts, is_left);
+
+  CellDraft left = draft_of(env, c), right = left;
+  left.facets.clear();
+  right.facets.clear();
+  right.keeps_index = false;
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    (is_left[f] != 0 ? left : right).facets.push_back(draft_of(env, map.half_facet(c, f)));
+  }
+  if (right.facets.empty()) fail(DSW_STATUS_BAD_TOPOLOGY, "the loop does not part the faces of the volume");
+  FacetDraft inserted(env.memory);
+  inserted.pair = 0;
+  inserted.loop.assign(loop, loop + count);
+  FacetDraft turned = inserted;
+  std::reverse(turned.loop.begin(), turned.loop.end());
+  double left_apex[3], right_apex[3];
+  centre(env, left, left_apex);
+  centre(env, right, right_apex);
+  if (!cut_anew(env, turned, turned.loop, left_apex, right_apex)) {
+    fail(DSW_STATUS_INVALID_CELL, "the new face can't be cut into triangles that leave both volumes valid");
+  }
+  cut_like(inserted, turned);
+  left.facets.push_back(std::move(turned));
+  right.facets.push_back(std::move(inserted));
+  const auto left_facet = static_cast<uint32_t>(left.facets.size() - 1);
+  const auto right_facet = static_cast<uint32_t>(right.facets.size() - 1);
+  edit.remove(c);
+  const size_t first = edit.add(std::move(left));
+  return {first, edit.add(std::move(right)), left_facet, right_facet};
+}
+
+}  // namespace dsw

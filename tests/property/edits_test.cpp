@@ -1,0 +1,76 @@
+// Random changes of the topology on every kind of cell, with particles and bodies inside. DSW_EDITS sets how many calls succeed over
+// all scenes; a few thousand where it is not set.
+#include <cstdlib>
+#include <iostream>
+
+#include "random_edits.h"
+
+namespace dsw::oracle {
+namespace {
+
+size_t wanted_edits() {
+  const char* const text = std::getenv("DSW_EDITS");
+  const size_t all = text == nullptr ? 4000 : std::strtoull(text, nullptr, 10);
+  return all / scene_kinds().size() + 1;
+}
+
+class EditsTest : public SceneTest {};
+DSW_FOR_ALL_SCENES(EditsTest);
+
+TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) {
+  const size_t wanted = wanted_edits();
+  constexpr size_t kRound = 150;  // changes of one environment
+  constexpr size_t kExact = 50;   // and how often that is checked in exact integers
+  EditTally sums[static_cast<size_t>(Operation::kCount)];
+  size_t done = 0, exact_checks = 0;
+  for (uint64_t seed = 1; done < wanted; ++seed) {
+    RandomEdits edits(GetParam(), seed);
+    if (edits.environment() == nullptr) continue;
+    size_t round = 0, exact = 0;
+    const size_t goal = std::min(kRound, wanted - done);
+    for (size_t calls = 0; round < goal && calls < 40 * kRound; ++calls) {
+      const std::string wrong = edits.step();
+      ASSERT_EQ(wrong, "") << "scene seed " << seed << ", call " << calls;
+      if (calls % 16 == 15) {
+        ASSERT_EQ(edits.move_all(), "") << "scene seed " << seed << ", call " << calls;
+      }
+      round = 0;
+      for (const EditTally& tally : edits.tallies) round += tally.done;
+      if (round < exact + kExact && round < goal) continue;
+      exact = round;
+      ASSERT_EQ(edits.check_exactly(), "") << "scene seed " << seed << ", call " << calls;
+    }
+    done += round;
+    exact_checks += edits.exact_checks;
+    for (size_t i = 0; i < std::size(sums); ++i) {
+      sums[i].tried += edits.tallies[i].tried;
+      sums[i].done += edits.tallies[i].done;
+      sums[i].occupied += edits.tallies[i].occupied;
+    }
+  }
+  EXPECT_GT(exact_checks, 0u);
+  for (size_t i = 0; i < std::size(sums); ++i) {
+    RecordProperty(name_of(static_cast<Operation>(i)), static_cast<int>(sums[i].done));
+  }
+  if (std::getenv("DSW_EDITS") == nullptr) return;
+  for (size_t i = 0; i < std::size(sums); ++i) {
+    std::cout << name_of(static_cast<Operation>(i)) << ": " << sums[i].tried << " tried, " << sums[i].done << " done, "
+              << sums[i].occupied << " occupied\n";
+  }
+}
+
+TEST_P(EditsTest, RunningOutOfMemoryAnywhereChangesNothing) {
+  FailingMemory memory;
+  RandomEdits edits(GetParam(), 3, &memory);
+  if (edits.environment() == nullptr) GTEST_SKIP() << "creation may refuse this mesh";
+  size_t done = 0;
+  for (size_t calls = 0; done < 40 && calls < 2000; ++calls) {
+    ASSERT_EQ(edits.step(), "") << "call " << calls;
+    done = 0;
+    for (const EditTally& tally : edits.tallies) done += tally.done;
+  }
+  EXPECT_GT(edits.refusals, 200u);
+}
+
+}  // namespace
+}  // namespace dsw::oracle

@@ -1,0 +1,105 @@
+// Random changes of an environment's topology with particles and bodies inside, and what has to hold after each.
+#pragma once
+
+#include "support.h"
+
+#include "capi/handle.h"
+#include "run.h"
+
+namespace dsw::oracle {
+
+enum class Operation {
+  kSew,
+  kUnsew,
+  kRemove,
+  kAdd,
+  kMergeVolumes,
+  kSplitVolume,
+  kMergeFaces,
+  kSplitFace,
+  kSplitEdge,
+  kMergeEdges,
+  kCollapse,
+  kCount
+};
+const char* name_of(Operation operation);
+
+/// How often an operation was tried, done, and refused because of what was in the way.
+struct EditTally {
+  size_t tried = 0, done = 0, occupied = 0;
+};
+
+/// A host's memory that refuses one allocation.
+struct FailingMemory {
+  size_t countdown = 0;  // to the one that is refused; 0: none is
+  ContextPtr make_context();
+};
+
+class RandomEdits {
+ public:
+  /// With `memory`, every call is first made with each of its allocations refused in turn.
+  RandomEdits(const std::string& scene, uint64_t seed, FailingMemory* memory = nullptr);
+
+  /// One call with random arguments, then all checks that do not need exact integers. What is wrong; empty: nothing.
+  std::string step();
+  /// Moves all particles and bodies a little: what they keep from move to move must fit what has changed.
+  std::string move_all();
+  /// Particles, bodies and volumes against brute force in exact integers.
+  std::string check_exactly();
+
+  size_t refusals = 0;  // of memory
+  const dsw_environment* environment() const { return place_.get(); }
+  size_t volume_count() const { return env().map.cell_count; }
+  size_t exact_checks = 0;  // of a partition; others look at volumes and particles only
+  EditTally tallies[static_cast<size_t>(Operation::kCount)];
+
+ private:
+  const Environment<3>& env() const { return place_.get()->engine; }
+  const Scene<3>& scene() const { return scene_->engine; }
+
+  void mark_some();
+  void add_particles();
+  void add_bodies();
+  Operation choose();
+  dsw_status call(Operation operation);
+  dsw_status call_without_memory(Operation operation, const std::string& before, std::string& wrong);
+  dsw_status sew();
+  dsw_status remove();
+  dsw_status add();
+  dsw_status split_volume();
+  dsw_status split_face();
+  dsw::Cell some_cell();
+  dsw_face_id some_face();
+  dsw_edge_id some_edge();
+  dsw_vertex_id vertex_of(dsw_edge_id edge);
+  std::string state() const;
+  std::string check() const;
+  std::string check_counts() const;
+  double volume() const;
+
+  /// A volume that is gone, to be put back.
+  struct Gone {
+    std::vector<std::vector<size_t>> faces;  // places in `vertices`
+    std::vector<dsw_vertex_id> vertices;
+    std::vector<Vec> positions;
+  };
+  /// What a call with the same arguments needs again.
+  struct Choices {
+    Rng rng;
+    std::vector<std::array<dsw_face_id, 2>> unsewn;
+    std::vector<Gone> gone;
+  };
+
+  FailingMemory* memory_;
+  ContextPtr context_;
+  Place place_;
+  ScenePtr scene_;
+  Choices choices_;
+  Rng& rng_ = choices_.rng;
+  std::vector<std::array<dsw_face_id, 2>>& unsewn_ = choices_.unsewn;
+  size_t first_count_ = 0;
+  double volume_ = 0;
+  bool may_change_ = false;  // the last call: the space that all volumes fill
+};
+
+}  // namespace dsw::oracle

@@ -1,0 +1,189 @@
+// Edits one layer below the interface: records that are used again, taking back, and damage that the integrity check must see.
+#include "topology/edit.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "base/error.h"
+#include "environment/test_mesh.h"
+#include "map/integrity.h"
+#include "topology/operations.h"
+
+namespace {
+
+using namespace dsw;
+using namespace dsw::test;
+
+Mesh3 boxes() {
+  Mesh3 mesh;
+  add_boxes(mesh, 4, 2, 2);
+  return mesh;
+}
+
+void carry_out(Edit& edit) {
+  edit.prepare();
+  edit.apply();
+  edit.finish();
+}
+
+/** A facet between two cells. */
+HalfFacet inner_facet(const Map<3>& map) {
+  HalfFacet found;
+  for_each_cell(map, [&](Cell c) {
+    for (uint32_t f = 0; f < map.facets_of(c); ++f) {
+      if (map.opposite(map.half_facet(c, f)).valid()) found = map.half_facet(c, f);
+    }
+  });
+  return found;
+}
+
+TEST(Edit, UsesRecordsShapesAndIndicesAgain) {
+  const auto env = boxes().build();
+  size_t words = 0, tables = 0;
+  uint32_t indices = 0;
+  for (int round = 0; round < 50; ++round) {
+    Cell merged;
+    std::vector<uint32_t> loop;
+    {
+      Edit edit(*env);
+      const HalfFacet h = inner_facet(env->map);
+      const FacetDraft shared = draft_of(*env, h);
+      loop.assign(shared.loop.begin(), shared.loop.end());
+      merge_cells(edit, h);
+      carry_out(edit);
+      merged = edit.cell(0);
+    }
+    ASSERT_EQ(check_integrity(env->map), nullptr);
+    EXPECT_EQ(env->map.form(merged), Form::kGeneral);
+    {
+      Edit edit(*env);
+      split_cell(edit, merged, loop.data(), loop.size());
+      carry_out(edit);
+      EXPECT_EQ(env->map.form(edit.cell(0)), Form::kBox);
+      EXPECT_EQ(env->map.form(edit.cell(1)), Form::kBox);
+    }
+    ASSERT_EQ(check_integrity(env->map), nullptr);
+    if (round == 1) {
+      words = env->map.words.size();
+      tables = env->map.shape_tables.size();
+      indices = env->map.index_count();
+    }
+  }
+  EXPECT_EQ(env->map.words.size(), words);
+  EXPECT_EQ(env->map.shape_tables.size(), tables);
+  EXPECT_EQ(env->map.index_count(), indices);
+  EXPECT_EQ(indices, 16u);
+}
+
+TEST(Edit, TakenBackLeavesEveryWordAsItWas) {
+  const auto env = boxes().build();
+  Edit(*env).prepare();  // the tables are there from now on
+  const Array<uint32_t> words = env->map.words, cell_of_unit = env->map.cell_of_unit;
+  const uint64_t version = env->obstacle_version;
+  {
+    Edit edit(*env);
+    merge_cells(edit, inner_facet(env->map));
+    edit.prepare();
+    edit.apply();
+    EXPECT_NE(env->obstacle_version, version);
+  }
+  EXPECT_EQ(env->map.words, words);
+  EXPECT_EQ(env->map.cell_of_unit, cell_of_unit);
+  EXPECT_EQ(env->obstacle_version, version);
+  EXPECT_EQ(check_integrity(env->map), nullptr);
+}
+
+TEST(Edit, CountsPartsAndBoundaryOfAFaceThatOpens) {
+  const auto env = boxes().build();
+  const uint32_t facets = env->map.facet_count, boundary = env->map.boundary_facet_count;
+  const HalfFacet h = inner_facet(env->map), o = env->map.opposite(h);
+  {
+    Edit edit(*env);
+    unsew(edit, h);
+    carry_out(edit);
+  }
+  EXPECT_EQ(env->map.facet_count, facets + 1);
+  EXPECT_EQ(env->map.boundary_facet_count, boundary + 2);
+  EXPECT_FALSE(env->map.opposite(h).valid());
+  {
+    Edit edit(*env);
+    const FacetPair pair{h, o};
+    sew(edit, &pair, 1);
+    carry_out(edit);
+  }
+  EXPECT_EQ(env->map.facet_count, facets);
+  EXPECT_EQ(env->map.opposite(h).word, o.word);
+  EXPECT_EQ(check_integrity(env->map), nullptr);
+}
+
+TEST(Edit, FacesCutDifferentlyAreSewnByCuttingOneAnew) {
+  // Two cubes whose common quad is cut along different diagonals.
+  const auto env = boxes().build();
+  const HalfFacet h = inner_facet(env->map), o = env->map.opposite(h);
+  {
+    Edit edit(*env);
+    unsew(edit, h);
+    carry_out(edit);
+  }
+  FacetPair pair{h, o};
+  {
+    Edit edit(*env);
+    CellDraft& draft = edit.draft(edit.replace(env->map.cell_of(o)));
+    FacetDraft& facet = draft.facets[facet_from(draft, o)];
+    const Array<uint32_t> loop = facet.loop;
+    const bool first = std::count(facet.triangles.begin(), facet.triangles.end(), loop[0]) == 2;
+    const size_t base = first ? 1 : 0;
+    facet.triangles = {loop[base], loop[base + 1], loop[base + 2], loop[base], loop[base + 2], loop[(base + 3) % 4]};
+    const uint32_t place = facet_from(draft, o);
+    carry_out(edit);
+    pair.b = edit.half_facet(0, place);
+  }
+  EXPECT_FALSE(cut_alike(draft_of(*env, pair.a), draft_of(*env, pair.b)));
+  {
+    Edit edit(*env);
+    sew(edit, &pair, 1);
+    carry_out(edit);
+    EXPECT_EQ(edit.cell_count(), 1u);
+  }
+  EXPECT_EQ(check_integrity(env->map), nullptr);
+}
+
+TEST(Edit, DamageToAMapThatHasChangedIsSeen) {
+  const auto expect_broken = [](const std::function<void(Map<3>&)>& damage, const char* what) {
+    const auto env = boxes().build();
+    Edit edit(*env);
+    merge_cells(edit, inner_facet(env->map));
+    carry_out(edit);
+    Edit(*env).prepare();
+    ASSERT_EQ(check_integrity(env->map), nullptr);
+    damage(env->map);
+    EXPECT_NE(check_integrity(env->map), nullptr) << what;
+  };
+  const auto free_record = [](Map<3>& m) { return m.free_records[2]; };
+  expect_broken([&](Map<3>& m) { m.free_records[2] = kNoCell; }, "a free record in no list");
+  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords + 1] = free_record(m); }, "a list in a circle");
+  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords + 1] = 1u << 30; }, "a list that leads away");
+  expect_broken([&](Map<3>& m) { ++m.words[free_record(m) * kUnitWords]; }, "a free record of another size");
+  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords + 5] = 1; }, "words in a free record");
+  expect_broken([&](Map<3>& m) { m.cell_of_unit[free_record(m)] = 0; }, "a cell in a free record");
+  expect_broken([](Map<3>& m) { m.vertex_uses[0] += 1; }, "uses of a vertex");
+  expect_broken([](Map<3>& m) { m.cell_slots.release(0); }, "a cell whose slot is free");
+  expect_broken([](Map<3>& m) { m.shape_tables[0] = kFreeShape; }, "a shape in use that is free");
+  expect_broken([](Map<3>& m) { m.unit_of_cell[0] = m.unit_of_cell[1]; }, "a cell without a record");
+  expect_broken([](Map<3>& m) { m.vertex_slots.release(m.vertex(m.cell(0), 0)); }, "a vertex that is gone");
+}
+
+TEST(Edit, VerticesGoWithTheirLastCell) {
+  const auto env = boxes().build();
+  Edit edit(*env);
+  const Cell corner = env->map.cell(0);
+  remove_cells(edit, &corner, 1);
+  carry_out(edit);
+  EXPECT_EQ(env->map.vertex_slots.alive_count(), env->map.vertex_count - 1u);
+  EXPECT_FALSE(env->map.is_vertex_alive(0, 1));
+  EXPECT_EQ(env->map.cell_count, 15u);
+  EXPECT_EQ(check_integrity(env->map), nullptr);
+}
+
+}  // namespace
