@@ -6,43 +6,44 @@
 
 namespace dsw {
 
-/** A half-facet that an edge passes, seen from the cell that is left. */
-struct Passage {
-  uint32_t facet = kNoFacet;
-  uint32_t corners[3] = {};  // of a tetrahedron's facet, in the order of its shape
+/** The vertices of a tetrahedron's facet, in the order of its shape. */
+struct Triangle {
+  uint32_t corners[3] = {};
 };
 
-/** The facets that an edge was last known to pass; a single kNoFacet if they are unknown. */
+/** The half-facets that an edge was last known to pass, each seen from the cell that is left; a single kNoFacet if they are unknown. */
 struct EdgeSequence {
   static constexpr uint64_t kNever = ~uint64_t{0};
 
-  Array<Passage> passages;
-  bool triangles = true;      // all are facets of tetrahedra
-  uint64_t version = kNever;  // of the environment when all were passable and their cells convex
-  bool placed = false;        // where the edge passes them for certain:
+  Array<uint32_t> facets;
+  bool of_tetrahedra = true;  // all facets; if so, and only then:
+  bool placed = false;        // whether they are known to be passed from `from` to `to`
+  uint64_t version = kNever;  // of the environment when they were passable
+  Array<Triangle> triangles;  // the facets
   double from[3] = {}, to[3] = {};
 
-  explicit EdgeSequence(const Allocator<Passage>& allocator) : passages(allocator) {}
+  explicit EdgeSequence(const Allocator<uint32_t>& allocator) : facets(allocator), triangles(allocator) {}
 
   void clear() noexcept {
-    passages.clear();
-    triangles = true;
+    facets.clear();
+    triangles.clear();
+    of_tetrahedra = true;
     placed = false;
   }
   /** Makes what is known and not empty unknown. */
   void forget() noexcept {
-    passages.resize(1);
-    passages[0] = {};
+    facets.resize(1);
+    facets[0] = kNoFacet;
+    triangles.clear();
+    of_tetrahedra = false;
     placed = false;
   }
-  /** Not a single kNoFacet. */
-  bool known() const noexcept { return passages.empty() || passages[0].facet != kNoFacet; }
-  /** One more or one less, first or last. Throws std::bad_alloc if there is no room for one more. */
+  /** This and `add` throw std::bad_alloc, and then what was known still is. */
+  void assign(const Map<3>& map, const Array<uint32_t>& passed);
+  bool known() const noexcept { return facets.empty() || facets[0] != kNoFacet; }
+  /** One more or one less, first or last. */
   void add(const Map<3>& map, HalfFacet facet, bool first);
-  void remove(bool first) noexcept {
-    passages.erase(first ? passages.begin() : passages.end() - 1);
-    placed = false;
-  }
+  void remove(bool first) noexcept;
 };
 
 /** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all passable. Cells
@@ -63,7 +64,7 @@ bool turn(const Environment<3>& env, EdgeSequence& sequence, const double* from,
 
 /** A sequence as it was noted, or passed the other way round. */
 struct SequenceView {
-  const Passage* passages = nullptr;
+  const uint32_t* facets = nullptr;
   size_t count = 0;
   bool turned = false;
 };

@@ -2,9 +2,9 @@
 
 namespace dsw {
 
-void pass_triangles(Shear& shear, const double* points, const Passage* passages, size_t count) noexcept {
+void pass_triangles(Shear& shear, const double* points, const Triangle* triangles, size_t count) noexcept {
   for (size_t n = 0; n < count; ++n) {
-    const uint32_t(&corners)[3] = passages[n].corners;
+    const uint32_t(&corners)[3] = triangles[n].corners;
     const Shear::Point a = shear(points + size_t{corners[0]} * 3), b = shear(points + size_t{corners[1]} * 3),
                        c = shear(points + size_t{corners[2]} * 3);
     shear.pass(a, b);

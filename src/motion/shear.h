@@ -60,11 +60,11 @@ class Shear {
   double slope_i_, slope_j_, largest_, lowest_ = 1e300;
 };
 
-/** Passes the triangles of passages. Several instruction sets, the same bits. */
-using PassTriangles = void (*)(Shear& shear, const double* points, const Passage* passages, size_t count) noexcept;
-void pass_triangles(Shear& shear, const double* points, const Passage* passages, size_t count) noexcept;
+/** Passes triangles. Several instruction sets, the same bits. */
+using PassTriangles = void (*)(Shear& shear, const double* points, const Triangle* triangles, size_t count) noexcept;
+void pass_triangles(Shear& shear, const double* points, const Triangle* triangles, size_t count) noexcept;
 #if defined(__x86_64__)
-void pass_triangles_avx2(Shear& shear, const double* points, const Passage* passages, size_t count) noexcept;
+void pass_triangles_avx2(Shear& shear, const double* points, const Triangle* triangles, size_t count) noexcept;
 #endif
 PassTriangles choose_pass_triangles() noexcept;
 

@@ -241,8 +241,8 @@ bool BodyMove::shares_strip(const Body& body, uint32_t f) const {
     const uint32_t e = sides_[3 * size_t{f} + k];
     const bool moves = moving_[body.edges[e].ends[0]].rank != kNone || moving_[body.edges[e].ends[1]].rank != kNone;
     if (moves ? !keeps_[e] : !sweeps_.keeps_sequence(body, e)) return false;
-    const Array<Passage>& passages = body.sequences[e].passages;
-    views[k] = {passages.data(), passages.size(), body.edges[e].ends[0] != body.faces[f].corners[(k + 1) % 3]};
+    const Array<uint32_t>& facets = body.sequences[e].facets;
+    views[k] = {facets.data(), facets.size(), body.edges[e].ends[0] != body.faces[f].corners[(k + 1) % 3]};
   }
   return share_strip(env_.map, views[2], views[0], views[1]);
 }

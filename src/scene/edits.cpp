@@ -62,8 +62,8 @@ class Followers {
     }
     for_each_body([&](uint32_t, Body& body) {
       for (EdgeSequence& sequence : body.sequences) {
-        const auto gone = [&](const Passage& passage) { return is_gone(passage.facet); };
-        if (std::none_of(sequence.passages.begin(), sequence.passages.end(), gone)) continue;
+        const auto gone = [&](uint32_t facet) { return is_gone(facet); };
+        if (std::none_of(sequence.facets.begin(), sequence.facets.end(), gone)) continue;
         sequence.forget();
       }
     });

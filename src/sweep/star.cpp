@@ -24,7 +24,7 @@ uint64_t feature(const StarContact& c) noexcept {
 }  // namespace
 
 StarSweep::StarSweep(const Environment<3>& env)
-    : env_(env), flood_(env), before_(Allocator<Passage>(env.memory)), hit_edges_(Allocator<uint32_t>(env.memory)) {}
+    : env_(env), flood_(env), before_(Allocator<uint32_t>(env.memory)), hit_edges_(Allocator<uint32_t>(env.memory)) {}
 
 StarSweep::Settled StarSweep::settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls) {
   // What is known must not carry an edge past the work limit that it meets without.
@@ -48,16 +48,17 @@ bool StarSweep::is_clear(const Body& body, const EdgeSweep& sweep) const {
 }
 
 /** The path of an end has passed a facet: the edge has one facet less to pass, or one more. */
-bool StarSweep::pass_on(EdgeSequence& sequence, const EdgeSweep& sweep, Cell from, bool first) const {
+bool StarSweep::pass_on(EdgeSequence& sequence, const EdgeSweep& sweep, Cell from, bool first, HalfFacet* gone) const {
   // As the sequence names it: passed on the way from ends[0].
   const HalfFacet beyond = env_.map.opposite(sweep.crossed);
   const HalfFacet left = first ? sweep.crossed : beyond, met = first ? beyond : sweep.crossed;
-  if (!sequence.passages.empty()) {
-    const HalfFacet end{first ? sequence.passages.front().facet : sequence.passages.back().facet};
+  if (!sequence.facets.empty()) {
+    const HalfFacet end{first ? sequence.facets.front() : sequence.facets.back()};
     // What is noted may be of another place, at EDGES: then it does not go on where the path has left its cell.
     if (env_.map.cell_of(first ? end : env_.map.opposite(end)) != from) return false;
     if (end == left) {
       sequence.remove(first);
+      *gone = left;
       return true;
     }
   }
@@ -77,9 +78,27 @@ bool StarSweep::turns_freely(const Body& body, const EdgeSweep& sweep, VertexPai
   return a * b < 0 && (env_.marked_edges == 0 || !env_.edge_marks.contains(edge.a, edge.b));
 }
 
+/** Whether the edge goes to the other side of an edge of the environment, and is free there with what it sweeps on its way; at EDGES the
+ * new place is all that counts. If not the sequence is left as it is. */
+bool StarSweep::turns(const Body& body, const EdgeSweep& sweep, bool first) {
+  EdgeSequence& sequence = body.sequences[sweep.e];
+  if (!sequence.of_tetrahedra) return false;
+  const double *const from = first ? sweep.to : sweep.q, *const to = first ? sweep.q : sweep.to;
+  const Cell start = first ? sweep.arrival : sweep.fixed, end = first ? sweep.fixed : sweep.arrival;
+  before_ = sequence;
+  VertexPair edge;
+  for (int rest = body.level == SweepLevel::kEdges ? kMostTurns : 1; rest != 0; --rest) {
+    if (!turn(env_, sequence, from, to, edge)) break;
+    if (!follows(env_, sequence, from, to, start, end)) continue;
+    if (body.level == SweepLevel::kEdges || turns_freely(body, sweep, edge)) return true;
+  }
+  std::swap(sequence, before_);
+  return false;
+}
+
 /** Whether the edge keeps to the facets that it was last known to pass, but for one that its end passes itself, and for those round an
  * edge of the environment to whose other side it goes: then it is free in its new place. If it kept to them before, too, the triangle's
- * sides share a strip of cells, or part at one edge. At EDGES the new place is all that counts. */
+ * sides share a strip of cells, or part at one edge. */
 StarSweep::Settled StarSweep::follow_sequence(const Body& body, const EdgeSweep& sweep) {
   EdgeSequence& sequence = body.sequences[sweep.e];
   const BodyVertex& from = body.vertices[sweep.v];
@@ -92,21 +111,15 @@ StarSweep::Settled StarSweep::follow_sequence(const Body& body, const EdgeSweep&
   const bool stays = from.cell == sweep.arrival;
   if (!stays && !sweep.crossed.valid()) return Settled::kNo;
   if (body.level != SweepLevel::kEdges && !keeps(from.position, from.cell)) return Settled::kNo;
-  if (stays && keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
-  before_ = sequence;
-  if (!stays) {
-    if (!pass_on(sequence, sweep, from.cell, first)) return Settled::kNo;
-    if (keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
+  HalfFacet left;  // that the edge no longer passes
+  if (!stays && !pass_on(sequence, sweep, from.cell, first, &left)) return Settled::kNo;
+  if (keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
+  if (turns(body, sweep, first)) return Settled::kTurned;
+  if (left.valid()) {
+    sequence.add(env_.map, left, first);
+  } else if (!stays) {
+    sequence.remove(first);
   }
-  for (int turns = body.level == SweepLevel::kEdges ? kMostTurns : 1; turns != 0; --turns) {
-    VertexPair edge;
-    const bool turned =
-        first ? turn(env_, sequence, sweep.to, sweep.q, edge) : turn(env_, sequence, sweep.q, sweep.to, edge);
-    if (!turned) break;
-    if (!keeps(sweep.to, sweep.arrival)) continue;
-    if (body.level == SweepLevel::kEdges || turns_freely(body, sweep, edge)) return Settled::kTurned;
-  }
-  sequence = before_;
   return Settled::kNo;
 }
 

@@ -85,7 +85,8 @@ class StarSweep {
   Settled settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls);
   bool is_clear(const Body& body, const EdgeSweep& sweep) const;
   Settled follow_sequence(const Body& body, const EdgeSweep& sweep);
-  bool pass_on(EdgeSequence& sequence, const EdgeSweep& sweep, Cell from, bool first) const;
+  bool pass_on(EdgeSequence& sequence, const EdgeSweep& sweep, Cell from, bool first, HalfFacet* gone) const;
+  bool turns(const Body& body, const EdgeSweep& sweep, bool first);
   bool turns_freely(const Body& body, const EdgeSweep& sweep, VertexPair edge) const;
   bool find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
   void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;
@@ -93,7 +94,7 @@ class StarSweep {
   const Environment<3>& env_;
   bool limited_ = false;  // the work limit was met
   SweepFlood flood_;
-  EdgeSequence before_;  // of an edge that may leave it
+  EdgeSequence before_;  // a turn
   Wave<3> wave_;
   uint32_t wave_edges_[kWave] = {};
   Array<uint32_t> hit_edges_;  // at EDGES: those whose new place is not free

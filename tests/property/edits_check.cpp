@@ -68,7 +68,7 @@ std::string RandomEdits::state() const {
   append(out, scene().particles);
   for (const BodyRecord& record : scene().bodies) {
     append(out, record.body.vertices);
-    for (const EdgeSequence& sequence : record.body.sequences) append(out, sequence.passages);
+    for (const EdgeSequence& sequence : record.body.sequences) append(out, sequence.facets);
   }
   return out;
 }

@@ -102,7 +102,7 @@ EdgeSequence facets_passed(const Environment<3>& env, const double* from, const 
   request.start = start;
   writer.attach(env, request);
   const CastResult result = cast(env, request, nullptr);
-  EdgeSequence sequence{Array<Passage>::allocator_type(nullptr)};
+  EdgeSequence sequence{Array<uint32_t>::allocator_type(nullptr)};
   writer.finish(sequence);
   *known = result.end == CastEnd::kReached && follows(env, sequence, from, to, start, result.cell);
   return sequence;
@@ -118,7 +118,7 @@ StarSweep::Settled settled_by(const Environment<3>& env, const double* p, Cell s
   add_edge(body, 0, 1);
   body.sequences[0] = before;
   StarSweep star(env);
-  const HalfFacet crossed = path.passages.size() == 1 ? HalfFacet{path.passages[0].facet} : HalfFacet{};
+  const HalfFacet crossed = path.facets.size() == 1 ? HalfFacet{path.facets[0]} : HalfFacet{};
   return star.settle(body, {0, 0, to, target, q, body.vertices[1].cell, crossed});
 }
 
@@ -147,10 +147,10 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
         const auto path = facets_passed(*env, x[0].data(), x[1].data(), start, &known[1]);
         const auto after = facets_passed(*env, x[1].data(), x[2].data(), target, &known[2]);
         const SweepEnd end = flood.sweep(EdgeMotion{x[0].data(), x[1].data(), x[2].data()}, start, 0).end;
-        const bool strip = known[0] && known[1] && known[2] &&
-                           share_strip(env->map, {path.passages.data(), path.passages.size()},
-                                       {after.passages.data(), after.passages.size()},
-                                       {before.passages.data(), before.passages.size(), true});
+        const bool strip =
+            known[0] && known[1] && known[2] &&
+            share_strip(env->map, {path.facets.data(), path.facets.size()}, {after.facets.data(), after.facets.size()},
+                        {before.facets.data(), before.facets.size(), true});
         if (known[0] && known[1]) {
           const auto how = settled_by(*env, x[0].data(), start, x[1].data(), target, x[2].data(), before, path);
           kept += how == StarSweep::Settled::kStrip ? 1 : 0;
@@ -159,7 +159,7 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
         }
         if (strip) {
           ++settled;
-          of_many_cells += before.passages.size() > 1 ? 1 : 0;
+          of_many_cells += before.facets.size() > 1 ? 1 : 0;
           ASSERT_EQ(end, SweepEnd::kFree) << kind.name << " " << seed << " " << i;
         } else {
           free_but_open += end == SweepEnd::kFree ? 1 : 0;

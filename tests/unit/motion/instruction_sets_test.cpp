@@ -256,13 +256,13 @@ TEST(InstructionSets, TrianglesArePassedWithTheSameBits) {
     const double scale = std::ldexp(1.0, round % 5 * 50 - 100);
     std::vector<double> points(300);
     for (double& x : points) x = scale * coordinate(random);
-    std::vector<Passage> passages(static_cast<size_t>(round % 23));
-    for (Passage& each : passages) {
+    std::vector<Triangle> triangles(static_cast<size_t>(round % 23));
+    for (Triangle& each : triangles) {
       for (uint32_t& corner : each.corners) corner = vertex(random);
     }
     Shear portable(points.data(), points.data() + 3), avx2 = portable;
-    pass_triangles(portable, points.data(), passages.data(), passages.size());
-    pass_triangles_avx2(avx2, points.data(), passages.data(), passages.size());
+    pass_triangles(portable, points.data(), triangles.data(), triangles.size());
+    pass_triangles_avx2(avx2, points.data(), triangles.data(), triangles.size());
     ASSERT_EQ(portable.lowest(), avx2.lowest());
     ASSERT_EQ(portable.largest(), avx2.largest());
   }
