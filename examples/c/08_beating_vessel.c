@@ -30,8 +30,8 @@ static dsw_environment *create_vessel(double *points) {
     for (y = 0; y <= WIDE; ++y) {
       for (x = 0; x <= WIDE; ++x) {
         double *p = points + 3 * at(x, y, z);
-        p[0] = x - 0.5 * WIDE;
-        p[1] = y - 0.5 * WIDE;
+        p[0] = x - (double)WIDE / 2;
+        p[1] = y - (double)WIDE / 2;
         p[2] = z;
       }
     }

@@ -12,7 +12,7 @@ namespace dsw {
 void BodyMove::run_wave(const Body& body) {
   wave_.run(env_, sweeps_.counters);
   for (uint32_t i = 0; i < wave_.count(); ++i) {
-    if (wave_.result(i).end == CastEnd::kReached) continue;
+    if (wave_.reached(i)) continue;
     if (wave_vertices_[i] != kNone) {
       moving_[wave_vertices_[i]].doubtful = true;
     } else {
@@ -73,7 +73,7 @@ uint32_t BodyMove::drop(const Body& body, uint32_t count, Drops drops) {
     const uint32_t moves = (a.rank != kNone ? 1u : 0u) + (b.rank != kNone ? 1u : 0u);
     const bool dropped = (moves != 0) & !a.doubtful & !b.doubtful && drops(a, b, e);
     chunk_[kept] = e;
-    kept += dropped | (moves == 0) ? 0 : 1;
+    kept += (uint32_t{dropped} | uint32_t{moves == 0}) != 0 ? 0 : 1;
     skipped += dropped ? moves : 0;
   }
   sweeps_.counts.swept += skipped;
@@ -84,7 +84,8 @@ uint32_t BodyMove::drop(const Body& body, uint32_t count, Drops drops) {
 /** Edges that do not leave a convex cell [JCD10] 6.1. */
 uint32_t BodyMove::drop_inside(const Body& body, uint32_t count) {
   return drop(body, count, [&](const Moving& a, const Moving& b, uint32_t) {
-    return (a.from == a.arrival) & (b.from == b.arrival) & (a.from == b.from) & env_.map.convex(a.from);
+    const uint32_t inside = uint32_t{a.from == a.arrival} & uint32_t{b.from == b.arrival} & uint32_t{a.from == b.from};
+    return (inside & uint32_t{env_.map.convex(a.from)}) != 0;
   });
 }
 
@@ -190,7 +191,7 @@ void BodyMove::run_edges(Body& body) {
   run_wave(body);
   if (body.keeps_sequences()) {
     for (uint32_t i = 0; i < wave_.count(); ++i) {
-      if (wave_.result(i).end == CastEnd::kReached) writers_[i].finish(body.sequences[wave_edges_[i]]);
+      if (wave_.reached(i)) writers_[i].finish(body.sequences[wave_edges_[i]]);
     }
   }
   wave_.clear();

@@ -287,7 +287,7 @@ bool BodyMove::are_skipped_free(const Body& body) {
   const auto has_moved_alone = [&](uint32_t v) { return v >= moving_.size() || moving_[v].doubtful; };
   const auto run = [&] {
     wave_.run(env_, sweeps_.counters);
-    for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.result(i).end == CastEnd::kReached;
+    for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.reached(i);
     wave_.clear();
   };
   for (const uint32_t e : skipped_) {

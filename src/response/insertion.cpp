@@ -6,8 +6,9 @@
 namespace dsw {
 namespace {
 
-bool is_reached(const Environment<3>& env, const double* from, const double* to, Cell start) noexcept {
-  return cast(env, from, to, start).end == CastEnd::kReached;
+bool is_reached(const Environment<3>& env, const double* from, Cell start, const BodyVertex& to) noexcept {
+  const CastResult way = cast(env, from, to.position, start);
+  return way.end == CastEnd::kReached && way.cell == to.cell;
 }
 
 }  // namespace
@@ -22,7 +23,7 @@ bool can_bend(const Environment<3>& env, StarSweep& sweeps, const Body& body, ui
   }
   const CastResult to_point = cast(env, p.position, point, p.cell);
   *cell = to_point.cell;
-  if (to_point.end != CastEnd::kReached || !is_reached(env, point, q.position, *cell)) return false;
+  if (to_point.end != CastEnd::kReached || !is_reached(env, point, *cell, q)) return false;
   const bool swept = body.level >= SweepLevel::kEdgesSwept;
   if (swept && !sweeps.is_triangle_free({p.position, point, q.position}, p.cell)) return false;
   for (const uint32_t f : e.faces) {
@@ -30,7 +31,7 @@ bool can_bend(const Environment<3>& env, StarSweep& sweeps, const Body& body, ui
     const BodyFace& face = body.faces[f];
     const uint32_t far = face.after(e.ends[0]) == e.ends[1] ? face.before(e.ends[0]) : face.after(e.ends[0]);
     const double* const r = body.position(far);
-    if (!is_reached(env, point, r, *cell)) return false;
+    if (!is_reached(env, point, *cell, body.vertices[far])) return false;
     if (body.level != SweepLevel::kFaces) continue;
     if (!sweeps.is_triangle_free({p.position, point, r}, p.cell) ||
         !sweeps.is_tetrahedron_free({p.position, point, q.position, r}, p.cell)) {

@@ -80,7 +80,7 @@ bool BodyProbe::visit_edges(const Body& body, SweepLevel level, Visit visit) {
     wave_.run(env_, nullptr);
     bool go_on = true;
     for (uint32_t i = 0; i < wave_.count() && go_on; ++i) {
-      if (wave_.result(i).end == CastEnd::kHit) go_on = visit(edges[i]);
+      if (!wave_.reached(i)) go_on = visit(edges[i]);
     }
     wave_.clear();
     return go_on;
@@ -91,7 +91,7 @@ bool BodyProbe::visit_edges(const Body& body, SweepLevel level, Visit visit) {
     const double* const ends[2] = {a.position, b.position};
     if (!changed_.overlaps(ends, 2)) continue;
     edges[wave_.count()] = e;
-    wave_.add(env_, a.cell, a.position, b.position);
+    wave_.add(env_, a.cell, a.position, b.position).end = b.cell;
     if (wave_.full() && !run()) return false;
   }
   return run();

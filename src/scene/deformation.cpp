@@ -9,15 +9,15 @@ Deformation::Deformation(Environment<3>& environment)
       all(environment.memory),
       swept(environment, all),
       end_state(environment, all),
-      record(environment.memory) {}
+      record(environment.memory),
+      next(environment.memory) {}
 
 uint64_t Deformation::memory_bytes() const noexcept {
-  return sizeof(*this) + all.memory_bytes() + swept.memory_bytes() + record.memory_bytes();
+  return sizeof(*this) + all.memory_bytes() + swept.memory_bytes() + record.memory_bytes() + next.memory_bytes();
 }
 
 void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
   Deformation& d = *scene.deformation.get();
-  d.record.clear();
   d.all.particles = scene.particles.data();
   d.all.particle_count = scene.particles.size();
   d.all.particle_slots = &scene.slots;
@@ -26,13 +26,18 @@ void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
     const uint32_t generation = scene.body_slots.generation(slot);
     if (!scene.body_slots.alive(slot, generation)) continue;
     BodyRecord& body = scene.bodies[slot];
-    d.all.bodies[slot] = {&body.body, &body.record, {slot, generation}};
-    body.record.edits.clear();
+    d.all.bodies[slot] = {&body.body, &body.next, {slot, generation}};
+    body.next.edits.clear();
   }
   if (settings.end_state) {
-    d.end_state.run(next, settings, d.record);
+    d.end_state.run(next, settings, d.next);
   } else {
-    d.swept.run(next, settings, d.record);
+    d.swept.run(next, settings, d.next);
+  }
+  d.next.sort();
+  std::swap(d.record, d.next);
+  for (const Occupants::Owner& owner : d.all.bodies) {
+    if (owner.body != nullptr) std::swap(scene.bodies[owner.id.index].record.edits, owner.record->edits);
   }
 }
 

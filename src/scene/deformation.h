@@ -15,6 +15,7 @@ struct Deformation {
   WallMotion swept;
   EndState end_state;
   WallRecord record;  // of the last call
+  WallRecord next;    // of one under way
 
   explicit Deformation(Environment<3>& environment);
   uint64_t memory_bytes() const noexcept;

@@ -25,7 +25,7 @@ class Followers {
     for (uint32_t slot = 0; slot < scene_.particles.size(); ++slot) {
       const ParticleState<3>& particle = scene_.particles[slot];
       if (!has_to_move(particle.cell)) continue;
-      const Cell c = find(particle.position);
+      const Cell c = find(particle.position, particle.cell);
       particles_.push_back({0, slot, particle.cell, c});
       if (!is_passable(c)) scene_.occupants.push_back({slot, scene_.slots.generation(slot)});
     }
@@ -33,7 +33,7 @@ class Followers {
       bool all = true;
       for (uint32_t v = 0; v < body.vertices.size(); ++v) {
         if (!has_to_move(body.vertices[v].cell)) continue;
-        const Cell c = find(body.position(v));
+        const Cell c = find(body.position(v), body.vertices[v].cell);
         vertices_.push_back({slot, v, body.vertices[v].cell, c});
         all = all && is_passable(c);
       }
@@ -84,11 +84,23 @@ class Followers {
   }
   bool has_to_move(Cell c) const { return c.valid() && edit_.is_removed(c); }
   bool is_passable(Cell c) const { return c.valid() && !env_.map.marked(c); }
-  Cell find(const double* point) const {
+  /** The new cell of a point that was in `old`; none if it would be beyond a wall there. */
+  Cell find(const double* point, Cell old) const {
     for (size_t i = 0; i < edit_.cell_count(); ++i) {
-      if (contains(env_, edit_.cell(i), point)) return edit_.cell(i);
+      if (contains(env_, edit_.cell(i), point)) return is_beyond_wall(old, edit_.draft(i)) ? Cell{} : edit_.cell(i);
     }
     return {};
+  }
+  /** A warped wall that is cut anew can leave a point on its other side. */
+  bool is_beyond_wall(Cell old, const CellDraft& draft) const {
+    if (draft.from == old || draft.also == old) return false;
+    for (uint32_t f = 0, facets = env_.map.facets_of(old); f < facets; ++f) {
+      const HalfFacet h = env_.map.half_facet(old, f), o = env_.map.opposite(h);
+      if (!o.valid() || !is_impassable(env_.map, h)) continue;
+      const Cell beyond = env_.map.cell_of(o);
+      if (beyond == draft.from || beyond == draft.also) return true;
+    }
+    return false;
   }
   /** Whether a half-facet in a sequence goes, or leads elsewhere now. */
   bool is_gone(uint32_t word) const {

@@ -136,7 +136,7 @@ bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, C
     wave_.run(env_, counters);
     for (uint32_t i = 0; i < wave_.count(); ++i) {
       const CastEnd end = wave_.result(i).end;
-      if (end != CastEnd::kReached) hit_edges_.push_back(wave_edges_[i]);
+      if (!wave_.reached(i)) hit_edges_.push_back(wave_edges_[i]);
       limited_ = limited_ || end == CastEnd::kWorkLimit;
     }
     wave_.clear();

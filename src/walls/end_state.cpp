@@ -24,6 +24,8 @@ void EndState::run(double* next, const WallSettings& settings, WallRecord& recor
   const double* const start = env_.points;
   const size_t count = env_.map.vertex_count;
   Array<double> targets{Allocator<double>(env_.memory)};  // if the way is shortened
+  Array<dsw_wall_contact> stopped{Allocator<dsw_wall_contact>(env_.memory)};
+  Array<dsw_volume_id> invalid{Allocator<dsw_volume_id>(env_.memory)};
   const auto go_back = [&] {
     env_.points = start;
     ++env_.obstacle_version;
@@ -36,21 +38,28 @@ void EndState::run(double* next, const WallSettings& settings, WallRecord& recor
     for (int shortened = 0;; ++shortened) {
       all_.save(false);
       record.contacts.clear();
+      record.invalid.clear();  // those of the last way that failed are reported
       env_.points = next;
       ++env_.obstacle_version;
       env_.checked.forget_all();
       const Went went = try_seats(settings, record);
       if (went == Went::kThrough) break;
       go_back();
-      if (went == Went::kInvalid && settings.refuses_invalid) {
+      if ((went == Went::kInvalid && settings.refuses_invalid) || way == 0) {
         std::copy(targets.begin(), targets.end(), next);
         record.outcome = DSW_DEFORM_REFUSED;
         record.fraction = 0;
         return;
       }
       if (targets.empty()) targets.assign(next, next + 3 * count);
+      stopped.swap(record.contacts);
+      invalid.swap(record.invalid);
       way = shortened == kMostShortened ? 0 : way / 2;
       for (size_t v = 0; v < count; ++v) point_on_way(start + 3 * v, &targets[3 * v], way, next + 3 * v);
+    }
+    if (way != 1) {
+      record.contacts.swap(stopped);
+      record.invalid.swap(invalid);
     }
     record.fraction = way;
     record.outcome = way == 1 ? DSW_DEFORM_DONE : DSW_DEFORM_FRACTION;
@@ -168,7 +177,7 @@ bool EndState::are_edges_free() {
   wave_.clear();
   const auto run = [&] {
     wave_.run(env_, nullptr);
-    for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.result(i).end == CastEnd::kReached;
+    for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.reached(i);
     wave_.clear();
     return free;
   };
@@ -177,7 +186,7 @@ bool EndState::are_edges_free() {
            for (uint32_t e = 0; e < body.edges.size(); ++e) {
              if (!body.has_edge(e)) continue;
              const BodyVertex &p = body.vertices[body.edges[e].ends[0]], &q = body.vertices[body.edges[e].ends[1]];
-             wave_.add(env_, p.cell, p.position, q.position);
+             wave_.add(env_, p.cell, p.position, q.position).end = q.cell;
              if (wave_.full() && !run()) return false;
            }
            return true;
@@ -193,6 +202,9 @@ bool EndState::are_faces_free() {
       const uint32_t(&corners)[3] = body.faces[f].corners;
       const EdgeMotion m{body.position(corners[0]), body.position(corners[1]), body.position(corners[2])};
       if (flood_.sweep(m, body.vertices[corners[0]].cell, 0).end != SweepEnd::kFree) return false;
+      for (const uint32_t v : corners) {
+        if (!flood_.cells().contains(body.vertices[v].cell)) return false;
+      }
     }
     return true;
   });

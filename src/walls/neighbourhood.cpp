@@ -122,7 +122,8 @@ bool Neighbourhood::trace(const Feature& feature) {
     const SweepEnd end = flood_.sweep(m, body.vertices[corners[0]].cell, 0).end;
     traced_.clear();
     for (size_t i = 0; i < flood_.cells().size(); ++i) traced_.push_back(flood_.cells()[i]);
-    return end == SweepEnd::kFree;
+    const auto is_met = [&](uint32_t v) { return flood_.cells().contains(body.vertices[v].cell); };
+    return end == SweepEnd::kFree && is_met(corners[1]) && is_met(corners[2]);
   }
   const BodyVertex &p = body.vertices[body.edges[feature.index].ends[0]],
                    &q = body.vertices[body.edges[feature.index].ends[1]];
@@ -135,7 +136,7 @@ bool Neighbourhood::trace(const Feature& feature) {
     traced_.push_back(p.cell);
     traced_count_ = 1;
     const CastResult result = cast(env_, request, nullptr);
-    if (traced_count_ == traced_.size()) return result.end == CastEnd::kReached;
+    if (traced_count_ == traced_.size()) return result.end == CastEnd::kReached && result.cell == q.cell;
     traced_.reserve(traced_count_);  // a cast allocates nothing
   }
 }

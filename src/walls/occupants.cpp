@@ -3,6 +3,7 @@
 namespace dsw {
 
 void Occupants::save(bool whole) {
+  saved_ = false;
   saved_vertices_.clear();
   saved_bodies_.clear();
   saved_particles_.assign(particles, particles + particle_count);
@@ -14,9 +15,12 @@ void Occupants::save(bool whole) {
       saved_vertices_.insert(saved_vertices_.end(), owner.body->vertices.begin(), owner.body->vertices.end());
     }
   }
+  saved_ = true;
 }
 
 void Occupants::restore() noexcept {
+  if (!saved_) return;
+  saved_ = false;
   std::copy(saved_particles_.begin(), saved_particles_.end(), particles);
   auto body = saved_bodies_.begin();
   auto vertex = saved_vertices_.begin();
@@ -31,9 +35,6 @@ void Occupants::restore() noexcept {
       vertex = end;
     }
   }
-  saved_particles_.clear();
-  saved_vertices_.clear();
-  saved_bodies_.clear();
 }
 
 uint64_t Occupants::memory_bytes() const noexcept {

@@ -28,11 +28,12 @@ struct Occupants {
 
   /** Keeps where everything is, and if vertices will be inserted the bodies as a whole. Throws std::bad_alloc. */
   void save(bool whole);
-  /** Puts everything back to where it was when it was saved, once. */
+  /** Puts everything back to where it was when it was saved last; nothing if that is done, or saving failed. */
   void restore() noexcept;
   uint64_t memory_bytes() const noexcept;
 
  private:
+  bool saved_ = false;
   Array<ParticleState<3>> saved_particles_;
   Array<BodyVertex> saved_vertices_;
   Array<Body> saved_bodies_;
@@ -81,6 +82,7 @@ class CellFeatures {
   /** Empty, for so many cells. Throws std::bad_alloc. */
   void start(size_t cells) {
     clear();
+    tidied_ = 0;
     heads_.resize(cells, kNone);
   }
   void clear() noexcept {

@@ -36,6 +36,14 @@ struct WallRecord {
     fraction = 1;
     steps = near = pushed = 0;
   }
+  /** Lists of ids by index, each once. */
+  void sort() noexcept {
+    const auto before = [](const auto& a, const auto& b) { return a.index < b.index; };
+    const auto same = [](const auto& a, const auto& b) { return a.index == b.index; };
+    std::sort(held.begin(), held.end(), before);
+    std::sort(invalid.begin(), invalid.end(), before);
+    invalid.erase(std::unique(invalid.begin(), invalid.end(), same), invalid.end());
+  }
   uint64_t memory_bytes() const { return array_bytes(contacts) + array_bytes(held) + array_bytes(invalid); }
 };
 

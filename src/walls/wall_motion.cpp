@@ -46,6 +46,7 @@ WallMotion::Went WallMotion::try_ways(double* next, const WallSettings& settings
     if (went == Went::kRefused) return went;
     if (went == Went::kStopped) {
       stopped.assign(record.contacts.end() - 1, record.contacts.end());
+      record.invalid.clear();
       *way = ++shortened == kMostShortened ? 0 : *way / 2;
       halvings = 0;
     } else {
@@ -91,11 +92,6 @@ void WallMotion::finish(double way, WallRecord& record) {
     points.at(v, way, to);
     if (!std::equal(to, to + 3, env_.point(v))) record.held.push_back({v, env_.map.vertex_generation(v)});
   }
-  const auto before = [](const auto& a, const auto& b) { return a.index < b.index; };
-  std::sort(record.held.begin(), record.held.end(), before);
-  std::sort(record.invalid.begin(), record.invalid.end(), before);
-  const auto same = [](const auto& a, const auto& b) { return a.index == b.index; };
-  record.invalid.erase(std::unique(record.invalid.begin(), record.invalid.end(), same), record.invalid.end());
   record.outcome = way != 1 ? DSW_DEFORM_FRACTION : record.held.empty() ? DSW_DEFORM_DONE : DSW_DEFORM_HELD;
   if (way != 1) points.shorten(way);
   points.finish();

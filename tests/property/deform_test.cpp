@@ -87,6 +87,7 @@ TEST_F(DeformMemoryTest, Deforming) {
   dsw_particle_id particle;
   ASSERT_EQ(dsw_particle_create(scene(), at, {0, 0}, &particle), DSW_STATUS_OK);
   const dsw_body_id body = make(tetrahedron({2.05, 1.5, 1.25}, 0.5), DSW_LEVEL_FACES, DSW_BODY_SEQUENCES);
+  const dsw_body_id other = make(tetrahedron({0.25, 0.25, 0.25}, 0.5), DSW_LEVEL_EDGES);
   std::vector<std::vector<double>> arrays;  // all lent
   for (int method : {DSW_DEFORM_SWEPT, DSW_DEFORM_END_STATE}) {
     for (int response : {DSW_WALL_PUSH, DSW_WALL_INSERT, DSW_WALL_HOLD, DSW_WALL_STOP}) {
@@ -96,7 +97,13 @@ TEST_F(DeformMemoryTest, Deforming) {
       options.method = static_cast<dsw_deform_method>(method);
       options.response = static_cast<dsw_wall_response>(response);
       const std::vector<double> before = points_of(place_.get());
-      const std::string bits = bits_of(read(body));
+      // More than there was the time before, so that there is not yet room for it.
+      for (int i = 0; i < 40; ++i) {
+        dsw_particle_id another;
+        const double free[3] = {0.5 + 0.01 * i, 3.5, 2.5};
+        ASSERT_EQ(dsw_particle_create(scene(), free, {0, 0}, &another), DSW_STATUS_OK);
+      }
+      const std::string bits = bits_of(read(body)) + bits_of(read(other));
       arrays.push_back(bent(before, response % 2 == 0 ? 0.2 : -0.2));
       std::vector<double>& next = arrays.back();
       const std::vector<double> asked = next;
@@ -105,7 +112,7 @@ TEST_F(DeformMemoryTest, Deforming) {
       const auto unchanged = [&] {
         double now[3];
         return dsw_particle_get(scene(), particle, now, nullptr) == DSW_STATUS_OK && std::equal(now, now + 3, where) &&
-               next == asked && points_of(place_.get()) == before && bits_of(read(body)) == bits;
+               next == asked && points_of(place_.get()) == before && bits_of(read(body)) + bits_of(read(other)) == bits;
       };
       const size_t refusals = until_it_succeeds(
           [&] { return dsw_scene_deform(scene(), next.data(), next.size() / 3, &options, nullptr); }, unchanged);

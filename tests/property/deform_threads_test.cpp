@@ -34,7 +34,7 @@ TEST(DeformThreads, FindOutTogetherWhichVolumesAreValid) {
     scene.reset();
     place.environment.reset();
   }
-  for (size_t turn : {1, 2}) {
+  for (size_t turn : {size_t{1}, size_t{2}}) {
     EXPECT_EQ(std::memcmp(flights[0].data(), flights[turn].data(), 3000 * sizeof(dsw_flight)), 0);
   }
   size_t stopped = 0;

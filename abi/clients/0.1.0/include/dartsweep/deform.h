@@ -112,7 +112,7 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
  * destroyed: it reads positions here, and the array before is the host's again, to be written next. Written where a vertex could not
  * go all of its way. Must not be the array that the environment reads now.
  * @param point_count [in] vertices of the environment. @param options [in] may be null. @param report [out] may be null.
- * @return DSW_STATUS_NOT_NAMED, WRONG_SIZE, NON_FINITE (a vertex near a body or particle; others make their volumes invalid),
+ * @return DSW_STATUS_NOT_NAMED, IN_USE (`next` is the array that it reads), WRONG_SIZE, NON_FINITE (a vertex near a body or particle; others make their volumes invalid),
  * OUT_OF_RANGE, UNSUPPORTED, OUT_OF_MEMORY: nothing has changed, `next` is as it was and not retained; that also holds for the
  * outcome REFUSED.
  * @note O(bodies, particles, volumes they meet); STOP, once something is met, O(vertices of the environment). Thread: writer of the
@@ -139,7 +139,7 @@ DSW_API dsw_status dsw_scene_get_invalid_volumes(const dsw_scene *scene, const d
 DSW_API dsw_status dsw_environment_is_valid(const dsw_environment *environment, dsw_volume_id volume, int *valid);
 
 /** The positions that an environment reads: 3 doubles for each vertex. @param points [out] owned by the environment, or what the host has
- * lent; valid until its next deformation. @note O(1). Thread: reader. @since 0.1 */
+ * lent; valid until its next deformation or change. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_points(const dsw_environment *environment, const double **points, size_t *count);
 
 #ifdef __cplusplus

@@ -120,7 +120,7 @@ DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id bod
                                          size_t *count);
 
 /** Vertices inserted and removed by responses in the last move of a body, in order. @param edits [out] owned by the body, valid until it
- * next moves or is edited. @note O(1). Thread: reader. @since 0.1 */
+ * next moves or is edited, or the environment is deformed. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body, const dsw_body_edit **edits,
                                       size_t *count);
 
