@@ -101,9 +101,10 @@ typedef struct dsw_environment_info {
   uint32_t part_count;          /**< Parts connected through faces. */
   uint32_t scene_count;         /**< Scenes that use it now. */
   uint64_t memory_bytes;        /**< All memory it holds; borrowed points included. */
-  double lower[3], upper[3];    /**< Box around the points that volumes use, or have used; as they were before they moved (deform.h). */
-  uint32_t volume_index_count;  /**< Indices of volumes are below: more than volume_count where some were removed. */
-  uint32_t vertex_index_count;  /**< Likewise of vertices. */
+  double lower[3],
+      upper[3]; /**< Box around the points that volumes use, or have used; as they were before they moved (deform.h). */
+  uint32_t volume_index_count; /**< Indices of volumes are below: more than volume_count where some were removed. */
+  uint32_t vertex_index_count; /**< Likewise of vertices. */
 } dsw_environment_info;
 
 /** Writes the defaults (3-dimensional, hexahedra, 8-byte indices) into at most `size` bytes and sets struct_size.

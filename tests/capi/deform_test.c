@@ -113,7 +113,8 @@ static void a_floor_lifts_a_particle(void) {
   CHECK(count == report.contact_count && contacts[0].particle.index == particle.index &&
         contacts[0].particle.generation == particle.generation && contacts[0].body.generation == 0);
   CHECK(contacts[0].normal[2] > 0.5 && contacts[0].time > 0 && contacts[0].time < 1 &&
-        contacts[0].response == DSW_WALL_PUSH && contacts[0].wall.generation == 1 && contacts[0].moving.generation == 1);
+        contacts[0].response == DSW_WALL_PUSH && contacts[0].wall.generation == 1 &&
+        contacts[0].moving.generation == 1);
   CHECK(contacts[0].point[2] == at[2] && contacts[0].tag == 100 + cube(2, 1, 1));
   end();
 }

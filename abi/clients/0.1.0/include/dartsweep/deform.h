@@ -99,8 +99,8 @@ typedef struct dsw_wall_contact {
   dsw_body_edge_id edge;
   dsw_body_face_id face;
   dsw_wall_response response; /**< What was done. */
-  uint32_t tag; /**< Host tag of the volume behind `wall`, at the outer boundary of the one in front; else 0. */
-  uint32_t reserved;          /**< 0. */
+  uint32_t tag;      /**< Host tag of the volume behind `wall`, at the outer boundary of the one in front; else 0. */
+  uint32_t reserved; /**< 0. */
 } dsw_wall_contact;
 
 /** Writes the defaults and struct_size into at most `size` bytes. @note Thread: any. @since 0.1 */
