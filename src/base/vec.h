@@ -48,4 +48,13 @@ inline Vec unit(const Vec& a) {
   return {b.x / size, b.y / size, b.z / size};
 }
 
+/** p + time * (q - p), rounded; also where q - p is too large for a double. `out` may be p or q. */
+template <int D>
+inline void point_at(const double* p, const double* q, double time, double* out) noexcept {
+  for (int k = 0; k < D; ++k) {
+    const double step = q[k] - p[k];
+    out[k] = std::isfinite(step) ? p[k] + time * step : (1 - time) * p[k] + time * q[k];
+  }
+}
+
 }  // namespace dsw

@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "base/slot_pool.h"
-#include "deform/way.h"
 #include "environment/moving.h"
 
 namespace dsw {

@@ -2,9 +2,19 @@
 // The points of an environment on their way from one array of the host's to the next.
 
 #include "base/points.h"
+#include "base/vec.h"
 #include "environment/environment.h"
 
 namespace dsw {
+
+/** As point_at, but at both ends to the bit. */
+inline void point_on_way(const double* start, const double* target, double fraction, double* out) noexcept {
+  if (fraction == 0 || fraction == 1) {
+    std::copy_n(fraction == 0 ? start : target, 3, out);
+  } else {
+    point_at<3>(start, target, fraction, out);
+  }
+}
 
 /** Those near bodies are taken there step by step; all others are there at once, since nobody looks at them on the way. */
 class MovingPoints {

@@ -39,7 +39,7 @@ class CheckedCells {
   /** A cell may be looked at, and nothing is known of it. */
   void open(uint32_t cell) noexcept { note(cell, Known::kNothing); }
 
-  /** Since everything was forgotten last. */
+  /** Whether it has been opened, or anything is known of it, since everything was forgotten last. */
   bool is_open(uint32_t cell) const noexcept { return stamps_[cell].load(std::memory_order_relaxed) >> 2 == round_; }
 
   Known known(uint32_t cell) const noexcept {

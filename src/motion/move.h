@@ -1,8 +1,7 @@
 #pragma once
 // A particle's move: a cast, and at a contact the search for a position that is verified free.
 
-#include <cmath>
-
+#include "base/vec.h"
 #include "motion/cast.h"
 
 namespace dsw {
@@ -17,15 +16,6 @@ struct MoveResult {
   uint32_t candidates = 0;  // positions tried
   bool work_limited = false;
 };
-
-/** p + time * (q - p), rounded; also where q - p is too large for a double. */
-template <int D>
-inline void point_at(const double* p, const double* q, double time, double* out) noexcept {
-  for (int k = 0; k < D; ++k) {
-    const double step = q[k] - p[k];
-    out[k] = std::isfinite(step) ? p[k] + time * step : (1 - time) * p[k] + time * q[k];
-  }
-}
 
 /** The move of a point, of which `flight` was the cast; `request.from` lies in `request.start`. The cell and position of the
  * result are always valid; in the worst case they are those of the start. */

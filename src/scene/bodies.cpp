@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scene/body_probe.h"
+#include "sweep/body_probe.h"
 #include "scene/scene.h"
 
 namespace dsw {

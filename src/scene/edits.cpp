@@ -4,7 +4,7 @@
 #include "scene/edits.h"
 
 #include "motion/cast.h"
-#include "scene/body_probe.h"
+#include "sweep/body_probe.h"
 #include "scene/occupation.h"
 
 namespace dsw {

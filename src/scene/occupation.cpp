@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "base/error.h"
-#include "scene/body_probe.h"
+#include "sweep/body_probe.h"
 
 namespace dsw {
 namespace {

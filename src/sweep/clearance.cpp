@@ -42,7 +42,8 @@ bool borrow(const Environment<3>& env, Body& body, uint32_t v, double needed) no
 /** False if it can't be paid. */
 bool measure(const Environment<3>& env, Body& body, uint32_t v, double needed) {
   const double reach = kReach * needed;
-  if (body.clearance_credit < 0 || !std::isfinite(reach)) return false;
+  // The extent of points that move, which bounds the rounding below, is not known; and with each deformation balls are gone.
+  if (env.checked.active() || body.clearance_credit < 0 || !std::isfinite(reach)) return false;
   Clearance& ball = body.clearances[v];
   const double* const at = body.position(v);
   NearestResult nearest;

@@ -2,76 +2,50 @@
 
 #include "base/points.h"
 #include "contact/names.h"
-#include "deform/way.h"
+#include "deform/moving_points.h"
 #include "environment/moving.h"
 #include "motion/move.h"
 #include "motion/prefetch.h"
 #include "walls/describe.h"
 
 namespace dsw {
-namespace {
-
-constexpr int kMostShortened = 52;
-
-}  // namespace
 
 EndState::EndState(Environment<3>& env, Occupants& all)
-    : env_(env), all_(all), points_(Allocator<Feature>(env.memory)), flood_(env) {}
+    : env_(env), all_(all), points_(Allocator<Feature>(env.memory)), probe_(env, Box::everything(), Obstacle::kCells) {}
 
 void EndState::run(double* next, const WallSettings& settings, WallRecord& record) {
-  record.clear();
-  points_.reserve(kWave);
   const double* const start = env_.points;
   const size_t count = env_.map.vertex_count;
   Array<double> targets{Allocator<double>(env_.memory)};  // if the way is shortened
-  Array<dsw_wall_contact> stopped{Allocator<dsw_wall_contact>(env_.memory)};
-  Array<dsw_volume_id> invalid{Allocator<dsw_volume_id>(env_.memory)};
-  const auto go_back = [&] {
-    env_.points = start;
+  const auto read_points = [&](const double* points) {
+    env_.points = points;
     ++env_.obstacle_version;
     env_.checked.forget_all();
-    all_.restore();
-    record.pushed = 0;
+  };
+  const auto take_back = [&] { read_points(start); };
+  const auto restore_next = [&] { std::copy(targets.begin(), targets.end(), next); };
+  const auto try_way = [&](double way) {
+    if (way != 1 && targets.empty()) targets.assign(next, next + 3 * count);
+    for (size_t v = 0; v < count && way != 1; ++v) point_on_way(start + 3 * v, &targets[3 * v], way, next + 3 * v);
+    read_points(next);
+    const Went went = try_seats(settings, record);
+    if (went != Went::kInvalid) return went;
+    return settings.refuses_invalid ? Went::kRefused : Went::kStopped;
   };
   try {
-    double way = 1;
-    for (int shortened = 0;; ++shortened) {
-      all_.save(false);
-      record.contacts.clear();
-      record.invalid.clear();  // those of the last way that failed are reported
-      env_.points = next;
-      ++env_.obstacle_version;
-      env_.checked.forget_all();
-      const Went went = try_seats(settings, record);
-      if (went == Went::kThrough) break;
-      go_back();
-      if ((went == Went::kInvalid && settings.refuses_invalid) || way == 0) {
-        std::copy(targets.begin(), targets.end(), next);
-        record.outcome = DSW_DEFORM_REFUSED;
-        record.fraction = 0;
-        return;
-      }
-      if (targets.empty()) targets.assign(next, next + 3 * count);
-      stopped.swap(record.contacts);
-      invalid.swap(record.invalid);
-      way = shortened == kMostShortened ? 0 : way / 2;
-      for (size_t v = 0; v < count; ++v) point_on_way(start + 3 * v, &targets[3 * v], way, next + 3 * v);
-    }
-    if (way != 1) {
-      record.contacts.swap(stopped);
-      record.invalid.swap(invalid);
-    }
-    record.fraction = way;
-    record.outcome = way == 1 ? DSW_DEFORM_DONE : DSW_DEFORM_FRACTION;
+    points_.reserve(kWave);
+    if (!find_way(all_, false, record, try_way, take_back)) return restore_next();
+    record.outcome = record.fraction == 1 ? DSW_DEFORM_DONE : DSW_DEFORM_FRACTION;
     release_owned_points(env_);
   } catch (...) {
-    std::copy(targets.begin(), targets.end(), next);
-    go_back();
+    restore_next();
+    take_back();
+    all_.restore();
     throw;
   }
 }
 
-EndState::Went EndState::try_seats(const WallSettings& settings, WallRecord& record) {
+Went EndState::try_seats(const WallSettings& settings, WallRecord& record) {
   Went went = Went::kThrough;
   const auto add = [&](const Feature& point) {
     points_.push_back(point);
@@ -91,11 +65,14 @@ EndState::Went EndState::try_seats(const WallSettings& settings, WallRecord& rec
   }
   went = run_seats(settings, record);
   if (went != Went::kThrough) return went;
-  return are_edges_free() && are_faces_free() ? Went::kThrough : Went::kStopped;
+  const auto is_free = [&](const Occupants::Owner& owner) {
+    return owner.body == nullptr || probe_.is_free(*owner.body);
+  };
+  return std::all_of(all_.bodies.begin(), all_.bodies.end(), is_free) ? Went::kThrough : Went::kStopped;
 }
 
 /** Follows points from the centres of their cells, side by side. */
-EndState::Went EndState::run_seats(const WallSettings& settings, WallRecord& record) {
+Went EndState::run_seats(const WallSettings& settings, WallRecord& record) {
   uint8_t place[kWave];  // of their cells
   cells_.clear();
   for (size_t i = 0; i < points_.size(); ++i) {
@@ -162,52 +139,6 @@ bool EndState::put_before(const CastRequest& request, const CastResult& flight, 
   seat(all_, point, move.position, move.cell);
   ++record.pushed;
   return true;
-}
-
-template <class Visit>
-bool EndState::for_each_body(Visit visit) {
-  for (const Occupants::Owner& owner : all_.bodies) {
-    if (owner.body != nullptr && !visit(*owner.body)) return false;
-  }
-  return true;
-}
-
-bool EndState::are_edges_free() {
-  bool free = true;
-  wave_.clear();
-  const auto run = [&] {
-    wave_.run(env_, nullptr);
-    for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.reached(i);
-    wave_.clear();
-    return free;
-  };
-  return for_each_body([&](const Body& body) {
-           if (body.level < SweepLevel::kEdges) return true;
-           for (uint32_t e = 0; e < body.edges.size(); ++e) {
-             if (!body.has_edge(e)) continue;
-             const BodyVertex &p = body.vertices[body.edges[e].ends[0]], &q = body.vertices[body.edges[e].ends[1]];
-             wave_.add(env_, p.cell, p.position, q.position).end = q.cell;
-             if (wave_.full() && !run()) return false;
-           }
-           return true;
-         }) &&
-         run();
-}
-
-bool EndState::are_faces_free() {
-  return for_each_body([&](const Body& body) {
-    if (body.level != SweepLevel::kFaces) return true;
-    for (uint32_t f = 0; f < body.faces.size(); ++f) {
-      if (!body.has_face(f)) continue;
-      const uint32_t(&corners)[3] = body.faces[f].corners;
-      const EdgeMotion m{body.position(corners[0]), body.position(corners[1]), body.position(corners[2])};
-      if (flood_.sweep(m, body.vertices[corners[0]].cell, 0).end != SweepEnd::kFree) return false;
-      for (const uint32_t v : corners) {
-        if (!flood_.cells().contains(body.vertices[v].cell)) return false;
-      }
-    }
-    return true;
-  });
 }
 
 }  // namespace dsw

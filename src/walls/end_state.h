@@ -2,9 +2,9 @@
 // The environment's points go to new places at once [JCD10] 5.1: occupants are looked for where they are then. That tells rightly on which
 // side of a wall they are when walls move less than a cell is thick.
 
-#include "motion/sweep.h"
 #include "motion/wave.h"
-#include "walls/settings.h"
+#include "sweep/body_probe.h"
+#include "walls/find_way.h"
 
 namespace dsw {
 
@@ -47,16 +47,10 @@ class EndState {
   void run(double* next, const WallSettings& settings, WallRecord& record);
 
  private:
-  enum class Went { kThrough, kInvalid, kStopped };
-
   Went try_seats(const WallSettings& settings, WallRecord& record);
   Went run_seats(const WallSettings& settings, WallRecord& record);
   bool put_before(const CastRequest& request, const CastResult& flight, const Feature& point, dsw_wall_response done,
                   WallRecord& record);
-  bool are_edges_free();
-  bool are_faces_free();
-  template <class Visit>
-  bool for_each_body(Visit visit);
 
   Environment<3>& env_;
   Occupants& all_;
@@ -64,7 +58,7 @@ class EndState {
   Array<Feature> points_;  // of the wave
   WaveCells cells_;
   double centres_[kWave][3];  // of these
-  SweepFlood flood_;
+  BodyProbe probe_;
 };
 
 }  // namespace dsw

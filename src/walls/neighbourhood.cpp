@@ -1,6 +1,7 @@
 #include "walls/neighbourhood.h"
 
 #include "environment/moving.h"
+#include "sweep/body_probe.h"
 
 namespace dsw {
 
@@ -70,7 +71,7 @@ void Neighbourhood::begin_step(double fraction) {
 bool Neighbourhood::find_turns(Array<uint32_t>& turns) {
   turns.clear();
   for (size_t i = 0; i < near_.size(); ++i) {
-    if (near_[i].first_cell == kNone || near_[i].step == step_) continue;
+    if (!near_[i].is_near || near_[i].step == step_) continue;
     turns.push_back(points_.touched()[i]);
     near_[i].step = step_;
   }
@@ -80,7 +81,7 @@ bool Neighbourhood::find_turns(Array<uint32_t>& turns) {
 
 void Neighbourhood::end_step(double fraction) noexcept {
   for (size_t i = 0; i < near_.size(); ++i) {
-    if (near_[i].first_cell != kNone) continue;
+    if (near_[i].is_near) continue;
     double position[3];
     points_.at(points_.touched()[i], fraction, position);
     points_.put(points_.touched()[i], position);
@@ -88,10 +89,8 @@ void Neighbourhood::end_step(double fraction) noexcept {
 }
 
 const Array<Cell>& Neighbourhood::find_star(uint32_t v) {
-  around_.clear();
   star_.clear();
-  for (uint32_t n = near_[points_.place(v)].first_cell; n != kNone; n = cells_[n].next) around_.insert(cells_[n].cell);
-  for_each_cell_at_vertex(env_.map, v, around_, [&](Cell c) { star_.push_back(c); });
+  for (uint32_t n = near_[points_.place(v)].first_cell; n != kNone; n = cells_[n].next) star_.push_back(cells_[n].cell);
   return star_;
 }
 
@@ -117,13 +116,10 @@ void Neighbourhood::enter(void* user, Cell, uint32_t, Cell to) noexcept {
 bool Neighbourhood::trace(const Feature& feature) {
   const Body& body = *all_.bodies[feature.owner].body;
   if (feature.kind == Feature::kFace) {
-    const uint32_t(&corners)[3] = body.faces[feature.index].corners;
-    const EdgeMotion m{body.position(corners[0]), body.position(corners[1]), body.position(corners[2])};
-    const SweepEnd end = flood_.sweep(m, body.vertices[corners[0]].cell, 0).end;
+    const bool free = is_face_free(env_, flood_, body, feature.index);
     traced_.clear();
     for (size_t i = 0; i < flood_.cells().size(); ++i) traced_.push_back(flood_.cells()[i]);
-    const auto is_met = [&](uint32_t v) { return flood_.cells().contains(body.vertices[v].cell); };
-    return end == SweepEnd::kFree && is_met(corners[1]) && is_met(corners[2]);
+    return free;
   }
   const BodyVertex &p = body.vertices[body.edges[feature.index].ends[0]],
                    &q = body.vertices[body.edges[feature.index].ends[1]];
@@ -174,29 +170,41 @@ void Neighbourhood::note(Cell c, const Feature& feature) {
 
 /** Makes the vertices of a cell near. */
 void Neighbourhood::add_cell(Cell c) {
+  open(c);
+  for (uint32_t i = 0, count = env_.map.vertices_of(c); i < count; ++i) {
+    const uint32_t v = env_.map.vertex(c, i);
+    Near& near = near_[points_.place(v)];
+    near_count_ += near.is_near ? 0 : 1;
+    near.is_near = true;
+    uint32_t n = near.first_cell;
+    while (cells_[n].cell != c) n = cells_[n].next;
+    if (!cells_[n].explored) explore(v, c);
+  }
+}
+
+/** Lets a cell be entered, from now on all of it where it is in this step. */
+void Neighbourhood::open(Cell c) {
+  const uint32_t index = env_.map.index(c);
+  if (env_.checked.is_open(index)) return;
+  open_.push_back(c);
   for (uint32_t i = 0, count = env_.map.vertices_of(c); i < count; ++i) {
     const uint32_t v = env_.map.vertex(c, i);
     points_.touch(v, fraction_);
     near_.resize(points_.touched().size());
     Near& near = near_[points_.place(v)];
-    const bool is_new = near.first_cell == kNone;
-    cells_.push_back({c, near.first_cell});
+    cells_.push_back({c, near.first_cell, false});
     near.first_cell = static_cast<uint32_t>(cells_.size() - 1);
-    if (!is_new) continue;
-    ++near_count_;
-    around_.clear();
-    around_.insert(c);
-    for_each_cell_at_vertex(env_.map, v, around_, [&](Cell at) {
-      for (uint32_t k = 0, corners = env_.map.vertices_of(at); k < corners; ++k) {
-        points_.touch(env_.map.vertex(at, k), fraction_);
-      }
-    });
-    near_.resize(points_.touched().size());
-    for (size_t k = 0; k < around_.size(); ++k) {
-      if (env_.checked.is_open(env_.map.index(around_[k]))) continue;
-      open_.push_back(around_[k]);
-      env_.checked.open(env_.map.index(around_[k]));
-    }
+  }
+  env_.checked.open(index);
+}
+
+/** Opens the cells that can be reached from one round a vertex. Where a boundary is pinched there can be others at it. */
+void Neighbourhood::explore(uint32_t v, Cell c) {
+  around_.clear();
+  around_.insert(c);
+  for_each_cell_at_vertex(env_.map, v, around_, [&](Cell at) { open(at); });
+  for (uint32_t n = near_[points_.place(v)].first_cell; n != kNone; n = cells_[n].next) {
+    cells_[n].explored = cells_[n].explored || around_.contains(cells_[n].cell);
   }
 }
 

@@ -28,7 +28,7 @@ class Neighbourhood {
   /** Takes the vertices round the near ones along. Nothing lies in their cells. */
   void end_step(double fraction) noexcept;
 
-  /** The cells round a near vertex. Valid until the next call. */
+  /** The cells at a near vertex that can be entered; no other can hold anything. Valid until the next call. */
   const Array<Cell>& find_star(uint32_t v);
   /** What lies in the star that was found last, and perhaps more. */
   void find_features(Array<Feature>& features);
@@ -48,18 +48,21 @@ class Neighbourhood {
  private:
   /** A touched vertex. */
   struct Near {
-    uint32_t first_cell = kNone;  // of those that hold occupants, in cells_; kNone: it is not near
+    uint32_t first_cell = kNone;  // of the open ones that have it, in cells_
     uint32_t step = 0;            // the last that it had its turn in
+    bool is_near = false;
   };
   struct CellNode {
     Cell cell;
     uint32_t next;
+    bool explored;  // the cells that can be reached from it round the vertex are open
   };
   static void enter(void* user, Cell from, uint32_t simplex, Cell to) noexcept;
 
   void note(Cell c, const Feature& feature);
   void add_cell(Cell c);
-  void touch_star(uint32_t v);
+  void open(Cell c);
+  void explore(uint32_t v, Cell c);
 
   Environment<3>& env_;
   Occupants& all_;

@@ -38,7 +38,9 @@ void Occupants::restore() noexcept {
 }
 
 uint64_t Occupants::memory_bytes() const noexcept {
-  return array_bytes(bodies) + array_bytes(saved_particles_) + array_bytes(saved_vertices_);
+  uint64_t of_bodies = array_bytes(saved_bodies_);
+  for (const Body& each : saved_bodies_) of_bodies += each.memory_bytes();
+  return of_bodies + array_bytes(bodies) + array_bytes(saved_particles_) + array_bytes(saved_vertices_);
 }
 
 }  // namespace dsw

@@ -2,6 +2,7 @@
 // The environment's points go to new places, and what lies there is kept free [JCD10] 5.1: near occupants one vertex at a time, by index, so
 // that nothing is passed; elsewhere at once.
 
+#include "walls/find_way.h"
 #include "walls/wall_move.h"
 
 namespace dsw {
@@ -15,14 +16,11 @@ class WallMotion {
    * then all is as it was before. O(occupants, volumes met); where the way is shortened, O(points). */
   void run(double* next, const WallSettings& settings, WallRecord& record);
 
-  uint64_t memory_bytes() const noexcept { return around_.memory_bytes() + array_bytes(turns_); }
+  uint64_t memory_bytes() const noexcept { return around_.memory_bytes() + move_.memory_bytes() + array_bytes(turns_); }
 
  private:
-  enum class Went { kThrough, kInvalid, kStopped, kRefused };
-
-  Went try_ways(double* next, const WallSettings& settings, WallRecord& record, double* way);
-  Went try_way(double* next, double way, uint32_t halvings, const WallSettings& settings, WallRecord& record);
-  void finish(double way, WallRecord& record);
+  Went try_steps(double* next, double way, uint32_t halvings, const WallSettings& settings, WallRecord& record);
+  void finish(WallRecord& record);
 
   Environment<3>& env_;
   Occupants& all_;

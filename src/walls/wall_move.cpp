@@ -27,9 +27,7 @@ WallMove::Moved WallMove::move(uint32_t v, const double* to, const WallSettings&
   double from[3];
   std::copy_n(env_.point(v), 3, from);
   if (std::equal(from, from + 3, to)) return Moved::kYes;
-  star_ = &around_.find_star(v);
-  around_.find_features(features_);
-  walls_.start(v, *star_);
+  look_round(v);
   for (int pushes = 0; walls_.has_walls() && find_hits(from, to); ++pushes) {
     record.contacts.push_back(describe(env_, all_, hits_.front(), v, from, to, settings.response));
     if (settings.response == DSW_WALL_STOP) return Moved::kStopped;
@@ -37,7 +35,7 @@ WallMove::Moved WallMove::move(uint32_t v, const double* to, const WallSettings&
       record.contacts.back().response = DSW_WALL_HOLD;
       return Moved::kHeld;
     }
-    around_.find_features(features_);
+    look_round(v);  // what was pushed can have opened cells
   }
   put(v, to);
   bool fine = seat_all();
@@ -54,6 +52,13 @@ WallMove::Moved WallMove::move(uint32_t v, const double* to, const WallSettings&
   if (fine) return Moved::kYes;
   put(v, from);
   return Moved::kInvalid;
+}
+
+/** Finds the cells at a vertex, its walls, and what lies in these cells. */
+void WallMove::look_round(uint32_t v) {
+  star_ = &around_.find_star(v);
+  around_.find_features(features_);
+  walls_.start(v, *star_);
 }
 
 bool WallMove::is_star_valid() const noexcept {
@@ -87,8 +92,11 @@ bool WallMove::make_room(const double* from, const double* to, const WallSetting
         points_.push_back({Feature::kVertex, f.owner, v});
       }
     } else {
-      // What a split leaves of other hits is seen in the next round.
-      if (settings.response == DSW_WALL_INSERT && insert(hit, from, to, settings, record)) return true;
+      const uint32_t middle = settings.response == DSW_WALL_INSERT ? insert(hit, from, to, settings.min_part) : kNone;
+      if (middle != kNone) {
+        points_.push_back({Feature::kVertex, f.owner, middle});
+        continue;
+      }
       for (const uint32_t v : all_.bodies[f.owner].body->edges[f.index].ends) {
         points_.push_back({Feature::kVertex, f.owner, v});
       }
@@ -122,15 +130,14 @@ bool WallMove::push(const Feature& point, const double* from, const double* to) 
   return around_.note_vertex(point.owner, point.index);
 }
 
-/** Puts a vertex on an edge where it is hit, and pushes that. */
-bool WallMove::insert(const WallHit& hit, const double* from, const double* to, const WallSettings& settings,
-                      WallRecord& record) {
+/** Puts a vertex on an edge where it is hit; kNone where that cannot be. */
+uint32_t WallMove::insert(const WallHit& hit, const double* from, const double* to, double min_part) {
   const WallTouch touch = describe_touch(env_, all_, hit, from, to);
-  if (!(touch.along >= settings.min_part && touch.along <= 1 - settings.min_part)) return false;
+  if (!(touch.along >= min_part && touch.along <= 1 - min_part)) return kNone;
   const uint32_t owner = hit.feature.owner;
   Body& body = *all_.bodies[owner].body;
   Cell cell;
-  if (!can_bend(env_, sweeps_, body, hit.feature.index, touch.point, &cell)) return false;
+  if (!can_bend(env_, sweeps_, body, hit.feature.index, touch.point, &cell)) return kNone;
   dsw_body_edit edit;
   MoveRecord& edits = *all_.bodies[owner].record;
   reserve_more(edits.edits, 1);
@@ -139,8 +146,7 @@ bool WallMove::insert(const WallHit& hit, const double* from, const double* to, 
   edits.edits.push_back(edit);
   body.inserted.push_back(middle);
   around_.note_vertex(owner, middle);
-  if (push({Feature::kVertex, owner, middle}, from, to)) ++record.pushed;
-  return true;
+  return middle;
 }
 
 /** Finds the cells in which things are now; false, and points back in theirs, if one is in none that is valid or an edge or face is not

@@ -11,7 +11,7 @@ class WallMove {
   WallMove(Environment<3>& env, Occupants& all, Neighbourhood& around);
 
   /** kHeld: by what is met. kInvalid: cells that hold occupants would not be valid, or something could not be followed into its new
-   * cell. In both cases the vertex stays. kStopped: as kHeld, and nothing has been done. */
+   * cell. In both cases the vertex stays. kStopped: as kHeld, and nothing has been pushed. */
   enum class Moved { kYes, kHeld, kInvalid, kStopped };
 
   /** Moves near vertex v. Contacts go to the record. Throws std::bad_alloc, with a state that holds no more. */
@@ -20,12 +20,16 @@ class WallMove {
   /** Cells round the vertex that was moved last which are not valid with it at `to`. */
   void find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& invalid);
 
+  uint64_t memory_bytes() const noexcept {
+    return array_bytes(features_) + array_bytes(hits_) + array_bytes(points_) + array_bytes(before_);
+  }
+
  private:
+  void look_round(uint32_t v);
   bool find_hits(const double* from, const double* to);
   bool make_room(const double* from, const double* to, const WallSettings& settings, WallRecord& record);
   bool push(const Feature& point, const double* from, const double* to);
-  bool insert(const WallHit& hit, const double* from, const double* to, const WallSettings& settings,
-              WallRecord& record);
+  uint32_t insert(const WallHit& hit, const double* from, const double* to, double min_part);
   void put(uint32_t v, const double* position);
   bool seat_all();
   void unseat() noexcept;

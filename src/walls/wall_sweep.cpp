@@ -1,7 +1,6 @@
 #include "walls/wall_sweep.h"
 
 #include "base/vec.h"
-#include "deform/way.h"
 #include "environment/marking.h"
 #include "predicates/swept_triangle.h"
 
@@ -160,7 +159,7 @@ WallTouch describe_touch(const Environment<3>& env, const Occupants& all, const 
                          const double* to) {
   WallTouch touch;
   double at[3];
-  point_on_way(from, to, hit.time, at);
+  point_at<3>(from, to, hit.time, at);
   const Vec way = difference(to, from);
   Vec normal;
   if (hit.feature.is_point()) {
@@ -174,7 +173,7 @@ WallTouch describe_touch(const Environment<3>& env, const Occupants& all, const 
     const double size = dot(across, across);
     const double along = size > 0 ? dot(cross(difference(at, x), wall), across) / size : 0.5;
     touch.along = std::min(std::max(along, 0.0), 1.0);
-    point_on_way(x, y, touch.along, touch.point);
+    point_at<3>(x, y, touch.along, touch.point);
     normal = unit(cross(wall, unit(edge)));
   } else {
     const Body& body = *all.bodies[hit.feature.owner].body;

@@ -46,7 +46,7 @@ class WallSweep {
 
   const Environment<3>& env_;
   uint32_t vertex_ = kNone;
-  bool marked_ = false;  // the vertex is impassable, by whatever
+  bool marked_ = false;  // the vertex is impassable: by its mark, or by an edge, as every wall has two at it
   Array<Triangle> triangles_;
   Array<Edge> edges_;
 };

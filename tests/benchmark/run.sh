@@ -77,18 +77,20 @@ fi
 mkdir -p "$tree"
 cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDSW_BUILD_TESTS=ON \
   -DDSW_BUILD_EXAMPLES=OFF > "$tree-configure.log" || { cat "$tree-configure.log" >&2; exit 1; }
-cmake --build "$tree" -j "$(nproc)" --target dartsweep_bench dartsweep_bench_predicates dartsweep_oracle
+cmake --build "$tree" -j "$(nproc)" --target dartsweep_bench dartsweep_bench_predicates dartsweep_oracle edits_tests
 
 bench=$tree/tests/benchmark
-if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 cases=110000; else casts=10000000 sweeps=1000000 bodies=250000 cases=500000; fi
+if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 edits=5000 cases=110000
+else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 edits=100000 cases=500000; fi
 "$bench/dartsweep_bench" $quick --json "$tree/walk.json" "${vessel[@]}" "${folder[@]}"
 # The exact parts report what they find and fail on a single difference; their figures are wanted either way.
 failed=0
 "$bench/dartsweep_bench_predicates" --cases "$cases" --json "$tree/predicates.json" || failed=1
-"$tree/tests/oracle/dartsweep_oracle" --casts "$casts" --sweeps "$sweeps" --bodies "$bodies" --json "$tree/oracle.json" ||
-  failed=1
+"$tree/tests/oracle/dartsweep_oracle" --casts "$casts" --sweeps "$sweeps" --bodies "$bodies" --deformations "$deformations" \
+  --json "$tree/oracle.json" || failed=1
+DSW_EDITS=$edits "$tree/tests/property/edits_tests" --gtest_output="json:$tree/edits.json" > "$tree/edits.log" || failed=1
 
 library=$(find "$tree" -name 'libdartsweep.so' | head -n 1)
-python3 "$here/merge.py" "$json" "$library" "$tree/walk.json" "$tree/predicates.json" "$tree/oracle.json"
+python3 "$here/merge.py" "$json" "$library" "$tree/edits.json" "$tree/walk.json" "$tree/predicates.json" "$tree/oracle.json"
 echo "wrote $json"
 exit $failed

@@ -78,20 +78,6 @@ static void raise_floor(double by) {
   }
 }
 
-static dsw_body_id make_edge(const double *positions, dsw_level level) {
-  static const uint32_t edge[2] = {0, 1};
-  dsw_body_desc d;
-  dsw_body_id id = {9, 9};
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = 2;
-  d.edges = edge;
-  d.edge_count = 1;
-  CHECK_OK(dsw_body_create(g_scene, &d, &id));
-  return id;
-}
-
 static void a_floor_lifts_a_particle(void) {
   const double at[3] = {2.3, 1.4, 2.2};
   dsw_particle_id particle;
@@ -132,7 +118,7 @@ static void an_edge_is_pushed_split_or_holds_the_wall(void) {
     size_t held_count = 0;
     begin(DSW_FEATURE_DEFORMING);
     mark_floor();
-    body = make_edge(positions, DSW_LEVEL_EDGES_SWEPT);
+    body = make_edge_body(g_scene, positions, DSW_LEVEL_EDGES_SWEPT);
     point(2, 2, 2)[2] += 0.4; /* one vertex, below the middle of the edge */
     report = deform(&o);
     CHECK(report.contact_count >= 1);
@@ -177,7 +163,7 @@ static void what_is_squeezed_holds_the_walls(void) {
       CHECK_OK(dsw_environment_mark_faces(g_env, &face, 1, DSW_MARK_IMPASSABLE));
     }
   }
-  body = make_edge(positions, DSW_LEVEL_FACES);
+  body = make_edge_body(g_scene, positions, DSW_LEVEL_FACES);
   for (y = 0; y <= N; ++y) {
     for (x = 0; x <= N; ++x) point(x, y, 3)[2] = 2.01;
   }
@@ -344,6 +330,52 @@ static void bad_arguments(void) {
   end();
 }
 
+/* Two cubes that share one point alone: it goes into either, and what lies there is pushed. */
+static void a_point_between_two_cubes(void) {
+  static const double at[2][3] = {{0.9, 0.9, 0.9}, {1.1, 1.1, 1.1}};
+  double points[2][3 * 15];
+  int64_t cells[16];
+  dsw_environment_desc d;
+  dsw_environment *environment = NULL;
+  dsw_scene *scene;
+  dsw_particle_id particles[2];
+  int i, k, turn;
+  for (i = 0; i < 15; ++i) {
+    const int upper = i >= 8, corner = upper ? i - 7 : i; /* point 7 is corner 0 of the upper cube */
+    for (k = 0; k < 3; ++k) points[0][3 * i + k] = ((corner >> k) & 1) + upper;
+  }
+  for (i = 0; i < 8; ++i) {
+    const int corner = (i & 4) | (i & 2) | (((i >> 1) ^ i) & 1); /* VTK goes round, not across */
+    cells[i] = corner;
+    cells[8 + i] = 7 + corner;
+  }
+  memcpy(points[1], points[0], sizeof points[0]);
+  dsw_environment_desc_init(&d, sizeof d);
+  d.points = points[0];
+  d.point_count = 15;
+  d.connectivity = cells;
+  d.connectivity_count = 16;
+  d.cell_count = 2;
+  CHECK_OK(dsw_environment_create(NULL, &d, &environment, NULL));
+  scene = make_scene(environment, DSW_FEATURE_DEFORMING);
+  for (i = 0; i < 2; ++i) CHECK_OK(dsw_particle_create(scene, at[i], no_volume, &particles[i]));
+  for (turn = 0; turn < 4; ++turn) {
+    dsw_deform_report report;
+    double *const next = points[turn % 2 == 0 ? 1 : 0];
+    for (k = 0; k < 3; ++k) next[3 * 7 + k] = turn % 2 == 0 ? 0.75 : 1.25;
+    CHECK_OK(dsw_scene_deform(scene, next, 15, NULL, &report));
+    CHECK(report.outcome == DSW_DEFORM_DONE && report.contact_count == (turn < 2 ? 1u : 0u));
+    for (i = 0; i < 2; ++i) {
+      double now[3];
+      dsw_volume_id volume;
+      CHECK_OK(dsw_particle_get(scene, particles[i], now, &volume));
+      CHECK(volume.index == (uint32_t)i && (i == 0 ? now[0] < 0.76 : now[0] > 1.24 || turn == 0));
+    }
+  }
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
 /* What was deformed is saved as it is, and walks fast again when it is loaded. */
 static void saved_and_loaded(void) {
   size_t size = 0;
@@ -372,6 +404,7 @@ int main(void) {
   steps_are_halved_where_cells_would_fold();
   invalid_volumes();
   end_state();
+  a_point_between_two_cubes();
   bad_arguments();
   saved_and_loaded();
   return check_result();

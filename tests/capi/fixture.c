@@ -95,6 +95,20 @@ dsw_scene *make_scene(dsw_environment *environment, uint32_t features) {
   return scene;
 }
 
+dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level level) {
+  static const uint32_t edge[2] = {0, 1};
+  dsw_body_desc d;
+  dsw_body_id id = {0, 0};
+  dsw_body_desc_init(&d, sizeof d);
+  d.level = level;
+  d.positions = positions;
+  d.vertex_count = 2;
+  d.edges = edge;
+  d.edge_count = 1;
+  stop_unless(dsw_body_create(scene, &d, &id) == DSW_STATUS_OK, "body");
+  return id;
+}
+
 dsw_volume_id volume_at(uint32_t index) {
   dsw_volume_id id;
   id.index = index;

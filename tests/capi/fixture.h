@@ -22,6 +22,8 @@ dsw_environment_desc grid_desc(const grid *g);
 /* An environment of the grid; stops the program if that fails. */
 dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny, unsigned nz);
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features);
+/* A body of one edge between two points; stops the program if that fails. */
+dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level level);
 
 dsw_volume_id volume_at(uint32_t index);
 dsw_face_id face_at(uint32_t volume, uint32_t local);

@@ -40,17 +40,7 @@ static const dsw_body_id nobody = {0, 0};
 /* From (0.5, 2.5, 1.5) to (2.5, 2.5, 1.5): through three cubes. */
 static dsw_body_id edge_body(dsw_level level) {
   static const double positions[6] = {0.5, 2.5, 1.5, 2.5, 2.5, 1.5};
-  static const uint32_t edge[2] = {0, 1};
-  dsw_body_desc d;
-  dsw_body_id id = {9, 9};
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = 2;
-  d.edges = edge;
-  d.edge_count = 1;
-  CHECK_OK(dsw_body_create(g_scene, &d, &id));
-  return id;
+  return make_edge_body(g_scene, positions, level);
 }
 
 /* A triangle at z = 1.5 round cube (2, 1, 1), which its edges do not cross. */

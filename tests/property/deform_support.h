@@ -12,13 +12,4 @@ inline std::vector<double> points_of(const dsw_environment* environment) {
   return std::vector<double>(points, points + 3 * count);
 }
 
-inline ScenePtr make_deforming(dsw_environment* environment) {
-  dsw_scene_desc desc;
-  dsw_scene_desc_init(&desc, sizeof desc);
-  desc.features = DSW_FEATURE_DEFORMING;
-  dsw_scene* scene = nullptr;
-  EXPECT_EQ(dsw_scene_create(environment, &desc, &scene), DSW_STATUS_OK) << dsw_last_error_message();
-  return ScenePtr(scene);
-}
-
 }  // namespace dsw::oracle

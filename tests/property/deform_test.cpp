@@ -20,11 +20,17 @@ class DeformTest : public BodyTest {
   void SetUp() override {
     BodyTest::SetUp();
     scene_.reset();
-    scene_ = make_deforming(place_.get());
+    scene_ = make_scene(place_.get(), DSW_FEATURE_DEFORMING);
     mark_wall(1, 1, 1);
     mark_wall(1, 2, 1);
     mark_wire(2, 2, 1);
   }
+  void TearDown() override {
+    scene_.reset();
+    place_.environment.reset();  // before what it reads
+  }
+
+  std::vector<double> arrays_[2];  // lent
 };
 
 TEST_F(DeformTest, GivesTheSameBitsTwice) {
@@ -47,6 +53,24 @@ TEST_F(DeformTest, GivesTheSameBitsTwice) {
   EXPECT_EQ(bits[0], bits[1]);
 }
 
+TEST_F(DeformTest, KeepsAFaceWithItsCornersInOneLine) {
+  const BodyPlan plan{{{0.25, 0.5, 0.5}, {0.75, 2.5, 0.5}, {0.5, 1.5, 0.5}}, {}, {{0, 1, 2}}};
+  const dsw_body_id body = make(plan, DSW_LEVEL_FACES);
+  for (const dsw_deform_method method : {DSW_DEFORM_SWEPT, DSW_DEFORM_END_STATE}) {
+    dsw_deform_options options;
+    dsw_deform_options_init(&options, sizeof options);
+    options.method = method;
+    const std::vector<double> now = points_of(place_.get());
+    std::vector<double>& next = arrays_[method == DSW_DEFORM_SWEPT ? 0 : 1];
+    next = bent(now, 0.05);
+    dsw_deform_report report;
+    ASSERT_EQ(dsw_scene_deform(scene(), next.data(), next.size() / 3, &options, &report), DSW_STATUS_OK);
+    EXPECT_EQ(report.outcome, DSW_DEFORM_DONE) << method;
+    EXPECT_EQ(report.steps, method == DSW_DEFORM_SWEPT ? 1u : 0u);
+  }
+  EXPECT_EQ(read(body).at, plan.at);
+}
+
 TEST_F(DeformTest, CostsNothingWhereNothingLies) {
   std::vector<double> next = bent(points_of(place_.get()), 0.2);
   dsw_deform_report report;
@@ -61,7 +85,7 @@ class DeformMemoryTest : public MemoryTest {
   void SetUp() override {
     MemoryTest::SetUp();
     scene_.reset();
-    scene_ = make_deforming(place_.get());
+    scene_ = make_scene(place_.get(), DSW_FEATURE_DEFORMING);
   }
 };
 

@@ -25,7 +25,7 @@ TEST(DeformThreads, FindOutTogetherWhichVolumesAreValid) {
     std::vector<double> next = points_of(place.get());
     Rng folds(7);
     for (double& x : next) x += folds.chance(0.02) ? 0.9 : 0;
-    ScenePtr scene = make_deforming(place.get());
+    ScenePtr scene = make_scene(place.get(), DSW_FEATURE_DEFORMING);
     ASSERT_EQ(dsw_scene_deform(scene.get(), next.data(), next.size() / 3, nullptr, nullptr), DSW_STATUS_OK);
     flights[turn].resize(3000);
     ASSERT_EQ(dsw_environment_cast_segments(place.get(), 3000, nullptr, from.data(), to.data(), 0, nullptr,

@@ -7,7 +7,7 @@
 #include "environment/validity.h"
 #include "map/integrity.h"
 #include "random_edits.h"
-#include "scene/body_probe.h"
+#include "sweep/body_probe.h"
 
 namespace dsw::oracle {
 namespace {

@@ -49,6 +49,7 @@ TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) {
     }
   }
   EXPECT_GT(exact_checks, 0u);
+  RecordProperty("changes", static_cast<int>(done));
   for (size_t i = 0; i < std::size(sums); ++i) {
     RecordProperty(name_of(static_cast<Operation>(i)), static_cast<int>(sums[i].done));
   }

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "body_state.h"
-#include "deform_support.h"
 
 namespace dsw::oracle {
 namespace {
@@ -46,7 +45,7 @@ RandomEdits::RandomEdits(const std::string& scene, uint64_t seed, FailingMemory*
   first_count_ = env().map.cell_count;
   volume_ = volume();
   mark_some();
-  scene_ = seed % 2 == 0 ? make_scene(place_.get()) : make_deforming(place_.get());
+  scene_ = make_scene(place_.get(), seed % 2 == 0 ? 0u : uint32_t{DSW_FEATURE_DEFORMING});
   add_particles();
   add_bodies();
 }

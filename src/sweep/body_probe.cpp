@@ -1,7 +1,7 @@
 // Vertices are looked up, edges cast and faces swept by one of their edges, each once: when a body is created or its level raised, and
 // when obstacles appear; then only what overlaps their box is looked at.
 
-#include "scene/body_probe.h"
+#include "sweep/body_probe.h"
 
 #include <algorithm>
 #include <limits>
@@ -56,6 +56,16 @@ bool Box::overlaps(const double* const* points, int count) const noexcept {
   return true;
 }
 
+bool is_face_free(const Environment<3>& env, SweepFlood& flood, const Body& body, uint32_t face) {
+  const uint32_t(&c)[3] = body.faces[face].corners;
+  const EdgeMotion m{body.position(c[0]), body.position(c[1]), body.position(c[2])};
+  const Cell start = body.vertices[c[0]].cell;
+  if (flood.sweep(m, start, 0, true).end != SweepEnd::kFree) return false;
+  // Over a fold of the environment the flood is in another part of it than the corners. Of corners in one line it goes nowhere.
+  const auto is_met = [&](uint32_t v) { return flood.cells().contains(body.vertices[v].cell); };
+  return (is_met(c[1]) && is_met(c[2])) || swept_side(m, env.point(start, 0)).sign == 0;
+}
+
 BodyProbe::BodyProbe(const Environment<3>& env, const Box& changed, Obstacle kind)
     : env_(env), changed_(changed), kind_(kind), flood_(env) {}
 
@@ -105,16 +115,9 @@ bool BodyProbe::visit_faces(const Body& body, SweepLevel level, Visit visit) {
     if (!body.has_face(f)) continue;
     const uint32_t* const c = body.faces[f].corners;
     const double* const corners[3] = {body.position(c[0]), body.position(c[1]), body.position(c[2])};
-    if (changed_.overlaps(corners, 3) && !sweep_face(body, f) && !visit(f)) return false;
+    if (changed_.overlaps(corners, 3) && !is_face_free(env_, flood_, body, f) && !visit(f)) return false;
   }
   return true;
-}
-
-/** Whether a face is free: the triangle that its first edge sweeps over it. If not, flood_ has all contacts. */
-bool BodyProbe::sweep_face(const Body& body, uint32_t face) {
-  const uint32_t* const c = body.faces[face].corners;
-  const EdgeMotion m{body.position(c[0]), body.position(c[1]), body.position(c[2])};
-  return flood_.sweep(m, body.vertices[c[0]].cell, 0, true).end == SweepEnd::kFree;
 }
 
 bool BodyProbe::is_free(const Body& body) {
@@ -159,7 +162,7 @@ size_t BodyProbe::leave_out(Environment<3>& env, const Body& body) {
       }
       DSW_ASSERT(passed.count != before);
       if (passed.count == before) fail(DSW_STATUS_OCCUPIED, "face %u of a body meets what was impassable before", f);
-    } while (!sweep_face(body, f));
+    } while (!is_face_free(env_, flood_, body, f));
     return true;
   });
   return passed.count;

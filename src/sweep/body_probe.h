@@ -18,6 +18,10 @@ struct Box {
   bool overlaps(const double* const* points, int count) const noexcept;
 };
 
+/** Whether a face that stands still is free, if its edges are: the triangle that its first edge sweeps over it. `flood` has the cells that
+ * it meets, and if it is not free all contacts. Throws std::bad_alloc. */
+bool is_face_free(const Environment<3>& env, SweepFlood& flood, const Body& body, uint32_t face);
+
 /** What has become impassable. */
 enum class Obstacle { kCells, kFacets, kWires };
 
@@ -45,7 +49,6 @@ class BodyProbe {
   bool visit_edges(const Body& body, SweepLevel level, Visit visit);
   template <class Visit>
   bool visit_faces(const Body& body, SweepLevel level, Visit visit);
-  bool sweep_face(const Body& body, uint32_t face);
 
   const Environment<3>& env_;
   Box changed_;
