@@ -40,8 +40,8 @@ Facet read_facet(const Environment<3>& env, Cell c, uint32_t f) {
 }
 
 /** Writes triangles, given by loop positions, into one cell; the other side sees them turned round. */
-void write_triangles(Map<3>& map, Cell c, uint32_t f, const std::vector<uint16_t>& loop,
-                     const std::vector<size_t>& triangles, bool turned) {
+void write_triangles(Map<3>& map, Cell c, uint32_t f, const std::vector<uint16_t>& loop, const Array<size_t>& triangles,
+                     bool turned) {
   uint32_t* w = map.record(c);
   if (map.form(c) == Form::kGeneral) {
     std::vector<uint16_t> local;
@@ -79,13 +79,13 @@ bool is_cut_well(const Environment<3>& env, Cell c, uint32_t f, const double* ap
 
 /** The part between positions i and j has such triangles if some k between them makes a positive triangle and both remaining parts have
  * them. Fans are among what is tried. */
-std::vector<size_t> triangulate(const std::vector<const double*>& loop, const double* apex, const double* beyond) {
+Array<size_t> triangulate(const Array<const double*>& loop, const double* apex, const double* beyond) {
   const size_t n = loop.size();
   const auto is_positive = [&](size_t i, size_t j, size_t k) {
     const double* points[3] = {loop[i], loop[j], loop[k]};
     return orient<3>(points, apex) < 0 && (beyond == nullptr || orient<3>(points, beyond) > 0);
   };
-  std::vector<size_t> third(n * n, n), triangles;
+  Array<size_t> third(n * n, n, Allocator<size_t>(loop.get_allocator())), triangles(third.get_allocator());
   const auto possible = [&](size_t i, size_t j) { return j == i + 1 || third[i * n + j] != n; };
   for (size_t span = 2; span < n; ++span) {
     for (size_t i = 0; i + span < n; ++i) {
@@ -96,7 +96,11 @@ std::vector<size_t> triangulate(const std::vector<const double*>& loop, const do
     }
   }
   if (!possible(0, n - 1)) return triangles;
-  std::vector<std::pair<size_t, size_t>> parts{{0, n - 1}};
+  struct Part {
+    size_t i, j;
+  };
+  Array<Part> parts{Allocator<Part>(third.get_allocator())};
+  parts.push_back({0, n - 1});
   while (!parts.empty()) {
     const auto [i, j] = parts.back();
     parts.pop_back();
@@ -116,10 +120,9 @@ void recut_cell(Environment<3>& env, Cell c, Array<Cell>& changed) {
     const uint32_t size = env.map.shape(c).facet_size(f);
     if (size == 3 || size > kMostTriangulated || is_cut_well(env, c, f, apex)) continue;
     const Facet facet = read_facet(env, c, f);
-    std::vector<const double*> loop;
+    Array<const double*> loop{Allocator<const double*>(env.memory)};
     for (const uint16_t v : facet.loop) loop.push_back(env.point(c, v));
-    const std::vector<size_t> triangles =
-        triangulate(loop, facet.apex, facet.other.valid() ? facet.other_apex : nullptr);
+    const Array<size_t> triangles = triangulate(loop, facet.apex, facet.other.valid() ? facet.other_apex : nullptr);
     if (triangles.empty()) continue;
     write_triangles(env.map, c, f, facet.loop, triangles, false);
     if (!facet.other.valid()) continue;

@@ -2,7 +2,7 @@
 // What a moving vertex p of a body sweeps on its way to p', in space and exact under the shift: with an edge p q the triangle
 // p p' q [JCD10] 4.1, with a face p q r the tetrahedron p p' q r.
 
-#include "motion/cell_queue.h"
+#include "map/cell_queue.h"
 #include "motion/line_table.h"
 #include "motion/sweep_contact.h"
 #include "predicates/swept_triangle.h"

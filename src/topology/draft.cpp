@@ -93,9 +93,9 @@ bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Array<uint32_t
     fail(DSW_STATUS_TOO_LARGE, "a face of %zu vertices has to be cut anew, more than %u", hole.size(),
          kMostTriangulated);
   }
-  std::vector<const double*> points;
+  Array<const double*> points{Allocator<const double*>(env.memory)};
   for (const uint32_t v : hole) points.push_back(env.point(v));
-  const std::vector<size_t> triangles = triangulate(points, apex, beyond);
+  const Array<size_t> triangles = triangulate(points, apex, beyond);
   for (const size_t place : triangles) facet.triangles.push_back(hole[place]);
   return !triangles.empty();
 }

@@ -1,22 +1,14 @@
 // Edges split by a vertex, merged where a vertex goes, and collapsed. All volumes round the edge, or the vertex, change.
 
-#include <cmath>
-
 #include "base/error.h"
+#include "base/vec.h"
 #include "environment/marking.h"
+#include "map/cell_queue.h"
 #include "predicates/filtered.h"
 #include "topology/operations.h"
 
 namespace dsw {
 namespace {
-
-/** a + share (b - a), rounded, also where b - a is too large for a double. */
-void point_between(const double* a, const double* b, double share, double* out) {
-  for (int k = 0; k < 3; ++k) {
-    const double step = b[k] - a[k];
-    out[k] = std::isfinite(step) ? a[k] + share * step : (1 - share) * a[k] + share * b[k];
-  }
-}
 
 /** Puts a vertex between two neighbours of a facet's loop; whether they are neighbours there. */
 bool insert_between(FacetDraft& facet, uint32_t a, uint32_t b, uint32_t middle) {
@@ -86,22 +78,6 @@ void check_alone(const Map<3>& map, uint32_t vertex, size_t cells) {
        vertex, map.vertex_uses[vertex], cells);
 }
 
-/** The cells of a vertex that are joined through its faces with a first one. */
-void find_cells_round(const Map<3>& map, Cell first, uint32_t vertex, Array<Cell>& cells) {
-  cells.assign(1, first);
-  for (size_t i = 0; i < cells.size(); ++i) {
-    const Cell c = cells[i];
-    const Shape shape = map.shape(c);
-    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-      if (map.vertex(c, shape.dart_vertex(d)) != vertex) continue;
-      const HalfFacet o = map.opposite(map.half_facet(c, shape.dart_facet(d)));
-      if (!o.valid()) continue;
-      const Cell next = map.cell_of(o);
-      if (std::find(cells.begin(), cells.end(), next) == cells.end()) cells.push_back(next);
-    }
-  }
-}
-
 /** Moves a facet's vertex to another one. Whether a facet is left. */
 bool move_vertex(FacetDraft& facet, uint32_t from, uint32_t to) {
   const uint32_t at = facet.place_of(from);
@@ -140,7 +116,9 @@ class Collapse {
         flat_(Allocator<Flat>(env_.memory)) {}
 
   void run(Cell first) {
-    find_cells_round(map_, first, from_, cells_);
+    CellQueue around(env_.memory);
+    around.insert(first);
+    for_each_cell_at_vertex(map_, from_, around, [&](Cell c) { cells_.push_back(c); });
     check_alone(map_, from_, cells_.size());
     check_boundary();
     move_marks();
@@ -226,7 +204,7 @@ uint32_t split_edge(Edit& edit, Dart d, double share) {
   const Map<3>& map = env.map;
   const uint32_t a = dart_vertex(map, d), b = dart_target(map, d);
   double point[3];
-  point_between(env.point(a), env.point(b), share, point);
+  point_at<3>(env.point(a), env.point(b), share, point);
   const uint32_t middle = edit.add_vertex(point);
   for_each_volume_round_edge(map, d, [&](Dart e) {
     for (FacetDraft& facet : edit.draft(edit.replace(e.cell)).facets) insert_between(facet, a, b, middle);

@@ -1,6 +1,5 @@
 #include "walls/neighbourhood.h"
 
-#include "environment/moving.h"
 #include "sweep/body_probe.h"
 
 namespace dsw {

@@ -3,7 +3,7 @@
 // those. Only these cells can be entered meanwhile; the rest of the environment is at its new place already.
 
 #include "deform/moving_points.h"
-#include "motion/cell_queue.h"
+#include "map/cell_queue.h"
 #include "motion/sweep.h"
 #include "walls/occupants.h"
 

@@ -45,4 +45,20 @@ class CellQueue {
   Array<uint32_t> slots_;  // their units by hash, linear probing; kNoCell is empty
 };
 
+/** Adds to `around` the cells that can be reached from those in it through facets at a vertex, passable or not; visit(cell) is called for
+ * all. Where a boundary is pinched there can be others at the vertex. Throws std::bad_alloc. */
+template <int D, class Visit>
+void for_each_cell_at_vertex(const Map<D>& map, uint32_t vertex, CellQueue& around, Visit visit) {
+  for (size_t i = 0; i < around.size(); ++i) {
+    const Cell at = around[i];
+    visit(at);
+    const Shape shape = map.shape(at);
+    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+      if (map.vertex(at, shape.dart_vertex(d)) != vertex) continue;
+      const HalfFacet o = map.opposite(map.half_facet(at, shape.dart_facet(d)));
+      if (o.valid()) around.insert(map.cell_of(o));
+    }
+  }
+}
+
 }  // namespace dsw
