@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "sweep/body_probe.h"
 #include "scene/scene.h"
+#include "sweep/body_probe.h"
 
 namespace dsw {
 namespace {

@@ -4,8 +4,8 @@
 #include "scene/edits.h"
 
 #include "motion/cast.h"
-#include "sweep/body_probe.h"
 #include "scene/occupation.h"
+#include "sweep/body_probe.h"
 
 namespace dsw {
 namespace {
