@@ -1,35 +1,10 @@
 #include "bullet.h"
 
-#include <BulletCollision/BroadphaseCollision/btDbvt.h>
-#include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
-#include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
-#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
+#include "bullet_casts.h"
 
 namespace dsw::bench {
 
 namespace {
-
-btVector3 to_bullet(const double* xyz) {
-  return {static_cast<btScalar>(xyz[0]), static_cast<btScalar>(xyz[1]), static_cast<btScalar>(xyz[2])};
-}
-
-/** Bullet's own segment/triangle test; keeps the first hit. */
-class FirstHit final : public btTriangleRaycastCallback {
- public:
-  FirstHit(const btVector3& from, const btVector3& to) : btTriangleRaycastCallback(from, to, kF_KeepUnflippedNormal) {}
-
-  btScalar reportHit(const btVector3&, btScalar fraction, int, int index) override {
-    triangle = index;
-    return fraction;
-  }
-
-  int triangle = -1;
-};
-
-struct Result {
-  int triangle;
-  float fraction;
-};
 
 class Bullet : public Engine {
  public:
@@ -47,29 +22,14 @@ class Bullet : public Engine {
     }
   }
 
-  void prepare(const Segments& segments) override {
-    from_.clear();
-    to_.clear();
-    for (std::size_t i = 0; i < segments.count(); ++i) {
-      from_.push_back(to_bullet(&segments.from[3 * i]));
-      to_.push_back(to_bullet(&segments.to[3 * i]));
-    }
-    results_.resize(segments.batch);
-  }
-
-  Answer answer(std::size_t i) const override {
-    const Result& result = results_[i];
-    if (result.triangle < 0) {
-      return {};
-    }
-    return {walls_.triangle_wall[static_cast<std::size_t>(result.triangle)], static_cast<double>(result.fraction)};
-  }
+  void prepare(const Segments& segments) override { casts_.prepare(segments); }
+  Answer answer(std::size_t i) const override { return casts_.answer(i, walls_); }
 
  protected:
   const WallMesh& walls_;
-  std::vector<btVector3> vertices_, from_, to_;
+  std::vector<btVector3> vertices_;
   std::vector<int> indices_;  // 3 a triangle
-  std::vector<Result> results_;
+  BulletCasts casts_;
 };
 
 class BulletMesh final : public Bullet {
@@ -82,21 +42,7 @@ class BulletMesh final : public Bullet {
     shape_ = std::make_unique<btBvhTriangleMeshShape>(mesh_.get(), quantized);
   }
 
-  void run(std::size_t first, std::size_t count) override {
-    for (std::size_t i = 0; i < count; ++i) {
-      const btVector3 &from = from_[first + i], &to = to_[first + i];
-      FirstHit hit(from, to);
-      if (box_) {
-        btVector3 low = from, high = from;
-        low.setMin(to);
-        high.setMax(to);
-        shape_->processAllTriangles(&hit, low, high);
-      } else {
-        shape_->performRaycast(&hit, from, to);
-      }
-      results_[i] = {hit.triangle, hit.m_hitFraction};
-    }
-  }
+  void run(std::size_t first, std::size_t count) override { casts_.run(*shape_, box_, first, count); }
 
  private:
   bool box_;
@@ -119,50 +65,14 @@ class BulletTree final : public Bullet {
   }
 
   void run(std::size_t first, std::size_t count) override {
-    Visitor visitor;
-    visitor.triangles = triangles_.data();
-    for (std::size_t i = 0; i < count; ++i) {
-      const btVector3 &from = from_[first + i], &to = to_[first + i];
-      FirstHit hit(from, to);
-      visitor.hit = &hit;
-      if (box_) {
-        btVector3 low = from, high = from;
-        low.setMin(to);
-        high.setMax(to);
-        tree_.collideTVNoStackAlloc(tree_.m_root, btDbvtVolume::FromMM(low, high), stack_, visitor);
-      } else {
-        btVector3 direction = to - from;
-        const btScalar length = direction.length();
-        if (length > 0) {
-          direction /= length;
-        }
-        btVector3 inverse;
-        unsigned int signs[3];
-        for (int k = 0; k < 3; ++k) {
-          inverse[k] = direction[k] == 0 ? btScalar(BT_LARGE_FLOAT) : 1 / direction[k];
-          signs[k] = inverse[k] < 0 ? 1u : 0u;
-        }
-        const btVector3 zero(0, 0, 0);
-        tree_.rayTestInternal(tree_.m_root, from, to, inverse, signs, length, zero, zero, stack_, visitor);
-      }
-      results_[i] = {hit.triangle, hit.m_hitFraction};
-    }
+    casts_.run(tree_, box_, first, count,
+               [this](std::size_t triangle, btVector3*) { return triangles_.data() + 3 * triangle; });
   }
 
  private:
-  struct Visitor final : btDbvt::ICollide {
-    void Process(const btDbvtNode* leaf) override {
-      const auto index = reinterpret_cast<std::size_t>(leaf->data);
-      hit->processTriangle(triangles + 3 * index, 0, static_cast<int>(index));
-    }
-    btVector3* triangles = nullptr;
-    FirstHit* hit = nullptr;
-  };
-
   bool box_;
   btDbvt tree_;
   std::vector<btVector3> triangles_;
-  btAlignedObjectArray<const btDbvtNode*> stack_;
 };
 
 }  // namespace

@@ -1,30 +1,14 @@
 #include "bullet_change.h"
 
-#include <BulletCollision/BroadphaseCollision/btDbvt.h>
+#include "bullet_casts.h"
+
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
-#include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
-#include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
-#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 
 namespace dsw::bench {
 
 namespace {
-
-btVector3 to_bullet(const double* xyz) {
-  return {static_cast<btScalar>(xyz[0]), static_cast<btScalar>(xyz[1]), static_cast<btScalar>(xyz[2])};
-}
-
-class FirstHit final : public btTriangleRaycastCallback {
- public:
-  FirstHit(const btVector3& from, const btVector3& to) : btTriangleRaycastCallback(from, to, kF_KeepUnflippedNormal) {}
-  btScalar reportHit(const btVector3&, btScalar fraction, int, int) override {
-    met = true;
-    return fraction;
-  }
-  bool met = false;
-};
 
 /** Six corners a wall, by slot. */
 class Corners {
@@ -82,23 +66,14 @@ class Casting : public ChangingEngine {
  public:
   using ChangingEngine::ChangingEngine;
 
-  void prepare(const Segments& segments) override {
-    from_.clear();
-    to_.clear();
-    for (std::size_t i = 0; i < segments.count(); ++i) {
-      from_.push_back(to_bullet(&segments.from[3 * i]));
-      to_.push_back(to_bullet(&segments.to[3 * i]));
-    }
-    times_.resize(segments.batch);
-  }
+  void prepare(const Segments& segments) override { casts_.prepare(segments); }
   Answer answer(std::size_t i) const override {
-    return times_[i] < 0 ? Answer{} : Answer{0, static_cast<double>(times_[i])};
+    const auto& result = casts_.result(i);
+    return result.triangle < 0 ? Answer{} : Answer{0, static_cast<double>(result.fraction)};
   }
 
  protected:
-  void keep(std::size_t i, const FirstHit& hit) { times_[i] = hit.met ? hit.m_hitFraction : -1.0f; }
-  std::vector<btVector3> from_, to_;
-  std::vector<float> times_;
+  BulletCasts casts_;
 };
 
 class Tree final : public Casting {
@@ -128,45 +103,11 @@ class Tree final : public Casting {
   }
 
   void run(std::size_t first, std::size_t count) override {
-    Visitor visitor;
-    visitor.corners = corners_.corners.data();
-    for (std::size_t i = 0; i < count; ++i) {
-      const btVector3 &from = from_[first + i], &to = to_[first + i];
-      FirstHit hit(from, to);
-      visitor.hit = &hit;
-      if (box_) {
-        btVector3 low = from, high = from;
-        low.setMin(to);
-        high.setMax(to);
-        tree_.collideTVNoStackAlloc(tree_.m_root, btDbvtVolume::FromMM(low, high), stack_, visitor);
-      } else {
-        btVector3 direction = to - from, inverse;
-        const btScalar length = direction.length();
-        if (length > 0) {
-          direction /= length;
-        }
-        unsigned int signs[3];
-        for (int k = 0; k < 3; ++k) {
-          inverse[k] = direction[k] == 0 ? btScalar(BT_LARGE_FLOAT) : 1 / direction[k];
-          signs[k] = inverse[k] < 0 ? 1u : 0u;
-        }
-        const btVector3 zero(0, 0, 0);
-        tree_.rayTestInternal(tree_.m_root, from, to, inverse, signs, length, zero, zero, stack_, visitor);
-      }
-      keep(i, hit);
-    }
+    casts_.run(tree_, box_, first, count,
+               [this](std::size_t triangle, btVector3*) { return &corners_.corners[3 * triangle]; });
   }
 
  private:
-  struct Visitor final : btDbvt::ICollide {
-    void Process(const btDbvtNode* leaf) override {
-      const auto index = reinterpret_cast<std::size_t>(leaf->data);
-      hit->processTriangle(corners + 3 * index, 0, static_cast<int>(index));
-    }
-    btVector3* corners = nullptr;
-    FirstHit* hit = nullptr;
-  };
-
   void insert(std::size_t slot) {
     for (std::size_t part = 0; part < 2; ++part) {
       const std::size_t index = 2 * slot + part;
@@ -179,7 +120,6 @@ class Tree final : public Casting {
   Corners corners_;
   btDbvt tree_;
   std::vector<btDbvtNode*> leaves_;
-  btAlignedObjectArray<const btDbvtNode*> stack_;
 };
 
 class Rebuilt final : public Casting {
@@ -194,13 +134,7 @@ class Rebuilt final : public Casting {
     build();
   }
 
-  void run(std::size_t first, std::size_t count) override {
-    for (std::size_t i = 0; i < count; ++i) {
-      FirstHit hit(from_[first + i], to_[first + i]);
-      shape_->performRaycast(&hit, from_[first + i], to_[first + i]);
-      keep(i, hit);
-    }
-  }
+  void run(std::size_t first, std::size_t count) override { casts_.run(*shape_, false, first, count); }
 
  private:
   void build() { shape_ = std::make_unique<btBvhTriangleMeshShape>(mesh_.get(), true); }

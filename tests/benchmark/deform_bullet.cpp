@@ -1,28 +1,10 @@
 #include "deform_peers.h"
 
-#include <BulletCollision/BroadphaseCollision/btDbvt.h>
-#include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
-#include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
-#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
+#include "bullet_casts.h"
 
 namespace dsw::bench {
 
 namespace {
-
-btVector3 to_bullet(const double* xyz) {
-  return {static_cast<btScalar>(xyz[0]), static_cast<btScalar>(xyz[1]), static_cast<btScalar>(xyz[2])};
-}
-
-/** Bullet's own segment/triangle test; keeps the first hit. */
-class FirstHit final : public btTriangleRaycastCallback {
- public:
-  FirstHit(const btVector3& from, const btVector3& to) : btTriangleRaycastCallback(from, to, kF_KeepUnflippedNormal) {}
-  btScalar reportHit(const btVector3&, btScalar fraction, int, int index) override {
-    triangle = index;
-    return fraction;
-  }
-  int triangle = -1;
-};
 
 class MovingBullet : public MovingEngine {
  public:
@@ -41,36 +23,16 @@ class MovingBullet : public MovingEngine {
     }
   }
 
-  void prepare(const Segments& segments) override {
-    from_.clear();
-    to_.clear();
-    for (std::size_t i = 0; i < segments.count(); ++i) {
-      from_.push_back(to_bullet(&segments.from[3 * i]));
-      to_.push_back(to_bullet(&segments.to[3 * i]));
-    }
-    results_.resize(segments.batch);
-  }
-
-  Answer answer(std::size_t i) const override {
-    const Result& result = results_[i];
-    if (result.triangle < 0) {
-      return {};
-    }
-    return {walls_.triangle_wall[static_cast<std::size_t>(result.triangle)], static_cast<double>(result.fraction)};
-  }
+  void prepare(const Segments& segments) override { casts_.prepare(segments); }
+  Answer answer(std::size_t i) const override { return casts_.answer(i, walls_); }
 
  protected:
-  struct Result {
-    int triangle;
-    float fraction;
-  };
-
   const WallMesh& walls_;
   WallPoints own_;
   bool box_;
   btVector3 low_, high_;  // of all walls
-  std::vector<btVector3> vertices_, from_, to_;
-  std::vector<Result> results_;
+  std::vector<btVector3> vertices_;
+  BulletCasts casts_;
 };
 
 class MovingBvh final : public MovingBullet {
@@ -93,21 +55,7 @@ class MovingBvh final : public MovingBullet {
     }
   }
 
-  void run(std::size_t first, std::size_t count) override {
-    for (std::size_t i = 0; i < count; ++i) {
-      const btVector3 &from = from_[first + i], &to = to_[first + i];
-      FirstHit hit(from, to);
-      if (box_) {
-        btVector3 low = from, high = from;
-        low.setMin(to);
-        high.setMax(to);
-        shape_->processAllTriangles(&hit, low, high);
-      } else {
-        shape_->performRaycast(&hit, from, to);
-      }
-      results_[i] = {hit.triangle, hit.m_hitFraction};
-    }
-  }
+  void run(std::size_t first, std::size_t count) override { casts_.run(*shape_, box_, first, count); }
 
  private:
   void build() { shape_ = std::make_unique<btBvhTriangleMeshShape>(&mesh_, true, low_, high_); }
@@ -139,36 +87,16 @@ class MovingDbvt final : public MovingBullet {
   }
 
   void run(std::size_t first, std::size_t count) override {
-    Visitor visitor(*this);
-    for (std::size_t i = 0; i < count; ++i) {
-      const btVector3 &from = from_[first + i], &to = to_[first + i];
-      FirstHit hit(from, to);
-      visitor.hit = &hit;
-      btVector3 low = from, high = from;
-      low.setMin(to);
-      high.setMax(to);
-      tree_.collideTVNoStackAlloc(tree_.m_root, btDbvtVolume::FromMM(low, high), stack_, visitor);
-      results_[i] = {hit.triangle, hit.m_hitFraction};
-    }
+    casts_.run(tree_, box_, first, count,
+               [this](std::size_t triangle, btVector3* corners) { return get_corners(triangle, corners); });
   }
 
  private:
-  struct Visitor final : btDbvt::ICollide {
-    explicit Visitor(const MovingDbvt& engine) : of(engine) {}
-    void Process(const btDbvtNode* leaf) override {
-      const auto index = reinterpret_cast<std::size_t>(leaf->data);
-      btVector3 corners[3];
-      of.get_corners(index, corners);
-      hit->processTriangle(corners, 0, static_cast<int>(index));
-    }
-    const MovingDbvt& of;
-    FirstHit* hit = nullptr;
-  };
-
-  void get_corners(std::size_t triangle, btVector3* corners) const {
+  const btVector3* get_corners(std::size_t triangle, btVector3* corners) const {
     for (std::size_t k = 0; k < 3; ++k) {
       corners[k] = vertices_[own_.triangles[triangle][k]];
     }
+    return corners;
   }
   btDbvtVolume volume_of(std::size_t triangle) const {
     btVector3 corners[3];
@@ -179,7 +107,6 @@ class MovingDbvt final : public MovingBullet {
   btScalar margin_;
   btDbvt tree_;
   std::vector<btDbvtNode*> leaves_;
-  btAlignedObjectArray<const btDbvtNode*> stack_;
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "deform_peers.h"
+#include "embree_casts.h"
 
 #include <embree3/rtcore.h>
 
@@ -71,60 +72,18 @@ class MovingEmbree final : public MovingEngine {
     rtcCommitScene(scene_);
   }
 
-  void prepare(const Segments& segments) override {
-    rays_.resize(segments.count());
-    for (std::size_t i = 0; i < rays_.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        rays_[i].from[k] = static_cast<float>(segments.from[3 * i + k]);
-        rays_[i].direction[k] = static_cast<float>(segments.to[3 * i + k] - segments.from[3 * i + k]);
-      }
-    }
-    results_.resize(segments.batch);
-  }
-
-  void run(std::size_t first, std::size_t count) override {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Ray& ray = rays_[first + i];
-      RTCRayHit query;
-      query.ray.org_x = ray.from[0];
-      query.ray.org_y = ray.from[1];
-      query.ray.org_z = ray.from[2];
-      query.ray.dir_x = ray.direction[0];
-      query.ray.dir_y = ray.direction[1];
-      query.ray.dir_z = ray.direction[2];
-      query.ray.tnear = 0.0f;
-      query.ray.tfar = 1.0f;
-      query.ray.time = 0.0f;
-      query.ray.mask = ~0u;
-      query.ray.flags = 0;
-      query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-      rtcIntersect1(scene_, &context, &query);
-      results_[i] = {query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? RTC_INVALID_GEOMETRY_ID : query.hit.primID,
-                     query.ray.tfar};
-    }
-  }
+  void prepare(const Segments& segments) override { casts_.prepare(segments); }
+  void run(std::size_t first, std::size_t count) override { casts_.run(scene_, first, count); }
 
   Answer answer(std::size_t i) const override {
-    const Result& result = results_[i];
-    if (result.primitive == RTC_INVALID_GEOMETRY_ID) {
+    const auto& result = casts_.result(i);
+    if (result.primitive == kNone) {
       return {};
     }
     return {quads_ ? result.primitive : walls_.triangle_wall[result.primitive], static_cast<double>(result.time)};
   }
 
  private:
-  struct Ray {
-    float from[3], direction[3];
-  };
-  struct Result {
-    unsigned primitive;
-    float time;
-  };
-
   template <std::size_t Width>
   void fill_indices(const std::vector<std::array<std::uint32_t, Width>>& all, RTCFormat format) {
     auto* out = static_cast<unsigned*>(
@@ -141,8 +100,7 @@ class MovingEmbree final : public MovingEngine {
   RTCScene scene_ = nullptr;
   RTCGeometry geometry_ = nullptr;
   float* points_ = nullptr;
-  std::vector<Ray> rays_;
-  std::vector<Result> results_;
+  EmbreeCasts casts_;
 };
 
 }  // namespace

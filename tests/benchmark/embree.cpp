@@ -1,5 +1,7 @@
 #include "embree.h"
 
+#include "embree_casts.h"
+
 #include <embree3/rtcore.h>
 
 #include <stdexcept>
@@ -7,6 +9,13 @@
 namespace dsw::bench {
 
 namespace {
+
+RTCIntersectContext incoherent() {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  return context;
+}
 
 class Embree final : public Engine {
  public:
@@ -48,33 +57,22 @@ class Embree final : public Engine {
     rtcReleaseDevice(device_);
   }
 
-  void prepare(const Segments& segments) override {
-    rays_.resize(segments.count());
-    for (std::size_t i = 0; i < rays_.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        rays_[i].from[k] = static_cast<float>(segments.from[3 * i + k]);
-        rays_[i].direction[k] = static_cast<float>(segments.to[3 * i + k] - segments.from[3 * i + k]);
-      }
-    }
-    results_.resize(segments.batch + 8);
-  }
+  // A packet is written whole.
+  void prepare(const Segments& segments) override { casts_.prepare(segments, 8); }
 
   void run(std::size_t first, std::size_t count) override {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     if (setting_.packet) {
-      run_packets(context, first, count);
+      run_packets(first, count);
     } else if (setting_.occluded) {
-      run_occluded(context, first, count);
+      run_occluded(first, count);
     } else {
-      run_single(context, first, count);
+      casts_.run(scene_, first, count);
     }
   }
 
   Answer answer(std::size_t i) const override {
-    const Result& result = results_[i];
-    if (result.primitive == RTC_INVALID_GEOMETRY_ID) {
+    const auto& result = casts_.result(i);
+    if (result.primitive == kNone) {
       return {};
     }
     return {setting_.quads || setting_.occluded ? result.primitive : walls_.triangle_wall[result.primitive],
@@ -82,40 +80,10 @@ class Embree final : public Engine {
   }
 
  private:
-  struct Ray {
-    float from[3], direction[3];
-  };
-  struct Result {
-    unsigned primitive;
-    float time;
-  };
-
-  void run_single(RTCIntersectContext& context, std::size_t first, std::size_t count) {
+  void run_occluded(std::size_t first, std::size_t count) {
+    RTCIntersectContext context = incoherent();
     for (std::size_t i = 0; i < count; ++i) {
-      const Ray& ray = rays_[first + i];
-      RTCRayHit query;
-      query.ray.org_x = ray.from[0];
-      query.ray.org_y = ray.from[1];
-      query.ray.org_z = ray.from[2];
-      query.ray.dir_x = ray.direction[0];
-      query.ray.dir_y = ray.direction[1];
-      query.ray.dir_z = ray.direction[2];
-      query.ray.tnear = 0.0f;
-      query.ray.tfar = 1.0f;
-      query.ray.time = 0.0f;
-      query.ray.mask = ~0u;
-      query.ray.flags = 0;
-      query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-      rtcIntersect1(scene_, &context, &query);
-      results_[i] = {query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? RTC_INVALID_GEOMETRY_ID : query.hit.primID,
-                     query.ray.tfar};
-    }
-  }
-
-  void run_occluded(RTCIntersectContext& context, std::size_t first, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const Ray& ray = rays_[first + i];
+      const auto& ray = casts_.ray(first + i);
       RTCRay query;
       query.org_x = ray.from[0];
       query.org_y = ray.from[1];
@@ -129,17 +97,18 @@ class Embree final : public Engine {
       query.mask = ~0u;
       query.flags = 0;
       rtcOccluded1(scene_, &context, &query);
-      results_[i] = {query.tfar < 0.0f ? 0u : RTC_INVALID_GEOMETRY_ID, 0.0f};
+      casts_.result(i) = {query.tfar < 0.0f ? 0u : kNone, 0.0f};
     }
   }
 
-  void run_packets(RTCIntersectContext& context, std::size_t first, std::size_t count) {
+  void run_packets(std::size_t first, std::size_t count) {
+    RTCIntersectContext context = incoherent();
     for (std::size_t base = 0; base < count; base += 8) {
       alignas(32) int valid[8];
       alignas(32) RTCRayHit8 query;
       for (std::size_t lane = 0; lane < 8; ++lane) {
         valid[lane] = base + lane < count ? -1 : 0;
-        const Ray& ray = rays_[first + (base + lane < count ? base + lane : base)];
+        const auto& ray = casts_.ray(first + (base + lane < count ? base + lane : base));
         query.ray.org_x[lane] = ray.from[0];
         query.ray.org_y[lane] = ray.from[1];
         query.ray.org_z[lane] = ray.from[2];
@@ -157,7 +126,7 @@ class Embree final : public Engine {
       rtcIntersect8(valid, scene_, &context, &query);
       for (std::size_t lane = 0; lane < 8; ++lane) {
         const bool hit = query.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
-        results_[base + lane] = {hit ? query.hit.primID[lane] : RTC_INVALID_GEOMETRY_ID, query.ray.tfar[lane]};
+        casts_.result(base + lane) = {hit ? query.hit.primID[lane] : kNone, query.ray.tfar[lane]};
       }
     }
   }
@@ -166,8 +135,7 @@ class Embree final : public Engine {
   const WallMesh& walls_;
   RTCDevice device_;
   RTCScene scene_ = nullptr;
-  std::vector<Ray> rays_;
-  std::vector<Result> results_;
+  EmbreeCasts casts_;
 };
 
 }  // namespace

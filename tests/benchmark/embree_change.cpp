@@ -236,44 +236,6 @@ class Chunks final : public EmbreeUpdater {
 
 }  // namespace
 
-void EmbreeUpdater::prepare(const Segments& segments) {
-  rays_.resize(segments.count());
-  for (std::size_t i = 0; i < rays_.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      rays_[i].from[k] = static_cast<float>(segments.from[3 * i + k]);
-      rays_[i].direction[k] = static_cast<float>(segments.to[3 * i + k] - segments.from[3 * i + k]);
-    }
-  }
-  times_.resize(segments.batch);
-}
-
-void EmbreeUpdater::run(std::size_t first, std::size_t count) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  RTCScene scene = rays_meet();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Ray& ray = rays_[first + i];
-    RTCRayHit query{};
-    query.ray.org_x = ray.from[0];
-    query.ray.org_y = ray.from[1];
-    query.ray.org_z = ray.from[2];
-    query.ray.dir_x = ray.direction[0];
-    query.ray.dir_y = ray.direction[1];
-    query.ray.dir_z = ray.direction[2];
-    query.ray.tfar = 1.0f;
-    query.ray.mask = ~0u;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene, &context, &query);
-    times_[i] = query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? -1.0f : query.ray.tfar;
-  }
-}
-
-Answer EmbreeUpdater::answer(std::size_t i) const {
-  return times_[i] < 0 ? Answer{} : Answer{0, static_cast<double>(times_[i])};
-}
-
 std::unique_ptr<EmbreeUpdater> make_embree_single(const WallMesh& walls, std::size_t slots, bool refit) {
   return std::make_unique<Single>(walls, slots, refit);
 }

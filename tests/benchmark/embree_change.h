@@ -2,9 +2,7 @@
 #ifndef DARTSWEEP_TESTS_BENCHMARK_EMBREE_CHANGE_H
 #define DARTSWEEP_TESTS_BENCHMARK_EMBREE_CHANGE_H
 
-#include "engine.h"
-
-struct RTCSceneTy;
+#include "embree_casts.h"
 
 namespace dsw::bench {
 
@@ -31,19 +29,18 @@ class ChangingEngine : public Engine {
 class EmbreeUpdater : public ChangingEngine {
  public:
   using ChangingEngine::ChangingEngine;
-  void prepare(const Segments& segments) override;
-  void run(std::size_t first, std::size_t count) override;
-  Answer answer(std::size_t i) const override;
+  void prepare(const Segments& segments) override { casts_.prepare(segments); }
+  void run(std::size_t first, std::size_t count) override { casts_.run(rays_meet(), first, count); }
+  Answer answer(std::size_t i) const override {
+    const auto& result = casts_.result(i);
+    return result.primitive == kNone ? Answer{} : Answer{0, static_cast<double>(result.time)};
+  }
 
  protected:
   virtual RTCSceneTy* rays_meet() const = 0;
 
  private:
-  struct Ray {
-    float from[3], direction[3];
-  };
-  std::vector<Ray> rays_;
-  std::vector<float> times_;  // negative: nothing is met
+  EmbreeCasts casts_;
 };
 
 /** All triangles in one geometry, rebuilt fast or refitted (a triangle that is gone shrinks to a point). */

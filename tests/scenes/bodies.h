@@ -3,8 +3,7 @@
 #ifndef DARTSWEEP_TESTS_SCENES_BODIES_H
 #define DARTSWEEP_TESTS_SCENES_BODIES_H
 
-#include "scenes/hex_grid.h"
-#include "scenes/random.h"
+#include "scenes/drift.h"
 
 namespace dsw::scenes {
 
@@ -16,48 +15,21 @@ constexpr std::size_t kBodySegments = kBodyVertices + kBodyEdges;
 constexpr std::array<std::array<std::uint8_t, 2>, kBodyEdges> kEdgeVertices = {
     {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
-struct BodyOptions {
-  std::size_t bodies = 225;
-  double edge = 0.5;                        // cells
-  double step_low = 0.05, step_high = 0.1;  // cells a step
-  double wobble = 0.03;                     // largest shift of a vertex along each axis, cells
-  std::uint32_t press = 30;  // steps a body presses against what stops it before it leaves in another direction
-  std::uint64_t seed = 7;
+struct BodyOptions : DriftOptions {
+  double edge = 0.5;  // cells
 };
 
 /** Bodies drift through the passable cells, wobbling; one that would enter an obstacle or leave the lattice stays where
- * it is, keeps pressing for some steps and then turns to a random direction. Uses no libm but sqrt. */
-class BodyMotion {
+ * it is, keeps pressing for some steps and then turns to a random direction. Some targets lie in obstacles or outside. */
+class BodyMotion : public Drift<kBodyVertices> {
  public:
   BodyMotion(const HexGrid& grid, const BodyOptions& options);
 
-  std::size_t vertex_count() const { return bodies_.size() * kBodyVertices; }
-  /** Where the vertices are now, 3 doubles each: always in passable cells. */
-  const std::vector<double>& starts() const { return starts_; }
-  /** Where they aim at in this step; some lie in obstacles or outside. */
-  const std::vector<double>& targets() const { return targets_; }
   /** Goes to the next step. */
   void advance();
 
  private:
-  struct Body {
-    std::array<double, 3> centre, velocity;
-    std::array<std::array<double, 3>, kBodyVertices> corners;    // of the turned cube at rest
-    std::array<std::array<double, 2>, kBodyVertices * 3> phase;  // a point on the unit circle for each coordinate
-    std::array<double, 2> turn;                                  // how far the phases turn in a step
-    std::uint32_t pressed = 0;
-  };
-
   bool free(const double* vertices) const;
-  void place(const Body& body, const std::array<double, 3>& centre, double* vertices) const;
-  void choose_direction(Body& body);
-  void aim();
-
-  const HexGrid& grid_;
-  BodyOptions options_;
-  Random random_;
-  std::vector<Body> bodies_;
-  std::vector<double> starts_, targets_;
 };
 
 /** All casts of one step in space, body by body: 8 trajectories (start to target of a vertex), then 12 casts along edges

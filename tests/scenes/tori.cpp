@@ -1,7 +1,5 @@
 #include "scenes/tori.h"
 
-#include "scenes/random_turns.h"
-
 #include <cmath>
 
 namespace dsw::scenes {
@@ -51,60 +49,24 @@ std::array<std::array<std::uint32_t, 3>, kTorusFaces> torus_faces() {
   return faces;
 }
 
-TorusMotion::TorusMotion(const HexGrid& grid, const TorusOptions& options)
-    : grid_(grid),
-      options_(options),
-      random_(options.seed),
-      bodies_(options.bodies),
-      starts_(options.bodies * kTorusVertices * 3),
-      targets_(starts_.size()) {
+TorusMotion::TorusMotion(const HexGrid& grid, const TorusOptions& options) : Drift(grid, options) {
   const double height = std::sqrt(0.75);
   const auto round = polygon<kRound>({0.5, height});
   const auto tube = polygon<kTube>({-0.5, height});
-  double* vertices = starts_.data();
-  for (Body& body : bodies_) {
-    const auto frame = random_frame(random_);
+  const auto torus = [&](const Frame& frame) {
+    Corners corners;
     for (std::uint32_t i = 0; i < kRound; ++i) {
       for (std::uint32_t j = 0; j < kTube; ++j) {
         const double out = options.ring + options.tube * tube[j][0];
         const double at[3] = {out * round[i][0], out * round[i][1], options.tube * tube[j][1]};
         for (std::size_t k = 0; k < 3; ++k) {
-          body.corners[vertex(i, j)][k] = at[0] * frame[0][k] + at[1] * frame[1][k] + at[2] * frame[2][k];
+          corners[vertex(i, j)][k] = at[0] * frame[0][k] + at[1] * frame[1][k] + at[2] * frame[2][k];
         }
       }
     }
-    for (auto& phase : body.phase) {
-      phase = random_phase(random_);
-    }
-    const double slope = random_.uniform(0.05, 0.3);  // tangent of half the turn a step
-    body.turn = {(1 - slope * slope) / (1 + slope * slope), 2 * slope / (1 + slope * slope)};
-    choose_direction(body);
-    do {
-      for (std::size_t k = 0; k < 3; ++k) {
-        body.centre[k] = random_.uniform(0.0, double(grid.options.size[k]));
-      }
-      place(body, body.centre, vertices);
-    } while (!has_room(vertices));
-    vertices += 3 * kTorusVertices;
-  }
-  aim();
-}
-
-void TorusMotion::choose_direction(Body& body) {
-  const double speed = random_.uniform(options_.step_low, options_.step_high);
-  const auto direction = random_direction(random_);
-  for (std::size_t k = 0; k < 3; ++k) {
-    body.velocity[k] = direction[k] * speed;
-  }
-  body.pressed = 0;
-}
-
-void TorusMotion::place(const Body& body, const std::array<double, 3>& centre, double* vertices) const {
-  for (std::size_t i = 0; i < kTorusVertices; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      vertices[3 * i + k] = centre[k] + body.corners[i][k] + options_.wobble * body.phase[3 * i + k][0];
-    }
-  }
+    return corners;
+  };
+  place_all(torus, [this](const double* vertices) { return has_room(vertices); });
 }
 
 /** Whether every cell that the vertices' box meets is passable. */
@@ -132,30 +94,12 @@ bool TorusMotion::has_room(const double* vertices) const {
   return true;
 }
 
-void TorusMotion::aim() {
-  double* target = targets_.data();
-  for (Body& body : bodies_) {
-    for (auto& phase : body.phase) {
-      const double x = phase[0] * body.turn[0] - phase[1] * body.turn[1];
-      phase[1] = phase[0] * body.turn[1] + phase[1] * body.turn[0];
-      phase[0] = x;
-    }
-    const std::array<double, 3> centre = {body.centre[0] + body.velocity[0], body.centre[1] + body.velocity[1],
-                                          body.centre[2] + body.velocity[2]};
-    place(body, centre, target);
-    target += 3 * kTorusVertices;
-  }
-}
-
 void TorusMotion::advance(const std::vector<std::uint8_t>& arrived) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    Body& body = bodies_[i];
+  for (std::size_t i = 0; i < body_count(); ++i) {
     if (arrived[i] != 0) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        body.centre[k] += body.velocity[k];
-      }
-    } else if (++body.pressed >= options_.press) {
-      choose_direction(body);
+      arrive(i);
+    } else {
+      press(i);
     }
   }
   aim();
