@@ -37,6 +37,15 @@ dsw::HalfFacet to_wall(const dsw::Map<3>& map, const dsw_contact& contact) {
        contact.front.index, contact.wall.local, contact.wall.volume);
 }
 
+/** The wall of a touched vertex, which is one of several there: `front` may be at another. Seen from a passable side. */
+dsw::HalfFacet to_wall_at_vertex(const dsw::Map<3>& map, const dsw_contact& contact) {
+  const dsw::HalfFacet given = capi::to_half_facet(map, contact.wall, {"contact->wall", false});
+  const dsw::Cell front = capi::to_cell(map, contact.front, {"contact->front", false});
+  const dsw::HalfFacet other = map.opposite(given);
+  if (!other.valid() || map.cell_of(given) == front) return given;
+  return map.cell_of(other) == front || map.marked(map.cell_of(given)) ? other : given;
+}
+
 void require_obstacle(const dsw_contact& contact, dsw_cell_kind kind) {
   if (contact.obstacle.kind != kind) capi::fail_kind("contact->obstacle.kind", contact.obstacle.kind);
 }
@@ -67,7 +76,7 @@ dsw::Touch to_touch(const dsw::Map<3>& map, const dsw_contact& contact) {
       require_obstacle(contact, DSW_CELL_VERTEX);
       touch.kind = dsw::TouchKind::kCorner;
       touch.vertex = capi::to_vertex(map, {cell.index, cell.generation}, {"contact->obstacle", false});
-      if (has_wall(contact)) touch.wall = to_wall(map, contact);
+      if (has_wall(contact)) touch.wall = to_wall_at_vertex(map, contact);
       break;
     default:
       fail(DSW_STATUS_UNSUPPORTED, "contact->kind is %d, must be a plane, an edge or a vertex",

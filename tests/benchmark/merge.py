@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Puts the figures of all parts into one flat object: merge.py OUT LIBRARY EDITS PART...
+"""Puts the figures of all parts into one flat object: merge.py OUT LIBRARY EDITS NORMALS PART...
 
 Adds core.needed_libraries: what the dynamic section of LIBRARY names beyond the C and C++ runtimes, and
-topology.*: what the tests of random changes say in EDITS, their report as GoogleTest writes it."""
+topology.* and contact.normal_*: what the tests of random changes and those of libccd's second opinion say in EDITS and NORMALS, their
+reports as GoogleTest writes them."""
 import json
 import re
 import subprocess
@@ -11,8 +12,14 @@ import sys
 RUNTIMES = re.compile(r"(libc|libm|libpthread|libdl|librt|libgcc_s|libstdc\+\+|libc\+\+|libc\+\+abi|ld-linux.*)\.so")
 
 
+def read_report(path):
+    with open(path, encoding="utf-8") as file:
+        report = json.load(file)
+    return report, [test for suite in report["testsuites"] for test in suite["testsuite"]]
+
+
 def main():
-    out, library, edits, parts = sys.argv[1], sys.argv[2], sys.argv[3], sys.argv[4:]
+    out, library, edits, normals, parts = sys.argv[1], sys.argv[2], sys.argv[3], sys.argv[4], sys.argv[5:]
     figures = {}
     for part in parts:
         with open(part, encoding="utf-8") as file:
@@ -22,11 +29,14 @@ def main():
                 if name in figures:
                     raise SystemExit(f"{part}: {name} was reported before")
                 figures[name] = value
-    with open(edits, encoding="utf-8") as file:
-        report = json.load(file)
-    tests = [test for suite in report["testsuites"] for test in suite["testsuite"]]
+    report, tests = read_report(edits)
     figures["topology.random_ops"] = sum(int(test.get("changes", 0)) for test in tests)
     figures["topology.violations"] = report["failures"] + report["errors"]
+    asked = [test for test in read_report(normals)[1] if "opinions" in test]
+    if asked:
+        figures["contact.normal_vs_libccd_deg_p99"] = max(float(test["deg_p99"]) for test in asked)
+        opinions = sum(int(test["opinions"]) for test in asked)
+        figures["contact.normal_qualified_share"] = opinions / sum(int(test["contacts"]) for test in asked)
     dynamic = subprocess.run(["readelf", "-d", library], check=True, capture_output=True, text=True).stdout
     needed = re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic)
     figures["core.needed_libraries"] = sum(1 for name in needed if not RUNTIMES.match(name))

@@ -77,7 +77,7 @@ fi
 mkdir -p "$tree"
 cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDSW_BUILD_TESTS=ON \
   -DDSW_BUILD_EXAMPLES=OFF > "$tree-configure.log" || { cat "$tree-configure.log" >&2; exit 1; }
-cmake --build "$tree" -j "$(nproc)" --target dartsweep_bench dartsweep_bench_predicates dartsweep_oracle edits_tests
+cmake --build "$tree" -j "$(nproc)" --target dartsweep_bench dartsweep_bench_predicates dartsweep_oracle edits_tests contact_check_tests
 
 bench=$tree/tests/benchmark
 if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 edits=5000 cases=110000
@@ -91,6 +91,8 @@ failed=0
 DSW_EDITS=$edits "$tree/tests/property/edits_tests" --gtest_output="json:$tree/edits.json" > "$tree/edits.log" || failed=1
 
 library=$(find "$tree" -name 'libdartsweep.so' | head -n 1)
-python3 "$here/merge.py" "$json" "$library" "$tree/edits.json" "$tree/walk.json" "$tree/predicates.json" "$tree/oracle.json"
+# Without libccd its tests are left out, and so are its figures.
+"$tree/tests/property/contact_check_tests" --gtest_output="json:$tree/normals.json" > "$tree/normals.log" || failed=1
+python3 "$here/merge.py" "$json" "$library" "$tree/edits.json" "$tree/normals.json" "$tree/walk.json" "$tree/predicates.json" "$tree/oracle.json"
 echo "wrote $json"
 exit $failed

@@ -113,6 +113,10 @@ bool Course::moved(dsw_body_id body, const BodyMove& move, const dsw_move_option
                    SweepReport& faults) {
   const std::string fault = move_body(scene_, body, move.targets, &options, answer);
   if (!fault.empty()) faults.fault(SweepReport::kWrong, fault);
+  for (const dsw_contact& contact : answer.contacts) {
+    if (report_.opinions.ask(stage_.environment.get(), contact)) continue;
+    faults.fault(SweepReport::kWrong, std::string("a question for a second opinion: ") + dsw_last_error_message());
+  }
   return fault.empty();
 }
 

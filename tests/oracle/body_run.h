@@ -2,6 +2,7 @@
 #pragma once
 
 #include "body_check.h"
+#include "opinions.h"
 
 namespace dsw::oracle {
 
@@ -26,6 +27,7 @@ struct BodyReport {
   uint64_t bodies = 0, refused = 0, responses = 0, edits = 0, body_edits = 0, twins = 0;
   uint64_t hybrid_contacts = 0, hybrid_dropped = 0;
   double time_error = 0, bisection_slope = 0;
+  Opinions opinions;  // on contacts of all bodies
 };
 
 void run_bodies(const BodyRunOptions& options, BodyReport& report);

@@ -1,5 +1,5 @@
-// libccd's second opinion on the normals of swept edges, on made and on real meshes and at three scales: on how many contacts it
-// has one, and how far the two normals are apart. Both figures are printed and have a bar.
+// libccd's second opinion on the normals of swept edges and of bodies at every level, on made and on real meshes and at three scales: on
+// how many contacts it has one, and how far the two normals are apart. Both figures are printed and have a bar.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -7,92 +7,62 @@
 #include <fstream>
 #include <set>
 
+#include "body_state.h"
 #include "mesh_file.h"
+#include "opinions.h"
 #include "support.h"
 
 namespace dsw::oracle {
 namespace {
 
-constexpr double kLeastShare = 0.95;   // of all contacts that get an opinion
-constexpr double kMostDegrees = 0.01;  // 99 of 100 angles are not above
 constexpr double kScales[] = {1e-3, 1, 1e6};
 constexpr double kDegrees = 180 / 3.14159265358979323846;
 
 /// Cells thinner than libccd's numbers reach (a layer of 1e-12): opinions are few, but where there is one it has to fit.
 const std::set<std::string> kThin = {"hex_thin", "tet_slivers", "waist_slivers"};
 
-struct Figures {
-  uint64_t contacts = 0, reasons[8] = {};
-  std::vector<double> degrees;
-
-  void add(const Figures& other) {
-    contacts += other.contacts;
-    for (size_t i = 0; i < 8; ++i) reasons[i] += other.reasons[i];
-    degrees.insert(degrees.end(), other.degrees.begin(), other.degrees.end());
-  }
-  double share() const {
-    return contacts == 0 ? 1 : static_cast<double>(degrees.size()) / static_cast<double>(contacts);
-  }
-  double quantile(double part) {
-    if (degrees.empty()) return 0;
-    std::sort(degrees.begin(), degrees.end());
-    return degrees[static_cast<size_t>(part * static_cast<double>(degrees.size() - 1))];
-  }
-  void print(const std::string& name) {
-    const auto none = [this](dsw_no_opinion why) { return static_cast<unsigned long long>(reasons[why]); };
-    std::printf(
-        "%-28s %6llu contacts, opinion on %8.4f %%, angle p50 %.1e p99 %.1e most %.1e degrees; none: parallel "
-        "%llu, outside cone %llu, not converged %llu, not unique %llu\n",
-        name.c_str(), static_cast<unsigned long long>(contacts), 100 * share(), quantile(0.5), quantile(0.99),
-        quantile(1), none(DSW_NO_OPINION_PARALLEL), none(DSW_NO_OPINION_OUTSIDE_CONE),
-        none(DSW_NO_OPINION_NOT_CONVERGED), none(DSW_NO_OPINION_NOT_UNIQUE));
-  }
-};
-
 struct AllFigures {
-  Figures vertex, edge, diagonal;
+  Opinions vertex, edge, diagonal, face;  // by what touches; a diagonal is the wall's
 
+  Opinions& of(const dsw_contact& contact) {
+    if (contact.face.generation != 0) return face;
+    if (contact.edge.generation == 0) return vertex;
+    return contact.kind == DSW_CONTACT_PLANE ? diagonal : edge;
+  }
+  Opinions sum() const {
+    Opinions all = vertex;
+    for (const Opinions* part : {&edge, &diagonal, &face}) all.add(*part);
+    return all;
+  }
   void add(const AllFigures& other) {
     vertex.add(other.vertex);
     edge.add(other.edge);
     diagonal.add(other.diagonal);
+    face.add(other.face);
   }
-  void judge(const std::string& name, bool thin = false) {
-    Figures sum = vertex;
-    sum.add(edge);
-    sum.add(diagonal);
-    sum.print(name);
-    if (diagonal.contacts != 0) diagonal.print("  of them on diagonals");
-    EXPECT_GE(sum.share(), thin ? 0 : kLeastShare) << name;
-    EXPECT_LE(sum.quantile(0.99), kMostDegrees) << name;
+  void judge(const std::string& name, bool thin = false) const {
+    const Opinions all = sum();
+    std::printf("%-28s %s\n", name.c_str(), all.text().c_str());
+    if (diagonal.contacts != 0) std::printf("  of them on diagonals       %s\n", diagonal.text().c_str());
+    if (face.contacts != 0) std::printf("  of them of faces           %s\n", face.text().c_str());
+    EXPECT_GE(all.share(), thin ? 0 : Opinions::kLeastShare) << name;
+    EXPECT_LE(all.quantile(0.99), Opinions::kMostDegrees) << name;
   }
 };
 
-double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-/// The report of a sweep as that of a body would be.
-dsw_contact to_contact(const Vec& from, const Vec& to, const Vec& fixed, const dsw_sweep& s) {
-  dsw_contact c{};
-  std::copy_n(from.data(), 3, c.from);
-  std::copy_n(to.data(), 3, c.to);
-  std::copy_n(fixed.data(), 3, c.fixed[0]);
-  std::copy_n(s.position, 3, c.position);
-  std::copy_n(s.point, 3, c.point);
-  std::copy_n(s.normal, 3, c.normal);
-  c.time = s.time;
-  c.along = s.along;
-  c.vertex = {0, 1};
-  if (s.kind == DSW_CONTACT_EDGE || s.along > 0) c.edge = {0, 1};
-  c.obstacle = s.kind == DSW_CONTACT_EDGE ? cell_of(s.edge) : cell_of(s.face);
-  c.wall = s.face;
-  c.front = s.front;
-  c.kind = s.kind;
-  c.cause = s.obstacle;
-  c.tag = s.tag;
-  return c;
+/// For the benchmark, which joins the figures of all tests.
+void record(const AllFigures& figures) {
+  const Opinions all = figures.sum();
+  testing::Test::RecordProperty("contacts", std::to_string(all.contacts));
+  testing::Test::RecordProperty("opinions", std::to_string(all.degrees.size()));
+  char degrees[32];
+  std::snprintf(degrees, sizeof degrees, "%.6g", all.quantile(0.99));
+  testing::Test::RecordProperty("deg_p99", degrees);
 }
 
-/// Random sweeps of a few cells' length in one environment, some of it marked.
+double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// Random sweeps, and moves of bodies, of a few cells' length in one environment, some of it marked.
 class Bench {
  public:
   Bench(const Mesh& mesh, dsw_environment* environment, uint64_t seed)
@@ -138,23 +108,54 @@ class Bench {
 
   AllFigures run(size_t count) {
     AllFigures all;
-    for (const dsw_contact& contact : contacts(count)) {
-      const bool diagonal = contact.kind == DSW_CONTACT_PLANE && contact.along > 0;
-      Figures& f = contact.kind == DSW_CONTACT_EDGE ? all.edge : diagonal ? all.diagonal : all.vertex;
-      const dsw_contact_opinion opinion = ask(contact);
-      ++f.contacts;
-      if (opinion.opinion == DSW_OPINION_NONE) {
-        ++f.reasons[opinion.reason & 7];
-        continue;
+    for (const dsw_contact& contact : contacts(count)) ask(contact, all);
+    return all;
+  }
+
+  /// Bodies of a level, each moved a few times.
+  AllFigures run_bodies(dsw_level level, size_t count) {
+    AllFigures all;
+    const ScenePtr scene = make_scene(environment_);
+    for (size_t i = 0; i < count; ++i) {
+      const BodyPlan plan = body_plan(level);
+      dsw_body_id body;
+      if (create_body(scene.get(), plan, level, 0, {}, &body) != DSW_STATUS_OK) continue;  // not free there
+      BodyAnswer answer;
+      for (int move = 0; move < 4; ++move) {
+        std::vector<Vec> targets;
+        Vec size;
+        inside(size);
+        for (size_t v = 0; v < plan.at.size(); ++v) {
+          targets.push_back(near(move == 0 ? plan.at[v] : answer.after.at[v], size));
+        }
+        EXPECT_EQ(move_body(scene.get(), body, targets, nullptr, answer), "");
+        for (const dsw_contact& contact : answer.contacts) ask(contact, all);
       }
-      EXPECT_EQ(opinion.opinion, contact.edge.generation != 0 ? DSW_OPINION_EDGE : DSW_OPINION_PLANE);
-      EXPECT_NEAR(dot(opinion.normal, opinion.normal), 1, 1e-9);
-      f.degrees.push_back(opinion.angle_rad * kDegrees);
+      EXPECT_EQ(dsw_body_destroy(scene.get(), body), DSW_STATUS_OK);
     }
     return all;
   }
 
  private:
+  void ask(const dsw_contact& contact, AllFigures& all) const {
+    EXPECT_TRUE(all.of(contact).ask(environment_, contact)) << dsw_last_error_message();
+  }
+  /// A vertex, a chain of three, or a fan of two triangles.
+  BodyPlan body_plan(dsw_level level) {
+    BodyPlan plan;
+    Vec size;
+    plan.at.push_back(inside(size));
+    for (double& x : size) x /= 4;
+    const size_t count = level == DSW_LEVEL_POINTS ? 1 : level == DSW_LEVEL_FACES ? 4 : 3;
+    while (plan.at.size() < count) plan.at.push_back(near(plan.at[0], size));
+    if (level == DSW_LEVEL_FACES) {
+      plan.faces = {{0, 1, 2}, {0, 2, 3}};
+    } else if (count == 3) {
+      plan.edges = {{0, 1}, {1, 2}};
+    }
+    return plan;
+  }
+
   /// A random point of a random cell, and the size of that cell along the axes.
   Vec inside(Vec& size) {
     const Cell& cell = mesh_.cells[rng_.below(mesh_.cells.size())];
@@ -238,8 +239,36 @@ TEST_P(ContactCheckTest, NormalsOfMadeScenes) {
     if (!thin) sum.add(all);
   }
   sum.judge("all but those with slivers");
+  record(sum);
   EXPECT_GT(sum.vertex.contacts, 2000u);
   EXPECT_GT(sum.edge.contacts, 500u);
+}
+
+TEST_P(ContactCheckTest, NormalsOfBodies) {
+  AllFigures sum;
+  for (const SceneKind& kind : scene_kinds()) {
+    AllFigures all;
+    for (uint64_t seed = 1; seed <= 4; ++seed) {
+      Rng rng(seed);
+      Mesh mesh = kind.make(rng);
+      scale(mesh, GetParam());
+      const EnvironmentPtr environment = create_environment(mesh);
+      if (environment == nullptr) continue;
+      Bench bench(mesh, environment.get(), seed);
+      bench.mark(0.1, 0.03);
+      for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
+        all.add(bench.run_bodies(level, 60));
+      }
+    }
+    const bool thin = kThin.count(kind.name) != 0;
+    all.judge(kind.name, thin);
+    if (!thin) sum.add(all);
+  }
+  sum.judge("all but those with slivers");
+  record(sum);
+  EXPECT_GT(sum.vertex.contacts, 2000u);
+  EXPECT_GT(sum.edge.contacts, 300u);
+  EXPECT_GT(sum.face.contacts, 20u);
 }
 
 TEST_P(ContactCheckTest, NormalsInAVessel) {
@@ -249,6 +278,7 @@ TEST_P(ContactCheckTest, NormalsInAVessel) {
   ASSERT_NE(environment, nullptr);
   AllFigures all = Bench(mesh, environment.get(), 3).run(10000);
   all.judge("vessel");
+  record(all);
   EXPECT_GT(all.vertex.contacts, 500u);
 }
 
@@ -351,6 +381,7 @@ TEST_P(ContactCheckMeshTest, NormalsOfRealMeshes) {
   Mesh original;
   std::string reason;
   ASSERT_TRUE(read_mesh(path, original, reason)) << reason;
+  AllFigures sum;
   for (const double by : kScales) {
     Mesh mesh = original;
     scale(mesh, by);
@@ -363,7 +394,9 @@ TEST_P(ContactCheckMeshTest, NormalsOfRealMeshes) {
                                                                                        : by > 1 ? " 1e6"
                                                                                                 : ""));
     EXPECT_GT(all.vertex.contacts + all.edge.contacts, 300u);
+    sum.add(all);
   }
+  record(sum);
 }
 
 }  // namespace
