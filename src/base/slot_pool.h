@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <new>
+#include <utility>
 
 #include "base/assert.h"
 #include "base/memory.h"
@@ -87,6 +88,30 @@ class SlotPool {
   size_t slot_count() const noexcept { return words_.size(); }
   size_t alive_count() const noexcept { return alive_; }
   uint64_t memory_bytes() const noexcept { return array_bytes(words_) + array_bytes(free_); }
+
+  /** All that a pool knows, for snapshots: a word for each slot, and the free ones in the order of their release. */
+  const Array<uint32_t>& words() const noexcept { return words_; }
+  const Array<uint32_t>& free_slots() const noexcept { return free_; }
+  /** Takes over what words() and free_slots() of another pool were. False if no pool has them: then this one is useless. Throws
+   * std::bad_alloc. */
+  bool restore(Array<uint32_t>&& words, Array<uint32_t>&& free) {
+    words_ = std::move(words);
+    free_ = std::move(free);
+    alive_ = 0;
+    size_t waiting = 0;
+    for (const uint32_t word : words_) {
+      const uint32_t generation = word & ~kFreeBit;
+      if (generation == 0 || generation > last_) return false;
+      alive_ += (word & kFreeBit) == 0 ? 1 : 0;
+      waiting += (word & kFreeBit) != 0 && generation < last_ ? 1 : 0;
+    }
+    Array<uint8_t> seen(words_.size(), 0, words_.get_allocator());
+    for (const uint32_t index : free_) {
+      if (index >= words_.size() || (words_[index] & kFreeBit) == 0 || seen[index]++ != 0) return false;
+      if ((words_[index] & ~kFreeBit) == last_) return false;
+    }
+    return free_.size() == waiting;
+  }
 
  private:
   static constexpr uint32_t kFreeBit = 0x80000000u;

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <thread>
 
+#include "environment/moving.h"
+
 dsw_environment::dsw_environment(dsw_context* owner)
     : context(owner),
       engine(dsw::capi::memory_of(owner)),
@@ -43,6 +45,29 @@ void destroy_environment(dsw_environment* environment) noexcept {
   dsw_context* const context = environment->context;
   destroy_object(memory_of(context), environment);
   release(context);
+}
+
+SceneOwner::SceneOwner(dsw_environment& home, SceneFeatures features)
+    : handle_(create_object<dsw_scene>(home.engine.memory, &home, features)) {}
+
+SceneOwner::~SceneOwner() {
+  if (handle_ != nullptr) destroy_object(handle_->environment->engine.memory, handle_);
+}
+
+dsw_scene* SceneOwner::enter() {
+  Environment<3>& env = handle_->environment->engine;
+  const bool deforming = handle_->engine.features.deforming;
+  if (deforming) handle_->engine.deformation.make(env);
+  attach(*handle_);
+  if (deforming) {
+    try {
+      let_points_move(env);
+    } catch (...) {
+      detach(*handle_);
+      throw;
+    }
+  }
+  return std::exchange(handle_, nullptr);
 }
 
 uint32_t scene_count(const dsw_environment& environment) {

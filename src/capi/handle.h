@@ -106,6 +106,21 @@ class EnvironmentOwner {
 /** Gives back an environment handle that no scene uses. */
 void destroy_environment(dsw_environment* environment) noexcept;
 
+/** A scene handle that is being made: gone again unless it enters its environment. */
+class SceneOwner {
+ public:
+  SceneOwner(dsw_environment& home, SceneFeatures features);
+  ~SceneOwner();
+  SceneOwner(const SceneOwner&) = delete;
+  SceneOwner& operator=(const SceneOwner&) = delete;
+  dsw_scene* operator->() const { return handle_; }
+  /** The environment knows of it from here on. Throws as `attach` and `let_points_move`. */
+  dsw_scene* enter();
+
+ private:
+  dsw_scene* handle_;
+};
+
 /** Scenes that use an environment now. */
 uint32_t scene_count(const dsw_environment& environment);
 /** The only scene; null if there is none. Throws if there are several. */

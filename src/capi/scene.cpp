@@ -1,7 +1,6 @@
 #include "dartsweep/scene.h"
 
 #include "capi/convert.h"
-#include "environment/moving.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -28,24 +27,8 @@ dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* 
     const dsw::SceneFeatures features{(d.features & DSW_FEATURE_STATISTICS) != 0,
                                       (d.features & DSW_FEATURE_CROSSINGS) != 0,
                                       (d.features & DSW_FEATURE_DEFORMING) != 0};
-    dsw_scene* const made = capi::create_object<dsw_scene>(home.engine.memory, &home, features);
-    try {
-      if (features.deforming) made->engine.deformation.make(home.engine);
-      capi::attach(*made);
-    } catch (...) {
-      capi::destroy_object(home.engine.memory, made);
-      throw;
-    }
-    if (features.deforming) {
-      try {
-        let_points_move(home.engine);
-      } catch (...) {
-        capi::detach(*made);
-        capi::destroy_object(home.engine.memory, made);
-        throw;
-      }
-    }
-    *scene = made;
+    capi::SceneOwner owner(home, features);
+    *scene = owner.enter();
   });
 }
 

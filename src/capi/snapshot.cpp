@@ -1,6 +1,7 @@
 #include "dartsweep/snapshot.h"
 
 #include "capi/handle.h"
+#include "snapshot/scene_snapshot.h"
 #include "snapshot/snapshot.h"
 
 namespace capi = dsw::capi;
@@ -8,12 +9,18 @@ using dsw::fail;
 
 namespace {
 
-/** Of points that move nobody knows, and an invalid cell could not be loaded again. */
-void check_all_valid(const dsw::Environment<3>& env) {
-  if (!env.checked.active()) return;
-  for_each_cell(env.map, [&](dsw::Cell c) {
-    if (!admits(env, c)) fail(DSW_STATUS_INVALID_CELL, "volume %u is not valid", env.map.index(c));
-  });
+/** Writes what is saved to the host's block, if that is large enough. */
+template <class Saved>
+void save_to(const Saved& saved, void* block, size_t capacity_bytes, size_t* size_bytes) {
+  capi::require(size_bytes, "size_bytes");
+  if (capacity_bytes != 0) capi::require(block, "block");
+  const size_t needed = snapshot_bytes(saved);
+  if (capacity_bytes != 0 && capacity_bytes < needed) {
+    *size_bytes = needed;
+    fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity_bytes is %zu, must be at least %zu", capacity_bytes, needed);
+  }
+  if (capacity_bytes != 0) save(saved, static_cast<uint8_t*>(block));
+  *size_bytes = needed;
 }
 
 }  // namespace
@@ -21,19 +28,7 @@ void check_all_valid(const dsw::Environment<3>& env) {
 dsw_status dsw_environment_save(const dsw_environment* environment, void* block, size_t capacity_bytes,
                                 size_t* size_bytes) {
   return capi::guard("dsw_environment_save", [&] {
-    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
-    capi::require(size_bytes, "size_bytes");
-    if (capacity_bytes != 0) capi::require(block, "block");
-    const size_t needed = snapshot_bytes(env);
-    if (capacity_bytes != 0 && capacity_bytes < needed) {
-      *size_bytes = needed;
-      fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity_bytes is %zu, must be at least %zu", capacity_bytes, needed);
-    }
-    if (capacity_bytes != 0) {
-      check_all_valid(env);
-      save(env, static_cast<uint8_t*>(block));
-    }
-    *size_bytes = needed;
+    save_to(capi::check_handle(environment, "environment").engine, block, capacity_bytes, size_bytes);
   });
 }
 
@@ -46,5 +41,22 @@ dsw_status dsw_environment_load(dsw_context* context, const void* block, size_t 
     capi::EnvironmentOwner owner(context);
     load(owner->engine, static_cast<const uint8_t*>(block), size_bytes);
     *environment = owner.take();
+  });
+}
+
+dsw_status dsw_scene_save(const dsw_scene* scene, void* block, size_t capacity_bytes, size_t* size_bytes) {
+  return capi::guard("dsw_scene_save",
+                     [&] { save_to(capi::check_handle(scene, "scene").engine, block, capacity_bytes, size_bytes); });
+}
+
+dsw_status dsw_scene_load(dsw_environment* environment, const void* block, size_t size_bytes, dsw_scene** scene) {
+  return capi::guard("dsw_scene_load", [&] {
+    dsw_environment& home = capi::check_handle(environment, "environment");
+    capi::require(block, "block");
+    capi::require(scene, "scene");
+    const auto* const bytes = static_cast<const uint8_t*>(block);
+    capi::SceneOwner owner(home, dsw::saved_features(bytes, size_bytes));
+    load(owner->engine, bytes, size_bytes);
+    *scene = owner.enter();
   });
 }

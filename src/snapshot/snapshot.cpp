@@ -4,157 +4,135 @@
 
 #include "snapshot/snapshot.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
 #include "environment/builder.h"
+#include "environment/moving.h"
 #include "environment/validity.h"
 #include "map/dart.h"
 #include "map/integrity.h"
-#include "snapshot/bytes.h"
+#include "snapshot/block.h"
 
 namespace dsw {
 namespace {
 
-constexpr uint8_t kMagic[8] = {'D', 'S', 'W', 'E', 'N', 'V', 0x1a, '\n'};
-constexpr uint32_t kFormatVersion = 1;
-constexpr uint32_t kHasGrid = 1;
-constexpr uint64_t kMostUnits = uint64_t{1} << 28;
-
-enum Section { kWords, kShapes, kPoints, kRegions, kTags, kEdgeMarks, kVertexMarks, kSectionCount };
-
-/** Positions in the header. */
-constexpr size_t kAtVersion = 8, kAtDimension = 12, kAtSize = 16, kAtChecksum = 24, kAtFlags = 32, kAtVertexCount = 36,
-                 kAtCellCount = 40, kAtSectionCount = 44, kAtSections = 48;
-constexpr size_t kHeaderBytes = kAtSections + 8 * kSectionCount;
-static_assert(kHeaderBytes % 8 == 0, "sections begin at multiples of 8");
-
-struct Header {
-  uint32_t flags = 0, vertex_count = 0, cell_count = 0;
-  uint64_t bytes[kSectionCount] = {};
+enum Section {
+  kWords,
+  kShapes,
+  kPoints,
+  kRegions,
+  kTags,
+  kEdgeMarks,
+  kVertexMarks,
+  kBox,        // where cells have changed or points move: then it is not that of the present points
+  kCellUnits,  // this and what follows where cells have changed
+  kCellSlots,
+  kFreeCells,
+  kVertexSlots,
+  kFreeVertices,
+  kShapeOffsets,
+  kFreeRecords,
+  kFreeShapes,
+  kSectionCount
 };
 
-constexpr uint64_t padded(uint64_t bytes) { return (bytes + 7) & ~uint64_t{7}; }
+constexpr BlockKind kKind = {"DSWENV\x1a\n", 2, kSectionCount};
+constexpr uint32_t kHasGrid = 1, kHasChanged = 2, kPointsMove = 4;
+constexpr uint64_t kMostUnits = uint64_t{1} << 28;
+
 constexpr uint64_t vertex_mark_words(uint64_t vertices) { return (vertices + 63) / 64; }
 
-[[noreturn]] void corrupt(const char* what) { fail(DSW_STATUS_CORRUPT, "the snapshot is damaged: %s", what); }
+template <class T>
+uint64_t bytes_of(const Array<T>& array) {
+  return array.size() * sizeof(T);
+}
 
 template <int D>
-Header header_of(const Environment<D>& env) {
-  if (env.map.has_changed()) fail(DSW_STATUS_UNSUPPORTED, "the topology has changed, which snapshots do not keep yet");
-  Header h;
-  h.flags = env.grid.empty() ? 0 : kHasGrid;
-  h.vertex_count = env.map.vertex_count;
-  h.cell_count = env.map.cell_count;
-  h.bytes[kWords] = env.map.words.size() * sizeof(uint32_t);
-  h.bytes[kShapes] = env.map.shape_tables.size() * sizeof(uint16_t);
-  h.bytes[kPoints] = uint64_t{env.map.vertex_count} * D * sizeof(double);
-  h.bytes[kRegions] = env.regions.size() * sizeof(int32_t);
-  h.bytes[kTags] = env.tags.size() * sizeof(uint32_t);
+BlockHeader header_of(const Environment<D>& env) {
+  const Map<D>& map = env.map;
+  const bool changed = map.has_changed(), moving = env.checked.active();
+  BlockHeader h;
+  h.flags = (env.grid.empty() ? 0 : kHasGrid) | (changed ? kHasChanged : 0) | (moving ? kPointsMove : 0);
+  h.counts[0] = map.vertex_count;
+  h.counts[1] = map.cell_count;
+  h.bytes[kWords] = bytes_of(map.words);
+  h.bytes[kShapes] = bytes_of(map.shape_tables);
+  h.bytes[kPoints] = uint64_t{map.vertex_count} * D * sizeof(double);
+  h.bytes[kRegions] = bytes_of(env.regions);
+  h.bytes[kTags] = bytes_of(env.tags);
   h.bytes[kEdgeMarks] = env.edge_marks.size() * sizeof(uint64_t);
-  h.bytes[kVertexMarks] = env.marked_vertices == 0 ? 0 : env.vertex_marks.size() * sizeof(uint64_t);
-  return h;
-}
-
-uint64_t total_bytes(const Header& h) {
-  uint64_t total = kHeaderBytes;
-  for (const uint64_t bytes : h.bytes) total += padded(bytes);
-  return total;
-}
-
-/** The sum of all bytes but its own. */
-uint64_t block_checksum(const uint8_t* block, size_t size) {
-  const uint64_t head = checksum(0, block, kAtChecksum);
-  return checksum(head, block + kAtChecksum + 8, size - kAtChecksum - 8);
-}
-
-/** Where a block ends and what is in it, as it claims; checked against its true size and against each other. */
-template <int D>
-Header read_header(const uint8_t* block, size_t size) {
-  if (size < kHeaderBytes) {
-    fail(DSW_STATUS_TRUNCATED, "the snapshot has %zu bytes, its header alone needs %zu", size, kHeaderBytes);
-  }
-  if (std::memcmp(block, kMagic, sizeof kMagic) != 0) corrupt("it does not begin like one");
-  uint32_t version, dimension, sections;
-  uint64_t total, sum;
-  fetch(&version, block + kAtVersion, 1);
-  fetch(&dimension, block + kAtDimension, 1);
-  fetch(&sections, block + kAtSectionCount, 1);
-  fetch(&total, block + kAtSize, 1);
-  fetch(&sum, block + kAtChecksum, 1);
-  if (version != kFormatVersion) {
-    fail(DSW_STATUS_BAD_VERSION, "the snapshot has format version %u, this library reads %u", version, kFormatVersion);
-  }
-  if (size < total) {
-    fail(DSW_STATUS_TRUNCATED, "the snapshot has %zu of %llu bytes", size, static_cast<unsigned long long>(total));
-  }
-  if (size > total) corrupt("there are bytes behind its end");
-  if (size % 8 != 0) corrupt("its size is no multiple of 8");
-  if (block_checksum(block, size) != sum) corrupt("its checksum is wrong");
-  if (dimension != D) corrupt("it has another dimension");
-  if (sections != kSectionCount) corrupt("it has another number of sections");
-  Header h;
-  fetch(&h.flags, block + kAtFlags, 1);
-  fetch(&h.vertex_count, block + kAtVertexCount, 1);
-  fetch(&h.cell_count, block + kAtCellCount, 1);
-  fetch(h.bytes, block + kAtSections, kSectionCount);
-  for (const uint64_t bytes : h.bytes) {
-    if (bytes > size) corrupt("a section is larger than the block");
-  }
-  if (total_bytes(h) != size) corrupt("the sizes of its sections do not add up");
+  h.bytes[kVertexMarks] = env.marked_vertices == 0 ? 0 : bytes_of(env.vertex_marks);
+  h.bytes[kBox] = changed || moving ? sizeof env.lower + sizeof env.upper : 0;
+  if (!changed) return h;
+  h.bytes[kCellUnits] = bytes_of(map.unit_of_cell);
+  h.bytes[kCellSlots] = bytes_of(map.cell_slots.words());
+  h.bytes[kFreeCells] = bytes_of(map.cell_slots.free_slots());
+  h.bytes[kVertexSlots] = bytes_of(map.vertex_slots.words());
+  h.bytes[kFreeVertices] = bytes_of(map.vertex_slots.free_slots());
+  h.bytes[kShapeOffsets] = bytes_of(map.shape_offsets);
+  h.bytes[kFreeRecords] = bytes_of(map.free_records);
+  h.bytes[kFreeShapes] = bytes_of(map.free_shapes);
   return h;
 }
 
 /** Whether each section has the size that the counts ask for. */
 template <int D>
-void check_sizes(const Header& h) {
+void check_sizes(const BlockHeader& h) {
+  const bool changed = (h.flags & kHasChanged) != 0, moving = (h.flags & kPointsMove) != 0;
   const uint64_t units = h.bytes[kWords] / (kUnitWords * sizeof(uint32_t));
-  if ((h.flags & ~kHasGrid) != 0) corrupt("it has unknown flags");
-  if (h.vertex_count > kVertexMask) corrupt("it has too many vertices");
-  if (h.bytes[kWords] % (kUnitWords * sizeof(uint32_t)) != 0 || units >= kMostUnits) corrupt("records: size");
-  if (h.cell_count == 0 || h.cell_count > units) corrupt("number of cells");
-  if (h.bytes[kShapes] % sizeof(uint16_t) != 0 || h.bytes[kShapes] / sizeof(uint16_t) > UINT32_MAX)
-    corrupt("shapes: size");
-  if (h.bytes[kPoints] != uint64_t{h.vertex_count} * D * sizeof(double)) corrupt("points: size");
+  const uint64_t vertices = h.counts[0], cells = h.counts[1];
+  if ((h.flags & ~(kHasGrid | kHasChanged | kPointsMove)) != 0) fail_corrupt("it has unknown flags");
+  if ((changed && D != 3) || (moving && (h.flags & kHasGrid) != 0)) fail_corrupt("flags that do not go together");
+  if (vertices > kVertexMask) fail_corrupt("it has too many vertices");
+  if (h.bytes[kWords] % (kUnitWords * sizeof(uint32_t)) != 0 || units >= kMostUnits) fail_corrupt("records: size");
+  if (cells == 0 || cells > units) fail_corrupt("number of cells");
+  if (h.bytes[kShapes] / sizeof(uint16_t) > UINT32_MAX) fail_corrupt("shapes: size");
+  if (h.bytes[kPoints] != vertices * D * sizeof(double)) fail_corrupt("points: size");
+  const uint64_t label_bytes = changed ? h.bytes[kCellUnits] : cells * sizeof(uint32_t);
   for (const Section s : {kRegions, kTags}) {
-    if (h.bytes[s] != 0 && h.bytes[s] != uint64_t{h.cell_count} * sizeof(uint32_t)) corrupt("labels: size");
+    if (h.bytes[s] != 0 && h.bytes[s] != label_bytes) fail_corrupt("labels: size");
   }
-  if (h.bytes[kEdgeMarks] % sizeof(uint64_t) != 0) corrupt("marked edges: size");
-  if (h.bytes[kVertexMarks] != 0 && h.bytes[kVertexMarks] != vertex_mark_words(h.vertex_count) * sizeof(uint64_t)) {
-    corrupt("marked vertices: size");
+  if (h.bytes[kVertexMarks] != 0 && h.bytes[kVertexMarks] != vertex_mark_words(vertices) * sizeof(uint64_t)) {
+    fail_corrupt("marked vertices: size");
+  }
+  if (h.bytes[kBox] != (changed || moving ? 2 * D * sizeof(double) : 0)) fail_corrupt("box: size");
+  for (uint32_t s = kCellUnits; s < kSectionCount; ++s) {
+    if (!changed && h.bytes[s] != 0) fail_corrupt("changes of what has not changed");
+  }
+  if (!changed) return;
+  if (h.bytes[kCellUnits] == 0 || h.bytes[kCellSlots] != h.bytes[kCellUnits] ||
+      h.bytes[kVertexSlots] != vertices * sizeof(uint32_t)) {
+    fail_corrupt("generations: size");
   }
 }
 
-/** Reads sections in order; what pads them must be zero. */
-class SectionReader {
- public:
-  SectionReader(const Header& header, const uint8_t* at) : header_(header), at_(at) {}
-  template <class T>
-  void read(Section section, Array<T>& out) {
-    const uint64_t bytes = header_.bytes[section];
-    out.resize(static_cast<size_t>(bytes / sizeof(T)));
-    fetch(out.data(), at_, out.size());
-    for (uint64_t i = bytes; i < padded(bytes); ++i) {
-      if (at_[i] != 0) corrupt("bytes between its sections");
-    }
-    at_ += padded(bytes);
-  }
-
- private:
-  const Header& header_;
-  const uint8_t* at_;
-};
-
-/** Finds the shapes and where each record starts, by the rules of creation. */
+/** Finds the shapes, by the rules of creation; where cells have changed it is known where they start. */
 template <int D>
-void restore_layout(Map<D>& map) {
-  Array<uint16_t> scratch(map.shape_tables.get_allocator());
-  for (size_t at = 0; at < map.shape_tables.size();) {
-    const size_t length = sound_table_length<D>(map.shape_tables.data() + at, map.shape_tables.size() - at, scratch);
-    if (length == 0) corrupt("a shape");
-    map.shape_offsets.push_back(static_cast<uint32_t>(at));
+void restore_shapes(Map<D>& map, bool changed) {
+  const Array<uint16_t>& tables = map.shape_tables;
+  Array<uint16_t> scratch(tables.get_allocator());
+  uint32_t number = 0;
+  for (size_t at = 0; at < tables.size(); ++number) {
+    size_t length = 0;
+    if (changed && tables[at] == kFreeShape) {
+      const size_t next = size_t{number} + 1;
+      const size_t end = next < map.shape_offsets.size() ? map.shape_offsets[next] : tables.size();
+      length = end > at && end <= tables.size() ? end - at : 0;
+    } else {
+      length = sound_table_length<D>(tables.data() + at, tables.size() - at, scratch);
+    }
+    if (length == 0) fail_corrupt("a shape");
+    if (!changed) map.shape_offsets.push_back(static_cast<uint32_t>(at));
+    if (number >= map.shape_offsets.size() || map.shape_offsets[number] != at) fail_corrupt("where a shape starts");
     at += length;
   }
+  if (number != map.shape_offsets.size()) fail_corrupt("a shape behind the last");
+}
+
+/** Finds where each record starts, by the rules of creation. */
+template <int D>
+void restore_layout(Map<D>& map) {
   const uint32_t units = static_cast<uint32_t>(map.words.size() / kUnitWords);
   const auto units_at = [&](uint32_t unit) { return record_units(map, map.words[size_t{unit} * kUnitWords]); };
   const uint32_t first_units = units_at(0);
@@ -171,54 +149,73 @@ void restore_layout(Map<D>& map) {
   map.cell_of_unit.assign(units, kNoCell);
   uint64_t unit = 0;
   for (uint32_t i = 0; i < map.cell_count; ++i) {
-    if (unit >= units) corrupt("records: fewer than cells");
+    if (unit >= units) fail_corrupt("records: fewer than cells");
     const uint32_t n = units_at(static_cast<uint32_t>(unit));
-    if (n == 0) corrupt("a record's form");
+    if (n == 0) fail_corrupt("a record's form");
     map.unit_of_cell[i] = static_cast<uint32_t>(unit);
     map.cell_of_unit[unit] = i;
     unit += n;
   }
-  if (unit != units) corrupt("records: another number than cells");
+  if (unit != units) fail_corrupt("records: another number than cells");
 }
 
+/** The tables of cells that have changed: from where their records are said to start, as far as it takes to read them; whether all of that
+ * is sound, check_integrity says. */
 template <int D>
-void load_map(Map<D>& map) {
-  restore_layout(map);
-  count_facets(map, &map.facet_count, &map.boundary_facet_count);
-  const char* const broken = check_integrity(map);
-  if (broken != nullptr) corrupt(broken);
-}
-
-/** Every cell again: that it is valid, and that it says rightly whether it is convex. */
-template <int D>
-void check_cells(const Environment<D>& env) {
-  const Map<D>& map = env.map;
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
-    const Cell c = map.cell(i);
-    const CellState state = check_cell(env, c);
-    if (state != CellState::kValid && state != CellState::kValidConvex) corrupt("a cell is not valid");
-    if (map.convex(c) != (state == CellState::kValidConvex)) corrupt("a cell is wrongly called convex, or not");
+void restore_changes(Map<D>& map) {
+  const size_t units = map.words.size() / kUnitWords;
+  map.cell_of_unit.assign(units, kNoCell);
+  map.vertex_uses.assign(map.vertex_count, 0);
+  for (uint32_t i = 0; i < map.unit_of_cell.size(); ++i) {
+    const Cell c{map.unit_of_cell[i]};
+    if (!c.valid()) continue;
+    if (c.unit >= units || map.cell_of_unit[c.unit] != kNoCell) fail_corrupt("where a record starts");
+    const uint32_t word0 = map.record(c)[0], n = record_units(map, word0);
+    if (n == 0 || n > units - c.unit) fail_corrupt("a record's form");
+    if (form_of(word0) == Form::kGeneral && map.shape_tables[map.shape_offsets[word0 & kShapeMask]] == kFreeShape) {
+      fail_corrupt("a record without a shape");
+    }
+    map.cell_of_unit[c.unit] = i;
+    for (uint32_t k = 0, count = map.vertices_of(c); k < count; ++k) {
+      const uint32_t v = map.vertex(c, k);
+      if (v >= map.vertex_count) fail_corrupt("a vertex of a cell");
+      ++map.vertex_uses[v];
+    }
   }
+}
+
+/** Every cell again: that it is valid, and that it says rightly whether it is convex. Of moving points nobody knows. */
+template <int D>
+void check_cells(const Environment<D>& env, bool moving) {
+  const Map<D>& map = env.map;
+  for_each_cell(map, [&](Cell c) {
+    if (moving) {
+      if (map.form(c) != Form::kSimplex && map.convex(c)) fail_corrupt("a cell of moving points is called convex");
+      return;
+    }
+    const CellState state = check_cell(env, c);
+    if (state != CellState::kValid && state != CellState::kValidConvex) fail_corrupt("a cell is not valid");
+    if (map.convex(c) != (state == CellState::kValidConvex)) fail_corrupt("a cell is wrongly called convex, or not");
+  });
 }
 
 /** Calls visit(edge key) for the edges of all cells, more than once for most. */
 template <int D, class Visit>
 void for_each_edge_key(const Map<D>& map, const Visit& visit) {
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
-    const Cell c = map.cell(i);
+  for_each_cell(map, [&](Cell c) {
     for (uint32_t d = 0, n = map.shape(c).dart_count(); d < n; ++d) {
       const uint64_t a = dart_vertex(map, {c, d}), b = dart_target(map, {c, d});
       visit(a < b ? a << 32 | b : b << 32 | a);
     }
-  }
+  });
 }
 
 template <int D>
 void load_edge_marks(Environment<D>& env, const Array<uint64_t>& keys) {
   for (size_t i = 0; i < keys.size(); ++i) {
-    if (i != 0 && keys[i - 1] >= keys[i]) corrupt("marked edges are not in order");
+    if (i != 0 && keys[i - 1] >= keys[i]) fail_corrupt("marked edges are not in order");
     const uint64_t a = keys[i] >> 32, b = keys[i] & 0xffffffffu;
-    if (a >= b || b >= env.map.vertex_count) corrupt("a marked edge");
+    if (a >= b || b >= env.map.vertex_count) fail_corrupt("a marked edge");
   }
   if (keys.empty()) return;
   Array<uint8_t> found(keys.size(), 0, Allocator<uint8_t>(env.memory));
@@ -226,7 +223,7 @@ void load_edge_marks(Environment<D>& env, const Array<uint64_t>& keys) {
     const auto at = std::lower_bound(keys.begin(), keys.end(), key);
     if (at != keys.end() && *at == key) found[static_cast<size_t>(at - keys.begin())] = 1;
   });
-  if (std::find(found.begin(), found.end(), 0) != found.end()) corrupt("a marked edge is none");
+  if (std::find(found.begin(), found.end(), 0) != found.end()) fail_corrupt("a marked edge is none");
   env.edge_marks.reserve(keys.size());
   for (const uint64_t key : keys) {
     env.edge_marks.insert(static_cast<uint32_t>(key >> 32), static_cast<uint32_t>(key));
@@ -237,106 +234,129 @@ void load_edge_marks(Environment<D>& env, const Array<uint64_t>& keys) {
 template <int D>
 void count_marks(Environment<D>& env) {
   const Map<D>& map = env.map;
-  for (uint32_t i = 0; i < map.cell_count; ++i) {
-    const Cell c = map.cell(i);
+  for_each_cell(map, [&](Cell c) {
     env.marked_cells += map.marked(c) ? 1u : 0u;
     for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
       const HalfFacet h = map.half_facet(c, f);
       if (map.facet_marked(h) && canonical(map, h) == h) ++env.marked_facets;
     }
-  }
+  });
   env.marked_edges = env.edge_marks.size();
   for (const uint64_t word : env.vertex_marks) {
     for (uint64_t bits = word; bits != 0; bits &= bits - 1) ++env.marked_vertices;
   }
   if (env.vertex_marks.empty()) return;
   const uint32_t used = map.vertex_count % 64;
-  if (used != 0 && env.vertex_marks.back() >> used != 0) corrupt("a marked vertex");
-  if (env.marked_vertices == 0) corrupt("marks of vertices without any");
+  if (used != 0 && env.vertex_marks.back() >> used != 0) fail_corrupt("a marked vertex");
+  if (env.marked_vertices == 0) fail_corrupt("marks of vertices without any");
 }
 
-/** The records as they are when points stay: cells of moving ones do not say that they are convex. */
+/** The box only grows while cells change, and does not follow points that move. */
 template <int D>
-Array<uint32_t> words_of_rest(const Environment<D>& env) {
-  Array<uint32_t> words = env.map.words;
-  for (uint32_t i = 0; i < env.map.cell_count; ++i) {
-    const Cell c = env.map.cell(i);
-    if (env.map.form(c) != Form::kSimplex && check_cell(env, c) == CellState::kValidConvex) {
-      words[size_t{c.unit} * kUnitWords] |= kConvexBit;
-    }
+void load_box(Environment<D>& env, const Array<double>& box, bool moving) {
+  for (int k = 0; k < D && !box.empty(); ++k) {
+    const double lower = box[static_cast<size_t>(k)], upper = box[static_cast<size_t>(D + k)];
+    const bool holds = moving ? lower <= upper : lower <= env.lower[k] && upper >= env.upper[k];
+    if (!holds || !std::isfinite(lower) || !std::isfinite(upper)) fail_corrupt("the box");
+    env.lower[k] = lower;
+    env.upper[k] = upper;
   }
-  return words;
+}
+
+void read_slots(BlockReader& reader, SlotPool& slots, const Memory* memory) {
+  Array<uint32_t> words{Allocator<uint32_t>(memory)}, free{Allocator<uint32_t>(memory)};
+  reader.read(words);
+  reader.read(free);
+  if (!slots.restore(std::move(words), std::move(free))) fail_corrupt("generations");
 }
 
 }  // namespace
 
 template <int D>
 size_t snapshot_bytes(const Environment<D>& env) {
-  return static_cast<size_t>(total_bytes(header_of(env)));
+  return block_bytes(kKind, header_of(env));
 }
 
 template <int D>
 void save(const Environment<D>& env, uint8_t* out) {
-  const Header h = header_of(env);
-  const uint64_t total = total_bytes(h);
+  const Map<D>& map = env.map;
+  const BlockHeader h = header_of(env);
   Array<uint64_t> edges{Allocator<uint64_t>(env.memory)};
   edges.reserve(env.edge_marks.size());
   env.edge_marks.copy_sorted(edges);
 
-  std::memset(out, 0, kHeaderBytes);
-  std::memcpy(out, kMagic, sizeof kMagic);
-  const uint32_t dimension = D, sections = kSectionCount;
-  store(out + kAtVersion, &kFormatVersion, 1);
-  store(out + kAtDimension, &dimension, 1);
-  store(out + kAtSize, &total, 1);
-  store(out + kAtFlags, &h.flags, 1);
-  store(out + kAtVertexCount, &h.vertex_count, 1);
-  store(out + kAtCellCount, &h.cell_count, 1);
-  store(out + kAtSectionCount, &sections, 1);
-  store(out + kAtSections, h.bytes, kSectionCount);
-  uint8_t* at = out + kHeaderBytes;
+  BlockWriter writer(kKind, h, D, out);
   const auto write = [&](Section section, const auto* values) {
-    const uint64_t bytes = h.bytes[section];
-    store(at, values, static_cast<size_t>(bytes / sizeof(*values)));
-    std::fill(at + bytes, at + padded(bytes), uint8_t{0});
-    at += padded(bytes);
+    writer.write(values, static_cast<size_t>(h.bytes[section] / sizeof(*values)));
+    writer.end_section();
   };
-  write(kWords, env.checked.active() ? words_of_rest(env).data() : env.map.words.data());
-  write(kShapes, env.map.shape_tables.data());
+  write(kWords, map.words.data());
+  write(kShapes, map.shape_tables.data());
   write(kPoints, env.points);
   write(kRegions, env.regions.data());
   write(kTags, env.tags.data());
   write(kEdgeMarks, edges.data());
   write(kVertexMarks, env.vertex_marks.data());
-  const uint64_t sum = block_checksum(out, static_cast<size_t>(total));
-  store(out + kAtChecksum, &sum, 1);
+  if (h.bytes[kBox] != 0) {
+    writer.write(env.lower, D);
+    writer.write(env.upper, D);
+    writer.end_section();
+  }
+  write(kCellUnits, map.unit_of_cell.data());
+  write(kCellSlots, map.cell_slots.words().data());
+  write(kFreeCells, map.cell_slots.free_slots().data());
+  write(kVertexSlots, map.vertex_slots.words().data());
+  write(kFreeVertices, map.vertex_slots.free_slots().data());
+  write(kShapeOffsets, map.shape_offsets.data());
+  write(kFreeRecords, map.free_records.data());
+  write(kFreeShapes, map.free_shapes.data());
+  writer.finish();
 }
 
 template <int D>
 void load(Environment<D>& env, const uint8_t* block, size_t size) {
-  const Header h = read_header<D>(block, size);
+  BlockReader reader(kKind, D, block, size);
+  const BlockHeader& h = reader.header();
   check_sizes<D>(h);
+  const bool changed = (h.flags & kHasChanged) != 0, moving = (h.flags & kPointsMove) != 0;
   Map<D>& map = env.map;
-  map.vertex_count = h.vertex_count;
-  map.cell_count = h.cell_count;
+  map.vertex_count = h.counts[0];
+  map.cell_count = h.counts[1];
   Array<uint64_t> edges{Allocator<uint64_t>(env.memory)};
-  SectionReader reader(h, block + kHeaderBytes);
-  reader.read(kWords, map.words);
-  reader.read(kShapes, map.shape_tables);
-  reader.read(kPoints, env.owned_points);
-  reader.read(kRegions, env.regions);
-  reader.read(kTags, env.tags);
-  reader.read(kEdgeMarks, edges);
-  reader.read(kVertexMarks, env.vertex_marks);
+  Array<double> box{Allocator<double>(env.memory)};
+  reader.read(map.words);
+  reader.read(map.shape_tables);
+  reader.read(env.owned_points);
+  reader.read(env.regions);
+  reader.read(env.tags);
+  reader.read(edges);
+  reader.read(env.vertex_marks);
+  reader.read(box);
+  reader.read(map.unit_of_cell);
+  read_slots(reader, map.cell_slots, env.memory);
+  read_slots(reader, map.vertex_slots, env.memory);
+  reader.read(map.shape_offsets);
+  reader.read(map.free_records);
+  reader.read(map.free_shapes);
   env.points = env.owned_points.data();
-  for (const double x : env.owned_points) {
-    if (!std::isfinite(x)) corrupt("a point is not finite");
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  if (!moving && !std::all_of(env.owned_points.begin(), env.owned_points.end(), is_finite)) {
+    fail_corrupt("a point is not finite");
   }
-  load_map(map);
-  check_cells(env);
+  restore_shapes(map, changed);
+  if (changed) {
+    restore_changes(map);
+  } else {
+    restore_layout(map);
+  }
+  count_facets(map, &map.facet_count, &map.boundary_facet_count);
+  if (const char* const broken = check_integrity(map)) fail_corrupt(broken);
+  check_cells(env, moving);
   load_edge_marks(env, edges);
   count_marks(env);
   finish_topology(env, nullptr);
+  load_box(env, box, moving);
+  if (moving) let_points_move(env);
   if ((h.flags & kHasGrid) != 0) build_grid(env);
 }
 

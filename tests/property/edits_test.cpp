@@ -73,5 +73,21 @@ TEST_P(EditsTest, RunningOutOfMemoryAnywhereChangesNothing) {
   EXPECT_GT(edits.refusals, 200u);
 }
 
+TEST_P(EditsTest, WhatIsLoadedGoesOnWithTheSameBits) {
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    RandomEdits edits(GetParam(), seed), copy(GetParam(), seed);
+    if (edits.environment() == nullptr) continue;
+    for (int round = 0; round < 5; ++round) {
+      for (int calls = 0; calls < 20; ++calls) {
+        ASSERT_EQ(edits.step(), copy.step()) << "scene seed " << seed;
+      }
+      ASSERT_EQ(edits.move_all(), copy.move_all());
+      ASSERT_TRUE(edits.saved() == copy.saved()) << "scene seed " << seed << ", round " << round;
+      ASSERT_EQ(copy.reload(), "") << "scene seed " << seed << ", round " << round;
+      ASSERT_TRUE(edits.saved() == copy.saved()) << "scene seed " << seed << ", round " << round;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dsw::oracle

@@ -382,6 +382,32 @@ std::string RandomEdits::step() {
   return wrong.empty() ? wrong : std::string(name_of(operation)) + ": " + wrong;
 }
 
+std::string RandomEdits::saved() const {
+  size_t sizes[2] = {};
+  dsw_environment_save(place_.get(), nullptr, 0, &sizes[0]);
+  dsw_scene_save(scene_.get(), nullptr, 0, &sizes[1]);
+  std::string blocks(sizes[0] + sizes[1], '\0');
+  EXPECT_EQ(dsw_environment_save(place_.get(), &blocks[0], sizes[0], &sizes[0]), DSW_STATUS_OK);
+  EXPECT_EQ(dsw_scene_save(scene_.get(), &blocks[sizes[0]], sizes[1], &sizes[1]), DSW_STATUS_OK);
+  return blocks;
+}
+
+std::string RandomEdits::reload() {
+  const std::string blocks = saved();
+  size_t size = 0;
+  dsw_environment_save(place_.get(), nullptr, 0, &size);
+  dsw_environment* environment = nullptr;
+  dsw_scene* scene = nullptr;
+  scene_.reset();
+  if (dsw_environment_load(context_.get(), blocks.data(), size, &environment) != DSW_STATUS_OK) {
+    return dsw_last_error_message();
+  }
+  place_.environment.reset(environment);
+  const dsw_status status = dsw_scene_load(environment, blocks.data() + size, blocks.size() - size, &scene);
+  scene_.reset(scene);
+  return status == DSW_STATUS_OK ? "" : dsw_last_error_message();
+}
+
 std::string RandomEdits::move_all() {
   const double reach = 0.2 * place_.world->size;
   const auto near = [&](const double* at, double* to) {

@@ -44,6 +44,10 @@ class RandomEdits {
   std::string step();
   /// Moves all particles and bodies a little: what they keep from move to move must fit what has changed.
   std::string move_all();
+  /// Environment and scene as their snapshots.
+  std::string saved() const;
+  /// Goes on with what is loaded from these.
+  std::string reload();
   /// Particles, bodies and volumes against brute force in exact integers.
   std::string check_exactly();
 

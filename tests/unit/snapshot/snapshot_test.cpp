@@ -24,7 +24,7 @@ using namespace dsw::testing_meshes;
 
 // Positions of format version 1.
 constexpr size_t kAtVersion = 8, kAtDimension = 12, kAtSize = 16, kAtChecksum = 24, kAtFlags = 32, kAtVertexCount = 36,
-                 kAtCellCount = 40, kAtSectionCount = 44, kAtSections = 48, kHeaderBytes = 104;
+                 kAtCellCount = 40, kAtSectionCount = 44, kAtSections = 48, kHeaderBytes = 176;
 
 template <int D>
 std::vector<uint8_t> saved(const Environment<D>& env) {

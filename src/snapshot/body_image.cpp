@@ -1,0 +1,344 @@
+// Bodies in the arrays of a scene's snapshot.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <initializer_list>
+#include <type_traits>
+
+#include "body/integrity.h"
+#include "motion/locate.h"
+#include "motion/nearest.h"
+#include "snapshot/scene_image.h"
+#include "sweep/body_probe.h"
+
+namespace dsw {
+namespace {
+
+/** Numbers of a body. */
+enum Number {
+  kLevel,
+  kFlags,
+  kMotionShare,  // the bits of the double
+  kCredit,
+  kVertices,
+  kFreeVertices,
+  kEdges,
+  kFreeEdges,
+  kFaces,
+  kFreeFaces,
+  kInserted,
+  kSequences,
+  kBalls,
+  kContacts,
+  kNumbers
+};
+
+constexpr uint64_t kSequencesFlag = 1, kEnvironmentFlag = 2, kClearanceFlag = 4, kMotionFlag = 8, kAllFlags = 15;
+
+template <class To, class From>
+To bits_as(const From& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To to;
+  std::memcpy(&to, &from, sizeof to);
+  return to;
+}
+
+uint64_t flags_of(const Skipping& s) {
+  return (s.sequences ? kSequencesFlag : 0) | (s.by_environment ? kEnvironmentFlag : 0) |
+         (s.by_clearance ? kClearanceFlag : 0) | (s.by_motion ? kMotionFlag : 0);
+}
+
+template <class T>
+void append(Array<T>& to, const T* values, size_t count) {
+  reserve_more(to, count);
+  to.insert(to.end(), values, values + count);
+}
+
+template <class T>
+void append(Array<T>& to, std::initializer_list<T> values) {
+  append(to, values.begin(), values.size());
+}
+
+/** The doubles of a contact, as pairs of a place and a count. */
+template <class Contact, class Visit>
+void for_each_place(Contact& c, Visit visit) {
+  visit(c.from, 3), visit(c.to, 3), visit(c.fixed[0], 3), visit(c.fixed[1], 3), visit(&c.time, 1);
+  visit(c.position, 3), visit(c.point, 3), visit(c.normal, 3), visit(&c.along, 1), visit(&c.distance_left, 1);
+}
+constexpr size_t kContactPlaces = 24;
+
+/** Its integers. */
+template <class Contact, class Visit>
+void for_each_word(Contact& c, Visit visit) {
+  visit(c.vertex.index), visit(c.vertex.generation), visit(c.edge.index), visit(c.edge.generation);
+  visit(c.face.index), visit(c.face.generation);
+  visit(c.obstacle.kind), visit(c.obstacle.index), visit(c.obstacle.generation), visit(c.obstacle.local);
+  visit(c.wall.volume), visit(c.wall.generation), visit(c.wall.local), visit(c.front.index), visit(c.front.generation);
+  visit(c.kind), visit(c.cause), visit(c.tag), visit(c.history);
+}
+constexpr size_t kContactWords = 19, kAtObstacleKind = 6, kAtKind = 15;  // then cause, tag, history
+
+/** Whether each facet leads to the cell of the next. One that has lost its other side since it was passed makes what is known worthless. */
+bool is_whole(const Map<3>& map, const Array<uint32_t>& facets) {
+  for (size_t i = 0; i < facets.size(); ++i) {
+    const HalfFacet beyond = map.opposite({facets[i]});
+    if (!beyond.valid()) return false;
+    if (i + 1 < facets.size() && map.cell_of(beyond) != map.cell_of({facets[i + 1]})) return false;
+  }
+  return true;
+}
+
+constexpr uint32_t kUnknown = 0xffffffffu;  // instead of a sequence's count
+
+void append_sequence(const Map<3>& map, const EdgeSequence& sequence, Array<uint32_t>& out) {
+  if (!sequence.known() || !is_whole(map, sequence.facets)) return append(out, {kUnknown});
+  append(out, {2 * static_cast<uint32_t>(sequence.facets.size()) + (sequence.of_tetrahedra ? 1 : 0)});
+  for (const uint32_t facet : sequence.facets) {
+    const Cell c = map.cell_of({facet});
+    append(out, {map.index(c), map.local_of({facet}, c)});
+  }
+}
+
+}  // namespace
+
+bool can_be_at(const Environment<3>& env, Cell cell, const double* point) noexcept {
+  const bool finite = std::all_of(point, point + 3, [](double x) { return std::isfinite(x); });
+  return finite && cell.valid() && !is_closed(env, cell) && contains(env, cell, point);
+}
+
+void append(const Environment<3>& env, const BodyRecord& of, SceneImage& image) {
+  const Map<3>& map = env.map;
+  const Body& body = of.body;
+  const size_t edges = body.edges.size(), vertices = body.vertices.size();
+  const size_t sequences =
+      std::min(body.sequences.size(), edges);  // there can be room for more, or they are no longer kept
+  const size_t balls = body.skipping.by_clearance ? vertices : 0;
+  uint64_t numbers[kNumbers] = {};
+  numbers[kLevel] = static_cast<uint64_t>(body.level);
+  numbers[kFlags] = flags_of(body.skipping);
+  numbers[kMotionShare] = bits_as<uint64_t>(body.skipping.motion_share);
+  numbers[kCredit] = bits_as<uint64_t>(body.clearance_credit);
+  numbers[kVertices] = vertices;
+  numbers[kFreeVertices] = body.vertex_slots.free_slots().size();
+  numbers[kEdges] = edges;
+  numbers[kFreeEdges] = body.edge_slots.free_slots().size();
+  numbers[kFaces] = body.faces.size();
+  numbers[kFreeFaces] = body.face_slots.free_slots().size();
+  numbers[kInserted] = body.inserted.size();
+  numbers[kSequences] = sequences;
+  numbers[kBalls] = balls;
+  numbers[kContacts] = of.record.contacts.size();
+  append(image.bodies, numbers, kNumbers);
+  const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
+    append(to, from.data(), from.size());
+  };
+  for (const BodyVertex& vertex : body.vertices) {
+    append(image.vertex_places, vertex.position, 3);
+    append(image.vertices, {to_index(map, vertex.cell), vertex.first_edge});
+  }
+  append_all(image.vertex_slots, body.vertex_slots.words());
+  append_all(image.free_vertices, body.vertex_slots.free_slots());
+  for (const BodyEdge& e : body.edges) {
+    append(image.edges, {e.ends[0], e.ends[1], e.next[0], e.next[1], e.faces[0], e.faces[1]});
+  }
+  append_all(image.edge_slots, body.edge_slots.words());
+  append_all(image.free_edges, body.edge_slots.free_slots());
+  for (const BodyFace& face : body.faces) append(image.faces, face.corners, 3);
+  append_all(image.face_slots, body.face_slots.words());
+  append_all(image.free_faces, body.face_slots.free_slots());
+  append_all(image.inserted, body.inserted);
+  for (size_t e = 0; e < sequences; ++e) append_sequence(map, body.sequences[e], image.sequences);
+  for (size_t v = 0; v < balls; ++v) {
+    const Clearance& ball = body.clearances[v];
+    append(image.balls, {ball.centre[0], ball.centre[1], ball.centre[2], ball.radius, ball.wanted});
+    append(image.ball_words,
+           {ball.wait, ball.patience, ball.radius > 0 && ball.version == env.obstacle_version ? 1u : 0u});
+  }
+  for (const dsw_contact& contact : of.record.contacts) {
+    for_each_place(contact, [&](const double* at, size_t count) { append(image.contact_places, at, count); });
+    for_each_word(contact, [&](auto word) { append(image.contacts, {static_cast<uint32_t>(word)}); });
+  }
+}
+
+template <class T>
+const T* BodyReader::take(const Array<T>& from, size_t& at, uint64_t count) {
+  if (count > from.size() - at) fail_corrupt("a body ends early");
+  const T* const first = from.data() + at;
+  at += static_cast<size_t>(count);
+  return first;
+}
+
+SlotPool BodyReader::read_slots(const Array<uint32_t>& words, size_t& at, uint64_t count, const Array<uint32_t>& free,
+                                size_t& free_at, uint64_t free_count) {
+  const Allocator<uint32_t> allocator(env_.memory);
+  const uint32_t *const first = take(words, at, count), *const first_free = take(free, free_at, free_count);
+  SlotPool slots(env_.memory);
+  if (!slots.restore(Array<uint32_t>(first, first + count, allocator),
+                     Array<uint32_t>(first_free, first_free + free_count, allocator))) {
+    fail_corrupt("generations of a body");
+  }
+  return slots;
+}
+
+void BodyReader::read_parts(Body& body, const uint64_t* n) {
+  const uint64_t vertices = n[kVertices], edges = n[kEdges], faces = n[kFaces];
+  if (std::max({vertices, edges, faces}) >= kNone) fail_corrupt("a body is too large");
+  const double* place = take(image_.vertex_places, vertex_place_, 3 * vertices);
+  const uint32_t* words = take(image_.vertices, vertex_, 2 * vertices);
+  body.vertices.resize(static_cast<size_t>(vertices));
+  for (BodyVertex& vertex : body.vertices) {
+    std::copy_n(place, 3, vertex.position);
+    vertex.cell = to_cell(env_.map, words[0]);
+    if (words[0] != kNoIndex && !vertex.cell.valid()) fail_corrupt("the cell of a vertex");
+    vertex.first_edge = words[1];
+    place += 3;
+    words += 2;
+  }
+  words = take(image_.edges, edge_, 6 * edges);
+  body.edges.resize(static_cast<size_t>(edges));
+  for (BodyEdge& edge : body.edges) {
+    std::copy_n(words, 2, edge.ends);
+    std::copy_n(words + 2, 2, edge.next);
+    std::copy_n(words + 4, 2, edge.faces);
+    words += 6;
+  }
+  words = take(image_.faces, face_, 3 * faces);
+  body.faces.resize(static_cast<size_t>(faces));
+  for (BodyFace& face : body.faces) {
+    std::copy_n(words, 3, face.corners);
+    words += 3;
+  }
+  body.vertex_slots =
+      read_slots(image_.vertex_slots, vertex_slot_, vertices, image_.free_vertices, free_vertex_, n[kFreeVertices]);
+  body.edge_slots = read_slots(image_.edge_slots, edge_slot_, edges, image_.free_edges, free_edge_, n[kFreeEdges]);
+  body.face_slots = read_slots(image_.face_slots, face_slot_, faces, image_.free_faces, free_face_, n[kFreeFaces]);
+  words = take(image_.inserted, inserted_, n[kInserted]);
+  body.inserted.assign(words, words + n[kInserted]);
+}
+
+void BodyReader::read_sequences(Body& body, uint64_t count) {
+  const Map<3>& map = env_.map;
+  const bool fits = body.keeps_sequences() ? count == body.edges.size() : count <= body.edges.size();
+  if (!fits) fail_corrupt("the number of sequences");
+  keep_sequences(body, static_cast<size_t>(count));
+  Array<uint32_t> facets{Allocator<uint32_t>(env_.memory)};
+  for (EdgeSequence& sequence : body.sequences) {
+    const uint32_t word = *take(image_.sequences, sequence_, 1);
+    if (word == kUnknown) {
+      sequence.forget();
+      continue;
+    }
+    facets.clear();
+    for (const uint32_t* at = take(image_.sequences, sequence_, word / 2 * 2); facets.size() < word / 2; at += 2) {
+      const Cell c = to_cell(map, at[0]);
+      if (!c.valid() || at[1] >= map.facets_of(c)) fail_corrupt("a facet of a sequence");
+      facets.push_back(map.half_facet(c, at[1]).word);
+    }
+    if (!is_whole(map, facets)) fail_corrupt("a sequence is broken");
+    sequence.assign(map, facets);
+    if ((word & 1) != 0 && !sequence.of_tetrahedra) fail_corrupt("a sequence of other cells");
+    if ((word & 1) != 0) continue;
+    sequence.of_tetrahedra = false;
+    sequence.triangles.clear();
+  }
+}
+
+/** A ball that is said to be free has to be. */
+void BodyReader::read_balls(Body& body, uint64_t count) {
+  if (count != (body.skipping.by_clearance ? body.vertices.size() : 0)) fail_corrupt("the number of clearances");
+  const double* place = take(image_.balls, ball_, 5 * count);
+  const uint32_t* words = take(image_.ball_words, ball_word_, 3 * count);
+  body.clearances.resize(static_cast<size_t>(count));
+  for (size_t v = 0; v < count; ++v, place += 5, words += 3) {
+    Clearance& ball = body.clearances[v];
+    std::copy_n(place, 3, ball.centre);
+    ball.radius = place[3];
+    ball.wanted = place[4];
+    ball.wait = words[0];
+    ball.patience = words[1];
+    ball.version = words[2] == 1 ? env_.obstacle_version : EdgeSequence::kNever;
+    const bool finite = std::all_of(place, place + 5, [](double x) { return std::isfinite(x); });
+    if (!finite || words[2] > 1 || !(ball.radius > 0 || (ball.radius == 0 && words[2] == 0)))
+      fail_corrupt("a clearance");
+    if (words[2] == 0) continue;
+    const Cell at = locate(env_, ball.centre, body.vertices[v].cell, nullptr).cell;
+    NearestResult nearest;
+    if (!at.valid() || is_closed(env_, at) || find_nearest(env_, ball.centre, at, ball.radius, nearest)) {
+      fail_corrupt("a clearance that is none");
+    }
+  }
+}
+
+void BodyReader::read_contacts(BodyRecord& of, uint64_t count) {
+  if (count > image_.contacts.size()) fail_corrupt("the number of contacts");
+  const double* place = take(image_.contact_places, contact_place_, kContactPlaces * count);
+  const uint32_t* words = take(image_.contacts, contact_, kContactWords * count);
+  of.record.contacts.resize(static_cast<size_t>(count));
+  for (dsw_contact& contact : of.record.contacts) {
+    if (words[kAtObstacleKind] > DSW_CELL_VOLUME || words[kAtKind] > DSW_CONTACT_VERTEX ||
+        words[kAtKind + 1] > DSW_CELL_VOLUME || words[kAtKind + 3] > DSW_HISTORY_LASTING) {
+      fail_corrupt("a contact");
+    }
+    for_each_place(contact, [&](double* to, size_t n) {
+      std::copy_n(place, n, to);
+      place += n;
+    });
+    for_each_word(contact, [&](auto& word) { word = static_cast<std::decay_t<decltype(word)>>(*words++); });
+  }
+}
+
+void BodyReader::check(const Body& body) {
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (body.has_vertex(v) && !can_be_at(env_, body.vertices[v].cell, body.position(v))) {
+      fail_corrupt("a vertex is not where it is said to be, or that was in another environment");
+    }
+  }
+  Array<uint32_t> blocked{Allocator<uint32_t>(env_.memory)};
+  BodyProbe(env_, Box::everything(), Obstacle::kCells).find_blocked(body, body.level, blocked);
+  if (!blocked.empty()) fail_corrupt("a body is not free, or that was in another environment");
+}
+
+void BodyReader::read(BodyRecord& of) {
+  Body& body = of.body;
+  const uint64_t* const n = take(image_.bodies, body_, kNumbers);
+  if (n[kLevel] > static_cast<uint64_t>(SweepLevel::kFaces) || n[kFlags] > kAllFlags) fail_corrupt("a body's level");
+  body.level = static_cast<SweepLevel>(n[kLevel]);
+  body.skipping.sequences = (n[kFlags] & kSequencesFlag) != 0;
+  body.skipping.by_environment = (n[kFlags] & kEnvironmentFlag) != 0;
+  body.skipping.by_clearance = (n[kFlags] & kClearanceFlag) != 0;
+  body.skipping.by_motion = (n[kFlags] & kMotionFlag) != 0;
+  body.skipping.motion_share = bits_as<double>(n[kMotionShare]);
+  body.clearance_credit = bits_as<int64_t>(n[kCredit]);
+  if (!(body.skipping.motion_share >= 0) || !std::isfinite(body.skipping.motion_share)) fail_corrupt("a motion share");
+  read_parts(body, n);
+  if (const char* const broken = check_integrity(body)) fail_corrupt(broken);
+  check(body);
+  read_sequences(body, n[kSequences]);
+  read_balls(body, n[kBalls]);
+  read_contacts(of, n[kContacts]);
+  reserve(body, 0, 0, 0);
+}
+
+void BodyReader::skip() {
+  const uint64_t* const n = take(image_.bodies, body_, kNumbers);
+  uint64_t numbers[kNumbers] = {};
+  const Skipping none;
+  numbers[kLevel] = static_cast<uint64_t>(SweepLevel::kEdgesSwept);
+  numbers[kMotionShare] = bits_as<uint64_t>(none.motion_share);
+  if (!std::equal(n, n + kNumbers, numbers)) fail_corrupt("a slot without a body");
+}
+
+void BodyReader::finish() const {
+  const SceneImage& i = image_;
+  const bool all =
+      body_ == i.bodies.size() && vertex_place_ == i.vertex_places.size() && vertex_ == i.vertices.size() &&
+      vertex_slot_ == i.vertex_slots.size() && free_vertex_ == i.free_vertices.size() && edge_ == i.edges.size() &&
+      edge_slot_ == i.edge_slots.size() && free_edge_ == i.free_edges.size() && face_ == i.faces.size() &&
+      face_slot_ == i.face_slots.size() && free_face_ == i.free_faces.size() && inserted_ == i.inserted.size() &&
+      sequence_ == i.sequences.size() && ball_ == i.balls.size() && ball_word_ == i.ball_words.size() &&
+      contact_place_ == i.contact_places.size() && contact_ == i.contacts.size();
+  if (!all) fail_corrupt("more of bodies than there are");
+}
+
+}  // namespace dsw

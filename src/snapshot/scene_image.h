@@ -1,0 +1,100 @@
+#pragma once
+// What is in a scene as flat arrays, one for each section of its snapshot: filled from a scene, or read and then turned into one.
+
+#include "scene/bodies.h"
+#include "snapshot/block.h"
+
+namespace dsw {
+
+struct SceneImage {
+  // Of the scene.
+  Array<uint64_t>
+      numbers;  // the counters of its statistics, then what its environment had of cells, indices and vertices
+  Array<double> particle_places;
+  Array<uint32_t> particles;  // cell and forecast
+  Array<uint32_t> particle_slots, free_particles;
+  Array<uint32_t> body_slots, free_bodies;
+  // Of its bodies, one after the other.
+  Array<uint64_t> bodies;  // see body_image.cpp
+  Array<double> vertex_places;
+  Array<uint32_t> vertices;  // cell and first edge
+  Array<uint32_t> vertex_slots, free_vertices;
+  Array<uint32_t> edges;  // ends, next edges, faces
+  Array<uint32_t> edge_slots, free_edges;
+  Array<uint32_t> faces;  // corners
+  Array<uint32_t> face_slots, free_faces;
+  Array<uint32_t> inserted;
+  Array<uint32_t>
+      sequences;  // for each edge twice the count, plus 1 if all are of tetrahedra; then cell and local number of each facet
+  Array<double> balls;         // centre, radius, wanted
+  Array<uint32_t> ball_words;  // wait, patience, whether it is of the present environment
+  Array<double> contact_places;
+  Array<uint32_t> contacts;
+
+  explicit SceneImage(const Memory* memory);
+
+  static constexpr uint32_t kSections = 24;
+
+  /** Calls visit(array) for all arrays in the order of their sections. */
+  template <class Visit>
+  void for_each(Visit visit) {
+    visit(numbers);
+    visit(particle_places), visit(particles), visit(particle_slots), visit(free_particles);
+    visit(body_slots), visit(free_bodies);
+    visit(bodies);
+    visit(vertex_places), visit(vertices), visit(vertex_slots), visit(free_vertices);
+    visit(edges), visit(edge_slots), visit(free_edges);
+    visit(faces), visit(face_slots), visit(free_faces);
+    visit(inserted);
+    visit(sequences);
+    visit(balls), visit(ball_words);
+    visit(contact_places), visit(contacts);
+  }
+};
+
+constexpr uint32_t kNoIndex = 0xffffffffu;  // for a slot without a cell
+
+/** Public index of a cell, or kNoIndex. */
+inline uint32_t to_index(const Map<3>& map, Cell c) { return c.valid() ? map.index(c) : kNoIndex; }
+/** The way back; invalid also for an index without a cell. */
+inline Cell to_cell(const Map<3>& map, uint32_t index) { return index < map.index_count() ? map.cell(index) : Cell{}; }
+
+/** Whether something can be at a point in a cell: that is passable and contains it. */
+bool can_be_at(const Environment<3>& env, Cell cell, const double* point) noexcept;
+
+/** Appends a body, or a slot without one. Throws std::bad_alloc. */
+void append(const Environment<3>& env, const BodyRecord& of, SceneImage& image);
+
+/** Takes bodies from an image, which is not trusted: Error with CORRUPT, or std::bad_alloc. */
+class BodyReader {
+ public:
+  BodyReader(const Environment<3>& env, const SceneImage& image) : env_(env), image_(image) {}
+
+  /** The next one, into an empty record; it is sound, in its cells and free at its level. */
+  void read(BodyRecord& of);
+  /** The next one, which must be empty. */
+  void skip();
+  /** After the last one: nothing may be left. */
+  void finish() const;
+
+ private:
+  /** The next `count` elements of an array. */
+  template <class T>
+  const T* take(const Array<T>& from, size_t& at, uint64_t count);
+  SlotPool read_slots(const Array<uint32_t>& words, size_t& at, uint64_t count, const Array<uint32_t>& free,
+                      size_t& free_at, uint64_t free_count);
+  void read_parts(Body& body, const uint64_t* numbers);
+  void read_sequences(Body& body, uint64_t count);
+  void read_balls(Body& body, uint64_t count);
+  void read_contacts(BodyRecord& of, uint64_t count);
+  void check(const Body& body);
+
+  const Environment<3>& env_;
+  const SceneImage& image_;
+  // Where the next body begins in each array.
+  size_t body_ = 0, vertex_place_ = 0, vertex_ = 0, vertex_slot_ = 0, free_vertex_ = 0, edge_ = 0, edge_slot_ = 0,
+         free_edge_ = 0, face_ = 0, face_slot_ = 0, free_face_ = 0, inserted_ = 0, sequence_ = 0, ball_ = 0,
+         ball_word_ = 0, contact_place_ = 0, contact_ = 0;
+};
+
+}  // namespace dsw

@@ -1,0 +1,160 @@
+// A scene's particles and bodies with the ids of both, and the counters. What lasts for one call (crossings, occupants, edits of a move) is
+// left out.
+
+#include "snapshot/scene_snapshot.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "snapshot/scene_image.h"
+
+namespace dsw {
+namespace {
+
+constexpr BlockKind kKind = {"DSWSCN\x1a\n", 1, SceneImage::kSections};
+constexpr uint32_t kStatistics = 1, kCrossings = 2, kDeforming = 4, kAllFeatures = 7;
+
+constexpr size_t kCounters = 8, kExtents = 3;
+
+void get_counters(const SceneStatistics& s, uint64_t* out) {
+  const uint64_t values[kCounters] = {s.cast.casts,
+                                      s.cast.cells_visited,
+                                      s.cast.orientation_tests,
+                                      s.cast.exact_fallbacks,
+                                      s.cast.ties,
+                                      s.forecast_hits,
+                                      s.contacts,
+                                      s.candidates};
+  std::copy_n(values, kCounters, out);
+}
+
+SceneStatistics to_statistics(const uint64_t* n) { return {{n[0], n[1], n[2], n[3], n[4]}, n[5], n[6], n[7]}; }
+
+/** What two environments of which one is not the other's copy hardly share. */
+void get_extents(const Map<3>& map, uint64_t* out) {
+  out[0] = map.cell_count;
+  out[1] = map.index_count();
+  out[2] = map.vertex_count;
+}
+
+SceneImage image_of(const Scene<3>& scene) {
+  SceneImage image(scene.memory);
+  image.numbers.resize(kCounters + kExtents);
+  get_counters(scene.statistics, image.numbers.data());
+  get_extents(scene.env.map, image.numbers.data() + kCounters);
+  image.particle_places.reserve(3 * scene.particles.size());
+  image.particles.reserve(2 * scene.particles.size());
+  for (const ParticleState<3>& each : scene.particles) {
+    image.particle_places.insert(image.particle_places.end(), each.position, each.position + 3);
+    image.particles.push_back(to_index(scene.env.map, each.cell));
+    image.particles.push_back(each.forecast);
+  }
+  image.particle_slots = scene.slots.words();
+  image.free_particles = scene.slots.free_slots();
+  image.body_slots = scene.body_slots.words();
+  image.free_bodies = scene.body_slots.free_slots();
+  for (const BodyRecord& each : scene.bodies) append(scene.env, each, image);
+  return image;
+}
+
+BlockHeader header_of(const Scene<3>& scene, SceneImage& image) {
+  BlockHeader h;
+  h.flags = (scene.features.statistics ? kStatistics : 0) | (scene.features.crossings ? kCrossings : 0) |
+            (scene.features.deforming ? kDeforming : 0);
+  uint64_t* bytes = h.bytes;
+  image.for_each([&](const auto& array) { *bytes++ = array.size() * sizeof(array[0]); });
+  return h;
+}
+
+void restore(SlotPool& slots, Array<uint32_t>& words, Array<uint32_t>& free) {
+  if (!slots.restore(std::move(words), std::move(free))) fail_corrupt("generations");
+  slots.reserve(0);  // releasing must not fail
+}
+
+void load_particles(Scene<3>& scene, SceneImage& image) {
+  restore(scene.slots, image.particle_slots, image.free_particles);
+  const size_t count = scene.slots.slot_count();
+  if (image.particle_places.size() != 3 * count || image.particles.size() != 2 * count) fail_corrupt("particles: size");
+  scene.particles.resize(count);
+  for (uint32_t slot = 0; slot < count; ++slot) {
+    ParticleState<3>& state = scene.particles[slot];
+    const uint32_t cell = image.particles[2 * size_t{slot}];
+    std::copy_n(&image.particle_places[3 * size_t{slot}], 3, state.position);
+    state.cell = to_cell(scene.env.map, cell);
+    state.forecast = image.particles[2 * size_t{slot} + 1];
+    const bool alive = scene.slots.alive(slot, scene.slots.generation(slot));
+    if (alive ? !can_be_at(scene.env, state.cell, state.position) : cell != kNoIndex) {
+      fail_corrupt("a particle is not where it is said to be, or that was in another environment");
+    }
+  }
+}
+
+void load_bodies(Scene<3>& scene, SceneImage& image) {
+  restore(scene.body_slots, image.body_slots, image.free_bodies);
+  BodyReader reader(scene.env, image);
+  const size_t count = scene.body_slots.slot_count();
+  if (count > image.bodies.size()) fail_corrupt("bodies: size");
+  scene.bodies.reserve(count);
+  for (uint32_t slot = 0; slot < count; ++slot) {
+    scene.bodies.emplace_back(scene.memory);
+    if (scene.body_slots.alive(slot, scene.body_slots.generation(slot))) {
+      reader.read(scene.bodies.back());
+    } else {
+      reader.skip();
+    }
+  }
+  reader.finish();
+}
+
+}  // namespace
+
+SceneImage::SceneImage(const Memory* memory) {
+  for_each([memory](auto& array) {
+    using Elements = std::decay_t<decltype(array)>;
+    array = Elements(typename Elements::allocator_type(memory));
+  });
+}
+
+size_t snapshot_bytes(const Scene<3>& scene) {
+  SceneImage image = image_of(scene);
+  return block_bytes(kKind, header_of(scene, image));
+}
+
+void save(const Scene<3>& scene, uint8_t* out) {
+  SceneImage image = image_of(scene);
+  BlockWriter writer(kKind, header_of(scene, image), 3, out);
+  image.for_each([&](const auto& array) {
+    writer.write(array);
+    writer.end_section();
+  });
+  writer.finish();
+}
+
+SceneFeatures saved_features(const uint8_t* block, size_t size) {
+  const BlockReader reader(kKind, 3, block, size);
+  const uint32_t flags = reader.header().flags;
+  if (flags > kAllFeatures) fail_corrupt("it has unknown flags");
+  SceneFeatures features;
+  features.statistics = (flags & kStatistics) != 0;
+  features.crossings = (flags & kCrossings) != 0;
+  features.deforming = (flags & kDeforming) != 0;
+  return features;
+}
+
+void load(Scene<3>& scene, const uint8_t* block, size_t size) {
+  BlockReader reader(kKind, 3, block, size);
+  if (reader.header().counts[0] != 0 || reader.header().counts[1] != 0) fail_corrupt("its header");
+  SceneImage image(scene.memory);
+  image.for_each([&](auto& array) { reader.read(array); });
+  uint64_t extents[kExtents];
+  get_extents(scene.env.map, extents);
+  if (image.numbers.size() != kCounters + kExtents) fail_corrupt("numbers: size");
+  if (!std::equal(extents, extents + kExtents, image.numbers.data() + kCounters)) {
+    fail_corrupt("it was in another environment");
+  }
+  scene.statistics = to_statistics(image.numbers.data());
+  load_particles(scene, image);
+  load_bodies(scene, image);
+}
+
+}  // namespace dsw
