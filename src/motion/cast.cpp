@@ -62,6 +62,11 @@ bool contains(const Environment<D>& env, Cell cell, const double* point) noexcep
   return kWalk<D>.contains(env, cell, from, point);
 }
 
+bool sees_all(const Environment<3>& env, Cell cell, const double* point, CastCounters* counters) noexcept {
+  if (counters != nullptr && env.map.form(cell) == Form::kBox) counters->orientation_tests += 12;
+  return kWalk<3>.sees_all(env, cell, point);
+}
+
 template <int D>
 double crossing_time(const Environment<D>& env, Cell cell, uint32_t simplex, const double* from,
                      const double* to) noexcept {

@@ -43,6 +43,7 @@ struct Walk {
   void (*counted)(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
                   CastCounters* counters) noexcept;
   bool (*contains)(const Environment<D>& env, Cell cell, const double* centre, const double* point) noexcept;
+  bool (*sees_all)(const Environment<D>& env, Cell cell, const double* point) noexcept;
 };
 
 template <int D>

@@ -254,6 +254,16 @@ bool contains(const Environment<D>& env, Cell cell, const double* centre, const 
   return ExitFinder<D, CountNothing>(env, centre, point, nothing).contains(cell);
 }
 template <int D>
+bool sees_all(const Environment<D>& env, Cell cell, const double* point) noexcept {
+  if constexpr (D == 3) {
+    const uint32_t* const w = env.map.record(cell);
+    if (form_of(w[0]) != Form::kBox) return false;
+    const BoxExits exits = box_exits(env, w, point, point);
+    return exits.sure && exits.candidates == 0;
+  }
+  return false;
+}
+template <int D>
 Walk<D> this_walk() noexcept {
-  return {walk_plain<D>, walk_counted<D>, contains<D>};
+  return {walk_plain<D>, walk_counted<D>, contains<D>, sees_all<D>};
 }

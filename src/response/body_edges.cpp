@@ -35,7 +35,7 @@ void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
   const bool asks_balls = body.skipping.by_clearance && sweeps_.max_cells == 0;
   for (uint32_t next = 0; next < body.edges.size();) {
     uint32_t count = gather_edges(body, targets, next);
-    if (asks_cells) count = drop_inside(body, count);
+    if (asks_cells) count = drop_inside(body, targets, count);
     if (asks_balls) count = drop_clear(body, count);
     if (may_skip) count = drop_short(body, targets, count);
     for (uint32_t i = 0; i < count; ++i) {
@@ -81,11 +81,22 @@ uint32_t BodyMove::drop(const Body& body, uint32_t count, Drops drops) {
   return kept;
 }
 
-/** Edges that do not leave a convex cell [JCD10] 6.1. */
-uint32_t BodyMove::drop_inside(const Body& body, uint32_t count) {
-  return drop(body, count, [&](const Moving& a, const Moving& b, uint32_t) {
+bool BodyMove::sees_all_of_cell(PointArray targets, uint32_t v) {
+  Moving& moving = moving_[v];
+  if (moving.sight == Sight::kUnknown) {
+    moving.sight = sees_all(env_, moving.arrival, targets[v], sweeps_.counters) ? Sight::kWhole : Sight::kPart;
+  }
+  return moving.sight == Sight::kWhole;
+}
+
+/** Edges that do not leave a cell [JCD10] 6.1. If it is not convex: it is seen whole from the first target that an end goes to, from there
+ * on an end of the edge. */
+uint32_t BodyMove::drop_inside(const Body& body, PointArray targets, uint32_t count) {
+  return drop(body, count, [&](const Moving& a, const Moving& b, uint32_t e) {
     const uint32_t inside = uint32_t{a.from == a.arrival} & uint32_t{b.from == b.arrival} & uint32_t{a.from == b.from};
-    return (inside & uint32_t{env_.map.convex(a.from)}) != 0;
+    const uint32_t settled = inside & uint32_t{env_.map.convex(a.from)};
+    if (__builtin_expect(inside == settled, 1)) return settled != 0;
+    return sees_all_of_cell(targets, body.edges[e].ends[a.rank < b.rank ? 0 : 1]);
   });
 }
 

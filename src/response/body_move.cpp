@@ -210,11 +210,11 @@ void BodyMove::sweep_faces(const Body& body, PointArray targets) {
       Moving& moving = moving_[v];
       if (moving.rank == kNone || moving.doubtful) continue;
       const uint32_t q = body.faces[f].after(v), r = body.faces[f].before(v);
-      const Cell from = body.vertices[v].cell, at_q = cell_at(q, moving.rank);
-      if (at_q == cell_at(r, moving.rank) && StarSweep::stays_inside(env_, from, moving.arrival, at_q)) continue;
-      moving.doubtful = !sweeps_.is_tetrahedron_free(
-          {body.position(v), targets[v], place(body, targets, q, moving.rank), place(body, targets, r, moving.rank)},
-          from);
+      const Cell from = body.vertices[v].cell;
+      const FaceMotion m{body.position(v), targets[v], place(body, targets, q, moving.rank),
+                         place(body, targets, r, moving.rank)};
+      if (sweeps_.stays_inside(m, from, moving.arrival, cell_at(q, moving.rank), cell_at(r, moving.rank))) continue;
+      moving.doubtful = !sweeps_.is_tetrahedron_free(m, from);
     }
   }
 }

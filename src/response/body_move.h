@@ -33,11 +33,15 @@ class BodyMove {
  private:
   static constexpr uint32_t kChunk = 64;
 
+  /** Whether all of the cell is seen from the target, if it is not convex. */
+  enum class Sight : uint8_t { kUnknown, kWhole, kPart };
+
   /** What sweeps of edges ask of their ends: small, since edges ask in no order. */
   struct Moving {
     uint32_t rank = kNone;  // place in the order; kNone: stays
     Cell from, arrival;     // contains the target, or the vertex that stays; invalid if something is on the path
     bool doubtful = false;  // something is, or may be, met on the way
+    Sight sight = Sight::kUnknown;
   };
   static_assert(sizeof(Moving) == 16);
 
@@ -51,7 +55,8 @@ class BodyMove {
   uint32_t gather_edges(const Body& body, PointArray targets, uint32_t& next);
   template <class Drops>
   uint32_t drop(const Body& body, uint32_t count, Drops drops);
-  uint32_t drop_inside(const Body& body, uint32_t count);
+  uint32_t drop_inside(const Body& body, PointArray targets, uint32_t count);
+  bool sees_all_of_cell(PointArray targets, uint32_t v);
   uint32_t drop_clear(Body& body, uint32_t count);
   uint32_t drop_short(Body& body, PointArray targets, uint32_t count);
   void cast_skipped(Body& body, PointArray targets, uint32_t e);

@@ -26,6 +26,20 @@ uint64_t feature(const StarContact& c) noexcept {
 StarSweep::StarSweep(const Environment<3>& env)
     : env_(env), flood_(env), before_(Allocator<uint32_t>(env.memory)), hit_edges_(Allocator<uint32_t>(env.memory)) {}
 
+/** Whether what an edge sweeps lies in the cell that its ends are in, which need not be convex. From one end in its new place all of the
+ * cell is seen, hence the edge lies in it; where the triangle counts, from both: so the moving end's path lies in the cell, and what joins
+ * that to the fixed end. */
+bool StarSweep::is_seen(const Body& body, const EdgeSweep& sweep) const {
+  const bool from_target = sees_all(env_, sweep.arrival, sweep.to, counters);
+  if (from_target == (body.level == SweepLevel::kEdges)) return from_target;
+  return sees_all(env_, sweep.fixed, sweep.q, counters);
+}
+
+bool StarSweep::is_seen(const FaceMotion& m, Cell cell) const {
+  return sees_all(env_, cell, m.to, counters) && sees_all(env_, cell, m.q, counters) &&
+         sees_all(env_, cell, m.r, counters);
+}
+
 StarSweep::Settled StarSweep::settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls) {
   // What is known must not carry an edge past the work limit that it meets without.
   if (max_cells != 0) return Settled::kNo;
@@ -176,8 +190,9 @@ bool StarSweep::is_free(const Body& body, uint32_t v, const double* to, Cell* ce
   for_each_face(body, v, [&](uint32_t f) {
     const BodyFace& face = body.faces[f];
     const BodyVertex &q = body.vertices[face.after(v)], &r = body.vertices[face.before(v)];
-    if (stays_inside(env_, at.cell, path.cell, q.cell) && q.cell == r.cell) return true;
-    return free = is_tetrahedron_free({at.position, to, q.position, r.position}, at.cell);
+    const FaceMotion m{at.position, to, q.position, r.position};
+    if (stays_inside(m, at.cell, path.cell, q.cell, r.cell)) return true;
+    return free = is_tetrahedron_free(m, at.cell);
   });
   return free;
 }

@@ -34,11 +34,6 @@ class StarSweep {
   /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only that. */
   void find_all(const Body& body, uint32_t v, const double* to, const StarContact& first, Array<StarContact>& all);
 
-  /** Whether an edge sweeps inside of one cell, and so meets nothing. */
-  static bool stays_inside(const Environment<3>& env, Cell from, Cell to, Cell fixed) {
-    return from == to && from == fixed && env.map.convex(from);
-  }
-
   /** The sweep of edge e when its end v goes to `to`, in `arrival`, and the other end is at q, in `fixed`. */
   struct EdgeSweep {
     uint32_t e, v;
@@ -48,20 +43,24 @@ class StarSweep {
     Cell fixed;
     HalfFacet crossed;  // the only facet on the path of v, seen from where it starts; invalid if there are none or more
   };
-  /** What is known without a look at the triangle: nothing, or that nothing is met because it lies inside of one convex cell, of a ball
-   * that is free, of the strip of cells that the edge is known to cross, or of these and the others at one edge that it turns round. */
-  enum class Settled : uint32_t { kNo, kInside, kClear, kStrip, kTurned };
+  /** What is known without a look at the triangle: nothing, or that nothing is met because it lies inside of one convex cell, of one that
+   * is not convex, of a ball that is free, of the strip of cells that the edge is known to cross, or of these and the others at one edge
+   * that it turns round. */
+  enum class Settled : uint32_t { kNo, kInside, kSeen, kClear, kStrip, kTurned };
   /** Counts what is settled. The path of v is free.
    * @param ask_balls whether the balls of its ends have not been asked. */
   Settled settle(const Body& body, const EdgeSweep& sweep, bool ask_balls = true) {
     ++counts.swept;
     const Skipping& skipping = body.skipping;
     const bool keeps = body.keeps_sequences();
-    if ((skipping.by_environment || keeps) &&
-        stays_inside(env_, body.vertices[sweep.v].cell, sweep.arrival, sweep.fixed)) {
-      if (keeps) body.sequences[sweep.e].clear();
-      counts.skipped += skipping.by_environment ? 1 : 0;
-      return Settled::kInside;
+    const Cell from = body.vertices[sweep.v].cell;
+    if ((skipping.by_environment || keeps) && from == sweep.arrival && from == sweep.fixed) {
+      const bool convex = env_.map.convex(from);
+      if (convex || is_seen(body, sweep)) {
+        if (keeps) body.sequences[sweep.e].clear();
+        counts.skipped += skipping.by_environment ? 1 : 0;
+        return convex ? Settled::kInside : Settled::kSeen;
+      }
     }
     ask_balls = ask_balls && skipping.by_clearance;
     return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls) : Settled::kNo;
@@ -69,6 +68,11 @@ class StarSweep {
   bool settles(const Body& body, const EdgeSweep& sweep) { return settle(body, sweep) != Settled::kNo; }
   /** Whether the edge is known to keep to its sequence in its present place. */
   bool keeps_sequence(const Body& body, uint32_t e) const;
+
+  /** Whether what a face sweeps lies inside of one cell, and so meets nothing. The cells contain p, to, q and r of `m`. */
+  bool stays_inside(const FaceMotion& m, Cell from, Cell arrival, Cell q, Cell r) const {
+    return from == arrival && from == q && from == r && (env_.map.convex(from) || is_seen(m, from));
+  }
 
   bool is_triangle_free(const EdgeMotion& m, Cell start) {
     return flood_.sweep(m, start, max_cells).end == SweepEnd::kFree;
@@ -82,6 +86,8 @@ class StarSweep {
   uint32_t max_cells = 0;            // work limit of each cast and flood; 0: none
 
  private:
+  bool is_seen(const Body& body, const EdgeSweep& sweep) const;
+  bool is_seen(const FaceMotion& m, Cell cell) const;
   Settled settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls);
   bool is_clear(const Body& body, const EdgeSweep& sweep) const;
   Settled follow_sequence(const Body& body, const EdgeSweep& sweep);

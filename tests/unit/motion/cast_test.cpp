@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "motion/locate.h"
 #include "motion/wave.h"
 #include "small_meshes.h"
@@ -71,6 +73,44 @@ TEST(Cast, LeavesASlantedFaceWithAStraightCorner) {
   build_mesh(env, one_hexahedron({0, 0, 0, .5, 0, .5, 1, 2, 1, 0, 2, 0, 0, 0, 2, 2, 0, 2, 2, 2, 2, 0, 2, 2}));
   const double from[3] = {.25, 1, 1.5}, to[3] = {1.25, -4.9406564584124654e-324, 1.75};
   expect_contact(env, from, to);
+}
+
+/** What joins a point from which all of a hexahedron is seen to another point in it lies in it. In the middle are most of these points; not
+ * all of a warped cell is. */
+TEST(Cast, StaysInACellThatItsStartSeesAllOf) {
+  const SmallMesh mesh = lattice(5, kHexahedron, 0.15);
+  Environment<3> env(nullptr);
+  build_mesh(env, mesh);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> part(-0.2, 1.2);
+  uint32_t seen = 0, unseen = 0;
+  for_each_cell(env.map, [&](Cell c) {
+    if (env.map.convex(c)) return;
+    double points[12][3];
+    uint32_t count = 0;
+    for (int tries = 0; tries < 200 && count < 12; ++tries) {
+      double weights[3] = {part(random), part(random), part(random)};
+      const double *o = env.point(c, 0), *ends[3] = {env.point(c, 1), env.point(c, 3), env.point(c, 4)};
+      for (int k = 0; k < 3; ++k) {
+        points[count][k] = o[k];
+        for (int i = 0; i < 3; ++i) points[count][k] += weights[i] * (ends[i][k] - o[k]);
+      }
+      count += contains(env, c, points[count]) ? 1 : 0;
+    }
+    double apex[3];
+    centre(env, c, apex);
+    EXPECT_TRUE(sees_all(env, c, apex, nullptr));
+    for (uint32_t i = 0; i < count; ++i) {
+      const bool sees = sees_all(env, c, points[i], nullptr);
+      (sees ? seen : unseen) += 1;
+      for (uint32_t j = 0; j < count && sees; ++j) {
+        EXPECT_EQ(cast(env, points[i], points[j], c).cells_visited, 1u);
+        EXPECT_EQ(cast(env, points[j], points[i], c).cells_visited, 1u);
+      }
+    }
+  });
+  EXPECT_GT(seen, 200u);
+  EXPECT_GT(unseen, 20u);
 }
 
 }  // namespace

@@ -166,6 +166,8 @@ void compare(const Environment<3>& env, Group& group, const Walk<3>& walk) {
     expect_same(cast.expected, results[i]);
     EXPECT_EQ(cast.crossings, cast.expected_crossings);
     EXPECT_EQ(walk.contains(env, cast.expected.cell, cast.apex, cast.to), cast.contained);
+    EXPECT_EQ(walk.sees_all(env, cast.expected.cell, cast.to),
+              portable_walk<3>().sees_all(env, cast.expected.cell, cast.to));
     group.requests[i].crossing = nullptr;
   }
   walk.plain(env, group.requests, group.count, results);
