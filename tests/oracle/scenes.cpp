@@ -282,6 +282,8 @@ Mesh make_polyhedra_warped(Rng& rng) {
   return mesh;
 }
 Mesh make_polyhedra_merged(Rng& rng) { return maybe_sheared(merged_columns(rng), rng); }
+Mesh make_voronoi(Rng& rng) { return scaled(voronoi(rng, 0), 1.0 / 1024, 1.0 / 1024, 1.0 / 1024); }
+Mesh make_voronoi_warped(Rng& rng) { return scaled(voronoi(rng, 0.3), 1.0 / 1024, 1.0 / 1024, 1.0 / 1024); }
 Mesh make_mixed(Rng& rng) { return maybe_sheared(mixed_grid(rng), rng); }
 Mesh make_mixed_warped(Rng& rng) {
   Mesh mesh = mixed_grid(rng);
@@ -394,6 +396,8 @@ const std::vector<SceneKind>& scene_kinds() {
       {"polyhedra", make_polyhedra, false},
       {"polyhedra_warped", make_polyhedra_warped, false},
       {"polyhedra_merged", make_polyhedra_merged, false},
+      {"voronoi", make_voronoi, false},
+      {"voronoi_warped", make_voronoi_warped, false},
       {"mixed", make_mixed, false},
       {"mixed_warped", make_mixed_warped, false},
   };
