@@ -141,7 +141,8 @@ template <class SizeOf, class Next>
 bool lists_sound(const Array<uint32_t>& heads, size_t count, SizeOf size_of, Next next) {
   for (uint32_t size = 0; size < heads.size(); ++size) {
     for (uint32_t i = heads[size]; i != kNoCell; i = next(i)) {
-      if (size_of(i) != size || count-- == 0) return false;  // a list that runs in a circle has too many
+      // A size of 0 is that of what is not free. A list that runs in a circle has too many.
+      if (size == 0 || size_of(i) != size || count-- == 0) return false;
     }
   }
   return count == 0;

@@ -7,9 +7,8 @@
 namespace dsw {
 
 struct SceneImage {
-  // Of the scene.
-  Array<uint64_t>
-      numbers;  // the counters of its statistics, then what its environment had of cells, indices and vertices
+  // Of the scene. The numbers are the counters of its statistics, then what its environment had of cells, indices and vertices.
+  Array<uint64_t> numbers;
   Array<double> particle_places;
   Array<uint32_t> particles;  // cell and forecast
   Array<uint32_t> particle_slots, free_particles;
@@ -24,8 +23,8 @@ struct SceneImage {
   Array<uint32_t> faces;  // corners
   Array<uint32_t> face_slots, free_faces;
   Array<uint32_t> inserted;
-  Array<uint32_t>
-      sequences;  // for each edge twice the count, plus 1 if all are of tetrahedra; then cell and local number of each facet
+  // For each edge twice the count of its facets, plus 1 if all are of tetrahedra; then the cell and local number of each.
+  Array<uint32_t> sequences;
   Array<double> balls;         // centre, radius, wanted
   Array<uint32_t> ball_words;  // wait, patience, whether it is of the present environment
   Array<double> contact_places;

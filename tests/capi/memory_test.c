@@ -294,7 +294,37 @@ static void sweeps(void) {
   CHECK(h.alive == 0 && !h.broken);
 }
 
+static void saving_and_loading_a_scene(void) {
+  host h;
+  dsw_context *const context = make_context(&h);
+  dsw_environment *const environment = make_environment(context, 3, 3, 3);
+  dsw_scene *const scene = make_scene(environment, 0);
+  const double ends[6] = {0.5, 0.5, 0.5, 2.5, 1.25, 1.75}, place[3] = {1.5, 1.5, 1.5};
+  static unsigned char block[2][8192];
+  dsw_particle_id particle;
+  dsw_scene *loaded = NULL;
+  size_t size = 0, again = 0, refusals, before;
+  (void)make_edge_body(scene, ends, DSW_LEVEL_EDGES_SWEPT);
+  CHECK_OK(dsw_particle_create(scene, place, no_volume, &particle));
+  block[0][0] = 0x55;
+  UNTIL_IT_SUCCEEDS(h, dsw_scene_save(scene, block[0], sizeof block[0], &size), block[0][0] == 0x55 && size == 0,
+                    refusals);
+  CHECK(refusals >= 3);
+  before = h.alive;
+  UNTIL_IT_SUCCEEDS(h, dsw_scene_load(environment, block[0], size, &loaded), loaded == NULL && h.alive == before,
+                    refusals);
+  CHECK(refusals >= 10);
+  CHECK_OK(dsw_scene_save(loaded, block[1], sizeof block[1], &again));
+  CHECK(again == size && memcmp(block[0], block[1], size) == 0);
+  CHECK_OK(dsw_scene_destroy(loaded));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+  CHECK_OK(dsw_context_destroy(context));
+  CHECK(h.alive == 0 && h.alive_bytes == 0 && !h.broken);
+}
+
 int main(void) {
+  saving_and_loading_a_scene();
   creating_an_environment();
   creating_a_scene();
   particles_of_a_scene();

@@ -126,10 +126,82 @@ static void a_context_is_used_and_kept(void) {
   free(block);
 }
 
+static void scenes_are_saved_and_loaded(void) {
+  dsw_environment *const env = make_environment(NULL, 3, 2, 2);
+  dsw_scene *const scene = make_scene(env, DSW_FEATURE_STATISTICS);
+  const double ends[6] = {0.5, 0.5, 0.5, 2.5, 0.5, 0.5}, place[3] = {1.5, 1.5, 1.5};
+  const double targets[6] = {0.25, 0.5, -0.5, 2.5, 1.5, 0.5};
+  const dsw_body_id body = make_edge_body(scene, ends, DSW_LEVEL_EDGES);
+  static unsigned char block[2][8192];
+  unsigned char small[16];
+  dsw_particle_id particle;
+  dsw_scene *loaded = NULL;
+  dsw_environment *none = NULL;
+  const dsw_contact *contacts[2];
+  dsw_statistics statistics;
+  size_t size = 0, again = 0, count[2], i;
+  CHECK_OK(dsw_particle_create(scene, place, no_volume, &particle));
+  CHECK_OK(dsw_body_move(scene, body, targets, 2, 0, NULL, NULL));
+  CHECK_OK(dsw_scene_save(scene, NULL, 0, &size));
+  CHECK_OK(dsw_scene_save(scene, block[0], sizeof block[0], &again));
+  CHECK(again == size);
+  CHECK_OK(dsw_scene_load(env, block[0], size, &loaded));
+  CHECK(dsw_scene_get_environment(loaded) == env);
+  CHECK_OK(dsw_scene_save(loaded, block[1], sizeof block[1], &again));
+  CHECK(again == size && memcmp(block[0], block[1], size) == 0);
+  statistics.struct_size = sizeof statistics;
+  CHECK_OK(dsw_scene_get_statistics(loaded, &statistics));
+  CHECK(statistics.casts > 0 && statistics.contacts == 1);
+  for (i = 0; i < 2; ++i) {
+    dsw_scene *const each = i == 0 ? scene : loaded;
+    CHECK_OK(dsw_body_get_contacts(each, body, &contacts[i], &count[i]));
+    CHECK(count[i] == 1 && contacts[i]->history == DSW_HISTORY_NEW);
+    CHECK_OK(dsw_body_move(each, body, targets, 2, 0, NULL, NULL));
+    CHECK_OK(dsw_body_get_contacts(each, body, &contacts[i], &count[i]));
+    CHECK(count[i] == 1 && contacts[i]->history == DSW_HISTORY_LASTING);
+  }
+  CHECK(memcmp(contacts[0], contacts[1], sizeof *contacts[0]) == 0);
+  /* Every way to be refused. */
+  CHECK_FAILS(DSW_STATUS_BUFFER_TOO_SMALL, dsw_scene_save(scene, small, sizeof small, &again));
+  CHECK(again == size);
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_save(NULL, block[1], size, &again));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_save(scene, NULL, 16, &again));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_save(scene, block[1], size, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_load(NULL, block[0], size, &loaded));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_load(env, NULL, size, &loaded));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_load(env, block[0], size, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_scene_load((dsw_environment *)(void *)scene, block[0], size, &loaded));
+  CHECK_FAILS(DSW_STATUS_TRUNCATED, dsw_scene_load(env, block[0], size - 8, &loaded));
+  CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_environment_load(NULL, block[0], size, &none));
+  block[0][8] += 1;
+  CHECK_FAILS(DSW_STATUS_BAD_VERSION, dsw_scene_load(env, block[0], size, &loaded));
+  block[0][8] -= 1;
+  block[0][size - 1] ^= 1;
+  CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_load(env, block[0], size, &loaded));
+  CHECK_OK(dsw_scene_destroy(loaded));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+}
+
+static void a_scene_that_bends_stays_alone(void) {
+  dsw_environment *const env = make_environment(NULL, 2, 2, 2);
+  dsw_scene *scene = make_scene(env, DSW_FEATURE_DEFORMING), *loaded = NULL;
+  static unsigned char block[4096];
+  size_t size = 0;
+  CHECK_OK(dsw_scene_save(scene, block, sizeof block, &size));
+  CHECK_FAILS(DSW_STATUS_IN_USE, dsw_scene_load(env, block, size, &loaded));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_scene_load(env, block, size, &loaded));
+  CHECK_OK(dsw_scene_destroy(loaded));
+  CHECK_OK(dsw_environment_destroy(env));
+}
+
 int main(void) {
   what_was_saved_is_loaded();
   a_small_buffer_gets_nothing();
   a_damaged_block_is_refused();
   a_context_is_used_and_kept();
+  scenes_are_saved_and_loaded();
+  a_scene_that_bends_stays_alone();
   return check_result();
 }

@@ -1,6 +1,6 @@
-// Writes the seeds of both targets: sound meshes of every cell type as fuzz_create reads them, and snapshots of the same
-// meshes with marks. Made new in every build, so that they follow the formats.
-// usage: make_seeds FOLDER   (writes FOLDER/create and FOLDER/snapshot)
+// Writes the seeds of all targets: sound meshes of every cell type as fuzz_create reads them, snapshots of the same meshes with marks, also
+// changed and with points that move, and the snapshot of a scene. Made new in every build, so that they follow the formats.
+// usage: make_seeds FOLDER   (writes FOLDER/create, FOLDER/snapshot and FOLDER/scene)
 
 #include <array>
 #include <filesystem>
@@ -132,7 +132,26 @@ std::vector<uint8_t> encode(const Mesh& mesh, uint8_t layout, uint8_t flags) {
   return seed;
 }
 
-std::vector<uint8_t> snapshot(const Mesh& mesh, uint32_t flags, bool marked) {
+/** Leaves free records, generations and points that move behind, as far as the cells can change. */
+void change(dsw_environment* environment) {
+  const size_t volumes = dsw_fuzz::info_of(environment).volume_count;
+  const dsw_volume_id last = {static_cast<uint32_t>(volumes - 1), 1};
+  for (uint32_t local = 0; local < 6; ++local) {
+    dsw_edge_id halves[2];
+    dsw_vertex_id middle;
+    dsw_environment_unsew_face(environment, {0, 1, local});
+    dsw_environment_split_edge(environment, {0, 1, local}, 0.5, &middle, halves);
+  }
+  if (volumes > 2) dsw_environment_remove_volumes(environment, &last, 1);
+  dsw_scene_desc desc;
+  dsw_scene_desc_init(&desc, sizeof desc);
+  desc.features = volumes % 2 == 0 ? uint32_t{DSW_FEATURE_DEFORMING} : 0;
+  dsw_scene* scene = nullptr;
+  dsw_fuzz::require(dsw_scene_create(environment, &desc, &scene) == DSW_STATUS_OK, "a scene of a seed");
+  dsw_scene_destroy(scene);
+}
+
+std::vector<uint8_t> snapshot(const Mesh& mesh, uint32_t flags, bool marked, bool changed) {
   std::vector<double> points;
   for (const auto& point : mesh.points) {
     for (const uint8_t quarter : point) points.push_back(quarter / 4.0);
@@ -176,6 +195,7 @@ std::vector<uint8_t> snapshot(const Mesh& mesh, uint32_t flags, bool marked) {
     dsw_environment_mark_vertices(environment, &vertex, 1, DSW_MARK_IMPASSABLE);
     dsw_environment_mark_volumes(environment, &volume, 1, DSW_MARK_IMPASSABLE, 0, nullptr);
   }
+  if (changed) change(environment);
   const std::vector<uint8_t> block = dsw_fuzz::save(environment);
   dsw_environment_destroy(environment);
   return block;
@@ -215,7 +235,14 @@ int main(int argc, char** argv) {
   for (const auto& seed : seeds) {
     write(folder / "create" / seed.name, encode(seed.mesh, seed.layout, seed.flags));
     const uint32_t flags = seed.flags & uint32_t{DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_GRID};
-    write(folder / "snapshot" / seed.name, snapshot(seed.mesh, flags, (seed.layout & kLabelled) != 0));
+    const bool marked = (seed.layout & kLabelled) != 0;
+    write(folder / "snapshot" / seed.name, snapshot(seed.mesh, flags, marked, false));
+    write(folder / "snapshot" / (std::string(seed.name) + "_changed"), snapshot(seed.mesh, flags, marked, true));
   }
+  dsw_environment* const home = dsw_fuzz::make_home();
+  dsw_scene* const scene = dsw_fuzz::make_inhabited(home);
+  write(folder / "scene" / "bodies", dsw_fuzz::save(scene));
+  dsw_scene_destroy(scene);
+  dsw_environment_destroy(home);
   return 0;
 }

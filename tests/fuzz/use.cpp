@@ -211,4 +211,33 @@ std::vector<uint8_t> save(const dsw_environment* environment) {
   return block;
 }
 
+std::vector<uint8_t> save(const dsw_scene* scene) {
+  size_t size = 0;
+  require(dsw_scene_save(scene, nullptr, 0, &size) == DSW_STATUS_OK, "size of a scene's snapshot");
+  std::vector<uint8_t> block(size);
+  require(dsw_scene_save(scene, block.data(), block.size(), &size) == DSW_STATUS_OK, "save a scene");
+  require(size == block.size(), "a snapshot has the size it said");
+  return block;
+}
+
+std::vector<uint8_t> repaired(const uint8_t* data, size_t size) {
+  constexpr size_t kAtSize = 16, kAtChecksum = 24, kAtSections = 48;
+  std::vector<uint8_t> block(data, data + size / 8 * 8);
+  if (block.size() < kAtSections) return {};
+  const auto put = [&](size_t at, uint64_t value) {
+    for (size_t i = 0; i < 8; ++i) block[at + i] = static_cast<uint8_t>(value >> (8 * i));
+  };
+  put(kAtSize, block.size());
+  uint64_t sum = 0;
+  for (size_t at = 0; at < block.size(); at += 8) {
+    if (at == kAtChecksum) continue;
+    uint64_t word = 0;
+    for (size_t i = 8; i-- > 0;) word = (word << 8) | block[at + i];
+    sum = (sum ^ word) * 0x9e3779b97f4a7c15u;
+    sum ^= sum >> 32;
+  }
+  put(kAtChecksum, sum);
+  return block;
+}
+
 }  // namespace dsw_fuzz

@@ -19,8 +19,18 @@ void use_body(dsw_scene* scene, bool is_partition, Bytes* bytes);
 dsw_flight cast(const dsw_environment* environment, dsw_volume_id start, const double* from, const double* to,
                 dsw_status* status);
 
-/** Snapshot of an environment. */
+/** Snapshots. */
 std::vector<uint8_t> save(const dsw_environment* environment);
+std::vector<uint8_t> save(const dsw_scene* scene);
+/** A block with its size and checksum set right; empty when the bytes are too few to have them. */
+std::vector<uint8_t> repaired(const uint8_t* data, size_t size);
+
+/** The environment of all saved scenes: warped hexahedra, one of them a wall. */
+dsw_environment* make_home();
+/** Bodies at every level and particles in it, moved a little; some are gone again. */
+dsw_scene* make_inhabited(dsw_environment* home);
+/** Moves all that can be in a scene made by make_inhabited, whatever has been made of it. */
+void use_scene(dsw_scene* scene);
 
 dsw_environment_info info_of(const dsw_environment* environment);
 

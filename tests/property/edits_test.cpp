@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "random_edits.h"
+#include "snapshot/bytes.h"
 
 namespace dsw::oracle {
 namespace {
@@ -86,6 +87,42 @@ TEST_P(EditsTest, WhatIsLoadedGoesOnWithTheSameBits) {
       ASSERT_EQ(copy.reload(), "") << "scene seed " << seed << ", round " << round;
       ASSERT_TRUE(edits.saved() == copy.saved()) << "scene seed " << seed << ", round " << round;
     }
+  }
+}
+
+/// Words changed behind a right checksum: refused, or sound and saved as they are.
+TEST_P(EditsTest, DamageOfWhatHasChangedIsRefusedOrSound) {
+  RandomEdits edits(GetParam(), 2);
+  if (edits.environment() == nullptr) GTEST_SKIP() << "creation may refuse this mesh";
+  for (int calls = 0; calls < 40; ++calls) ASSERT_EQ(edits.step(), "");
+  constexpr size_t kAtChecksum = 24, kAtFlags = 32;
+  const std::string blocks = edits.saved();
+  size_t size = 0;
+  ASSERT_EQ(dsw_environment_save(edits.environment(), nullptr, 0, &size), DSW_STATUS_OK);
+  Rng rng(31);
+  for (int round = 0; round < 1500; ++round) {
+    std::vector<uint8_t> block(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(size));
+    for (int n = rng.between(1, 3); n > 0; --n) {
+      const size_t at = kAtFlags + 4 * rng.below((size - kAtFlags) / 4);
+      uint32_t word = 0;
+      fetch(&word, block.data() + at, 1);
+      const uint32_t values[] = {0, word + 1, word - 1, word ^ 1u << rng.below(32), UINT32_MAX, rng.below(200u)};
+      store(block.data() + at, &values[rng.below(6)], 1);
+    }
+    const uint64_t sum =
+        checksum(checksum(0, block.data(), kAtChecksum), block.data() + kAtChecksum + 8, size - kAtChecksum - 8);
+    store(block.data() + kAtChecksum, &sum, 1);
+    dsw_environment* raw = nullptr;
+    const dsw_status status = dsw_environment_load(nullptr, block.data(), size, &raw);
+    const EnvironmentPtr loaded(raw);
+    if (status != DSW_STATUS_OK) {
+      ASSERT_TRUE(status == DSW_STATUS_CORRUPT || status == DSW_STATUS_TRUNCATED) << round;
+      continue;
+    }
+    std::vector<uint8_t> again(size);
+    size_t needed = 0;
+    ASSERT_EQ(dsw_environment_save(loaded.get(), again.data(), again.size(), &needed), DSW_STATUS_OK) << round;
+    ASSERT_TRUE(again == block) << round;
   }
 }
 
