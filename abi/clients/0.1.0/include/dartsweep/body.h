@@ -21,7 +21,8 @@ enum {
   /** Edges keep the faces that they cross, 4 bytes for each: a sweep that crosses the same ones is done [lossless]. From
    * DSW_LEVEL_EDGES_SWEPT on they do so anyway; the flag says it for DSW_LEVEL_EDGES. */
   DSW_BODY_SEQUENCES = 0x1,
-  /** Skip edges that sweep inside of one exactly convex volume [JCD10] 6.1 [lossless]. */
+  /** Skip edges that sweep inside of one volume [JCD10] 6.1: an exactly convex one, or a hexahedron that is seen whole from where they
+   * end [lossless]. */
   DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,
   /** Skip edges that sweep inside of a ball known to hold nothing impassable [lossless]. */
   DSW_BODY_SKIP_BY_CLEARANCE = 0x4,
