@@ -84,7 +84,7 @@ struct Body {
   const double* position(uint32_t v) const { return vertices[v].position; }
   uint64_t memory_bytes() const {
     uint64_t of_sequences = array_bytes(sequences);
-    for (const EdgeSequence& each : sequences) of_sequences += array_bytes(each.facets) + array_bytes(each.triangles);
+    for (const EdgeSequence& each : sequences) of_sequences += array_bytes(each.facets) + each.triangles.memory_bytes();
     return of_sequences + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) +
            array_bytes(inserted) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() + face_slots.memory_bytes();
   }

@@ -15,10 +15,27 @@ bool is_of_tetrahedron(const Map<3>& map, uint32_t facet) noexcept {
   return form_of(map.words[facet / kUnitWords * kUnitWords]) == Form::kSimplex;
 }
 
-Triangle triangle(const Map<3>& map, uint32_t facet) noexcept {
-  const uint32_t* const w = map.words.data() + facet / kUnitWords * size_t{kUnitWords};
-  const uint8_t(&local)[3] = kTetrahedronFacets[facet % kUnitWords - (kUnitWords - 4)];
-  return {{w[local[0]] & kVertexMask, w[local[1]] & kVertexMask, w[local[2]] & kVertexMask}};
+/** The vertices of a tetrahedron's facet, in the order of its shape. */
+struct Corners {
+  uint32_t vertices[3];
+
+  Corners(const Map<3>& map, uint32_t facet) noexcept {
+    const uint32_t* const w = map.words.data() + facet / kUnitWords * size_t{kUnitWords};
+    const uint8_t(&local)[3] = kTetrahedronFacets[facet % kUnitWords - (kUnitWords - 4)];
+    for (int i = 0; i < 3; ++i) vertices[i] = w[local[i]] & kVertexMask;
+  }
+  bool has(uint32_t vertex) const noexcept {
+    return vertices[0] == vertex || vertices[1] == vertex || vertices[2] == vertex;
+  }
+  bool has(VertexPair edge) const noexcept { return has(edge.a) && has(edge.b); }
+};
+
+/** What is known of facets of tetrahedra from `begin` to before `end`. */
+void read_triangles(const Environment<3>& env, EdgeSequence& sequence, size_t begin, size_t end) noexcept {
+  for (size_t n = begin; n < end; ++n) {
+    const Corners corners(env.map, sequence.facets[n]);
+    for (int i = 0; i < 3; ++i) sequence.triangles.set(n, i, env.point(corners.vertices[i]));
+  }
 }
 
 /** Of tetrahedra: whether all are, and the cells valid. */
@@ -60,31 +77,24 @@ bool is_same_point(const double* a, const double* b) noexcept { return std::equa
 
 }  // namespace
 
-void EdgeSequence::assign(const Map<3>& map, const Array<uint32_t>& passed) {
-  const bool all = std::all_of(passed.begin(), passed.end(), [&](uint32_t f) { return is_of_tetrahedron(map, f); });
-  facets.reserve(passed.size());
-  if (all) triangles.reserve(passed.size());
-  clear();
-  facets.assign(passed.begin(), passed.end());
-  of_tetrahedra = all;
-  if (!all) return;
-  for (const uint32_t f : facets) triangles.push_back(triangle(map, f));
-}
-
-void EdgeSequence::add(const Map<3>& map, HalfFacet facet, bool first) {
-  of_tetrahedra = of_tetrahedra && is_of_tetrahedron(map, facet.word);
+void EdgeSequence::replace(const Environment<3>& env, size_t begin, size_t end, const uint32_t* by, size_t count) {
+  const size_t removed = end - begin, size = facets.size() - removed + count;
+  const bool all = (of_tetrahedra || removed == facets.size()) &&
+                   std::all_of(by, by + count, [&](uint32_t f) { return is_of_tetrahedron(env.map, f); });
+  if (size > facets.size()) reserve_more(facets, size - facets.size());
+  if (all) triangles.reserve(size);
+  const auto at = facets.erase(facets.begin() + static_cast<std::ptrdiff_t>(begin),
+                               facets.begin() + static_cast<std::ptrdiff_t>(end));
+  facets.insert(at, by, by + count);
   placed = false;
-  if (of_tetrahedra) {
-    reserve_more(facets, 1);
-    triangles.insert(first ? triangles.begin() : triangles.end(), triangle(map, facet.word));
+  if (all) {
+    triangles.replace(begin, of_tetrahedra ? removed : 0, count);
+    of_tetrahedra = true;
+    read_triangles(env, *this, begin, begin + count);
+  } else {
+    triangles.clear();
+    of_tetrahedra = false;
   }
-  facets.insert(first ? facets.begin() : facets.end(), facet.word);
-}
-
-void EdgeSequence::remove(bool first) noexcept {
-  facets.erase(first ? facets.begin() : facets.end() - 1);
-  if (of_tetrahedra) triangles.erase(first ? triangles.begin() : triangles.end() - 1);
-  placed = false;
 }
 
 bool follows(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, Cell first,
@@ -99,12 +109,12 @@ bool follows(const Environment<3>& env, EdgeSequence& sequence, const double* fr
   if (!sequence.of_tetrahedra) return pass(env, shear, facets) && shear.passed_all();
   if (sequence.version != env.obstacle_version) {
     if (!are_passable(env, facets)) return false;
+    read_triangles(env, sequence, 0, facets.size());
     sequence.version = env.obstacle_version;
     sequence.placed = false;
   }
   if (sequence.placed && is_same_point(from, sequence.from) && is_same_point(to, sequence.to)) return true;
-  kPassTriangles(shear, env.points, sequence.triangles.data(), sequence.triangles.size());
-  if (!shear.passed_all()) return false;
+  if (kPassTriangles(shear, sequence.triangles) < facets.size() || !shear.passed_all()) return false;
   std::copy_n(from, 3, sequence.from);
   std::copy_n(to, 3, sequence.to);
   sequence.placed = true;
@@ -115,44 +125,35 @@ bool turn(const Environment<3>& env, EdgeSequence& sequence, const double* from,
   constexpr size_t kMost = 64;  // facets at an edge
   const Map<3>& map = env.map;
   const Array<uint32_t>& old = sequence.facets;
-  if (!sequence.of_tetrahedra || !sequence.known()) return false;
+  if (!sequence.of_tetrahedra || sequence.version != env.obstacle_version) return false;
   Shear shear(from, to);
-  size_t begin = 0;
-  const auto find_edge = [&] {
-    for (; begin < old.size(); ++begin) {
-      const uint32_t(&corners)[3] = sequence.triangles[begin].corners;
-      for (int i = 0; i < 3; ++i) {
-        edge = {corners[i], corners[(i + 1) % 3]};
-        if (!(shear.side(shear(env.point(edge.a)), shear(env.point(edge.b))) > 0)) return true;
-      }
-    }
-    return false;
-  };
-  if (!find_edge()) return false;
-  const auto has = [](const uint32_t(&corners)[3], uint32_t vertex) {
-    return corners[0] == vertex || corners[1] == vertex || corners[2] == vertex;
-  };
-  const auto is_at_edge = [&](const Triangle& t) { return has(t.corners, edge.a) && has(t.corners, edge.b); };
+  const size_t begin = kPassTriangles(shear, sequence.triangles);
+  if (begin == old.size()) return false;
+  const Corners corners(map, old[begin]);
+  Shear::Point points[3];
+  for (int i = 0; i < 3; ++i) points[i] = shear(env.point(corners.vertices[i]));
+  int side = 0;
+  while (side < 2 && Shear::side(points[side], points[side + 1]) > 0) ++side;
+  edge = {corners.vertices[side], corners.vertices[(side + 1) % 3]};
   size_t end = begin + 1;
-  while (end < old.size() && is_at_edge(sequence.triangles[end])) ++end;
+  while (end < old.size() && Corners(map, old[end]).has(edge)) ++end;
 
   const Cell last = map.cell_of(map.opposite({old[end - 1]}));
-  Array<uint32_t> turned(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(begin), old.get_allocator());
+  uint32_t turned[kMost];
+  size_t count = 0;
   HalfFacet entered{old[begin]};
   for (Cell c = map.cell_of(entered); c != last; c = map.cell_of(entered)) {
-    if (map.form(c) != Form::kSimplex || turned.size() == begin + kMost) return false;
+    if (map.form(c) != Form::kSimplex || is_closed(env, c) || count == kMost) return false;
     HalfFacet next;
     for (uint32_t f = 0; f < 4; ++f) {
       const HalfFacet h = map.half_facet(c, f);
-      if (h != entered && is_at_edge(triangle(map, h.word))) next = h;
+      if (h != entered && Corners(map, h.word).has(edge)) next = h;
     }
-    turned.push_back(next.word);
+    turned[count++] = next.word;
     entered = map.opposite(next);
-    if (!entered.valid()) return false;
+    if (!entered.valid() || map.facet_marked(next)) return false;
   }
-  turned.insert(turned.end(), old.begin() + static_cast<std::ptrdiff_t>(end), old.end());
-  sequence.assign(map, turned);
-  sequence.version = EdgeSequence::kNever;
+  sequence.replace(env, begin, end, turned, count);
   return true;
 }
 
@@ -174,12 +175,12 @@ bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceVi
 
 void SequenceWriter::finish(EdgeSequence& sequence) {
   if (passed_ == facets_.size()) {
-    sequence.assign(env_->map, facets_);
+    sequence.assign(*env_, facets_);
     sequence.version = env_->obstacle_version;
     return;
   }
-  sequence.clear();
-  sequence.facets.assign(1, kNoFacet);
+  sequence.facets.reserve(1);
+  sequence.forget();
   facets_.reserve(2 * passed_);
 }
 

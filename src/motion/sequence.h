@@ -3,13 +3,9 @@
 
 #include "environment/environment.h"
 #include "motion/cast.h"
+#include "motion/triangle_rows.h"
 
 namespace dsw {
-
-/** The vertices of a tetrahedron's facet, in the order of its shape. */
-struct Triangle {
-  uint32_t corners[3] = {};
-};
 
 /** The half-facets that an edge was last known to pass, each seen from the cell that is left; a single kNoFacet if they are unknown. */
 struct EdgeSequence {
@@ -19,7 +15,7 @@ struct EdgeSequence {
   bool of_tetrahedra = true;  // all facets; if so, and only then:
   bool placed = false;        // whether they are known to be passed from `from` to `to`
   uint64_t version = kNever;  // of the environment when they were passable
-  Array<Triangle> triangles;  // the facets
+  TriangleRows triangles;     // the facets, of that version
   double from[3] = {}, to[3] = {};
 
   explicit EdgeSequence(const Allocator<uint32_t>& allocator) : facets(allocator), triangles(allocator) {}
@@ -30,7 +26,7 @@ struct EdgeSequence {
     of_tetrahedra = true;
     placed = false;
   }
-  /** Makes what is known and not empty unknown. */
+  /** Makes what is known unknown. There is room for one facet. */
   void forget() noexcept {
     facets.resize(1);
     facets[0] = kNoFacet;
@@ -38,12 +34,22 @@ struct EdgeSequence {
     of_tetrahedra = false;
     placed = false;
   }
-  /** This and `add` throw std::bad_alloc, and then what was known still is. */
-  void assign(const Map<3>& map, const Array<uint32_t>& passed);
   bool known() const noexcept { return facets.empty() || facets[0] != kNoFacet; }
+  /** Puts `count` facets where those from `begin` to before `end` are. Throws std::bad_alloc, and then what was known still is; not if
+   * there are none more than before. */
+  void replace(const Environment<3>& env, size_t begin, size_t end, const uint32_t* by, size_t count);
+  void assign(const Environment<3>& env, const Array<uint32_t>& passed) {
+    replace(env, 0, facets.size(), passed.data(), passed.size());
+  }
   /** One more or one less, first or last. */
-  void add(const Map<3>& map, HalfFacet facet, bool first);
-  void remove(bool first) noexcept;
+  void add(const Environment<3>& env, HalfFacet facet, bool first) {
+    const size_t at = first ? 0 : facets.size();
+    replace(env, at, at, &facet.word, 1);
+  }
+  void remove(const Environment<3>& env, bool first) noexcept {
+    const size_t at = first ? 0 : facets.size() - 1;
+    replace(env, at, at + 1, nullptr, 0);
+  }
 };
 
 /** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all passable. Cells
@@ -59,7 +65,7 @@ struct VertexPair {
 
 /** Turns a sequence round the first edge that the segment passes on the wrong side, if its cells are tetrahedra: what it then passes is
  * the other half of the facets there. The sequence may still not be that of the segment. False, and nothing is changed: there is no such
- * edge, or no way round it. Throws std::bad_alloc. */
+ * edge, or no passable way round it. Throws std::bad_alloc. */
 bool turn(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, VertexPair& edge);
 
 /** A sequence as it was noted, or passed the other way round. */

@@ -2,15 +2,20 @@
 
 namespace dsw {
 
-void pass_triangles(Shear& shear, const double* points, const Triangle* triangles, size_t count) noexcept {
-  for (size_t n = 0; n < count; ++n) {
-    const uint32_t(&corners)[3] = triangles[n].corners;
-    const Shear::Point a = shear(points + size_t{corners[0]} * 3), b = shear(points + size_t{corners[1]} * 3),
-                       c = shear(points + size_t{corners[2]} * 3);
-    shear.pass(a, b);
-    shear.pass(b, c);
-    shear.pass(c, a);
+size_t pass_triangles(Shear& shear, const TriangleRows& triangles) noexcept {
+  for (size_t n = 0; n < triangles.size(); ++n) {
+    Shear::Point corners[3];
+    for (int i = 0; i < 3; ++i) {
+      const double x[3] = {triangles.row(i, 0)[n], triangles.row(i, 1)[n], triangles.row(i, 2)[n]};
+      corners[i] = shear(x);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const Shear::Point &a = corners[i], &b = corners[(i + 1) % 3];
+      if (!(Shear::side(a, b) > 0)) return n;
+      shear.pass(a, b);
+    }
   }
+  return triangles.size();
 }
 
 PassTriangles choose_pass_triangles() noexcept {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "motion/sequence.h"
+#include "motion/triangle_rows.h"
 
 namespace dsw {
 
@@ -60,11 +60,12 @@ class Shear {
   double slope_i_, slope_j_, largest_, lowest_ = 1e300;
 };
 
-/** Passes triangles. Several instruction sets, the same bits. */
-using PassTriangles = void (*)(Shear& shear, const double* points, const Triangle* triangles, size_t count) noexcept;
-void pass_triangles(Shear& shear, const double* points, const Triangle* triangles, size_t count) noexcept;
+/** Passes triangles until one is not passed; returns how many were, all or up to that one. As far as rounded tests tell: ask `passed_all`
+ * too. Several instruction sets, the same number, and the same bits if all were passed. */
+using PassTriangles = size_t (*)(Shear& shear, const TriangleRows& triangles) noexcept;
+size_t pass_triangles(Shear& shear, const TriangleRows& triangles) noexcept;
 #if defined(__x86_64__)
-void pass_triangles_avx2(Shear& shear, const double* points, const Triangle* triangles, size_t count) noexcept;
+size_t pass_triangles_avx2(Shear& shear, const TriangleRows& triangles) noexcept;
 #endif
 PassTriangles choose_pass_triangles() noexcept;
 

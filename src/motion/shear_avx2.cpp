@@ -23,17 +23,14 @@ class ShearLanes {
     for (int k = 0; k < 3; ++k) origin_[k] = _mm256_set1_pd(shear.p_[k]);
   }
 
-  void pass(const double* points, const Triangle* triangles, size_t count) noexcept {
+  size_t pass(const TriangleRows& triangles) noexcept {
     switch (shear_.k_) {
       case 0:
-        return shear_.turned_ ? pass_along<2, 1, 0>(points, triangles, count)
-                              : pass_along<1, 2, 0>(points, triangles, count);
+        return shear_.turned_ ? pass_along<2, 1, 0>(triangles) : pass_along<1, 2, 0>(triangles);
       case 1:
-        return shear_.turned_ ? pass_along<0, 2, 1>(points, triangles, count)
-                              : pass_along<2, 0, 1>(points, triangles, count);
+        return shear_.turned_ ? pass_along<0, 2, 1>(triangles) : pass_along<2, 0, 1>(triangles);
       default:
-        return shear_.turned_ ? pass_along<1, 0, 2>(points, triangles, count)
-                              : pass_along<0, 1, 2>(points, triangles, count);
+        return shear_.turned_ ? pass_along<1, 0, 2>(triangles) : pass_along<0, 1, 2>(triangles);
     }
   }
 
@@ -43,40 +40,38 @@ class ShearLanes {
   };
 
   template <int I, int J, int K>
-  void pass_along(const double* points, const Triangle* triangles, size_t count) noexcept {
+  size_t pass_along(const TriangleRows& triangles) noexcept {
+    const size_t count = triangles.size();
     __m256d largest = _mm256_set1_pd(shear_.largest_), lowest = _mm256_set1_pd(shear_.lowest_);
-    for (size_t n = 0; n < count; n += 4) {
-      const Triangle* const four = triangles + std::min(n, count - 4);  // the last four may have been in part before
-      const Points a = read<I, J, K>(points, four, 0), b = read<I, J, K>(points, four, 1),
-                   c = read<I, J, K>(points, four, 2);
+    for (size_t next = 0; next < count; next += 4) {
+      const size_t n = std::min(next, count - 4);  // the last four may have been passed in part
+      const Points a = read<I, J, K>(triangles, 0, n), b = read<I, J, K>(triangles, 1, n),
+                   c = read<I, J, K>(triangles, 2, n);
+      const __m256d sides = _mm256_min_pd(_mm256_min_pd(side(a, b), side(b, c)), side(c, a));
+      const int missed = _mm256_movemask_pd(_mm256_cmp_pd(sides, _mm256_setzero_pd(), _CMP_NGT_UQ));
+      if (missed != 0) return n + static_cast<size_t>(__builtin_ctz(static_cast<unsigned>(missed)));
       largest = _mm256_max_pd(largest, _mm256_max_pd(_mm256_max_pd(a.most, b.most), c.most));
-      lowest = _mm256_min_pd(lowest, _mm256_min_pd(_mm256_min_pd(side(a, b), side(b, c)), side(c, a)));
+      lowest = _mm256_min_pd(lowest, sides);
     }
     double all[4];
     _mm256_storeu_pd(all, largest);
     shear_.largest_ = *std::max_element(all, all + 4);
     _mm256_storeu_pd(all, lowest);
     shear_.lowest_ = *std::min_element(all, all + 4);
+    return count;
   }
 
   static __m256d side(const Points& a, const Points& b) noexcept {
     return _mm256_sub_pd(_mm256_mul_pd(a.i, b.j), _mm256_mul_pd(a.j, b.i));
   }
 
-  /** One corner of each triangle. Masked, so that the last point of the host's array is not read past. */
+  /** One corner of each of four triangles. */
   template <int I, int J, int K>
-  Points read(const double* points, const Triangle* four, int corner) const noexcept {
-    const __m256i mask = _mm256_setr_epi64x(-1, -1, -1, 0);
-    const auto load = [&](int n) { return _mm256_maskload_pd(points + size_t{four[n].corners[corner]} * 3, mask); };
-    const __m256d p = load(0), q = load(1), r = load(2), s = load(3);
-    const __m256d pq = _mm256_unpacklo_pd(p, q), rs = _mm256_unpacklo_pd(r, s);
-    const __m256d x[3] = {
-        _mm256_permute2f128_pd(pq, rs, 0x20),
-        _mm256_permute2f128_pd(_mm256_unpackhi_pd(p, q), _mm256_unpackhi_pd(r, s), 0x20),
-        _mm256_permute2f128_pd(pq, rs, 0x31),
+  Points read(const TriangleRows& triangles, int corner, size_t n) const noexcept {
+    const auto relative = [&](int axis) {
+      return _mm256_sub_pd(_mm256_loadu_pd(triangles.row(corner, axis) + n), origin_[axis]);
     };
-    const __m256d a = _mm256_sub_pd(x[I], origin_[I]), b = _mm256_sub_pd(x[J], origin_[J]),
-                  c = _mm256_sub_pd(x[K], origin_[K]);
+    const __m256d a = relative(I), b = relative(J), c = relative(K);
     return {_mm256_sub_pd(a, _mm256_mul_pd(slope_i_, c)), _mm256_sub_pd(b, _mm256_mul_pd(slope_j_, c)),
             _mm256_max_pd(_mm256_max_pd(absolute(a), absolute(b)), absolute(c))};
   }
@@ -86,9 +81,8 @@ class ShearLanes {
   __m256d origin_[3], slope_i_, slope_j_;
 };
 
-void pass_triangles_avx2(Shear& shear, const double* points, const Triangle* triangles, size_t count) noexcept {
-  if (count < 4) return pass_triangles(shear, points, triangles, count);
-  ShearLanes(shear).pass(points, triangles, count);
+size_t pass_triangles_avx2(Shear& shear, const TriangleRows& triangles) noexcept {
+  return triangles.size() < 4 ? pass_triangles(shear, triangles) : ShearLanes(shear).pass(triangles);
 }
 
 }  // namespace dsw

@@ -71,12 +71,12 @@ bool StarSweep::pass_on(EdgeSequence& sequence, const EdgeSweep& sweep, Cell fro
     // What is noted may be of another place, at EDGES: then it does not go on where the path has left its cell.
     if (env_.map.cell_of(first ? end : env_.map.opposite(end)) != from) return false;
     if (end == left) {
-      sequence.remove(first);
+      sequence.remove(env_, first);
       *gone = left;
       return true;
     }
   }
-  sequence.add(env_.map, met, first);
+  sequence.add(env_, met, first);
   return true;
 }
 
@@ -130,9 +130,9 @@ StarSweep::Settled StarSweep::follow_sequence(const Body& body, const EdgeSweep&
   if (keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
   if (turns(body, sweep, first)) return Settled::kTurned;
   if (left.valid()) {
-    sequence.add(env_.map, left, first);
+    sequence.add(env_, left, first);
   } else if (!stays) {
-    sequence.remove(first);
+    sequence.remove(env_, first);
   }
   return Settled::kNo;
 }

@@ -190,7 +190,7 @@ TEST(Sequence, FacetsThatAreNotConvexDoNotSettle) {
   set_facet_mark(*env, map.half_facet(low, 6), true);
   const Point p{0.5, 0.25, 0.75}, to{1.75, 1.5, 0.75}, q{1.1, 0.9, 1.5};
   EdgeSequence passed{Array<uint32_t>::allocator_type(nullptr)};
-  passed.add(map, map.half_facet(low, 5), true);
+  passed.add(*env, map.half_facet(low, 5), true);
   EXPECT_FALSE(follows(*env, passed, p.data(), q.data(), low, high) &&
                follows(*env, passed, to.data(), q.data(), low, high));
   SweepFlood flood(*env);

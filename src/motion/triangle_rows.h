@@ -1,0 +1,52 @@
+#pragma once
+// Triangles in rows, one for each coordinate of a corner: several are read side by side, and in the order in which they lie in memory.
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/memory.h"
+
+namespace dsw {
+
+class TriangleRows {
+ public:
+  explicit TriangleRows(const Allocator<double>& allocator) : values_(allocator) {}
+
+  size_t size() const noexcept { return size_; }
+  uint64_t memory_bytes() const noexcept { return array_bytes(values_); }
+  /** Coordinate `axis` of corner `corner` of all triangles. */
+  const double* row(int corner, int axis) const noexcept { return values_.data() + start(corner, axis); }
+
+  /** Makes room. Throws std::bad_alloc, and then nothing has changed. */
+  void reserve(size_t count) {
+    if (count <= room_) return;
+    const size_t room = std::max((count + 7) / 8 * 8, 2 * room_);
+    Array<double> values(kRows * room, 0, values_.get_allocator());
+    for (size_t r = 0; r < kRows; ++r) std::copy_n(values_.data() + r * room_, size_, values.data() + r * room);
+    values_ = std::move(values);
+    room_ = room;
+  }
+  void clear() noexcept { size_ = 0; }
+  /** Puts `added` triangles, which the caller then sets, where `removed` are. There is room. */
+  void replace(size_t at, size_t removed, size_t added) noexcept {
+    const size_t rest = size_ - at - removed;
+    size_ = at + added + rest;
+    if (rest == 0 || removed == added) return;
+    for (size_t r = 0; r < kRows; ++r) {
+      double* const row = values_.data() + r * room_ + at;
+      std::memmove(row + added, row + removed, rest * sizeof(double));
+    }
+  }
+  void set(size_t at, int corner, const double* point) noexcept {
+    for (int axis = 0; axis < 3; ++axis) values_[start(corner, axis) + at] = point[axis];
+  }
+
+ private:
+  static constexpr size_t kRows = 9;
+  size_t start(int corner, int axis) const noexcept { return static_cast<size_t>(3 * corner + axis) * room_; }
+
+  Array<double> values_;
+  size_t size_ = 0, room_ = 0;
+};
+
+}  // namespace dsw
