@@ -121,6 +121,22 @@ bool follows(const Environment<3>& env, EdgeSequence& sequence, const double* fr
   return true;
 }
 
+PathFacets path_facets(const Map<3>& map, Cell start, const CastResult& path) noexcept {
+  PathFacets passed;
+  if (path.end != CastEnd::kReached || path.cells_visited < 2 || path.cells_visited > 3) return passed;
+  passed.facets[0] = map.half_facet(start, path.first_facet);
+  passed.count = 1;
+  if (path.cells_visited == 2) return passed;
+  // Two tetrahedra have one facet in common; other cells may have several.
+  if (map.form(path.previous) != Form::kSimplex || map.form(path.cell) != Form::kSimplex) return {};
+  for (uint32_t f = 0; f < 4; ++f) {
+    const HalfFacet h = map.half_facet(path.previous, f), o = map.opposite(h);
+    if (o.valid() && map.cell_of(o) == path.cell) passed.facets[1] = h;
+  }
+  passed.count = 2;
+  return passed;
+}
+
 bool turn(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, VertexPair& edge) {
   constexpr size_t kMost = 64;  // facets at an edge
   const Map<3>& map = env.map;

@@ -58,6 +58,13 @@ struct EdgeSequence {
 bool follows(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, Cell first,
              Cell last) noexcept;
 
+/** The facets that a path passes, each seen from the cell that is left: none where it stays in its cell or passes more than two. */
+struct PathFacets {
+  uint32_t count = 0;
+  HalfFacet facets[2];
+};
+PathFacets path_facets(const Map<3>& map, Cell start, const CastResult& path) noexcept;
+
 /** An edge of the environment, by its vertices. */
 struct VertexPair {
   uint32_t a = 0, b = 0;

@@ -164,7 +164,7 @@ void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v
                                    moving.arrival,
                                    place(body, targets, other, moving.rank),
                                    fixed,
-                                   body.keeps_sequences() ? crossed_[v] : HalfFacet{}};
+                                   body.keeps_sequences() ? crossed_[v] : PathFacets{}};
   const StarSweep::Settled settled = sweeps_.settle(body, sweep, false);
   if (!keeps_.empty()) {
     const bool same = settled == StarSweep::Settled::kInside ||

@@ -24,7 +24,7 @@ BodyMove::BodyMove(const Environment<3>& env)
       writers_(Allocator<SequenceWriter>(env.memory)),
       order_(Allocator<uint32_t>(env.memory)),
       moving_(Allocator<Moving>(env.memory)),
-      crossed_(Allocator<HalfFacet>(env.memory)),
+      crossed_(Allocator<PathFacets>(env.memory)),
       skipped_(Allocator<uint32_t>(env.memory)),
       keeps_(Allocator<bool>(env.memory)),
       sides_(Allocator<uint32_t>(env.memory)),
@@ -136,7 +136,7 @@ void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
   if (body.keeps_sequences()) writers_.reserve(kWave);  // casts point at them
   order_.clear();
   moving_.assign(body.vertices.size(), Moving{});
-  if (body.keeps_sequences()) crossed_.assign(body.vertices.size(), HalfFacet{});
+  if (body.keeps_sequences()) crossed_.assign(body.vertices.size(), PathFacets{});
   for (size_t v = 0; v < moving_.size(); ++v) moving_[v].from = moving_[v].arrival = body.vertices[v].cell;
   const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
   for (size_t i = 0; i < count; ++i) {
@@ -187,9 +187,7 @@ void BodyMove::cast_paths(const Body& body, PointArray targets) {
       const CastResult& path = wave_.result(i);
       Moving& moving = moving_[wave_vertices_[i]];
       moving.arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
-      if (body.keeps_sequences() && path.cells_visited == 2) {
-        crossed_[wave_vertices_[i]] = env_.map.half_facet(wave_.request(i).start, path.first_facet);
-      }
+      if (body.keeps_sequences()) crossed_[wave_vertices_[i]] = path_facets(env_.map, wave_.request(i).start, path);
     }
     wave_.clear();
   };

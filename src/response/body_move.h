@@ -83,14 +83,14 @@ class BodyMove {
   Array<SequenceWriter> writers_;  // of the wave, if sequences are kept
   uint32_t chunk_[kChunk] = {};    // edges that are looked at
   Array<uint32_t> order_;
-  Array<Moving> moving_;      // by vertex
-  Array<HalfFacet> crossed_;  // by vertex, if sequences are kept: the only facet on its path
-  Array<uint32_t> skipped_;   // edges left out by their motion
-  Array<bool> keeps_;         // by edge, at FACES: it keeps to one sequence all through the move
-  Array<uint32_t> sides_;     // by face, at FACES: its edges, that opposite of corner k in place k
-  Array<BodyVertex> before_;  // to go back to
-  Array<double> places_;      // of all vertices, when they move together
-  Array<double> rooms_;       // by vertex, if balls are kept: see room_squared
+  Array<Moving> moving_;       // by vertex
+  Array<PathFacets> crossed_;  // by vertex, if sequences are kept: on its path
+  Array<uint32_t> skipped_;    // edges left out by their motion
+  Array<bool> keeps_;          // by edge, at FACES: it keeps to one sequence all through the move
+  Array<uint32_t> sides_;      // by face, at FACES: its edges, that opposite of corner k in place k
+  Array<BodyVertex> before_;   // to go back to
+  Array<double> places_;       // of all vertices, when they move together
+  Array<double> rooms_;        // by vertex, if balls are kept: see room_squared
 };
 
 }  // namespace dsw

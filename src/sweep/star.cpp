@@ -10,11 +10,6 @@ namespace {
 
 constexpr int kMostTurns = 4;  // then a cast costs no more
 
-/** The only facet that a path has crossed. */
-HalfFacet crossed(const Environment<3>& env, Cell start, const CastResult& path) noexcept {
-  return path.cells_visited == 2 ? env.map.half_facet(start, path.first_facet) : HalfFacet{};
-}
-
 /** The vertex before its edges before its faces. */
 uint64_t feature(const StarContact& c) noexcept {
   if (c.edge != kNone) return 1 + uint64_t{c.edge};
@@ -61,18 +56,17 @@ bool StarSweep::is_clear(const Body& body, const EdgeSweep& sweep) const {
          covers(env_, body.clearances[body.edges[sweep.e].other(sweep.v)], p, sweep.to, sweep.q);
 }
 
-/** The path of an end has passed a facet: the edge has one facet less to pass, or one more. */
-bool StarSweep::pass_on(EdgeSequence& sequence, const EdgeSweep& sweep, Cell from, bool first, HalfFacet* gone) const {
+/** The path of an end has passed a facet of `from`: the edge has one facet less to pass, or one more. */
+bool StarSweep::pass_on(EdgeSequence& sequence, HalfFacet crossed, Cell from, bool first) const {
   // As the sequence names it: passed on the way from ends[0].
-  const HalfFacet beyond = env_.map.opposite(sweep.crossed);
-  const HalfFacet left = first ? sweep.crossed : beyond, met = first ? beyond : sweep.crossed;
+  const HalfFacet beyond = env_.map.opposite(crossed);
+  const HalfFacet left = first ? crossed : beyond, met = first ? beyond : crossed;
   if (!sequence.facets.empty()) {
     const HalfFacet end{first ? sequence.facets.front() : sequence.facets.back()};
     // What is noted may be of another place, at EDGES: then it does not go on where the path has left its cell.
     if (env_.map.cell_of(first ? end : env_.map.opposite(end)) != from) return false;
     if (end == left) {
       sequence.remove(env_, first);
-      *gone = left;
       return true;
     }
   }
@@ -93,26 +87,23 @@ bool StarSweep::turns_freely(const Body& body, const EdgeSweep& sweep, VertexPai
 }
 
 /** Whether the edge goes to the other side of an edge of the environment, and is free there with what it sweeps on its way; at EDGES the
- * new place is all that counts. If not the sequence is left as it is. */
+ * new place is all that counts. */
 bool StarSweep::turns(const Body& body, const EdgeSweep& sweep, bool first) {
   EdgeSequence& sequence = body.sequences[sweep.e];
-  if (!sequence.of_tetrahedra) return false;
   const double *const from = first ? sweep.to : sweep.q, *const to = first ? sweep.q : sweep.to;
   const Cell start = first ? sweep.arrival : sweep.fixed, end = first ? sweep.fixed : sweep.arrival;
-  before_ = sequence;
   VertexPair edge;
   for (int rest = body.level == SweepLevel::kEdges ? kMostTurns : 1; rest != 0; --rest) {
     if (!turn(env_, sequence, from, to, edge)) break;
     if (!follows(env_, sequence, from, to, start, end)) continue;
-    if (body.level == SweepLevel::kEdges || turns_freely(body, sweep, edge)) return true;
+    return body.level == SweepLevel::kEdges || turns_freely(body, sweep, edge);
   }
-  std::swap(sequence, before_);
   return false;
 }
 
-/** Whether the edge keeps to the facets that it was last known to pass, but for one that its end passes itself, and for those round an
- * edge of the environment to whose other side it goes: then it is free in its new place. If it kept to them before, too, the triangle's
- * sides share a strip of cells, or part at one edge. */
+/** Whether the edge keeps to the facets that it was last known to pass, but for those that its end passes itself, and for those round
+ * an edge of the environment to whose other side it goes: then it is free in its new place. If it kept to them before, too, the
+ * triangle's sides share a strip of cells, or part at one edge. */
 StarSweep::Settled StarSweep::follow_sequence(const Body& body, const EdgeSweep& sweep) {
   EdgeSequence& sequence = body.sequences[sweep.e];
   const BodyVertex& from = body.vertices[sweep.v];
@@ -121,19 +112,23 @@ StarSweep::Settled StarSweep::follow_sequence(const Body& body, const EdgeSweep&
     return first ? follows(env_, sequence, p, sweep.q, cell, sweep.fixed)
                  : follows(env_, sequence, sweep.q, p, sweep.fixed, cell);
   };
+  const auto passes_on = [&] {
+    Cell cell = from.cell;
+    for (uint32_t i = 0; i < sweep.crossed.count; ++i) {
+      if (!pass_on(sequence, sweep.crossed.facets[i], cell, first)) return false;
+      cell = env_.map.cell_of(env_.map.opposite(sweep.crossed.facets[i]));
+    }
+    return cell == sweep.arrival;
+  };
   if (!sequence.known()) return Settled::kNo;
-  const bool stays = from.cell == sweep.arrival;
-  if (!stays && !sweep.crossed.valid()) return Settled::kNo;
+  if (from.cell != sweep.arrival && sweep.crossed.count == 0) return Settled::kNo;
   if (body.level != SweepLevel::kEdges && !keeps(from.position, from.cell)) return Settled::kNo;
-  HalfFacet left;  // that the edge no longer passes
-  if (!stays && !pass_on(sequence, sweep, from.cell, first, &left)) return Settled::kNo;
-  if (keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
-  if (turns(body, sweep, first)) return Settled::kTurned;
-  if (left.valid()) {
-    sequence.add(env_, left, first);
-  } else if (!stays) {
-    sequence.remove(env_, first);
+  before_ = sequence.facets;
+  if (passes_on()) {
+    if (keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
+    if (turns(body, sweep, first)) return Settled::kTurned;
   }
+  sequence.assign(env_, before_);  // for which there is room
   return Settled::kNo;
 }
 
@@ -179,7 +174,7 @@ bool StarSweep::is_free(const Body& body, uint32_t v, const double* to, Cell* ce
   *cell = path.cell;
   if (path.end != CastEnd::kReached || body.level == SweepLevel::kPoints) return path.end == CastEnd::kReached;
   if (body.level == SweepLevel::kEdges) return !find_hit_edges(body, v, to, path.cell, true);
-  const HalfFacet passed = crossed(env_, at.cell, path);
+  const PathFacets passed = path_facets(env_.map, at.cell, path);
   bool free = true;
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
@@ -224,7 +219,7 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
     return answer();
   }
   const bool reached = !any;
-  const HalfFacet passed = crossed(env_, at.cell, path);
+  const PathFacets passed = path_facets(env_.map, at.cell, path);
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
     const bool settled = reached && settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed});

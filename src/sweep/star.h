@@ -41,7 +41,7 @@ class StarSweep {
     Cell arrival;
     const double* q;
     Cell fixed;
-    HalfFacet crossed;  // the only facet on the path of v, seen from where it starts; invalid if there are none or more
+    PathFacets crossed;  // on the path of v
   };
   /** What is known without a look at the triangle: nothing, or that nothing is met because it lies inside of one convex cell, of one that
    * is not convex, of a ball that is free, of the strip of cells that the edge is known to cross, or of these and the others at one edge
@@ -91,7 +91,7 @@ class StarSweep {
   Settled settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls);
   bool is_clear(const Body& body, const EdgeSweep& sweep) const;
   Settled follow_sequence(const Body& body, const EdgeSweep& sweep);
-  bool pass_on(EdgeSequence& sequence, const EdgeSweep& sweep, Cell from, bool first, HalfFacet* gone) const;
+  bool pass_on(EdgeSequence& sequence, HalfFacet crossed, Cell from, bool first) const;
   bool turns(const Body& body, const EdgeSweep& sweep, bool first);
   bool turns_freely(const Body& body, const EdgeSweep& sweep, VertexPair edge) const;
   bool find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
@@ -100,7 +100,7 @@ class StarSweep {
   const Environment<3>& env_;
   bool limited_ = false;  // the work limit was met
   SweepFlood flood_;
-  EdgeSequence before_;  // a turn
+  Array<uint32_t> before_;  // facets of a sequence, to go back to
   Wave<3> wave_;
   uint32_t wave_edges_[kWave] = {};
   Array<uint32_t> hit_edges_;  // at EDGES: those whose new place is not free

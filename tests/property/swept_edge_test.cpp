@@ -118,7 +118,10 @@ StarSweep::Settled settled_by(const Environment<3>& env, const double* p, Cell s
   add_edge(body, 0, 1);
   body.sequences[0] = before;
   StarSweep star(env);
-  const HalfFacet crossed = path.facets.size() == 1 ? HalfFacet{path.facets[0]} : HalfFacet{};
+  PathFacets crossed;
+  if (path.facets.size() <= 2) {
+    for (const uint32_t facet : path.facets) crossed.facets[crossed.count++] = {facet};
+  }
   return star.settle(body, {0, 0, to, target, q, body.vertices[1].cell, crossed});
 }
 
