@@ -21,6 +21,9 @@ size_t pass_triangles(Shear& shear, const TriangleRows& triangles) noexcept {
 PassTriangles choose_pass_triangles() noexcept {
 #if defined(__x86_64__)
   __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+    return pass_triangles_avx512;
+  }
   if (__builtin_cpu_supports("avx2")) return pass_triangles_avx2;
 #endif
   return pass_triangles;

@@ -52,6 +52,7 @@ class Shear {
  private:
   static constexpr double kBound = 128 * 1.1102230246251565e-16;
   static constexpr double kLeast = 1e-120, kMost = 1e120;  // of M: squares stay normal
+  template <class Lanes>
   friend class ShearLanes;
 
   const double* p_;
@@ -66,6 +67,7 @@ using PassTriangles = size_t (*)(Shear& shear, const TriangleRows& triangles) no
 size_t pass_triangles(Shear& shear, const TriangleRows& triangles) noexcept;
 #if defined(__x86_64__)
 size_t pass_triangles_avx2(Shear& shear, const TriangleRows& triangles) noexcept;
+size_t pass_triangles_avx512(Shear& shear, const TriangleRows& triangles) noexcept;
 #endif
 PassTriangles choose_pass_triangles() noexcept;
 

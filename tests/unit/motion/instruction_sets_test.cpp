@@ -251,6 +251,10 @@ INSTANTIATE_TEST_SUITE_P(Scales, InstructionSetTest, testing::Values(1.0, 0x1p-3
 TEST(InstructionSets, TrianglesArePassedWithTheSameBits) {
 #if defined(__x86_64__)
   if (!__builtin_cpu_supports("avx2")) GTEST_SKIP();
+  std::vector<PassTriangles> sets{pass_triangles_avx2};
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+    sets.push_back(pass_triangles_avx512);
+  }
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> coordinate(-1, 1), distance(0.5, 1);
   size_t passed = 0, missed = 0;
@@ -278,13 +282,16 @@ TEST(InstructionSets, TrianglesArePassedWithTheSameBits) {
         triangles.set(n, i, corner);
       }
     }
-    Shear portable(line[0], line[1]), avx2 = portable;
+    Shear portable(line[0], line[1]);
     const size_t by_one = pass_triangles(portable, triangles);
-    ASSERT_EQ(by_one, pass_triangles_avx2(avx2, triangles));
     ++(by_one == count ? passed : missed);
-    if (by_one != count) continue;
-    ASSERT_EQ(portable.lowest(), avx2.lowest());
-    ASSERT_EQ(portable.largest(), avx2.largest());
+    for (const PassTriangles pass : sets) {
+      Shear shear(line[0], line[1]);
+      ASSERT_EQ(by_one, pass(shear, triangles));
+      if (by_one != count) continue;
+      ASSERT_EQ(portable.lowest(), shear.lowest());
+      ASSERT_EQ(portable.largest(), shear.largest());
+    }
   }
   EXPECT_GT(passed, 1000u);
   EXPECT_GT(missed, 1000u);

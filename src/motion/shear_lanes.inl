@@ -1,0 +1,58 @@
+// Triangles side by side, one in each lane: the operations of `pass_triangles` in the same order, so the same bits. Included once for
+// each instruction set, whose `Lanes` is a type of its own.
+
+namespace dsw {
+
+template <class Lanes>
+class ShearLanes {
+ public:
+  explicit ShearLanes(Shear& shear) noexcept
+      : shear_(shear), slope_i_(Lanes::all(shear.slope_i_)), slope_j_(Lanes::all(shear.slope_j_)) {}
+
+  /** No fewer triangles than lanes. */
+  size_t pass(const TriangleRows& triangles) noexcept {
+    const size_t count = triangles.size();
+    const Corner corners[3] = {corner(triangles, 0), corner(triangles, 1), corner(triangles, 2)};
+    Vector largest = Lanes::all(shear_.largest_), lowest = Lanes::all(shear_.lowest_);
+    for (size_t next = 0; next < count; next += Lanes::kCount) {
+      const size_t n = std::min(next, count - Lanes::kCount);  // the last ones may have been passed in part
+      const Points a = read(corners[0], n), b = read(corners[1], n), c = read(corners[2], n);
+      const Vector sides = Lanes::min(Lanes::min(side(a, b), side(b, c)), side(c, a));
+      const unsigned missed = Lanes::not_positive(sides);
+      if (missed != 0) return n + static_cast<size_t>(__builtin_ctz(missed));
+      largest = Lanes::max(largest, Lanes::max(Lanes::max(a.most, b.most), c.most));
+      lowest = Lanes::min(lowest, sides);
+    }
+    shear_.largest_ = Lanes::largest(largest);
+    shear_.lowest_ = Lanes::lowest(lowest);
+    return count;
+  }
+
+ private:
+  using Vector = typename Lanes::Vector;
+
+  /** The rows of one corner, in the order of the shear's axes. */
+  struct Corner {
+    const double *i, *j, *k;
+  };
+  struct Points {
+    Vector i, j, most;  // most: the largest component before the shear
+  };
+
+  Corner corner(const TriangleRows& triangles, int n) const noexcept {
+    return {triangles.row(n, shear_.i_), triangles.row(n, shear_.j_), triangles.row(n, shear_.k_)};
+  }
+  Points read(const Corner& corner, size_t n) const noexcept {
+    const Vector a = Lanes::load(corner.i + n) - Lanes::all(shear_.p_[shear_.i_]),
+                 b = Lanes::load(corner.j + n) - Lanes::all(shear_.p_[shear_.j_]),
+                 c = Lanes::load(corner.k + n) - Lanes::all(shear_.p_[shear_.k_]);
+    return {a - slope_i_ * c, b - slope_j_ * c,
+            Lanes::max(Lanes::max(Lanes::absolute(a), Lanes::absolute(b)), Lanes::absolute(c))};
+  }
+  static Vector side(const Points& a, const Points& b) noexcept { return a.i * b.j - a.j * b.i; }
+
+  Shear& shear_;
+  Vector slope_i_, slope_j_;
+};
+
+}  // namespace dsw
