@@ -163,7 +163,8 @@ bool turn(const Environment<3>& env, EdgeSequence& sequence, const double* from,
     HalfFacet next;
     for (uint32_t f = 0; f < 4; ++f) {
       const HalfFacet h = map.half_facet(c, f);
-      if (h != entered && Corners(map, h.word).has(edge)) next = h;
+      const uint32_t tip = map.vertex(c, kTetrahedronTips[f]);
+      if (h != entered && tip != edge.a && tip != edge.b) next = h;
     }
     turned[count++] = next.word;
     entered = map.opposite(next);

@@ -7,6 +7,8 @@ namespace dsw {
 
 /** As standard_shape has them. */
 constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
+/** The vertex that each of them has not. */
+constexpr uint8_t kTetrahedronTips[4] = {2, 0, 1, 3};
 
 /** A triangle repeats its last vertex. */
 constexpr uint8_t kPyramidFacets[5][4] = {{0, 3, 2, 1}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}};

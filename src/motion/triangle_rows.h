@@ -20,22 +20,28 @@ class TriangleRows {
   /** Makes room. Throws std::bad_alloc, and then nothing has changed. */
   void reserve(size_t count) {
     if (count <= room_) return;
-    const size_t room = std::max((count + 7) / 8 * 8, 2 * room_);
+    const size_t room = count + count / 2 + 2;
     Array<double> values(kRows * room, 0, values_.get_allocator());
-    for (size_t r = 0; r < kRows; ++r) std::copy_n(values_.data() + r * room_, size_, values.data() + r * room);
+    for (size_t r = 0; r < kRows; ++r) {
+      std::copy_n(values_.data() + r * room_ + begin_, size_, values.data() + r * room);
+    }
     values_ = std::move(values);
+    begin_ = 0;
     room_ = room;
   }
   void clear() noexcept { size_ = 0; }
   /** Puts `added` triangles, which the caller then sets, where `removed` are. There is room. */
   void replace(size_t at, size_t removed, size_t added) noexcept {
-    const size_t rest = size_ - at - removed;
-    size_ = at + added + rest;
-    if (rest == 0 || removed == added) return;
-    for (size_t r = 0; r < kRows; ++r) {
-      double* const row = values_.data() + r * room_ + at;
-      std::memmove(row + added, row + removed, rest * sizeof(double));
-    }
+    const size_t rest = size_ - at - removed, size = at + added + rest;
+    // The shorter part moves: sequences are changed at their ends most of the time.
+    size_t begin = at < rest ? begin_ + removed - added : begin_;
+    if (at < rest ? begin_ + removed < added : begin + size > room_) begin = (room_ - size) / 2;
+    const size_t from = begin_ + at + removed, to = begin + at + added;
+    if (to > from) move(from, to, rest);
+    move(begin_, begin, at);
+    if (to < from) move(from, to, rest);
+    begin_ = begin;
+    size_ = size;
   }
   void set(size_t at, int corner, const double* point) noexcept {
     for (int axis = 0; axis < 3; ++axis) values_[start(corner, axis) + at] = point[axis];
@@ -43,10 +49,17 @@ class TriangleRows {
 
  private:
   static constexpr size_t kRows = 9;
-  size_t start(int corner, int axis) const noexcept { return static_cast<size_t>(3 * corner + axis) * room_; }
+
+  size_t start(int corner, int axis) const noexcept { return static_cast<size_t>(3 * corner + axis) * room_ + begin_; }
+  void move(size_t from, size_t to, size_t count) noexcept {
+    if (from == to || count == 0) return;
+    for (double* row = values_.data(); row != values_.data() + kRows * room_; row += room_) {
+      std::memmove(row + to, row + from, count * sizeof(double));
+    }
+  }
 
   Array<double> values_;
-  size_t size_ = 0, room_ = 0;
+  size_t begin_ = 0, size_ = 0, room_ = 0;  // of a row: it has room at either end
 };
 
 }  // namespace dsw

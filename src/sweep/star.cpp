@@ -123,9 +123,11 @@ StarSweep::Settled StarSweep::follow_sequence(const Body& body, const EdgeSweep&
   if (!sequence.known()) return Settled::kNo;
   if (from.cell != sweep.arrival && sweep.crossed.count == 0) return Settled::kNo;
   if (body.level != SweepLevel::kEdges && !keeps(from.position, from.cell)) return Settled::kNo;
+  const bool stays = sweep.crossed.count == 0;
+  if (stays && keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
   before_ = sequence.facets;
   if (passes_on()) {
-    if (keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
+    if (!stays && keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
     if (turns(body, sweep, first)) return Settled::kTurned;
   }
   sequence.assign(env_, before_);  // for which there is room
