@@ -9,7 +9,7 @@
 
 #include "capi/guard.h"
 #include "dartsweep/scene.h"
-#include "dartsweep/topology.h"
+#include "dartsweep/surgery.h"
 #include "environment/environment.h"
 #include "scene/scene.h"
 
@@ -32,7 +32,10 @@ struct dsw_environment {
   mutable std::mutex scenes_mutex;   // hosts make scenes of a shared environment on several threads
   dsw_scene* first_scene = nullptr;  // a list through dsw_scene::next
   uint32_t scene_count = 0;
-  dsw::Array<dsw_volume_change> changes;  // of the last change of the topology
+  dsw::Array<dsw_volume_change> changes;    // of the last change of the topology
+  dsw::Array<dsw_cut_vertex> cut_vertices;  // of the last cut, as the next two
+  dsw::Array<dsw_cut_face> cut_faces;
+  dsw::Array<dsw_volume_id> whole_volumes;
 
   explicit dsw_environment(dsw_context* owner);
 };

@@ -86,8 +86,13 @@ class Followers {
   bool is_passable(Cell c) const { return c.valid() && !env_.map.marked(c); }
   /** The new cell of a point that was in `old`; none if it would be beyond a wall there. */
   Cell find(const double* point, Cell old) const {
-    for (size_t i = 0; i < edit_.cell_count(); ++i) {
-      if (contains(env_, edit_.cell(i), point)) return is_beyond_wall(old, edit_.draft(i)) ? Cell{} : edit_.cell(i);
+    // Nearly always in what comes of its own cell: others are asked later.
+    for (const bool own : {true, false}) {
+      for (size_t i = 0; i < edit_.cell_count(); ++i) {
+        const CellDraft& draft = edit_.draft(i);
+        if (own != (draft.from == old || draft.also == old) || !contains(env_, edit_.cell(i), point)) continue;
+        return is_beyond_wall(old, draft) ? Cell{} : edit_.cell(i);
+      }
     }
     return {};
   }
@@ -153,6 +158,11 @@ void follow(Edit& edit, Scene<3>& scene) {
 void carry_out(Edit& edit, Scene<3>* scene) {
   clear_occupants(scene);
   edit.prepare();
+  carry_out_prepared(edit, scene);
+}
+
+void carry_out_prepared(Edit& edit, Scene<3>* scene) {
+  clear_occupants(scene);
   if (scene == nullptr) {
     edit.apply();
     edit.finish();

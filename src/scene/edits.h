@@ -11,5 +11,7 @@ namespace dsw {
  * passable cells then and all bodies are free; and what prepare() throws. Then nothing has changed.
  * O(what changes + particles and size of the bodies). */
 void carry_out(Edit& edit, Scene<3>* scene);
+/** The same with an edit that is prepared. */
+void carry_out_prepared(Edit& edit, Scene<3>* scene);
 
 }  // namespace dsw

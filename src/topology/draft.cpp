@@ -119,4 +119,94 @@ void centre(const Environment<3>& env, const CellDraft& draft, double* out) {
   }
 }
 
+FacetDraft part_of(const FacetDraft& whole, uint32_t from, uint32_t to) {
+  FacetDraft part = whole;
+  part.loop.clear();
+  part.triangles.clear();
+  for (uint32_t at = whole.place_of(from);; ++at) {
+    part.loop.push_back(whole.after(at, 0));
+    if (part.loop.back() == to) return part;
+  }
+}
+
+bool share_triangles(const FacetDraft& whole, FacetDraft& a, FacetDraft& b) {
+  for (size_t t = 0; t < whole.triangles.size(); t += 3) {
+    const auto first = whole.triangles.begin() + static_cast<ptrdiff_t>(t);
+    const auto is_in = [&](const FacetDraft& part) {
+      return std::all_of(first, first + 3, [&](uint32_t v) { return part.has(v); });
+    };
+    if (!is_in(a) && !is_in(b)) return false;
+    FacetDraft& part = is_in(a) ? a : b;
+    part.triangles.insert(part.triangles.end(), first, first + 3);
+  }
+  return true;
+}
+
+FacetDraft turned(const FacetDraft& facet) {
+  FacetDraft other = facet;
+  std::reverse(other.loop.begin(), other.loop.end());
+  cut_like(other, facet);
+  std::swap(other.near, other.far);
+  return other;
+}
+
+bool insert_between(FacetDraft& facet, uint32_t a, uint32_t b, uint32_t middle) {
+  const uint32_t at = facet.place_of(a), size = static_cast<uint32_t>(facet.loop.size());
+  if (at == size) return false;
+  const bool ahead = facet.after(at) == b;
+  if (!ahead && facet.after(at, size - 1) != b) return false;
+  facet.loop.insert(facet.loop.begin() + (ahead ? at + 1 : at), middle);
+  for (size_t t = 0; t < facet.triangles.size(); t += 3) {
+    const auto first = facet.triangles.begin() + static_cast<ptrdiff_t>(t);
+    const auto of_a = std::find(first, first + 3, a), of_b = std::find(first, first + 3, b);
+    if (of_a == first + 3 || of_b == first + 3) continue;
+    const uint32_t rest[3] = {first[0], first[1], first[2]};
+    *of_a = middle;  // the triangle keeps b; one with a in place of b comes on top
+    for (const uint32_t v : rest) facet.triangles.push_back(v == b ? middle : v);
+    return true;
+  }
+  return true;
+}
+
+bool part_along(const CellDraft& whole, const Array<uint32_t>& loop, CellDraft& left, CellDraft& right) {
+  // Every edge with the facet that runs along it from `a` to `b`.
+  struct Side {
+    uint32_t a, b, facet;
+    bool operator<(const Side& o) const { return a != o.a ? a < o.a : b < o.b; }
+  };
+  Array<Side> sides(loop.get_allocator());
+  const auto facets = static_cast<uint32_t>(whole.facets.size());
+  for (uint32_t f = 0; f < facets; ++f) {
+    const FacetDraft& facet = whole.facets[f];
+    for (uint32_t k = 0; k < facet.loop.size(); ++k) sides.push_back({facet.loop[k], facet.after(k), f});
+  }
+  std::sort(sides.begin(), sides.end());
+  const auto facet_along = [&](uint32_t a, uint32_t b) {
+    return std::lower_bound(sides.begin(), sides.end(), Side{a, b, 0})->facet;
+  };
+  const auto is_crossed = [&](uint32_t a, uint32_t b) {
+    const auto at = static_cast<size_t>(std::find(loop.begin(), loop.end(), a) - loop.begin());
+    if (at == loop.size()) return false;
+    return loop[(at + 1) % loop.size()] == b || loop[(at + loop.size() - 1) % loop.size()] == b;
+  };
+  Array<uint8_t> is_left(facets, 0, Allocator<uint8_t>(loop.get_allocator()));
+  Array<uint32_t> stack(loop.get_allocator());
+  const auto visit = [&](uint32_t facet) {
+    if (is_left[facet] != 0) return;
+    is_left[facet] = 1;
+    stack.push_back(facet);
+  };
+  for (size_t i = 0; i < loop.size(); ++i) visit(facet_along(loop[i], loop[(i + 1) % loop.size()]));
+  while (!stack.empty()) {
+    const FacetDraft& facet = whole.facets[stack.back()];
+    stack.pop_back();
+    for (uint32_t k = 0; k < facet.loop.size(); ++k) {
+      const uint32_t a = facet.loop[k], b = facet.after(k);
+      if (!is_crossed(a, b)) visit(facet_along(b, a));
+    }
+  }
+  for (uint32_t f = 0; f < facets; ++f) (is_left[f] != 0 ? left : right).facets.push_back(whole.facets[f]);
+  return !right.facets.empty();
+}
+
 }  // namespace dsw

@@ -58,6 +58,18 @@ bool cut_alike(const FacetDraft& a, const FacetDraft& b);
 /** Gives a facet the triangles of the one that it faces. */
 void cut_like(FacetDraft& facet, const FacetDraft& other);
 
+/** The same facet seen from the other side. */
+FacetDraft turned(const FacetDraft& facet);
+
+/** The part of a facet's loop from one of its vertices to another, without triangles. */
+FacetDraft part_of(const FacetDraft& whole, uint32_t from, uint32_t to);
+/** Shares a facet's triangles out between its parts; false where one lies in none. */
+bool share_triangles(const FacetDraft& whole, FacetDraft& a, FacetDraft& b);
+/** Puts a vertex between two neighbours of a facet's loop, into the triangle there; whether they are neighbours. */
+bool insert_between(FacetDraft& facet, uint32_t a, uint32_t b, uint32_t middle);
+/** Shares a cell's facets out: to `left` those on the left of a closed loop of its edges, seen from outside. False if that is all. */
+bool part_along(const CellDraft& whole, const Array<uint32_t>& loop, CellDraft& left, CellDraft& right);
+
 /** Whether the triangles of a facet are positive seen from a point, and negative from a point `beyond` unless that is null. */
 bool is_cut_well(const Environment<3>& env, const FacetDraft& facet, const double* apex, const double* beyond);
 /** Adds triangles to a facet that fill `hole` and are such; false if there are none. Throws TOO_LARGE where it is not worth the search. */

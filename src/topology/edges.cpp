@@ -10,25 +10,6 @@
 namespace dsw {
 namespace {
 
-/** Puts a vertex between two neighbours of a facet's loop; whether they are neighbours there. */
-bool insert_between(FacetDraft& facet, uint32_t a, uint32_t b, uint32_t middle) {
-  const uint32_t at = facet.place_of(a), size = static_cast<uint32_t>(facet.loop.size());
-  if (at == size) return false;
-  const bool ahead = facet.after(at) == b;
-  if (!ahead && facet.after(at, size - 1) != b) return false;
-  facet.loop.insert(facet.loop.begin() + (ahead ? at + 1 : at), middle);
-  for (size_t t = 0; t < facet.triangles.size(); t += 3) {
-    const auto first = facet.triangles.begin() + static_cast<ptrdiff_t>(t);
-    const auto of_a = std::find(first, first + 3, a), of_b = std::find(first, first + 3, b);
-    if (of_a == first + 3 || of_b == first + 3) continue;
-    const uint32_t rest[3] = {first[0], first[1], first[2]};
-    *of_a = middle;  // the triangle keeps b; one with a in place of b comes on top
-    for (const uint32_t v : rest) facet.triangles.push_back(v == b ? middle : v);
-    return true;
-  }
-  return true;
-}
-
 /** Takes a vertex out of a facet; the loop that its triangles leave empty, from the vertex after it to the one before. */
 Array<uint32_t> take_out(FacetDraft& facet, uint32_t vertex) {
   const uint32_t at = facet.place_of(vertex);

@@ -93,21 +93,32 @@ bool Edit::is_removed(Cell c) const {
 
 HalfFacet Edit::half_facet(size_t i, uint32_t facet) const { return {made_[i].words[facet]}; }
 
-void Edit::prepare() {
+void Edit::prepare(Array<uint32_t>* invalid) {
   std::sort(removed_.begin(), removed_.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
   for (const Cell c : removed_) reserve_return(map_, c);
   made_.reserve(drafts_.size());
-  for (size_t i = 0; i < drafts_.size(); ++i) write_record(i);
+  for (uint32_t i = 0; i < drafts_.size(); ++i) {
+    if (write_record(i)) continue;
+    if (invalid == nullptr) {
+      const Cell from = drafts_[i].from;
+      fail(DSW_STATUS_BAD_CELL, "the faces of what comes of volume %u would not close a sphere",
+           from.valid() ? map_.index(from) : map_.index_count());
+    }
+    invalid->push_back(i);
+  }
+  if (invalid != nullptr && !invalid->empty()) return;
   choose_indices();
   collect_links();
   connect();
-  check_cells();
+  check_cells(invalid);
+  if (invalid != nullptr && !invalid->empty()) return;
   drop_marks();
   count_all();
   reserve();
 }
 
-void Edit::write_record(size_t i) {
+/** False: its faces would not close a sphere. */
+bool Edit::write_record(size_t i) {
   const CellDraft& draft = drafts_[i];
   Array<uint32_t> vertices{Allocator<uint32_t>(env_.memory)};
   Array<uint16_t> loops{Allocator<uint16_t>(env_.memory)}, first(loops), table(loops);
@@ -125,10 +136,7 @@ void Edit::write_record(size_t i) {
   }
   const auto facet_count = static_cast<uint32_t>(draft.facets.size());
   const FacetLoops faces{loops.data(), first.data(), facet_count, static_cast<uint32_t>(vertices.size())};
-  if (append_polyhedron(faces, nullptr, table) != ShapeDefect::kNone) {
-    fail(DSW_STATUS_BAD_CELL, "the faces of what comes of volume %u would not close a sphere",
-         draft.from.valid() ? map_.index(draft.from) : map_.index_count());
-  }
+  if (append_polyhedron(faces, nullptr, table) != ShapeDefect::kNone) return false;
   for (uint32_t f = 0; f < facet_count; ++f) {
     Array<uint16_t> triangles{Allocator<uint16_t>(env_.memory)};
     for (const uint32_t v : draft.facets[f].triangles) triangles.push_back(local(v));
@@ -141,7 +149,7 @@ void Edit::write_record(size_t i) {
   made.words.resize(facet_count);
   if (match.form == Form::kGeneral) {
     write_general(draft, made, table, vertices);
-    return;
+    return true;
   }
   made.units = match.form == Form::kSimplex ? 1 : 2;
   made.cell = {take_record(map_, made.units)};
@@ -151,6 +159,7 @@ void Edit::write_record(size_t i) {
     w[(match.form == Form::kSimplex ? 0 : kUnitWords) + k] = vertices[match.vertex[k]];
   if (match.form != Form::kSimplex) w[0] = static_cast<uint32_t>(match.form) << kFormShift | match.cuts;
   for (uint32_t f = 0; f < facet_count; ++f) made.words[match.facet[f]] = map_.half_facet(made.cell, f).word;
+  return true;
 }
 
 void Edit::write_general(const CellDraft& draft, Made& made, const Array<uint16_t>& table,
@@ -245,15 +254,19 @@ void Edit::connect(size_t i, uint32_t f, const Array<Origin>& origins) {
   }
 }
 
-void Edit::check_cells() {
-  for (size_t i = 0; i < made_.size(); ++i) {
+void Edit::check_cells(Array<uint32_t>* invalid) {
+  for (uint32_t i = 0; i < made_.size(); ++i) {
     const Cell c = made_[i].cell;
     const CellState state = check_cell(env_, c);
     const CellDraft& draft = drafts_[i];
     if (state != CellState::kValid && state != CellState::kValidConvex) {
+      if (invalid != nullptr) {
+        invalid->push_back(i);
+        continue;
+      }
       const bool inverted = state == CellState::kInverted;
       const char* const what = inverted ? "turned inside out" : "flat, folded, or cover a part of itself twice";
-      if (!draft.from.valid()) fail(DSW_STATUS_INVALID_CELL, "new volume %zu would be %s", i, what);
+      if (!draft.from.valid()) fail(DSW_STATUS_INVALID_CELL, "new volume %u would be %s", i, what);
       fail(DSW_STATUS_INVALID_CELL, "what comes of volume %u would be %s", map_.index(draft.from), what);
     }
     uint32_t& word0 = map_.record(c)[0];

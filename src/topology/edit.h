@@ -40,8 +40,9 @@ class Edit {
   void set_mark(uint32_t a, uint32_t b, bool marked);
   void set_mark(uint32_t vertex, bool marked);
 
-  /** Throws INVALID_CELL, BAD_CELL, BAD_TOPOLOGY, TOO_LARGE, std::bad_alloc. */
-  void prepare();
+  /** Throws INVALID_CELL, BAD_CELL, BAD_TOPOLOGY, TOO_LARGE, std::bad_alloc. With `invalid`, drafts that would be the reason for one of
+   * the first two are put there instead; if there are any, the edit is of no more use. */
+  void prepare(Array<uint32_t>* invalid = nullptr);
   void apply() noexcept;
   /** Takes an applied edit back. */
   void revert() noexcept;
@@ -86,12 +87,12 @@ class Edit {
     bool operator<(const Origin& o) const { return word < o.word; }
   };
 
-  void write_record(size_t i);
+  bool write_record(size_t i);
   void write_general(const CellDraft& draft, Made& made, const Array<uint16_t>& table, const Array<uint32_t>& vertices);
   void collect_links();
   void connect();
   void connect(size_t i, uint32_t facet, const Array<Origin>& origins);
-  void check_cells();
+  void check_cells(Array<uint32_t>* invalid);
   void choose_indices();
   void drop_marks();
   bool is_edge_left(Dart d) const;

@@ -6,43 +6,6 @@
 #include "topology/operations.h"
 
 namespace dsw {
-namespace {
-
-/** The part of a facet's loop from one of its vertices to another. */
-FacetDraft part_of(const FacetDraft& whole, uint32_t from, uint32_t to) {
-  FacetDraft part = whole;
-  part.loop.clear();
-  part.triangles.clear();
-  for (uint32_t at = whole.place_of(from);; ++at) {
-    part.loop.push_back(whole.after(at, 0));
-    if (part.loop.back() == to) return part;
-  }
-}
-
-/** Shares a facet's triangles out between its parts; false where one lies in none. */
-bool share_triangles(const FacetDraft& whole, FacetDraft& a, FacetDraft& b) {
-  for (size_t t = 0; t < whole.triangles.size(); t += 3) {
-    const auto first = whole.triangles.begin() + static_cast<ptrdiff_t>(t);
-    const auto is_in = [&](const FacetDraft& part) {
-      return std::all_of(first, first + 3, [&](uint32_t v) { return part.has(v); });
-    };
-    if (!is_in(a) && !is_in(b)) return false;
-    FacetDraft& part = is_in(a) ? a : b;
-    part.triangles.insert(part.triangles.end(), first, first + 3);
-  }
-  return true;
-}
-
-/** The same facet seen from the other side. */
-FacetDraft turned(const FacetDraft& facet) {
-  FacetDraft other = facet;
-  std::reverse(other.loop.begin(), other.loop.end());
-  cut_like(other, facet);
-  std::swap(other.near, other.far);
-  return other;
-}
-
-}  // namespace
 
 SplitFacet split_facet(Edit& edit, HalfFacet h, uint32_t a, uint32_t b) {
   const Environment<3>& env = edit.environment();

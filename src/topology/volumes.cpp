@@ -63,25 +63,6 @@ uint32_t find_dart(const Map<3>& map, Cell c, const Shape& shape, uint32_t from,
   return d;
 }
 
-/** Facets on the left of the loop's darts: reached from them without crossing one. */
-void find_left(const Shape& shape, const Array<uint32_t>& loop, Array<uint8_t>& left) {
-  Array<uint32_t> stack(loop.get_allocator());
-  const auto visit = [&](uint32_t facet) {
-    if (left[facet] != 0) return;
-    left[facet] = 1;
-    stack.push_back(facet);
-  };
-  const auto is_crossed = [&](uint32_t d) { return std::find(loop.begin(), loop.end(), d) != loop.end(); };
-  for (const uint32_t d : loop) visit(shape.dart_facet(d));
-  while (!stack.empty()) {
-    const uint32_t f = stack.back();
-    stack.pop_back();
-    for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-      if (!is_crossed(d) && !is_crossed(shape.dart_beta2(d))) visit(shape.dart_facet(shape.dart_beta2(d)));
-    }
-  }
-}
-
 }  // namespace
 
 void sew(Edit& edit, const FacetPair* pairs, size_t count) {
@@ -160,31 +141,26 @@ SplitCell split_cell(Edit& edit, Cell c, const uint32_t* loop, size_t count) {
   const Map<3>& map = env.map;
   const Shape shape = map.shape(c);
   if (count < 3) fail(DSW_STATUS_BAD_TOPOLOGY, "the loop has %zu vertices, must have 3 at least", count);
-  Array<uint32_t> darts{Allocator<uint32_t>(env.memory)};
   for (size_t i = 0; i < count; ++i) {
-    const uint32_t from = loop[i], to = loop[(i + 1) % count], d = find_dart(map, c, shape, from, to);
-    if (d == shape.dart_count()) {
+    const uint32_t from = loop[i], to = loop[(i + 1) % count];
+    if (find_dart(map, c, shape, from, to) == shape.dart_count()) {
       fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u has no edge from vertex %u to vertex %u", map.index(c), from, to);
     }
     if (std::find(loop, loop + i, from) != loop + i) {
       fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u stands twice in the loop", from);
     }
-    darts.push_back(d);
   }
-  Array<uint8_t> is_left(shape.facet_count(), 0, Allocator<uint8_t>(env.memory));
-  find_left(shape, darts, is_left);
-
-  CellDraft left = draft_of(env, c), right = left;
+  const CellDraft whole = draft_of(env, c);
+  CellDraft left = whole, right = whole;
   left.facets.clear();
   right.facets.clear();
   right.keeps_index = false;
-  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-    (is_left[f] != 0 ? left : right).facets.push_back(draft_of(env, map.half_facet(c, f)));
-  }
-  if (right.facets.empty()) fail(DSW_STATUS_BAD_TOPOLOGY, "the loop does not part the faces of the volume");
   FacetDraft inserted(env.memory);
   inserted.pair = 0;
   inserted.loop.assign(loop, loop + count);
+  if (!part_along(whole, inserted.loop, left, right)) {
+    fail(DSW_STATUS_BAD_TOPOLOGY, "the loop does not part the faces of the volume");
+  }
   FacetDraft turned = inserted;
   std::reverse(turned.loop.begin(), turned.loop.end());
   double left_apex[3], right_apex[3];

@@ -17,7 +17,7 @@ constexpr double kTolerance = 1e-9;  // of the sum of volumes, which is rounded
 const char* name_of(Operation operation) {
   const char* const names[] = {"sew",           "unsew",        "remove",      "add",
                                "merge volumes", "split volume", "merge faces", "split face",
-                               "split edge",    "merge edges",  "collapse"};
+                               "split edge",    "merge edges",  "collapse",     "cut"};
   return names[static_cast<size_t>(operation)];
 }
 
@@ -132,6 +132,7 @@ Operation RandomEdits::choose() {
     if (operation == Operation::kUnsew && !rng_.chance(0.3)) continue;
     if (operation == Operation::kSplitVolume && many) continue;
     if (operation == Operation::kSplitEdge && rng_.chance(0.6)) continue;
+    if (operation == Operation::kCut && (many || rng_.chance(0.5))) continue;
     return operation;
   }
 }
@@ -332,6 +333,8 @@ dsw_status RandomEdits::call(Operation operation) {
       may_change_ = true;
       return dsw_environment_merge_edges(environment, edge, vertex, nullptr);
     }
+    case Operation::kCut:
+      return cut();
     default: {
       const dsw_edge_id edge = some_edge();
       return dsw_environment_collapse_edge(environment, edge, vertex_of(edge));
@@ -342,7 +345,7 @@ dsw_status RandomEdits::call(Operation operation) {
 /// The same call with its first allocation refused, then the second, and so on until it needs no more.
 dsw_status RandomEdits::call_without_memory(Operation operation, const std::string& before, std::string& wrong) {
   const Choices choices = choices_;
-  for (size_t n = 1;; ++n) {
+  for (size_t n = 1;; n += 1 + n / 64) {  // large changes make thousands
     memory_->countdown = n;
     const dsw_status status = call(operation);
     memory_->countdown = 0;

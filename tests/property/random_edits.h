@@ -20,6 +20,7 @@ enum class Operation {
   kSplitEdge,
   kMergeEdges,
   kCollapse,
+  kCut,
   kCount
 };
 const char* name_of(Operation operation);
@@ -72,6 +73,8 @@ class RandomEdits {
   dsw_status add();
   dsw_status split_volume();
   dsw_status split_face();
+  dsw_status cut();
+  std::vector<double> some_blade(uint32_t rows, uint32_t columns);
   dsw::Cell some_cell();
   dsw_face_id some_face();
   dsw_edge_id some_edge();

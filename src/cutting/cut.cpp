@@ -1,0 +1,364 @@
+#include "cutting/cut.h"
+
+#include "environment/marking.h"
+#include "environment/recut.h"
+#include "map/dart.h"
+
+namespace dsw {
+
+Cut::Cut(Environment<3>& env, const Blade& blade, const CutSettings& settings, Cell start)
+    : env_(env),
+      map_(env.map),
+      blade_(blade),
+      settings_(settings),
+      crossings_(env, blade),
+      vertices_(Allocator<uint32_t>(env.memory)),
+      line_numbers_(env.memory),
+      lines_(Allocator<Line>(env.memory)),
+      changed_(env.memory),
+      drafts_(Allocator<size_t>(env.memory)),
+      origins_(Allocator<Cell>(env.memory)),
+      splits_(Allocator<Split>(env.memory)),
+      old_faces_(Allocator<CutFace>(env.memory)),
+      record_(env.memory) {
+  if (start.valid()) crossings_.flood(start);
+  section_.emplace(env, crossings_, settings.snap);
+}
+
+/** Cells that come out invalid stay whole, and all is written anew: each time more of them, so this ends. */
+void Cut::prepare(std::optional<Edit>& edit) {
+  Array<uint32_t> invalid{Allocator<uint32_t>(env_.memory)};
+  for (;;) {
+    edit.emplace(env_);
+    if (!write(*edit)) continue;
+    invalid.clear();
+    edit->prepare(&invalid);
+    if (invalid.empty()) break;
+    for (const uint32_t draft : invalid) keep_whole(origins_[draft]);
+  }
+  write_record(*edit);
+}
+
+/** False: something has to stay whole first. */
+bool Cut::write(Edit& edit) {
+  drafts_.clear();
+  origins_.clear();
+  splits_.clear();
+  choose_nodes(edit);
+  choose_lines();
+  choose_cells();
+  bool all = true;
+  for (uint32_t i = 0; i < changed_.size(); ++i) {
+    const Cell c{static_cast<uint32_t>(changed_[i])};
+    drafts_.push_back(origins_.size());
+    if (write_cell(edit, c)) continue;
+    keep_whole(c);
+    all = false;
+  }
+  if (!all) return false;
+  find_old_faces();
+  if (settings_.unsew) unsew_old_faces(edit);
+  return true;
+}
+
+/** Vertices for the nodes of loops. */
+void Cut::choose_nodes(Edit& edit) {
+  vertices_.assign(section_->node_count(), kNoCell);
+  for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
+    for (const uint32_t n : section_->loop(i)) {
+      if (vertices_[n] != kNoCell) continue;
+      const Node& node = section_->node(n);
+      double point[3];
+      point_at<3>(env_.point(node.a), env_.point(node.b), node.share, point);
+      vertices_[n] = node.is_old() ? node.a : edit.add_vertex(point);
+    }
+  }
+}
+
+void Cut::choose_lines() {
+  line_numbers_ = KeyTable(env_.memory);
+  lines_.clear();
+  Array<Chord> chords{Allocator<Chord>(env_.memory)};
+  for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
+    if (section_->loop(i).empty()) continue;
+    section_->list_chords(i, chords);
+    for (const Chord& chord : chords) {
+      const HalfFacet h = map_.half_facet(crossings_.cell(i).cell, chord.facet), o = map_.opposite(h);
+      if (line_numbers_.insert(std::min(h.word, o.word)) != lines_.size()) continue;
+      lines_.emplace_back(env_.memory);
+      lines_.back().facet = h;
+      lines_.back().from = vertices_[chord.from];
+      lines_.back().to = vertices_[chord.to];
+    }
+  }
+}
+
+/** Cells that are split, and those at new vertices and lines. */
+void Cut::choose_cells() {
+  changed_ = KeyTable(env_.memory);
+  for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
+    const Cell c = crossings_.cell(i).cell;
+    if (!section_->loop(i).empty() || has_new_vertex(c)) changed_.insert(c.unit);
+  }
+  for (const Line& line : lines_) {
+    const HalfFacet o = map_.opposite(line.facet);
+    if (o.valid()) changed_.insert(map_.cell_of(o).unit);
+  }
+}
+
+bool Cut::has_new_vertex(Cell c) const {
+  const Shape shape = map_.shape(c);
+  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+    const uint32_t n = section_->node_on(dart_vertex(map_, {c, d}), dart_target(map_, {c, d}));
+    if (n != KeyTable::kNone && vertices_[n] != kNoCell) return true;
+  }
+  return false;
+}
+
+/** False: it can't be written. */
+bool Cut::write_cell(Edit& edit, Cell c) {
+  CellDraft draft = draft_of(env_, c);
+  edit.remove(c);
+  insert_vertices(draft);
+  for (uint32_t f = 0, facets = map_.facets_of(c); f < facets; ++f) {
+    const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
+    const uint32_t number = line_numbers_.find(std::min(h.word, o.word));
+    if (number == KeyTable::kNone) continue;
+    Line& line = lines_[number];
+    if (!line.drawn && !draw_line(draft.facets[f], line)) return false;
+    // The first of the two cells that is written sees the parts as they were drawn.
+    const bool first = line.parts[0].near == h;
+    draft.facets[f] = first ? line.parts[0] : turned(line.parts[0]);
+    draft.facets.push_back(first ? line.parts[1] : turned(line.parts[1]));
+  }
+  const uint32_t cell = crossings_.number(c);
+  if (cell != KeyTable::kNone && !section_->loop(cell).empty()) return split_cell(edit, cell, draft);
+  edit.add(std::move(draft));
+  origins_.push_back(c);
+  return true;
+}
+
+/** In the order of nodes, so that facets are cut alike on both sides. */
+void Cut::insert_vertices(CellDraft& draft) const {
+  Array<uint32_t> nodes{Allocator<uint32_t>(env_.memory)};
+  const Shape shape = map_.shape(draft.from);
+  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+    if (shape.dart_beta2(d) < d) continue;
+    const uint32_t n = section_->node_on(dart_vertex(map_, {draft.from, d}), dart_target(map_, {draft.from, d}));
+    if (n != KeyTable::kNone && vertices_[n] != kNoCell) nodes.push_back(n);
+  }
+  std::sort(nodes.begin(), nodes.end());
+  for (const uint32_t n : nodes) {
+    const Node& node = section_->node(n);
+    for (FacetDraft& facet : draft.facets) insert_between(facet, node.a, node.b, vertices_[n]);
+  }
+}
+
+/** False: there are no triangles for one of the parts. */
+bool Cut::draw_line(const FacetDraft& whole, Line& line) const {
+  line.parts[0] = part_of(whole, line.from, line.to);
+  line.parts[1] = part_of(whole, line.to, line.from);
+  line.drawn = true;
+  if (share_triangles(whole, line.parts[0], line.parts[1])) return true;
+  double apex[3], beyond[3];
+  centre(env_, map_.cell_of(whole.near), apex);
+  if (whole.far.valid()) centre(env_, map_.cell_of(whole.far), beyond);
+  for (FacetDraft& part : line.parts) {
+    part.triangles.clear();
+    if (part.loop.size() > kMostTriangulated) return false;
+    if (!cut_anew(env_, part, part.loop, apex, whole.far.valid() ? beyond : nullptr)) return false;
+  }
+  return true;
+}
+
+bool Cut::split_cell(Edit& edit, uint32_t cell, CellDraft& whole) {
+  const Array<uint32_t>& nodes = section_->loop(cell);
+  FacetDraft face(env_.memory);
+  for (const uint32_t n : nodes) face.loop.push_back(vertices_[n]);
+  CellDraft left(env_.memory);
+  left.from = whole.from;
+  left.marked = whole.marked;
+  left.region = whole.region;
+  left.tag = whole.tag;
+  CellDraft right = left;
+  if (!part_along(whole, face.loop, left, right)) return false;
+  FacetDraft of_left = face;
+  std::reverse(of_left.loop.begin(), of_left.loop.end());
+  double left_apex[3], right_apex[3];
+  centre(env_, left, left_apex);
+  centre(env_, right, right_apex);
+  if (!cut_anew(env_, of_left, of_left.loop, left_apex, right_apex)) return false;
+  cut_like(face, of_left);
+  if (!settings_.unsew) face.pair = of_left.pair = static_cast<uint32_t>(splits_.size());
+  left.facets.push_back(std::move(of_left));
+  right.facets.push_back(std::move(face));
+  const bool left_first = is_before_blade(left, nodes);
+  CellDraft &front = left_first ? left : right, &back = left_first ? right : left;
+  back.keeps_index = false;
+  Split split{cell, 0, 0, static_cast<uint32_t>(front.facets.size() - 1),
+              static_cast<uint32_t>(back.facets.size() - 1)};
+  split.front = edit.add(std::move(front));
+  split.back = edit.add(std::move(back));
+  origins_.push_back(edit.draft(split.front).from);
+  origins_.push_back(edit.draft(split.front).from);
+  splits_.push_back(split);
+  return true;
+}
+
+/** Of one part of a cell that was split. */
+bool Cut::is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) const {
+  const auto has = [&](uint32_t vertex) {
+    return std::any_of(part.facets.begin(), part.facets.end(), [&](const FacetDraft& f) { return f.has(vertex); });
+  };
+  for (const uint32_t n : nodes) {
+    if (!section_->node(n).is_old()) return has(section_->node(n).b);
+  }
+  for (const FacetDraft& facet : part.facets) {
+    for (const uint32_t v : facet.loop) {
+      if (section_->node_at(v) != KeyTable::kNone) continue;
+      return blade_.swept(section_->node(nodes[0]).triangle).side(env_.point(v)) > 0;
+    }
+  }
+  return true;
+}
+
+/** Facets with nothing but old vertices on the blade are on the cut if the blade passes between the centres beside them. */
+void Cut::find_old_faces() {
+  old_faces_.clear();
+  const auto is_whole = [&](uint32_t cell) {
+    return cell != KeyTable::kNone && !section_->is_barred(cell) && section_->loop(cell).empty();
+  };
+  for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
+    const Cell c = crossings_.cell(i).cell;
+    if (!is_whole(i)) continue;
+    const Shape shape = map_.shape(c);
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
+      if (!o.valid() || o.word < h.word) continue;
+      bool on_blade = true;
+      for (uint32_t d = shape.facet_first(f); on_blade && d < shape.facet_first(f + 1); ++d) {
+        on_blade = section_->node_at(dart_vertex(map_, {c, d})) != KeyTable::kNone;
+      }
+      const uint32_t other = on_blade ? crossings_.number(map_.cell_of(o)) : KeyTable::kNone;
+      if (!is_whole(other)) continue;
+      const int side = side_of_centre(i, other);
+      if (side > 0) old_faces_.push_back({h, o});
+      if (side < 0) old_faces_.push_back({o, h});
+    }
+  }
+}
+
+/** Side of a cell's centre, if the way from there to the other's crosses the blade once; else 0. */
+int Cut::side_of_centre(uint32_t cell, uint32_t other) const {
+  double from[3], to[3];
+  centre(env_, crossings_.cell(cell).cell, from);
+  centre(env_, crossings_.cell(other).cell, to);
+  KeyTable crossed(env_.memory);
+  int side = 0;
+  for (const uint32_t each : {cell, other}) {
+    crossings_.for_each_triangle(each, [&](uint32_t triangle) {
+      const SweptTriangle swept = blade_.swept(triangle);
+      const int of_from = swept.side(from), of_to = swept.side(to);
+      if (of_from == of_to || swept.outside(from, to, of_to) != 0) return;
+      crossed.insert(triangle);
+      side = of_from;
+    });
+  }
+  return crossed.size() == 1 ? side : 0;
+}
+
+void Cut::unsew_old_faces(Edit& edit) const {
+  for (const CutFace& face : old_faces_) {
+    for (const HalfFacet h : {face.front, face.back}) {
+      const Cell c = map_.cell_of(h);
+      const size_t draft = draft_of_cell(c);
+      if (draft == kNoDraft) {
+        // What leads to a cell that goes is on the outer boundary unless something new takes it.
+        const HalfFacet o = h == face.front ? face.back : face.front;
+        if (draft_of_cell(map_.cell_of(o)) == kNoDraft) edit.set_link(h, {}, map_.facet_marked(h));
+        continue;
+      }
+      edit.draft(draft).facets[map_.local_of(h, c)].far = {};
+    }
+  }
+}
+
+/** A cell that is split is not; round one that is not, those that it shares new vertices or lines with are not. */
+void Cut::keep_whole(Cell c) {
+  const uint32_t cell = crossings_.number(c);
+  if (cell != KeyTable::kNone && !section_->loop(cell).empty()) {
+    section_->keep_whole(cell);
+    return;
+  }
+  Array<uint8_t> near(section_->node_count(), 0, Allocator<uint8_t>(env_.memory));
+  const Shape shape = map_.shape(c);
+  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+    const uint32_t a = dart_vertex(map_, {c, d}), on_edge = section_->node_on(a, dart_target(map_, {c, d}));
+    if (on_edge != KeyTable::kNone) near[on_edge] = 2;
+    if (section_->node_at(a) != KeyTable::kNone) near[section_->node_at(a)] = 1;
+  }
+  for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
+    uint32_t shared = 0;
+    for (const uint32_t n : section_->loop(i)) shared += near[n];
+    if (shared >= 2) section_->keep_whole(i);
+  }
+}
+
+size_t Cut::draft_of_cell(Cell c) const {
+  const uint32_t number = changed_.find(c.unit);
+  return number == KeyTable::kNone ? kNoDraft : drafts_[number];
+}
+
+void Cut::write_record(Edit& edit) {
+  record_.met = crossings_.cell_count();
+  record_.split = static_cast<uint32_t>(splits_.size());
+  record_.changed = static_cast<uint32_t>(changed_.size());
+  for (uint32_t n = 0; n < section_->node_count(); ++n) {
+    const Node& node = section_->node(n);
+    if (!node.is_old() && vertices_[n] != kNoCell)
+      record_.vertices.push_back({vertices_[n], node.a, node.b, node.share});
+  }
+  for (const Split& split : splits_) {
+    record_.faces.push_back(
+        {edit.half_facet(split.front, split.front_facet), edit.half_facet(split.back, split.back_facet)});
+  }
+  const auto is_to_be = [&](HalfFacet h) {
+    const Cell c = map_.cell_of(h);
+    const size_t draft = draft_of_cell(c);
+    return draft == kNoDraft ? h : edit.half_facet(draft, map_.local_of(h, c));
+  };
+  for (const CutFace& face : old_faces_) record_.faces.push_back({is_to_be(face.front), is_to_be(face.back)});
+  for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
+    if (!section_->loop(i).empty() || !section_->is_crossed(i)) continue;
+    const size_t draft = draft_of_cell(crossings_.cell(i).cell);
+    record_.whole.push_back(draft == kNoDraft ? crossings_.cell(i).cell : edit.cell(draft));
+  }
+  measure(edit);
+}
+
+/** Distances of the cut's vertices from the blade, and of the blade's points from the faces in the cells that hold them. */
+void Cut::measure(Edit& edit) {
+  const auto add = [&](double distance) { record_.distance = std::max(record_.distance, distance); };
+  for (uint32_t n = 0; n < section_->node_count(); ++n) {
+    if (vertices_[n] == kNoCell) continue;
+    const double* corners[3];
+    blade_.corners(section_->node(n).triangle, corners);
+    add(length(to_triangle(env_.point(vertices_[n]), corners)));
+  }
+  Array<uint32_t> split_of(crossings_.cell_count(), kNoCell, Allocator<uint32_t>(env_.memory));
+  for (uint32_t i = 0; i < splits_.size(); ++i) split_of[splits_[i].cell] = i;
+  for (const BladePoint& point : crossings_.points()) {
+    if (split_of[point.cell] == kNoCell) continue;
+    const Split& split = splits_[split_of[point.cell]];
+    const FacetDraft& face = edit.draft(split.front).facets[split.front_facet];
+    double least = HUGE_VAL;
+    for (size_t t = 0; t < face.triangles.size(); t += 3) {
+      const double* corners[3];
+      for (size_t k = 0; k < 3; ++k) corners[k] = env_.point(face.triangles[t + k]);
+      least = std::min(least, length(to_triangle(point.at, corners)));
+    }
+    add(least);
+  }
+}
+
+}  // namespace dsw

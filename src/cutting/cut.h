@@ -1,0 +1,103 @@
+#pragma once
+// A cut along a blade, written as one edit [JCD10] 5.2: edges that the blade crosses are split, then facets, then cells. Cells for which
+// that gives nothing valid stay whole.
+
+#include <optional>
+
+#include "cutting/section.h"
+#include "topology/edit.h"
+
+namespace dsw {
+
+struct CutSettings {
+  double snap = 0.01;
+  bool unsew = false;
+};
+
+/** A vertex that came, and the edge on which: at `share` of the way from a to b. */
+struct NewVertex {
+  uint32_t vertex, a, b;
+  double share;
+};
+
+/** A face of the cut, seen from before the blade and from behind it. */
+struct CutFace {
+  HalfFacet front, back;
+};
+
+struct CutRecord {
+  Array<NewVertex> vertices;
+  Array<CutFace> faces;
+  Array<Cell> whole;                         // that the blade crosses
+  uint32_t met = 0, split = 0, changed = 0;  // cells
+  double distance = 0;
+
+  explicit CutRecord(const Memory* memory)
+      : vertices(Allocator<NewVertex>(memory)), faces(Allocator<CutFace>(memory)), whole(Allocator<Cell>(memory)) {}
+};
+
+class Cut {
+ public:
+  /** `start`: the blade is followed from there, if it meets this cell; invalid: it meets nothing. Throws std::bad_alloc. */
+  Cut(Environment<3>& env, const Blade& blade, const CutSettings& settings, Cell start);
+
+  /** Prepares an edit. Throws BORROWED where vertices have to be added and can't be, TOO_LARGE, std::bad_alloc. */
+  void prepare(std::optional<Edit>& edit);
+
+  /** After prepare(). */
+  const CutRecord& record() const { return record_; }
+
+ private:
+  /** A line across a facet between two cells, cut alike on both sides. */
+  struct Line {
+    HalfFacet facet;  // seen from here the parts run from `from` to `to`, and back
+    uint32_t from, to;
+    bool drawn;
+    FacetDraft parts[2];
+    explicit Line(const Memory* memory) : drawn(false), parts{FacetDraft(memory), FacetDraft(memory)} {}
+  };
+  /** A cell in two parts: drafts and the number of the new facet in them. */
+  struct Split {
+    uint32_t cell;  // number of the met cell
+    size_t front, back;
+    uint32_t front_facet, back_facet;
+  };
+  static constexpr size_t kNoDraft = static_cast<size_t>(-1);
+
+  bool write(Edit& edit);
+  void choose_nodes(Edit& edit);
+  void choose_lines();
+  void choose_cells();
+  bool has_new_vertex(Cell c) const;
+  bool write_cell(Edit& edit, Cell c);
+  void insert_vertices(CellDraft& draft) const;
+  bool draw_line(const FacetDraft& whole, Line& line) const;
+  bool split_cell(Edit& edit, uint32_t cell, CellDraft& whole);
+  bool is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) const;
+  void find_old_faces();
+  int side_of_centre(uint32_t cell, uint32_t other) const;
+  void unsew_old_faces(Edit& edit) const;
+  void keep_whole(Cell c);
+  /** The draft of a cell that changes and is not split, or that of a part; kNoDraft: it does not change. */
+  size_t draft_of_cell(Cell c) const;
+  void write_record(Edit& edit);
+  void measure(Edit& edit);
+
+  Environment<3>& env_;
+  const Map<3>& map_;
+  const Blade& blade_;
+  CutSettings settings_;
+  Crossings crossings_;
+  std::optional<Section> section_;
+  Array<uint32_t> vertices_;  // by node; kNoCell: it is not needed
+  KeyTable line_numbers_;     // by the lower address of the facet
+  Array<Line> lines_;
+  KeyTable changed_;      // cells, by unit
+  Array<size_t> drafts_;  // of these, the first of each
+  Array<Cell> origins_;   // of drafts
+  Array<Split> splits_;
+  Array<CutFace> old_faces_;
+  CutRecord record_;
+};
+
+}  // namespace dsw

@@ -1,0 +1,148 @@
+#include "cutting/section.h"
+
+#include "environment/recut.h"
+#include "map/dart.h"
+
+namespace dsw {
+
+Section::Section(const Environment<3>& env, const Crossings& crossings, double snap)
+    : env_(env),
+      map_(env.map),
+      crossings_(crossings),
+      nodes_(Allocator<Node>(env.memory)),
+      places_(env.memory),
+      loops_(crossings.cell_count(), Array<uint32_t>(Allocator<uint32_t>(env.memory)),
+             Allocator<Array<uint32_t>>(env.memory)),
+      barred_(crossings.cell_count(), 0, Allocator<uint8_t>(env.memory)) {
+  for (uint32_t i = 0; i < crossings.count(); ++i) {
+    const Crossing& at = crossings[i];
+    if (!at.once || (at.share > snap && at.share < 1 - snap)) continue;
+    const uint32_t vertex = at.share < 0.5 ? at.a : at.b;
+    if (places_.insert(pair_key(vertex, vertex)) == nodes_.size()) nodes_.push_back({vertex, vertex, 0, at.triangle});
+  }
+  for (uint32_t i = 0; i < crossings.count(); ++i) {
+    const Crossing& at = crossings[i];
+    if (!at.once || node_at(at.a) != KeyTable::kNone || node_at(at.b) != KeyTable::kNone) continue;
+    places_.insert(pair_key(at.a, at.b));
+    nodes_.push_back({at.a, at.b, at.share, at.triangle});
+  }
+  for (uint32_t i = 0; i < crossings.cell_count(); ++i) {
+    const MetCell& met = crossings.cell(i);
+    barred_[i] = met.holds_rim || met.invalid || has_double_crossing(met.cell);
+    if (!barred_[i]) find_loop(i);
+  }
+}
+
+bool Section::has_double_crossing(Cell c) const {
+  const Shape shape = map_.shape(c);
+  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+    const uint32_t i = crossings_.find(dart_vertex(map_, {c, d}), dart_target(map_, {c, d}));
+    if (i != KeyTable::kNone && !crossings_[i].once) return true;
+  }
+  return false;
+}
+
+bool Section::is_crossed(uint32_t cell) const {
+  if (is_barred(cell)) return true;
+  const Cell c = crossings_.cell(cell).cell;
+  for (uint32_t d = 0, n = map_.shape(c).dart_count(); d < n; ++d) {
+    if (node_on(dart_vertex(map_, {c, d}), dart_target(map_, {c, d})) != KeyTable::kNone) return true;
+  }
+  return false;
+}
+
+/** Whether a facet has two nodes that no edge of it joins. */
+bool Section::find_chord(Cell c, const Shape& shape, uint32_t facet, Chord& chord) const {
+  uint32_t count = 0, place[2] = {}, found[2] = {};
+  const auto add = [&](uint32_t node, uint32_t at) {
+    if (node == KeyTable::kNone) return;
+    if (count < 2) {
+      found[count] = node;
+      place[count] = at;
+    }
+    ++count;
+  };
+  const uint32_t first = shape.facet_first(facet), size = shape.facet_size(facet);
+  for (uint32_t k = 0; k < size; ++k) {
+    const uint32_t vertex = dart_vertex(map_, {c, first + k}), next = dart_target(map_, {c, first + k});
+    add(node_at(vertex), 2 * k);
+    add(node_on(vertex, next), 2 * k + 1);
+  }
+  if (count != 2) return false;
+  const uint32_t apart = place[1] - place[0];  // neighbours are two apart, or all round but two
+  if (place[0] % 2 == 0 && place[1] % 2 == 0 && (apart == 2 || apart == 2 * size - 2)) return false;
+  chord = {facet, found[0], found[1]};
+  return true;
+}
+
+void Section::list_chords(uint32_t cell, Array<Chord>& out) const {
+  out.clear();
+  const Cell c = crossings_.cell(cell).cell;
+  const Shape shape = map_.shape(c);
+  const Array<uint32_t>& loop = loops_[cell];
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    Chord chord;
+    if (!find_chord(c, shape, f, chord)) continue;
+    const auto at = static_cast<size_t>(std::find(loop.begin(), loop.end(), chord.from) - loop.begin());
+    if (at == loop.size()) continue;
+    const bool taken =
+        loop[(at + 1) % loop.size()] == chord.to || loop[(at + loop.size() - 1) % loop.size()] == chord.to;
+    if (taken) out.push_back(chord);
+  }
+}
+
+/** Drops edges that lead nowhere, and says whether the rest is worth a look. */
+bool Section::prune(Array<Arc>& arcs) const {
+  for (bool changed = true; changed;) {
+    changed = false;
+    const auto degree = [&](uint32_t node) {
+      return std::count_if(arcs.begin(), arcs.end(), [&](const Arc& a) { return a.from == node || a.to == node; });
+    };
+    for (size_t i = arcs.size(); i-- != 0;) {
+      if (degree(arcs[i].from) > 1 && degree(arcs[i].to) > 1) continue;
+      if (arcs[i].chord) return false;
+      arcs.erase(arcs.begin() + static_cast<ptrdiff_t>(i));
+      changed = true;
+    }
+  }
+  return arcs.size() >= 3;
+}
+
+void Section::find_loop(uint32_t cell) {
+  const Cell c = crossings_.cell(cell).cell;
+  const Shape shape = map_.shape(c);
+  Array<Arc> arcs{Allocator<Arc>(env_.memory)};
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    Chord chord;
+    if (find_chord(c, shape, f, chord)) arcs.push_back({chord.from, chord.to, true});
+  }
+  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+    if (shape.dart_beta2(d) < d) continue;
+    const uint32_t from = node_at(dart_vertex(map_, {c, d})), to = node_at(dart_target(map_, {c, d}));
+    if (from != KeyTable::kNone && to != KeyTable::kNone) arcs.push_back({from, to, false});
+  }
+  if (arcs.size() > kMostTriangulated || !prune(arcs)) return;
+  Array<uint32_t> loop{Allocator<uint32_t>(env_.memory)};
+  uint32_t at = arcs[0].from;
+  while (!arcs.empty()) {
+    const auto next = std::find_if(arcs.begin(), arcs.end(), [&](const Arc& a) { return a.from == at || a.to == at; });
+    if (next == arcs.end() || std::find(loop.begin(), loop.end(), at) != loop.end()) return;
+    loop.push_back(at);
+    at = next->from == at ? next->to : next->from;
+    arcs.erase(next);
+  }
+  if (at == loop[0] && !is_facet(c, shape, loop)) loops_[cell] = std::move(loop);
+}
+
+bool Section::is_facet(Cell c, const Shape& shape, const Array<uint32_t>& loop) const {
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    bool same = shape.facet_size(f) == loop.size();
+    for (uint32_t d = shape.facet_first(f); same && d < shape.facet_first(f + 1); ++d) {
+      same = std::find(loop.begin(), loop.end(), node_at(dart_vertex(map_, {c, d}))) != loop.end();
+    }
+    if (same) return true;
+  }
+  return false;
+}
+
+}  // namespace dsw

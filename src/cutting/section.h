@@ -1,0 +1,70 @@
+#pragma once
+// Which cells a blade splits and along which loops. Where it crosses an edge there is a node: a vertex to come, or the nearer end of
+// the edge if that is within a share of its length; such a vertex then takes all crossings of its edges. Across a facet with two nodes
+// runs one line; a cell is split where such lines, and edges between old vertices on the blade, are one closed loop round it.
+//
+// A cell stays whole where the blade ends inside or crosses an edge twice, or where lines do not say how it is to be split.
+
+#include "cutting/crossings.h"
+
+namespace dsw {
+
+/** A vertex of the cut: old where a == b, else to come on edge a b, `a` behind the blade. */
+struct Node {
+  uint32_t a, b;
+  double share;
+  uint32_t triangle;  // of the blade
+  bool is_old() const { return a == b; }
+};
+
+/** A line across a facet that a loop takes. */
+struct Chord {
+  uint32_t facet;  // of the cell
+  uint32_t from, to;
+};
+
+class Section {
+ public:
+  /** Throws std::bad_alloc, as all here. */
+  Section(const Environment<3>& env, const Crossings& crossings, double snap);
+
+  uint32_t node_count() const { return static_cast<uint32_t>(nodes_.size()); }
+  const Node& node(uint32_t i) const { return nodes_[i]; }
+  /** The node of an edge, or of an old vertex; KeyTable::kNone: there is none. */
+  uint32_t node_on(uint32_t a, uint32_t b) const { return places_.find(pair_key(a, b)); }
+  uint32_t node_at(uint32_t vertex) const { return places_.find(pair_key(vertex, vertex)); }
+
+  /** The nodes along which a met cell is split; empty: it stays whole. */
+  const Array<uint32_t>& loop(uint32_t cell) const { return loops_[cell]; }
+  void keep_whole(uint32_t cell) { loops_[cell].clear(); }
+  /** Whether the blade ends in a met cell, or crosses one of its edges twice, or nothing is known of its points. */
+  bool is_barred(uint32_t cell) const { return barred_[cell]; }
+  /** Whether the blade passes through a cell, not only along its boundary. */
+  bool is_crossed(uint32_t cell) const;
+
+  /** The chords of a cell's loop. */
+  void list_chords(uint32_t cell, Array<Chord>& out) const;
+
+ private:
+  /** A piece of a loop: a chord, or an edge between two old vertices. */
+  struct Arc {
+    uint32_t from, to;
+    bool chord;
+  };
+
+  bool has_double_crossing(Cell c) const;
+  bool find_chord(Cell c, const Shape& shape, uint32_t facet, Chord& chord) const;
+  void find_loop(uint32_t cell);
+  bool prune(Array<Arc>& arcs) const;
+  bool is_facet(Cell c, const Shape& shape, const Array<uint32_t>& loop) const;
+
+  const Environment<3>& env_;
+  const Map<3>& map_;
+  const Crossings& crossings_;
+  Array<Node> nodes_;
+  KeyTable places_;  // of nodes: both vertices of an edge, or twice the old one
+  Array<Array<uint32_t>> loops_;
+  Array<uint8_t> barred_;
+};
+
+}  // namespace dsw

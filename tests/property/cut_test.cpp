@@ -1,0 +1,117 @@
+// Cuts right through environments of every kind: what a cut leaves lies on one side of the blade or on the other.
+#include <cmath>
+
+#include "environment/validity.h"
+#include "map/integrity.h"
+#include "predicates/filtered.h"
+#include "random_edits.h"
+
+namespace dsw::oracle {
+namespace {
+
+class CutTest : public SceneTest {
+ protected:
+  /// A plane far beyond the environment, through a point near its middle.
+  void make_blade(Rng& rng) {
+    const Environment<3>& e = place_.get()->engine;
+    Vec u, v;
+    for (int k = 0; k < 3; ++k) {
+      u[k] = rng.range(-1, 1);
+      v[k] = rng.range(-1, 1);
+    }
+    const double reach = 10 * place_.world->size;
+    for (int row = 0; row < 2; ++row) {
+      for (int column = 0; column < 2; ++column) {
+        for (int k = 0; k < 3; ++k) {
+          const double middle = 0.52 * e.lower[k] + 0.48 * e.upper[k];
+          blade_[6 * row + 3 * column + k] = middle + reach * ((2 * row - 1) * u[k] + (2 * column - 1) * v[k]);
+        }
+      }
+    }
+    dsw_cut_desc_init(&desc_, sizeof desc_);
+    desc_.points = blade_;
+    desc_.rows = desc_.columns = 2;
+  }
+  void cut(uint64_t seed) {
+    place_ = make_place(GetParam(), seed);
+    if (place_.environment == nullptr) return;
+    Rng rng(seed);
+    make_blade(rng);
+    desc_.start = volume_id(place_.get()->engine.map, place_.get()->engine.map.cell(0));
+    ASSERT_EQ(dsw_environment_cut(place_.get(), &desc_, &report_), DSW_STATUS_OK) << dsw_last_error_message();
+  }
+  std::vector<dsw_cut_face> faces() const {
+    const dsw_cut_face* faces = nullptr;
+    size_t count = 0;
+    EXPECT_EQ(dsw_environment_get_cut_faces(place_.get(), &faces, &count), DSW_STATUS_OK);
+    return {faces, faces + count};
+  }
+  /// Signed height of a point over the blade's plane.
+  double height(const double* p) const {
+    double a[3], b[3], w[3];
+    for (int k = 0; k < 3; ++k) {
+      a[k] = blade_[3 + k] - blade_[k];
+      b[k] = blade_[9 + k] - blade_[k];
+      w[k] = p[k] - blade_[k];
+    }
+    const double n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    return (n[0] * w[0] + n[1] * w[1] + n[2] * w[2]) / std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  }
+
+  Place place_;
+  double blade_[12] = {};
+  dsw_cut_desc desc_{};
+  dsw_cut_report report_{};
+};
+DSW_FOR_ALL_SCENES(CutTest);
+
+TEST_P(CutTest, NothingIsOnBothSidesOfThePlaneButWhatStayedWhole) {
+  size_t split = 0, whole = 0;
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
+    cut(seed);
+    if (place_.environment == nullptr) continue;
+    ASSERT_FALSE(HasFatalFailure());
+    const Environment<3>& e = place_.get()->engine;
+    ASSERT_EQ(check_integrity(e.map), nullptr);
+    split += report_.volumes_split;
+    whole += report_.volumes_whole;
+    EXPECT_LE(report_.distance, 0.02 * place_.world->size);
+    const dsw_volume_id* left = nullptr;
+    size_t count = 0;
+    ASSERT_EQ(dsw_environment_get_whole_volumes(place_.get(), &left, &count), DSW_STATUS_OK);
+    ASSERT_EQ(count, report_.volumes_whole);
+    std::set<uint32_t> is_whole;
+    for (size_t i = 0; i < count; ++i) {
+      is_whole.insert(left[i].index);
+      EXPECT_TRUE(e.map.is_alive(left[i].index, left[i].generation));
+    }
+    const double slack = report_.distance + 1e-12 * place_.world->size;
+    for_each_cell(e.map, [&](dsw::Cell c) {
+      EXPECT_TRUE(check_cell(e, c) == CellState::kValid || check_cell(e, c) == CellState::kValidConvex);
+      if (is_whole.count(e.map.index(c)) != 0) return;
+      bool before = false, behind = false;
+      for (uint32_t k = 0; k < e.map.vertices_of(c); ++k) {
+        before = before || height(e.point(c, k)) > slack;
+        behind = behind || height(e.point(c, k)) < -slack;
+      }
+      EXPECT_FALSE(before && behind) << "volume " << e.map.index(c) << ", seed " << seed;
+    });
+    for (const dsw_cut_face& f : faces()) {
+      const dsw::Cell front = e.map.cell(f.front.volume), back = e.map.cell(f.back.volume);
+      ASSERT_TRUE(e.map.is_alive(f.front.volume, f.front.generation) && e.map.is_alive(f.back.volume, f.back.generation));
+      const HalfFacet h = e.map.half_facet(front, f.front.local);
+      EXPECT_TRUE(e.map.opposite(h) == e.map.half_facet(back, f.back.local));
+      double of_front[3], of_back[3];
+      centre(e, front, of_front);
+      centre(e, back, of_back);
+      EXPECT_GT(height(of_front), height(of_back));
+    }
+  }
+  RecordProperty("split", static_cast<int>(split));
+  RecordProperty("whole", static_cast<int>(whole));
+  std::printf("split %zu whole %zu\n", split, whole);
+  EXPECT_GT(split, 0u);
+}
+
+}  // namespace
+}  // namespace dsw::oracle

@@ -1,0 +1,64 @@
+// Cuts along random blades, most of them unfit to cut with.
+#include <algorithm>
+#include <cmath>
+
+#include "random_edits.h"
+
+namespace dsw::oracle {
+
+/// Through the environment somewhere, or through its vertices; flat, bent, folded, or of no extent; much smaller or larger than volumes.
+std::vector<double> RandomEdits::some_blade(uint32_t rows, uint32_t columns) {
+  Vec at{}, across{}, along{};
+  const dsw::Cell c = some_cell();
+  const auto vertex = [&] { return env().point(c, rng_.below(env().map.vertices_of(c))); };
+  const double sizes[] = {1e-6, 0.02, 0.2, 0.5, 2, 100, 1e9};
+  const double size = place_.world->size * sizes[rng_.below(7)];
+  if (rng_.chance(0.4)) {
+    // The plane of three vertices: along a face, or through edges.
+    const double *const p = vertex(), *const q = vertex(), *const r = vertex();
+    const double stretch = rng_.chance(0.5) ? 1 : 10;
+    for (int k = 0; k < 3; ++k) {
+      across[k] = stretch * (q[k] - p[k]);
+      along[k] = stretch * (r[k] - p[k]);
+      at[k] = p[k] - (rng_.chance(0.5) ? 0 : 0.5) * (across[k] + along[k]);
+    }
+  } else {
+    double middle[3];
+    centre(env(), c, middle);
+    for (int k = 0; k < 3; ++k) {
+      across[k] = rng_.range(-size, size);
+      along[k] = rng_.range(-size, size);
+      at[k] = middle[k] - 0.5 * (across[k] + along[k]);
+    }
+    if (rng_.chance(0.2)) across = along;
+    if (rng_.chance(0.1)) across = Vec{};
+  }
+  const double bend = rng_.chance(0.5) ? 0 : rng_.range(0, 0.3) * size;
+  std::vector<double> points;
+  for (uint32_t row = 0; row < rows; ++row) {
+    for (uint32_t column = 0; column < columns; ++column) {
+      for (int k = 0; k < 3; ++k) {
+        const double u = double(row) / (rows - 1), v = double(column) / (columns - 1);
+        points.push_back(at[k] + u * across[k] + v * along[k] + rng_.range(-bend, bend));
+      }
+    }
+  }
+  return points;
+}
+
+dsw_status RandomEdits::cut() {
+  dsw_cut_desc desc;
+  dsw_cut_desc_init(&desc, sizeof desc);
+  desc.rows = 2 + rng_.below(3);
+  desc.columns = 2 + rng_.below(3);
+  const std::vector<double> points = some_blade(desc.rows, desc.columns);
+  desc.points = points.data();
+  desc.flags = rng_.chance(0.3) ? uint32_t{DSW_CUT_UNSEW} : 0;
+  const double snaps[] = {0, 1e-12, 0.1, 0.4};
+  desc.snap = snaps[rng_.below(4)];
+  if (rng_.chance(0.7)) desc.start = volume_id(env().map, some_cell());
+  may_change_ = true;
+  return dsw_environment_cut(place_.get(), &desc, nullptr);
+}
+
+}  // namespace dsw::oracle
