@@ -15,7 +15,8 @@
  * edges on their faces, from their neighbours.
  *
  * Cost: O(volumes that the blade meets, once for each of the blade's triangles that meets it), with what topology.h says of every
- * change; never the size of the environment.
+ * change; O(blade's triangles) for each volume between `start` and the blade, which are all if it meets none; never the size of the
+ * environment otherwise.
  */
 #ifndef DARTSWEEP_SURGERY_H
 #define DARTSWEEP_SURGERY_H
@@ -32,33 +33,31 @@ typedef enum dsw_cut_flag {
   DSW_CUT_UNSEW = 1
 } dsw_cut_flag;
 
-/** Describes a cut. The array is read in place, once; nothing is retained. */
+/** Describes a cut. The array is read in place, once; nothing is retained.
+ * Of each four neighbouring points, 0 and 1 of two rows, {00, 01, 11} and {00, 11, 10} are triangles of the blade; its front is where these
+ * are counter-clockwise. What hangs together with the first volume that the blade meets is cut. */
 typedef struct dsw_cut_desc {
-  uint32_t struct_size; /**< sizeof(dsw_cut_desc). */
-  uint32_t flags;       /**< DSW_CUT_... */
-  const double *
-      points; /**< The blade's edge as a chain of `columns` points, at `rows` places one after the other: 3 doubles each,
-                             scene units, finite. Of each four neighbours, points 0 and 1 of two rows, {00, 01, 11} and {00, 11, 10} are
-                             triangles; the blade's front is where these are counter-clockwise. */
+  uint32_t struct_size;      /**< sizeof(dsw_cut_desc). */
+  uint32_t flags;            /**< DSW_CUT_... */
+  const double *points;      /**< The blade's edge, a chain of `columns` points, at `rows` places one after the other: 3
+                                  doubles each, scene units, finite. */
   size_t point_stride_bytes; /**< Distance of two points; 0 means 24. */
   uint32_t rows, columns;    /**< At least 2 each, together less than 2^28 points. */
-  dsw_volume_id
-      start; /**< A volume that the blade crosses, or from whose centre the straight way to the nearest point of the blade stays
-                            inside of the environment. Null: the volume of the first point of the blade that is in any, found as by
-                            dsw_environment_locate without a hint. What hangs together with it is cut. */
-  double snap; /**< Share of an edge's length, above 0 and below 0.5; 0 means 0.01. */
+  dsw_volume_id start; /**< A volume from which the blade is searched, always on from the volume nearest to it; at best
+                                  one that it crosses. Null: the volume of the first point of the blade that is in any,
+                                  found as by dsw_environment_locate without a hint. */
+  double snap;         /**< Share of an edge's length, above 0 and below 0.5; 0 means 0.01. */
 } dsw_cut_desc;
 
 /** What a cut did. */
 typedef struct dsw_cut_report {
-  double
-      distance; /**< Largest distance, rounded, of a vertex of the cut from the blade, and in volumes that were split, of the blade from
-                        the cut. Scene units. */
+  double distance; /**< Largest distance, rounded, of a vertex of the cut from the blade, and in volumes that were
+                                 split, of the blade from the cut. Scene units. */
   uint32_t volumes_crossed; /**< Volumes that the blade met; 0: it was not met from `start`. */
   uint32_t volumes_split;   /**< Of these those that were split. */
   uint32_t volumes_whole;   /**< See dsw_environment_get_whole_volumes. */
   uint32_t volumes_changed; /**< Volumes that went: those split, and neighbours that got vertices or edges. */
-  uint32_t volumes_visited; /**< Volumes that were looked at, those on the way from `start` included. */
+  uint32_t volumes_visited; /**< Volumes that were looked at, those between `start` and the blade included. */
   uint32_t vertex_count;    /**< See dsw_environment_get_cut_vertices. */
   uint32_t face_count;      /**< See dsw_environment_get_cut_faces. */
   uint32_t reserved;        /**< 0. */

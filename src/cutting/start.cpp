@@ -5,47 +5,64 @@
 namespace dsw {
 namespace {
 
-/** The point of the blade nearest to another one. */
-void nearest_point(const Blade& blade, const double* from, double* out) {
-  Vec best;
-  double least = HUGE_VAL;
-  for (uint32_t t = 0; t < blade.triangle_count(); ++t) {
-    const double* corners[3];
-    blade.corners(t, corners);
-    const Vec way = to_triangle(from, corners);
-    const double distance = length(way);
-    if (!(distance < least)) continue;
-    least = distance;
-    best = way;
+/** Cells in the order of their centres' distance from the blade. */
+class Search {
+ public:
+  Search(const Environment<3>& env, const Blade& blade)
+      : env_(env), blade_(blade), crossings_(env, blade), seen_(env.memory), heap_(Allocator<Entry>(env.memory)) {}
+
+  Cell run(Cell from, uint32_t* visited) {
+    push(from);
+    while (!heap_.empty()) {
+      std::pop_heap(heap_.begin(), heap_.end());
+      const Cell c{static_cast<uint32_t>(seen_[heap_.back().number])};
+      heap_.pop_back();
+      if (crossings_.is_met(c)) return c;
+      ++*visited;
+      for (uint32_t f = 0, facets = env_.map.facets_of(c); f < facets; ++f) {
+        const HalfFacet o = env_.map.opposite(env_.map.half_facet(c, f));
+        if (o.valid()) push(env_.map.cell_of(o));
+      }
+    }
+    return {};
   }
-  store(to_vec(from) + best, out);
-}
+
+ private:
+  struct Entry {
+    double distance;
+    uint32_t number;  // among the cells seen
+    bool operator<(const Entry& o) const { return distance != o.distance ? distance > o.distance : number > o.number; }
+  };
+
+  void push(Cell c) {
+    const uint32_t number = seen_.size();
+    if (!admits(env_, c) || seen_.insert(c.unit) != number) return;
+    double from[3];
+    centre(env_, c, from);
+    double least = HUGE_VAL;
+    for (uint32_t t = 0; t < blade_.triangle_count(); ++t) {
+      const double* corners[3];
+      blade_.corners(t, corners);
+      least = std::min(least, length(to_triangle(from, corners)));
+    }
+    heap_.push_back({least, number});
+    std::push_heap(heap_.begin(), heap_.end());
+  }
+
+  const Environment<3>& env_;
+  const Blade& blade_;
+  Crossings crossings_;
+  KeyTable seen_;
+  Array<Entry> heap_;
+};
 
 }  // namespace
 
 Cell find_start(const Environment<3>& env, const Blade& blade, Cell hint, uint32_t* visited) {
-  if (!hint.valid()) {
-    for (uint32_t i = 0; i < blade.point_count(); ++i) {
-      const Cell found = locate(env, blade.points[i], {}, nullptr).cell;
-      if (found.valid()) return found;
-    }
-    return {};
-  }
-  Crossings crossings(env, blade);
-  if (crossings.is_met(hint)) return hint;
-  double from[3], to[3];
-  centre(env, hint, from);
-  nearest_point(blade, from, to);
-  if (!admits(env, hint) || !contains(env, hint, from) || !is_finite(to)) return {};
-  CastRequest request{from, to, hint};
-  request.through_walls = true;
-  const CastResult walk = cast(env, request, nullptr);
-  *visited += walk.cells_visited;
-  if (crossings.is_met(walk.cell)) return walk.cell;
-  // The way was rounded: it can end before the blade.
-  for (uint32_t f = 0, facets = env.map.facets_of(walk.cell); f < facets; ++f) {
-    const HalfFacet o = env.map.opposite(env.map.half_facet(walk.cell, f));
-    if (o.valid() && crossings.is_met(env.map.cell_of(o))) return env.map.cell_of(o);
+  if (hint.valid()) return Search(env, blade).run(hint, visited);
+  for (uint32_t i = 0; i < blade.point_count(); ++i) {
+    const Cell found = locate(env, blade.points[i], {}, nullptr).cell;
+    if (found.valid()) return found;
   }
   return {};
 }
