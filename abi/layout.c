@@ -323,6 +323,36 @@ AT(dsw_rigid_motion, rotation, 0);
 AT(dsw_rigid_motion, centre, 32);
 AT(dsw_rigid_motion, translation, 56);
 
+SIZE(dsw_cut_desc, 48);
+AT(dsw_cut_desc, struct_size, 0);
+AT(dsw_cut_desc, flags, 4);
+AT(dsw_cut_desc, points, 8);
+AT(dsw_cut_desc, point_stride_bytes, 16);
+AT(dsw_cut_desc, rows, 24);
+AT(dsw_cut_desc, columns, 28);
+AT(dsw_cut_desc, start, 32);
+AT(dsw_cut_desc, snap, 40);
+
+SIZE(dsw_cut_report, 40);
+AT(dsw_cut_report, distance, 0);
+AT(dsw_cut_report, volumes_crossed, 8);
+AT(dsw_cut_report, volumes_split, 12);
+AT(dsw_cut_report, volumes_whole, 16);
+AT(dsw_cut_report, volumes_changed, 20);
+AT(dsw_cut_report, volumes_visited, 24);
+AT(dsw_cut_report, vertex_count, 28);
+AT(dsw_cut_report, face_count, 32);
+AT(dsw_cut_report, reserved, 36);
+
+SIZE(dsw_cut_vertex, 40);
+AT(dsw_cut_vertex, vertex, 0);
+AT(dsw_cut_vertex, from, 8);
+AT(dsw_cut_vertex, weights, 24);
+
+SIZE(dsw_cut_face, 24);
+AT(dsw_cut_face, front, 0);
+AT(dsw_cut_face, back, 12);
+
 SIZE(dsw_deform_options, 32);
 AT(dsw_deform_options, struct_size, 0);
 AT(dsw_deform_options, flags, 4);

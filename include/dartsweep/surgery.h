@@ -1,5 +1,5 @@
 /** @file surgery.h
- * What a surgeon or an engineer asks of an environment: a cut along the surface that a blade sweeps. It is made of the basic operations of
+ * What a surgeon or an engineer asks of an environment: a cut along the surface that a blade sweeps, and tears. Each is made of the basic operations of
  * topology.h as one change; what is said there of ids, labels, marks, particles, bodies and threads holds here, and
  * dsw_environment_get_volume_changes lists what became of what.
  *
@@ -87,12 +87,21 @@ DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
  * @since 0.1 */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc, dsw_cut_report *report);
 
+/** Tears faces: those with a load above a threshold, each between two volumes, are unsewn at once. A crack without width is left, which
+ * nothing passes. Others, and faces that are on the outer boundary already, stay. dsw_environment_get_cut_faces lists what was torn.
+ * @param faces [in] `count` live ids; one may stand twice. @param loads [in] as many numbers, in the host's unit.
+ * @param torn [out] how many faces were torn; may be null.
+ * @return besides those of topology.h: DSW_STATUS_NON_FINITE (a load or the threshold is not a number; infinite ones are).
+ * @note O(count), and as topology.h says. @since 0.1 */
+DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment, const dsw_face_id *faces,
+                                              const double *loads, size_t count, double threshold, size_t *torn);
+
 /** Vertices that the last successful cut added. @param vertices [out] owned by the environment, valid until its next cut.
  * @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_cut_vertices(const dsw_environment *environment, const dsw_cut_vertex **vertices,
                                                     size_t *count);
 
-/** Faces of the last successful cut. Ids are those from right after it. @param faces [out] as above. @note O(1). Thread: reader.
+/** Faces of the last successful cut or tear. Ids are those from right after it. @param faces [out] as above. @note O(1). Thread: reader.
  * @since 0.1 */
 DSW_API dsw_status dsw_environment_get_cut_faces(const dsw_environment *environment, const dsw_cut_face **faces,
                                                  size_t *count);

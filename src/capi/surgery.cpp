@@ -1,9 +1,12 @@
 #include "dartsweep/surgery.h"
 
+#include <cmath>
+
 #include "capi/convert.h"
 #include "cutting/cut.h"
 #include "cutting/start.h"
 #include "scene/edits.h"
+#include "topology/operations.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -66,6 +69,13 @@ struct Results {
     for (const dsw::CutFace& f : record.faces) faces.push_back({face_id(map, f.front), face_id(map, f.back)});
     for (const dsw::Cell c : record.whole) whole.push_back(volume_id(map, c));
   }
+
+  void move_to(dsw_environment& handle) noexcept {
+    handle.changes.swap(changes);
+    handle.cut_vertices.swap(vertices);
+    handle.cut_faces.swap(faces);
+    handle.whole_volumes.swap(whole);
+  }
 };
 
 template <class T>
@@ -100,10 +110,7 @@ dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc*
     Results results(env.memory, record, *edit);
     carry_out_prepared(*edit, scene == nullptr ? nullptr : &scene->engine);
     results.fill(env.map, record, *edit);
-    handle.changes.swap(results.changes);
-    handle.cut_vertices.swap(results.vertices);
-    handle.cut_faces.swap(results.faces);
-    handle.whole_volumes.swap(results.whole);
+    results.move_to(handle);
     if (report == nullptr) return;
     *report = {record.distance,
                record.met,
@@ -114,6 +121,36 @@ dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc*
                static_cast<uint32_t>(handle.cut_vertices.size()),
                static_cast<uint32_t>(handle.cut_faces.size()),
                0};
+  });
+}
+
+dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_face_id* faces, const double* loads,
+                                      size_t count, double threshold, size_t* torn) {
+  return capi::guard("dsw_environment_tear_faces", [&] {
+    dsw_environment& handle = capi::check_handle(environment, "environment");
+    dsw_scene* const scene = capi::only_scene(handle);
+    capi::require_array(faces, count, "faces");
+    capi::require_array(loads, count, "loads");
+    if (std::isnan(threshold)) fail(DSW_STATUS_NON_FINITE, "threshold is not a number");
+    dsw::Environment<3>& env = handle.engine;
+    dsw::Edit edit(env);
+    dsw::CutRecord record(env.memory);
+    dsw::KeyTable seen(env.memory);
+    for (size_t i = 0; i < count; ++i) {
+      const dsw::HalfFacet h = capi::to_half_facet(env.map, faces[i], {"faces", true}, i), o = env.map.opposite(h);
+      if (std::isnan(loads[i])) fail(DSW_STATUS_NON_FINITE, "loads[%zu] is not a number", i);
+      if (!(loads[i] > threshold) || !o.valid()) continue;
+      const uint32_t known = seen.size();
+      if (seen.insert(std::min(h.word, o.word)) != known) continue;
+      unsew(edit, h);
+      record.faces.push_back({h, o});
+    }
+    edit.prepare();
+    Results results(env.memory, record, edit);
+    carry_out_prepared(edit, scene == nullptr ? nullptr : &scene->engine);
+    results.fill(env.map, record, edit);
+    results.move_to(handle);
+    if (torn != nullptr) *torn = record.faces.size();
   });
 }
 

@@ -222,41 +222,45 @@ bool Cut::is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) c
   return true;
 }
 
-/** Facets with nothing but old vertices on the blade are on the cut if the blade passes between the centres beside them. */
+/** Facets with nothing but old vertices on the blade are on the cut if the blade passes between the centres beside them. It need not meet
+ * both cells. */
 void Cut::find_old_faces() {
   old_faces_.clear();
-  const auto is_whole = [&](uint32_t cell) {
-    return cell != KeyTable::kNone && !section_->is_barred(cell) && section_->loop(cell).empty();
-  };
+  const auto stays_whole = [&](uint32_t cell) { return !section_->is_barred(cell) && section_->loop(cell).empty(); };
   for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
     const Cell c = crossings_.cell(i).cell;
-    if (!is_whole(i)) continue;
+    if (!stays_whole(i)) continue;
     const Shape shape = map_.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
-      if (!o.valid() || o.word < h.word) continue;
-      bool on_blade = true;
-      for (uint32_t d = shape.facet_first(f); on_blade && d < shape.facet_first(f + 1); ++d) {
-        on_blade = section_->node_at(dart_vertex(map_, {c, d})) != KeyTable::kNone;
-      }
-      const uint32_t other = on_blade ? crossings_.number(map_.cell_of(o)) : KeyTable::kNone;
-      if (!is_whole(other)) continue;
-      const int side = side_of_centre(i, other);
+      if (!o.valid() || !is_on_blade(c, shape, f)) continue;
+      const Cell beyond = map_.cell_of(o);
+      const uint32_t other = crossings_.number(beyond);
+      if (other == KeyTable::kNone ? !admits(env_, beyond) : o.word < h.word || !stays_whole(other)) continue;
+      const int side = side_of_centre(c, beyond);
       if (side > 0) old_faces_.push_back({h, o});
       if (side < 0) old_faces_.push_back({o, h});
     }
   }
 }
 
+bool Cut::is_on_blade(Cell c, const Shape& shape, uint32_t facet) const {
+  for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
+    if (section_->node_at(dart_vertex(map_, {c, d})) == KeyTable::kNone) return false;
+  }
+  return true;
+}
+
 /** Side of a cell's centre, if the way from there to the other's crosses the blade once; else 0. */
-int Cut::side_of_centre(uint32_t cell, uint32_t other) const {
+int Cut::side_of_centre(Cell c, Cell other) const {
   double from[3], to[3];
-  centre(env_, crossings_.cell(cell).cell, from);
-  centre(env_, crossings_.cell(other).cell, to);
+  centre(env_, c, from);
+  centre(env_, other, to);
   KeyTable crossed(env_.memory);
   int side = 0;
-  for (const uint32_t each : {cell, other}) {
-    crossings_.for_each_triangle(each, [&](uint32_t triangle) {
+  for (const Cell each : {c, other}) {
+    if (crossings_.number(each) == KeyTable::kNone) continue;
+    crossings_.for_each_triangle(crossings_.number(each), [&](uint32_t triangle) {
       const SweptTriangle swept = blade_.swept(triangle);
       const int of_from = swept.side(from), of_to = swept.side(to);
       if (of_from == of_to || swept.outside(from, to, of_to) != 0) return;
@@ -339,11 +343,17 @@ void Cut::write_record(Edit& edit) {
 /** Distances of the cut's vertices from the blade, and of the blade's points from the faces in the cells that hold them. */
 void Cut::measure(Edit& edit) {
   const auto add = [&](double distance) { record_.distance = std::max(record_.distance, distance); };
-  for (uint32_t n = 0; n < section_->node_count(); ++n) {
-    if (vertices_[n] == kNoCell) continue;
+  const auto add_vertex = [&](uint32_t node, uint32_t vertex) {
     const double* corners[3];
-    blade_.corners(section_->node(n).triangle, corners);
-    add(length(to_triangle(env_.point(vertices_[n]), corners)));
+    blade_.corners(section_->node(node).triangle, corners);
+    add(length(to_triangle(env_.point(vertex), corners)));
+  };
+  for (uint32_t n = 0; n < section_->node_count(); ++n) {
+    if (vertices_[n] != kNoCell) add_vertex(n, vertices_[n]);
+  }
+  for (const CutFace& face : old_faces_) {
+    const FacetDraft facet = draft_of(env_, face.front);
+    for (const uint32_t v : facet.loop) add_vertex(section_->node_at(v), v);
   }
   Array<uint32_t> split_of(crossings_.cell_count(), kNoCell, Allocator<uint32_t>(env_.memory));
   for (uint32_t i = 0; i < splits_.size(); ++i) split_of[splits_[i].cell] = i;

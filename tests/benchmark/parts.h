@@ -20,6 +20,7 @@ void run_threads(const Options& options, Report& report);
 void run_tet(const Options& options, Report& report, Agreement& agreement);
 void run_vessel(const Options& options, Report& report, Agreement& agreement);
 void run_change(const Options& options, Report& report);
+void run_cut(const Options& options, Report& report);
 void run_create(const Options& options, Report& report);
 void run_fig12(const Options& options, Report& report);
 void run_catheter(const Options& options, Report& report);

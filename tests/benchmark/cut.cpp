@@ -1,0 +1,106 @@
+// A small blade is swept through the lattice at one place after the other, with particles and bodies inside: what a cut looks at and changes,
+// beside what the blade crosses, and what it costs.
+#include "parts.h"
+
+#include "hex_case.h"
+#include "timing.h"
+
+#include "scenes/random.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace dsw::bench {
+
+namespace {
+
+constexpr std::uint32_t kRows = 3;  // of the blade, and points in a row
+constexpr double kReach = 6;        // of the blade, in cells
+
+/** A bent blade round a point. */
+std::array<double, 27> random_blade(scenes::Random& random, const double* at) {
+  double across[3], along[3];
+  for (int k = 0; k < 3; ++k) {
+    across[k] = random.uniform(-kReach / 2, kReach / 2);
+    along[k] = random.uniform(-kReach / 2, kReach / 2);
+  }
+  std::array<double, 27> blade;
+  for (std::uint32_t i = 0; i < 9; ++i) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const double u = static_cast<double>(i / kRows) - 1, v = static_cast<double>(i % kRows) - 1;
+      blade[3 * i + k] = at[k] + u * across[k] + v * along[k] + random.uniform(-0.2, 0.2);
+    }
+  }
+  return blade;
+}
+
+/** Particles and edges at the places of the moving bodies' vertices. */
+void fill(HexCase& scene) {
+  dsw_scene* const handle = scene.world.scene();
+  const std::vector<double>& starts = scene.motion.starts();
+  std::vector<dsw_particle_id> particles(scene.motion.vertex_count());
+  check(dsw_scene_create_particles(handle, starts.data(), particles.size(), 0, nullptr, particles.data(), nullptr));
+  std::size_t made = 0;
+  for (std::size_t i = 0; i + 1 < particles.size(); i += 8) {
+    const std::uint32_t ends[2] = {0, 1};
+    dsw_body_desc desc;
+    dsw_body_desc_init(&desc, sizeof desc);
+    desc.positions = &starts[3 * i];
+    desc.vertex_count = 2;
+    desc.edges = ends;
+    desc.edge_count = 1;
+    desc.level = DSW_LEVEL_EDGES_SWEPT;
+    dsw_body_id body;
+    made += dsw_body_create(handle, &desc, &body) == DSW_STATUS_OK ? 1u : 0u;  // some cross an obstacle
+  }
+  std::printf("  %zu particles, %zu bodies of one edge\n", particles.size(), made);
+}
+
+void cut_lattice(std::size_t cells, const Options& options, Report& report) {
+  scenes::HexGridOptions grid_options;
+  grid_options.size = scenes::hex_grid_size(cells);
+  const std::string label = cells == 10000 ? "n1e4" : "n1e6";
+  HexCase scene("cut." + label, grid_options, {}, 1);
+  fill(scene);
+  dsw_environment* const environment = scene.world.environment();
+  scenes::Random random(5);
+  const std::size_t cuts = options.quick ? 100 : 400;
+  std::vector<double> times;
+  double crossed = 0, touched = 0, split = 0, whole = 0, distance = 0;
+  for (std::size_t i = 0; i < cuts + 1; ++i) {
+    double at[3];
+    for (std::uint32_t k = 0; k < 3; ++k) at[k] = random.uniform(0, grid_options.size[k]);
+    const std::array<double, 27> blade = random_blade(random, at);
+    dsw_cut_desc desc;
+    dsw_cut_desc_init(&desc, sizeof desc);
+    desc.points = blade.data();
+    desc.rows = desc.columns = kRows;
+    check(dsw_environment_get_volume(environment, scene.grid.cell_at(at), &desc.start));
+    dsw_cut_report cut;
+    const double time = time_ns([&] { check(dsw_environment_cut(environment, &desc, &cut)); });
+    if (i == 0) continue;  // makes the tables of the first change
+    times.push_back(time);
+    crossed += cut.volumes_crossed;
+    touched += cut.volumes_visited + cut.volumes_changed;  // what is both counts twice
+    split += cut.volumes_split;
+    whole += cut.volumes_whole;
+    distance = std::max(distance, cut.distance);
+  }
+  double sum = 0;
+  for (const double time : times) sum += time;
+  report.set("cut.cells_touched_ratio." + label, touched / crossed);
+  report.set("cut.per_second." + label, 1e9 * static_cast<double>(times.size()) / sum);
+  report.set("cut.cells_crossed." + label, crossed / static_cast<double>(cuts));
+  report.set("cut.cells_split_share." + label, split / crossed);
+  report.set("cut.cells_whole_share." + label, whole / crossed);
+  report.set("cut.distance." + label, distance);
+}
+
+}  // namespace
+
+void run_cut(const Options& options, Report& report) {
+  cut_lattice(10000, options, report);
+  cut_lattice(1000000, options, report);
+}
+
+}  // namespace dsw::bench
