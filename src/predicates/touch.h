@@ -1,0 +1,36 @@
+// Whether and when closed simplices of bodies touch. Both are shifted alike, so the shift cancels and does not enter: touching
+// counts, also where everything lies in one plane or line. A vertex goes from p to p' (`to`), the rest of its body stays; times are
+// the largest doubles not above the exact ones, for any finite input.
+#pragma once
+
+#include "predicates/sweep_events.h"
+
+namespace dsw {
+
+// Later than any time of a move.
+constexpr double kNever = 2;
+
+// Whether segments a b and c d have a point in common; either may be a point.
+bool segments_touch(const double* a, const double* b, const double* c, const double* d) noexcept;
+
+// Whether triangle x y z and segment a b have one; both may be degenerate.
+bool triangle_touches(const double* const* triangle, const double* a, const double* b) noexcept;
+
+// Where a moving edge touches a segment a b: inside of it, or at one of its ends, or with the moving vertex.
+enum class TouchPlace : uint32_t { kInside, kFirst, kSecond, kVertex };
+struct EdgeTouch {
+  double time = kNever;
+  TouchPlace place = TouchPlace::kInside;
+};
+
+// The first time at which the moving vertex is on triangle a b c, if it does not start there.
+double vertex_touch(const double* p, const double* to, const double* const* triangle) noexcept;
+
+// The first time at which edge p(t) q touches segment a b, if it does not at the start. a and b may be one point; so may p and q:
+// then the vertex alone moves.
+EdgeTouch edge_touch(const EdgeMotion& m, const double* a, const double* b) noexcept;
+
+// The first time at which point v is on face p(t) q r. Nothing where p, p', q, r lie in one plane: its edges touch v then.
+double face_touch(const FaceMotion& m, const double* v) noexcept;
+
+}  // namespace dsw
