@@ -1,6 +1,7 @@
 #include "body/body.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dsw {
 namespace {
@@ -52,7 +53,63 @@ void move_end(Body& body, uint32_t e, uint32_t from, uint32_t to) noexcept {
   link_edge(body, e, side);
 }
 
+Box box_of(const Body& body, const uint32_t* vertices, int count) noexcept {
+  Box box;
+  for (int i = 0; i < count; ++i) box.add(body.position(vertices[i]));
+  return box;
+}
+
+double size_of(const Box& box) noexcept {
+  double size = 0;
+  for (int k = 0; k < 3; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
+  return size;
+}
+
+/** Notes where a vertex is and all that hangs on it. */
+void note(Body& body, uint32_t vertex) noexcept {
+  if (body.boxes.empty()) return;
+  BodyBoxes& boxes = body.boxes[0];
+  double size = 0;
+  for_each_edge(body, vertex, [&](uint32_t e) {
+    const Box box = box_of(body, body.edges[e].ends, 2);
+    boxes.edges.put(e, box);
+    size = std::max(size, size_of(box));
+    return true;
+  });
+  for_each_face(body, vertex, [&](uint32_t f) {
+    boxes.faces.put(f, box_of(body, body.faces[f].corners, 3));
+    return true;
+  });
+  const Box box = box_of(body, &vertex, 1);
+  boxes.vertices.put(vertex, box, size);
+  if (body.vertices[vertex].first_edge == kNone) {
+    boxes.loners.put(vertex, box);
+  } else {
+    boxes.loners.remove(vertex);
+  }
+  boxes.bounds.add(box);
+}
+
+void note_all(Body& body) noexcept {
+  if (body.boxes.empty()) return;
+  body.boxes[0].bounds = Box();
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (body.has_vertex(v)) note(body, v);
+  }
+}
+
+void reserve_boxes(Body& body, BodyBoxes& boxes, size_t more_vertices, size_t more_edges, size_t more_faces) {
+  boxes.vertices.reserve(body.vertices.size() + more_vertices);
+  boxes.loners.reserve(body.vertices.size() + more_vertices);
+  boxes.edges.reserve(body.edges.size() + more_edges);
+  boxes.faces.reserve(body.faces.size() + more_faces);
+}
+
 void release_vertex(Body& body, uint32_t vertex) noexcept {
+  if (!body.boxes.empty()) {
+    body.boxes[0].vertices.remove(vertex);
+    body.boxes[0].loners.remove(vertex);
+  }
   body.vertices[vertex] = BodyVertex{};
   body.vertex_slots.release(vertex);
   const auto found = std::find(body.inserted.begin(), body.inserted.end(), vertex);
@@ -144,6 +201,34 @@ void reserve(Body& body, size_t more_vertices, size_t more_edges, size_t more_fa
   reserve_slots(body.face_slots, body.faces, more_faces);
   if (body.skipping.by_clearance) body.clearances.resize(body.vertices.size() + more_vertices);
   if (body.keeps_sequences()) keep_sequences(body, body.edges.size() + more_edges);
+  if (!body.boxes.empty()) reserve_boxes(body, body.boxes[0], more_vertices, more_edges, more_faces);
+}
+
+void keep_boxes(Body& body) {
+  BodyBoxes boxes(body.vertices.get_allocator().memory);
+  reserve_boxes(body, boxes, 0, 0, 0);
+  body.boxes.reserve(1);
+  body.boxes.push_back(std::move(boxes));
+  note_all(body);
+}
+
+void tighten_bounds(Body& body) noexcept {
+  Box bounds;
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (body.has_vertex(v)) bounds.add(body.position(v));
+  }
+  body.boxes[0].bounds = bounds;
+}
+
+void put_vertex(Body& body, uint32_t vertex, const double* position, Cell cell) noexcept {
+  std::copy_n(position, 3, body.vertices[vertex].position);
+  body.vertices[vertex].cell = cell;
+  note(body, vertex);
+}
+
+void put_vertices(Body& body, const BodyVertex* from) noexcept {
+  std::copy_n(from, body.vertices.size(), body.vertices.begin());
+  note_all(body);
 }
 
 void keep_sequences(Body& body, size_t edges) {
@@ -154,7 +239,9 @@ uint32_t add_vertex(Body& body, const double* position, Cell cell) noexcept {
   BodyVertex vertex;
   std::copy_n(position, 3, vertex.position);
   vertex.cell = cell;
-  return acquire(body.vertex_slots, body.vertices, vertex);
+  const uint32_t v = acquire(body.vertex_slots, body.vertices, vertex);
+  note(body, v);
+  return v;
 }
 
 uint32_t add_edge(Body& body, uint32_t a, uint32_t b) noexcept {
@@ -164,6 +251,8 @@ uint32_t add_edge(Body& body, uint32_t a, uint32_t b) noexcept {
   const uint32_t e = acquire(body.edge_slots, body.edges, edge);
   link_edge(body, e, 0);
   link_edge(body, e, 1);
+  note(body, a);
+  note(body, b);
   return e;
 }
 
@@ -177,6 +266,7 @@ uint32_t add_face(Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
     const uint32_t from = face.corners[k], to = face.corners[(k + 1) % 3], e = find_edge(body, from, to);
     attach_face(body.edges[e != kNone ? e : add_edge(body, from, to)], f);
   }
+  note(body, a);
   return f;
 }
 
@@ -186,6 +276,7 @@ void remove_face(Body& body, uint32_t face) noexcept {
     replace_face(body.edges[find_edge(body, gone.corners[k], gone.corners[(k + 1) % 3])], face, kNone);
   }
   gone = BodyFace{};
+  if (!body.boxes.empty()) body.boxes[0].faces.remove(face);
   body.face_slots.release(face);
 }
 
@@ -195,6 +286,8 @@ void remove_edge(Body& body, uint32_t edge) noexcept {
   }
   unlink_edge(body, edge, 0);
   unlink_edge(body, edge, 1);
+  if (!body.boxes.empty()) body.boxes[0].edges.remove(edge);
+  for (const uint32_t v : body.edges[edge].ends) note(body, v);
   body.edges[edge] = BodyEdge{};
   body.edge_slots.release(edge);
 }
@@ -224,6 +317,7 @@ uint32_t split_edge(Body& body, uint32_t edge, uint32_t middle) noexcept {
     attach_face(body.edges[between], f);
     attach_face(body.edges[between], g);
   }
+  note(body, middle);
   return rest;
 }
 
@@ -291,6 +385,7 @@ void collapse_edge(Body& body, uint32_t edge, uint32_t vertex) noexcept {
     }
   }
   release_vertex(body, vertex);
+  note(body, kept);
 }
 
 }  // namespace dsw

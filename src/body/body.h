@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/slot_pool.h"
+#include "body/box_grid.h"
 #include "motion/sequence.h"
 
 namespace dsw {
@@ -53,6 +54,25 @@ struct Clearance {
   double wanted = 0;                // square of the longest edge that the last move had to cast for want of room
 };
 
+/** Which bodies see each other: each one's category must be in the other's mask. */
+struct ContactFilter {
+  uint32_t category = 1, mask = 0xffffffffu;
+  bool self = false;  // whether the body sees itself
+
+  bool sees(const ContactFilter& other) const { return (category & other.mask) != 0 && (other.category & mask) != 0; }
+};
+
+/** Where the parts of a body are, to find those that are near. All are noted, whatever the level. */
+struct BodyBoxes {
+  BoxGrid vertices, loners, edges, faces;  // loners: vertices without edges
+  Box bounds;                              // of all; may be too large
+
+  explicit BodyBoxes(const Memory* memory) : vertices(memory), loners(memory), edges(memory), faces(memory) {}
+  uint64_t memory_bytes() const {
+    return vertices.memory_bytes() + loners.memory_bytes() + edges.memory_bytes() + faces.memory_bytes();
+  }
+};
+
 struct Body {
   Array<BodyVertex> vertices;
   Array<BodyEdge> edges;
@@ -63,6 +83,8 @@ struct Body {
   mutable Array<EdgeSequence> sequences;
   Array<Clearance> clearances;   // by vertex, if they are kept
   int64_t clearance_credit = 0;  // what measuring them may cost, see sweep/clearance.h
+  Array<BodyBoxes> boxes;        // one, if bodies meet each other; else none
+  ContactFilter filter;
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
 
@@ -75,7 +97,8 @@ struct Body {
         face_slots(memory),
         inserted(Allocator<uint32_t>(memory)),
         sequences(Allocator<EdgeSequence>(memory)),
-        clearances(Allocator<Clearance>(memory)) {}
+        clearances(Allocator<Clearance>(memory)),
+        boxes(Allocator<BodyBoxes>(memory)) {}
 
   bool keeps_sequences() const { return skipping.sequences || level >= SweepLevel::kEdgesSwept; }
   bool has_vertex(uint32_t v) const { return v < vertices.size() && vertices[v].cell.valid(); }
@@ -83,9 +106,10 @@ struct Body {
   bool has_face(uint32_t f) const { return f < faces.size() && faces[f].corners[0] != kNone; }
   const double* position(uint32_t v) const { return vertices[v].position; }
   uint64_t memory_bytes() const {
-    uint64_t of_sequences = array_bytes(sequences);
-    for (const EdgeSequence& each : sequences) of_sequences += array_bytes(each.facets) + each.triangles.memory_bytes();
-    return of_sequences + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) +
+    uint64_t of_parts = array_bytes(sequences);
+    for (const EdgeSequence& each : sequences) of_parts += array_bytes(each.facets) + each.triangles.memory_bytes();
+    for (const BodyBoxes& each : boxes) of_parts += sizeof each + each.memory_bytes();
+    return of_parts + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) +
            array_bytes(inserted) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() + face_slots.memory_bytes();
   }
 };
@@ -131,6 +155,16 @@ bool is_one_fan(const Body& body, uint32_t vertex) noexcept;
 void reserve(Body& body, size_t more_vertices, size_t more_edges, size_t more_faces);
 /** Gives every edge room for its sequence, after the level has been raised. */
 void keep_sequences(Body& body, size_t edges);
+/** Starts to keep boxes. Throws std::bad_alloc before it changes anything. */
+void keep_boxes(Body& body);
+
+/** Lets the bounds of kept boxes fit again. */
+void tighten_bounds(Body& body) noexcept;
+
+/** Moves a vertex. */
+void put_vertex(Body& body, uint32_t vertex, const double* position, Cell cell) noexcept;
+/** Moves all vertices to where they were. */
+void put_vertices(Body& body, const BodyVertex* from) noexcept;
 uint32_t add_vertex(Body& body, const double* position, Cell cell) noexcept;
 uint32_t add_edge(Body& body, uint32_t a, uint32_t b) noexcept;
 /** With the edges that are missing: room for three. */

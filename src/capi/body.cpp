@@ -16,9 +16,10 @@ dsw_body_desc defaults() noexcept {
 }
 
 dsw::Skipping to_skipping(uint32_t flags, double share) {
-  capi::check_flags(
-      flags, DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE | DSW_BODY_SKIP_BY_MOTION,
-      "desc->flags");
+  capi::check_flags(flags,
+                    DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE |
+                        DSW_BODY_SKIP_BY_MOTION | DSW_BODY_SELF_CONTACTS,
+                    "desc->flags");
   if (!(share >= 0) || !std::isfinite(share)) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->motion_share is %g, must be finite and not negative", share);
   }
@@ -31,10 +32,21 @@ dsw::Skipping to_skipping(uint32_t flags, double share) {
   return skipping;
 }
 
+dsw::ContactFilter to_filter(uint32_t category, uint32_t mask, bool self) {
+  dsw::ContactFilter filter;
+  if (category != 0) filter.category = category;
+  if (mask != 0) filter.mask = mask;
+  filter.self = self;
+  return filter;
+}
+
 dsw::BodyDescription to_description(const dsw::Scene<3>& scene, const dsw_body_desc& d) {
   dsw::BodyDescription out;
   out.level = capi::to_level(d.level, DSW_LEVEL_FACES, "desc->level");
   out.skipping = to_skipping(d.flags, d.motion_share);
+  const bool self = (d.flags & DSW_BODY_SELF_CONTACTS) != 0;
+  if (self || d.category != 0 || d.mask != 0) capi::check_named(scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
+  out.filter = to_filter(d.category, d.mask, self);
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
   if (d.vertex_count == 0) fail(DSW_STATUS_WRONG_SIZE, "desc->vertex_count is 0, a body has at least one vertex");
   out.positions = capi::to_points(d.positions, d.vertex_count, d.stride_bytes, "desc->positions");
@@ -83,6 +95,10 @@ uint32_t to_edge(const Body& body, dsw_body_edge_id id, const char* name) {
 uint32_t to_face(const Body& body, dsw_body_face_id id, const char* name) {
   if (body.face_slots.alive(id.index, id.generation)) return id.index;
   fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no face of the body", name, id.index, id.generation);
+}
+
+void check_named(bool named, const char* feature) {
+  if (!named) fail(DSW_STATUS_NOT_NAMED, "scene was made without %s", feature);
 }
 
 void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* count) {
@@ -171,6 +187,25 @@ dsw_status dsw_body_set_level(dsw_scene* scene, dsw_body_id body, dsw_level leve
   return capi::guard("dsw_body_set_level", [&] {
     const capi::BodyAccess of(scene, body);
     set_level(of.scene, of.body, capi::to_level(level, DSW_LEVEL_FACES, "level"));
+  });
+}
+
+dsw_status dsw_body_get_filter(const dsw_scene* scene, dsw_body_id body, uint32_t* category, uint32_t* mask) {
+  return capi::guard("dsw_body_get_filter", [&] {
+    const capi::BodyAccess of(scene, body);
+    capi::require(category, "category");
+    capi::require(mask, "mask");
+    capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
+    *category = of.body.filter.category;
+    *mask = of.body.filter.mask;
+  });
+}
+
+dsw_status dsw_body_set_filter(dsw_scene* scene, dsw_body_id body, uint32_t category, uint32_t mask) {
+  return capi::guard("dsw_body_set_filter", [&] {
+    const capi::BodyAccess of(scene, body);
+    capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
+    set_filter(of.scene, of.body, to_filter(category, mask, of.body.filter.self));
   });
 }
 

@@ -12,7 +12,7 @@ dsw_status dsw_body_add_vertex(dsw_scene* scene, dsw_body_id body, const double*
     const capi::BodyAccess of(scene, body);
     capi::require(position, "position");
     capi::require(vertex, "vertex");
-    *vertex = vertex_id(of.body, add_body_vertex(of.scene, of.body, position, hint));
+    *vertex = vertex_id(of.body, add_body_vertex(of.scene, of.record, position, hint));
   });
 }
 

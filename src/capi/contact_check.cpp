@@ -55,6 +55,9 @@ bool has_wall(const dsw_contact& contact) {
 }
 
 dsw::Touch to_touch(const dsw::Map<3>& map, const dsw_contact& contact) {
+  if (!has_wall(contact) && contact.obstacle.kind == DSW_CELL_NONE) {
+    fail(DSW_STATUS_UNSUPPORTED, "contact->obstacle is null: it is one of two bodies");
+  }
   dsw::Touch touch{};
   touch.position = contact.position;
   touch.fixed = contact.fixed[0];

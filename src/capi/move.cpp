@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/vec.h"
 #include "capi/body_access.h"
 
 namespace capi = dsw::capi;
@@ -123,6 +124,27 @@ struct Rigid {
     }
   }
 
+  /** A box around all that a part of it does to a body: points keep their distance from the centre, which goes along a line. */
+  dsw::Box reach(const dsw::Body& body) const noexcept {
+    double radius = 0;
+    for (const dsw::BodyVertex& each : body.vertices) {
+      if (each.cell.valid()) radius = std::max(radius, length(dsw::difference(each.position, centre)));
+    }
+    radius *= 1 + 0x1p-20;
+    dsw::Box box;
+    for (const double way : {0.0, 1.0}) {
+      double low[3], high[3];
+      for (int k = 0; k < 3; ++k) {
+        const double at = centre[k] + way * translation[k], room = radius + 0x1p-40 * std::fabs(at);
+        low[k] = at - room;
+        high[k] = at + room;
+      }
+      box.add(low);
+      box.add(high);
+    }
+    return box;
+  }
+
   static void normalise(double (&q)[4]) noexcept {
     const double size = std::sqrt((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]));
     for (double& each : q) each /= size;
@@ -220,7 +242,7 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
         fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
       }
     }
-    move_body_together(of.scene, of.record, Rigid::place, &rigid, order);
+    move_body_together(of.scene, of.record, Rigid::place, &rigid, order, rigid.reach(of.body));
     write_report(of.record.record, report);
   });
 }
@@ -233,6 +255,18 @@ dsw_status dsw_body_get_contacts(const dsw_scene* scene, dsw_body_id body, const
     capi::require(count, "count");
     *contacts = of.record.record.contacts.data();
     *count = of.record.record.contacts.size();
+  });
+}
+
+dsw_status dsw_body_get_contact_partners(const dsw_scene* scene, dsw_body_id body, const dsw_contact_partner** partners,
+                                         size_t* count) {
+  return capi::guard("dsw_body_get_contact_partners", [&] {
+    const capi::BodyAccess of(scene, body);
+    capi::require(partners, "partners");
+    capi::require(count, "count");
+    capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
+    *partners = of.record.record.partners.data();
+    *count = of.record.record.partners.size();
   });
 }
 

@@ -22,11 +22,12 @@ dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* 
     dsw_environment& home = capi::check_handle(environment, "environment");
     capi::require(scene, "scene");
     const dsw_scene_desc d = desc == nullptr ? dsw_scene_desc{} : capi::read_struct(desc, "desc");
-    capi::check_flags(d.features, DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING,
-                      "desc->features");
-    const dsw::SceneFeatures features{(d.features & DSW_FEATURE_STATISTICS) != 0,
-                                      (d.features & DSW_FEATURE_CROSSINGS) != 0,
-                                      (d.features & DSW_FEATURE_DEFORMING) != 0};
+    capi::check_flags(
+        d.features, DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS,
+        "desc->features");
+    const dsw::SceneFeatures features{
+        (d.features & DSW_FEATURE_STATISTICS) != 0, (d.features & DSW_FEATURE_CROSSINGS) != 0,
+        (d.features & DSW_FEATURE_DEFORMING) != 0, (d.features & DSW_FEATURE_BODY_CONTACTS) != 0};
     capi::SceneOwner owner(home, features);
     *scene = owner.enter();
   });

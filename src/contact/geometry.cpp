@@ -18,16 +18,6 @@ void piercing_point(const EdgeMotion& m, const double* a, const double* b, doubl
   point_at<3>(a, b, crossing_time<3>(a, b, swept), point);
 }
 
-/** How far along the edge, which runs from `end` to q, a point on it lies: by the axis it is longest on. */
-double share_along(const double* end, const double* q, const double* point) {
-  int axis = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (std::fabs(q[k] - end[k]) > std::fabs(q[axis] - end[axis])) axis = k;
-  }
-  const double share = (point[axis] - end[axis]) / (q[axis] - end[axis]);
-  return share > 0 ? std::min(share, 1.0) : 0;
-}
-
 /** Out of the obstacle's triangle, which looks out of the cell in front; zero for a wire or a lone vertex. */
 Vec wall_normal(const Environment<3>& env, const SweepContact& contact) {
   if (!contact.facet.valid() || contact.event.kind == EventKind::kFace) return {};
@@ -46,6 +36,15 @@ Vec against(const Vec& chosen, const Vec& move, const Vec& wall) {
 }
 
 }  // namespace
+
+double share_along(const double* end, const double* q, const double* point) {
+  int axis = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (std::fabs(q[k] - end[k]) > std::fabs(q[axis] - end[axis])) axis = k;
+  }
+  const double share = (point[axis] - end[axis]) / (q[axis] - end[axis]);
+  return share > 0 ? std::min(share, 1.0) : 0;
+}
 
 ContactGeometry contact_geometry(const Environment<3>& env, const double* p, const double* to,
                                  const SweepContact& contact) {

@@ -17,4 +17,7 @@ struct ContactGeometry {
 ContactGeometry contact_geometry(const Environment<3>& env, const double* p, const double* to,
                                  const SweepContact& contact);
 
+/** How far along the edge, which runs from `end` to q, a point on it lies: by the axis it is longest on. */
+double share_along(const double* end, const double* q, const double* point);
+
 }  // namespace dsw

@@ -7,6 +7,7 @@
 
 #include "base/vec.h"
 #include "contact/describe.h"
+#include "contact/describe_pair.h"
 #include "response/insertion.h"
 #include "response/vertex_move.h"
 #include "sweep/clearance.h"
@@ -44,7 +45,7 @@ void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveS
     if (edits) {
       std::swap(body, whole);
     } else {
-      std::copy(before_.begin(), before_.end(), body.vertices.begin());
+      put_vertices(body, before_.data());
     }
   };
   try {
@@ -83,7 +84,7 @@ void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOr
       ++halvings;
     }
   } catch (...) {
-    std::copy(before_.begin(), before_.end(), body.vertices.begin());
+    put_vertices(body, before_.data());
     throw;
   }
   const bool stays =
@@ -113,20 +114,30 @@ bool BodyMove::try_together(Body& body, PlaceFn where, const void* user, double 
   sweep_all(body, targets, false);
   for (const uint32_t v : order_) {
     if (moving_[v].rank == kNone) continue;
-    if (!moving_[v].doubtful) {
+    if (!moving_[v].doubtful && sweeps_.is_apart(body, v, targets[v])) {
       arrive(body, targets, v);
       continue;
     }
     // The first in doubt has met something: all before it have arrived.
-    StarContact first;
-    Cell cell;
-    if (record.contacts.empty() && sweeps_.find_first(body, v, targets[v], &first, &cell) == SweepEnd::kContact) {
-      record.contacts.push_back(describe(env_, body, v, targets[v], first));
-    }
-    std::copy(before_.begin(), before_.end(), body.vertices.begin());
+    if (record.contacts.empty()) record_first(body, v, targets[v], record);
+    put_vertices(body, before_.data());
     return false;
   }
   return true;
+}
+
+void BodyMove::record_first(const Body& body, uint32_t v, const double* to, MoveRecord& record) {
+  StarContact first;
+  PairContact pair;
+  Cell cell;
+  const bool any = sweeps_.find_first(body, v, to, &first, &cell) == SweepEnd::kContact;
+  const bool any_pair = sweeps_.partners != nullptr && find_first_pair(*sweeps_.partners, body, v, to, &pair);
+  const dsw_contact contact = any ? describe(env_, body, v, to, first) : dsw_contact{};
+  if (any_pair && !(any && contact.time <= pair.time)) {
+    record.add(describe(env_, body, v, to, pair), partner_of(pair));
+  } else if (any) {
+    record.add(contact);
+  }
 }
 
 void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
@@ -246,8 +257,7 @@ bool BodyMove::shares_strip(const Body& body, uint32_t f) const {
 }
 
 void BodyMove::arrive(Body& body, PointArray targets, uint32_t v) const {
-  std::copy_n(targets[v], 3, body.vertices[v].position);
-  body.vertices[v].cell = moving_[v].arrival;
+  put_vertex(body, v, targets[v], moving_[v].arrival);
 }
 
 /** The vertices in their order: those without doubt arrive, the others move alone. */
@@ -255,7 +265,7 @@ void BodyMove::finish(Body& body, PointArray targets, const MoveSettings& settin
   VertexMove alone(env_, body, settings, sweeps_, record);
   for (const uint32_t v : order_) {
     if (moving_[v].rank == kNone) continue;
-    if (!moving_[v].doubtful) {
+    if (!moving_[v].doubtful && sweeps_.is_apart(body, v, targets[v])) {
       arrive(body, targets, v);
       continue;
     }

@@ -29,6 +29,8 @@ class BodyMove {
   void move_together(Body& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record);
 
   void set_counters(CastCounters* counters) { sweeps_.counters = counters; }
+  /** What a body can meet besides the environment; null: nothing. */
+  void set_partners(const Partners* partners) { sweeps_.partners = partners; }
 
  private:
   static constexpr uint32_t kChunk = 64;
@@ -46,6 +48,7 @@ class BodyMove {
   static_assert(sizeof(Moving) == 16);
 
   bool try_together(Body& body, PlaceFn where, const void* user, double fraction, MoveOrder order, MoveRecord& record);
+  void record_first(const Body& body, uint32_t v, const double* to, MoveRecord& record);
   void start(const Body& body, MoveOrder order, PointArray targets);
   bool run(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip);
   void measure_clearances(Body& body, PointArray targets);

@@ -11,12 +11,38 @@ bool is_reached(const Environment<3>& env, const double* from, Cell start, const
   return way.end == CastEnd::kReached && way.cell == to.cell;
 }
 
+/** Whether what an edge sweeps when it is bent to pass through `point` touches no partner. A body that sees itself keeps its vertices. */
+bool is_bend_apart(const Partners& partners, const Body& body, const BodyEdge& edge, const double* point) {
+  if (body.filter.self || !partners.reach.contains(point)) return false;
+  const Corner p{body.position(edge.ends[0]), edge.ends[0]}, q{body.position(edge.ends[1]), edge.ends[1]},
+      m{point, kNone};
+  const auto is_side_apart = [&](const Corner& a, const Corner& b) { return is_segment_apart(partners, body, a, b); };
+  const auto is_face_apart = [&](const Corner& a, const Corner& b) {
+    const Corner corners[3] = {a, m, b};
+    return is_triangle_apart(partners, body, corners);
+  };
+  if (!covers_edges(body.level)) return is_side_apart(m, m);
+  if (!is_side_apart(p, m) || !is_side_apart(m, q) || !is_face_apart(p, q)) return false;
+  for (const uint32_t f : edge.faces) {
+    if (f == kNone) continue;
+    const BodyFace& face = body.faces[f];
+    const uint32_t far = face.after(p.vertex) == q.vertex ? face.before(p.vertex) : face.after(p.vertex);
+    const Corner r{body.position(far), far};
+    if (!is_side_apart(m, r)) return false;
+    if (!covers_faces(body.level)) continue;
+    const double* const swept[4] = {p.at, m.at, q.at, r.at};
+    if (!is_face_apart(p, r) || !is_face_apart(q, r) || !is_tetrahedron_apart(partners, body, swept)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool can_bend(const Environment<3>& env, StarSweep& sweeps, const Body& body, uint32_t edge, const double* point,
               Cell* cell) {
   const BodyEdge& e = body.edges[edge];
   const BodyVertex &p = body.vertices[e.ends[0]], &q = body.vertices[e.ends[1]];
+  if (sweeps.partners != nullptr && !is_bend_apart(*sweeps.partners, body, e, point)) return false;
   if (body.level == SweepLevel::kPoints) {
     *cell = locate(env, point, p.cell, nullptr).cell;
     return cell->valid() && !is_closed(env, *cell);
@@ -62,7 +88,9 @@ uint32_t insert_vertex(Body& body, uint32_t edge, const double* point, Cell cell
 bool merge_vertex(StarSweep& sweeps, Body& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
   const uint32_t kept = body.edges[edge].other(vertex);
   Cell cell;
-  if (!can_collapse(body, edge, vertex) || !sweeps.is_free(body, vertex, body.position(kept), &cell)) return false;
+  if ((sweeps.partners != nullptr && body.filter.self) || !can_collapse(body, edge, vertex) ||
+      !sweeps.is_free(body, vertex, body.position(kept), &cell))
+    return false;
   if (edit != nullptr) {
     *edit = {};
     edit->vertex = vertex_id(body, vertex);

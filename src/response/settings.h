@@ -21,6 +21,8 @@ struct MoveSettings {
   double stand_off = 0;  // 0: 1e-9 of the cell in front; negative: none
   double noise_share = 0;
 
+  bool may_slide() const { return slides(vertex) || slides(edge); }
+  static bool slides(Response response) { return response == Response::kSlide || response == Response::kHybrid; }
   bool may_edit() const { return may_insert() || noise_share > 0; }
   bool may_insert() const {
     return edge == Response::kAdaptiveOne || edge == Response::kAdaptiveMany || edge == Response::kHybrid;
@@ -30,15 +32,24 @@ struct MoveSettings {
 /** What a move leaves for the host to read. */
 struct MoveRecord {
   Array<dsw_contact> contacts;
+  Array<dsw_contact_partner> partners;  // of the contacts, if bodies meet each other
+  bool keeps_partners = false;
   Array<dsw_body_edit> edits;
   double fraction = 1;
   uint32_t moved = 0, stopped = 0, limited = 0;
   SweepCounts sweeps;
 
   explicit MoveRecord(const Memory* memory)
-      : contacts(Allocator<dsw_contact>(memory)), edits(Allocator<dsw_body_edit>(memory)) {}
+      : contacts(Allocator<dsw_contact>(memory)),
+        partners(Allocator<dsw_contact_partner>(memory)),
+        edits(Allocator<dsw_body_edit>(memory)) {}
+  void add(const dsw_contact& contact, const dsw_contact_partner& partner = {}) {
+    contacts.push_back(contact);
+    if (keeps_partners) partners.push_back(partner);
+  }
   void clear() {
     contacts.clear();
+    partners.clear();
     edits.clear();
     fraction = 1;
     moved = stopped = limited = 0;

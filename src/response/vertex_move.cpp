@@ -4,6 +4,7 @@
 
 #include "base/points.h"
 #include "contact/describe.h"
+#include "contact/describe_pair.h"
 #include "motion/retreat.h"
 #include "response/insertion.h"
 
@@ -58,17 +59,18 @@ bool VertexMove::move(uint32_t v, const double* target) {
 
 /** To `to`, or as far as it is free: then the contacts are in the record, the first of them first. */
 bool VertexMove::advance(uint32_t v, const double* to) {
-  BodyVertex& at = body_.vertices[v];
+  const BodyVertex& at = body_.vertices[v];
   StarContact first;
   Cell cell;
   const SweepEnd end = sweeps_.find_first(body_, v, to, &first, &cell);
-  if (end == SweepEnd::kFree) {
-    std::copy_n(to, 3, at.position);
-    at.cell = cell;
+  if (end == SweepEnd::kWorkLimit) return false;
+  PairContact pair;
+  if (sweeps_.partners != nullptr) find_first_pair(*sweeps_.partners, body_, v, to, &pair);
+  if (end == SweepEnd::kFree && pair.time == kNever) {
+    put_vertex(body_, v, to, cell);
     return true;
   }
-  if (end == SweepEnd::kWorkLimit) return false;
-  const dsw_contact contact = record_contacts(v, to, first);
+  const dsw_contact contact = record_contacts(v, to, end == SweepEnd::kContact ? &first : nullptr, pair);
   const double off = stand_off(contact), lean = std::fabs(dot(to_vec(contact.normal), difference(to, at.position)));
   const double time = off > 0 ? std::max(0.0, contact.time - off / lean) : contact.time;
   double position[3];
@@ -76,21 +78,30 @@ bool VertexMove::advance(uint32_t v, const double* to) {
   retreat<3>(at.position, to, time, position, &found,
              [&](const double* candidate) { return sweeps_.is_free(body_, v, candidate, &cell); });
   if (!found) return false;
-  std::copy_n(position, 3, at.position);
-  at.cell = cell;
+  put_vertex(body_, v, position, cell);
   return false;
 }
 
-/** Returns the first. */
-dsw_contact VertexMove::record_contacts(uint32_t v, const double* to, const StarContact& first) {
-  dsw_contact contact = describe(env_, body_, v, to, first);
-  if (settings_.search == Search::kBisection) bisect(v, contact);
-  record_.contacts.push_back(contact);
-  if (settings_.search != Search::kAll) return contact;
-  Array<StarContact> all{Allocator<StarContact>(env_.memory)};
-  sweeps_.find_all(body_, v, to, first, all);
-  for (size_t i = 1; i < all.size(); ++i) record_.contacts.push_back(describe(env_, body_, v, to, all[i]));
-  return contact;
+/** Of what is met of the environment, which may be null, and of other bodies. Returns the first. */
+dsw_contact VertexMove::record_contacts(uint32_t v, const double* to, const StarContact* first,
+                                        const PairContact& pair) {
+  dsw_contact contact{}, of_pair{};
+  if (first != nullptr) contact = describe(env_, body_, v, to, *first);
+  const bool pair_first = first == nullptr || pair.time < contact.time;
+  if (pair_first) {
+    of_pair = describe(env_, body_, v, to, pair);
+    if (settings_.search == Search::kBisection) bisect(v, of_pair);
+    record_.add(of_pair, partner_of(pair));
+  } else {
+    if (settings_.search == Search::kBisection) bisect(v, contact);
+    record_.add(contact);
+  }
+  if (settings_.search == Search::kAll && first != nullptr) {
+    Array<StarContact> all{Allocator<StarContact>(env_.memory)};
+    sweeps_.find_all(body_, v, to, *first, all);
+    for (size_t i = pair_first ? 0 : 1; i < all.size(); ++i) record_.add(describe(env_, body_, v, to, all[i]));
+  }
+  return pair_first ? of_pair : contact;
 }
 
 /** Puts the time to the last of a halving at which the way is free. */
@@ -176,6 +187,7 @@ bool VertexMove::slide(uint32_t v, const double* target, const dsw_contact& cont
   const double off = stand_off(contact), gap = dot(difference(at, contact.position), normal);
   if (gap < off / 2) rest = rest + (off - gap) * normal;
   store(to_vec(at) + rest, to);
+  if (sweeps_.partners != nullptr && !sweeps_.partners->reach.contains(to)) return false;
   // Where the rest is longer than doubles go, the move ends here.
   return is_finite(to) && !std::equal(to, to + 3, at);
 }

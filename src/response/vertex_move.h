@@ -23,7 +23,7 @@ class VertexMove {
   };
 
   bool advance(uint32_t v, const double* to);
-  dsw_contact record_contacts(uint32_t v, const double* to, const StarContact& first);
+  dsw_contact record_contacts(uint32_t v, const double* to, const StarContact* first, const PairContact& pair);
   void bisect(uint32_t v, dsw_contact& contact);
   double stand_off(const dsw_contact& contact) const;
   bool insert(uint32_t v, const dsw_contact& contact);

@@ -3,7 +3,9 @@
 #include "scene/bodies.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "scene/meeting.h"
 #include "scene/scene.h"
 #include "sweep/body_probe.h"
 
@@ -82,7 +84,7 @@ void check_face(const Body& body, size_t face, uint32_t a, uint32_t b, uint32_t 
 void check_free(Scene<3>& scene, const Body& body, SweepLevel level) {
   scene.offending.clear();
   BodyProbe(scene.env, Box::everything(), Obstacle::kCells).find_blocked(body, level, scene.offending);
-  if (scene.offending.empty()) return;
+  if (scene.offending.empty()) return check_apart(scene, body, level);
   fail(DSW_STATUS_OCCUPIED, "%zu edges meet something impassable; the first joins vertices %u and %u",
        scene.offending.size() / 2, scene.offending[0], scene.offending[1]);
 }
@@ -93,6 +95,7 @@ dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
   Body& body = made.body;
   body.level = d.level;
   body.skipping = d.skipping;
+  body.filter = d.filter;
   Array<Cell> cells(d.vertex_count, Cell{}, Allocator<Cell>(scene.memory));
   place_points(scene, d.positions, d.vertex_count, d.hints, true, cells.data(), nullptr);
   const size_t triangles = triangle_count(d);
@@ -105,6 +108,11 @@ dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
     body.sequences.erase(body.sequences.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.sequences.end());
     body.sequences.shrink_to_fit();
   }
+  if (scene.features.contacts) {
+    keep_boxes(body);
+    made.record.keeps_partners = made.next.keeps_partners = true;
+    scene.body_boxes.reserve(scene.bodies.size() + 1);
+  }
   check_free(scene, body, body.level);
   scene.body_slots.reserve(1);
   reserve_more(scene.bodies, 1);
@@ -114,11 +122,13 @@ dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
   } else {
     scene.bodies[slot.index] = std::move(made);
   }
+  note_body(scene, slot.index);
   return {slot.index, slot.generation};
 }
 
 void destroy_body(Scene<3>& scene, uint32_t slot) noexcept {
   scene.body_slots.release(slot);
+  scene.body_boxes.remove(slot);
   scene.bodies[slot] = BodyRecord(scene.memory);
 }
 
@@ -135,6 +145,17 @@ void set_level(Scene<3>& scene, Body& body, SweepLevel level) {
   if (level > body.level) check_free(scene, body, level);
   if (level >= SweepLevel::kEdgesSwept) keep_sequences(body, body.edges.size());
   body.level = level;
+}
+
+void set_filter(Scene<3>& scene, Body& body, const ContactFilter& filter) {
+  scene.offending.clear();
+  const ContactFilter before = std::exchange(body.filter, filter);
+  try {
+    check_apart(scene, body, body.level);
+  } catch (...) {
+    body.filter = before;
+    throw;
+  }
 }
 
 }  // namespace dsw

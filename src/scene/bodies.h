@@ -15,11 +15,13 @@ struct Scene;
 struct BodyRecord {
   /** What stopped a vertex in the move before, to tell lasting contacts from new ones. */
   struct Stop {
-    uint64_t obstacle;
+    uint64_t obstacle;  // or part of another body
     uint32_t vertex, generation;
+    dsw_body_id body;
 
     bool operator<(const Stop& other) const {
-      return std::tie(vertex, generation, obstacle) < std::tie(other.vertex, other.generation, other.obstacle);
+      return std::tie(vertex, generation, obstacle, body.index, body.generation) <
+             std::tie(other.vertex, other.generation, other.obstacle, other.body.index, other.body.generation);
     }
   };
 
@@ -36,7 +38,8 @@ struct BodyRecord {
         before(Allocator<BodyVertex>(memory)),
         stops(Allocator<Stop>(memory)) {}
   uint64_t memory_bytes() const {
-    return body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.edits) + array_bytes(next.contacts) +
+    return body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.partners) +
+           array_bytes(record.edits) + array_bytes(next.contacts) + array_bytes(next.partners) +
            array_bytes(next.edits) + array_bytes(before) + array_bytes(stops);
   }
 };
@@ -53,6 +56,7 @@ struct BodyDescription {
   size_t face_count = 0, face_corner_count = 0;
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
+  ContactFilter filter;
 };
 
 dsw_body_id create_body(Scene<3>& scene, const BodyDescription& description);
@@ -60,9 +64,10 @@ void destroy_body(Scene<3>& scene, uint32_t slot) noexcept;
 /** Throws unless the id is alive. `argument` names it in messages. */
 BodyRecord& check_body(Scene<3>& scene, dsw_body_id id, ArgumentName argument, size_t index = 0);
 void set_level(Scene<3>& scene, Body& body, SweepLevel level);
+void set_filter(Scene<3>& scene, Body& body, const ContactFilter& filter);
 
 /** Edits of a body; each is verified free or throws OCCUPIED. Indices are alive. */
-uint32_t add_body_vertex(Scene<3>& scene, Body& body, const double* position, dsw_volume_id hint);
+uint32_t add_body_vertex(Scene<3>& scene, BodyRecord& of, const double* position, dsw_volume_id hint);
 uint32_t add_body_edge(Scene<3>& scene, Body& body, uint32_t a, uint32_t b);
 uint32_t add_body_face(Scene<3>& scene, Body& body, uint32_t a, uint32_t b, uint32_t c);
 void split_body_edge(Scene<3>& scene, Body& body, uint32_t edge, double share, dsw_body_edit* edit);
@@ -70,7 +75,9 @@ void collapse_body_edge(Scene<3>& scene, Body& body, uint32_t edge, uint32_t ver
 
 /** Targets are finite, one for each vertex slot; `order` names distinct living vertices. */
 void move_body(Scene<3>& scene, BodyRecord& body, PointArray targets, MoveOrder order, const MoveSettings& settings);
-void move_body_together(Scene<3>& scene, BodyRecord& body, PlaceFn place, const void* user, MoveOrder order);
+/** `reach`: no part of the motion leads out of it. */
+void move_body_together(Scene<3>& scene, BodyRecord& body, PlaceFn place, const void* user, MoveOrder order,
+                        const Box& reach);
 /** Bodies, distinct, with their targets one after the other. */
 void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count, PointArray targets,
                  const MoveSettings& settings);

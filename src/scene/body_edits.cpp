@@ -3,6 +3,7 @@
 #include "contact/describe.h"
 #include "motion/move.h"
 #include "response/insertion.h"
+#include "scene/meeting.h"
 #include "scene/scene.h"
 
 namespace dsw {
@@ -14,13 +15,54 @@ void check_edge_free(const Environment<3>& env, const Body& body, uint32_t a, ui
   fail(DSW_STATUS_OCCUPIED, "the edge between vertices %u and %u meets something impassable", a, b);
 }
 
+/** The bodies that a body can touch when it is changed inside of a box, or none if bodies do not meet each other. */
+class Neighbours {
+ public:
+  Neighbours(const Scene<3>& scene, const Body& body, const Box& box)
+      : meet_(scene.features.contacts), body_(body), partners_(scene.memory) {
+    if (meet_) find_partners(scene, body, box, partners_);
+  }
+  Neighbours(const Scene<3>& scene, const Body& body)
+      : Neighbours(scene, body, scene.features.contacts ? reach_of(body) : Box()) {}
+
+  void check_segment(const Corner& a, const Corner& b) const {
+    if (!meet_ || is_segment_apart(partners_, body_, a, b)) return;
+    fail(DSW_STATUS_OCCUPIED, a.vertex == b.vertex ? "the vertex touches a body" : "the edge touches a body");
+  }
+  void check_edge(uint32_t a, uint32_t b) const {
+    if (covers_edges(body_.level)) check_segment({body_.position(a), a}, {body_.position(b), b});
+  }
+  void check_triangle(const uint32_t* c) const {
+    const Corner corners[3] = {
+        {body_.position(c[0]), c[0]}, {body_.position(c[1]), c[1]}, {body_.position(c[2]), c[2]}};
+    if (!meet_ || !covers_faces(body_.level) || is_triangle_apart(partners_, body_, corners)) return;
+    fail(DSW_STATUS_OCCUPIED, "triangle (%u, %u, %u) touches a body", c[0], c[1], c[2]);
+  }
+  const Partners* partners() const { return meet_ ? &partners_ : nullptr; }
+
+ private:
+  bool meet_;
+  const Body& body_;
+  Partners partners_;
+};
+
+void check_keeps_vertices(const Body& body) {
+  if (body.filter.self) fail(DSW_STATUS_UNSUPPORTED, "a body with DSW_BODY_SELF_CONTACTS keeps its edges and vertices");
+}
+
 }  // namespace
 
-uint32_t add_body_vertex(Scene<3>& scene, Body& body, const double* position, dsw_volume_id hint) {
+uint32_t add_body_vertex(Scene<3>& scene, BodyRecord& of, const double* position, dsw_volume_id hint) {
+  Body& body = of.body;
   Cell cell;
   place_points(scene, PointArray{position, 3}, 1, &hint, false, &cell, nullptr);
+  Box box;
+  box.add(position);
+  Neighbours(scene, body, box).check_segment({position, kNone}, {position, kNone});
   reserve(body, 1, 0, 0);
-  return add_vertex(body, position, cell);
+  const uint32_t v = add_vertex(body, position, cell);
+  settle_body(scene, of);
+  return v;
 }
 
 uint32_t add_body_edge(Scene<3>& scene, Body& body, uint32_t a, uint32_t b) {
@@ -29,6 +71,7 @@ uint32_t add_body_edge(Scene<3>& scene, Body& body, uint32_t a, uint32_t b) {
     fail(DSW_STATUS_DUPLICATE_CELL, "vertices %u and %u are joined already", a, b);
   }
   check_edge_free(scene.env, body, a, b);
+  Neighbours(scene, body).check_edge(a, b);
   reserve(body, 0, 1, 0);
   return add_edge(body, a, b);
 }
@@ -40,10 +83,14 @@ uint32_t add_body_face(Scene<3>& scene, Body& body, uint32_t a, uint32_t b, uint
     fail(DSW_STATUS_SHARED_FACE, "triangle (%u, %u, %u) touches others in a vertex alone", a, b, c);
   }
   const uint32_t corners[3] = {a, b, c};
+  const Neighbours neighbours(scene, body);
   for (int k = 0; k < 3; ++k) {
     const uint32_t from = corners[k], to = corners[(k + 1) % 3];
-    if (find_edge(body, from, to) == kNone) check_edge_free(scene.env, body, from, to);
+    if (find_edge(body, from, to) != kNone) continue;
+    check_edge_free(scene.env, body, from, to);
+    neighbours.check_edge(from, to);
   }
+  neighbours.check_triangle(corners);
   if (body.level == SweepLevel::kFaces) {
     StarSweep sweeps(scene.env);
     if (!sweeps.is_triangle_free({body.position(a), body.position(b), body.position(c)}, body.vertices[a].cell)) {
@@ -55,10 +102,13 @@ uint32_t add_body_face(Scene<3>& scene, Body& body, uint32_t a, uint32_t b, uint
 }
 
 void split_body_edge(Scene<3>& scene, Body& body, uint32_t edge, double share, dsw_body_edit* edit) {
+  check_keeps_vertices(body);
   const BodyEdge& e = body.edges[edge];
   double point[3];
   point_at<3>(body.position(e.ends[0]), body.position(e.ends[1]), share, point);
+  const Neighbours neighbours(scene, body);
   StarSweep sweeps(scene.env);
+  sweeps.partners = neighbours.partners();
   Cell cell;
   if (!can_bend(scene.env, sweeps, body, edge, point, &cell)) {
     fail(DSW_STATUS_OCCUPIED, "the place at %g on the edge between vertices %u and %u, rounded, is not free", share,
@@ -68,11 +118,14 @@ void split_body_edge(Scene<3>& scene, Body& body, uint32_t edge, double share, d
 }
 
 void collapse_body_edge(Scene<3>& scene, Body& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
+  check_keeps_vertices(body);
   if (!can_collapse(body, edge, vertex)) {
     fail(DSW_STATUS_BAD_CELL, "merging vertex %u into %u would leave no manifold", vertex,
          body.edges[edge].other(vertex));
   }
+  const Neighbours neighbours(scene, body);
   StarSweep sweeps(scene.env);
+  sweeps.partners = neighbours.partners();
   if (!merge_vertex(sweeps, body, edge, vertex, edit)) {
     fail(DSW_STATUS_OCCUPIED, "the way of vertex %u to vertex %u is not free", vertex, body.edges[edge].other(vertex));
   }

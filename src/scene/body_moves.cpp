@@ -6,13 +6,18 @@
 #include <utility>
 
 #include "contact/describe.h"
+#include "contact/describe_pair.h"
+#include "scene/meeting.h"
 #include "scene/scene.h"
 
 namespace dsw {
 namespace {
 
-BodyRecord::Stop to_stop(const dsw_contact& contact) noexcept {
-  return {obstacle_key(contact), contact.vertex.index, contact.vertex.generation};
+BodyRecord::Stop to_stop(const MoveRecord& record, size_t i) noexcept {
+  const dsw_contact& contact = record.contacts[i];
+  const dsw_contact_partner partner = record.keeps_partners ? record.partners[i] : dsw_contact_partner{};
+  const uint64_t obstacle = partner.body.generation != 0 ? part_key(partner) : obstacle_key(contact);
+  return {obstacle, contact.vertex.index, contact.vertex.generation, partner.body};
 }
 
 /** Makes room for what publish() needs. */
@@ -24,11 +29,11 @@ void prepare(BodyRecord& of) {
 /** What a move has left becomes what the host reads. Contacts of vertices that the same obstacle stopped in the move before are
  * lasting ones. */
 void publish(BodyRecord& of) noexcept {
-  for (const dsw_contact& contact : of.record.contacts) of.stops.push_back(to_stop(contact));
+  for (size_t i = 0; i < of.record.contacts.size(); ++i) of.stops.push_back(to_stop(of.record, i));
   std::sort(of.stops.begin(), of.stops.end());
-  for (dsw_contact& contact : of.next.contacts) {
-    const bool lasts = std::binary_search(of.stops.begin(), of.stops.end(), to_stop(contact));
-    contact.history = lasts ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW;
+  for (size_t i = 0; i < of.next.contacts.size(); ++i) {
+    const bool lasts = std::binary_search(of.stops.begin(), of.stops.end(), to_stop(of.next, i));
+    of.next.contacts[i].history = lasts ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW;
   }
   std::swap(of.record, of.next);
 }
@@ -50,19 +55,30 @@ void move_body(Scene<3>& scene, BodyRecord& body, PointArray targets, MoveOrder 
   CastCounters casts;
   BodyMove& move = mover_of(scene);
   move.set_counters(scene.features.statistics ? &casts : nullptr);
+  Partners partners(scene.memory);
+  if (scene.features.contacts) {
+    find_partners(scene, body.body, reach_of(body.body, targets, order, settings.may_slide()), partners);
+  }
+  move.set_partners(scene.features.contacts ? &partners : nullptr);
   prepare(body);
   move.move(body.body, targets, order, settings, body.next);
   publish(body);
+  settle_body(scene, body);
   count(scene, body, casts);
 }
 
-void move_body_together(Scene<3>& scene, BodyRecord& body, PlaceFn place, const void* user, MoveOrder order) {
+void move_body_together(Scene<3>& scene, BodyRecord& body, PlaceFn place, const void* user, MoveOrder order,
+                        const Box& reach) {
   CastCounters casts;
   BodyMove& move = mover_of(scene);
   move.set_counters(scene.features.statistics ? &casts : nullptr);
+  Partners partners(scene.memory);
+  if (scene.features.contacts) find_partners(scene, body.body, reach, partners);
+  move.set_partners(scene.features.contacts ? &partners : nullptr);
   prepare(body);
   move.move_together(body.body, place, user, order, body.next);
   publish(body);
+  settle_body(scene, body);
   count(scene, body, casts);
 }
 
@@ -86,12 +102,16 @@ void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count_of_bod
     first[i] = at;
     at += body.body.vertices.size();
   }
+  Islands islands(scene.memory);
+  find_islands(scene, bodies, count_of_bodies, targets, first.data(), settings.may_slide(), islands);
   std::atomic<bool> out_of_memory{false};
   auto chunk = [&](size_t begin, size_t end) noexcept {
     try {
       BodyMove move(scene.env);
-      for (size_t i = begin; i < end; ++i) {
+      for (size_t k = islands.first[begin]; k < islands.first[end]; ++k) {
+        const uint32_t i = islands.bodies[k];
         move.set_counters(scene.features.statistics ? &casts[i] : nullptr);
+        move.set_partners(scene.features.contacts ? &islands.partners[i] : nullptr);
         move.move(bodies[i]->body, {targets.data + first[i] * targets.step, targets.step}, {}, settings,
                   bodies[i]->next);
       }
@@ -101,20 +121,21 @@ void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count_of_bod
   };
   // Few chunks, since each sets up its own memory; their number does not depend on the number of threads.
   constexpr size_t kChunks = 64;
-  parallel_chunks(scene.parallel, count_of_bodies, (count_of_bodies + kChunks - 1) / kChunks, chunk);
+  parallel_chunks(scene.parallel, islands.count(), (islands.count() + kChunks - 1) / kChunks, chunk);
   if (out_of_memory) {
     for (size_t i = 0; i < count_of_bodies; ++i) {
       BodyRecord& body = *bodies[i];
       if (edits) {
         std::swap(body.body, wholes[i]);
       } else {
-        std::copy(body.before.begin(), body.before.end(), body.body.vertices.begin());
+        put_vertices(body.body, body.before.data());
       }
     }
     throw std::bad_alloc();
   }
   for (size_t i = 0; i < count_of_bodies; ++i) {
     publish(*bodies[i]);
+    settle_body(scene, *bodies[i]);
     count(scene, *bodies[i], casts[i]);
   }
 }

@@ -1,5 +1,6 @@
 #include "scene/deformation.h"
 
+#include "scene/meeting.h"
 #include "scene/scene.h"
 
 namespace dsw {
@@ -7,13 +8,15 @@ namespace dsw {
 Deformation::Deformation(Environment<3>& environment)
     : env(environment),
       all(environment.memory),
+      partners(environment.memory),
       swept(environment, all),
       end_state(environment, all),
       record(environment.memory),
       next(environment.memory) {}
 
 uint64_t Deformation::memory_bytes() const noexcept {
-  return sizeof(*this) + all.memory_bytes() + swept.memory_bytes() + record.memory_bytes() + next.memory_bytes();
+  return sizeof(*this) + all.memory_bytes() + array_bytes(partners.all) + swept.memory_bytes() + record.memory_bytes() +
+         next.memory_bytes();
 }
 
 void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
@@ -22,12 +25,15 @@ void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
   d.all.particle_count = scene.particles.size();
   d.all.particle_slots = &scene.slots;
   d.all.bodies.assign(scene.bodies.size(), Occupants::Owner{});
+  d.partners.all.clear();
+  d.all.partners = scene.features.contacts ? &d.partners : nullptr;
   for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
     const uint32_t generation = scene.body_slots.generation(slot);
     if (!scene.body_slots.alive(slot, generation)) continue;
     BodyRecord& body = scene.bodies[slot];
     d.all.bodies[slot] = {&body.body, &body.next, {slot, generation}};
     body.next.edits.clear();
+    if (scene.features.contacts) d.partners.all.push_back({&body.body, slot, generation});
   }
   if (settings.end_state) {
     d.end_state.run(next, settings, d.next);
@@ -37,7 +43,9 @@ void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
   d.next.sort();
   std::swap(d.record, d.next);
   for (const Occupants::Owner& owner : d.all.bodies) {
-    if (owner.body != nullptr) std::swap(scene.bodies[owner.id.index].record.edits, owner.record->edits);
+    if (owner.body == nullptr) continue;
+    std::swap(scene.bodies[owner.id.index].record.edits, owner.record->edits);
+    settle_body(scene, scene.bodies[owner.id.index]);
   }
 }
 

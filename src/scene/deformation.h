@@ -12,6 +12,7 @@ struct Scene;
 struct Deformation {
   Environment<3>& env;
   Occupants all;
+  Partners partners;  // all bodies, if they meet each other
   WallMotion swept;
   EndState end_state;
   WallRecord record;  // of the last call

@@ -31,7 +31,7 @@ struct SceneStatistics {
 };
 
 struct SceneFeatures {
-  bool statistics = false, crossings = false, deforming = false;
+  bool statistics = false, crossings = false, deforming = false, contacts = false;
 };
 
 template <int D>
@@ -52,6 +52,7 @@ struct Scene {
   Array<dsw_body_id> occupant_bodies;       // likewise
   Array<BodyRecord> bodies;                 // by slot
   SlotPool body_slots;
+  BoxGrid body_boxes;              // by slot, if bodies meet each other
   Array<BodyMove> mover;           // none or one: what moves of single bodies keep from call to call
   Array<uint32_t> offending;       // pairs of vertices of edges that were found not free
   Owned<Deformation> deformation;  // if named
@@ -71,6 +72,7 @@ struct Scene {
         occupant_bodies(Allocator<dsw_body_id>(source)),
         bodies(Allocator<BodyRecord>(source)),
         body_slots(source),
+        body_boxes(source),
         mover(Allocator<BodyMove>(source)),
         offending(Allocator<uint32_t>(source)),
         deformation(source) {
@@ -80,7 +82,8 @@ struct Scene {
   Scene& operator=(const Scene&) = delete;
 
   uint64_t memory_bytes() const {
-    uint64_t of_bodies = array_bytes(bodies) + array_bytes(mover) + body_slots.memory_bytes() + array_bytes(offending);
+    uint64_t of_bodies = array_bytes(bodies) + array_bytes(mover) + body_slots.memory_bytes() +
+                         body_boxes.memory_bytes() + array_bytes(offending);
     for (const BodyRecord& each : bodies) of_bodies += each.memory_bytes();
     if (deformation.get() != nullptr) of_bodies += deformation.get()->memory_bytes();
     return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +

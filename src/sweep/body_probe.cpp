@@ -3,9 +3,6 @@
 
 #include "sweep/body_probe.h"
 
-#include <algorithm>
-#include <limits>
-
 #include "base/assert.h"
 #include "base/error.h"
 #include "environment/marking.h"
@@ -25,36 +22,6 @@ struct Unmarking {
 };
 
 }  // namespace
-
-Box::Box() noexcept {
-  std::fill(lower, lower + 3, std::numeric_limits<double>::infinity());
-  std::fill(upper, upper + 3, -std::numeric_limits<double>::infinity());
-}
-
-Box Box::everything() noexcept {
-  Box box;
-  std::swap(box.lower, box.upper);
-  return box;
-}
-
-void Box::add(const double* point) noexcept {
-  for (int k = 0; k < 3; ++k) {
-    lower[k] = std::min(lower[k], point[k]);
-    upper[k] = std::max(upper[k], point[k]);
-  }
-}
-
-bool Box::overlaps(const double* const* points, int count) const noexcept {
-  for (int k = 0; k < 3; ++k) {
-    double low = points[0][k], high = low;
-    for (int i = 1; i < count; ++i) {
-      low = std::min(low, points[i][k]);
-      high = std::max(high, points[i][k]);
-    }
-    if (low > upper[k] || high < lower[k]) return false;
-  }
-  return true;
-}
 
 bool is_face_free(const Environment<3>& env, SweepFlood& flood, const Body& body, uint32_t face) {
   const uint32_t(&c)[3] = body.faces[face].corners;

@@ -2,21 +2,11 @@
 // Whether bodies stay free when something becomes impassable.
 
 #include "body/body.h"
+#include "body/box.h"
 #include "motion/sweep.h"
 #include "motion/wave.h"
 
 namespace dsw {
-
-/** An axis-parallel box that grows. It is closed, so that what lies apart from it stays apart whatever the shift. */
-struct Box {
-  double lower[3], upper[3];
-
-  Box() noexcept;
-  static Box everything() noexcept;
-  void add(const double* point) noexcept;
-  /** Whether it overlaps the box of these points. */
-  bool overlaps(const double* const* points, int count) const noexcept;
-};
 
 /** Whether a face that stands still is free, if its edges are: the triangle that its first edge sweeps over it. `flood` has the cells that
  * it meets, and if it is not free all contacts. Throws std::bad_alloc. */

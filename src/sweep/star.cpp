@@ -166,7 +166,7 @@ bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, C
   return !hit_edges_.empty();
 }
 
-bool StarSweep::is_free(const Body& body, uint32_t v, const double* to, Cell* cell) {
+bool StarSweep::is_free_of_walls(const Body& body, uint32_t v, const double* to, Cell* cell) {
   const BodyVertex& at = body.vertices[v];
   if (std::equal(to, to + 3, at.position)) {
     *cell = at.cell;

@@ -5,6 +5,7 @@
 #include "body/body.h"
 #include "motion/sweep.h"
 #include "motion/wave.h"
+#include "pairs/pair_sweep.h"
 
 namespace dsw {
 
@@ -24,11 +25,17 @@ class StarSweep {
  public:
   explicit StarSweep(const Environment<3>& env);
 
-  /** Whether vertex v can go to `to` without meeting anything that the body's level sees; *cell then contains `to`. */
-  bool is_free(const Body& body, uint32_t v, const double* to, Cell* cell);
+  /** Whether vertex v can go to `to` without meeting anything that the body's level sees, partners included; *cell then contains `to`. */
+  bool is_free(const Body& body, uint32_t v, const double* to, Cell* cell) {
+    return is_free_of_walls(body, v, to, cell) && is_apart(body, v, to);
+  }
+  /** Whether it touches no partner on that way. */
+  bool is_apart(const Body& body, uint32_t v, const double* to) const {
+    return partners == nullptr || is_way_apart(*partners, body, v, to);
+  }
 
-  /** The first contact on that way, whose event borrows the body's points and `to`. Without one *cell is set. At the work limit
-   * neither. */
+  /** The first contact with the environment on that way, whose event borrows the body's points and `to`. Without one *cell is set. At
+   * the work limit neither. */
   SweepEnd find_first(const Body& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
 
   /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only that. */
@@ -82,12 +89,14 @@ class StarSweep {
   }
 
   SweepCounts counts;
-  CastCounters* counters = nullptr;  // of casts; may stay null
-  uint32_t max_cells = 0;            // work limit of each cast and flood; 0: none
+  CastCounters* counters = nullptr;    // of casts; may stay null
+  uint32_t max_cells = 0;              // work limit of each cast and flood; 0: none
+  const Partners* partners = nullptr;  // other bodies that the body can meet; null: none
 
  private:
   bool is_seen(const Body& body, const EdgeSweep& sweep) const;
   bool is_seen(const FaceMotion& m, Cell cell) const;
+  bool is_free_of_walls(const Body& body, uint32_t v, const double* to, Cell* cell);
   Settled settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls);
   bool is_clear(const Body& body, const EdgeSweep& sweep) const;
   Settled follow_sequence(const Body& body, const EdgeSweep& sweep);

@@ -65,8 +65,12 @@ Went EndState::try_seats(const WallSettings& settings, WallRecord& record) {
   }
   went = run_seats(settings, record);
   if (went != Went::kThrough) return went;
+  const auto stop = [](uint32_t, uint32_t) { return false; };
+  const auto is_apart = [&](const Body& body) {
+    return all_.partners == nullptr || is_body_apart(*all_.partners, body, body.level, stop);
+  };
   const auto is_free = [&](const Occupants::Owner& owner) {
-    return owner.body == nullptr || probe_.is_free(*owner.body);
+    return owner.body == nullptr || (probe_.is_free(*owner.body) && is_apart(*owner.body));
   };
   return std::all_of(all_.bodies.begin(), all_.bodies.end(), is_free) ? Went::kThrough : Went::kStopped;
 }

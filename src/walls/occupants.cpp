@@ -30,9 +30,8 @@ void Occupants::restore() noexcept {
     if (!saved_bodies_.empty()) {
       std::swap(*owner.body, *body++);
     } else if (!saved_vertices_.empty()) {
-      const auto end = vertex + static_cast<std::ptrdiff_t>(owner.body->vertices.size());
-      std::copy(vertex, end, owner.body->vertices.begin());
-      vertex = end;
+      put_vertices(*owner.body, &*vertex);
+      vertex += static_cast<std::ptrdiff_t>(owner.body->vertices.size());
     }
   }
 }

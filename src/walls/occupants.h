@@ -19,6 +19,7 @@ struct Occupants {
   ParticleState<3>* particles = nullptr;
   size_t particle_count = 0;
   const SlotPool* particle_slots = nullptr;
+  const Partners* partners = nullptr;  // all bodies, if they meet each other
 
   explicit Occupants(const Memory* memory)
       : bodies(Allocator<Owner>(memory)),
@@ -68,9 +69,7 @@ inline void seat(Occupants& all, const Feature& point, const double* at, Cell ce
     std::copy_n(at, 3, p.position);
     p.cell = cell;
   } else {
-    BodyVertex& v = all.bodies[point.owner].body->vertices[point.index];
-    std::copy_n(at, 3, v.position);
-    v.cell = cell;
+    put_vertex(*all.bodies[point.owner].body, point.index, at, cell);
   }
 }
 

@@ -56,6 +56,7 @@ WallMove::Moved WallMove::move(uint32_t v, const double* to, const WallSettings&
 
 /** Finds the cells at a vertex, its walls, and what lies in these cells. */
 void WallMove::look_round(uint32_t v) {
+  sweeps_.partners = all_.partners;
   star_ = &around_.find_star(v);
   around_.find_features(features_);
   walls_.start(v, *star_);

@@ -1,0 +1,117 @@
+// A box of a level is at most as large as a cell, so that one which overlaps a given box is noted at most one cell below it. Cells' numbers
+// come from coordinates times a power of two, rounded at most where that underflows: in order all the same, and that is what counts.
+
+#include "body/box_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/slot_pool.h"
+
+namespace dsw {
+namespace {
+
+// Least size of cells as a share of the coordinates, 2^-40: their numbers stay well below 2^50.
+constexpr double kLeastShare = 0x1p-40, kFarthest = 0x1p50;
+constexpr size_t kMostLevels = 2048;
+
+}  // namespace
+
+void BoxGrid::reserve(size_t count) {
+  if (count <= items_.size()) return;
+  reserve_more(items_, count - items_.size());
+  levels_.resize(std::max(levels_.size(), std::min(count, kMostLevels)));
+  size_t heads = std::max<size_t>(heads_.size(), 8);
+  while (heads < count) heads *= 2;
+  if (heads != heads_.size()) {
+    Array<uint32_t> fresh(heads, kEnd, heads_.get_allocator());
+    heads_.swap(fresh);
+    for (uint32_t i = 0; i < items_.size(); ++i) {
+      if (items_[i].exponent != kNone) link(i, level_of(items_[i].exponent));
+    }
+  }
+  items_.resize(count);
+}
+
+void BoxGrid::put(uint32_t number, const Box& box, double size) noexcept {
+  remove(number);
+  Item& item = items_[number];
+  item.box = box;
+  item.exponent = exponent_of(box, size);
+  Level& level = level_of(item.exponent);
+  ++level.count;
+  link(number, level);
+}
+
+void BoxGrid::remove(uint32_t number) noexcept {
+  if (number >= items_.size() || items_[number].exponent == kNone) return;
+  Item& item = items_[number];
+  Level& level = level_of(item.exponent);
+  uint32_t* at = &heads_[head_of(place_of(level, item.box), item.exponent)];
+  while (*at != number) at = &items_[*at].next;
+  *at = item.next;
+  item = Item{};
+  if (--level.count != 0) return;
+  level = levels_[--level_count_];
+}
+
+void BoxGrid::link(uint32_t number, const Level& level) noexcept {
+  Item& item = items_[number];
+  uint32_t& head = heads_[head_of(place_of(level, item.box), item.exponent)];
+  item.next = head;
+  head = number;
+}
+
+BoxGrid::Level& BoxGrid::level_of(int32_t exponent) noexcept {
+  for (uint32_t k = 0; k < level_count_; ++k) {
+    if (levels_[k].exponent == exponent) return levels_[k];
+  }
+  Level& fresh = levels_[level_count_++];
+  fresh = {exponent, 0, std::ldexp(1.0, -exponent)};
+  return fresh;
+}
+
+int32_t BoxGrid::exponent_of(const Box& box, double size) noexcept {
+  double largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    size = std::max(size, box.upper[k] - box.lower[k]);
+    largest = std::max({largest, std::fabs(box.lower[k]), std::fabs(box.upper[k])});
+  }
+  size = std::max(size, largest * kLeastShare);
+  if (!(size < std::ldexp(1.0, kHuge - 1))) return kHuge;
+  int exponent = kTiny;
+  if (size > 0) std::frexp(size, &exponent);  // size < 2^exponent
+  return std::max(exponent, kTiny);
+}
+
+BoxGrid::Place BoxGrid::place_of(const Level& level, const Box& box) noexcept {
+  Place at{};
+  if (level.exponent == kHuge) return at;
+  for (int k = 0; k < 3; ++k) at.x[k] = static_cast<int64_t>(std::floor(box.lower[k] * level.inverse));
+  return at;
+}
+
+/** The cells in which boxes that overlap this one are noted; everywhere if that is less work. */
+BoxGrid::Look BoxGrid::find_range(const Level& level, const Box& box, Range& range) const noexcept {
+  if (level.exponent == kHuge) return Look::kEverywhere;
+  double cells = 1;
+  for (int k = 0; k < 3; ++k) {
+    const double low = std::floor(box.lower[k] * level.inverse) - 1, high = std::floor(box.upper[k] * level.inverse);
+    if (low > kFarthest || high < -kFarthest) return Look::kNowhere;
+    range.low[k] = static_cast<int64_t>(std::max(low, -kFarthest));
+    range.high[k] = static_cast<int64_t>(std::min(high, kFarthest));
+    cells *= static_cast<double>(range.high[k] - range.low[k]) + 1;
+  }
+  return cells <= static_cast<double>(items_.size()) + 8 ? Look::kRange : Look::kEverywhere;
+}
+
+size_t BoxGrid::head_of(const Place& at, int32_t exponent) const noexcept {
+  uint64_t hash = static_cast<uint32_t>(exponent);
+  for (const int64_t x : at.x) {
+    hash = (hash ^ static_cast<uint64_t>(x)) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
+  }
+  return static_cast<size_t>(hash) & (heads_.size() - 1);
+}
+
+}  // namespace dsw

@@ -1,0 +1,94 @@
+#pragma once
+// Boxes by number, and which of them overlap another box: a hashed grid for each size of boxes, in powers of two, so that what is found
+// and what it costs depend on what lies near, at any scale. A box is noted once, in the cell of its lower corner.
+
+#include <cstdint>
+
+#include "base/memory.h"
+#include "body/box.h"
+
+namespace dsw {
+
+class BoxGrid {
+ public:
+  explicit BoxGrid(const Memory* memory)
+      : items_(Allocator<Item>(memory)), heads_(Allocator<uint32_t>(memory)), levels_(Allocator<Level>(memory)) {}
+
+  /** Room for the numbers below `count`: then nothing below can fail. Throws std::bad_alloc before it changes anything that is seen. */
+  void reserve(size_t count);
+  /** Notes a box, in place of the one with this number. `size` is that of things it is looked for with, if they are larger. */
+  void put(uint32_t number, const Box& box, double size = 0) noexcept;
+  /** Nothing if there is none. */
+  void remove(uint32_t number) noexcept;
+
+  /** Calls visit(number) for each box that overlaps this one, in any order, until it returns false; whether it never did. */
+  template <class Visit>
+  bool visit(const Box& box, Visit visit) const {
+    for (uint32_t k = 0; k < level_count_; ++k) {
+      const Level& level = levels_[k];
+      Range range;
+      const Look look = find_range(level, box, range);
+      if (look == Look::kNowhere) continue;
+      if (look == Look::kEverywhere) {
+        for (uint32_t i = 0; i < items_.size(); ++i) {
+          if (items_[i].exponent == level.exponent && items_[i].box.overlaps(box) && !visit(i)) return false;
+        }
+        continue;
+      }
+      Place at;
+      for (at.x[0] = range.low[0]; at.x[0] <= range.high[0]; ++at.x[0]) {
+        for (at.x[1] = range.low[1]; at.x[1] <= range.high[1]; ++at.x[1]) {
+          for (at.x[2] = range.low[2]; at.x[2] <= range.high[2]; ++at.x[2]) {
+            for (uint32_t i = heads_[head_of(at, level.exponent)]; i != kEnd; i = items_[i].next) {
+              const Item& item = items_[i];
+              // Other cells share the list.
+              const bool noted_here = item.exponent == level.exponent && place_of(level, item.box) == at;
+              if (noted_here && item.box.overlaps(box) && !visit(i)) return false;
+            }
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  uint64_t memory_bytes() const noexcept { return array_bytes(items_) + array_bytes(heads_) + array_bytes(levels_); }
+
+ private:
+  static constexpr uint32_t kEnd = 0xffffffffu;
+  static constexpr int32_t kNone = -4096, kHuge = 1001, kTiny = -1000;  // exponents; of kHuge ones all are looked at
+
+  struct Item {
+    Box box;
+    int32_t exponent = kNone;
+    uint32_t next = kEnd;
+  };
+  /** Boxes that are no larger than 2^exponent. */
+  struct Level {
+    int32_t exponent;
+    uint32_t count;
+    double inverse;  // 2^-exponent
+  };
+  struct Place {
+    int64_t x[3];
+    bool operator==(const Place& o) const { return x[0] == o.x[0] && x[1] == o.x[1] && x[2] == o.x[2]; }
+  };
+  struct Range {
+    int64_t low[3], high[3];
+  };
+  enum class Look { kNowhere, kRange, kEverywhere };
+
+  Look find_range(const Level& level, const Box& box, Range& range) const noexcept;
+  static Place place_of(const Level& level, const Box& box) noexcept;
+  static int32_t exponent_of(const Box& box, double size) noexcept;
+  size_t head_of(const Place& at, int32_t exponent) const noexcept;
+  Level& level_of(int32_t exponent) noexcept;
+  void link(uint32_t number, const Level& level) noexcept;
+
+  Array<Item> items_;      // by number
+  Array<uint32_t> heads_;  // a power of two
+  Array<Level> levels_;    // the first are in use
+  uint32_t level_count_ = 0;
+};
+
+}  // namespace dsw

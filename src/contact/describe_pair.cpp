@@ -1,0 +1,130 @@
+#include "contact/describe_pair.h"
+
+#include <algorithm>
+
+#include "base/vec.h"
+#include "contact/describe.h"
+#include "predicates/filtered.h"
+#include "predicates/plane_hit.h"
+
+namespace dsw {
+namespace {
+
+/** `chosen` turned against the motion; where there is none, against the motion itself. */
+Vec against(const Vec& chosen, const Vec& move) {
+  if (is_zero(chosen)) return -1.0 * unit(move);
+  return (dot(chosen, move) > 0 ? -1.0 : 1.0) * chosen;
+}
+
+/** What a motion has across a line, turned round. */
+Vec back_across(const Vec& move, const Vec& line) {
+  const Vec along = unit(line), way = unit(move);
+  return against(unit(way - dot(way, along) * along), move);
+}
+
+/** Of the face, towards where the vertex comes from. */
+Vec face_normal(const double* const* corners, const double* p, const Vec& move) {
+  double normal[3];
+  unit_normal<3>(corners, normal);
+  const int side = orient<3>(corners, p);
+  if (side == 0) return against(to_vec(normal), move);
+  return (side < 0 ? -1.0 : 1.0) * to_vec(normal);
+}
+
+/** Where segment a b pierces the swept triangle; not both of its ends are in that plane. */
+void piercing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
+  const double* const swept[3] = {m.p, m.to, m.q};
+  if (orient<3>(swept, b) - orient<3>(swept, a) < 0) std::swap(a, b);
+  point_at<3>(a, b, crossing_time<3>(a, b, swept), point);
+}
+
+/** The points of what is touched, one to three. */
+struct Touched {
+  const double* at[3] = {};
+
+  explicit Touched(const PairContact& met) {
+    const Body& other = *met.other.body;
+    const uint32_t* const names = met.part == PartKind::kVertex ? &met.index
+                                  : met.part == PartKind::kEdge ? other.edges[met.index].ends
+                                                                : other.faces[met.index].corners;
+    const int count = 1 + static_cast<int>(met.part);
+    for (int k = 0; k < 3; ++k) at[k] = other.position(names[std::min(k, count - 1)]);
+  }
+};
+
+/** Point, place along the edge and normal of an edge, or of a vertex alone, on an edge or a vertex. */
+void describe_edge(const PairContact& met, const EdgeMotion& m, const Touched& touched, dsw_contact& contact) {
+  const double *const a = touched.at[0], *const b = touched.at[1];
+  const Vec move = difference(m.to, m.p), edge = difference(m.q, contact.position), other = difference(b, a);
+  Vec normal;
+  if (met.place == TouchPlace::kInside) {
+    piercing_point(m, a, b, contact.point);
+    normal = against(unit(cross(unit(edge), unit(other))), move);
+  } else if (met.place == TouchPlace::kVertex) {
+    normal = back_across(move, other);
+  } else {
+    std::copy_n(met.place == TouchPlace::kFirst ? a : b, 3, contact.point);
+    normal = back_across(move, edge);
+  }
+  if (met.edge != kNone) contact.along = share_along(contact.position, m.q, contact.point);
+  store(normal + Vec{}, contact.normal);  // never -0
+}
+
+}  // namespace
+
+dsw_contact describe(const Environment<3>& env, const Body& body, uint32_t v, const double* to,
+                     const PairContact& met) {
+  dsw_contact contact{};
+  const double* const from = body.position(v);
+  std::copy_n(from, 3, contact.from);
+  std::copy_n(to, 3, contact.to);
+  contact.vertex = vertex_id(body, v);
+  contact.front = volume_id(env.map, body.vertices[v].cell);
+  contact.time = met.time;
+  point_at<3>(from, to, met.time, contact.position);
+  std::copy_n(contact.position, 3, contact.point);
+  const Touched touched(met);
+  const Vec move = difference(to, from);
+  if (met.face != kNone) {
+    const BodyFace& face = body.faces[met.face];
+    const double *const q = body.position(face.after(v)), *const r = body.position(face.before(v));
+    contact.face = face_id(body, met.face);
+    std::copy_n(q, 3, contact.fixed[0]);
+    std::copy_n(r, 3, contact.fixed[1]);
+    std::copy_n(touched.at[0], 3, contact.point);
+    const Vec across = cross(unit(difference(q, contact.position)), unit(difference(r, contact.position)));
+    store(against(unit(across), move) + Vec{}, contact.normal);
+  } else if (met.part == PartKind::kFace) {
+    store(face_normal(touched.at, from, move) + Vec{}, contact.normal);
+  } else {
+    const double* q = from;
+    if (met.edge != kNone) {
+      contact.edge = edge_id(body, met.edge);
+      q = body.position(body.edges[met.edge].other(v));
+      std::copy_n(q, 3, contact.fixed[0]);
+    }
+    describe_edge(met, {from, to, q}, touched, contact);
+  }
+  contact.kind = met.part == PartKind::kVertex ? DSW_CONTACT_VERTEX
+                 : met.part == PartKind::kEdge ? DSW_CONTACT_EDGE
+                                               : DSW_CONTACT_PLANE;
+  return contact;
+}
+
+dsw_contact_partner partner_of(const PairContact& met) noexcept {
+  dsw_contact_partner partner{};
+  const Body& other = *met.other.body;
+  partner.body = {met.other.index, met.other.generation};
+  if (met.part == PartKind::kVertex) partner.vertex = vertex_id(other, met.index);
+  if (met.part == PartKind::kEdge) partner.edge = edge_id(other, met.index);
+  if (met.part == PartKind::kFace) partner.face = face_id(other, met.index);
+  return partner;
+}
+
+uint64_t part_key(const dsw_contact_partner& partner) noexcept {
+  if (partner.vertex.generation != 0) return uint64_t{1} << 32 | partner.vertex.index;
+  if (partner.edge.generation != 0) return uint64_t{2} << 32 | partner.edge.index;
+  return uint64_t{3} << 32 | partner.face.index;
+}
+
+}  // namespace dsw

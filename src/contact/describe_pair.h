@@ -1,0 +1,21 @@
+#pragma once
+// A contact of two bodies as a host reads it.
+
+#include "dartsweep/contact.h"
+#include "pairs/pair_sweep.h"
+
+namespace dsw {
+
+template <int D>
+struct Environment;
+
+/** All but `distance_left` and `history` of the contact that vertex v met on its way to `to`. */
+dsw_contact describe(const Environment<3>& env, const Body& body, uint32_t v, const double* to, const PairContact& met);
+
+/** What was touched. */
+dsw_contact_partner partner_of(const PairContact& met) noexcept;
+
+/** Names a part of a body in 64 bits, to see it again. */
+uint64_t part_key(const dsw_contact_partner& partner) noexcept;
+
+}  // namespace dsw

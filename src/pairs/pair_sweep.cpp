@@ -1,0 +1,172 @@
+// A vertex against faces, edges against edges and faces against vertices find every first touch, since what stands apart first
+// touches with the boundary of one of both. Vertices without edges are edges of no length.
+
+#include "pairs/pair_sweep.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace dsw {
+namespace {
+
+/** Calls visit(touch) for all that is touched, until it returns false. */
+template <class Visit>
+class StarTouches {
+ public:
+  StarTouches(const Partners& partners, const Body& body, uint32_t v, const double* to, Visit visit)
+      : partners_(partners), body_(body), v_(v), p_(body.position(v)), to_(to), visit_(visit) {}
+
+  /** Whether visit never returned false. */
+  bool run() {
+    for (const Partner& partner : partners_.all) {
+      self_ = partner.body == &body_;
+      const bool seen = self_ ? body_.filter.self : body_.filter.sees(partner.body->filter);
+      other_ = &partner;
+      if (seen && !meet(*partner.body)) return false;
+    }
+    return true;
+  }
+
+ private:
+  bool meet(const Body& other) {
+    if (!meet_with_vertex(other)) return false;
+    if (!covers_edges(body_.level)) return true;
+    bool go_on = true;
+    for_each_edge(body_, v_, [&](uint32_t e) { return go_on = meet_with_edge(other, e); });
+    if (!go_on || !covers_faces(body_.level)) return go_on;
+    for_each_face(body_, v_, [&](uint32_t f) { return go_on = meet_with_face(other, f); });
+    return go_on;
+  }
+
+  bool meet_with_vertex(const Body& other) {
+    Box box;
+    box.add(p_);
+    box.add(to_);
+    const BodyBoxes& boxes = other.boxes[0];
+    if (!boxes.bounds.overlaps(box)) return true;
+    PairContact touch;
+    const auto face = [&](uint32_t f) {
+      const uint32_t* const c = other.faces[f].corners;
+      if (self_ && std::find(c, c + 3, v_) != c + 3) return true;
+      const double* const at[3] = {other.position(c[0]), other.position(c[1]), other.position(c[2])};
+      touch.time = vertex_touch(p_, to_, at);
+      return report(touch, PartKind::kFace, f);
+    };
+    if (covers_faces(other.level) && !boxes.faces.visit(box, face)) return false;
+    if (covers_edges(body_.level) && body_.vertices[v_].first_edge != kNone) return true;
+    const EdgeMotion alone{p_, to_, p_};
+    const auto vertex = [&](uint32_t w) {
+      return (self_ && w == v_) || report_edge(touch, alone, other, PartKind::kVertex, w, w, w);
+    };
+    if (!single_vertices(other, other.level).visit(box, vertex)) return false;
+    const auto edge = [&](uint32_t e) { return report_edge(touch, alone, other, PartKind::kEdge, e); };
+    return !covers_edges(other.level) || boxes.edges.visit(box, edge);
+  }
+
+  bool meet_with_edge(const Body& other, uint32_t e) {
+    const uint32_t q = body_.edges[e].other(v_);
+    const EdgeMotion m{p_, to_, body_.position(q)};
+    Box box;
+    for (const double* each : {m.p, m.to, m.q}) box.add(each);
+    const BodyBoxes& boxes = other.boxes[0];
+    if (!boxes.bounds.overlaps(box)) return true;
+    PairContact touch;
+    touch.edge = e;
+    const auto vertex = [&](uint32_t w) {
+      return (self_ && (w == v_ || w == q)) || report_edge(touch, m, other, PartKind::kVertex, w, w, w);
+    };
+    if (!single_vertices(other, other.level).visit(box, vertex)) return false;
+    const auto edge = [&](uint32_t x) {
+      const uint32_t a = other.edges[x].ends[0], b = other.edges[x].ends[1];
+      const bool at_v = self_ && (a == v_ || b == v_), at_q = self_ && (a == q || b == q);
+      if (!at_v && !at_q) return report_edge(touch, m, other, PartKind::kEdge, x, a, b);
+      if (at_v && at_q) return true;
+      // They have one vertex in common: the other end of each meets the other one.
+      const uint32_t far = a == (at_v ? v_ : q) ? b : a;
+      if (!report_edge(touch, m, other, PartKind::kVertex, far, far, far)) return false;
+      PairContact of_vertex;
+      return at_v || report_edge(of_vertex, {p_, to_, p_}, other, PartKind::kEdge, x, a, b);
+    };
+    return !covers_edges(other.level) || boxes.edges.visit(box, edge);
+  }
+
+  bool meet_with_face(const Body& other, uint32_t f) {
+    const uint32_t q = body_.faces[f].after(v_), r = body_.faces[f].before(v_);
+    const FaceMotion m{p_, to_, body_.position(q), body_.position(r)};
+    Box box;
+    for (const double* each : {m.p, m.to, m.q, m.r}) box.add(each);
+    const BodyBoxes& boxes = other.boxes[0];
+    PairContact touch;
+    touch.face = f;
+    const auto vertex = [&](uint32_t w) {
+      if (self_ && (w == v_ || w == q || w == r)) return true;
+      touch.time = face_touch(m, other.position(w));
+      return report(touch, PartKind::kVertex, w);
+    };
+    return !boxes.bounds.overlaps(box) || boxes.vertices.visit(box, vertex);
+  }
+
+  bool report_edge(PairContact& touch, const EdgeMotion& m, const Body& other, PartKind part, uint32_t index) {
+    return report_edge(touch, m, other, part, index, other.edges[index].ends[0], other.edges[index].ends[1]);
+  }
+  bool report_edge(PairContact& touch, const EdgeMotion& m, const Body& other, PartKind part, uint32_t index,
+                   uint32_t a, uint32_t b) {
+    const EdgeTouch found = edge_touch(m, other.position(a), other.position(b));
+    touch.time = found.time;
+    touch.place = found.place;
+    return report(touch, part, index);
+  }
+  bool report(PairContact& touch, PartKind part, uint32_t index) {
+    if (touch.time == kNever) return true;
+    touch.other = *other_;
+    touch.part = part;
+    touch.index = index;
+    return visit_(touch);
+  }
+
+  const Partners& partners_;
+  const Body& body_;
+  uint32_t v_;
+  const double* p_;
+  const double* to_;
+  Visit visit_;
+  const Partner* other_ = nullptr;
+  bool self_ = false;
+};
+
+template <class Visit>
+bool for_each_touch(const Partners& partners, const Body& body, uint32_t v, const double* to, Visit visit) {
+  return StarTouches<Visit>(partners, body, v, to, visit).run();
+}
+
+/** The vertex, then edges, then faces. */
+std::pair<uint32_t, uint32_t> moving_part(const PairContact& c) noexcept {
+  if (c.edge != kNone) return {1, c.edge};
+  return c.face != kNone ? std::make_pair(2u, c.face) : std::make_pair(0u, 0u);
+}
+
+bool comes_before(const PairContact& a, const PairContact& b) noexcept {
+  const auto key = [](const PairContact& c) {
+    return std::make_tuple(c.time, moving_part(c), c.other.index, c.part, c.index);
+  };
+  return key(a) < key(b);
+}
+
+}  // namespace
+
+bool is_way_apart(const Partners& partners, const Body& body, uint32_t v, const double* to) noexcept {
+  if (!partners.reach.contains(to)) return false;
+  return for_each_touch(partners, body, v, to, [](const PairContact&) { return false; });
+}
+
+bool find_first_pair(const Partners& partners, const Body& body, uint32_t v, const double* to,
+                     PairContact* first) noexcept {
+  *first = PairContact();
+  for_each_touch(partners, body, v, to, [&](const PairContact& touch) {
+    if (comes_before(touch, *first)) *first = touch;
+    return true;
+  });
+  return first->time != kNever;
+}
+
+}  // namespace dsw

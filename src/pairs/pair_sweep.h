@@ -1,0 +1,29 @@
+#pragma once
+// What of other bodies, or of its own, a body touches when one of its vertices moves and everything else stands still [JCD10] 4.4.
+
+#include "pairs/partners.h"
+#include "predicates/touch.h"
+
+namespace dsw {
+
+enum class PartKind : uint32_t { kVertex, kEdge, kFace };
+
+/** A touch of what moves and what stands. */
+struct PairContact {
+  double time = kNever;
+  TouchPlace place = TouchPlace::kInside;  // of two edges
+  uint32_t edge = kNone, face = kNone;     // what moves; both kNone: the vertex itself
+  Partner other = {nullptr, 0, 0};
+  PartKind part = PartKind::kVertex;  // of the other one
+  uint32_t index = kNone;
+};
+
+/** Whether vertex v can go to `to`, within reach, without touching anything. noexcept: looks at boxes alone. */
+bool is_way_apart(const Partners& partners, const Body& body, uint32_t v, const double* to) noexcept;
+
+/** What is touched first on that way. Of equal times, as they are rounded, the vertex before edges before faces, then the other
+ * body with the lowest index and of its parts vertices before edges before faces, all by index. */
+bool find_first_pair(const Partners& partners, const Body& body, uint32_t v, const double* to,
+                     PairContact* first) noexcept;
+
+}  // namespace dsw

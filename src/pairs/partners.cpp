@@ -1,0 +1,109 @@
+#include "pairs/partners.h"
+
+#include "predicates/touch.h"
+
+namespace dsw {
+namespace {
+
+bool is_corner(const BodyFace& face, uint32_t v) {
+  return face.corners[0] == v || face.corners[1] == v || face.corners[2] == v;
+}
+
+/** Of one body, the segment's own if `self`. */
+class Segment {
+ public:
+  Segment(const Body& other, bool self, const Corner& a, const Corner& b) : other_(other), self_(self), a_(a), b_(b) {
+    box_.add(a.at);
+    box_.add(b.at);
+  }
+
+  bool is_apart() const noexcept {
+    if (!other_.boxes[0].bounds.overlaps(box_)) return true;
+    const auto past_vertex = [&](uint32_t v) { return is_own(v) || !touches(other_.position(v), other_.position(v)); };
+    if (!single_vertices(other_, other_.level).visit(box_, past_vertex)) return false;
+    const auto past_edge = [&](uint32_t e) { return is_past_edge(other_.edges[e]); };
+    if (covers_edges(other_.level) && !other_.boxes[0].edges.visit(box_, past_edge)) return false;
+    const auto past_face = [&](uint32_t f) { return is_past_face(other_.faces[f]); };
+    return !covers_faces(other_.level) || other_.boxes[0].faces.visit(box_, past_face);
+  }
+
+ private:
+  bool is_own(uint32_t v) const noexcept { return self_ && (v == a_.vertex || v == b_.vertex); }
+  bool touches(const double* c, const double* d) const noexcept { return segments_touch(a_.at, b_.at, c, d); }
+
+  bool is_past_edge(const BodyEdge& edge) const noexcept {
+    const uint32_t c = edge.ends[0], d = edge.ends[1];
+    const bool own_c = is_own(c), own_d = is_own(d);
+    if (!own_c && !own_d) return !touches(other_.position(c), other_.position(d));
+    if (own_c && own_d) return true;
+    // They have one vertex in common: the other end of each is apart from the other one.
+    const uint32_t common = own_c ? c : d, far = own_c ? d : c;
+    if (touches(other_.position(far), other_.position(far))) return false;
+    const Corner& own_far = a_.vertex == common ? b_ : a_;
+    return own_far.vertex == common || !segments_touch(own_far.at, own_far.at, other_.position(c), other_.position(d));
+  }
+
+  bool is_past_face(const BodyFace& face) const noexcept {
+    const double* const corners[3] = {other_.position(face.corners[0]), other_.position(face.corners[1]),
+                                      other_.position(face.corners[2])};
+    const bool has_a = self_ && is_corner(face, a_.vertex), has_b = self_ && is_corner(face, b_.vertex);
+    if (has_a && has_b) return true;
+    return !triangle_touches(corners, has_a ? b_.at : a_.at, has_b ? a_.at : b_.at);
+  }
+
+  const Body& other_;
+  bool self_;
+  Corner a_, b_;
+  Box box_;
+};
+
+/** Calls visit(other, self) for each that is seen, until it returns false. */
+template <class Visit>
+bool for_each_seen(const Partners& partners, const Body& body, Visit visit) {
+  for (const Partner& partner : partners.all) {
+    const bool self = partner.body == &body;
+    const bool seen = self ? body.filter.self : body.filter.sees(partner.body->filter);
+    if (seen && !visit(*partner.body, self)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool is_segment_apart(const Partners& partners, const Body& body, const Corner& a, const Corner& b) noexcept {
+  return for_each_seen(partners, body,
+                       [&](const Body& other, bool self) { return Segment(other, self, a, b).is_apart(); });
+}
+
+bool is_triangle_apart(const Partners& partners, const Body& body, const Corner* corners) noexcept {
+  const double* const at[3] = {corners[0].at, corners[1].at, corners[2].at};
+  Box box;
+  for (const double* each : at) box.add(each);
+  return for_each_seen(partners, body, [&](const Body& other, bool self) {
+    if (!other.boxes[0].bounds.overlaps(box)) return true;
+    const auto is_own = [&](uint32_t v) {
+      return self && (v == corners[0].vertex || v == corners[1].vertex || v == corners[2].vertex);
+    };
+    const auto past = [&](uint32_t c, uint32_t d) {
+      const bool own_c = is_own(c), own_d = is_own(d);
+      if (own_c && own_d) return true;
+      return !triangle_touches(at, other.position(own_c ? d : c), other.position(own_d ? c : d));
+    };
+    const auto past_vertex = [&](uint32_t v) { return past(v, v); };
+    if (!single_vertices(other, other.level).visit(box, past_vertex)) return false;
+    const auto past_edge = [&](uint32_t e) { return past(other.edges[e].ends[0], other.edges[e].ends[1]); };
+    return !covers_edges(other.level) || other.boxes[0].edges.visit(box, past_edge);
+  });
+}
+
+bool is_tetrahedron_apart(const Partners& partners, const Body& body, const double* const* corners) noexcept {
+  Box box;
+  for (int k = 0; k < 4; ++k) box.add(corners[k]);
+  return for_each_seen(partners, body, [&](const Body& other, bool) {
+    const FaceMotion swept{corners[0], corners[1], corners[2], corners[3]};
+    return other.boxes[0].vertices.visit(box,
+                                         [&](uint32_t v) { return face_touch(swept, other.position(v)) == kNever; });
+  });
+}
+
+}  // namespace dsw

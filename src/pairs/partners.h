@@ -1,0 +1,70 @@
+#pragma once
+// The bodies that one may meet, and whether something that stands still is apart from them.
+
+#include "body/body.h"
+
+namespace dsw {
+
+struct Partner {
+  const Body* body;
+  uint32_t index, generation;  // how the host names it
+};
+
+/** What a body may meet on its way. It may stand in its own list: whether it sees itself its filter says. */
+struct Partners {
+  Array<Partner> all;
+  Box reach = Box::everything();  // the body does not leave it: all that is met there is in the list
+
+  explicit Partners(const Memory* memory) : all(Allocator<Partner>(memory)) {}
+};
+
+/** Parts of a body meet those of another that its level covers; of its own those with no vertex in common. */
+inline bool covers_edges(SweepLevel level) { return level >= SweepLevel::kEdges; }
+inline bool covers_faces(SweepLevel level) { return level == SweepLevel::kFaces; }
+/** Vertices that no edge stands for. */
+inline const BoxGrid& single_vertices(const Body& body, SweepLevel level) {
+  return covers_edges(level) ? body.boxes[0].loners : body.boxes[0].vertices;
+}
+
+/** A place between vertices of a body, or beside them: kNone. */
+struct Corner {
+  const double* at;
+  uint32_t vertex;
+};
+
+/** Whether a segment of a body, of which both ends may be one, touches none of the partners. */
+bool is_segment_apart(const Partners& partners, const Body& body, const Corner& a, const Corner& b) noexcept;
+/** Whether the inside of a triangle does; that of its edges is known. */
+bool is_triangle_apart(const Partners& partners, const Body& body, const Corner* corners) noexcept;
+/** Whether the inside of a tetrahedron does; that of its faces is known. */
+bool is_tetrahedron_apart(const Partners& partners, const Body& body, const double* const* corners) noexcept;
+
+/** Looks at all that a level covers of a body; calls blocked(a, b) with two vertices of each part that is not apart until it returns
+ * false. Whether all of it is apart. O(size of the body + what is near). */
+template <class Blocked>
+bool is_body_apart(const Partners& partners, const Body& body, SweepLevel level, Blocked blocked) {
+  const auto corner = [&](uint32_t v) { return Corner{body.position(v), v}; };
+  bool apart = true;
+  const auto judge = [&](bool is_apart, uint32_t a, uint32_t b) {
+    apart = apart && is_apart;
+    return is_apart || blocked(a, b);
+  };
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    const bool single = body.has_vertex(v) && (!covers_edges(level) || body.vertices[v].first_edge == kNone);
+    if (single && !judge(is_segment_apart(partners, body, corner(v), corner(v)), v, v)) return false;
+  }
+  for (uint32_t e = 0; covers_edges(level) && e < body.edges.size(); ++e) {
+    if (!body.has_edge(e)) continue;
+    const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
+    if (!judge(is_segment_apart(partners, body, corner(a), corner(b)), a, b)) return false;
+  }
+  for (uint32_t f = 0; covers_faces(level) && f < body.faces.size(); ++f) {
+    if (!body.has_face(f)) continue;
+    const uint32_t* const c = body.faces[f].corners;
+    const Corner corners[3] = {corner(c[0]), corner(c[1]), corner(c[2])};
+    if (!judge(is_triangle_apart(partners, body, corners), c[0], c[1])) return false;
+  }
+  return apart;
+}
+
+}  // namespace dsw

@@ -1,0 +1,149 @@
+#include "scene/meeting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "scene/scene.h"
+
+namespace dsw {
+namespace {
+
+constexpr double kRoom = 0x1p-20;  // beside a box, as a share of it
+
+Box with_room(const Box& box) noexcept {
+  Box wide = box;
+  for (int k = 0; k < 3; ++k) {
+    const double room = kRoom * (box.upper[k] - box.lower[k]);
+    wide.lower[k] -= room;
+    wide.upper[k] += room;
+  }
+  return wide;
+}
+
+Partner name(const Scene<3>& scene, uint32_t slot) {
+  return {&scene.bodies[slot].body, slot, scene.body_slots.generation(slot)};
+}
+
+uint32_t slot_of(const Scene<3>& scene, const BodyRecord& record) {
+  return static_cast<uint32_t>(&record - scene.bodies.data());
+}
+
+/** The lowest of those joined with i. */
+uint32_t root_of(Array<uint32_t>& roots, uint32_t i) noexcept {
+  while (roots[i] != i) i = roots[i] = roots[roots[i]];
+  return i;
+}
+
+void join(Array<uint32_t>& roots, uint32_t i, uint32_t j) noexcept {
+  const uint32_t a = root_of(roots, i), b = root_of(roots, j);
+  roots[std::max(a, b)] = std::min(a, b);
+}
+
+}  // namespace
+
+void note_body(Scene<3>& scene, uint32_t slot) noexcept {
+  if (scene.features.contacts) scene.body_boxes.put(slot, scene.bodies[slot].body.boxes[0].bounds);
+}
+
+void settle_body(Scene<3>& scene, BodyRecord& of) noexcept {
+  if (!scene.features.contacts) return;
+  tighten_bounds(of.body);
+  note_body(scene, slot_of(scene, of));
+}
+
+Box reach_of(const Body& body) noexcept { return with_room(body.boxes[0].bounds); }
+
+Box reach_of(const Body& body, PointArray targets, MoveOrder order, bool slides) noexcept {
+  Box box = body.boxes[0].bounds;
+  const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
+    if (!body.has_vertex(v)) continue;
+    box.add(targets[v]);
+    if (!slides) continue;
+    // One that slides gets no farther from its target, but for stand-offs.
+    double way = 0;
+    for (int k = 0; k < 3; ++k) way = std::max(way, std::fabs(targets[v][k] - body.position(v)[k]));
+    double low[3], high[3];
+    for (int k = 0; k < 3; ++k) {
+      low[k] = targets[v][k] - 2 * way;
+      high[k] = targets[v][k] + 2 * way;
+    }
+    box.add(low);
+    box.add(high);
+  }
+  return with_room(box);
+}
+
+void find_partners(const Scene<3>& scene, const Body& body, const Box& reach, Partners& partners) {
+  partners.all.clear();
+  partners.reach = reach;
+  scene.body_boxes.visit(reach, [&](uint32_t slot) {
+    const Body& other = scene.bodies[slot].body;
+    if (&other == &body ? body.filter.self : body.filter.sees(other.filter)) partners.all.push_back(name(scene, slot));
+    return true;
+  });
+}
+
+void check_apart(Scene<3>& scene, const Body& body, SweepLevel level) {
+  if (!scene.features.contacts) return;
+  Partners partners(scene.memory);
+  find_partners(scene, body, reach_of(body), partners);
+  // One that is being made is not in the scene yet.
+  const auto is_itself = [&](const Partner& each) { return each.body == &body; };
+  const bool listed = std::any_of(partners.all.begin(), partners.all.end(), is_itself);
+  if (body.filter.self && !listed) partners.all.push_back({&body, kNone, 0});
+  is_body_apart(partners, body, level, [&](uint32_t a, uint32_t b) {
+    scene.offending.push_back(a);
+    scene.offending.push_back(b);
+    return true;
+  });
+  if (scene.offending.empty()) return;
+  fail(DSW_STATUS_OCCUPIED,
+       "%zu vertices, edges or faces touch other parts of bodies; the first has vertices %u and %u",
+       scene.offending.size() / 2, scene.offending[0], scene.offending[1]);
+}
+
+void find_islands(const Scene<3>& scene, BodyRecord* const* moving, size_t count, PointArray targets,
+                  const size_t* first_target, bool slides, Islands& islands) {
+  Array<uint32_t> roots(count, 0, Allocator<uint32_t>(scene.memory));
+  std::iota(roots.begin(), roots.end(), 0u);
+  if (scene.features.contacts) {
+    BoxGrid reaches(scene.memory);
+    reaches.reserve(count);
+    Array<bool> moves(scene.bodies.size(), false, Allocator<bool>(scene.memory));
+    islands.partners.assign(count, Partners(scene.memory));
+    for (uint32_t i = 0; i < count; ++i) {
+      const PointArray own{targets.data + first_target[i] * targets.step, targets.step};
+      islands.partners[i].reach = reach_of(moving[i]->body, own, {}, slides);
+      reaches.put(i, islands.partners[i].reach);
+      moves[slot_of(scene, *moving[i])] = true;
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+      Partners& partners = islands.partners[i];
+      const ContactFilter& filter = moving[i]->body.filter;
+      find_partners(scene, moving[i]->body, partners.reach, partners);
+      const auto gone = std::remove_if(partners.all.begin(), partners.all.end(),
+                                       [&](const Partner& each) { return moves[each.index]; });
+      partners.all.erase(gone, partners.all.end());
+      reaches.visit(partners.reach, [&](uint32_t j) {
+        if (i == j ? !filter.self : !filter.sees(moving[j]->body.filter)) return true;
+        partners.all.push_back(name(scene, slot_of(scene, *moving[j])));
+        join(roots, i, j);
+        return true;
+      });
+    }
+  }
+  islands.bodies.resize(count);
+  std::iota(islands.bodies.begin(), islands.bodies.end(), 0u);
+  for (uint32_t i = 0; i < count; ++i) roots[i] = root_of(roots, i);
+  std::sort(islands.bodies.begin(), islands.bodies.end(),
+            [&](uint32_t i, uint32_t j) { return roots[i] != roots[j] ? roots[i] < roots[j] : i < j; });
+  for (uint32_t k = 0; k < count; ++k) {
+    if (roots[islands.bodies[k]] == islands.bodies[k]) islands.first.push_back(k);
+  }
+  islands.first.push_back(static_cast<uint32_t>(count));
+}
+
+}  // namespace dsw

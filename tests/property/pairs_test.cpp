@@ -1,0 +1,176 @@
+// Bodies against bodies and against themselves: every move of a vertex is compared with all parts against all parts, over GMP.
+#include "pairs_support.h"
+
+namespace dsw::oracle {
+namespace {
+
+struct Kind {
+  const char* name;
+  int exponent;  // coordinates are scaled by 2^exponent
+  bool lattice;  // they are multiples of a quarter
+  bool self;
+};
+std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << kind.name; }
+
+struct Counts {
+  int moves = 0, contacts = 0, missed = 0, false_ones = 0, late = 0, not_free = 0, wrong_part = 0;
+};
+
+constexpr int kMoves = 120;  // rationals are slow
+
+class PairsTest : public testing::TestWithParam<Kind> {
+ protected:
+  void SetUp() override {
+    scale_ = std::ldexp(1.0, GetParam().exponent);
+    place_ = place_of(hex_grid(axis(4, scale_), axis(4, scale_), axis(4, scale_)));
+    ASSERT_PLACE(place_);
+    scene_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS);
+  }
+
+  Vec place() {
+    const bool lattice = GetParam().lattice || rng_.below(3) == 0;
+    Vec p;
+    for (double& x : p)
+      x = scale_ * (lattice ? 0.25 * static_cast<double>(1 + rng_.below(15)) : rng_.range(0.01, 3.99));
+    return p;
+  }
+  Vec near(const Vec& p, double reach) {
+    Vec q = place();
+    for (size_t k = 0; k < 3; ++k) {
+      q[k] = p[k] + std::max(-reach * scale_, std::min(reach * scale_, q[k] - p[k]));
+      q[k] = std::max(0.01 * scale_, std::min(3.99 * scale_, q[k]));
+    }
+    return q;
+  }
+
+  /// Points, a wire, a strip of triangles or the surface of a tetrahedron.
+  BodyPlan plan() {
+    const Vec at = place();
+    const uint64_t kind = rng_.below(5);
+    BodyPlan plan;
+    const size_t count = kind == 3 ? 4 : 3 + rng_.below(4);
+    for (size_t i = 0; i < count; ++i) plan.at.push_back(i == 0 ? at : near(plan.at.back(), 0.75));
+    if (kind == 3) {
+      plan.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    } else if (kind == 0) {
+      plan.edges = {{0, 1}};  // and vertices alone
+    } else if (kind == 1) {
+      for (uint32_t i = 1; i < count; ++i) plan.edges.push_back({i - 1, i});
+    } else {
+      for (uint32_t i = 2; i < count; ++i)
+        plan.faces.push_back(i % 2 == 0 ? std::vector<uint32_t>{i - 2, i - 1, i}
+                                        : std::vector<uint32_t>{i - 1, i - 2, i});
+    }
+    return plan;
+  }
+
+  void fill(size_t count) {
+    for (int tries = 0; tries < 300 && bodies_.size() < count; ++tries) {
+      Meeting body;
+      const BodyPlan made = plan();
+      body.level = tries % 4 == 0 ? static_cast<dsw_level>(1 + rng_.below(4)) : DSW_LEVEL_FACES;
+      body.self = GetParam().self;
+      const dsw_status status =
+          create_body(scene_.get(), made, body.level, body.self ? DSW_BODY_SELF_CONTACTS : 0, {}, &body.id);
+      if (status == DSW_STATUS_OCCUPIED) {
+        ++refused_;
+        continue;
+      }
+      ASSERT_EQ(status, DSW_STATUS_OK) << dsw_last_error_message();
+      bodies_.push_back(body);
+      ASSERT_EQ(read_body(scene_.get(), body.id, bodies_.back().state), "");
+    }
+  }
+
+  /// Moves one vertex and looks what is true of it.
+  void move(size_t b, uint32_t v, const Vec& to) {
+    Meeting& body = bodies_[b];
+    if (body.state.at[v] == to) return;
+    const TouchTruth truth = truth_of_move(bodies_, b, v, to);
+    std::vector<Vec> targets = body.state.at;
+    targets[v] = to;
+    dsw_move_options options = default_options();
+    options.order = &v;
+    options.order_count = 1;
+    BodyAnswer answer;
+    ASSERT_EQ(move_body(scene_.get(), body.id, targets, &options, answer), "");
+    const dsw_contact_partner* partners = nullptr;
+    size_t count = 0;
+    ASSERT_EQ(dsw_body_get_contact_partners(scene_.get(), body.id, &partners, &count), DSW_STATUS_OK);
+    ASSERT_EQ(count, answer.contacts.size());
+    ++counts_.moves;
+    counts_.not_free += truth.at_start ? 1 : 0;
+    counts_.missed += truth.touches && answer.contacts.empty() ? 1 : 0;
+    counts_.false_ones += !truth.touches && !answer.contacts.empty() ? 1 : 0;
+    if (truth.touches && !answer.contacts.empty()) {
+      ++counts_.contacts;
+      const dsw_contact& contact = answer.contacts[0];
+      counts_.late += is_time(contact.time, truth.time) ? 0 : 1;
+      counts_.wrong_part += is_named_part(body, v, to, contact, partners[0]) ? 0 : 1;
+      const Vec reached = answer.after.at[v];
+      if (reached != body.state.at[v]) counts_.not_free += truth_of_move(bodies_, b, v, reached).touches ? 1 : 0;
+    } else {
+      EXPECT_EQ(answer.after.at[v], to);
+    }
+    body.state = answer.after;
+  }
+
+  /// Whether the parts that are named touch at that time.
+  bool is_named_part(const Meeting& body, uint32_t v, const Vec& to, const dsw_contact& contact,
+                     const dsw_contact_partner& partner) {
+    const auto other = std::find_if(bodies_.begin(), bodies_.end(), [&](const Meeting& each) {
+      return each.id.index == partner.body.index && each.id.generation == partner.body.generation;
+    });
+    if (other == bodies_.end() || contact.vertex.index != v) return false;
+    const auto part = [](const BodyState& s, dsw_body_vertex_id vertex, dsw_body_edge_id edge, dsw_body_face_id face) {
+      for (size_t e = 0; e < s.edges.size(); ++e) {
+        if (edge.generation != 0 && s.edge_ids[e].index == edge.index) return Part{{s.edges[e][0], s.edges[e][1]}};
+      }
+      for (size_t f = 0; f < s.faces.size(); ++f) {
+        if (face.generation != 0 && s.face_ids[f].index == face.index) {
+          return Part{{s.faces[f][0], s.faces[f][1], s.faces[f][2]}};
+        }
+      }
+      return Part{{vertex.index}};
+    };
+    const Part moving = part(body.state, contact.vertex, contact.edge, contact.face);
+    const Part still = part(other->state, partner.vertex, partner.edge, partner.face);
+    const TouchTruth truth = truth_of_parts(body, moving, v, to, *other, still);
+    return truth.touches && is_time(contact.time, truth.time);
+  }
+
+  double scale_ = 1;
+  Rng rng_{17};
+  Place place_;
+  ScenePtr scene_;
+  std::vector<Meeting> bodies_;
+  Counts counts_;
+  int refused_ = 0;
+};
+INSTANTIATE_TEST_SUITE_P(All, PairsTest,
+                         testing::Values(Kind{"Places", 0, false, false}, Kind{"Lattice", 0, true, false},
+                                         Kind{"Huge", 332, false, false}, Kind{"Tiny", -332, true, false},
+                                         Kind{"Self", 0, false, true}, Kind{"SelfOnLattice", 0, true, true}),
+                         [](const auto& i) { return i.param.name; });
+
+TEST_P(PairsTest, EveryMoveEndsAsAllPartsAgainstAllPartsSay) {
+  fill(12);
+  ASSERT_GT(bodies_.size(), 4u);
+  EXPECT_GT(refused_, 0);
+  for (int i = 0; i < kMoves && !HasFatalFailure(); ++i) {
+    SCOPED_TRACE(i);
+    const size_t b = rng_.below(bodies_.size());
+    const auto v = static_cast<uint32_t>(rng_.below(bodies_[b].state.at.size()));
+    move(b, v, near(bodies_[b].state.at[v], 1.5));
+  }
+  EXPECT_GT(counts_.contacts, kMoves / 10);
+  EXPECT_GT(counts_.moves - counts_.contacts, kMoves / 10);
+  EXPECT_EQ(counts_.missed, 0);
+  EXPECT_EQ(counts_.false_ones, 0);
+  EXPECT_EQ(counts_.late, 0);
+  EXPECT_EQ(counts_.not_free, 0);
+  EXPECT_EQ(counts_.wrong_part, 0);
+}
+
+}  // namespace
+}  // namespace dsw::oracle
