@@ -210,7 +210,7 @@ AT(dsw_trace_data, triangles, 72);
 AT(dsw_trace_data, triangle_labels, 80);
 AT(dsw_trace_data, triangle_count, 88);
 
-SIZE(dsw_body_desc, 104);
+SIZE(dsw_body_desc, 112);
 AT(dsw_body_desc, struct_size, 0);
 AT(dsw_body_desc, flags, 4);
 AT(dsw_body_desc, level, 8);
@@ -226,6 +226,8 @@ AT(dsw_body_desc, face_corners, 72);
 AT(dsw_body_desc, face_count, 80);
 AT(dsw_body_desc, face_corner_count, 88);
 AT(dsw_body_desc, motion_share, 96);
+AT(dsw_body_desc, category, 104);
+AT(dsw_body_desc, mask, 108);
 
 SIZE(dsw_body_counts, 32);
 AT(dsw_body_counts, struct_size, 0);
@@ -266,6 +268,12 @@ AT(dsw_contact, kind, 252);
 AT(dsw_contact, cause, 256);
 AT(dsw_contact, tag, 260);
 AT(dsw_contact, history, 264);
+
+SIZE(dsw_contact_partner, 32);
+AT(dsw_contact_partner, body, 0);
+AT(dsw_contact_partner, vertex, 8);
+AT(dsw_contact_partner, edge, 16);
+AT(dsw_contact_partner, face, 24);
 
 SIZE(dsw_contact_opinion, 56);
 AT(dsw_contact_opinion, normal, 0);

@@ -1,5 +1,7 @@
 // Two bodies in easy places: filters, levels, touching, responses, rigid moves, edits, walls, memory, threads.
+#include "deform_support.h"
 #include "host_memory.h"
+#include "pairs_support.h"
 #include "threads.h"
 
 namespace dsw::oracle {
@@ -55,6 +57,62 @@ TEST_F(TwoBodiesTest, AVertexStopsAtAFaceAndSaysWhose) {
   EXPECT_EQ(move(wire, {{2.5, 1.5, 1.5}, {0.5, 1.5, 1.75}}).contacts[0].history, DSW_HISTORY_LASTING);
   dsw_contact_opinion opinion;
   EXPECT_EQ(dsw_contact_check(place_.get(), &c, &opinion), DSW_STATUS_UNSUPPORTED);
+}
+
+TEST_F(TwoBodiesTest, WallsAndBodiesCompeteByTime) {
+  for (const bool body_first : {true, false}) {
+    scene_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS);
+    make(wall(body_first ? 1.75 : 2.25), DSW_LEVEL_FACES);
+    const dsw_body_id point = make({{kLow}, {}, {}}, DSW_LEVEL_POINTS);
+    const dsw_face_id face = face_between(1, 1, 1);
+    ASSERT_EQ(dsw_environment_mark_faces(place_.get(), &face, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+    const BodyAnswer answer = move(point, {kHigh});
+    ASSERT_EQ(answer.contacts.size(), 1u);
+    EXPECT_EQ(answer.contacts[0].point[0], body_first ? 1.75 : 2);
+    EXPECT_EQ(partner(point).body.generation, body_first ? 1u : 0u);
+    EXPECT_EQ(answer.contacts[0].cause, body_first ? DSW_CELL_NONE : DSW_CELL_FACE);
+    ASSERT_EQ(dsw_environment_mark_faces(place_.get(), &face, 1, DSW_MARK_PASSABLE), DSW_STATUS_OK);
+  }
+}
+
+TEST_F(TwoBodiesTest, WallsThatMovePushNoBodyIntoAnother) {
+  size_t pushed = 0;
+  for (const dsw_deform_method method : {DSW_DEFORM_SWEPT, DSW_DEFORM_END_STATE}) {
+    scene_.reset();
+    place_ = place_of(hex_grid(axis(4, 1), axis(4, 1), axis(3, 1)), 0, context_.get());
+    scene_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_DEFORMING);
+    mark_wall(0, 1, 1);
+    mark_wall(2, 1, 1);
+    std::vector<Meeting> bodies(3);
+    const BodyPlan plans[3] = {tetrahedron({1.125, 1.25, 1.25}, 0.5), wall(1.75),
+                               segment({2.25, 1.25, 1.25}, {2.5, 1.75, 1.75})};
+    for (size_t i = 0; i < 3; ++i) bodies[i].id = make(plans[i], DSW_LEVEL_FACES);
+    std::vector<std::vector<double>> arrays;  // all lent
+    Rng rng(9);
+    for (int step = 0; step < 12; ++step) {
+      arrays.push_back(points_of(place_.get()));
+      // The walls close in on what is between them.
+      for (size_t i = 0; i < arrays.back().size(); i += 3) {
+        double& x = arrays.back()[i];
+        if (x > 0.5 && x < 3.5) x += (x < 2 ? 1 : -1) * rng.range(0, 0.12);
+      }
+      dsw_deform_options options;
+      dsw_deform_options_init(&options, sizeof options);
+      options.method = method;
+      options.response = DSW_WALL_PUSH;
+      dsw_deform_report report;
+      ASSERT_EQ(dsw_scene_deform(scene(), arrays.back().data(), arrays.back().size() / 3, &options, &report),
+                DSW_STATUS_OK);
+      pushed += report.pushed_count;
+      for (Meeting& body : bodies) body.state = read(body.id);
+      for (size_t i = 0; i < 3; ++i) {
+        for (size_t j = 0; j < i; ++j) ASSERT_TRUE(are_apart(bodies[i], bodies[j])) << step << " " << i << " " << j;
+      }
+    }
+    scene_.reset();
+    place_.environment.reset();  // before what it reads
+  }
+  EXPECT_GT(pushed, 5u);
 }
 
 TEST_F(TwoBodiesTest, LevelsSayWhatMeets) {

@@ -96,6 +96,18 @@ inline TouchTruth truth_of_move(const std::vector<Meeting>& bodies, size_t mover
   return first;
 }
 
+/// Whether two bodies that stand still have no point in common.
+inline bool are_apart(const Meeting& a, const Meeting& b) {
+  for (const Part& one : a.parts()) {
+    for (const Part& other : b.parts()) {
+      const uint32_t v = one.vertices[0];
+      const TouchTruth truth = truth_of_parts(a, one, v, a.state.at[v], b, other);
+      if (truth.touches || truth.at_start) return false;
+    }
+  }
+  return true;
+}
+
 inline bool is_time(double t, const mpq_class& exact) {
   return mpq_class(t) <= exact && (t == 1 || mpq_class(std::nextafter(t, 2.0)) > exact);
 }

@@ -1,6 +1,8 @@
 // Bodies against bodies and against themselves: every move of a vertex is compared with all parts against all parts, over GMP.
 #include "pairs_support.h"
 
+#include <cstdlib>
+
 namespace dsw::oracle {
 namespace {
 
@@ -16,7 +18,11 @@ struct Counts {
   int moves = 0, contacts = 0, missed = 0, false_ones = 0, late = 0, not_free = 0, wrong_part = 0;
 };
 
-constexpr int kMoves = 120;  // rationals are slow
+/// Rationals are slow: DSW_PAIR_MOVES and DSW_PAIR_SEED ask for more and for others.
+uint64_t from_environment(const char* name, uint64_t otherwise) {
+  const char* const text = std::getenv(name);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
 
 class PairsTest : public testing::TestWithParam<Kind> {
  protected:
@@ -140,7 +146,7 @@ class PairsTest : public testing::TestWithParam<Kind> {
   }
 
   double scale_ = 1;
-  Rng rng_{17};
+  Rng rng_{from_environment("DSW_PAIR_SEED", 17)};
   Place place_;
   ScenePtr scene_;
   std::vector<Meeting> bodies_;
@@ -157,19 +163,58 @@ TEST_P(PairsTest, EveryMoveEndsAsAllPartsAgainstAllPartsSay) {
   fill(12);
   ASSERT_GT(bodies_.size(), 4u);
   EXPECT_GT(refused_, 0);
-  for (int i = 0; i < kMoves && !HasFatalFailure(); ++i) {
+  const int moves = static_cast<int>(from_environment("DSW_PAIR_MOVES", 120));
+  for (int i = 0; i < moves && !HasFatalFailure(); ++i) {
     SCOPED_TRACE(i);
     const size_t b = rng_.below(bodies_.size());
     const auto v = static_cast<uint32_t>(rng_.below(bodies_[b].state.at.size()));
     move(b, v, near(bodies_[b].state.at[v], 1.5));
   }
-  EXPECT_GT(counts_.contacts, kMoves / 10);
-  EXPECT_GT(counts_.moves - counts_.contacts, kMoves / 10);
+  EXPECT_GT(counts_.contacts, moves / 10);
+  EXPECT_GT(counts_.moves - counts_.contacts, moves / 10);
   EXPECT_EQ(counts_.missed, 0);
   EXPECT_EQ(counts_.false_ones, 0);
   EXPECT_EQ(counts_.late, 0);
   EXPECT_EQ(counts_.not_free, 0);
   EXPECT_EQ(counts_.wrong_part, 0);
+}
+
+TEST_P(PairsTest, BodiesStayApartWhateverTheResponse) {
+  fill(12);
+  ASSERT_GT(bodies_.size(), 4u);
+  size_t contacts = 0, edits = 0;
+  for (int round = 0; round < 15; ++round) {
+    SCOPED_TRACE(round);
+    dsw_move_options options = default_options();
+    options.vertex_response = round % 2 == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
+    options.edge_response = static_cast<dsw_response>(round % 5);
+    options.search = static_cast<dsw_search>(round % 3);
+    options.noise_share = round % 4 == 3 ? 0.05 : 0;
+    std::vector<dsw_body_id> ids;
+    std::vector<double> targets;
+    for (Meeting& body : bodies_) {
+      ids.push_back(body.id);
+      for (const Vec& p : body.state.at) {
+        const Vec to = near(p, 0.5);
+        targets.insert(targets.end(), to.begin(), to.end());
+      }
+    }
+    std::vector<dsw_move_report> reports(ids.size());
+    ASSERT_EQ(dsw_scene_move_bodies(scene_.get(), ids.data(), ids.size(), targets.data(), targets.size() / 3, 0,
+                                    &options, reports.data()),
+              DSW_STATUS_OK)
+        << dsw_last_error_message();
+    for (size_t i = 0; i < bodies_.size(); ++i) {
+      ASSERT_EQ(read_body(scene_.get(), ids[i], bodies_[i].state), "");
+      contacts += reports[i].contact_count;
+      edits += reports[i].edit_count;
+    }
+    for (size_t i = 0; i < bodies_.size(); ++i) {
+      for (size_t j = 0; j < i; ++j) ASSERT_TRUE(are_apart(bodies_[i], bodies_[j])) << i << " " << j;
+    }
+  }
+  EXPECT_GT(contacts, 50u);
+  if (!GetParam().self) EXPECT_GT(edits, 0u);
 }
 
 }  // namespace

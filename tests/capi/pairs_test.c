@@ -1,0 +1,143 @@
+/* Bodies that meet each other: every function and every bad argument. */
+#include <string.h>
+
+#include "check.h"
+#include "fixture.h"
+
+static const double square[12] = {2, 1, 1, 2, 2, 1, 2, 2, 2, 2, 1, 2};
+static const uint32_t square_offsets[2] = {0, 4}, square_corners[4] = {0, 1, 2, 3};
+
+static dsw_body_desc square_desc(void) {
+  dsw_body_desc d;
+  dsw_body_desc_init(&d, sizeof d);
+  d.level = DSW_LEVEL_FACES;
+  d.positions = square;
+  d.vertex_count = 4;
+  d.face_offsets = square_offsets;
+  d.face_corners = square_corners;
+  d.face_count = 1;
+  d.face_corner_count = 4;
+  return d;
+}
+
+static void a_contact_names_the_other_body(void) {
+  const double edge[6] = {0.5, 1.25, 1.5, 0.5, 1.25, 1.75}, to[6] = {2.5, 1.25, 1.5, 0.5, 1.25, 1.75};
+  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
+  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  const dsw_body_desc d = square_desc();
+  dsw_body_id wall = {0, 0}, wire;
+  const dsw_contact *contacts = NULL;
+  const dsw_contact_partner *partners = NULL;
+  size_t count = 99;
+  dsw_move_report report;
+  CHECK_OK(dsw_body_create(scene, &d, &wall));
+  wire = make_edge_body(scene, edge, DSW_LEVEL_EDGES);
+  CHECK_OK(dsw_body_get_contact_partners(scene, wire, &partners, &count));
+  CHECK(count == 0);
+  CHECK_OK(dsw_body_move(scene, wire, to, 2, 0, NULL, &report));
+  CHECK(report.contact_count == 1 && report.vertices_stopped == 1);
+  CHECK_OK(dsw_body_get_contacts(scene, wire, &contacts, &count));
+  CHECK(count == 1 && contacts[0].time == 0.75 && contacts[0].kind == DSW_CONTACT_PLANE);
+  CHECK(contacts[0].cause == DSW_CELL_NONE && contacts[0].normal[0] == -1);
+  CHECK_OK(dsw_body_get_contact_partners(scene, wire, &partners, &count));
+  CHECK(count == 1 && partners[0].body.index == wall.index && partners[0].body.generation == wall.generation);
+  CHECK(partners[0].face.generation == 1 && partners[0].edge.generation == 0 && partners[0].vertex.generation == 0);
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contact_partners(NULL, wire, &partners, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contact_partners(scene, wire, NULL, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contact_partners(scene, wire, &partners, NULL));
+  CHECK_OK(dsw_body_destroy(scene, wire));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_contact_partners(scene, wire, &partners, &count));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
+static void filters_are_read_and_changed(void) {
+  const double edge[6] = {1.5, 1.25, 1.5, 2.5, 1.25, 1.5};
+  const uint32_t ends[2] = {0, 1};
+  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
+  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_body_desc d = square_desc();
+  dsw_body_id wall, wire = {7, 7};
+  uint32_t category = 99, mask = 99;
+  const uint32_t *pairs = NULL;
+  size_t count = 0;
+  CHECK_OK(dsw_body_create(scene, &d, &wall));
+  dsw_body_desc_init(&d, sizeof d);
+  d.positions = edge;
+  d.vertex_count = 2;
+  d.edges = ends;
+  d.edge_count = 1;
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_create(scene, &d, &wire));
+  CHECK(wire.index == 7 && wire.generation == 7);
+  CHECK_OK(dsw_scene_get_offending_edges(scene, &pairs, &count));
+  CHECK(count == 1 && pairs[0] == 0 && pairs[1] == 1);
+  d.category = 4;
+  d.mask = 6;
+  CHECK_OK(dsw_body_create(scene, &d, &wire));
+  CHECK_OK(dsw_body_get_filter(scene, wire, &category, &mask));
+  CHECK(category == 4 && mask == 6);
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_set_filter(scene, wire, 0, 0));
+  CHECK_OK(dsw_body_get_filter(scene, wire, &category, &mask));
+  CHECK(category == 4 && mask == 6);
+  CHECK_OK(dsw_body_set_filter(scene, wire, 8, 2));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_filter(scene, wire, NULL, &mask));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_filter(scene, wire, &category, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_filter(NULL, wire, &category, &mask));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_set_filter(NULL, wire, 1, 1));
+  CHECK_OK(dsw_body_destroy(scene, wire));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_filter(scene, wire, &category, &mask));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_set_filter(scene, wire, 1, 1));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
+static void what_is_not_named_is_refused(void) {
+  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
+  dsw_scene *scene = make_scene(environment, 0);
+  dsw_body_desc d = square_desc();
+  dsw_body_id body;
+  const dsw_contact_partner *partners = NULL;
+  size_t count = 99;
+  uint32_t bits = 99;
+  d.flags = DSW_BODY_SELF_CONTACTS;
+  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_body_create(scene, &d, &body));
+  d.flags = 0;
+  d.category = 1;
+  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_body_create(scene, &d, &body));
+  d.category = 0;
+  d.mask = 1;
+  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_body_create(scene, &d, &body));
+  CHECK_MESSAGE("DSW_FEATURE_BODY_CONTACTS");
+  d.mask = 0;
+  CHECK_OK(dsw_body_create(scene, &d, &body));
+  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_body_get_contact_partners(scene, body, &partners, &count));
+  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_body_get_filter(scene, body, &bits, &bits));
+  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_body_set_filter(scene, body, 1, 1));
+  CHECK(count == 99 && bits == 99);
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
+/* A description of the time before filters. */
+static void a_shorter_description_still_works(void) {
+  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
+  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_body_desc d = square_desc();
+  dsw_body_id body;
+  uint32_t category = 0, mask = 0;
+  d.struct_size = (uint32_t)((const char *)&d.category - (const char *)&d);
+  d.category = d.mask = 0xffffffffu;
+  CHECK_OK(dsw_body_create(scene, &d, &body));
+  CHECK_OK(dsw_body_get_filter(scene, body, &category, &mask));
+  CHECK(category == 1 && mask == 0xffffffffu);
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
+int main(void) {
+  a_contact_names_the_other_body();
+  filters_are_read_and_changed();
+  what_is_not_named_is_refused();
+  a_shorter_description_still_works();
+  return check_result();
+}
