@@ -84,8 +84,8 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
  * @param options [in] may be null. @param report [out] may be null.
  * @return DSW_STATUS_OK also when contacts stopped it. DSW_STATUS_STALE_ID, WRONG_SIZE, NON_FINITE, OUT_OF_RANGE, DUPLICATE_ID (order),
  * UNSUPPORTED, OUT_OF_MEMORY: nothing has moved.
- * @note O(volumes met), independent of the size of the environment. Thread: writer. Certain: what the level covers is free, and
- * nothing the level sees was passed. Source: [JCD10] 4. @since 0.1 */
+ * @note O(volumes met, and parts of bodies near the way), independent of the size of the environment. Thread: writer. Certain: what the
+ * level covers is free, and nothing the level sees was passed. Source: [JCD10] 4. @since 0.1 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets, size_t target_count,
                                  size_t stride_bytes, const dsw_move_options *options, dsw_move_report *report);
 

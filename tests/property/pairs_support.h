@@ -20,7 +20,9 @@ struct Meeting {
 
   std::vector<Part> parts() const {
     std::vector<Part> all;
-    for (uint32_t v = 0; v < state.at.size(); ++v) all.push_back({{v}});
+    for (uint32_t v = 0; v < state.at.size(); ++v) {
+      if (state.vertices[v].generation != 0) all.push_back({{v}});
+    }
     for (const auto& e : state.edges) {
       if (level >= DSW_LEVEL_EDGES) all.push_back({{e[0], e[1]}});
     }
@@ -100,6 +102,7 @@ inline TouchTruth truth_of_move(const std::vector<Meeting>& bodies, size_t mover
 inline bool are_apart(const Meeting& a, const Meeting& b) {
   for (const Part& one : a.parts()) {
     for (const Part& other : b.parts()) {
+      if (one.vertices.size() == 3 && other.vertices.size() == 3) continue;  // an edge of one would be in the other
       const uint32_t v = one.vertices[0];
       const TouchTruth truth = truth_of_parts(a, one, v, a.state.at[v], b, other);
       if (truth.touches || truth.at_start) return false;
