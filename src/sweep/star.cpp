@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "motion/hop.h"
 #include "motion/sequence.h"
 #include "sweep/clearance.h"
 
@@ -139,6 +140,15 @@ bool StarSweep::keeps_sequence(const Body& body, uint32_t e) const {
   return follows(env_, body.sequences[e], a.position, b.position, a.cell, b.cell);
 }
 
+/** Whether an edge meets nothing before its moving end meets a wall of the cell `front`: up to there it stays in that cell, or in
+ * that and a second one and passes between them. Of a line through q the sides of a ridge change linearly on the way of its other end:
+ * where it passes the facet at both ends of the way, it does so between. */
+bool StarSweep::stays_before_wall(const BodyVertex& at, const double* to, Cell front, const BodyVertex& fixed) const {
+  if (stays_inside(env_, at.cell, front, fixed.cell)) return true;
+  return at.cell == front && passes_between(env_, front, fixed.cell, at.position, fixed.position) &&
+         passes_between(env_, front, fixed.cell, to, fixed.position);
+}
+
 /** Whether an edge is not known to be free in its new place; fills hit_edges_ with all, or with some if one is enough. */
 bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough) {
   hit_edges_.clear();
@@ -224,7 +234,8 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
   const PathFacets passed = path_facets(env_.map, at.cell, path);
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
-    const bool settled = reached && settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed});
+    const bool settled = reached ? settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed})
+                                 : stays_before_wall(at, to, path.cell, fixed);
     return settled ? true : sweep_edge(e);
   });
   if (body.level != SweepLevel::kFaces) return answer();

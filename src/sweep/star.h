@@ -103,6 +103,7 @@ class StarSweep {
   bool pass_on(EdgeSequence& sequence, HalfFacet crossed, Cell from, bool first) const;
   bool turns(const Body& body, const EdgeSweep& sweep, bool first);
   bool turns_freely(const Body& body, const EdgeSweep& sweep, VertexPair edge) const;
+  bool stays_before_wall(const BodyVertex& at, const double* to, Cell front, const BodyVertex& fixed) const;
   bool find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
   void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;
 
