@@ -30,8 +30,9 @@ enum {
   DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,
   /** Skip edges that sweep inside of a ball known to hold nothing impassable [lossless]. */
   DSW_BODY_SKIP_BY_CLEARANCE = 0x4,
-  /** At DSW_LEVEL_EDGES: sweep an edge once a move, in its last place, if its ends move less than `motion_share` of its
-   * length [JCD10] 6.2. What is met only on the way there is missed; where the edge ends is free all the same. */
+  /** At DSW_LEVEL_EDGES: sweep an edge once a move, in its last place, if its ends move less than its length, and alike: by
+   * vectors that differ by less than `motion_share` of it [JCD10] 6.2. What is met only on the way there is missed; where the
+   * edge ends is free all the same. */
   DSW_BODY_SKIP_BY_MOTION = 0x8,
   /** The body meets itself, too [JCD10] 4.4: parts of it that have no vertex in common. It keeps its edges and vertices then: responses
    * insert and remove none. Needs DSW_FEATURE_BODY_CONTACTS. */

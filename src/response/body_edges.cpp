@@ -118,24 +118,22 @@ uint32_t BodyMove::drop_clear(Body& body, uint32_t count) {
   return kept;
 }
 
-/** Edges whose ends go less than a share of their length [JCD10] 6.2; they are cast where they arrive. */
+/** Edges whose ends go less than their length, and nearly alike [JCD10] 6.2; they are cast where they arrive. */
 uint32_t BodyMove::drop_short(Body& body, PointArray targets, uint32_t count) {
   const double share = body.skipping.motion_share * body.skipping.motion_share;
-  const size_t before = skipped_.size();
-  skipped_.resize(before + count);
-  size_t end = before;
+  uint32_t dropped = 0, short_ones[kChunk];
   const uint32_t kept = drop(body, count, [&](const Moving& a, const Moving& b, uint32_t e) {
     const uint32_t v = body.edges[e].ends[0], w = body.edges[e].ends[1];
-    const double limit = share * distance_squared(body.position(v), body.position(w));
-    const double way_v = a.rank != kNone ? distance_squared(targets[v], body.position(v)) : 0;
-    const double way_w = b.rank != kNone ? distance_squared(targets[w], body.position(w)) : 0;
-    const bool is_short = std::max(way_v, way_w) < limit;
-    skipped_[end] = e;
-    end += is_short ? 1 : 0;
+    const double *const p = body.position(v), *const q = body.position(w);
+    const Vec way_p = difference(a.rank != kNone ? targets[v] : p, p);
+    const Vec way_q = difference(b.rank != kNone ? targets[w] : q, q), change = way_p - way_q;
+    const double length = distance_squared(p, q), way = std::max(dot(way_p, way_p), dot(way_q, way_q));
+    const bool is_short = (way < length) & (dot(change, change) < share * length);
+    short_ones[dropped] = e;
+    dropped += is_short ? 1 : 0;
     return is_short;
   });
-  skipped_.resize(end);
-  for (size_t i = before; i < end; ++i) cast_skipped(body, targets, skipped_[i]);
+  for (uint32_t i = 0; i < dropped; ++i) cast_skipped(body, targets, short_ones[i]);
   return kept;
 }
 

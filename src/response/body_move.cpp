@@ -26,7 +26,7 @@ BodyMove::BodyMove(const Environment<3>& env)
       order_(Allocator<uint32_t>(env.memory)),
       moving_(Allocator<Moving>(env.memory)),
       crossed_(Allocator<PathFacets>(env.memory)),
-      skipped_(Allocator<uint32_t>(env.memory)),
+      strays_(Allocator<uint32_t>(env.memory)),
       keeps_(Allocator<bool>(env.memory)),
       sides_(Allocator<uint32_t>(env.memory)),
       before_(Allocator<BodyVertex>(env.memory)),
@@ -143,7 +143,7 @@ void BodyMove::record_first(const Body& body, uint32_t v, const double* to, Move
 void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
   sweeps_.counts = {};
   wave_.clear();  // of casts left by a move that ran out of memory
-  skipped_.clear();
+  strays_.clear();
   if (body.keeps_sequences()) writers_.reserve(kWave);  // casts point at them
   order_.clear();
   moving_.assign(body.vertices.size(), Moving{});
@@ -163,7 +163,7 @@ void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
 bool BodyMove::run(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip) {
   sweep_all(body, targets, may_skip);
   finish(body, targets, settings, record);
-  return are_skipped_free(body);
+  return !may_skip || are_strays_free(body);
 }
 
 /** What is met if nobody else meets anything. */
@@ -279,6 +279,7 @@ void BodyMove::finish(Body& body, PointArray targets, const MoveSettings& settin
 
 /** The neighbours of a vertex that is not where they took it to be. */
 void BodyMove::disturb(const Body& body, uint32_t v) {
+  strays_.push_back(v);
   const auto doubt = [&](uint32_t u) {
     if (u < moving_.size()) moving_[u].doubtful = true;
   };
@@ -289,21 +290,24 @@ void BodyMove::disturb(const Body& body, uint32_t v) {
   });
 }
 
-/** Of edges whose ends arrived this is known already. */
-bool BodyMove::are_skipped_free(const Body& body) {
+/** Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are cast where their
+ * ends arrive, or by the later of these, which moves alone. */
+bool BodyMove::are_strays_free(const Body& body) {
   bool free = true;
-  const auto has_moved_alone = [&](uint32_t v) { return v >= moving_.size() || moving_[v].doubtful; };
   const auto run = [&] {
     wave_.run(env_, sweeps_.counters);
     for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.reached(i);
     wave_.clear();
   };
-  for (const uint32_t e : skipped_) {
-    if (!body.has_edge(e) || !(has_moved_alone(body.edges[e].ends[0]) || has_moved_alone(body.edges[e].ends[1])))
-      continue;
-    const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
-    wave_.add(env_, a.cell, a.position, b.position).end = b.cell;
-    if (wave_.full()) run();
+  for (const uint32_t v : strays_) {
+    if (!body.has_vertex(v)) continue;
+    const BodyVertex& at = body.vertices[v];
+    for_each_edge(body, v, [&](uint32_t e) {
+      const BodyVertex& other = body.vertices[body.edges[e].other(v)];
+      wave_.add(env_, at.cell, at.position, other.position).end = other.cell;
+      if (wave_.full()) run();
+      return true;
+    });
   }
   run();
   return free;

@@ -73,7 +73,7 @@ class BodyMove {
   void arrive(Body& body, PointArray targets, uint32_t v) const;
   void finish(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record);
   void disturb(const Body& body, uint32_t v);
-  bool are_skipped_free(const Body& body);
+  bool are_strays_free(const Body& body);
   void remove_noise(Body& body, double share, MoveRecord& record);
   const double* place(const Body& body, PointArray targets, uint32_t v, uint32_t rank) const;
   Cell cell_at(uint32_t v, uint32_t rank) const;
@@ -88,7 +88,7 @@ class BodyMove {
   Array<uint32_t> order_;
   Array<Moving> moving_;       // by vertex
   Array<PathFacets> crossed_;  // by vertex, if sequences are kept: on its path
-  Array<uint32_t> skipped_;    // edges left out by their motion
+  Array<uint32_t> strays_;     // vertices that are not where their neighbours took them to be
   Array<bool> keeps_;          // by edge, at FACES: it keeps to one sequence all through the move
   Array<uint32_t> sides_;      // by face, at FACES: its edges, that opposite of corner k in place k
   Array<BodyVertex> before_;   // to go back to

@@ -106,6 +106,19 @@ TEST_F(BodyMoveTest, EachLevelMeetsWhatItSays) {
   }
 }
 
+TEST_F(BodyMoveTest, EdgesThatMoveAlikeAndLessThanTheirLengthAreSweptOnce) {
+  const auto skipped = [&](const Vec& to_a, const Vec& to_b) {
+    const dsw_body_id body = make(segment(kA, kB), DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_MOTION);
+    const BodyAnswer answer = move(body, {to_a, to_b});
+    EXPECT_EQ(answer.report.vertices_stopped, 0u);
+    return answer.report.edges_skipped;
+  };
+  EXPECT_EQ(skipped({0.5, 0.7, 0.5}, {0.75, 0.7, 0.5}), 2u);
+  EXPECT_EQ(skipped({0.5, 0.7, 0.5}, {0.75, 0.71, 0.5}), 2u);
+  EXPECT_EQ(skipped({0.5, 0.7, 0.5}, {0.75, 0.74, 0.5}), 0u);
+  EXPECT_EQ(skipped({0.5, 0.8, 0.5}, {0.75, 0.8, 0.5}), 0u);
+}
+
 TEST_F(BodyMoveTest, ALoneMarkedVertexIsMetByFacesOnly) {
   const dsw_vertex_id marked = {point(2, 2, 1), 1};
   ASSERT_EQ(dsw_environment_mark_vertices(place_.get(), &marked, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
