@@ -12,7 +12,8 @@
  * points are split between them, and volumes along the loop of these lines. A volume stays whole where the blade ends inside, where
  * it crosses one of the volume's edges more than once, where the loop is not one or not clear, or where nothing valid would
  * come of it; so a cut reaches up to the last volume that is crossed completely. Such volumes can still get vertices on their edges and
- * edges on their faces, from their neighbours.
+ * edges on their faces, from their neighbours. On the outer boundary, the lips of earlier cracks included, the surface moves by the
+ * rounding of vertices, and where a face is not flat between its old triangles and the new ones.
  *
  * Cost: O(volumes that the blade meets, once for each of the blade's triangles that meets it), with what topology.h says of every
  * change; O(blade's triangles) for each volume between `start` and the blade, which are all if it meets none; never the size of the
