@@ -2,6 +2,7 @@
 #pragma once
 
 #include "body_support.h"
+#include "predicates/touch.h"
 #include "touch_truth.h"
 
 namespace dsw::oracle {
@@ -98,14 +99,18 @@ inline TouchTruth truth_of_move(const std::vector<Meeting>& bodies, size_t mover
   return first;
 }
 
-/// Whether two bodies that stand still have no point in common.
+/// Whether two bodies that stand still have no point in common, by what touch_test.cpp compares with rationals.
 inline bool are_apart(const Meeting& a, const Meeting& b) {
   for (const Part& one : a.parts()) {
     for (const Part& other : b.parts()) {
-      if (one.vertices.size() == 3 && other.vertices.size() == 3) continue;  // an edge of one would be in the other
-      const uint32_t v = one.vertices[0];
-      const TouchTruth truth = truth_of_parts(a, one, v, a.state.at[v], b, other);
-      if (truth.touches || truth.at_start) return false;
+      const bool turned = one.vertices.size() == 3;
+      if (turned && other.vertices.size() == 3) continue;  // an edge of one would be in the other
+      const Part &edge = turned ? other : one, &face = turned ? one : other;
+      const Meeting &of_edge = turned ? b : a, &of_face = turned ? a : b;
+      const double* const triangle[3] = {of_face.at(face.vertices.front()),
+                                         of_face.at(face.vertices[face.vertices.size() / 2]),
+                                         of_face.at(face.vertices.back())};
+      if (triangle_touches(triangle, of_edge.at(edge.vertices.front()), of_edge.at(edge.vertices.back()))) return false;
     }
   }
   return true;

@@ -180,10 +180,10 @@ TEST_P(PairsTest, EveryMoveEndsAsAllPartsAgainstAllPartsSay) {
 }
 
 TEST_P(PairsTest, BodiesStayApartWhateverTheResponse) {
-  fill(8);
-  ASSERT_GT(bodies_.size(), 3u);
+  fill(12);
+  ASSERT_GT(bodies_.size(), 4u);
   size_t contacts = 0, edits = 0;
-  for (int round = 0; round < 15; ++round) {
+  for (int round = 0; round < 40; ++round) {
     SCOPED_TRACE(round);
     dsw_move_options options = default_options();
     options.vertex_response = round % 2 == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
@@ -209,11 +209,11 @@ TEST_P(PairsTest, BodiesStayApartWhateverTheResponse) {
       contacts += reports[i].contact_count;
       edits += reports[i].edit_count;
     }
-    for (size_t i = 0; i < bodies_.size() && round % 4 == 2; ++i) {
+    for (size_t i = 0; i < bodies_.size(); ++i) {
       for (size_t j = 0; j < i; ++j) ASSERT_TRUE(are_apart(bodies_[i], bodies_[j])) << i << " " << j;
     }
   }
-  EXPECT_GT(contacts, 20u);
+  EXPECT_GT(contacts, 100u);
   EXPECT_EQ(edits != 0, !GetParam().self);
 }
 
