@@ -195,6 +195,20 @@ AT(dsw_volumes_desc, sew_count, 112);
 AT(dsw_volumes_desc, uniform_cell_type, 120);
 AT(dsw_volumes_desc, reserved, 124);
 
+SIZE(dsw_coarsen_options, 16);
+AT(dsw_coarsen_options, struct_size, 0);
+AT(dsw_coarsen_options, max_faces, 4);
+AT(dsw_coarsen_options, max_trials, 8);
+
+SIZE(dsw_coarsen_report, 64);
+AT(dsw_coarsen_report, struct_size, 0);
+AT(dsw_coarsen_report, complete, 4);
+AT(dsw_coarsen_report, volume_count, 8);
+AT(dsw_coarsen_report, face_count, 16);
+AT(dsw_coarsen_report, memory_bytes, 24);
+AT(dsw_coarsen_report, passable_area, 40);
+AT(dsw_coarsen_report, trials, 56);
+
 SIZE(dsw_trace_data, 96);
 AT(dsw_trace_data, struct_size, 0);
 AT(dsw_trace_data, reserved, 4);

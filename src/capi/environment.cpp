@@ -110,9 +110,7 @@ dsw_status dsw_environment_get_info(const dsw_environment* environment, dsw_envi
     i.boundary_face_count = env.map.boundary_facet_count;
     i.part_count = env.map.has_changed() ? count_parts(env) : env.part_count;
     i.scene_count = capi::scene_count(handle);
-    i.memory_bytes = env.memory_bytes() + dsw::array_bytes(handle.changes) + dsw::array_bytes(handle.cut_vertices) +
-                     dsw::array_bytes(handle.cut_faces) + dsw::array_bytes(handle.whole_volumes) +
-                     sizeof(dsw_environment) - sizeof env;
+    i.memory_bytes = capi::memory_bytes(handle);
     for (int k = 0; k < 3; ++k) {
       i.lower[k] = env.lower[k];
       i.upper[k] = env.upper[k];

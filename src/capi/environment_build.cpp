@@ -158,6 +158,12 @@ dsw_environment* build_environment(dsw_context* context, const dsw_environment_d
   return owner->take();
 }
 
+uint64_t memory_bytes(const dsw_environment& environment) {
+  return environment.engine.memory_bytes() + array_bytes(environment.changes) + array_bytes(environment.cut_vertices) +
+         array_bytes(environment.cut_faces) + array_bytes(environment.whole_volumes) + sizeof environment -
+         sizeof environment.engine;
+}
+
 void check_environment(const dsw_environment& environment, dsw_build_report* report) {
   const Environment<3>& env = environment.engine;
   ReportWriter(report).run([&](BuildReport& found) -> const Environment<3>& {

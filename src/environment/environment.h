@@ -2,6 +2,7 @@
 // An environment: a map with positions, labels and marks. Cells are unions of simplices that are never stored: a simplex is
 // itself, any other cell the star of its centre over the simplices of its facets.
 
+#include <cmath>
 #include <cstdint>
 
 #include "base/parallel.h"
@@ -54,9 +55,28 @@ struct Environment {
   }
 };
 
+/** The mean of `count` points, summed in the order of point(0), point(1), ... Finite for every finite input. */
+template <int D, class PointAt>
+void mean_point(uint32_t count, PointAt point, double* out) {
+  const double divisor = count;
+  double sum[D] = {};
+  for (uint32_t i = 0; i < count; ++i) {
+    const double* const p = point(i);
+    for (int k = 0; k < D; ++k) sum[k] += p[k];
+  }
+  for (int k = 0; k < D; ++k) {
+    if (__builtin_expect(!std::isfinite(sum[k]), 0)) {  // scaled down before it is added up
+      sum[k] = 0;
+      for (uint32_t i = 0; i < count; ++i) sum[k] += point(i)[k] / divisor;
+      out[k] = sum[k];
+    } else {
+      out[k] = sum[k] / divisor;
+    }
+  }
+}
+
 /** The mean of a cell's vertices, summed in their order: the apex of its star, and where walks from a hint start. The
- * same bits everywhere, because every use goes through here. Scaled down first, so that it is finite for every
- * finite input. */
+ * same bits everywhere, because every use goes through here. */
 template <int D>
 void centre(const Environment<D>& env, Cell c, double* out);
 

@@ -36,15 +36,15 @@ bool is_flat_and_convex(const Environment<2>& env, Cell c, const Shape& shape, c
   return true;
 }
 
-/** How many boundary simplices the ray from `from` (strictly inside all of them) through `through` pierces, both shifted. */
-template <int D>
-uint32_t count_pierced(const Environment<D>& env, Cell c, const Shape& shape, const double* from,
-                       const double* through) noexcept {
+/** How many boundary simplices the ray from `from` (strictly inside all of them) through `through` pierces, both shifted.
+ * `read(s, points)` gives the points of a simplex. */
+template <int D, class Read>
+uint32_t count_pierced(uint32_t simplex_count, Read read, const double* from, const double* through) noexcept {
   NoTally none;
   uint32_t count = 0;
-  for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
+  for (uint32_t s = 0; s < simplex_count; ++s) {
     const double* points[D];
-    simplex_points(env, c, shape, s, points);
+    read(s, points);
     bool pierced = true;
     for (int k = 0; k < D && pierced; ++k) {
       if constexpr (D == 3) {
@@ -57,6 +57,34 @@ uint32_t count_pierced(const Environment<D>& env, Cell c, const Shape& shape, co
     count += pierced ? 1u : 0u;
   }
   return count;
+}
+
+/** Whether these simplices make a star with this apex: all positive, and no direction covered twice. */
+template <int D, class Read>
+CellState check_simplices(uint32_t simplex_count, Read read, const double* apex) noexcept {
+  uint32_t inside = 0, outside = 0;
+  const double* points[D];
+  for (uint32_t s = 0; s < simplex_count; ++s) {
+    read(s, points);
+    const int side = orient<D>(points, apex);
+    inside += side < 0 ? 1u : 0u;
+    outside += side > 0 ? 1u : 0u;
+  }
+  if (outside == simplex_count) return CellState::kInverted;
+  if (inside != simplex_count) return CellState::kInvalid;
+
+  // Any direction will do, since the shift makes it generic; one off the edges needs no exact arithmetic.
+  read(0, points);
+  double through[D];
+  for (int k = 0; k < D; ++k) {
+    through[k] = (D == 3 ? 0.41 : 0.54) * points[0][k] + (D == 3 ? 0.34 : 0.46) * points[1][k];
+    if (D == 3) through[k] += 0.25 * points[D - 1][k];
+  }
+  if (count_pierced<D>(simplex_count, read, apex, through) != 1 &&
+      count_pierced<D>(simplex_count, read, apex, points[0]) != 1) {
+    return CellState::kInvalid;
+  }
+  return CellState::kValid;
 }
 
 /** Whether a hexahedron is valid, and so clearly that the filter sees it: any three vertices of a facet, in its order, have a positive
@@ -100,28 +128,8 @@ CellState check_star(const Environment<D>& env, Cell c, const Shape& shape) noex
   if (is_plainly_valid(env, c)) return CellState::kValid;
   double apex[D];
   centre(env, c, apex);
-  uint32_t inside = 0, outside = 0;
-  const double* points[D];
-  for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
-    simplex_points(env, c, shape, s, points);
-    const int side = orient<D>(points, apex);
-    inside += side < 0 ? 1u : 0u;
-    outside += side > 0 ? 1u : 0u;
-  }
-  if (outside == shape.simplex_count()) return CellState::kInverted;
-  if (inside != shape.simplex_count()) return CellState::kInvalid;
-
-  // Any direction will do, since the shift makes it generic; one off the edges needs no exact arithmetic.
-  simplex_points(env, c, shape, 0, points);
-  double through[D];
-  for (int k = 0; k < D; ++k) {
-    through[k] = (D == 3 ? 0.41 : 0.54) * points[0][k] + (D == 3 ? 0.34 : 0.46) * points[1][k];
-    if (D == 3) through[k] += 0.25 * points[D - 1][k];
-  }
-  if (count_pierced(env, c, shape, apex, through) != 1 && count_pierced(env, c, shape, apex, points[0]) != 1) {
-    return CellState::kInvalid;
-  }
-  return CellState::kValid;
+  const auto read = [&](uint32_t s, const double*(&points)[D]) { simplex_points(env, c, shape, s, points); };
+  return check_simplices<D>(shape.simplex_count(), read, apex);
 }
 
 /** Nobody has looked at the host's numbers. */
@@ -146,6 +154,17 @@ CellState check_cell(const Environment<D>& env, Cell c) noexcept {
   double apex[D];
   centre(env, c, apex);
   return is_flat_and_convex(env, c, shape, apex) ? CellState::kValidConvex : state;
+}
+
+bool is_valid_star(const double* const* vertices, uint32_t vertex_count, const uint8_t* triangles,
+                   uint32_t triangle_count) noexcept {
+  double apex[3];
+  mean_point<3>(
+      vertex_count, [&](uint32_t i) { return vertices[i]; }, apex);
+  const auto read = [&](uint32_t t, const double*(&points)[3]) {
+    for (uint32_t k = 0; k < 3; ++k) points[k] = vertices[triangles[3 * t + k]];
+  };
+  return check_simplices<3>(triangle_count, read, apex) == CellState::kValid;
 }
 
 template <int D>

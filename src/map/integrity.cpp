@@ -242,9 +242,10 @@ const char* check_records(const Map<D>& map) {
       if (map.cell_of_unit[c.unit + u] != kNoCell) return "a cell begins inside of a record";
     }
     if (form_of(word0) == Form::kGeneral) {
-      ++shapes;
       uint8_t& used = shape_used[word0 & kShapeMask];
-      if (used++ != 0) return "two cells share a shape of their own";
+      if (used != 0 && map.has_changed()) return "two cells of a map that changes share a shape";
+      shapes += used == 0 ? 1u : 0u;
+      used = 1;
     }
     unit += n;
   }

@@ -6,7 +6,7 @@ template <int D>
 Shape Map<D>::shape(Cell c) const {
   const uint32_t word0 = record(c)[0];
   const Form f = form_of(word0);
-  if (f == Form::kGeneral) return Shape(shape_tables.data() + shape_offsets[word0 & kShapeMask]);
+  if (f == Form::kGeneral) return general_shape(word0);
   if constexpr (D == 2) {
     return planar_shape(f == Form::kSimplex ? 3u : 4u);
   } else {

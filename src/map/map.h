@@ -110,6 +110,8 @@ struct Map {
   /** Exactly convex with exactly flat facets: simplices always, others by a bit set when they were validated. */
   bool convex(Cell c) const { return form(c) == Form::kSimplex || (record(c)[0] & kConvexBit) != 0; }
   Shape shape(Cell c) const;
+  /** Of a cell of general form, by word 0 of its record. */
+  Shape general_shape(uint32_t word0) const { return Shape(shape_tables.data() + shape_offsets[word0 & kShapeMask]); }
 
   /** Facets of the standard forms; general cells have as many as their shape says. */
   static constexpr uint32_t standard_facet_count(Form form) {

@@ -35,6 +35,40 @@ void push_shape(Map<3>& map, uint32_t number) noexcept {
   map.free_shapes[length] = number;
 }
 
+/** Gives every cell of general shape a table of its own: cells that change do not share. */
+class OwnShapes {
+ public:
+  explicit OwnShapes(const Map<3>& map)
+      : tables_(map.shape_tables.get_allocator()), offsets_(map.shape_offsets.get_allocator()) {
+    uint32_t cells = 0;
+    for_each_cell(map, [&](Cell c) { cells += map.form(c) == Form::kGeneral ? 1u : 0u; });
+    if (cells == map.shape_offsets.size()) return;
+    offsets_.reserve(cells);
+    for_each_cell(map, [&](Cell c) {
+      if (map.form(c) != Form::kGeneral) return;
+      const uint16_t* const table = map.shape(c).table();
+      offsets_.push_back(static_cast<uint32_t>(tables_.size()));
+      tables_.insert(tables_.end(), table, table + shape_length(map, map.record(c)[0] & kShapeMask));
+      if (tables_.size() > UINT32_MAX) fail(DSW_STATUS_TOO_LARGE, "the polyhedra need more than 2^32 words of shapes");
+    });
+  }
+
+  void apply(Map<3>& map) noexcept {
+    if (offsets_.empty()) return;
+    uint32_t number = 0;
+    for_each_cell(map, [&](Cell c) {
+      uint32_t& word0 = map.record(c)[0];
+      if (form_of(word0) == Form::kGeneral) word0 = (word0 & ~kShapeMask) | number++;
+    });
+    map.shape_tables.swap(tables_);
+    map.shape_offsets.swap(offsets_);
+  }
+
+ private:
+  Array<uint16_t> tables_;
+  Array<uint32_t> offsets_;  // empty: all have one
+};
+
 }  // namespace
 
 uint32_t shape_length(const Map<3>& map, uint32_t number) noexcept {
@@ -46,6 +80,7 @@ void make_ready(Map<3>& map) {
   if (map.has_changed()) return;
   const auto allocator = map.words.get_allocator();
   const bool uniform = map.unit_of_cell.empty();
+  OwnShapes own(map);
   Array<uint32_t> unit_of_cell(allocator), cell_of_unit(allocator), uses(map.vertex_count, 0u, allocator);
   SlotPool cells(allocator.memory), vertices(allocator.memory);
   if (uniform) {
@@ -61,6 +96,7 @@ void make_ready(Map<3>& map) {
   });
   cells.start(map.cell_count);
   vertices.start(map.vertex_count);
+  own.apply(map);
   if (uniform) {
     map.unit_of_cell.swap(unit_of_cell);
     map.cell_of_unit.swap(cell_of_unit);

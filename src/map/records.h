@@ -6,8 +6,8 @@
 
 namespace dsw {
 
-/** Sets up generations, uses of vertices and the tables between cells and records. Throws std::bad_alloc with the map as it was.
- * O(n) the first time, O(1) after. */
+/** Sets up generations, uses of vertices and the tables between cells and records; cells that share shapes get their own. Throws
+ * std::bad_alloc or TOO_LARGE with the map as it was. O(n) the first time, O(1) after. */
 void make_ready(Map<3>& map);
 
 /** Takes a record of so many units, all words zero; cell_of_unit says kNoCell there. Throws std::bad_alloc, or TOO_LARGE. */

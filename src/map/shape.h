@@ -2,7 +2,7 @@
 // Shapes: what cells of one form have in common. A shape lists the facets of a cell (faces in space, edges in the
 // plane) with their darts, how the darts are linked inside the cell, and into which simplices the facets are cut. It
 // knows no coordinates. Tetrahedra, pyramids, prisms and hexahedra share tables, one for every way to cut their quads;
-// any other polyhedron has a table of its own.
+// any other polyhedron has a table of its own, or shares one with cells that are joined alike.
 
 #include <cstdint>
 

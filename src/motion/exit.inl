@@ -24,15 +24,18 @@ struct Entry {
   }
 };
 
-enum class LookKind : uint8_t { kNothing, kPlanes, kBox };
+enum class LookKind : uint8_t { kNothing, kPlanes, kBox, kLines };
 constexpr uint8_t kNotKnown = 0xff;
 
-/** What the planes of a cell say about the target. */
+/** What the planes of a cell say about the target, or its triangles about the line. */
 struct Look {
   uint8_t facets;  // kPlanes: with the target outside. kBox: pierced outwards, or kNotKnown
   uint8_t second;  // kBox, of these: through the second triangle
   LookKind kind;
-  bool settled;  // kBox: at most one facet is pierced, for certain
+  bool settled;          // kBox: at most one facet is pierced, for certain. kLines: the filter settled all triangles
+  uint32_t pierced = 0;  // kLines: triangles that the line pierces outwards
+
+  bool may_leave() const { return facets != 0; }
 
   static Look of_planes(uint32_t outside) { return {static_cast<uint8_t>(outside), 0, LookKind::kPlanes, true}; }
   template <class Tally>
@@ -41,6 +44,11 @@ struct Look {
     const bool several = (exits.pierced & (exits.pierced - 1)) != 0;
     return {static_cast<uint8_t>(exits.sure ? exits.pierced : kNotKnown), static_cast<uint8_t>(exits.second),
             LookKind::kBox, exits.sure && !several};
+  }
+  template <class Tally>
+  static Look of_lines(const LineExits& exits, const Shape& shape, Tally& tally) {
+    tally.tests(shape.edge_count());
+    return {kNotKnown, 0, LookKind::kLines, exits.sure, exits.pierced};
   }
   static Look of_nothing() { return {kNotKnown, 0, LookKind::kNothing, false}; }
 };
@@ -51,8 +59,15 @@ class ExitFinder {
   ExitFinder(const Environment<D>& env, const double* p, const double* q, Tally& tally)
       : env_(env), map_(env.map), p_(p), q_(q), tally_(tally) {}
 
-  /** The first half of finding the exit: all planes of a cell that has a kernel, without a branch on their signs. */
-  DSW_HOT Look look(Cell c, const Entry& entry) noexcept {
+  /** From p to q. In the plane there are no cells that ask for it. */
+  Shear line() const noexcept {
+    if constexpr (D == 3) return {p_, q_};
+    return {};
+  }
+
+  /** The first half of finding the exit: all planes of a cell that has a kernel, without a branch on their signs. `line`: from p to
+   * q; may be unwritten where no cell is of general shape. */
+  DSW_HOT Look look(Cell c, const Entry& entry, const Shear& line) noexcept {
     const uint32_t* w = map_.record(c);
     const Form form = form_of(w[0]);
     if constexpr (D == 3) {
@@ -72,6 +87,10 @@ class ExitFinder {
         tally_.tests(known == 0 ? 5 : 4);
         return Look::of_planes(outside_flat_pyramid(env_, w, q_, known, uncounted_));
       }
+      if (form == Form::kGeneral) {
+        const Shape shape = map_.general_shape(w[0]);
+        if (has_line_exits(shape)) return Look::of_lines(line_exits(env_, w, shape, line), shape, tally_);
+      }
     }
     return Look::of_nothing();
   }
@@ -81,6 +100,7 @@ class ExitFinder {
     if constexpr (D == 3) {
       if (look.kind == LookKind::kPlanes) return exit_flat(c, look.facets);
       if (look.kind == LookKind::kBox) return exit_box(map_.record(c), look, entry);
+      if (look.kind == LookKind::kLines && look.settled && look.pierced != 0) return exit_along(c, look.pierced, entry);
     }
     if (map_.convex(c)) return apart().exit_many_flat(c, forecast);
     return apart().exit_many(c, entry);
@@ -93,7 +113,7 @@ class ExitFinder {
     if constexpr (D == 3) {
       if (form_of(w[0]) == Form::kSimplex) return outside_tetrahedron(env_, w, q_, 0, uncounted_) == 0;
     }
-    if (!map_.convex(c)) return choose(c, look(c, Entry{}), Entry{}, kNoFacet).facet == kStays;
+    if (!map_.convex(c)) return choose(c, look(c, Entry{}, line()), Entry{}, kNoFacet).facet == kStays;
     const Shape shape = map_.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const double* points[D];
@@ -250,6 +270,38 @@ class ExitFinder {
       box_triangle(env_, w, f, half, triangle);
       const bool pierced = sure ? (look.facets >> f & 1u) != 0 && (look.second >> f & 1u) == half : pierces(triangle);
       if (pierced) consider(f, i, triangle, entry, best);
+    }
+    return best.exit;
+  }
+
+  /** Of the triangles that the line pierces outwards: a segment that is in the cell can leave it nowhere else, so of a single one
+   * nothing but the target is asked. */
+  DSW_HOT Exit exit_along(Cell c, uint32_t pierced, const Entry& entry) noexcept {
+    if (__builtin_expect((pierced & (pierced - 1)) != 0, 0)) return apart().earliest_of(c, pierced, entry);
+    const Shape shape = map_.general_shape(map_.record(c)[0]);
+    const uint32_t s = static_cast<uint32_t>(__builtin_ctz(pierced));
+    const double* points[D];
+    points_of(c, shape.simplices() + static_cast<uint32_t>(D) * s, points);
+    if (!is_outside(points, q_)) return {};
+    return exit_through(c, shape, s);
+  }
+
+  /** A flat facet is named by its first simplex. */
+  Exit exit_through(Cell c, const Shape& shape, uint32_t s) const noexcept {
+    const uint32_t facet = shape.simplex_facets(D)[s];
+    return {facet, map_.convex(c) ? shape.simplex_first(facet) : s};
+  }
+
+  __attribute__((noinline)) Exit earliest_of(Cell c, uint32_t pierced, const Entry& entry) noexcept {
+    Earliest best;
+    const Shape shape = map_.shape(c);
+    for (; pierced != 0; pierced &= pierced - 1) {
+      const uint32_t s = static_cast<uint32_t>(__builtin_ctz(pierced));
+      const double* points[D];
+      points_of(c, shape.simplices() + static_cast<uint32_t>(D) * s, points);
+      if (!is_outside(points, q_) || is_outside(points, p_)) continue;
+      const Exit exit = exit_through(c, shape, s);
+      consider(exit.facet, exit.simplex, points, entry, best);
     }
     return best.exit;
   }

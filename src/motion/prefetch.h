@@ -13,6 +13,17 @@ inline void prefetch_record(const Environment<D>& env, Cell c) noexcept {
   __builtin_prefetch(env.map.record(c));
 }
 
+/** The record of a polyhedron, as large as most are, of which one link is known. */
+template <int D>
+inline void prefetch_round(const Environment<D>& env, HalfFacet h) noexcept {
+  constexpr intptr_t kLine = 64;
+  const uintptr_t line =
+      reinterpret_cast<uintptr_t>(env.map.words.data() + h.word);  // may lie before or behind the array
+  for (const intptr_t lines : {-1, 1, 2}) {
+    __builtin_prefetch(reinterpret_cast<const void*>(line + static_cast<uintptr_t>(lines * kLine)));
+  }
+}
+
 /** Vertices of a simplex, whose planes are computed sooner than they come. The record is read. */
 template <int D>
 inline void prefetch_vertices(const Environment<D>& env, Cell c) noexcept {

@@ -14,17 +14,23 @@ namespace dsw {
 
 class Shear {
  public:
+  /** No line. */
+  Shear() noexcept : p_(nullptr), i_(0), j_(0), k_(0), turned_(false), slopes_{NAN, NAN}, largest_(0) {}
   /** The line from p, which must outlive this, to q. */
   Shear(const double* p, const double* q) noexcept : p_(p) {
     double d[3];
     for (int k = 0; k < 3; ++k) d[k] = q[k] - p[k];
-    k_ = std::fabs(d[1]) > std::fabs(d[0]) ? 1 : 0;
-    if (std::fabs(d[2]) > std::fabs(d[k_])) k_ = 2;
-    turned_ = d[k_] < 0;
-    i_ = (k_ + (turned_ ? 2 : 1)) % 3;  // so that d_k counts as positive
-    j_ = (k_ + (turned_ ? 1 : 2)) % 3;
-    slope_i_ = d[i_] / d[k_];
-    slope_j_ = d[j_] / d[k_];
+    // Without a branch: nobody can predict directions.
+    constexpr int kTurn[5] = {0, 1, 2, 0, 1};
+    const double x = std::fabs(d[0]), y = std::fabs(d[1]), z = std::fabs(d[2]);
+    const int y_longer = y > x, z_longest = z > (y > x ? y : x);
+    k_ = 2 * z_longest + (1 - z_longest) * y_longer;
+    const int turned = d[k_] < 0;
+    turned_ = turned != 0;
+    i_ = kTurn[k_ + 1 + turned];  // so that d_k counts as positive
+    j_ = kTurn[k_ + 2 - turned];
+    slopes_[0] = d[i_] / d[k_];
+    slopes_[1] = d[j_] / d[k_];
     largest_ = std::fabs(d[k_]);
   }
 
@@ -34,7 +40,7 @@ class Shear {
   Point operator()(const double* x) noexcept {
     const double a = x[i_] - p_[i_], b = x[j_] - p_[j_], c = x[k_] - p_[k_];
     largest_ = std::max(largest_, std::max(std::max(std::fabs(a), std::fabs(b)), std::fabs(c)));
-    return {a - slope_i_ * c, b - slope_j_ * c};
+    return {a - slopes_[0] * c, b - slopes_[1] * c};
   }
   static double side(const Point& a, const Point& b) noexcept { return a.i * b.j - a.j * b.i; }
   /** The line leaves a facet whose boundary goes from a to b, counter-clockwise seen from outside, if this is positive for all. */
@@ -44,10 +50,19 @@ class Shear {
   double lowest() const noexcept { return lowest_; }
   double largest() const noexcept { return largest_; }
 
-  bool passed_all() const noexcept {
-    // A line of no length has no slope.
-    return !std::isnan(slope_i_) && largest_ > kLeast && largest_ < kMost && lowest_ > kBound * largest_ * largest_;
+  /** Whether bound() holds. A line of no length has no slope. */
+  bool is_in_range(double largest) const noexcept {
+    return !std::isnan(slopes_[0]) && largest > kLeast && largest < kMost;
   }
+  /** Sides beyond it have the sign of the true ones. */
+  static double bound(double largest) noexcept { return kBound * largest * largest; }
+  bool passed_all() const noexcept { return is_in_range(largest_) && lowest_ > bound(largest_); }
+
+  const double* from() const noexcept { return p_; }
+  /** The axes i, j and k by their order: 0 1 2 is order 4. */
+  int order() const noexcept { return 2 * k_ + (turned_ ? 1 : 0); }
+  /** Those of i and j, one after the other. */
+  const double* slopes() const noexcept { return slopes_; }
 
  private:
   static constexpr double kBound = 128 * 1.1102230246251565e-16;
@@ -58,7 +73,7 @@ class Shear {
   const double* p_;
   int i_, j_, k_;
   bool turned_;
-  double slope_i_, slope_j_, largest_, lowest_ = 1e300;
+  double slopes_[2], largest_, lowest_ = 1e300;
 };
 
 /** Passes triangles until one is not passed; returns how many were, all or up to that one. As far as rounded tests tell: ask `passed_all`

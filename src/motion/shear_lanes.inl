@@ -7,7 +7,7 @@ template <class Lanes>
 class ShearLanes {
  public:
   explicit ShearLanes(Shear& shear) noexcept
-      : shear_(shear), slope_i_(Lanes::all(shear.slope_i_)), slope_j_(Lanes::all(shear.slope_j_)) {}
+      : shear_(shear), slope_i_(Lanes::all(shear.slopes_[0])), slope_j_(Lanes::all(shear.slopes_[1])) {}
 
   /** No fewer triangles than lanes. */
   size_t pass(const TriangleRows& triangles) noexcept {

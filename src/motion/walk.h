@@ -8,6 +8,7 @@
 
 #include "motion/cast.h"
 #include "motion/prefetch.h"
+#include "motion/shear.h"
 #include "motion/standard_facets.h"
 #include "predicates/filtered.h"
 

@@ -7,11 +7,12 @@
 #include "motion/box.inl"
 #include "motion/simplex.inl"
 #include "motion/pyramid.inl"
-#include "motion/exit.inl"
 constexpr uint32_t kAbreast = 8;  // casts that are looked at together
 #if defined(DSW_ISA_AVX512)
 #include "motion/boxes.inl"
 #endif
+#include "motion/polyhedron.inl"
+#include "motion/exit.inl"
 // clang-format on
 
 /** One bit of 64 for a cell. All visited cells' bits together say "never entered before" for certain; the opposite is only a
@@ -33,7 +34,12 @@ template <int D, class Tally>
 class Walkers {
  public:
   Walkers(const Environment<D>& env, const CastRequest* requests, CastResult* results, Tally tally)
-      : env_(env), map_(env.map), requests_(requests), results_(results), tally_(tally) {}
+      : env_(env),
+        map_(env.map),
+        requests_(requests),
+        results_(results),
+        tally_(tally),
+        has_polyhedra_(!env.map.shape_offsets.empty()) {}
 
   void run(uint32_t count) noexcept {
     count = begin_all(count);
@@ -73,6 +79,7 @@ class Walkers {
     static constexpr CastResult kFresh{};
     new (results_ + i) CastResult(kFresh);
     results_[i].cell = requests_[i].start;
+    if (D == 3 && has_polyhedra_) new (lines_ + i) Shear(finder(i).line());
   }
 
   /** Keeps the casts that may leave where they start. */
@@ -102,12 +109,12 @@ class Walkers {
       }
       k = end;
     }
-    return keep(count, [&](uint32_t i) { return looks_[i].facets != 0; });
+    return keep(count, [&](uint32_t i) { return looks_[i].may_leave(); });
   }
 
   template <bool First>
   DSW_HOT void look(uint32_t i) noexcept {
-    looks_[i] = finder(i).look(results_[i].cell, entry<First>(i));
+    looks_[i] = finder(i).look(results_[i].cell, entry<First>(i), lines_[i]);
   }
 
   /** Looks at kAbreast casts at once, if there are so many and all are in hexahedra that are flat, or all in others. */
@@ -192,7 +199,10 @@ class Walkers {
     const uint32_t link = map_.words[at.word], beyond = link & ~kMarkBit;
     flight(i).at = at;
     flight(i).link = link;
-    if (beyond != kNoFacet) __builtin_prefetch(&map_.words[beyond & ~(kUnitWords - 1)]);
+    if (beyond != kNoFacet) {
+      __builtin_prefetch(&map_.words[beyond & ~(kUnitWords - 1)]);
+      if (looks_[i].kind == LookKind::kLines) prefetch_round(env_, {beyond});
+    }
     return true;
   }
 
@@ -230,8 +240,12 @@ class Walkers {
   const CastRequest* requests_;
   CastResult* results_;
   Tally tally_;
+  const bool has_polyhedra_;
   union {  // constructs nothing
     Flight flights_[kWave];
+  };
+  union {
+    Shear lines_[kWave];  // where there are polyhedra
   };
   Look looks_[kWave];
   uint8_t active_[kWave];

@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   Options options;
   std::string json = "benchmark.json";
   const std::vector<std::string> known = {"hex",   "threads", "tet",      "vessel", "change", "create",
-                                          "fig11", "fig12",   "catheter", "deform", "cut"};
+                                          "fig11", "fig12",   "catheter", "deform", "coarsen", "cut"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
   app.add_flag("--quick", options.quick, "Fewer steps and rounds");
@@ -54,6 +54,9 @@ int main(int argc, char** argv) {
       } else {
         run_vessel(options, report, agreement);
       }
+    }
+    if (wanted("coarsen")) {
+      run_coarsen(options, report, agreement);
     }
     if (wanted("hex")) {
       run_hex(options, report, agreement);

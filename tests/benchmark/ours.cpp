@@ -66,6 +66,10 @@ World::World(const scenes::VolumeMesh& mesh, std::uint32_t threads, bool count_m
   check(status);
 }
 
+World::World(const World& fine, std::vector<std::uint32_t>& map, dsw_coarsen_report& report) {
+  check(dsw_environment_coarsen(fine.environment(), nullptr, &environment_, map.data(), map.size(), &report));
+}
+
 World::~World() {
   dsw_scene_destroy(scene_);
   dsw_environment_destroy(environment_);

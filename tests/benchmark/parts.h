@@ -19,6 +19,7 @@ void run_hex(const Options& options, Report& report, Agreement& agreement);
 void run_threads(const Options& options, Report& report);
 void run_tet(const Options& options, Report& report, Agreement& agreement);
 void run_vessel(const Options& options, Report& report, Agreement& agreement);
+void run_coarsen(const Options& options, Report& report, Agreement& agreement);
 void run_change(const Options& options, Report& report);
 void run_cut(const Options& options, Report& report);
 void run_create(const Options& options, Report& report);

@@ -27,25 +27,6 @@ Segments to_segments(const World& world, const scenes::TetCasts& casts, std::siz
   return segments;
 }
 
-double mean_edge(const scenes::VolumeMesh& mesh, bool any_region, std::int32_t region) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t cell = 0; cell < mesh.cell_count(); ++cell) {
-    if (!any_region && mesh.regions[cell] != region) {
-      continue;
-    }
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i + 1; j < 4; ++j) {
-        const double* a = mesh.point(static_cast<std::size_t>(mesh.cell(cell)[i]));
-        const double* b = mesh.point(static_cast<std::size_t>(mesh.cell(cell)[j]));
-        sum += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-        ++count;
-      }
-    }
-  }
-  return sum / static_cast<double>(count);
-}
-
 struct Peers {
   std::unique_ptr<Engine> bullet, bullet_box, embree, grid;
 };
@@ -100,7 +81,7 @@ void run_tet(const Options& options, Report& report, Agreement& agreement) {
   World world(mesh, 1);
   mark_triangles(world, marks.marked);
   const WallMesh walls(mesh.points, marks.all);
-  const double edge = mean_edge(mesh, true, 0);
+  const double edge = scenes::mean_edge(mesh);
   Ours ours(world, walls);
   const int rounds = options.quick ? 7 : 11;
   const std::size_t batch = 4500;  // as many as in a step of the paper's scene
@@ -126,7 +107,7 @@ void run_vessel(const Options& options, Report& report, Agreement& agreement) {
   check(dsw_environment_mark_between(world.environment(), 1, 2, DSW_MARK_IMPASSABLE, &marked));
   auto all = scenes::region_walls(mesh, neighbours).all;
   const WallMesh walls(mesh.points, std::move(all));
-  const double edge = mean_edge(mesh, false, 1);
+  const double edge = scenes::mean_edge(mesh, 1);
   Ours ours(world, walls);
   report.set("walk.vessel.wall_triangles", static_cast<double>(marked));
   const std::size_t count = options.quick ? 200000 : 1000000;

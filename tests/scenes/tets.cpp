@@ -32,6 +32,26 @@ void random_point(const VolumeMesh& mesh, std::uint32_t cell, Random& random, do
   }
 }
 
+template <typename Counts>
+double mean_edge_where(const VolumeMesh& mesh, Counts counts) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t cell = 0; cell < mesh.cell_count(); ++cell) {
+    if (!counts(cell)) {
+      continue;
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const double* a = mesh.point(static_cast<std::size_t>(mesh.cell(cell)[i]));
+        const double* b = mesh.point(static_cast<std::size_t>(mesh.cell(cell)[j]));
+        sum += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+        ++count;
+      }
+    }
+  }
+  return sum / static_cast<double>(count);
+}
+
 template <typename Marked>
 TetWalls collect(const VolumeMesh& mesh, const std::vector<std::array<std::uint32_t, 4>>& neighbours, Marked marked) {
   TetWalls walls;
@@ -140,6 +160,14 @@ TetCasts long_tet_casts(const VolumeMesh& mesh, std::size_t count, double length
     }
   }
   return casts;
+}
+
+double mean_edge(const VolumeMesh& mesh) {
+  return mean_edge_where(mesh, [](std::size_t) { return true; });
+}
+
+double mean_edge(const VolumeMesh& mesh, std::int32_t region) {
+  return mean_edge_where(mesh, [&](std::size_t cell) { return mesh.regions[cell] == region; });
 }
 
 }  // namespace dsw::scenes

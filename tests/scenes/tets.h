@@ -33,6 +33,10 @@ TetCasts short_tet_casts(const VolumeMesh& mesh, const std::vector<std::array<st
 TetCasts long_tet_casts(const VolumeMesh& mesh, std::size_t count, double length, std::int32_t region, bool any_region,
                         std::uint64_t seed);
 
+/** Mean length of the edges of all cells, or of those of one region; an edge counts once for each cell. */
+double mean_edge(const VolumeMesh& mesh);
+double mean_edge(const VolumeMesh& mesh, std::int32_t region);
+
 }  // namespace dsw::scenes
 
 #endif

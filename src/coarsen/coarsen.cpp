@@ -1,0 +1,42 @@
+#include "coarsen/coarsen.h"
+
+#include "coarsen/rebuild.h"
+#include "environment/builder.h"
+
+namespace dsw {
+namespace {
+
+/** Area of all facets that can be passed: how many of them a random segment crosses is in proportion to it. */
+double passable_area(const Environment<3>& env) {
+  double sum = 0;
+  for_each_cell(env.map, [&](Cell c) {
+    const Shape shape = env.map.shape(c);
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      const HalfFacet h = env.map.half_facet(c, f);
+      if (canonical(env.map, h) != h || is_impassable(env.map, h)) continue;
+      for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
+        const double* points[3];
+        simplex_points(env, c, shape, s, points);
+        sum += triangle_area(points);
+      }
+    }
+  });
+  return sum;
+}
+
+}  // namespace
+
+void coarsen(const Environment<3>& source, const CoarsenOptions& options, Environment<3>& target,
+             Array<uint32_t>& new_index, CoarsenReport& report) {
+  Merging merging(source);
+  merging.run(options);
+  rebuild(source, merging, target, new_index);
+  finish_topology(target, nullptr);
+  if (!source.grid.empty()) build_grid(target);
+  report.trials = merging.trials();
+  report.complete = merging.complete();
+  report.area_before = passable_area(source);
+  report.area_after = passable_area(target);
+}
+
+}  // namespace dsw
