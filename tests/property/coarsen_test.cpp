@@ -162,6 +162,8 @@ TEST_P(CoarsenTest, BodiesMoveAsFarAndStayFree) {
   mark_some(place_, rng);
   const Coarse coarse = coarsened(place_, 16);
   ASSERT_NE(coarse.environment, nullptr);
+  dsw_move_options options = default_options();
+  options.stand_off = 0;  // by default a share of the cell's size
   Motions motions(*place_.world, rng);
   dsw_environment* const both[2] = {place_.get(), coarse.environment.get()};
   ScenePtr scenes[2] = {make_scene(both[0]), make_scene(both[1])};
@@ -179,7 +181,7 @@ TEST_P(CoarsenTest, BodiesMoveAsFarAndStayFree) {
       dsw_body_id body;
       made[k] = create_body(scenes[k].get(), segment(p, q), DSW_LEVEL_EDGES_SWEPT, 0, {}, &body);
       if (made[k] != DSW_STATUS_OK) continue;
-      ASSERT_EQ(dsw_body_move(scenes[k].get(), body, targets.data(), 2, 0, nullptr, nullptr), DSW_STATUS_OK);
+      ASSERT_EQ(dsw_body_move(scenes[k].get(), body, targets.data(), 2, 0, &options, nullptr), DSW_STATUS_OK);
       EXPECT_EQ(read_body(scenes[k].get(), body, states[k]), "");
       ASSERT_EQ(dsw_body_destroy(scenes[k].get(), body), DSW_STATUS_OK);
     }
