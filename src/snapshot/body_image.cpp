@@ -236,7 +236,7 @@ void BodyReader::read_sequences(Body& body, uint64_t count) {
       facets.push_back(map.half_facet(c, at[1]).word);
     }
     if (!is_whole(map, facets)) fail_corrupt("a sequence is broken");
-    sequence.assign(map, facets);
+    sequence.assign(env_, facets);
     if ((word & 1) != 0 && !sequence.of_tetrahedra) fail_corrupt("a sequence of other cells");
     if ((word & 1) != 0) continue;
     sequence.of_tetrahedra = false;

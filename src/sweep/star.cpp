@@ -144,8 +144,9 @@ bool StarSweep::keeps_sequence(const Body& body, uint32_t e) const {
  * that and a second one and passes between them. Of a line through q the sides of a ridge change linearly on the way of its other end:
  * where it passes the facet at both ends of the way, it does so between. */
 bool StarSweep::stays_before_wall(const BodyVertex& at, const double* to, Cell front, const BodyVertex& fixed) const {
-  if (stays_inside(env_, at.cell, front, fixed.cell)) return true;
-  return at.cell == front && passes_between(env_, front, fixed.cell, at.position, fixed.position) &&
+  if (at.cell != front) return false;
+  if (front == fixed.cell) return env_.map.convex(front);
+  return passes_between(env_, front, fixed.cell, at.position, fixed.position) &&
          passes_between(env_, front, fixed.cell, to, fixed.position);
 }
 
