@@ -42,7 +42,9 @@ Mesh dual(const Mesh& tets, double share) {
     for (int v : side) inside[static_cast<size_t>(v)] = inside[static_cast<size_t>(v)] && count == 2;
   }
   std::vector<std::vector<Loop>> faces(tets.points.size());
-  for (auto& [edge, round] : round_edge) {
+  for (auto& entry : round_edge) {
+    const std::array<int, 2>& edge = entry.first;
+    std::vector<size_t>& round = entry.second;
     if (!inside[static_cast<size_t>(edge[0])] && !inside[static_cast<size_t>(edge[1])]) continue;
     // Neighbours share two vertices beside the edge's.
     const auto share_side = [&](size_t s, size_t t) {
