@@ -131,7 +131,7 @@ StarSweep::Settled StarSweep::follow_sequence(const Body& body, const EdgeSweep&
     if (!stays && keeps(sweep.to, sweep.arrival)) return Settled::kStrip;
     if (turns(body, sweep, first)) return Settled::kTurned;
   }
-  sequence.assign(env_, before_);  // for which there is room
+  sequence.assign(env_, before_);
   return Settled::kNo;
 }
 
