@@ -89,6 +89,11 @@ void check_free(Scene<3>& scene, const Body& body, SweepLevel level) {
        scene.offending.size() / 2, scene.offending[0], scene.offending[1]);
 }
 
+void let_meet(BodyRecord& of) {
+  keep_boxes(of.body);
+  of.record.keeps_partners = of.next.keeps_partners = true;
+}
+
 dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
   if (d.vertex_count >= kNone) fail(DSW_STATUS_TOO_LARGE, "desc->vertex_count is %zu", d.vertex_count);
   BodyRecord made(scene.memory);
@@ -109,8 +114,7 @@ dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
     body.sequences.shrink_to_fit();
   }
   if (scene.features.contacts) {
-    keep_boxes(body);
-    made.record.keeps_partners = made.next.keeps_partners = true;
+    let_meet(made);
     scene.body_boxes.reserve(scene.bodies.size() + 1);
   }
   check_free(scene, body, body.level);

@@ -60,6 +60,8 @@ struct BodyDescription {
 };
 
 dsw_body_id create_body(Scene<3>& scene, const BodyDescription& description);
+/** Lets one that is not in a scene yet meet others. Throws std::bad_alloc. */
+void let_meet(BodyRecord& of);
 void destroy_body(Scene<3>& scene, uint32_t slot) noexcept;
 /** Throws unless the id is alive. `argument` names it in messages. */
 BodyRecord& check_body(Scene<3>& scene, dsw_body_id id, ArgumentName argument, size_t index = 0);

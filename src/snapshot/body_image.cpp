@@ -31,10 +31,14 @@ enum Number {
   kSequences,
   kBalls,
   kContacts,
+  kPartners,  // as many as contacts, or none: whether bodies meet each other
+  kCategory,
+  kMask,
   kNumbers
 };
 
-constexpr uint64_t kSequencesFlag = 1, kEnvironmentFlag = 2, kClearanceFlag = 4, kMotionFlag = 8, kAllFlags = 15;
+constexpr uint64_t kSequencesFlag = 1, kEnvironmentFlag = 2, kClearanceFlag = 4, kMotionFlag = 8, kSelfFlag = 16,
+                   kAllFlags = 31;
 
 template <class To, class From>
 To bits_as(const From& from) {
@@ -44,9 +48,11 @@ To bits_as(const From& from) {
   return to;
 }
 
-uint64_t flags_of(const Skipping& s) {
-  return (s.sequences ? kSequencesFlag : 0) | (s.by_environment ? kEnvironmentFlag : 0) |
-         (s.by_clearance ? kClearanceFlag : 0) | (s.by_motion ? kMotionFlag : 0);
+uint64_t flags_of(const Body& body) {
+  const Skipping& s = body.skipping;
+  return (body.filter.self ? kSelfFlag : 0) | (s.sequences ? kSequencesFlag : 0) |
+         (s.by_environment ? kEnvironmentFlag : 0) | (s.by_clearance ? kClearanceFlag : 0) |
+         (s.by_motion ? kMotionFlag : 0);
 }
 
 template <class T>
@@ -78,6 +84,8 @@ void for_each_word(Contact& c, Visit visit) {
   visit(c.kind), visit(c.cause), visit(c.tag), visit(c.history);
 }
 constexpr size_t kContactWords = 19, kAtObstacleKind = 6, kAtKind = 15;  // then cause, tag, history
+
+constexpr size_t kPartnerWords = 8;
 
 /** Whether each facet leads to the cell of the next. One that has lost its other side since it was passed makes what is known worthless. */
 bool is_whole(const Map<3>& map, const Array<uint32_t>& facets) {
@@ -116,7 +124,7 @@ void append(const Environment<3>& env, const BodyRecord& of, SceneImage& image) 
   const size_t balls = body.skipping.by_clearance ? vertices : 0;
   uint64_t numbers[kNumbers] = {};
   numbers[kLevel] = static_cast<uint64_t>(body.level);
-  numbers[kFlags] = flags_of(body.skipping);
+  numbers[kFlags] = flags_of(body);
   numbers[kMotionShare] = bits_as<uint64_t>(body.skipping.motion_share);
   numbers[kCredit] = bits_as<uint64_t>(body.clearance_credit);
   numbers[kVertices] = vertices;
@@ -129,6 +137,9 @@ void append(const Environment<3>& env, const BodyRecord& of, SceneImage& image) 
   numbers[kSequences] = sequences;
   numbers[kBalls] = balls;
   numbers[kContacts] = of.record.contacts.size();
+  numbers[kPartners] = of.record.partners.size();
+  numbers[kCategory] = body.filter.category;
+  numbers[kMask] = body.filter.mask;
   append(image.bodies, numbers, kNumbers);
   const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
     append(to, from.data(), from.size());
@@ -158,6 +169,10 @@ void append(const Environment<3>& env, const BodyRecord& of, SceneImage& image) 
   for (const dsw_contact& contact : of.record.contacts) {
     for_each_place(contact, [&](const double* at, size_t count) { append(image.contact_places, at, count); });
     for_each_word(contact, [&](auto word) { append(image.contacts, {static_cast<uint32_t>(word)}); });
+  }
+  for (const dsw_contact_partner& p : of.record.partners) {
+    append(image.partners, {p.body.index, p.body.generation, p.vertex.index, p.vertex.generation, p.edge.index,
+                            p.edge.generation, p.face.index, p.face.generation});
   }
 }
 
@@ -288,6 +303,18 @@ void BodyReader::read_contacts(BodyRecord& of, uint64_t count) {
   }
 }
 
+void BodyReader::read_partners(BodyRecord& of, uint64_t count) {
+  if (count > image_.partners.size() || (count != 0 && count != of.record.contacts.size())) {
+    fail_corrupt("the number of partners");
+  }
+  const uint32_t* words = take(image_.partners, partner_, kPartnerWords * count);
+  of.record.partners.reserve(static_cast<size_t>(count));
+  for (uint64_t i = 0; i < count; ++i, words += kPartnerWords) {
+    of.record.partners.push_back(
+        {{words[0], words[1]}, {words[2], words[3]}, {words[4], words[5]}, {words[6], words[7]}});
+  }
+}
+
 void BodyReader::check(const Body& body) {
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     if (body.has_vertex(v) && !can_be_at(env_, body.vertices[v].cell, body.position(v))) {
@@ -310,6 +337,8 @@ void BodyReader::read(BodyRecord& of) {
   body.skipping.by_motion = (n[kFlags] & kMotionFlag) != 0;
   body.skipping.motion_share = bits_as<double>(n[kMotionShare]);
   body.clearance_credit = bits_as<int64_t>(n[kCredit]);
+  body.filter = {static_cast<uint32_t>(n[kCategory]), static_cast<uint32_t>(n[kMask]), (n[kFlags] & kSelfFlag) != 0};
+  if (n[kCategory] != body.filter.category || n[kMask] != body.filter.mask) fail_corrupt("a filter");
   if (!(body.skipping.motion_share >= 0) || !std::isfinite(body.skipping.motion_share)) fail_corrupt("a motion share");
   read_parts(body, n);
   if (const char* const broken = check_integrity(body)) fail_corrupt(broken);
@@ -317,6 +346,7 @@ void BodyReader::read(BodyRecord& of) {
   read_sequences(body, n[kSequences]);
   read_balls(body, n[kBalls]);
   read_contacts(of, n[kContacts]);
+  read_partners(of, n[kPartners]);
   reserve(body, 0, 0, 0);
 }
 
@@ -326,6 +356,9 @@ void BodyReader::skip() {
   const Skipping none;
   numbers[kLevel] = static_cast<uint64_t>(SweepLevel::kEdgesSwept);
   numbers[kMotionShare] = bits_as<uint64_t>(none.motion_share);
+  const ContactFilter any;
+  numbers[kCategory] = any.category;
+  numbers[kMask] = any.mask;
   if (!std::equal(n, n + kNumbers, numbers)) fail_corrupt("a slot without a body");
 }
 
@@ -337,7 +370,7 @@ void BodyReader::finish() const {
       edge_slot_ == i.edge_slots.size() && free_edge_ == i.free_edges.size() && face_ == i.faces.size() &&
       face_slot_ == i.face_slots.size() && free_face_ == i.free_faces.size() && inserted_ == i.inserted.size() &&
       sequence_ == i.sequences.size() && ball_ == i.balls.size() && ball_word_ == i.ball_words.size() &&
-      contact_place_ == i.contact_places.size() && contact_ == i.contacts.size();
+      contact_place_ == i.contact_places.size() && contact_ == i.contacts.size() && partner_ == i.partners.size();
   if (!all) fail_corrupt("more of bodies than there are");
 }
 

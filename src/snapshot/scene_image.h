@@ -29,10 +29,11 @@ struct SceneImage {
   Array<uint32_t> ball_words;  // wait, patience, whether it is of the present environment
   Array<double> contact_places;
   Array<uint32_t> contacts;
+  Array<uint32_t> partners;  // one for each contact, if bodies meet each other
 
   explicit SceneImage(const Memory* memory);
 
-  static constexpr uint32_t kSections = 24;
+  static constexpr uint32_t kSections = 25;
 
   /** Calls visit(array) for all arrays in the order of their sections. */
   template <class Visit>
@@ -47,7 +48,7 @@ struct SceneImage {
     visit(inserted);
     visit(sequences);
     visit(balls), visit(ball_words);
-    visit(contact_places), visit(contacts);
+    visit(contact_places), visit(contacts), visit(partners);
   }
 };
 
@@ -69,7 +70,8 @@ class BodyReader {
  public:
   BodyReader(const Environment<3>& env, const SceneImage& image) : env_(env), image_(image) {}
 
-  /** The next one, into an empty record; it is sound, in its cells and free at its level. */
+  /** The next one, into an empty record; it is sound, in its cells and free at its level. Whether it is apart from other bodies is not
+   * looked at. */
   void read(BodyRecord& of);
   /** The next one, which must be empty. */
   void skip();
@@ -86,6 +88,7 @@ class BodyReader {
   void read_sequences(Body& body, uint64_t count);
   void read_balls(Body& body, uint64_t count);
   void read_contacts(BodyRecord& of, uint64_t count);
+  void read_partners(BodyRecord& of, uint64_t count);
   void check(const Body& body);
 
   const Environment<3>& env_;
@@ -93,7 +96,7 @@ class BodyReader {
   // Where the next body begins in each array.
   size_t body_ = 0, vertex_place_ = 0, vertex_ = 0, vertex_slot_ = 0, free_vertex_ = 0, edge_ = 0, edge_slot_ = 0,
          free_edge_ = 0, face_ = 0, face_slot_ = 0, free_face_ = 0, inserted_ = 0, sequence_ = 0, ball_ = 0,
-         ball_word_ = 0, contact_place_ = 0, contact_ = 0;
+         ball_word_ = 0, contact_place_ = 0, contact_ = 0, partner_ = 0;
 };
 
 }  // namespace dsw

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "scene/meeting.h"
 #include "snapshot/scene_image.h"
 
 namespace dsw {
 namespace {
 
 constexpr BlockKind kKind = {"DSWSCN\x1a\n", 1, SceneImage::kSections};
-constexpr uint32_t kStatistics = 1, kCrossings = 2, kDeforming = 4, kAllFeatures = 7;
+constexpr uint32_t kStatistics = 1, kCrossings = 2, kDeforming = 4, kContacts = 8, kAllFeatures = 15;
 
 constexpr size_t kCounters = 8, kExtents = 3;
 
@@ -60,7 +61,7 @@ SceneImage image_of(const Scene<3>& scene) {
 BlockHeader header_of(const Scene<3>& scene, SceneImage& image) {
   BlockHeader h;
   h.flags = (scene.features.statistics ? kStatistics : 0) | (scene.features.crossings ? kCrossings : 0) |
-            (scene.features.deforming ? kDeforming : 0);
+            (scene.features.deforming ? kDeforming : 0) | (scene.features.contacts ? kContacts : 0);
   uint64_t* bytes = h.bytes;
   image.for_each([&](const auto& array) { *bytes++ = array.size() * sizeof(array[0]); });
   return h;
@@ -89,6 +90,27 @@ void load_particles(Scene<3>& scene, SceneImage& image) {
   }
 }
 
+/** Lets loaded bodies meet each other, if they are apart. */
+void join_bodies(Scene<3>& scene) {
+  const auto for_each_body = [&](auto visit) {
+    for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
+      if (scene.body_slots.alive(slot, scene.body_slots.generation(slot))) visit(slot, scene.bodies[slot]);
+    }
+  };
+  scene.body_boxes.reserve(scene.bodies.size());
+  for_each_body([&](uint32_t slot, BodyRecord& of) {
+    if (of.record.partners.size() != of.record.contacts.size()) fail_corrupt("the number of partners");
+    let_meet(of);
+    note_body(scene, slot);
+  });
+  for_each_body([&](uint32_t, const BodyRecord& of) {
+    Partners partners(scene.memory);
+    find_partners(scene, of.body, reach_of(of.body), partners);
+    const auto stop = [](uint32_t, uint32_t) { return false; };
+    if (!is_body_apart(partners, of.body, of.body.level, stop)) fail_corrupt("bodies touch");
+  });
+}
+
 void load_bodies(Scene<3>& scene, SceneImage& image) {
   restore(scene.body_slots, image.body_slots, image.free_bodies);
   BodyReader reader(scene.env, image);
@@ -104,6 +126,8 @@ void load_bodies(Scene<3>& scene, SceneImage& image) {
     }
   }
   reader.finish();
+  if (scene.features.contacts) return join_bodies(scene);
+  if (!image.partners.empty()) fail_corrupt("partners of bodies that do not meet");
 }
 
 }  // namespace
@@ -138,6 +162,7 @@ SceneFeatures saved_features(const uint8_t* block, size_t size) {
   features.statistics = (flags & kStatistics) != 0;
   features.crossings = (flags & kCrossings) != 0;
   features.deforming = (flags & kDeforming) != 0;
+  features.contacts = (flags & kContacts) != 0;
   return features;
 }
 

@@ -53,7 +53,7 @@ struct Ids {
 };
 
 /// Bodies at all levels and with all flags, some of them and some particles gone again.
-void fill(dsw_scene* scene, const World& world, Rng& rng, Ids& ids) {
+void fill(dsw_scene* scene, const World& world, Rng& rng, Ids& ids, uint32_t more_flags = 0) {
   Motions motions(world, rng);
   for (int i = 0; i < 24; ++i) {
     BodyPlan plan;
@@ -71,7 +71,8 @@ void fill(dsw_scene* scene, const World& world, Rng& rng, Ids& ids) {
     }
     dsw_body_id body;
     const dsw_level level = static_cast<dsw_level>(1 + i % 4);
-    if (create_body(scene, plan, level, i % 3 == 0 ? kAllFlags : 0, {}, &body) == DSW_STATUS_OK) {
+    if (create_body(scene, plan, level, (i % 3 == 0 ? kAllFlags : 0) | (i % 4 < 2 ? more_flags : 0), {}, &body) ==
+        DSW_STATUS_OK) {
       ids.bodies.push_back(body);
     }
     const Vec p = motions.start();
@@ -117,20 +118,18 @@ std::string move_all(dsw_scene* scene, const World& world, Rng& rng, const Ids& 
   return text;
 }
 
-class SceneSnapshotTest : public SceneTest {};
-DSW_FOR_ALL_SCENES(SceneSnapshotTest);
-
-TEST_P(SceneSnapshotTest, GoesOnWithTheSameBitsIdsAndCounters) {
-  const Place place = make_place(GetParam(), 91, 0, nullptr);
+/// @param flags of some bodies.
+void check_going_on(const std::string& kind, uint32_t features, uint32_t flags) {
+  const Place place = make_place(kind, 91, 0, nullptr);
   ASSERT_PLACE(place);
   Rng rng(17);
   for (int i = 0; i < 3; ++i) {
     const dsw_volume_id wall = place.world->ids[rng.below(place.world->ids.size())];
     EXPECT_EQ(dsw_environment_mark_volumes(place.get(), &wall, 1, DSW_MARK_IMPASSABLE, 0, nullptr), DSW_STATUS_OK);
   }
-  const ScenePtr scene = make_scene(place.get(), DSW_FEATURE_STATISTICS);
+  const ScenePtr scene = make_scene(place.get(), DSW_FEATURE_STATISTICS | features);
   Ids ids;
-  fill(scene.get(), *place.world, rng, ids);
+  fill(scene.get(), *place.world, rng, ids, flags);
   for (int i = 0; i < 8; ++i) move_all(scene.get(), *place.world, rng, ids);
   const Bytes of_environment = saved(place.get()), of_scene = saved(scene.get());
   const World3 copy = loaded(of_environment, of_scene);
@@ -150,10 +149,19 @@ TEST_P(SceneSnapshotTest, GoesOnWithTheSameBitsIdsAndCounters) {
     ASSERT_EQ(move_all(scene.get(), *place.world, rng, ids), move_all(copy.scene.get(), *place.world, other, ids)) << i;
   }
   Ids others = ids;
-  fill(scene.get(), *place.world, rng, ids);  // new ones get the same ids
-  fill(copy.scene.get(), *place.world, other, others);
+  fill(scene.get(), *place.world, rng, ids, flags);  // new ones get the same ids
+  fill(copy.scene.get(), *place.world, other, others, flags);
   EXPECT_EQ(move_all(scene.get(), *place.world, rng, ids), move_all(copy.scene.get(), *place.world, other, others));
   EXPECT_TRUE(saved(scene.get()) == saved(copy.scene.get())) << "also what is kept to do less work";
+}
+
+class SceneSnapshotTest : public SceneTest {};
+DSW_FOR_ALL_SCENES(SceneSnapshotTest);
+
+TEST_P(SceneSnapshotTest, GoesOnWithTheSameBitsIdsAndCounters) { check_going_on(GetParam(), 0, 0); }
+
+TEST_P(SceneSnapshotTest, BodiesThatMeetGoOnWithTheSameBits) {
+  check_going_on(GetParam(), DSW_FEATURE_BODY_CONTACTS, DSW_BODY_SELF_CONTACTS);
 }
 
 TEST_P(SceneSnapshotTest, EveryTruncationAndEveryDamagedByteIsAnError) {
