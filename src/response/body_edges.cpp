@@ -32,6 +32,7 @@ Cell BodyMove::cell_at(uint32_t v, uint32_t rank) const {
 void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
   keeps_.assign(body.level == SweepLevel::kFaces ? body.edges.size() : 0, true);
   const bool asks_cells = body.skipping.by_environment && body.level == SweepLevel::kEdges && !body.keeps_sequences();
+  const bool asks_boxes = body.level != SweepLevel::kEdges;
   const bool asks_balls = body.skipping.by_clearance && sweeps_.max_cells == 0;
   for (uint32_t next = 0; next < body.edges.size();) {
     uint32_t count = gather_edges(body, targets, next);
@@ -40,8 +41,9 @@ void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
     if (may_skip) count = drop_short(body, targets, count);
     for (uint32_t i = 0; i < count; ++i) {
       const uint32_t e = chunk_[i], a = body.edges[e].ends[0], b = body.edges[e].ends[1];
-      sweep_edge(body, targets, e, a, b);
-      sweep_edge(body, targets, e, b, a);
+      const bool boxed = asks_boxes && is_edge_boxed(body, targets, e);
+      sweep_edge(body, targets, e, a, b, boxed);
+      sweep_edge(body, targets, e, b, a, boxed);
     }
   }
   run_edges(body);
@@ -118,6 +120,27 @@ uint32_t BodyMove::drop_clear(Body& body, uint32_t count) {
   return kept;
 }
 
+/** All places of a vertex on its way, as far as nothing is met. */
+void BodyMove::include_way(const Body& body, PointArray targets, uint32_t v, Bounds& box) const {
+  box.include(body.position(v));
+  if (moving_[v].rank != kNone) box.include(targets[v]);
+}
+
+/** Whether an edge and what both of its ends sweep lie in a box that is free. Not asked of edges that stay inside of one cell, which is
+ * seen sooner, and of those known to cross more cells than a box may meet: they have their sequences. */
+bool BodyMove::is_edge_boxed(const Body& body, PointArray targets, uint32_t e) {
+  constexpr size_t kMostFacets = 3;
+  const uint32_t v = body.edges[e].ends[0], w = body.edges[e].ends[1];
+  const Moving &a = moving_[v], &b = moving_[w];
+  if ((a.rank == kNone && b.rank == kNone) || !BoxProbe::suits(env_, a.from)) return false;
+  if (a.from == a.arrival && a.from == b.from && a.from == b.arrival && env_.map.convex(a.from)) return false;
+  if (body.sequences[e].facets.size() > kMostFacets) return false;
+  Bounds box(body.position(v));
+  include_way(body, targets, v, box);
+  include_way(body, targets, w, box);
+  return sweeps_.is_boxed(box, a.from, b.from);
+}
+
 /** Edges whose ends go less than their length, and nearly alike [JCD10] 6.2; they are cast where they arrive. */
 uint32_t BodyMove::drop_short(Body& body, PointArray targets, uint32_t count) {
   const double share = body.skipping.motion_share * body.skipping.motion_share;
@@ -146,7 +169,8 @@ void BodyMove::cast_skipped(Body& body, PointArray targets, uint32_t e) {
   if (wave_.full()) run_edges(body);
 }
 
-void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other) {
+/** @param boxed as is_edge_boxed says. */
+void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other, bool boxed) {
   Moving& moving = moving_[v];
   if (moving.rank == kNone) return;
   const Cell fixed = cell_at(other, moving.rank);
@@ -163,7 +187,7 @@ void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v
                                    place(body, targets, other, moving.rank),
                                    fixed,
                                    body.keeps_sequences() ? crossed_[v] : PathFacets{}};
-  const StarSweep::Settled settled = sweeps_.settle(body, sweep, false);
+  const StarSweep::Settled settled = boxed ? sweeps_.settle_boxed(body) : sweeps_.settle(body, sweep, false);
   if (!keeps_.empty()) {
     const bool same = settled == StarSweep::Settled::kInside ||
                       (settled == StarSweep::Settled::kStrip && body.vertices[v].cell == moving.arrival);

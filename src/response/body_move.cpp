@@ -214,7 +214,7 @@ void BodyMove::cast_paths(const Body& body, PointArray targets) {
 void BodyMove::sweep_faces(const Body& body, PointArray targets) {
   find_sides(body);
   for (uint32_t f = 0; f < body.faces.size(); ++f) {
-    if (!body.has_face(f) || shares_strip(body, f)) continue;
+    if (!body.has_face(f) || shares_strip(body, f) || is_face_boxed(body, targets, f)) continue;
     for (const uint32_t v : body.faces[f].corners) {
       Moving& moving = moving_[v];
       if (moving.rank == kNone || moving.doubtful) continue;
@@ -226,6 +226,16 @@ void BodyMove::sweep_faces(const Body& body, PointArray targets) {
       moving.doubtful = !sweeps_.is_tetrahedron_free(m, from);
     }
   }
+}
+
+/** Whether a face and what it sweeps lie in a box that is free. */
+bool BodyMove::is_face_boxed(const Body& body, PointArray targets, uint32_t f) {
+  const uint32_t(&corners)[3] = body.faces[f].corners;
+  const bool stays = std::all_of(corners, corners + 3, [&](uint32_t v) { return moving_[v].rank == kNone; });
+  if (stays || !BoxProbe::suits(env_, moving_[corners[0]].from)) return false;
+  Bounds box(body.position(corners[0]));
+  for (const uint32_t v : corners) include_way(body, targets, v, box);
+  return sweeps_.is_boxed(box, moving_[corners[0]].from, moving_[corners[1]].from, moving_[corners[2]].from);
 }
 
 void BodyMove::find_sides(const Body& body) {

@@ -63,9 +63,12 @@ class BodyMove {
   uint32_t drop_clear(Body& body, uint32_t count);
   uint32_t drop_short(Body& body, PointArray targets, uint32_t count);
   void cast_skipped(Body& body, PointArray targets, uint32_t e);
-  void sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other);
+  void sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other, bool boxed);
   void cast_edge(Body& body, const StarSweep::EdgeSweep& sweep);
   void run_edges(Body& body);
+  void include_way(const Body& body, PointArray targets, uint32_t v, Bounds& box) const;
+  bool is_edge_boxed(const Body& body, PointArray targets, uint32_t e);
+  bool is_face_boxed(const Body& body, PointArray targets, uint32_t f);
   void sweep_faces(const Body& body, PointArray targets);
   void find_sides(const Body& body);
   bool shares_strip(const Body& body, uint32_t f) const;

@@ -20,7 +20,11 @@ uint64_t feature(const StarContact& c) noexcept {
 }  // namespace
 
 StarSweep::StarSweep(const Environment<3>& env)
-    : env_(env), flood_(env), before_(Allocator<uint32_t>(env.memory)), hit_edges_(Allocator<uint32_t>(env.memory)) {}
+    : env_(env),
+      probe_(env),
+      flood_(env),
+      before_(Allocator<uint32_t>(env.memory)),
+      hit_edges_(Allocator<uint32_t>(env.memory)) {}
 
 /** Whether what an edge sweeps lies in the cell that its ends are in, which need not be convex. From one end in its new place all of the
  * cell is seen, hence the edge lies in it; where the triangle counts, from both: so the moving end's path lies in the cell, and what joins
@@ -222,6 +226,7 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
 
   const auto sweep_edge = [&](uint32_t e) {
     const EdgeMotion m{at.position, to, body.position(body.edges[e].other(v))};
+    if (is_boxed(bounds(m.p, m.to, m.q), at.cell)) return true;
     const SweepResult swept = flood_.sweep(m, at.cell, max_cells);
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, e, kNone}, first, &any);
@@ -243,6 +248,7 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
   for_each_face(body, v, [&](uint32_t f) {
     const BodyFace& face = body.faces[f];
     const FaceMotion m{at.position, to, body.position(face.after(v)), body.position(face.before(v))};
+    if (is_boxed(bounds(m.p, m.to, m.q, m.r), at.cell)) return true;
     const SweepResult swept = flood_.sweep(m, at.cell, max_cells);
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, kNone, f}, first, &any);

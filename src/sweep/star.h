@@ -3,6 +3,7 @@
 // the triangles that they sweep, at FACES also the tetrahedra that its faces sweep [JCD10] 4.1.
 
 #include "body/body.h"
+#include "motion/box_probe.h"
 #include "motion/sweep.h"
 #include "motion/wave.h"
 #include "pairs/pair_sweep.h"
@@ -51,9 +52,9 @@ class StarSweep {
     PathFacets crossed;  // on the path of v
   };
   /** What is known without a look at the triangle: nothing, or that nothing is met because it lies inside of one convex cell, of one that
-   * is not convex, of a ball that is free, of the strip of cells that the edge is known to cross, or of these and the others at one edge
-   * that it turns round. */
-  enum class Settled : uint32_t { kNo, kInside, kSeen, kClear, kStrip, kTurned };
+   * is not convex, of a box or a ball that is free, of the strip of cells that the edge is known to cross, or of these and the others at
+   * one edge that it turns round. */
+  enum class Settled : uint32_t { kNo, kInside, kSeen, kBoxed, kClear, kStrip, kTurned };
   /** Counts what is settled. The path of v is free.
    * @param ask_balls whether the balls of its ends have not been asked. */
   Settled settle(const Body& body, const EdgeSweep& sweep, bool ask_balls = true) {
@@ -72,6 +73,12 @@ class StarSweep {
     ask_balls = ask_balls && skipping.by_clearance;
     return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls) : Settled::kNo;
   }
+  /** The same for an edge that is known to lie, with what it sweeps, in a free box. */
+  Settled settle_boxed(const Body& body) {
+    ++counts.swept;
+    counts.skipped += body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
+    return Settled::kBoxed;
+  }
   bool settles(const Body& body, const EdgeSweep& sweep) { return settle(body, sweep) != Settled::kNo; }
   /** Whether the edge is known to keep to its sequence in its present place. */
   bool keeps_sequence(const Body& body, uint32_t e) const;
@@ -81,10 +88,19 @@ class StarSweep {
     return from == arrival && from == q && from == r && (env_.map.convex(from) || is_seen(m, from));
   }
 
+  /** Whether a box is seen to be free from all of these cells: then nothing that is swept inside of it from one of them meets
+   * anything. Not asked with a work limit, which is that of the cells that a sweep itself meets. */
+  template <class... Cells>
+  bool is_boxed(const Bounds& box, Cell start, Cells... others) noexcept {
+    return max_cells == 0 && probe_.is_free(box, start) && (probe_.has_entered(others) && ...);
+  }
+
   bool is_triangle_free(const EdgeMotion& m, Cell start) {
+    if (is_boxed(bounds(m.p, m.to, m.q), start)) return true;
     return flood_.sweep(m, start, max_cells).end == SweepEnd::kFree;
   }
   bool is_tetrahedron_free(const FaceMotion& m, Cell start) {
+    if (is_boxed(bounds(m.p, m.to, m.q, m.r), start)) return true;
     return flood_.sweep(m, start, max_cells).end == SweepEnd::kFree;
   }
 
@@ -109,6 +125,7 @@ class StarSweep {
 
   const Environment<3>& env_;
   bool limited_ = false;  // the work limit was met
+  BoxProbe probe_;
   SweepFlood flood_;
   Array<uint32_t> before_;  // facets of a sequence, to go back to
   Wave<3> wave_;

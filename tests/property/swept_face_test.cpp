@@ -2,6 +2,7 @@
 
 #include "swept_cases.h"
 
+#include "motion/box_probe.h"
 #include "motion/locate.h"
 #include "motion/sweep.h"
 
@@ -182,6 +183,47 @@ TEST(SweptFaceTest, TiesOnALattice) {
   }
   EXPECT_GT(count.contacts, 500);
   EXPECT_GT(count.ties, 60);
+}
+
+/// What is swept in a box that is free, from any of the cells that the probe has entered.
+TEST(SweptFaceTest, NothingIsMetInAFreeBox) {
+  static const Shares shares[] = {{0.1, 0, 0, 0}, {0, 0.05, 0, 0}, {0, 0, 0.01, 0}, {0, 0, 0, 0.01}};
+  int free = 0, of_many_cells = 0, from_elsewhere = 0;
+  for (const SceneKind& kind : oracle::sweep_scenes()) {
+    for (uint64_t seed = 1; seed <= 4; ++seed) {
+      Rng rng(seed);
+      const auto env = environment_of(kind.make(rng));
+      if (env == nullptr) continue;
+      mark(*env, rng, shares[seed - 1]);
+      SweptTruth truth(*env);
+      SweepFlood flood(*env);
+      BoxProbe probe(*env);
+      Bodies bodies(*env, truth, rng);
+      for (int i = 0; i < 3000; ++i) {
+        SCOPED_TRACE(std::string(kind.name) + " " + std::to_string(seed) + " " + std::to_string(i));
+        Vec x[4];
+        bodies.draw(x);
+        Cell cells[4];
+        for (int k = 0; k < 4; ++k) cells[k] = locate(*env, x[k].data(), Cell{}, nullptr).cell;
+        const Bounds box = bounds(x[0].data(), x[1].data(), x[2].data(), x[3].data());
+        if (!cells[0].valid() || is_closed(*env, cells[0]) || !probe.is_free(box, cells[0])) continue;
+        ++free;
+        for (int k = 0; k < 4; ++k) {
+          if (!probe.has_entered(cells[k])) continue;
+          from_elsewhere += cells[k] != cells[0] ? 1 : 0;
+          const FaceMotion face{x[k].data(), x[(k + 1) % 4].data(), x[(k + 2) % 4].data(), x[(k + 3) % 4].data()};
+          const SweepResult of_edge = flood.sweep(EdgeMotion{face.p, face.to, face.q}, cells[k], 0);
+          ASSERT_EQ(of_edge.end, SweepEnd::kFree);
+          of_many_cells += of_edge.cells_visited > 1 ? 1 : 0;
+          ASSERT_EQ(flood.sweep(face, cells[k], 0).end, SweepEnd::kFree);
+          for (size_t c = 0; c < flood.cells().size(); ++c) ASSERT_TRUE(probe.has_entered(flood.cells()[c]));
+        }
+      }
+    }
+  }
+  EXPECT_GT(free, 1000);
+  EXPECT_GT(of_many_cells, 1000);
+  EXPECT_GT(from_elsewhere, 500);
 }
 
 }  // namespace
