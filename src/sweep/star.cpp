@@ -108,7 +108,8 @@ bool StarSweep::turns(const Body& body, const EdgeSweep& sweep, bool first) {
 
 /** Whether the edge keeps to the facets that it was last known to pass, but for those that its end passes itself, and for those round
  * an edge of the environment to whose other side it goes: then it is free in its new place. If it kept to them before, too, the
- * triangle's sides share a strip of cells, or part at one edge. */
+ * triangle's sides share a strip of cells, or part at one edge. A path of two facets may come from one cell beside the strip and go to
+ * another: its facets cut off the triangle's corners in these, and what is left lies in the cell between them and in the strip. */
 StarSweep::Settled StarSweep::follow_sequence(const Body& body, const EdgeSweep& sweep) {
   EdgeSequence& sequence = body.sequences[sweep.e];
   const BodyVertex& from = body.vertices[sweep.v];
