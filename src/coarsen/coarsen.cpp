@@ -2,6 +2,7 @@
 
 #include "coarsen/rebuild.h"
 #include "environment/builder.h"
+#include "environment/local_points.h"
 
 namespace dsw {
 namespace {
@@ -33,6 +34,7 @@ void coarsen(const Environment<3>& source, const CoarsenOptions& options, Enviro
   rebuild(source, merging, target, new_index);
   finish_topology(target, nullptr);
   if (!source.grid.empty()) build_grid(target);
+  keep_local_points(target);
   report.trials = merging.trials();
   report.complete = merging.complete();
   report.area_before = passable_area(source);

@@ -29,6 +29,7 @@ struct Environment {
   double lower[D] = {}, upper[D] = {};  // box of the vertices that cells use
   Grid<D> grid;                         // empty unless asked for
   CheckedCells checked;                 // of moving points: cells may be invalid
+  Array<float> local_points;            // of polyhedra that stay as they are, see local_points.h; empty: not kept
 
   explicit Environment(const Memory* source)
       : memory(source),
@@ -39,7 +40,8 @@ struct Environment {
         edge_marks(source),
         vertex_marks(Allocator<uint64_t>(source)),
         grid(source),
-        checked(source) {}
+        checked(source),
+        local_points(Allocator<float>(source)) {}
   Environment(const Environment&) = delete;
   Environment& operator=(const Environment&) = delete;
 
@@ -51,7 +53,7 @@ struct Environment {
     const uint64_t borrowed = owned_points.empty() ? uint64_t{map.vertex_count} * D * sizeof(double) : 0;
     return sizeof(*this) + map.memory_bytes() + array_bytes(owned_points) + borrowed + array_bytes(regions) +
            array_bytes(tags) + edge_marks.memory_bytes() + array_bytes(vertex_marks) + grid.memory_bytes() +
-           checked.memory_bytes();
+           checked.memory_bytes() + array_bytes(local_points);
   }
 };
 

@@ -1,5 +1,7 @@
 #include "environment/moving.h"
 
+#include "environment/local_points.h"
+
 namespace dsw {
 
 template <int D>
@@ -11,6 +13,7 @@ void let_points_move(Environment<D>& env) {
     if (map.form(c) != Form::kSimplex) map.record(c)[0] &= ~kConvexBit;
   });
   env.grid = Grid<D>(env.memory);
+  drop_local_points(env);
 }
 
 template <int D>

@@ -89,7 +89,7 @@ class ExitFinder {
       }
       if (form == Form::kGeneral) {
         const Shape shape = map_.general_shape(w[0]);
-        if (has_line_exits(shape)) return Look::of_lines(line_exits(env_, w, shape, line), shape, tally_);
+        if (has_line_exits(shape)) return Look::of_lines(look_along(w, shape, line), shape, tally_);
       }
     }
     return Look::of_nothing();
@@ -124,6 +124,15 @@ class ExitFinder {
   }
 
  private:
+  /** Single precision first, where there is any. */
+  DSW_HOT LineExits look_along(const uint32_t* w, const Shape& shape, const Shear& line) noexcept {
+    if (!env_.local_points.empty()) {
+      const LineExits exits = near_exits(env_, w, shape, line);
+      if (__builtin_expect(exits.sure, 1)) return exits;
+    }
+    return line_exits(env_, w, shape, line);
+  }
+
   /** The planes of a kernel are counted before, their fallbacks are not tests of their own. */
   struct Uncounted {
     Tally& tally;

@@ -31,6 +31,40 @@ inline bool has_line_exits(const Shape& shape) noexcept {
   return (shape.vertex_count() <= kMostCorners) & (shape.simplex_count() <= kMostTriangles);
 }
 
+/** The line from a cell's vertex 0 for single precision. With u = 2^-24, m over the stored coordinates and C those of vertex 0 on the
+ * plane: a point X = (A_i - s_i A_k) + C_i meets five roundings and three of its inputs, together less than 8.1 u m + 2.1 u |C|; C itself
+ * is off by 9 M / 2^53 with M over p -> vertex 0 (shear.h). With |X| <= N = 2 m + |C| that is e < 4.1 u N + 9 M / 2^53, and
+ * X_i Y_j - X_j Y_i with its three roundings is off by 4 N e + 2 e^2 + 4 u N^2 < 20.4 u N^2 + 37 N M / 2^53 for e < N / 100. */
+struct NearLine {
+  float slope_i, slope_j, i, j;  // of vertex 0
+  double offset, reach;          // |C| and M
+
+  DSW_HOT NearLine(const Shear& line, const double* vertex) noexcept {
+    Shear shear = line;
+    const Shear::Point c = shear(vertex);
+    slope_i = static_cast<float>(line.slopes()[0]);
+    slope_j = static_cast<float>(line.slopes()[1]);
+    i = static_cast<float>(c.i);
+    j = static_cast<float>(c.j);
+    offset = std::max(std::fabs(c.i), std::fabs(c.j));
+    reach = shear.largest();
+  }
+
+  /** Whether products stay normal, and e is small. */
+  DSW_HOT bool is_in_range(double m) const noexcept {
+    const double n = 2 * m + offset;
+    return n > 1e-15 && n < 1e15 && reach * 0x1p-43 < n;
+  }
+  DSW_HOT float bound(double m) const noexcept {
+    const double n = 2 * m + offset;
+    return static_cast<float>(n * (0x1p-19 * n + 0x1p-47 * reach));
+  }
+};
+
+inline const double* first_vertex(const Environment<3>& env, const uint32_t* w, const Shape& shape) noexcept {
+  return env.point(w[(shape.facet_count() + 6) / 7 * kUnitWords + 1]);
+}
+
 #if defined(DSW_ISA_AVX512)
 
 /** Where the coordinates i and j, and k, of two points in the halves of a register stand, by Shear::order. */
@@ -139,6 +173,67 @@ __attribute__((noinline)) inline LineExits line_exits(const Environment<3>& env,
   return line_exits_of<kMostCorners, kMostTriangles>(env, w, shape, line);
 }
 
+/** Of 16 triangles, three 16-bit numbers each: the pair that a corner is in, and how far it is shifted there. */
+struct CornerPicks {
+  alignas(64) int32_t pair[3][16] = {}, shift[3][16] = {};
+
+  constexpr CornerPicks() {
+    for (int corner = 0; corner < 3; ++corner) {
+      for (int t = 0; t < 16; ++t) {
+        pair[corner][t] = (3 * t + corner) / 2;
+        shift[corner][t] = (3 * t + corner) % 2 * 16;
+      }
+    }
+  }
+};
+constexpr CornerPicks kCornerPicks;
+
+/** As line_exits, from local points. */
+__attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
+                                                      const Shear& line) noexcept {
+  const uint32_t vertices = shape.vertex_count(), count = shape.simplex_count();
+  const float* const local = local_points(env, w);
+  const auto used = static_cast<__mmask16>((1u << vertices) - 1);
+  const auto row = [&](int axis) __attribute__((always_inline)) {
+    return _mm512_maskz_loadu_ps(used, local + static_cast<uint32_t>(axis) * vertices);
+  };
+  const __m512 x = row(line.i()), y = row(line.j()), z = row(line.k());
+  const NearLine near(line, first_vertex(env, w, shape));
+  const __m512 most = _mm512_max_ps(_mm512_max_ps(_mm512_abs_ps(x), _mm512_abs_ps(y)), _mm512_abs_ps(z));
+  const double m = static_cast<double>(_mm512_reduce_max_ps(most));
+  const __m512 i =
+      _mm512_add_ps(_mm512_sub_ps(x, _mm512_mul_ps(_mm512_set1_ps(near.slope_i), z)), _mm512_set1_ps(near.i));
+  const __m512 j =
+      _mm512_add_ps(_mm512_sub_ps(y, _mm512_mul_ps(_mm512_set1_ps(near.slope_j), z)), _mm512_set1_ps(near.j));
+  const __m512 bound = _mm512_set1_ps(near.bound(m)), minus_bound = _mm512_set1_ps(-near.bound(m));
+  const uint64_t pairs = (uint64_t{1} << (3 * count + 1) / 2) - 1;
+  const uint16_t* const corners = shape.simplices();
+  uint32_t pierced = 0, settled = 0;
+  for (uint32_t first = 0; first < count; first += 16) {
+    const uint64_t here = pairs >> 3 * first / 2;
+    const __m512i low = _mm512_maskz_loadu_epi32(static_cast<__mmask16>(here & 0xffffu), corners + 3 * first);
+    const __m512i high = _mm512_maskz_loadu_epi32(static_cast<__mmask16>(here >> 16 & 0xffu), corners + 3 * first + 32);
+    const auto pick = [&](int corner) __attribute__((always_inline)) {
+      return _mm512_srlv_epi32(_mm512_permutex2var_epi32(low, _mm512_load_si512(kCornerPicks.pair[corner]), high),
+                               _mm512_load_si512(kCornerPicks.shift[corner]));
+    };
+    const __m512i a = pick(0), b = pick(1), c = pick(2);
+    const __m512 ai = _mm512_permutexvar_ps(a, i), aj = _mm512_permutexvar_ps(a, j), bi = _mm512_permutexvar_ps(b, i),
+                 bj = _mm512_permutexvar_ps(b, j), ci = _mm512_permutexvar_ps(c, i), cj = _mm512_permutexvar_ps(c, j);
+    const auto side = [](__m512 pi, __m512 pj, __m512 qi, __m512 qj) __attribute__((always_inline)) {
+      return _mm512_sub_ps(_mm512_mul_ps(pi, qj), _mm512_mul_ps(pj, qi));
+    };
+    const __m512 lowest =
+        _mm512_min_ps(_mm512_min_ps(side(ai, aj, bi, bj), side(bi, bj, ci, cj)), side(ci, cj, ai, aj));
+    const uint32_t in = _mm512_cmp_ps_mask(lowest, bound, _CMP_GT_OQ);
+    const uint32_t out = _mm512_cmp_ps_mask(minus_bound, lowest, _CMP_GT_OQ);
+    pierced |= in << first;
+    settled |= (in | out) << first;
+  }
+  const uint32_t all = (1u << count) - 1;
+  return {pierced & all, near.is_in_range(m) && (settled & all) == all};
+}
+
 #else
 
 /** For shapes that have_line_exits. */
@@ -155,6 +250,33 @@ __attribute__((noinline)) inline LineExits line_exits(const Environment<3>& env,
     const uint16_t* const local = shape.simplices() + 3 * s;
     const Shear::Point &a = corners[local[0]], &b = corners[local[1]], &c = corners[local[2]];
     const double lowest = std::min(std::min(Shear::side(a, b), Shear::side(b, c)), Shear::side(c, a));
+    exits.pierced |= (lowest > bound ? 1u : 0u) << s;
+    exits.sure &= std::fabs(lowest) > bound;
+  }
+  return exits;
+}
+
+/** As line_exits, from local points. */
+__attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
+                                                      const Shear& line) noexcept {
+  const uint32_t count = shape.vertex_count();
+  const float* const local = local_points(env, w);
+  const NearLine near(line, first_vertex(env, w, shape));
+  const float *const x = local + static_cast<uint32_t>(line.i()) * count,
+                     *const y = local + static_cast<uint32_t>(line.j()) * count,
+                     *const z = local + static_cast<uint32_t>(line.k()) * count;
+  float i[kMostCorners], j[kMostCorners], most = 0;
+  for (uint32_t v = 0; v < count; ++v) {
+    most = std::max(most, std::max(std::max(std::fabs(x[v]), std::fabs(y[v])), std::fabs(z[v])));
+    i[v] = (x[v] - near.slope_i * z[v]) + near.i;
+    j[v] = (y[v] - near.slope_j * z[v]) + near.j;
+  }
+  const float bound = near.bound(static_cast<double>(most));
+  LineExits exits{0, near.is_in_range(static_cast<double>(most))};
+  const auto side = [&](uint32_t a, uint32_t b) { return i[a] * j[b] - j[a] * i[b]; };
+  for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
+    const uint16_t* const t = shape.simplices() + 3 * s;
+    const float lowest = std::min(std::min(side(t[0], t[1]), side(t[1], t[2])), side(t[2], t[0]));
     exits.pierced |= (lowest > bound ? 1u : 0u) << s;
     exits.sure &= std::fabs(lowest) > bound;
   }

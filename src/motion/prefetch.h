@@ -32,6 +32,15 @@ inline void prefetch_vertices(const Environment<D>& env, Cell c) noexcept {
   for (int i = 0; i <= D; ++i) __builtin_prefetch(env.point(w[i] & kVertexMask));
 }
 
+/** Those of a polyhedron, as many as most have. */
+template <int D>
+inline void prefetch_local_points(const Environment<D>& env, Cell c) noexcept {
+  if (env.local_points.empty()) return;
+  const float* const local = env.local_points.data() + size_t{c.unit} * kUnitWords;
+  __builtin_prefetch(local);
+  __builtin_prefetch(local + kUnitWords * 2);
+}
+
 /** What is known of a cell of moving points, and its vertices. The record is read. */
 template <int D>
 inline void prefetch_moving(const Environment<D>& env, Cell c) noexcept {

@@ -59,6 +59,9 @@ class Shear {
   bool passed_all() const noexcept { return is_in_range(largest_) && lowest_ > bound(largest_); }
 
   const double* from() const noexcept { return p_; }
+  int i() const noexcept { return i_; }
+  int j() const noexcept { return j_; }
+  int k() const noexcept { return k_; }
   /** The axes i, j and k by their order: 0 1 2 is order 4. */
   int order() const noexcept { return 2 * k_ + (turned_ ? 1 : 0); }
   /** Those of i and j, one after the other. */

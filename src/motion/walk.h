@@ -6,6 +6,7 @@
 #include <cmath>
 #include <new>
 
+#include "environment/local_points.h"
 #include "motion/cast.h"
 #include "motion/prefetch.h"
 #include "motion/shear.h"

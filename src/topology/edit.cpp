@@ -1,6 +1,7 @@
 #include "topology/edit.h"
 
 #include "base/error.h"
+#include "environment/local_points.h"
 #include "environment/marking.h"
 #include "environment/validity.h"
 #include "map/integrity.h"
@@ -19,6 +20,7 @@ Edit::Edit(Environment<3>& env)
       vertices_(Allocator<uint32_t>(env.memory)),
       changes_(Allocator<VolumeChange>(env.memory)) {
   make_ready(map_);
+  drop_local_points(env_);
   room_ = room_of(map_);
   point_doubles_ = env.owned_points.size();
   vertex_mark_words_ = env.vertex_marks.size();

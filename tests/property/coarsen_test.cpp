@@ -163,7 +163,7 @@ TEST_P(CoarsenTest, BodiesMoveAsFarAndStayFree) {
   const Coarse coarse = coarsened(place_, 16);
   ASSERT_NE(coarse.environment, nullptr);
   dsw_move_options options = default_options();
-  options.stand_off = 0;  // by default a share of the cell's size
+  options.stand_off = -1;  // by default a share of the cell's size
   Motions motions(*place_.world, rng);
   dsw_environment* const both[2] = {place_.get(), coarse.environment.get()};
   ScenePtr scenes[2] = {make_scene(both[0]), make_scene(both[1])};
