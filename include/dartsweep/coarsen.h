@@ -14,13 +14,11 @@ extern "C" {
 /** What is merged. */
 typedef struct dsw_coarsen_options {
   uint32_t struct_size; /**< sizeof(dsw_coarsen_options). */
-  uint32_t
-      max_faces; /**< Most faces of a merged volume: 4 .. 28; 0 means 16. Up to 16 there are so few ways to join them that
-                             volumes share the tables of their form and the result takes less memory than the source; beyond it
-                             more, though there are fewer volumes. */
-  uint64_t
-      max_trials; /**< Work limit: most unions looked at, each in time that grows with max_faces alone; 0: no limit. Within it
-                             the best are merged. */
+  /** Most faces of a merged volume: 4 .. 28; 0 means 16. Up to 16 there are so few ways to join them that volumes share the tables of
+   * their form, and the result takes about a quarter more memory than the source; beyond it several times as much. */
+  uint32_t max_faces;
+  /** Work limit: most unions looked at, each in time that grows with max_faces alone; 0: no limit. Within it the best are merged. */
+  uint64_t max_trials;
 } dsw_coarsen_options;
 
 /** What coarsening did. Pairs are before and after. */

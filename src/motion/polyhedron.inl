@@ -28,7 +28,7 @@ constexpr VertexWords kVertexWords;
 
 /** Whether all vertices fit. */
 inline bool has_line_exits(const Shape& shape) noexcept {
-  return (shape.vertex_count() <= kMostCorners) & (shape.simplex_count() <= kMostTriangles);
+  return shape.vertex_count() <= kMostCorners && shape.simplex_count() <= kMostTriangles;
 }
 
 /** The line from a cell's vertex 0 for single precision. With u = 2^-24, m over the stored coordinates and C those of vertex 0 on the
@@ -169,7 +169,7 @@ DSW_HOT LineExits line_exits_of(const Environment<3>& env, const uint32_t* w, co
 /** For shapes that have_line_exits. */
 __attribute__((noinline)) inline LineExits line_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
                                                       const Shear& line) noexcept {
-  if ((shape.vertex_count() <= 10) & (shape.simplex_count() <= 16)) return line_exits_of<10, 16>(env, w, shape, line);
+  if (shape.vertex_count() <= 10 && shape.simplex_count() <= 16) return line_exits_of<10, 16>(env, w, shape, line);
   return line_exits_of<kMostCorners, kMostTriangles>(env, w, shape, line);
 }
 
@@ -187,6 +187,10 @@ struct CornerPicks {
   }
 };
 constexpr CornerPicks kCornerPicks;
+
+DSW_HOT __m512 side(__m512 ai, __m512 aj, __m512 bi, __m512 bj) noexcept {
+  return _mm512_sub_ps(_mm512_mul_ps(ai, bj), _mm512_mul_ps(aj, bi));
+}
 
 /** As line_exits, from local points. */
 __attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
@@ -220,9 +224,6 @@ __attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env,
     const __m512i a = pick(0), b = pick(1), c = pick(2);
     const __m512 ai = _mm512_permutexvar_ps(a, i), aj = _mm512_permutexvar_ps(a, j), bi = _mm512_permutexvar_ps(b, i),
                  bj = _mm512_permutexvar_ps(b, j), ci = _mm512_permutexvar_ps(c, i), cj = _mm512_permutexvar_ps(c, j);
-    const auto side = [](__m512 pi, __m512 pj, __m512 qi, __m512 qj) __attribute__((always_inline)) {
-      return _mm512_sub_ps(_mm512_mul_ps(pi, qj), _mm512_mul_ps(pj, qi));
-    };
     const __m512 lowest =
         _mm512_min_ps(_mm512_min_ps(side(ai, aj, bi, bj), side(bi, bj, ci, cj)), side(ci, cj, ai, aj));
     const uint32_t in = _mm512_cmp_ps_mask(lowest, bound, _CMP_GT_OQ);
