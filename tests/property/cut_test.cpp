@@ -15,7 +15,7 @@ class CutTest : public SceneTest {
   /// A plane far beyond the environment, through a point near its middle.
   void make_blade(Rng& rng) {
     const Environment<3>& e = place_.get()->engine;
-    Vec u, v;
+    double u[3], v[3];
     for (int k = 0; k < 3; ++k) {
       u[k] = rng.range(-1, 1);
       v[k] = rng.range(-1, 1);

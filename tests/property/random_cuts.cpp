@@ -8,7 +8,7 @@ namespace dsw::oracle {
 
 /// Through the environment somewhere, or through its vertices; flat, bent, folded, or of no extent; much smaller or larger than volumes.
 std::vector<double> RandomEdits::some_blade(uint32_t rows, uint32_t columns) {
-  Vec at{}, across{}, along{};
+  double at[3], across[3], along[3];
   const dsw::Cell c = some_cell();
   const auto vertex = [&] { return env().point(c, rng_.below(env().map.vertices_of(c))); };
   const double sizes[] = {1e-6, 0.02, 0.2, 0.5, 2, 100, 1e9};
@@ -30,8 +30,8 @@ std::vector<double> RandomEdits::some_blade(uint32_t rows, uint32_t columns) {
       along[k] = rng_.range(-size, size);
       at[k] = middle[k] - 0.5 * (across[k] + along[k]);
     }
-    if (rng_.chance(0.2)) across = along;
-    if (rng_.chance(0.1)) across = Vec{};
+    if (rng_.chance(0.2)) std::copy_n(along, 3, across);
+    if (rng_.chance(0.1)) std::fill_n(across, 3, 0.0);
   }
   const double bend = rng_.chance(0.5) ? 0 : rng_.range(0, 0.3) * size;
   std::vector<double> points;
