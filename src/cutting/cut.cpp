@@ -93,26 +93,29 @@ void Cut::choose_lines() {
   }
 }
 
-/** Cells that are split, and those at new vertices and lines. */
+/** Cells that are split, and those at new vertices and lines. Where a boundary is pinched an edge has volumes that are not joined with each
+ * other there: if one of those changes, all that are joined with it do. */
 void Cut::choose_cells() {
   changed_ = KeyTable(env_.memory);
   for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
-    const Cell c = crossings_.cell(i).cell;
-    if (!section_->loop(i).empty() || has_new_vertex(c)) changed_.insert(c.unit);
+    if (!section_->loop(i).empty()) changed_.insert(crossings_.cell(i).cell.unit);
   }
   for (const Line& line : lines_) {
     const HalfFacet o = map_.opposite(line.facet);
     if (o.valid()) changed_.insert(map_.cell_of(o).unit);
   }
+  for (uint32_t i = 0; i < changed_.size(); ++i) {
+    const Cell c{static_cast<uint32_t>(changed_[i])};
+    for (uint32_t d = 0, n = map_.shape(c).dart_count(); d < n; ++d) {
+      const HalfFacet o = map_.opposite(half_facet(map_, {c, d}));
+      if (o.valid() && has_new_vertex({c, d})) changed_.insert(map_.cell_of(o).unit);
+    }
+  }
 }
 
-bool Cut::has_new_vertex(Cell c) const {
-  const Shape shape = map_.shape(c);
-  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-    const uint32_t n = section_->node_on(dart_vertex(map_, {c, d}), dart_target(map_, {c, d}));
-    if (n != KeyTable::kNone && vertices_[n] != kNoCell) return true;
-  }
-  return false;
+bool Cut::has_new_vertex(Dart d) const {
+  const uint32_t n = section_->node_on(dart_vertex(map_, d), dart_target(map_, d));
+  return n != KeyTable::kNone && vertices_[n] != kNoCell;
 }
 
 /** False: it can't be written. */

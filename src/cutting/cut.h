@@ -68,7 +68,7 @@ class Cut {
   void choose_nodes(Edit& edit);
   void choose_lines();
   void choose_cells();
-  bool has_new_vertex(Cell c) const;
+  bool has_new_vertex(Dart d) const;
   bool write_cell(Edit& edit, Cell c);
   void insert_vertices(CellDraft& draft) const;
   bool draw_line(const FacetDraft& whole, Line& line) const;
