@@ -169,8 +169,8 @@ static void bad_members_are_refused(void) {
   newer.unknown = 1;
   refuses(DSW_STATUS_UNSUPPORTED, &newer.known, "non-zero byte");
   d = pyramid();
-  d.flags = 0x10;
-  refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->flags is 0x10, this version knows 0xf");
+  d.flags = 0x20;
+  refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->flags is 0x20, this version knows 0x1f");
   d.flags = 0;
   d.reserved = 1;
   refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->reserved is 1");
