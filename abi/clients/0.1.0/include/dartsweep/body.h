@@ -2,6 +2,10 @@
  * Bodies: vertices joined by edges and, where they are surfaces, by triangles. At its level a body never meets anything
  * impassable, exactly: creating, raising the level and every edit check that or change nothing.
  *
+ * In a scene with DSW_FEATURE_BODY_CONTACTS bodies do not touch each other either: what their levels cover, vertices, edges from
+ * DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES, has no point in common, and passed through nothing on its way. Here touching is a
+ * contact; also at DSW_LEVEL_EDGES the whole way of an edge counts. Bodies whose filters keep them apart ignore each other.
+ *
  * Vertices, edges and faces are named by ids whose index is stable; a removed one leaves a free index that a later one may take
  * with a higher generation. Arrays by vertex (positions, targets) have one entry for each index below the number of slots.
  */
@@ -26,9 +30,13 @@ enum {
   DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,
   /** Skip edges that sweep inside of a ball known to hold nothing impassable [lossless]. */
   DSW_BODY_SKIP_BY_CLEARANCE = 0x4,
-  /** At DSW_LEVEL_EDGES: sweep an edge once a move, in its last place, if its ends move less than `motion_share` of its
-   * length [JCD10] 6.2. What is met only on the way there is missed; where the edge ends is free all the same. */
-  DSW_BODY_SKIP_BY_MOTION = 0x8
+  /** At DSW_LEVEL_EDGES: sweep an edge once a move, in its last place, if its ends move less than its length, and alike: by
+   * vectors that differ by less than `motion_share` of it [JCD10] 6.2. What is met only on the way there is missed; where the
+   * edge ends is free all the same. */
+  DSW_BODY_SKIP_BY_MOTION = 0x8,
+  /** The body meets itself, too [JCD10] 4.4: parts of it that have no vertex in common. It keeps its edges and vertices then: responses
+   * insert and remove none. Needs DSW_FEATURE_BODY_CONTACTS. */
+  DSW_BODY_SELF_CONTACTS = 0x10
 };
 
 /** Describes a body. */
@@ -51,6 +59,10 @@ typedef struct dsw_body_desc {
   size_t face_count;        /**< face_offsets has one more entry. */
   size_t face_corner_count; /**< Entries of face_corners: the last of face_offsets. */
   double motion_share;      /**< For DSW_BODY_SKIP_BY_MOTION; 0 means 0.1. */
+  /** Two bodies meet if the category of each has a bit in common with the other's mask. 0 means 1. These two need
+   * DSW_FEATURE_BODY_CONTACTS. */
+  uint32_t category;
+  uint32_t mask; /**< 0 means all bits. To meet nobody, name a bit that no category has. */
 } dsw_body_desc;
 
 /** How many vertices, edges and triangles a body has, and below which number their indices are. */
@@ -70,14 +82,14 @@ DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
  * @return DSW_STATUS_NON_FINITE, STALE_ID (hints), OUTSIDE, IMPASSABLE (a vertex; the message names it), INDEX_OUT_OF_RANGE,
  * BAD_CELL (an edge or face names a vertex twice), DUPLICATE_CELL (an edge or triangle stands twice), SHARED_FACE (an edge of three
  * triangles, or a vertex whose triangles form more than one fan), INVERTED_CELL (neighbouring triangles are turned against
- * each other), OCCUPIED (edges or faces meet something impassable: see dsw_scene_get_offending_edges), UNSUPPORTED, WRONG_SIZE,
- * OUT_OF_MEMORY: nothing was created.
+ * each other), OCCUPIED (edges or faces meet something impassable, or touch a body: see dsw_scene_get_offending_edges), NOT_NAMED
+ * (category, mask or DSW_BODY_SELF_CONTACTS without the feature), UNSUPPORTED, WRONG_SIZE, OUT_OF_MEMORY: nothing was created.
  * @note O(vertices + volumes that edges cross), and the locating. Thread: writer; uses the parallel-for. Certain: what the level
  * covers is free. Source: [JCD10] 4. @since 0.1 */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
 
-/** Pairs of vertices (indices of the description, or of the body) of the edges that made the last dsw_body_create or
- * dsw_body_set_level answer DSW_STATUS_OCCUPIED. @param vertices [out] 2 * `count` numbers, owned by the scene, valid until the
+/** Pairs of vertices (indices of the description, or of the body) of the edges that made the last dsw_body_create,
+ * dsw_body_set_level or dsw_body_set_filter answer DSW_STATUS_OCCUPIED; of a vertex without edges twice the same. @param vertices [out] 2 * `count` numbers, owned by the scene, valid until the
  * next such call. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices, size_t *count);
 
@@ -101,6 +113,15 @@ DSW_API dsw_status dsw_body_get_level(const dsw_scene *scene, dsw_body_id body, 
  * @return DSW_STATUS_OCCUPIED: it is not, the level stays; see dsw_scene_get_offending_edges. DSW_STATUS_UNSUPPORTED.
  * @note Lowering: O(1). Raising: as creation. Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_set_level(dsw_scene *scene, dsw_body_id body, dsw_level level);
+
+/** Which bodies it meets, see dsw_body_desc. @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_BODY_CONTACTS. @note O(1). Thread:
+ * reader. @since 0.1 */
+DSW_API dsw_status dsw_body_get_filter(const dsw_scene *scene, dsw_body_id body, uint32_t *category, uint32_t *mask);
+
+/** Changes that; 0 as in dsw_body_desc.
+ * @return DSW_STATUS_NOT_NAMED; DSW_STATUS_OCCUPIED: it touches a body that it would meet, the filter stays; see
+ * dsw_scene_get_offending_edges. @note O(its size). Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_body_set_filter(dsw_scene *scene, dsw_body_id body, uint32_t category, uint32_t mask);
 
 /** Positions of all vertices, by index; free slots get zeros.
  * @param positions [out] `capacity` points, stride_bytes apart (0 means 24). @param volumes [out] null, or `capacity` ids.
@@ -171,13 +192,13 @@ typedef struct dsw_body_edit {
 
 /** Splits an edge at ends[0] + share * (ends[1] - ends[0]), rounded, and its faces with it. What the rounding sweeps is checked.
  * @param share [in] in (0,1). @param edit [out] may be null.
- * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (share), OCCUPIED (a part is not free): nothing has changed.
+ * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (share), UNSUPPORTED (DSW_BODY_SELF_CONTACTS), OCCUPIED (a part is not free): nothing has changed.
  * @note Thread: writer. Source: [JCD10] 4.2. @since 0.1 */
 DSW_API dsw_status dsw_body_split_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge, double share,
                                        dsw_body_edit *edit);
 /** Moves `vertex` to the other end of `edge`, swept at the body's level, and merges it there.
  * @param edit [out] may be null.
- * @return DSW_STATUS_STALE_ID, NOT_FOUND (`vertex` is no end of `edge`), BAD_CELL (the body would not stay a manifold), OCCUPIED (the
+ * @return DSW_STATUS_STALE_ID, NOT_FOUND (`vertex` is no end of `edge`), UNSUPPORTED (DSW_BODY_SELF_CONTACTS), BAD_CELL (the body would not stay a manifold), OCCUPIED (the
  * way is not free): nothing has changed. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_collapse_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
                                           dsw_body_vertex_id vertex, dsw_body_edit *edit);

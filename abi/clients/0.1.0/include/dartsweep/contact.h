@@ -128,6 +128,16 @@ typedef struct dsw_contact {
   dsw_contact_history history;
 } dsw_contact;
 
+/** The other body of a contact, and its part that was touched: one of vertex, edge and face; the rest is null. All is null in a
+ * contact with the environment. In a contact of bodies `obstacle`, `wall`, `cause` and `tag` of dsw_contact are null, `front` is the
+ * volume that the moving vertex started in, and `kind` is that of the part: DSW_CONTACT_VERTEX, EDGE or (a face) PLANE. */
+typedef struct dsw_contact_partner {
+  dsw_body_id body; /**< The body itself where it touches itself. */
+  dsw_body_vertex_id vertex;
+  dsw_body_edge_id edge;
+  dsw_body_face_id face;
+} dsw_contact_partner;
+
 #ifdef __cplusplus
 }
 #endif

@@ -19,6 +19,7 @@
 #include "dartsweep/query.h"
 #include "dartsweep/scene.h"
 #include "dartsweep/snapshot.h"
+#include "dartsweep/surgery.h"
 #include "dartsweep/sweep.h"
 #include "dartsweep/topology.h"
 #include "dartsweep/trace.h"

@@ -84,12 +84,13 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
  * @param options [in] may be null. @param report [out] may be null.
  * @return DSW_STATUS_OK also when contacts stopped it. DSW_STATUS_STALE_ID, WRONG_SIZE, NON_FINITE, OUT_OF_RANGE, DUPLICATE_ID (order),
  * UNSUPPORTED, OUT_OF_MEMORY: nothing has moved.
- * @note O(volumes met), independent of the size of the environment. Thread: writer. Certain: what the level covers is free, and
- * nothing the level sees was passed. Source: [JCD10] 4. @since 0.1 */
+ * @note O(volumes met, and parts of bodies near the way), independent of the size of the environment. Thread: writer. Certain: what the
+ * level covers is free, and nothing the level sees was passed. Source: [JCD10] 4. @since 0.1 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets, size_t target_count,
                                  size_t stride_bytes, const dsw_move_options *options, dsw_move_report *report);
 
-/** Moves many bodies, each as dsw_body_move does; bodies do not see each other.
+/** Moves many bodies, each as dsw_body_move does. With DSW_FEATURE_BODY_CONTACTS those that can meet go one after the other, in the order
+ * of `bodies`; without it bodies do not see each other.
  * @param bodies [in] `count` distinct live ids. @param targets [in] the targets of the bodies one after the other, `target_count`
  * points: the sum of their vertex slots. @param options [in] for all; its `order` must be null. @param reports [out] null, or
  * `count` reports. @return as dsw_body_move. @note Thread: writer; uses the parallel-for; the same bits for any number of threads.
@@ -118,6 +119,13 @@ DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body, const
  * @param contacts [out] owned by the body, valid until it next moves or is edited. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body, const dsw_contact **contacts,
                                          size_t *count);
+
+/** The other bodies of these contacts, one entry for each contact. Contacts with bodies and with the environment are found together:
+ * the earliest stops the vertex, of equal times that with the environment. DSW_SEARCH_ALL adds no later contacts with bodies.
+ * @param partners [out] owned by the body, valid as long as the contacts.
+ * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_BODY_CONTACTS. @note O(1). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_body_id body,
+                                                 const dsw_contact_partner **partners, size_t *count);
 
 /** Vertices inserted and removed by responses in the last move of a body, in order. @param edits [out] owned by the body, valid until it
  * next moves or is edited, or the environment is deformed. @note O(1). Thread: reader. @since 0.1 */
