@@ -432,3 +432,4 @@ SIZE(dsw_deform_method, 4);
 SIZE(dsw_wall_response, 4);
 SIZE(dsw_invalid_response, 4);
 SIZE(dsw_deform_outcome, 4);
+SIZE(dsw_cut_flag, 4);
