@@ -3,7 +3,7 @@
  * impassable, exactly: creating, raising the level and every edit check that or change nothing.
  *
  * In a scene with DSW_FEATURE_BODY_CONTACTS bodies do not touch each other either: what their levels cover, vertices, edges from
- * DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES, has no point in common, and passed through nothing on its way. Here touching is a
+ * DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES, has no point in common, and passed through nothing on its way (but see DSW_DEFORM_END_STATE). Here touching is a
  * contact; also at DSW_LEVEL_EDGES the whole way of an edge counts. Bodies whose filters keep them apart ignore each other.
  *
  * Vertices, edges and faces are named by ids whose index is stable; a removed one leaves a free index that a later one may take
@@ -160,7 +160,7 @@ DSW_API dsw_status dsw_body_get_face_vertices(const dsw_scene *scene, dsw_body_i
                                               size_t capacity, size_t *count);
 
 /** Adds a vertex without edges. @param hint [in] a volume near it, or null id.
- * @return as dsw_particle_create. @note Thread: writer. @since 0.1 */
+ * @return as dsw_particle_create; OCCUPIED: it touches a body that it would meet. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_add_vertex(dsw_scene *scene, dsw_body_id body, const double *position, dsw_volume_id hint,
                                        dsw_body_vertex_id *vertex);
 /** Adds an edge between two vertices. @return DSW_STATUS_STALE_ID, BAD_CELL (a == b), DUPLICATE_CELL, OCCUPIED (it is not
@@ -171,9 +171,9 @@ DSW_API dsw_status dsw_body_add_edge(dsw_scene *scene, dsw_body_id body, dsw_bod
  * dsw_body_create. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
                                      dsw_body_vertex_id c, dsw_body_face_id *face);
-/** Remove a face; an edge with its faces; a vertex with its edges and faces. Always possible, also where the faces left at a vertex
- * form several fans then.
- * @return DSW_STATUS_STALE_ID. @note O(what is round it). Thread: writer. @since 0.1 */
+/** Remove a face; an edge with its faces; a vertex with its edges and faces. Possible also where the faces left at a vertex form several
+ * fans then.
+ * @return DSW_STATUS_STALE_ID; OCCUPIED: an edge whose ends lie on one point, in a body that meets itself. @note O(what is round it). Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_remove_face(dsw_scene *scene, dsw_body_id body, dsw_body_face_id face);
 DSW_API dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge);
 DSW_API dsw_status dsw_body_remove_vertex(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id vertex);

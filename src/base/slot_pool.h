@@ -31,6 +31,16 @@ class SlotPool {
   explicit SlotPool(const Memory* memory, uint32_t last_generation = kLastGeneration)
       : words_(Allocator<uint32_t>(memory)), free_(Allocator<uint32_t>(memory)), last_(last_generation) {}
 
+  /** A copy has room for what its original has room for: releases cannot fail either. Throws std::bad_alloc. */
+  SlotPool(const SlotPool& other) : words_(other.words_), free_(other.free_), last_(other.last_), alive_(other.alive_) {
+    words_.reserve(other.words_.capacity());
+    free_.reserve(other.free_.capacity());
+  }
+  SlotPool(SlotPool&&) noexcept = default;
+  SlotPool& operator=(const SlotPool& other) { return *this = SlotPool(other); }
+  SlotPool& operator=(SlotPool&&) = default;
+  ~SlotPool() = default;
+
   /** Takes the slots 0 .. count - 1 of an empty pool. */
   void start(size_t count) {
     words_.assign(count, 1);

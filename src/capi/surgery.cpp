@@ -29,8 +29,8 @@ dsw::Blade read_blade(const dsw_cut_desc& d) {
 
 dsw::CutSettings read_settings(const dsw_cut_desc& d) {
   capi::check_flags(d.flags, DSW_CUT_UNSEW, "desc->flags");
-  if (!(d.snap >= 0 && d.snap < 0.5)) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "desc->snap is %g, must be above 0 and below 0.5, or 0", d.snap);
+  if (!(d.snap >= 0 && d.snap <= 0.1)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->snap is %g, must be above 0 and at most 0.1, or 0", d.snap);
   }
   dsw::CutSettings settings;
   settings.unsew = (d.flags & DSW_CUT_UNSEW) != 0;
@@ -70,10 +70,14 @@ struct Results {
     for (const dsw::Cell c : record.whole) whole.push_back(volume_id(map, c));
   }
 
-  void move_to(dsw_environment& handle) noexcept {
+  /** What a tear gives. */
+  void move_faces_to(dsw_environment& handle) noexcept {
     handle.changes.swap(changes);
-    handle.cut_vertices.swap(vertices);
     handle.cut_faces.swap(faces);
+  }
+  void move_to(dsw_environment& handle) noexcept {
+    move_faces_to(handle);
+    handle.cut_vertices.swap(vertices);
     handle.whole_volumes.swap(whole);
   }
 };
@@ -149,7 +153,7 @@ dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_fa
     Results results(env.memory, record, edit);
     carry_out_prepared(edit, scene == nullptr ? nullptr : &scene->engine);
     results.fill(env.map, record, edit);
-    results.move_to(handle);
+    results.move_faces_to(handle);
     if (torn != nullptr) *torn = record.faces.size();
   });
 }

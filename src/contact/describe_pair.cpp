@@ -16,10 +16,11 @@ Vec against(const Vec& chosen, const Vec& move) {
   return (dot(chosen, move) > 0 ? -1.0 : 1.0) * chosen;
 }
 
-/** What a motion has across a line, turned round. */
+/** What a motion has across a line, turned round; that of a motion along the line is the motion itself, not what rounding leaves of it. */
 Vec back_across(const Vec& move, const Vec& line) {
-  const Vec along = unit(line), way = unit(move);
-  return against(unit(way - dot(way, along) * along), move);
+  constexpr double kLeastSine = 1e-12;
+  const Vec along = unit(line), way = unit(move), across = way - dot(way, along) * along;
+  return against(dot(across, across) > kLeastSine * kLeastSine ? unit(across) : Vec{}, move);
 }
 
 /** Of the face, towards where the vertex comes from. */

@@ -71,6 +71,10 @@ void Cut::choose_nodes(Edit& edit) {
       double point[3];
       point_at<3>(env_.point(node.a), env_.point(node.b), node.share, point);
       vertices_[n] = node.is_old() ? node.a : edit.add_vertex(point);
+      if (!node.is_old() && edge_marked(env_, node.a, node.b)) {
+        edit.set_mark(node.a, vertices_[n], true);
+        edit.set_mark(vertices_[n], node.b, true);
+      }
     }
   }
 }

@@ -64,6 +64,11 @@ Cell find_start(const Environment<3>& env, const Blade& blade, Cell hint, uint32
     const Cell found = locate(env, blade.points[i], {}, nullptr).cell;
     if (found.valid()) return found;
   }
+  // A blade that is larger than the environment is looked for from anywhere.
+  for (uint32_t i = 0; i < env.map.index_count(); ++i) {
+    const Cell any = env.map.cell(i);
+    if (any.valid()) return Search(env, blade).run(any, visited);
+  }
   return {};
 }
 

@@ -162,11 +162,8 @@ uint32_t BodyMove::drop_short(Body& body, PointArray targets, uint32_t count) {
 
 void BodyMove::cast_skipped(Body& body, PointArray targets, uint32_t e) {
   const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
-  wave_vertices_[wave_.count()] = kNone;
-  wave_edges_[wave_.count()] = e;
-  wave_.add(env_, moving_[a].arrival, place(body, targets, a, kNone), place(body, targets, b, kNone)).end =
-      moving_[b].arrival;
-  if (wave_.full()) run_edges(body);
+  cast_edge(body, e, kNone, {moving_[a].arrival, place(body, targets, a, kNone)},
+            {moving_[b].arrival, place(body, targets, b, kNone)});
 }
 
 /** @param boxed as is_edge_boxed says. */
@@ -199,19 +196,20 @@ void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v
     moving.doubtful = !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
     if (moving.doubtful) return;
   }
-  cast_edge(body, sweep);
+  // A sequence is noted in the direction of the edge.
+  const EdgeEnd moved{sweep.arrival, sweep.to}, still{sweep.fixed, sweep.q};
+  const bool turned = body.keeps_sequences() && body.edges[e].ends[0] != v;
+  cast_edge(body, e, v, turned ? still : moved, turned ? moved : still);
 }
 
-/** To see whether an edge is free in its new place, and which cells it crosses there. */
-void BodyMove::cast_edge(Body& body, const StarSweep::EdgeSweep& sweep) {
+/** To see whether an edge is free in its new place, and which cells it crosses there.
+ * @param v whose way is in doubt if it is not; kNone: that of both ends. */
+void BodyMove::cast_edge(Body& body, uint32_t e, uint32_t v, const EdgeEnd& from, const EdgeEnd& to) {
   const uint32_t at = wave_.count();
-  wave_vertices_[at] = sweep.v;
-  wave_edges_[at] = sweep.e;
-  // A sequence is noted in the direction of the edge.
-  const bool turned = body.keeps_sequences() && body.edges[sweep.e].ends[0] != sweep.v;
-  CastRequest& request =
-      turned ? wave_.add(env_, sweep.fixed, sweep.q, sweep.to) : wave_.add(env_, sweep.arrival, sweep.to, sweep.q);
-  request.end = turned ? sweep.arrival : sweep.fixed;
+  wave_vertices_[at] = v;
+  wave_edges_[at] = e;
+  CastRequest& request = wave_.add(env_, from.cell, from.position, to.position);
+  request.end = to.cell;
   request.max_cells = sweeps_.max_cells;
   if (body.keeps_sequences()) {
     if (writers_.size() == at) writers_.emplace_back(env_.memory);

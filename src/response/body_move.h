@@ -64,7 +64,11 @@ class BodyMove {
   uint32_t drop_short(Body& body, PointArray targets, uint32_t count);
   void cast_skipped(Body& body, PointArray targets, uint32_t e);
   void sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other, bool boxed);
-  void cast_edge(Body& body, const StarSweep::EdgeSweep& sweep);
+  struct EdgeEnd {
+    Cell cell;
+    const double* position;
+  };
+  void cast_edge(Body& body, uint32_t e, uint32_t v, const EdgeEnd& from, const EdgeEnd& to);
   void run_edges(Body& body);
   void include_way(const Body& body, PointArray targets, uint32_t v, Bounds& box) const;
   bool is_edge_boxed(const Body& body, PointArray targets, uint32_t e);

@@ -146,9 +146,15 @@ BodyRecord& check_body(Scene<3>& scene, dsw_body_id id, ArgumentName argument, s
 
 void set_level(Scene<3>& scene, Body& body, SweepLevel level) {
   scene.offending.clear();
-  if (level > body.level) check_free(scene, body, level);
-  if (level >= SweepLevel::kEdgesSwept) keep_sequences(body, body.edges.size());
-  body.level = level;
+  // One that meets itself looks at its own parts, which are those of the new level.
+  const SweepLevel before = std::exchange(body.level, level);
+  try {
+    if (level > before || body.filter.self) check_free(scene, body, level);
+    if (level >= SweepLevel::kEdgesSwept) keep_sequences(body, body.edges.size());
+  } catch (...) {
+    body.level = before;
+    throw;
+  }
 }
 
 void set_filter(Scene<3>& scene, Body& body, const ContactFilter& filter) {

@@ -241,6 +241,7 @@ void BodyReader::read_sequences(Body& body, uint64_t count) {
   for (EdgeSequence& sequence : body.sequences) {
     const uint32_t word = *take(image_.sequences, sequence_, 1);
     if (word == kUnknown) {
+      sequence.facets.reserve(1);
       sequence.forget();
       continue;
     }

@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   Options options;
   std::string json = "benchmark.json";
-  const std::vector<std::string> known = {"hex",   "threads", "tet",      "vessel", "change", "create",
+  const std::vector<std::string> known = {"hex",   "threads", "tet",      "vessel", "change",  "create",
                                           "fig11", "fig12",   "catheter", "deform", "coarsen", "cut"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");

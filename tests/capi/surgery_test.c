@@ -161,6 +161,39 @@ static void nothing_to_cut(void) {
   end(64, 96, 1);
 }
 
+static void wires_are_cut_in_two(void) {
+  dsw_cut_desc d = blade_at(1.25, 5);
+  const dsw_volume_id no_volume = {0, 0};
+  size_t before = 0, after = 0;
+  uint32_t local;
+  begin(NULL);
+  for (local = 0; local < 12; ++local) {
+    dsw_edge_id edge;
+    edge.volume = volume_at(1).index;
+    edge.generation = volume_at(1).generation;
+    edge.local = local;
+    CHECK_OK(dsw_environment_mark_edges(g_env, &edge, 1, DSW_MARK_IMPASSABLE));
+  }
+  CHECK_OK(dsw_environment_get_mark_count(g_env, DSW_CELL_EDGE, &before));
+  d.start = no_volume; /* and no point of the blade is in any */
+  CHECK_OK(dsw_environment_cut(g_env, &d, &g_report));
+  CHECK(g_report.volumes_split == 16);
+  CHECK_OK(dsw_environment_get_mark_count(g_env, DSW_CELL_EDGE, &after));
+  CHECK(before == 12 && after == 16);
+  end(80, 112, 1);
+}
+
+static void a_tear_keeps_what_the_cut_said(void) {
+  dsw_cut_desc d = blade_at(1.25, 5);
+  const dsw_cut_vertex *vertices = NULL;
+  size_t torn = 0;
+  begin(NULL);
+  CHECK_OK(dsw_environment_cut(g_env, &d, &g_report));
+  CHECK_OK(dsw_environment_tear_faces(g_env, NULL, NULL, 0, 1, &torn));
+  CHECK(vertex_count(&vertices) == 25);
+  end(80, 112, 1);
+}
+
 static void tears(void) {
   dsw_face_id faces[4];
   double loads[4] = {2, 2, 1, 9};
@@ -210,7 +243,7 @@ static void bad_arguments(void) {
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_cut(g_env, &bad, NULL));
   bad = d, bad.rows = bad.columns = 1u << 20;
   CHECK_FAILS(DSW_STATUS_TOO_LARGE, dsw_environment_cut(g_env, &bad, NULL));
-  bad = d, bad.snap = 0.5;
+  bad = d, bad.snap = 0.11;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_cut(g_env, &bad, NULL));
   bad.snap = NAN;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_cut(g_env, &bad, NULL));
@@ -303,6 +336,8 @@ int main(void) {
   along_faces();
   up_to_the_last_volume_that_is_crossed();
   nothing_to_cut();
+  wires_are_cut_in_two();
+  a_tear_keeps_what_the_cut_said();
   tears();
   bad_arguments();
   borrowed_points();

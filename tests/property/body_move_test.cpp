@@ -119,6 +119,33 @@ TEST_F(BodyMoveTest, EdgesThatMoveAlikeAndLessThanTheirLengthAreSweptOnce) {
   EXPECT_EQ(skipped({0.5, 0.8, 0.5}, {0.75, 0.8, 0.5}), 0u);
 }
 
+TEST_F(BodyMoveTest, SkippedEdgesKeepTheirSequences) {
+  std::vector<BodyAnswer> answers[2];
+  for (int i = 0; i < 2; ++i) {
+    BodyPlan plan;
+    for (uint32_t v = 0; v < 6; ++v) {
+      plan.at.push_back({0.3 + 0.5 * v, 0.5, 0.5});
+      if (v > 0) plan.edges.push_back({v - 1, v});
+    }
+    const uint32_t keeps = i == 0 ? 0 : DSW_BODY_SEQUENCES;
+    const dsw_body_id body = make(plan, DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_MOTION | keeps);
+    Rng rng(3);
+    for (int step = 0; step < 50; ++step) {
+      std::vector<Vec> targets = read(body).at;
+      // The first ones move alike, the others do not.
+      const double y = rng.range(-0.2, 0.2);
+      for (size_t v = 0; v < targets.size(); ++v) targets[v][1] += v < 3 ? y : rng.range(-0.3, 0.3);
+      answers[i].push_back(move(body, targets));
+    }
+  }
+  size_t skipped = 0;
+  for (size_t step = 0; step < answers[0].size(); ++step) {
+    ASSERT_EQ(answers[0][step].after.at, answers[1][step].after.at) << step;
+    skipped += answers[0][step].report.edges_skipped;
+  }
+  EXPECT_GT(skipped, 50u);
+}
+
 TEST_F(BodyMoveTest, ALoneMarkedVertexIsMetByFacesOnly) {
   const dsw_vertex_id marked = {point(2, 2, 1), 1};
   ASSERT_EQ(dsw_environment_mark_vertices(place_.get(), &marked, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);

@@ -75,6 +75,20 @@ TEST_F(TwoBodiesTest, WallsAndBodiesCompeteByTime) {
   }
 }
 
+TEST_F(TwoBodiesTest, ABodyThatMeetsItselfTouchesItselfAtNoLevel) {
+  BodyPlan cross;
+  cross.at = {{1.25, 1.5, 1.5}, {1.75, 1.5, 1.5}, {1.5, 1.25, 1.5}, {1.5, 1.75, 1.5}};
+  cross.edges = {{0, 1}, {2, 3}};
+  EXPECT_EQ(create(cross, DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS), DSW_STATUS_OCCUPIED);
+  const dsw_body_id body = make(cross, DSW_LEVEL_POINTS, DSW_BODY_SELF_CONTACTS);
+  EXPECT_EQ(dsw_body_set_level(scene(), body, DSW_LEVEL_EDGES), DSW_STATUS_OCCUPIED);
+  // The ends of an edge may meet, and cannot be parted from each other then.
+  const dsw_body_id point = make(segment({2.25, 1.5, 1.5}, {2.75, 1.5, 1.5}), DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS);
+  move(point, {{2.75, 1.5, 1.5}, {2.75, 1.5, 1.5}});
+  EXPECT_EQ(dsw_body_set_level(scene(), point, DSW_LEVEL_POINTS), DSW_STATUS_OCCUPIED);
+  EXPECT_EQ(dsw_body_remove_edge(scene(), point, {0, 1}), DSW_STATUS_OCCUPIED);
+}
+
 TEST_F(TwoBodiesTest, WallsThatMovePushNoBodyIntoAnother) {
   size_t pushed = 0;
   for (const dsw_deform_method method : {DSW_DEFORM_SWEPT, DSW_DEFORM_END_STATE}) {

@@ -254,9 +254,11 @@ TEST_F(SceneInGridTest, ABentEnvironmentGoesOnBending) {
   }
   EXPECT_TRUE(saved(copy.environment.get()) == saved(place_.get()));
   EXPECT_TRUE(saved(copy.scene.get()) == saved(scene()));
-  copy = {};
+  // Scenes before their environments, and these before the arrays that they read.
+  copy.scene.reset();
+  copy.environment.reset();
   scene_.reset();
-  place_.environment.reset();  // before the arrays that it reads
+  place_.environment.reset();
 }
 
 }  // namespace

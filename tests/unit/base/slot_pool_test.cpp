@@ -141,6 +141,21 @@ TEST(ReserveMore, GrowsByDoubling) {
   EXPECT_THROW(dsw::reserve_more(array, SIZE_MAX), std::bad_alloc);
 }
 
+TEST(SlotPool, ACopyHasRoomForEveryRelease) {
+  SlotPool pool(nullptr);
+  pool.reserve(100);
+  for (int i = 0; i < 100; ++i) pool.acquire();
+  SlotPool copy(pool), assigned(nullptr);
+  assigned = pool;
+  for (SlotPool* each : {&copy, &assigned}) {
+    EXPECT_EQ(each->alive_count(), 100u);
+    const size_t bytes = each->memory_bytes();
+    for (uint32_t i = 0; i < 100; ++i) each->release(i);
+    EXPECT_EQ(each->memory_bytes(), bytes);
+  }
+  EXPECT_EQ(pool.alive_count(), 100u);
+}
+
 TEST(SlotPool, TellsWhatItWillGiveOutAndRenews) {
   SlotPool pool(nullptr, 2);
   pool.start(3);

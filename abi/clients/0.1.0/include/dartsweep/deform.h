@@ -20,7 +20,8 @@ typedef enum dsw_deform_method {
    * passes a wall. */
   DSW_DEFORM_SWEPT = 0,
   /** All vertices move at once, and everything is looked for in its new place: a dial. It tells rightly on which side of a wall something
-   * is when walls move less than a volume is thick. */
+   * is when walls move less than a volume is thick. What is put before a wall is compared with other bodies where it ends, not on its
+   * way there: bodies may pass each other. */
   DSW_DEFORM_END_STATE = 1,
   DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff
 } dsw_deform_method;
