@@ -163,7 +163,6 @@ static void nothing_to_cut(void) {
 
 static void wires_are_cut_in_two(void) {
   dsw_cut_desc d = blade_at(1.25, 5);
-  const dsw_volume_id no_volume = {0, 0};
   size_t before = 0, after = 0;
   uint32_t local;
   begin(NULL);
