@@ -24,11 +24,12 @@ TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) {
   constexpr size_t kExact = 50;   // and how often that is checked in exact integers
   EditTally sums[static_cast<size_t>(Operation::kCount)];
   size_t done = 0, exact_checks = 0;
-  for (uint64_t seed = 1; done < wanted; ++seed) {
+  // Cuts can leave an outer boundary that crosses itself by a rounding, and then there is no partition to check: on to another one.
+  for (uint64_t seed = 1; done < wanted || (exact_checks == 0 && seed < 30); ++seed) {
     RandomEdits edits(GetParam(), seed);
     if (edits.environment() == nullptr) continue;
     size_t round = 0, exact = 0;
-    const size_t goal = std::min(kRound, wanted - done);
+    const size_t goal = done < wanted ? std::min(kRound, wanted - done) : kRound;
     for (size_t calls = 0; round < goal && calls < 40 * kRound; ++calls) {
       const std::string wrong = edits.step();
       ASSERT_EQ(wrong, "") << "scene seed " << seed << ", call " << calls;
