@@ -29,8 +29,8 @@ dsw::Blade read_blade(const dsw_cut_desc& d) {
 
 dsw::CutSettings read_settings(const dsw_cut_desc& d) {
   capi::check_flags(d.flags, DSW_CUT_UNSEW, "desc->flags");
-  if (!(d.snap >= 0 && d.snap <= 0.1)) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "desc->snap is %g, must be above 0 and at most 0.1, or 0", d.snap);
+  if (!(d.snap >= 0 && d.snap <= 0.25)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->snap is %g, must be above 0 and at most 0.25, or 0", d.snap);
   }
   dsw::CutSettings settings;
   settings.unsew = (d.flags & DSW_CUT_UNSEW) != 0;

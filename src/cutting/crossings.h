@@ -2,8 +2,8 @@
 // What a blade meets, exact under the shift of predicates/: the blade is a body's surface that stands still. A flood goes from
 // cell to cell and from triangle to triangle of the blade, through passable and impassable cells alike.
 
+#include "base/key_table.h"
 #include "cutting/blade.h"
-#include "cutting/key_table.h"
 #include "environment/environment.h"
 
 namespace dsw {

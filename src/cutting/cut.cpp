@@ -68,13 +68,7 @@ void Cut::choose_nodes(Edit& edit) {
     for (const uint32_t n : section_->loop(i)) {
       if (vertices_[n] != kNoCell) continue;
       const Node& node = section_->node(n);
-      double point[3];
-      point_at<3>(env_.point(node.a), env_.point(node.b), node.share, point);
-      vertices_[n] = node.is_old() ? node.a : edit.add_vertex(point);
-      if (!node.is_old() && edge_marked(env_, node.a, node.b)) {
-        edit.set_mark(node.a, vertices_[n], true);
-        edit.set_mark(vertices_[n], node.b, true);
-      }
+      vertices_[n] = node.is_old() ? node.a : edit.add_vertex(node.a, node.b, node.share);
     }
   }
 }
@@ -220,17 +214,17 @@ bool Cut::is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) c
   for (const uint32_t n : nodes) {
     if (!section_->node(n).is_old()) return has(section_->node(n).b);
   }
-  for (const FacetDraft& facet : part.facets) {
-    for (const uint32_t v : facet.loop) {
-      if (section_->node_at(v) != KeyTable::kNone) continue;
-      return blade_.swept(section_->node(nodes[0]).triangle).side(env_.point(v)) > 0;
-    }
+  const Shape shape = map_.shape(part.from);
+  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+    const uint32_t on = dart_vertex(map_, {part.from, d}), off = dart_target(map_, {part.from, d});
+    const bool leads_off = section_->node_at(on) != KeyTable::kNone && section_->node_at(off) == KeyTable::kNone;
+    if (leads_off && has(off) && side_of(on, off) != 0) return side_of(on, off) > 0;
   }
   return true;
 }
 
-/** Facets with nothing but old vertices on the blade are on the cut if the blade passes between the centres beside them. It need not meet
- * both cells. */
+/** Facets with nothing but old vertices on the blade are on the cut if the cells beside them are on its two sides. The blade need not meet
+ * both. */
 void Cut::find_old_faces() {
   old_faces_.clear();
   const auto stays_whole = [&](uint32_t cell) { return !section_->is_barred(cell) && section_->loop(cell).empty(); };
@@ -244,9 +238,9 @@ void Cut::find_old_faces() {
       const Cell beyond = map_.cell_of(o);
       const uint32_t other = crossings_.number(beyond);
       if (other == KeyTable::kNone ? !admits(env_, beyond) : o.word < h.word || !stays_whole(other)) continue;
-      const int side = side_of_centre(c, beyond);
-      if (side > 0) old_faces_.push_back({h, o});
-      if (side < 0) old_faces_.push_back({o, h});
+      const int side = side_of(c);
+      if (side == 0 || side != -side_of(beyond)) continue;
+      old_faces_.push_back(side > 0 ? CutFace{h, o} : CutFace{o, h});
     }
   }
 }
@@ -258,24 +252,26 @@ bool Cut::is_on_blade(Cell c, const Shape& shape, uint32_t facet) const {
   return true;
 }
 
-/** Side of a cell's centre, if the way from there to the other's crosses the blade once; else 0. */
-int Cut::side_of_centre(Cell c, Cell other) const {
-  double from[3], to[3];
-  centre(env_, c, from);
-  centre(env_, other, to);
-  KeyTable crossed(env_.memory);
+/** On which side of the blade a vertex is that is not on it, seen along an edge from one that is. */
+int Cut::side_of(uint32_t on, uint32_t off) const {
+  const uint32_t crossing = crossings_.find(on, off);
+  if (crossing != KeyTable::kNone) return crossings_[crossing].b == off ? 1 : -1;
+  return section_->node(section_->node_at(on)).side;
+}
+
+/** On which side a cell is that touches the cut and is not split; 0: that is not to be told. One with nothing but vertices on the blade
+ * counts as before it: its faces are then on the cut where the blade is behind them. */
+int Cut::side_of(Cell c) const {
+  const Shape shape = map_.shape(c);
   int side = 0;
-  for (const Cell each : {c, other}) {
-    if (crossings_.number(each) == KeyTable::kNone) continue;
-    crossings_.for_each_triangle(crossings_.number(each), [&](uint32_t triangle) {
-      const SweptTriangle swept = blade_.swept(triangle);
-      const int of_from = swept.side(from), of_to = swept.side(to);
-      if (of_from == of_to || swept.outside(from, to, of_to) != 0) return;
-      crossed.insert(triangle);
-      side = of_from;
-    });
+  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+    const uint32_t on = dart_vertex(map_, {c, d}), off = dart_target(map_, {c, d});
+    if (section_->node_at(on) == KeyTable::kNone || section_->node_at(off) != KeyTable::kNone) continue;
+    const int here = side_of(on, off);
+    if (here == 0 || here == -side) return 0;
+    side = here;
   }
-  return crossed.size() == 1 ? side : 0;
+  return side != 0 ? side : 1;
 }
 
 void Cut::unsew_old_faces(Edit& edit) const {
@@ -340,9 +336,11 @@ void Cut::write_record(Edit& edit) {
   };
   for (const CutFace& face : old_faces_) record_.faces.push_back({is_to_be(face.front), is_to_be(face.back)});
   for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
-    if (!section_->loop(i).empty() || !section_->is_crossed(i)) continue;
-    const size_t draft = draft_of_cell(crossings_.cell(i).cell);
-    record_.whole.push_back(draft == kNoDraft ? crossings_.cell(i).cell : edit.cell(draft));
+    const Cell c = crossings_.cell(i).cell;
+    // Where a vertex stands for all crossings, only the cell's sides tell that the cut would have to pass through it.
+    if (!section_->loop(i).empty() || (!section_->is_crossed(i) && side_of(c) != 0)) continue;
+    const size_t draft = draft_of_cell(c);
+    record_.whole.push_back(draft == kNoDraft ? c : edit.cell(draft));
   }
   measure(edit);
 }

@@ -76,7 +76,8 @@ class Cut {
   bool is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) const;
   void find_old_faces();
   bool is_on_blade(Cell c, const Shape& shape, uint32_t facet) const;
-  int side_of_centre(Cell c, Cell other) const;
+  int side_of(uint32_t on, uint32_t off) const;
+  int side_of(Cell c) const;
   void unsew_old_faces(Edit& edit) const;
   void keep_whole(Cell c);
   /** The draft of a cell that changes and is not split, or that of a part; kNoDraft: it does not change. */

@@ -18,13 +18,19 @@ Section::Section(const Environment<3>& env, const Crossings& crossings, double s
     const Crossing& at = crossings[i];
     if (!at.once || (at.share > snap && at.share < 1 - snap)) continue;
     const uint32_t vertex = at.share < 0.5 ? at.a : at.b;
-    if (places_.insert(pair_key(vertex, vertex)) == nodes_.size()) nodes_.push_back({vertex, vertex, 0, at.triangle});
+    const int side = vertex == at.b ? 1 : -1;
+    const uint32_t known = places_.insert(pair_key(vertex, vertex));
+    if (known == nodes_.size()) {
+      nodes_.push_back({vertex, vertex, 0, at.triangle, side});
+    } else if (nodes_[known].side != side) {
+      nodes_[known].side = 0;
+    }
   }
   for (uint32_t i = 0; i < crossings.count(); ++i) {
     const Crossing& at = crossings[i];
     if (!at.once || node_at(at.a) != KeyTable::kNone || node_at(at.b) != KeyTable::kNone) continue;
     places_.insert(pair_key(at.a, at.b));
-    nodes_.push_back({at.a, at.b, at.share, at.triangle});
+    nodes_.push_back({at.a, at.b, at.share, at.triangle, 0});
   }
   for (uint32_t i = 0; i < crossings.cell_count(); ++i) {
     const MetCell& met = crossings.cell(i);

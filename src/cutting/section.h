@@ -14,6 +14,7 @@ struct Node {
   uint32_t a, b;
   double share;
   uint32_t triangle;  // of the blade
+  int side;           // of an old one: where it was, 1 before the blade, -1 behind it; 0: not to be told
   bool is_old() const { return a == b; }
 };
 

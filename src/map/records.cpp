@@ -159,7 +159,8 @@ void give_back(Map<3>& map, Cell c) noexcept {
 }
 
 Room room_of(const Map<3>& map) noexcept {
-  return {map.words.size() / kUnitWords, map.shape_offsets.size(), map.shape_tables.size()};
+  return {map.words.size() / kUnitWords, map.shape_offsets.size(), map.shape_tables.size(), map.free_records.size(),
+          map.free_shapes.size()};
 }
 
 void untake_record(Map<3>& map, uint32_t unit, uint32_t units, const Room& before) noexcept {
@@ -176,6 +177,8 @@ void shrink(Map<3>& map, const Room& before) noexcept {
   map.cell_of_unit.resize(before.units);
   map.shape_offsets.resize(before.shapes);
   map.shape_tables.resize(before.shape_words);
+  map.free_records.resize(before.record_lists);
+  map.free_shapes.resize(before.shape_lists);
 }
 
 }  // namespace dsw

@@ -24,6 +24,7 @@ void give_back(Map<3>& map, Cell c) noexcept;
 /** How much there is, free or not. */
 struct Room {
   size_t units, shapes, shape_words;
+  size_t record_lists, shape_lists;  // of free ones
 };
 Room room_of(const Map<3>& map) noexcept;
 

@@ -86,19 +86,21 @@ class Followers {
   bool is_passable(Cell c) const { return c.valid() && !env_.map.marked(c); }
   /** The new cell of a point that was in `old`; none if it would be beyond a wall there. */
   Cell find(const double* point, Cell old) const {
-    // Nearly always in what comes of its own cell: others are asked later.
-    for (const bool own : {true, false}) {
-      for (size_t i = 0; i < edit_.cell_count(); ++i) {
-        const CellDraft& draft = edit_.draft(i);
-        if (own != (draft.from == old || draft.also == old) || !contains(env_, edit_.cell(i), point)) continue;
-        return is_beyond_wall(old, draft) ? Cell{} : edit_.cell(i);
-      }
+    Cell found;
+    edit_.for_each_heir(old, [&](size_t i) {
+      if (contains(env_, edit_.cell(i), point)) found = edit_.cell(i);
+      return !found.valid();
+    });
+    // Nearly always it is in one of these.
+    for (size_t i = 0; !found.valid() && i < edit_.cell_count(); ++i) {
+      if (!contains(env_, edit_.cell(i), point)) continue;
+      if (is_beyond_wall(old, edit_.draft(i))) return {};
+      found = edit_.cell(i);
     }
-    return {};
+    return found;
   }
   /** A warped wall that is cut anew can leave a point on its other side. */
   bool is_beyond_wall(Cell old, const CellDraft& draft) const {
-    if (draft.from == old || draft.also == old) return false;
     for (uint32_t f = 0, facets = env_.map.facets_of(old); f < facets; ++f) {
       const HalfFacet h = env_.map.half_facet(old, f), o = env_.map.opposite(h);
       if (!o.valid() || !is_impassable(env_.map, h)) continue;

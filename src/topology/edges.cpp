@@ -184,17 +184,11 @@ uint32_t split_edge(Edit& edit, Dart d, double share) {
   const Environment<3>& env = edit.environment();
   const Map<3>& map = env.map;
   const uint32_t a = dart_vertex(map, d), b = dart_target(map, d);
-  double point[3];
-  point_at<3>(env.point(a), env.point(b), share, point);
-  const uint32_t middle = edit.add_vertex(point);
+  const uint32_t middle = edit.add_vertex(a, b, share);
   for_each_volume_round_edge(map, d, [&](Dart e) {
     for (FacetDraft& facet : edit.draft(edit.replace(e.cell)).facets) insert_between(facet, a, b, middle);
     return true;
   });
-  if (edge_marked(env, a, b)) {
-    edit.set_mark(a, middle, true);
-    edit.set_mark(middle, b, true);
-  }
   return middle;
 }
 

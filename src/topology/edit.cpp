@@ -1,7 +1,7 @@
 #include "topology/edit.h"
 
 #include "base/error.h"
-#include "environment/local_points.h"
+#include "base/vec.h"
 #include "environment/marking.h"
 #include "environment/validity.h"
 #include "map/integrity.h"
@@ -12,15 +12,20 @@ namespace dsw {
 Edit::Edit(Environment<3>& env)
     : env_(env),
       map_(env.map),
+      local_points_(Allocator<float>(env.memory)),
+      gone_(env.memory),
       removed_(Allocator<Cell>(env.memory)),
       drafts_(Allocator<CellDraft>(env.memory)),
+      ancestors_(env.memory),
+      first_heir_(Allocator<uint32_t>(env.memory)),
+      heirs_(Allocator<Heir>(env.memory)),
       made_(Allocator<Made>(env.memory)),
       links_(Allocator<Link>(env.memory)),
       marks_(Allocator<MarkChange>(env.memory)),
       vertices_(Allocator<uint32_t>(env.memory)),
       changes_(Allocator<VolumeChange>(env.memory)) {
   make_ready(map_);
-  drop_local_points(env_);
+  local_points_.swap(env_.local_points);
   room_ = room_of(map_);
   point_doubles_ = env.owned_points.size();
   vertex_mark_words_ = env.vertex_marks.size();
@@ -36,6 +41,7 @@ Edit::~Edit() {
     made_.pop_back();
   }
   shrink(map_, room_);
+  local_points_.swap(env_.local_points);
   if (made_regions_) env_.regions.clear();
   if (made_tags_) env_.tags.clear();
   if (vertices_.empty()) return;
@@ -45,12 +51,16 @@ Edit::~Edit() {
 }
 
 void Edit::remove(Cell c) {
-  if (std::find(removed_.begin(), removed_.end(), c) == removed_.end()) removed_.push_back(c);
+  if (gone_.insert(c.unit) == removed_.size()) removed_.push_back(c);
 }
 
 CellDraft* Edit::find_draft(Cell c) {
-  const auto at = std::find_if(drafts_.begin(), drafts_.end(), [&](const CellDraft& draft) { return draft.from == c; });
-  return at == drafts_.end() ? nullptr : &*at;
+  CellDraft* found = nullptr;
+  for_each_heir(c, [&](size_t i) {
+    if (drafts_[i].from == c) found = &drafts_[i];
+    return found == nullptr;
+  });
+  return found;
 }
 
 size_t Edit::replace(Cell c) {
@@ -61,7 +71,20 @@ size_t Edit::replace(Cell c) {
 
 size_t Edit::add(CellDraft&& draft) {
   drafts_.push_back(std::move(draft));
-  return drafts_.size() - 1;
+  const size_t i = drafts_.size() - 1;
+  note_heir(drafts_[i].from, static_cast<uint32_t>(i));
+  note_heir(drafts_[i].also, static_cast<uint32_t>(i));
+  return i;
+}
+
+void Edit::note_heir(Cell c, uint32_t draft) {
+  if (!c.valid()) return;
+  const uint32_t cell = ancestors_.insert(c.unit);
+  if (cell == first_heir_.size()) first_heir_.push_back(kNoHeir);
+  heirs_.push_back({draft, kNoHeir});
+  uint32_t* end = &first_heir_[cell];
+  while (*end != kNoHeir) end = &heirs_[*end].next;
+  *end = static_cast<uint32_t>(heirs_.size() - 1);
 }
 
 uint32_t Edit::add_vertex(const double* position) {
@@ -79,6 +102,17 @@ uint32_t Edit::add_vertex(const double* position) {
   }
   std::copy_n(position, 3, &env_.owned_points[size_t{v} * 3]);
   vertices_.push_back(v);
+  return v;
+}
+
+uint32_t Edit::add_vertex(uint32_t a, uint32_t b, double share) {
+  double point[3];
+  point_at<3>(env_.point(a), env_.point(b), share, point);
+  const uint32_t v = add_vertex(point);
+  if (edge_marked(env_, a, b)) {
+    set_mark(a, v, true);
+    set_mark(v, b, true);
+  }
   return v;
 }
 
@@ -401,14 +435,8 @@ void Edit::log_changes() noexcept {
     changes_.push_back({draft.from.valid() ? id(draft.from) : SlotPool::Slot{0, 0}, {0, 0}});
     if (draft.also.valid()) changes_.push_back({id(draft.also), {0, 0}});
   }
-  const size_t named = changes_.size();
   for (const Cell c : removed_) {
-    const SlotPool::Slot before = id(c);
-    const auto same = [&](const VolumeChange& change) {
-      return change.before.index == before.index && change.before.generation == before.generation;
-    };
-    const auto end = changes_.begin() + static_cast<ptrdiff_t>(named);
-    if (std::none_of(changes_.begin(), end, same)) changes_.push_back({before, {0, 0}});
+    if (ancestors_.find(c.unit) == KeyTable::kNone) changes_.push_back({id(c), {0, 0}});
   }
 }
 

@@ -6,6 +6,7 @@
 // Paper 5.2 names the operations; that cells are replaced instead of changed in place is ours: what was is still there when bodies are
 // asked whether they stay free.
 
+#include "base/key_table.h"
 #include "map/records.h"
 #include "topology/draft.h"
 
@@ -35,6 +36,8 @@ class Edit {
   CellDraft* find_draft(Cell c);
   /** A vertex with this position. Throws BORROWED where points are the host's. */
   uint32_t add_vertex(const double* position);
+  /** Likewise, at `share` of the way from one end of an edge to the other; the edge's mark goes to both of its parts. */
+  uint32_t add_vertex(uint32_t a, uint32_t b, double share);
   /** Links of cells that stay: the half-facet leads to another (which is told separately) or to the outside. */
   void set_link(HalfFacet h, HalfFacet to, bool marked);
   void set_mark(uint32_t a, uint32_t b, bool marked);
@@ -47,6 +50,15 @@ class Edit {
   /** Takes an applied edit back. */
   void revert() noexcept;
   void finish() noexcept;
+
+  /** Calls visit(draft's number) for what comes of a cell, in the order of the drafts, until it returns false. */
+  template <class Visit>
+  void for_each_heir(Cell c, Visit visit) const {
+    const uint32_t cell = ancestors_.find(c.unit);
+    for (uint32_t i = cell == KeyTable::kNone ? kNoHeir : first_heir_[cell]; i != kNoHeir; i = heirs_[i].next) {
+      if (!visit(size_t{heirs_[i].draft})) return;
+    }
+  }
 
   /** After prepare(): the cells that go, by unit, and those that come. */
   const Array<Cell>& removed() const { return removed_; }
@@ -87,6 +99,13 @@ class Edit {
     bool operator<(const Origin& o) const { return word < o.word; }
   };
 
+  /** A draft in the list of those that come of one cell. */
+  struct Heir {
+    uint32_t draft, next;
+  };
+  static constexpr uint32_t kNoHeir = 0xffffffffu;
+
+  void note_heir(Cell c, uint32_t draft);
   bool write_record(size_t i);
   void write_general(const CellDraft& draft, Made& made, const Array<uint16_t>& table, const Array<uint32_t>& vertices);
   void collect_links();
@@ -111,8 +130,13 @@ class Edit {
   Room room_;  // before
   size_t point_doubles_, vertex_mark_words_;
   bool applied_ = false, finished_ = false, made_regions_ = false, made_tags_ = false;
+  Array<float> local_points_;  // of the environment, to be put back
+  KeyTable gone_;              // units of removed_, in the order in which they were named
   Array<Cell> removed_;
   Array<CellDraft> drafts_;
+  KeyTable ancestors_;  // units of the cells that drafts come of
+  Array<uint32_t> first_heir_;
+  Array<Heir> heirs_;
   Array<Made> made_;
   Array<Link> links_;
   Array<MarkChange> marks_;

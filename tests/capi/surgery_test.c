@@ -242,7 +242,7 @@ static void bad_arguments(void) {
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_cut(g_env, &bad, NULL));
   bad = d, bad.rows = bad.columns = 1u << 20;
   CHECK_FAILS(DSW_STATUS_TOO_LARGE, dsw_environment_cut(g_env, &bad, NULL));
-  bad = d, bad.snap = 0.11;
+  bad = d, bad.snap = 0.26;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_cut(g_env, &bad, NULL));
   bad.snap = NAN;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_cut(g_env, &bad, NULL));

@@ -54,7 +54,7 @@ dsw_status RandomEdits::cut() {
   const std::vector<double> points = some_blade(desc.rows, desc.columns);
   desc.points = points.data();
   desc.flags = rng_.chance(0.3) ? uint32_t{DSW_CUT_UNSEW} : 0;
-  const double snaps[] = {0, 1e-12, 0.1, 0.05};
+  const double snaps[] = {0, 1e-12, 0.25, 0.05};
   desc.snap = snaps[rng_.below(4)];
   if (rng_.chance(0.7)) desc.start = volume_id(env().map, some_cell());
   may_change_ = true;

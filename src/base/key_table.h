@@ -16,7 +16,7 @@ class KeyTable {
   uint64_t operator[](uint32_t i) const { return keys_[i]; }
 
   /** The number of a key, or kNone. */
-  uint32_t find(uint64_t key) const { return slots_[slot_of(key)]; }
+  uint32_t find(uint64_t key) const noexcept { return slots_[slot_of(key)]; }
 
   /** The number of a key, which is new if it was size() before. Throws std::bad_alloc. */
   uint32_t insert(uint64_t key) {
@@ -31,7 +31,7 @@ class KeyTable {
  private:
   static constexpr size_t kFirstSlots = 64;
 
-  size_t slot_of(uint64_t key) const {
+  size_t slot_of(uint64_t key) const noexcept {
     const uint64_t mixed = (key ^ (key >> 29)) * 0x9e3779b97f4a7c15u;
     size_t slot = (mixed >> 32) & (slots_.size() - 1);
     while (slots_[slot] != kNone && keys_[slots_[slot]] != key) slot = (slot + 1) & (slots_.size() - 1);
