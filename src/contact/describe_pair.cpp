@@ -6,6 +6,7 @@
 #include "contact/describe.h"
 #include "predicates/filtered.h"
 #include "predicates/plane_hit.h"
+#include "predicates/touch.h"
 
 namespace dsw {
 namespace {
@@ -16,11 +17,12 @@ Vec against(const Vec& chosen, const Vec& move) {
   return (dot(chosen, move) > 0 ? -1.0 : 1.0) * chosen;
 }
 
-/** What a motion has across a line, turned round; that of a motion along the line is the motion itself, not what rounding leaves of it. */
-Vec back_across(const Vec& move, const Vec& line) {
-  constexpr double kLeastSine = 1e-12;
-  const Vec along = unit(line), way = unit(move), across = way - dot(way, along) * along;
-  return against(dot(across, across) > kLeastSine * kLeastSine ? unit(across) : Vec{}, move);
+/** What a motion has across a line, turned round. Of one along the line, which is known exactly, that would be what rounding leaves: then it
+ * is the motion itself. */
+Vec back_across(const Vec& move, const Vec& line, bool is_along) {
+  if (is_along) return against({}, move);
+  const Vec along = unit(line), way = unit(move);
+  return against(unit(way - dot(way, along) * along), move);
 }
 
 /** Of the face, towards where the vertex comes from. */
@@ -62,10 +64,10 @@ void describe_edge(const PairContact& met, const EdgeMotion& m, const Touched& t
     piercing_point(m, a, b, contact.point);
     normal = against(unit(cross(unit(edge), unit(other))), move);
   } else if (met.place == TouchPlace::kVertex) {
-    normal = back_across(move, other);
+    normal = back_across(move, other, are_collinear(m.p, m.to, a) && are_collinear(m.p, m.to, b));
   } else {
     std::copy_n(met.place == TouchPlace::kFirst ? a : b, 3, contact.point);
-    normal = back_across(move, edge);
+    normal = back_across(move, edge, are_collinear(m.p, m.to, m.q));
   }
   if (met.edge != kNone) contact.along = share_along(contact.position, m.q, contact.point);
   store(normal + Vec{}, contact.normal);  // never -0

@@ -108,6 +108,8 @@ EdgeTouch edge_touch_in_plane(const EdgeMotion& m, const double* a, const double
 
 }  // namespace
 
+bool are_collinear(const double* a, const double* b, const double* c) noexcept { return open_axis(a, b, c) < 0; }
+
 bool segments_touch(const double* a, const double* b, const double* c, const double* d) noexcept {
   for (int k = 0; k < 3; ++k) {
     if (std::max(a[k], b[k]) < std::min(c[k], d[k]) || std::max(c[k], d[k]) < std::min(a[k], b[k])) return false;

@@ -10,6 +10,8 @@ namespace dsw {
 // Later than any time of a move.
 constexpr double kNever = 2;
 
+bool are_collinear(const double* a, const double* b, const double* c) noexcept;
+
 // Whether segments a b and c d have a point in common; either may be a point.
 bool segments_touch(const double* a, const double* b, const double* c, const double* d) noexcept;
 
