@@ -1,7 +1,5 @@
 // Changes of bodies while they live: the second half of body.h.
 
-#include <algorithm>
-
 #include "capi/body_access.h"
 #include "dartsweep/body.h"
 
@@ -49,13 +47,7 @@ dsw_status dsw_body_remove_face(dsw_scene* scene, dsw_body_id body, dsw_body_fac
 dsw_status dsw_body_remove_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge) {
   return capi::guard("dsw_body_remove_edge", [&] {
     const capi::BodyAccess of(scene, body);
-    const uint32_t e = capi::to_edge(of.body, edge, "edge");
-    const uint32_t* const ends = of.body.edges[e].ends;
-    const double *const a = of.body.position(ends[0]), *const b = of.body.position(ends[1]);
-    if (of.body.filter.self && std::equal(a, a + 3, b)) {
-      dsw::fail(DSW_STATUS_OCCUPIED, "the ends of the edge lie on one point: without it the body would touch itself");
-    }
-    remove_edge(of.body, e);
+    remove_edge(of.body, capi::to_edge(of.body, edge, "edge"));
   });
 }
 

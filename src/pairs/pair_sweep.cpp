@@ -80,11 +80,11 @@ class StarTouches {
       const uint32_t a = other.edges[x].ends[0], b = other.edges[x].ends[1];
       const bool at_v = self_ && (a == v_ || b == v_), at_q = self_ && (a == q || b == q);
       if (!at_v && !at_q) return report_edge(touch, m, other, PartKind::kEdge, x, a, b);
-      if (at_v && at_q) return true;
+      PairContact of_vertex;
+      if (at_v && at_q) return report_edge(of_vertex, {p_, to_, p_}, other, PartKind::kVertex, q, q, q);
       // They have one vertex in common: the other end of each meets the other one.
       const uint32_t far = a == (at_v ? v_ : q) ? b : a;
       if (!report_edge(touch, m, other, PartKind::kVertex, far, far, far)) return false;
-      PairContact of_vertex;
       return at_v || report_edge(of_vertex, {p_, to_, p_}, other, PartKind::kEdge, x, a, b);
     };
     return !covers_edges(other.level) || boxes.edges.visit(box, edge);

@@ -35,7 +35,7 @@ class Segment {
     const uint32_t c = edge.ends[0], d = edge.ends[1];
     const bool own_c = is_own(c), own_d = is_own(d);
     if (!own_c && !own_d) return !touches(other_.position(c), other_.position(d));
-    if (own_c && own_d) return true;
+    if (own_c && own_d) return !segments_touch(a_.at, a_.at, b_.at, b_.at);  // its ends
     // They have one vertex in common: the other end of each is apart from the other one.
     const uint32_t common = own_c ? c : d, far = own_c ? d : c;
     if (touches(other_.position(far), other_.position(far))) return false;

@@ -149,7 +149,7 @@ void set_level(Scene<3>& scene, Body& body, SweepLevel level) {
   // One that meets itself looks at its own parts, which are those of the new level.
   const SweepLevel before = std::exchange(body.level, level);
   try {
-    if (level > before || body.filter.self) check_free(scene, body, level);
+    if (level > before) check_free(scene, body, level);
     if (level >= SweepLevel::kEdgesSwept) keep_sequences(body, body.edges.size());
   } catch (...) {
     body.level = before;

@@ -82,11 +82,19 @@ TEST_F(TwoBodiesTest, ABodyThatMeetsItselfTouchesItselfAtNoLevel) {
   EXPECT_EQ(create(cross, DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS), DSW_STATUS_OCCUPIED);
   const dsw_body_id body = make(cross, DSW_LEVEL_POINTS, DSW_BODY_SELF_CONTACTS);
   EXPECT_EQ(dsw_body_set_level(scene(), body, DSW_LEVEL_EDGES), DSW_STATUS_OCCUPIED);
-  // The ends of an edge may meet, and cannot be parted from each other then.
-  const dsw_body_id point = make(segment({2.25, 1.5, 1.5}, {2.75, 1.5, 1.5}), DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS);
-  move(point, {{2.75, 1.5, 1.5}, {2.75, 1.5, 1.5}});
-  EXPECT_EQ(dsw_body_set_level(scene(), point, DSW_LEVEL_POINTS), DSW_STATUS_OCCUPIED);
-  EXPECT_EQ(dsw_body_remove_edge(scene(), point, {0, 1}), DSW_STATUS_OCCUPIED);
+  // The ends of an edge do not meet either, so it can go, or count no more.
+  const BodyPlan edge = segment({2.25, 1.5, 1.5}, {2.75, 1.5, 1.5});
+  const dsw_body_id wire = make(edge, DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS);
+  const BodyAnswer answer = move(wire, {{2.75, 1.5, 1.5}, {2.75, 1.5, 1.5}});
+  ASSERT_EQ(answer.contacts.size(), 1u);
+  EXPECT_EQ(answer.contacts[0].time, 1);
+  EXPECT_EQ(answer.contacts[0].normal[0], -1);
+  EXPECT_EQ(partner(wire).vertex.index, 1u);
+  EXPECT_LT(answer.after.at[0][0], 2.75);
+  EXPECT_EQ(create(segment({3.5, 1.5, 1.5}, {3.5, 1.5, 1.5}), DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS),
+            DSW_STATUS_OCCUPIED);
+  EXPECT_EQ(dsw_body_set_level(scene(), wire, DSW_LEVEL_POINTS), DSW_STATUS_OK);
+  EXPECT_EQ(dsw_body_remove_edge(scene(), wire, {0, 1}), DSW_STATUS_OK);
 }
 
 TEST_F(TwoBodiesTest, WallsThatMovePushNoBodyIntoAnother) {

@@ -76,10 +76,6 @@ inline TouchTruth truth_of_move(const std::vector<Meeting>& bodies, size_t mover
   const auto has = [](const Part& part, uint32_t u) {
     return std::find(part.vertices.begin(), part.vertices.end(), u) != part.vertices.end();
   };
-  const auto joined = [&](uint32_t a, uint32_t b) {
-    return std::any_of(body.state.edges.begin(), body.state.edges.end(),
-                       [&](const auto& e) { return (e[0] == a && e[1] == b) || (e[0] == b && e[1] == a); });
-  };
   for (const Part& moving : body.parts()) {
     if (!has(moving, v)) continue;
     for (size_t j = 0; j < bodies.size(); ++j) {
@@ -88,9 +84,7 @@ inline TouchTruth truth_of_move(const std::vector<Meeting>& bodies, size_t mover
         if (j == mover) {
           const bool adjacent =
               std::any_of(still.vertices.begin(), still.vertices.end(), [&](uint32_t u) { return has(moving, u); });
-          const bool neighbours =
-              moving.vertices.size() == 1 && still.vertices.size() == 1 && joined(v, still.vertices[0]);
-          if (adjacent || neighbours) continue;
+          if (adjacent) continue;
         }
         keep_first(first, truth_of_parts(body, moving, v, to, bodies[j], still));
       }
