@@ -30,11 +30,6 @@ bool run(const uint8_t* data, size_t size) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  const std::vector<uint8_t> block = dsw_fuzz::repaired(data, size);
-  if (run(data, size)) {
-    dsw_fuzz::require(block == std::vector<uint8_t>(data, data + size), "repaired() still knows the format");
-  } else if (!block.empty()) {
-    run(block.data(), block.size());
-  }
+  dsw_fuzz::try_block(data, size, run);
   return 0;
 }

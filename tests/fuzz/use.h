@@ -25,6 +25,17 @@ std::vector<uint8_t> save(const dsw_scene* scene);
 /** A block with its size and checksum set right; empty when the bytes are too few to have them. */
 std::vector<uint8_t> repaired(const uint8_t* data, size_t size);
 
+/** Tries a block as it is and, where that is not taken, repaired. @param run (block, size) -> whether it was taken. */
+template <class Run>
+void try_block(const uint8_t* data, size_t size, Run run) {
+  const std::vector<uint8_t> block = repaired(data, size);
+  if (run(data, size)) {
+    require(block == std::vector<uint8_t>(data, data + size), "repaired() still knows the format");
+  } else if (!block.empty()) {
+    run(block.data(), block.size());
+  }
+}
+
 /** The environment of all saved scenes: warped hexahedra, one of them a wall. */
 dsw_environment* make_home();
 /** Bodies at every level and particles in it, moved a little; some are gone again. */

@@ -209,6 +209,31 @@ Mesh make_vessel() {
   return mesh;
 }
 
+/// What run(bench, figures) finds in all made scenes, as large as this and with something impassable; judged.
+template <class Run>
+AllFigures judge_scenes(double size, uint64_t seeds, Run run) {
+  AllFigures sum;
+  for (const SceneKind& kind : scene_kinds()) {
+    AllFigures all;
+    for (uint64_t seed = 1; seed <= seeds; ++seed) {
+      Rng rng(seed);
+      Mesh mesh = kind.make(rng);
+      scale(mesh, size);
+      const EnvironmentPtr environment = create_environment(mesh);
+      if (environment == nullptr) continue;  // a sliver that scaling turned over
+      Bench bench(mesh, environment.get(), seed);
+      bench.mark(0.1, 0.03);
+      run(bench, all);
+    }
+    const bool thin = kThin.count(kind.name) != 0;
+    all.judge(kind.name, thin);
+    if (!thin) sum.add(all);
+  }
+  sum.judge("all but those with slivers");
+  record(sum);
+  return sum;
+}
+
 class ContactCheckTest : public testing::TestWithParam<double> {
  protected:
   void SetUp() override {
@@ -221,51 +246,17 @@ INSTANTIATE_TEST_SUITE_P(Scale, ContactCheckTest, testing::ValuesIn(kScales),
                          });
 
 TEST_P(ContactCheckTest, NormalsOfMadeScenes) {
-  AllFigures sum;
-  for (const SceneKind& kind : scene_kinds()) {
-    AllFigures all;
-    for (uint64_t seed = 1; seed <= 6; ++seed) {
-      Rng rng(seed);
-      Mesh mesh = kind.make(rng);
-      scale(mesh, GetParam());
-      const EnvironmentPtr environment = create_environment(mesh);
-      if (environment == nullptr) continue;  // a sliver that scaling turned over
-      Bench bench(mesh, environment.get(), seed);
-      bench.mark(0.1, 0.03);
-      all.add(bench.run(1500));
-    }
-    const bool thin = kThin.count(kind.name) != 0;
-    all.judge(kind.name, thin);
-    if (!thin) sum.add(all);
-  }
-  sum.judge("all but those with slivers");
-  record(sum);
+  const AllFigures sum = judge_scenes(GetParam(), 6, [](Bench& bench, AllFigures& all) { all.add(bench.run(1500)); });
   EXPECT_GT(sum.vertex.contacts, 2000u);
   EXPECT_GT(sum.edge.contacts, 500u);
 }
 
 TEST_P(ContactCheckTest, NormalsOfBodies) {
-  AllFigures sum;
-  for (const SceneKind& kind : scene_kinds()) {
-    AllFigures all;
-    for (uint64_t seed = 1; seed <= 4; ++seed) {
-      Rng rng(seed);
-      Mesh mesh = kind.make(rng);
-      scale(mesh, GetParam());
-      const EnvironmentPtr environment = create_environment(mesh);
-      if (environment == nullptr) continue;
-      Bench bench(mesh, environment.get(), seed);
-      bench.mark(0.1, 0.03);
-      for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
-        all.add(bench.run_bodies(level, 60));
-      }
+  const AllFigures sum = judge_scenes(GetParam(), 4, [](Bench& bench, AllFigures& all) {
+    for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
+      all.add(bench.run_bodies(level, 60));
     }
-    const bool thin = kThin.count(kind.name) != 0;
-    all.judge(kind.name, thin);
-    if (!thin) sum.add(all);
-  }
-  sum.judge("all but those with slivers");
-  record(sum);
+  });
   EXPECT_GT(sum.vertex.contacts, 2000u);
   EXPECT_GT(sum.edge.contacts, 300u);
   EXPECT_GT(sum.face.contacts, 20u);

@@ -5,16 +5,6 @@
 namespace dsw::oracle {
 namespace {
 
-/// A wave through the points.
-std::vector<double> bent(const std::vector<double>& points, double by) {
-  std::vector<double> next = points;
-  for (size_t i = 0; i + 2 < next.size(); i += 3) {
-    next[i] += by * std::sin(3 * points[i + 1]);
-    next[i + 2] += by * std::sin(2 * points[i] + points[i + 1]);
-  }
-  return next;
-}
-
 class DeformTest : public BodyTest {
  protected:
   void SetUp() override {

@@ -210,16 +210,6 @@ TEST_F(SceneInGridTest, IsRefusedWhereItWasNot) {
   EXPECT_EQ(other, nullptr);
 }
 
-/// A wave through the points, each step further.
-std::vector<double> bent(const std::vector<double>& points, double by) {
-  std::vector<double> next = points;
-  for (size_t i = 0; i + 2 < next.size(); i += 3) {
-    next[i] += by * std::sin(3 * points[i + 1]);
-    next[i + 2] += by * std::sin(2 * points[i] + points[i + 1]);
-  }
-  return next;
-}
-
 TEST_F(SceneInGridTest, ABentEnvironmentGoesOnBending) {
   mark_wall(1, 1, 1);
   scene_.reset();

@@ -3,6 +3,7 @@
 #include "swept_cases.h"
 
 #include "motion/cast.h"
+#include "motion/hop.h"
 #include "motion/locate.h"
 #include "motion/sequence.h"
 #include "motion/sweep.h"
@@ -123,6 +124,35 @@ StarSweep::Settled settled_by(const Environment<3>& env, const double* p, Cell s
     for (const uint32_t facet : path.facets) crossed.facets[crossed.count++] = {facet};
   }
   return star.settle(body, {0, 0, to, target, q, body.vertices[1].cell, crossed});
+}
+
+TEST(SweptEdgeTest, ALineBetweenNeighboursPassesOneFacet) {
+  int passed = 0, of_neighbours = 0;
+  for (const SceneKind& kind : oracle::sweep_scenes()) {
+    for (uint64_t seed = 1; seed <= 3; ++seed) {
+      Rng rng(seed);
+      const auto env = environment_of(kind.make(rng));
+      if (env == nullptr) continue;
+      mark(*env, rng, {0.05, 0.1, 0, 0});
+      SweptTruth truth(*env);
+      Bodies bodies(*env, truth, rng);
+      for (int i = 0; i < 3000; ++i) {
+        Vec x[4];
+        bodies.draw(x);
+        const Cell first = locate(*env, x[0].data(), Cell{}, nullptr).cell;
+        const Cell second = locate(*env, x[1].data(), Cell{}, nullptr).cell;
+        if (!first.valid() || !second.valid() || first == second || env->map.marked(first)) continue;
+        const CastResult path = cast(*env, x[0].data(), x[1].data(), first, 0, nullptr);
+        const bool one = path.end == CastEnd::kReached && path_facets(env->map, first, path).count == 1;
+        of_neighbours += one ? 1 : 0;
+        if (!passes_between(*env, first, second, x[0].data(), x[1].data())) continue;
+        ++passed;
+        ASSERT_TRUE(one && path.cell == second) << kind.name << " " << seed << " " << i;
+      }
+    }
+  }
+  EXPECT_GT(passed, 1000);
+  EXPECT_GT(of_neighbours, passed) << "it knows of standard forms only";
 }
 
 TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {

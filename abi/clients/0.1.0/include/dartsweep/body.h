@@ -34,7 +34,7 @@ enum {
    * vectors that differ by less than `motion_share` of it [JCD10] 6.2. What is met only on the way there is missed; where the
    * edge ends is free all the same. */
   DSW_BODY_SKIP_BY_MOTION = 0x8,
-  /** The body meets itself, too [JCD10] 4.4: parts of it that have no vertex in common. It keeps its edges and vertices then: responses
+  /** The body meets itself, too [JCD10] 4.4: parts of it that have no vertex in common, and so the ends of an edge, too. It keeps its edges and vertices then: responses
    * insert and remove none. Needs DSW_FEATURE_BODY_CONTACTS. */
   DSW_BODY_SELF_CONTACTS = 0x10
 };
@@ -171,9 +171,9 @@ DSW_API dsw_status dsw_body_add_edge(dsw_scene *scene, dsw_body_id body, dsw_bod
  * dsw_body_create. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
                                      dsw_body_vertex_id c, dsw_body_face_id *face);
-/** Remove a face; an edge with its faces; a vertex with its edges and faces. Possible also where the faces left at a vertex form several
- * fans then.
- * @return DSW_STATUS_STALE_ID; OCCUPIED: an edge whose ends lie on one point, in a body that meets itself. @note O(what is round it). Thread: writer. @since 0.1 */
+/** Remove a face; an edge with its faces; a vertex with its edges and faces. Always possible, also where the faces left at a vertex
+ * form several fans then.
+ * @return DSW_STATUS_STALE_ID. @note O(what is round it). Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_body_remove_face(dsw_scene *scene, dsw_body_id body, dsw_body_face_id face);
 DSW_API dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge);
 DSW_API dsw_status dsw_body_remove_vertex(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id vertex);

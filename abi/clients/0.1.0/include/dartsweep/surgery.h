@@ -47,7 +47,7 @@ typedef struct dsw_cut_desc {
   dsw_volume_id start; /**< A volume from which the blade is searched, always on from the volume nearest to it; at best
                                   one that it crosses. Null: the volume of the first point of the blade that is in any,
                                   found as by dsw_environment_locate without a hint; else any volume. */
-  double snap;         /**< Share of an edge's length, above 0 and at most 0.1; 0 means 0.01. */
+  double snap;         /**< Share of an edge's length, above 0 and at most 0.25; 0 means 0.01. */
 } dsw_cut_desc;
 
 /** What a cut did. */
