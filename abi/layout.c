@@ -375,7 +375,7 @@ SIZE(dsw_cut_face, 24);
 AT(dsw_cut_face, front, 0);
 AT(dsw_cut_face, back, 12);
 
-SIZE(dsw_deform_options, 32);
+SIZE(dsw_deform_options, 40);
 AT(dsw_deform_options, struct_size, 0);
 AT(dsw_deform_options, flags, 4);
 AT(dsw_deform_options, method, 8);
@@ -383,6 +383,7 @@ AT(dsw_deform_options, response, 12);
 AT(dsw_deform_options, invalid, 16);
 AT(dsw_deform_options, most_halvings, 20);
 AT(dsw_deform_options, min_part, 24);
+AT(dsw_deform_options, point_room, 32);
 
 SIZE(dsw_deform_report, 40);
 AT(dsw_deform_report, fraction, 0);

@@ -66,6 +66,10 @@ typedef struct dsw_deform_options {
   dsw_invalid_response invalid; /**< HOLD by default. */
   uint32_t most_halvings; /**< SWEPT: the largest k, 1 to 10; 0 means 10. Without a fold in the way k = 0 is enough. */
   double min_part;        /**< INSERT: least part of an edge that a split leaves, in (0,0.5]; 0 means 0.25. */
+  size_t
+      point_room; /**< Vertices for which `next` has room, `point_count` or more. While the environment reads `next`, operations write there
+                        the positions of vertices that they add, and 0 for those that they remove; beyond the room they answer
+                        DSW_STATUS_BORROWED. 0: `next` is not written by operations, and no vertex can be added. */
 } dsw_deform_options;
 
 /** What a deformation did. */
@@ -113,7 +117,7 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
  * destroyed: it reads positions here, and the array before is the host's again, to be written next. Written where a vertex could not
  * go all of its way. Must not be the array that the environment reads now.
  * @param point_count [in] vertices of the environment. @param options [in] may be null. @param report [out] may be null.
- * @return DSW_STATUS_NOT_NAMED, IN_USE (`next` is the array that it reads), WRONG_SIZE, NON_FINITE (a vertex near a body or particle; others make their volumes invalid),
+ * @return DSW_STATUS_NOT_NAMED, IN_USE (`next` is the array that it reads), WRONG_SIZE (also point_room, if below point_count), NON_FINITE (a vertex near a body or particle; others make their volumes invalid),
  * OUT_OF_RANGE, UNSUPPORTED, OUT_OF_MEMORY: nothing has changed, `next` is as it was and not retained; that also holds for the
  * outcome REFUSED.
  * @note O(bodies, particles, volumes they meet); STOP, once something is met, O(vertices of the environment). Thread: writer of the

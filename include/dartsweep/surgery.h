@@ -83,7 +83,7 @@ DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 /** Cuts an environment along a blade. The part before the blade keeps the index of a volume that is split.
  * @param desc [in] see dsw_cut_desc. @param report [out] may be null. That nothing is cut is a result, too.
  * @return besides those of topology.h: DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED (flags), OUT_OF_RANGE (rows, columns, snap), WRONG_SIZE
- * (point_stride_bytes), NON_FINITE, STALE_ID (start), BORROWED (vertices have to be added, and the points are the host's). INVALID_CELL and BAD_CELL do not occur: such volumes stay whole.
+ * (point_stride_bytes), NON_FINITE, STALE_ID (start), BORROWED (vertices have to be added, and the points are the host's without room for them, see dsw_deform_options). INVALID_CELL and BAD_CELL do not occur: such volumes stay whole.
  * OCCUPIED: with DSW_CUT_UNSEW an edge or face of a body crosses the cut, or the outer boundary would move by a rounding into a body.
  * @since 0.1 */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc, dsw_cut_report *report);

@@ -39,6 +39,7 @@ dsw::WallSettings read_settings(const dsw_deform_options* options) {
     fail(DSW_STATUS_OUT_OF_RANGE, "options->min_part is %g, must be in (0, 0.5], or 0", o.min_part);
   }
   if (o.min_part != 0) s.min_part = o.min_part;
+  s.point_room = o.point_room;
   return s;
 }
 
@@ -65,8 +66,12 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
       fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, the environment has %u vertices", point_count,
            of.env.map.vertex_count);
     }
+    const dsw::WallSettings settings = read_settings(options);
+    if (settings.point_room != 0 && settings.point_room < point_count) {
+      fail(DSW_STATUS_WRONG_SIZE, "options->point_room is %zu, point_count is %zu", settings.point_room, point_count);
+    }
     if (next == of.env.points) fail(DSW_STATUS_IN_USE, "next is the array that the environment reads now");
-    deform(scene->engine, next, read_settings(options));
+    deform(scene->engine, next, settings);
     if (report == nullptr) return;
     const dsw::WallRecord& done = of.record;
     *report = {done.fraction,

@@ -19,10 +19,12 @@ struct Environment {
   Map<D> map;
   Array<double> owned_points;      // D doubles a vertex; empty when borrowed
   const double* points = nullptr;  // owned_points or the host's
-  Array<int32_t> regions;          // by cell index; empty: none were given
-  Array<uint32_t> tags;            // by cell index; empty: none were given
-  EdgeMarks edge_marks;            // wires, by their two vertices
-  Array<uint64_t> vertex_marks;    // bits; empty: none
+  double* lent = nullptr;          // the host's, if it has room for `point_room` vertices; null: not to be written
+  size_t point_room = 0;
+  Array<int32_t> regions;        // by cell index; empty: none were given
+  Array<uint32_t> tags;          // by cell index; empty: none were given
+  EdgeMarks edge_marks;          // wires, by their two vertices
+  Array<uint64_t> vertex_marks;  // bits; empty: none
   uint64_t marked_cells = 0, marked_facets = 0, marked_edges = 0, marked_vertices = 0;
   uint64_t obstacle_version = 0;  // grows when something becomes impassable, or points move
   uint32_t part_count = 0;
@@ -45,6 +47,8 @@ struct Environment {
   Environment(const Environment&) = delete;
   Environment& operator=(const Environment&) = delete;
 
+  /** Where vertices are written that come and go; null: they stay as they are. */
+  double* writable_points() { return owned_points.empty() ? lent : owned_points.data(); }
   const double* point(uint32_t vertex) const { return points + size_t{vertex} * D; }
   const double* point(Cell c, uint32_t local) const { return point(map.vertex(c, local)); }
   int32_t region(Cell c) const { return regions.empty() ? 0 : regions[map.index(c)]; }

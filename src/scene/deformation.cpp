@@ -40,6 +40,10 @@ void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
   } else {
     d.swept.run(next, settings, d.next);
   }
+  if (d.env.points == next) {
+    d.env.lent = settings.point_room == 0 ? nullptr : next;
+    d.env.point_room = settings.point_room;
+  }
   d.next.sort();
   std::swap(d.record, d.next);
   for (const Occupants::Owner& owner : d.all.bodies) {

@@ -23,6 +23,7 @@ Edit::Edit(Environment<3>& env)
       links_(Allocator<Link>(env.memory)),
       marks_(Allocator<MarkChange>(env.memory)),
       vertices_(Allocator<uint32_t>(env.memory)),
+      points_before_(Allocator<double>(env.memory)),
       changes_(Allocator<VolumeChange>(env.memory)) {
   make_ready(map_);
   local_points_.swap(env_.local_points);
@@ -45,8 +46,13 @@ Edit::~Edit() {
   if (made_regions_) env_.regions.clear();
   if (made_tags_) env_.tags.clear();
   if (vertices_.empty()) return;
-  for (const uint32_t v : vertices_) std::fill_n(&env_.owned_points[size_t{v} * 3], 3, 0.0);
-  env_.owned_points.resize(point_doubles_);
+  for (size_t i = 0; i < points_before_.size() / 3; ++i) {
+    std::copy_n(&points_before_[i * 3], 3, env_.lent + size_t{vertices_[i]} * 3);
+  }
+  if (points_before_.empty()) {
+    for (const uint32_t v : vertices_) std::fill_n(&env_.owned_points[size_t{v} * 3], 3, 0.0);
+    env_.owned_points.resize(point_doubles_);
+  }
   env_.vertex_marks.resize(vertex_mark_words_);
 }
 
@@ -88,21 +94,30 @@ void Edit::note_heir(Cell c, uint32_t draft) {
 }
 
 uint32_t Edit::add_vertex(const double* position) {
-  if (env_.owned_points.empty()) fail(DSW_STATUS_BORROWED, "the points are the host's: no vertex can be added");
   const uint32_t v = map_.vertex_slots.upcoming(vertices_.size());
   if (v >= kVertexMask) fail(DSW_STATUS_TOO_LARGE, "there are 2^28 vertices already");
   reserve_more(vertices_, 1);
-  const size_t doubles = (size_t{v} + 1) * 3;
-  if (doubles > env_.owned_points.size()) {
-    reserve_more(env_.owned_points, doubles - env_.owned_points.size());
-    env_.points = env_.owned_points.data();
-    if (!env_.vertex_marks.empty()) reserve_more(env_.vertex_marks, 1);
-    env_.owned_points.resize(doubles);
-    if (!env_.vertex_marks.empty()) env_.vertex_marks.resize(size_t{v} / 64 + 1, 0);
-  }
-  std::copy_n(position, 3, &env_.owned_points[size_t{v} * 3]);
+  if (!env_.vertex_marks.empty()) reserve_more(env_.vertex_marks, 1);
+  std::copy_n(position, 3, room_for(v));
+  if (!env_.vertex_marks.empty()) env_.vertex_marks.resize(std::max(env_.vertex_marks.size(), size_t{v} / 64 + 1), 0);
   vertices_.push_back(v);
   return v;
+}
+
+/** Where the position of a new vertex is written. */
+double* Edit::room_for(uint32_t v) {
+  const size_t at = size_t{v} * 3;
+  if (env_.owned_points.empty()) {
+    if (v >= env_.point_room) fail(DSW_STATUS_BORROWED, "the points are the host's, without room for vertex %u", v);
+    points_before_.insert(points_before_.end(), env_.lent + at, env_.lent + at + 3);
+    return env_.lent + at;
+  }
+  if (at == env_.owned_points.size()) {
+    reserve_more(env_.owned_points, 3);
+    env_.points = env_.owned_points.data();
+    env_.owned_points.resize(at + 3);
+  }
+  return &env_.owned_points[at];
 }
 
 uint32_t Edit::add_vertex(uint32_t a, uint32_t b, double share) {
@@ -441,6 +456,7 @@ void Edit::log_changes() noexcept {
 }
 
 void Edit::move_uses() noexcept {
+  double* const points = env_.writable_points();
   for (const uint32_t v : vertices_) {
     map_.vertex_slots.acquire();
     if (v == map_.vertex_uses.size()) map_.vertex_uses.push_back(0);
@@ -459,10 +475,10 @@ void Edit::move_uses() noexcept {
   for (const Cell c : removed_) {
     for (uint32_t k = 0, n = map_.vertices_of(c); k < n; ++k) {
       const uint32_t v = map_.vertex(c, k);
-      if (--map_.vertex_uses[v] != 0 || env_.owned_points.empty()) continue;
+      if (--map_.vertex_uses[v] != 0 || points == nullptr) continue;
       set_vertex_mark(env_, v, false);
       map_.vertex_slots.release(v);
-      std::fill_n(&env_.owned_points[size_t{v} * 3], 3, 0.0);
+      std::fill_n(points + size_t{v} * 3, 3, 0.0);
     }
   }
 }

@@ -34,7 +34,7 @@ class Edit {
   CellDraft& draft(size_t i) { return drafts_[i]; }
   /** The draft that takes a cell's place, or null. */
   CellDraft* find_draft(Cell c);
-  /** A vertex with this position. Throws BORROWED where points are the host's. */
+  /** A vertex with this position. Throws BORROWED where points are the host's without room for it. */
   uint32_t add_vertex(const double* position);
   /** Likewise, at `share` of the way from one end of an edge to the other; the edge's mark goes to both of its parts. */
   uint32_t add_vertex(uint32_t a, uint32_t b, double share);
@@ -105,6 +105,7 @@ class Edit {
   };
   static constexpr uint32_t kNoHeir = 0xffffffffu;
 
+  double* room_for(uint32_t v);
   void note_heir(Cell c, uint32_t draft);
   bool write_record(size_t i);
   void write_general(const CellDraft& draft, Made& made, const Array<uint16_t>& table, const Array<uint32_t>& vertices);
@@ -140,7 +141,8 @@ class Edit {
   Array<Made> made_;
   Array<Link> links_;
   Array<MarkChange> marks_;
-  Array<uint32_t> vertices_;  // new ones
+  Array<uint32_t> vertices_;     // new ones
+  Array<double> points_before_;  // where they are now, in arrays of the host's
   Array<VolumeChange> changes_;
   uint32_t fresh_ = 0;  // cells that get an index of their own
   int64_t sides_ = 0, boundary_ = 0, marked_ = 0,

@@ -13,6 +13,7 @@ struct WallSettings {
   bool refuses_invalid = false;
   uint32_t most_halvings = 10;  // of the steps
   double min_part = 0.25;       // of an edge, that a split leaves
+  size_t point_room = 0;        // of the array that is lent, in vertices; 0: no more than there are
 };
 
 /** What a deformation leaves for the host to read. */

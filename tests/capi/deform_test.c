@@ -398,6 +398,53 @@ static void saved_and_loaded(void) {
   end();
 }
 
+/* A cut in an environment that bends: its vertices are written to the array that was lent, if that has room. */
+static void cut_while_bent(void) {
+  static const double blade[12] = {1.25, -1, -1, 1.25, 5, -1, 1.25, -1, 5, 1.25, 5, 5};
+  static double arrays[2][3 * 2 * POINTS];
+  dsw_deform_options o = options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
+  const dsw_cut_vertex *added = NULL;
+  size_t i, count = 0, points = POINTS;
+  dsw_cut_report report;
+  dsw_cut_desc d;
+  int turn;
+  begin(DSW_FEATURE_DEFORMING);
+  dsw_cut_desc_init(&d, sizeof d);
+  d.points = blade;
+  d.rows = d.columns = 2;
+  for (turn = 0; turn < 2; ++turn) memcpy(arrays[turn], g_grid.points, sizeof g_points[0]);
+
+  o.point_room = POINTS - 1;
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  o.point_room = POINTS + 24;
+  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  for (i = 3 * POINTS; i < 6 * POINTS; ++i) arrays[0][i] = -7;
+  CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL)); /* needs 25 */
+  for (i = 3 * POINTS; i < 6 * POINTS; ++i) CHECK(arrays[0][i] == -7);
+  o.point_room = 0;
+  CHECK_OK(dsw_scene_deform(g_scene, arrays[1], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL));
+  o.point_room = POINTS + 25;
+  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  CHECK_OK(dsw_environment_cut(g_env, &d, &report));
+  CHECK(report.volumes_split == 16 && report.vertex_count == 25);
+  CHECK_OK(dsw_environment_get_cut_vertices(g_env, &added, &count));
+  CHECK(count == 25);
+  for (i = 0; i < count; ++i) {
+    CHECK(added[i].vertex.index >= POINTS && added[i].vertex.index < POINTS + 25);
+    CHECK(arrays[0][3 * added[i].vertex.index] == 1.25);
+    memcpy(arrays[1] + 3 * added[i].vertex.index, arrays[0] + 3 * added[i].vertex.index, 3 * sizeof(double));
+  }
+  CHECK(arrays[0][3 * (POINTS + 25)] == -7);
+  points += count;
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_deform(g_scene, arrays[1], POINTS, &o, NULL));
+  for (i = 0; i < points; ++i) arrays[1][3 * i] *= 1.125;
+  o.point_room = 0;
+  CHECK_OK(dsw_scene_deform(g_scene, arrays[1], points, &o, NULL));
+  CHECK_OK(dsw_environment_check(g_env, NULL));
+  end();
+}
+
 int main(void) {
   a_floor_lifts_a_particle();
   an_edge_is_pushed_split_or_holds_the_wall();
@@ -408,5 +455,6 @@ int main(void) {
   a_point_between_two_cubes();
   bad_arguments();
   saved_and_loaded();
+  cut_while_bent();
   return check_result();
 }

@@ -411,11 +411,42 @@ std::string RandomEdits::reload() {
   return status == DSW_STATUS_OK ? "" : dsw_last_error_message();
 }
 
+/// Every position to the other array of two, which has room for more; one of them `by` from where it was in `from`.
+std::string RandomEdits::bend_to(const double* from, uint32_t vertex, double by) {
+  const uint32_t count = env().map.vertex_count;
+  dsw_deform_options options;
+  dsw_deform_options_init(&options, sizeof options);
+  options.method = DSW_DEFORM_END_STATE;
+  options.point_room = 4 * size_t{count} + 200;
+  std::vector<double>& next = lent_[env().points == lent_[0].data() ? 1 : 0];
+  std::vector<double> points(from, from + size_t{3} * count);
+  points[size_t{3} * vertex] += by;
+  next = points;
+  next.resize(3 * options.point_room, 1);
+  if (dsw_scene_deform(scene_.get(), next.data(), count, &options, nullptr) == DSW_STATUS_OK) return "";
+  return std::string("bending: ") + dsw_last_error_message();
+}
+
+/// One vertex goes a little way, if all volumes stay valid. From then on changes write to the host's array.
+std::string RandomEdits::bend() {
+  const std::vector<double> before(env().points, env().points + size_t{3} * env().map.vertex_count);
+  const uint32_t vertex = rng_.below(env().map.vertex_count);
+  std::string wrong = bend_to(before.data(), vertex, rng_.range(-0.05, 0.05) * place_.world->size);
+  if (wrong.empty() && dsw_environment_check(place_.get(), nullptr) != DSW_STATUS_OK)
+    wrong = bend_to(before.data(), vertex, 0);
+  volume_ = volume();
+  return wrong;
+}
+
 std::string RandomEdits::move_all() {
   // Cuts open many cracks. Where later changes move one lip of one, the outer boundary passes through itself: then edges can be free over
   // one sheet and blocked over the other, which bodies of DSW_LEVEL_EDGES do not tell apart.
   const bool was_cut = tallies[static_cast<size_t>(Operation::kCut)].done != 0;
   if (was_cut && dsw_environment_check(place_.get(), nullptr) != DSW_STATUS_OK) return "";
+  if (scene().deformation.get() != nullptr) {
+    const std::string wrong = bend();
+    if (!wrong.empty()) return wrong;
+  }
   const double reach = 0.2 * place_.world->size;
   const auto near = [&](const double* at, double* to) {
     for (int k = 0; k < 3; ++k) to[k] = at[k] + rng_.range(-reach, reach);

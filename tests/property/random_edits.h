@@ -62,6 +62,8 @@ class RandomEdits {
   const Environment<3>& env() const { return place_.get()->engine; }
   const Scene<3>& scene() const { return scene_->engine; }
 
+  std::string bend();
+  std::string bend_to(const double* from, uint32_t vertex, double by);
   void mark_some();
   void add_particles();
   void add_bodies();
@@ -101,6 +103,7 @@ class RandomEdits {
   ContextPtr context_;
   Place place_;
   ScenePtr scene_;
+  std::vector<double> lent_[2];  // points of an environment that bends
   Choices choices_;
   Rng& rng_ = choices_.rng;
   std::vector<std::array<dsw_face_id, 2>>& unsewn_ = choices_.unsewn;
