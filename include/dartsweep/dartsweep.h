@@ -6,6 +6,7 @@
 
 #include "dartsweep/base.h"
 #include "dartsweep/body.h"
+#include "dartsweep/carve.h"
 #include "dartsweep/coarsen.h"
 #include "dartsweep/contact.h"
 #include "dartsweep/contact_check.h"

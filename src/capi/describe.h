@@ -31,6 +31,8 @@ DSW_FIRST_SIZE(dsw_body_counts, reserved);
 DSW_FIRST_SIZE(dsw_move_options, order_count);
 DSW_FIRST_SIZE(dsw_deform_options, min_part);
 DSW_FIRST_SIZE(dsw_cut_desc, snap);
+DSW_FIRST_SIZE(dsw_carve_desc, snap);
+DSW_FIRST_SIZE(dsw_tie_desc, snap);
 DSW_FIRST_SIZE(dsw_coarsen_options, max_trials);
 DSW_FIRST_SIZE(dsw_coarsen_report, trials);
 DSW_FIRST_SIZE(dsw_trace_data, triangle_count);

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "capi/guard.h"
+#include "dartsweep/carve.h"
 #include "dartsweep/scene.h"
-#include "dartsweep/surgery.h"
 #include "environment/environment.h"
 #include "scene/scene.h"
 
@@ -36,6 +36,7 @@ struct dsw_environment {
   dsw::Array<dsw_cut_vertex> cut_vertices;  // of the last cut, as the next two
   dsw::Array<dsw_cut_face> cut_faces;
   dsw::Array<dsw_volume_id> whole_volumes;
+  dsw::Array<dsw_volume_id> carved_volumes;  // of the last carving
 
   explicit dsw_environment(dsw_context* owner);
 };

@@ -1,47 +1,60 @@
 #pragma once
-// The surface that a blade sweeps: its edge, a chain of points, at one place after the other. Four neighbouring points make two
-// triangles. Any may be flat: what is degenerate cuts nothing.
+// A surface of triangles to cut with: what a blade's edge sweeps, a shape, or what a loop spans. Any triangle may be flat: what is
+// degenerate cuts nothing.
 
+#include "base/memory.h"
 #include "base/points.h"
 #include "base/vec.h"
 #include "predicates/swept_triangle.h"
 
 namespace dsw {
 
-struct Blade {
-  PointArray points;       // row after row
-  uint32_t rows, columns;  // at least 2 of each
-
+class Blade {
+ public:
   static constexpr uint32_t kNone = 0xffffffffu;
 
-  uint32_t point_count() const { return rows * columns; }
-  uint32_t triangle_count() const { return 2 * (rows - 1) * (columns - 1); }
+  /** Points are read in place. Throws std::bad_alloc, as all that makes one. */
+  Blade(const Memory* memory, PointArray points, uint32_t point_count);
 
-  /** The points of a triangle: of each four, those before the diagonal from the first to the last (even) or behind it (odd). */
+  /** A chain of `columns` points at `rows` places, row after row: of each four neighbours, the triangle before the diagonal from the first
+   * to the last, and that behind it. */
+  static Blade swept(const Memory* memory, PointArray points, uint32_t rows, uint32_t columns);
+  /** Three points each. */
+  static Blade of_triangles(const Memory* memory, PointArray points, uint32_t point_count, const uint32_t* corners,
+                            uint32_t triangle_count);
+  /** What a loop spans, from its centre: the last one of the points, which is not of the loop. */
+  static Blade fan(const Memory* memory, PointArray points, uint32_t point_count);
+
+  uint32_t point_count() const { return point_count_; }
+  const double* point(uint32_t i) const { return points_[i]; }
+  uint32_t triangle_count() const { return static_cast<uint32_t>(triangles_.size()); }
+
   void corners(uint32_t triangle, const double* out[3]) const {
-    const uint32_t quad = triangle / 2, row = quad / (columns - 1), column = quad % (columns - 1);
-    const size_t first = size_t{row} * columns + column, across = first + columns + 1;
-    out[0] = points[first];
-    out[1] = triangle % 2 == 0 ? points[first + 1] : points[across];
-    out[2] = triangle % 2 == 0 ? points[across] : points[across - 1];
+    for (int k = 0; k < 3; ++k) out[k] = points_[triangles_[triangle].corners[k]];
   }
-
-  /** The triangle across side `side` of a triangle, which joins its corners `side` and the next; kNone: the blade's rim. */
-  uint32_t neighbour(uint32_t triangle, int side) const {
-    const uint32_t quad = triangle / 2, wide = columns - 1, row = quad / wide, column = quad % wide;
-    const bool even = triangle % 2 == 0;
-    if (side == (even ? 2 : 0)) return triangle ^ 1u;
-    if (even && side == 0) return row == 0 ? kNone : 2 * (quad - wide) + 1;
-    if (even) return column + 1 == wide ? kNone : 2 * (quad + 1) + 1;
-    if (side == 1) return row + 2 == rows ? kNone : 2 * (quad + wide);
-    return column == 0 ? kNone : 2 * (quad - 1);
-  }
+  /** The triangle across side `side` of a triangle, which joins its corners `side` and the next and runs the other way there; kNone: the
+   * surface ends. */
+  uint32_t neighbour(uint32_t triangle, int side) const { return triangles_[triangle].neighbours[side]; }
+  /** A triangle that has no neighbour across one of its sides, or kNone: the surface is closed. O(triangles). */
+  uint32_t find_rim() const;
 
   SweptTriangle swept(uint32_t triangle) const {
     const double* at[3];
     corners(triangle, at);
     return SweptTriangle(EdgeMotion{at[0], at[1], at[2]});
   }
+
+ private:
+  struct Triangle {
+    uint32_t corners[3], neighbours[3];
+  };
+
+  void add(uint32_t a, uint32_t b, uint32_t c) { triangles_.push_back({{a, b, c}, {kNone, kNone, kNone}}); }
+  void join(const Memory* memory);
+
+  PointArray points_;
+  uint32_t point_count_;
+  Array<Triangle> triangles_;
 };
 
 /** The vector from a point to the nearest one of a triangle, rounded. */

@@ -35,10 +35,18 @@ Crossings::Crossings(const Environment<3>& env, const Blade& blade)
       found_(Allocator<BladePoint>(env.memory)) {}
 
 void Crossings::flood(Cell start) {
-  for (uint32_t t = 0; t < blade_.triangle_count(); ++t) {
-    if (meet(start, t, blade_.swept(t)).triangle) insert(start, t);
-  }
-  for (uint32_t i = 0; i < meetings_.size(); ++i) look_at(i);
+  for (uint32_t t = 0; t < blade_.triangle_count(); ++t) seed(start, t);
+  run();
+}
+
+bool Crossings::seed(Cell c, uint32_t triangle) {
+  if (!meet(c, triangle, blade_.swept(triangle)).triangle) return false;
+  insert(c, triangle);
+  return true;
+}
+
+void Crossings::run() {
+  for (; looked_at_ < meetings_.size(); ++looked_at_) look_at(looked_at_);
 }
 
 bool Crossings::is_met(Cell c) {

@@ -36,6 +36,10 @@ class Crossings {
 
   /** Floods from a cell, if the blade meets it. Throws std::bad_alloc. O(pairs of cells and triangles that meet). */
   void flood(Cell start);
+  /** Whether a triangle meets a cell; the flood will go on from there. */
+  bool seed(Cell c, uint32_t triangle);
+  /** Floods from what was seeded. */
+  void run();
   /** Whether a cell is met by any triangle. O(triangles). */
   bool is_met(Cell c);
 
@@ -84,9 +88,10 @@ class Crossings {
   const Map<3>& map_;
   const Blade& blade_;
   Array<MetCell> cells_;
-  KeyTable cell_numbers_;  // by unit
-  KeyTable meetings_;      // number of the cell and triangle
-  Array<uint32_t> next_;   // the meeting of the same cell before
+  KeyTable cell_numbers_;   // by unit
+  KeyTable meetings_;       // number of the cell and triangle
+  uint32_t looked_at_ = 0;  // of them
+  Array<uint32_t> next_;    // the meeting of the same cell before
   Array<Crossing> crossings_;
   KeyTable edges_;
   Array<BladePoint> points_;

@@ -6,12 +6,14 @@
 
 namespace dsw {
 
-Cut::Cut(Environment<3>& env, const Blade& blade, const CutSettings& settings, Cell start)
+Cut::Cut(Environment<3>& env, const Blade& blade, const CutSettings& settings, const Crossings& crossings,
+         const Inside* inside)
     : env_(env),
       map_(env.map),
       blade_(blade),
       settings_(settings),
-      crossings_(env, blade),
+      crossings_(crossings),
+      inside_(inside),
       vertices_(Allocator<uint32_t>(env.memory)),
       line_numbers_(env.memory),
       lines_(Allocator<Line>(env.memory)),
@@ -21,8 +23,21 @@ Cut::Cut(Environment<3>& env, const Blade& blade, const CutSettings& settings, C
       splits_(Allocator<Split>(env.memory)),
       old_faces_(Allocator<CutFace>(env.memory)),
       record_(env.memory) {
-  if (start.valid()) crossings_.flood(start);
   section_.emplace(env, crossings_, settings.snap);
+  for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
+    if (!can_split(crossings_.cell(i).cell)) section_->keep_whole(i);
+  }
+}
+
+bool Cut::can_split(Cell c) const {
+  switch (settings_.splits) {
+    case Splits::kAll:
+      return true;
+    case Splits::kNothing:
+      return false;
+    default:
+      return map_.marked(c) == (settings_.splits == Splits::kImpassable);
+  }
 }
 
 /** Cells that come out invalid stay whole, and all is written anew: each time more of them, so this ends. */
@@ -33,10 +48,27 @@ void Cut::prepare(std::optional<Edit>& edit) {
     if (!write(*edit)) continue;
     invalid.clear();
     edit->prepare(&invalid);
-    if (invalid.empty()) break;
+    if (invalid.empty() && !undo_idle_splits(*edit)) break;
     for (const uint32_t draft : invalid) keep_whole(origins_[draft]);
   }
   write_record(*edit);
+}
+
+/** Cells with both parts on one side stay whole; whether there were any. */
+bool Cut::undo_idle_splits(const Edit& edit) {
+  if (inside_ == nullptr) return false;
+  const auto is_inside = [&](size_t draft) {
+    double at[3];
+    centre(env_, edit.cell(draft), at);
+    return inside_->holds(origins_[draft], at);
+  };
+  bool any = false;
+  for (const Split& split : splits_) {
+    if (is_inside(split.front) != is_inside(split.back)) continue;
+    section_->keep_whole(split.cell);
+    any = true;
+  }
+  return any;
 }
 
 /** False: something has to stay whole first. */
@@ -224,7 +256,7 @@ bool Cut::is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) c
 }
 
 /** Facets with nothing but old vertices on the blade are on the cut if the cells beside them are on its two sides. The blade need not meet
- * both. */
+ * both. A cut that closes takes those, too, of which that is not to be told. */
 void Cut::find_old_faces() {
   old_faces_.clear();
   const auto stays_whole = [&](uint32_t cell) { return !section_->is_barred(cell) && section_->loop(cell).empty(); };
@@ -238,9 +270,9 @@ void Cut::find_old_faces() {
       const Cell beyond = map_.cell_of(o);
       const uint32_t other = crossings_.number(beyond);
       if (other == KeyTable::kNone ? !admits(env_, beyond) : o.word < h.word || !stays_whole(other)) continue;
-      const int side = side_of(c);
-      if (side == 0 || side != -side_of(beyond)) continue;
-      old_faces_.push_back(side > 0 ? CutFace{h, o} : CutFace{o, h});
+      const int side = side_of(c), other_side = side_of(beyond);
+      if (settings_.closes ? side * other_side > 0 || is_impassable(env_, h) : side * other_side >= 0) continue;
+      old_faces_.push_back(side > 0 || other_side < 0 ? CutFace{h, o} : CutFace{o, h});
     }
   }
 }
@@ -339,6 +371,10 @@ void Cut::write_record(Edit& edit) {
     const Cell c = crossings_.cell(i).cell;
     // Where a vertex stands for all crossings, only the cell's sides tell that the cut would have to pass through it.
     if (!section_->loop(i).empty() || (!section_->is_crossed(i) && side_of(c) != 0)) continue;
+    if (settings_.closes) {
+      if (map_.marked(c)) continue;
+      edit.set_mark(c, true);
+    }
     const size_t draft = draft_of_cell(c);
     record_.whole.push_back(draft == kNoDraft ? c : edit.cell(draft));
   }

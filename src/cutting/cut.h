@@ -4,14 +4,20 @@
 
 #include <optional>
 
+#include "cutting/inside.h"
 #include "cutting/section.h"
 #include "topology/edit.h"
 
 namespace dsw {
 
+/** Which cells can be split. */
+enum class Splits { kAll, kPassable, kImpassable, kNothing };
+
 struct CutSettings {
   double snap = 0.01;
   bool unsew = false;
+  Splits splits = Splits::kAll;
+  bool closes = false;  // with unsew: nothing gets through what is not impassable yet; cells that stay whole are marked
 };
 
 /** A vertex that came, and the edge on which: at `share` of the way from a to b. */
@@ -28,7 +34,7 @@ struct CutFace {
 struct CutRecord {
   Array<NewVertex> vertices;
   Array<CutFace> faces;
-  Array<Cell> whole;                         // that the blade crosses
+  Array<Cell> whole;                         // that the blade crosses; of a cut that closes: those that it marks
   uint32_t met = 0, split = 0, changed = 0;  // cells
   double distance = 0;
 
@@ -38,8 +44,10 @@ struct CutRecord {
 
 class Cut {
  public:
-  /** `start`: the blade is followed from there, if it meets this cell; invalid: it meets nothing. Throws std::bad_alloc. */
-  Cut(Environment<3>& env, const Blade& blade, const CutSettings& settings, Cell start);
+  /** Crossings as a flood has left them. With `inside`, only cells are split of which one part is inside then and the other is not. Throws
+   * std::bad_alloc. */
+  Cut(Environment<3>& env, const Blade& blade, const CutSettings& settings, const Crossings& crossings,
+      const Inside* inside = nullptr);
 
   /** Prepares an edit. Throws BORROWED where vertices have to be added and can't be, TOO_LARGE, std::bad_alloc. */
   void prepare(std::optional<Edit>& edit);
@@ -64,6 +72,8 @@ class Cut {
   };
   static constexpr size_t kNoDraft = static_cast<size_t>(-1);
 
+  bool can_split(Cell c) const;
+  bool undo_idle_splits(const Edit& edit);
   bool write(Edit& edit);
   void choose_nodes(Edit& edit);
   void choose_lines();
@@ -89,7 +99,8 @@ class Cut {
   const Map<3>& map_;
   const Blade& blade_;
   CutSettings settings_;
-  Crossings crossings_;
+  const Crossings& crossings_;
+  const Inside* inside_;
   std::optional<Section> section_;
   Array<uint32_t> vertices_;  // by node; kNoCell: it is not needed
   KeyTable line_numbers_;     // by the lower address of the facet

@@ -51,10 +51,12 @@ bool Section::has_double_crossing(Cell c) const {
 bool Section::is_crossed(uint32_t cell) const {
   if (is_barred(cell)) return true;
   const Cell c = crossings_.cell(cell).cell;
+  bool touches = false;
   for (uint32_t d = 0, n = map_.shape(c).dart_count(); d < n; ++d) {
     if (node_on(dart_vertex(map_, {c, d}), dart_target(map_, {c, d})) != KeyTable::kNone) return true;
+    touches = touches || node_at(dart_vertex(map_, {c, d})) != KeyTable::kNone;
   }
-  return false;
+  return !touches;  // else a fold of the blade enters through one facet
 }
 
 /** Whether a facet has two nodes that no edge of it joins. */

@@ -61,7 +61,7 @@ class Search {
 Cell find_start(const Environment<3>& env, const Blade& blade, Cell hint, uint32_t* visited) {
   if (hint.valid()) return Search(env, blade).run(hint, visited);
   for (uint32_t i = 0; i < blade.point_count(); ++i) {
-    const Cell found = locate(env, blade.points[i], {}, nullptr).cell;
+    const Cell found = locate(env, blade.point(i), {}, nullptr).cell;
     if (found.valid()) return found;
   }
   // A blade that is larger than the environment is looked for from anywhere.

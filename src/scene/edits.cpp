@@ -20,8 +20,11 @@ class Followers {
         particles_(Allocator<Seat>(scene.memory)),
         vertices_(Allocator<Seat>(scene.memory)) {}
 
-  /** Finds new cells; those without any go to the scene's occupants. */
+  /** Finds new cells; those without any that is passable go to the scene's occupants. */
   void find_cells() {
+    Array<Cell> marked{Allocator<Cell>(scene_.memory)};
+    edit_.for_each_marked([&](Cell c) { marked.push_back(c); });
+    find_occupants(scene_, marked.data(), marked.size());
     for (uint32_t slot = 0; slot < scene_.particles.size(); ++slot) {
       const ParticleState<3>& particle = scene_.particles[slot];
       if (!has_to_move(particle.cell)) continue;
@@ -121,6 +124,7 @@ class Followers {
     };
     for (const Cell c : edit_.removed()) add(c);
     for (size_t i = 0; i < edit_.cell_count(); ++i) add(edit_.cell(i));
+    edit_.for_each_marked(add);
     for (size_t i = 0; i < edit_.link_count(); ++i) {
       const FacetDraft facet = draft_of(env_, edit_.link(i));
       for (const uint32_t v : facet.loop) box.add(env_.point(v));

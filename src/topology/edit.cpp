@@ -22,6 +22,7 @@ Edit::Edit(Environment<3>& env)
       made_(Allocator<Made>(env.memory)),
       links_(Allocator<Link>(env.memory)),
       marks_(Allocator<MarkChange>(env.memory)),
+      cell_marks_(Allocator<CellMark>(env.memory)),
       vertices_(Allocator<uint32_t>(env.memory)),
       points_before_(Allocator<double>(env.memory)),
       changes_(Allocator<VolumeChange>(env.memory)) {
@@ -137,6 +138,23 @@ void Edit::set_link(HalfFacet h, HalfFacet to, bool marked) {
 
 void Edit::set_mark(uint32_t a, uint32_t b, bool marked) { marks_.push_back({a, b, marked, false}); }
 void Edit::set_mark(uint32_t vertex, bool marked) { marks_.push_back({vertex, kNoCell, marked, false}); }
+
+void Edit::set_mark(Cell c, bool marked) {
+  if (!is_removed(c)) {
+    cell_marks_.push_back({c, marked, false});
+    return;
+  }
+  for_each_heir(c, [&](size_t i) {
+    set_draft_mark(i, marked);
+    return true;
+  });
+}
+
+void Edit::set_draft_mark(size_t i, bool marked) noexcept {
+  drafts_[i].marked = marked;
+  uint32_t& word = map_.record(made_[i].cell)[0];
+  word = marked ? word | kMarkBit : word & ~kMarkBit;
+}
 
 bool Edit::is_removed(Cell c) const {
   return std::binary_search(removed_.begin(), removed_.end(), c, [](Cell a, Cell b) { return a.unit < b.unit; });
@@ -415,10 +433,14 @@ void Edit::set_marks(bool back) noexcept {
   };
   if (!back) {
     for (MarkChange& mark : marks_) mark.done = set(mark, mark.marked);
+    for (CellMark& mark : cell_marks_) mark.done = set_cell_mark(env_, mark.cell, mark.marked);
     return;
   }
   for (size_t i = marks_.size(); i-- != 0;) {
     if (marks_[i].done) set(marks_[i], !marks_[i].marked);
+  }
+  for (const CellMark& mark : cell_marks_) {
+    if (mark.done) set_cell_mark(env_, mark.cell, !mark.marked);
   }
 }
 

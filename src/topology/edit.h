@@ -42,6 +42,10 @@ class Edit {
   void set_link(HalfFacet h, HalfFacet to, bool marked);
   void set_mark(uint32_t a, uint32_t b, bool marked);
   void set_mark(uint32_t vertex, bool marked);
+  /** After prepare(): of a cell that stays, or of what is drafted for a cell. Throws std::bad_alloc. */
+  void set_mark(Cell c, bool marked);
+  /** After prepare(). */
+  void set_draft_mark(size_t i, bool marked) noexcept;
 
   /** Throws INVALID_CELL, BAD_CELL, BAD_TOPOLOGY, TOO_LARGE, std::bad_alloc. With `invalid`, drafts that would be the reason for one of
    * the first two are put there instead; if there are any, the edit is of no more use. */
@@ -71,6 +75,13 @@ class Edit {
   size_t link_count() const { return links_.size(); }
   HalfFacet link(size_t i) const { return {links_[i].word}; }
   bool is_relinked(HalfFacet h) const { return std::binary_search(links_.begin(), links_.end(), Link{h.word, 0, 0}); }
+  /** Calls visit(cell) for those that stay and become impassable. */
+  template <class Visit>
+  void for_each_marked(Visit visit) const {
+    for (const CellMark& mark : cell_marks_) {
+      if (mark.marked) visit(mark.cell);
+    }
+  }
   Environment<3>& environment() const { return env_; }
 
   /** How long changes() can be; the rest after finish(). */
@@ -91,6 +102,10 @@ class Edit {
   };
   struct MarkChange {
     uint32_t a, b;  // b is kNoCell: of vertex a
+    bool marked, done;
+  };
+  struct CellMark {
+    Cell cell;
     bool marked, done;
   };
   /** Which draft's facet comes from a half-facet. */
@@ -141,6 +156,7 @@ class Edit {
   Array<Made> made_;
   Array<Link> links_;
   Array<MarkChange> marks_;
+  Array<CellMark> cell_marks_;
   Array<uint32_t> vertices_;     // new ones
   Array<double> points_before_;  // where they are now, in arrays of the host's
   Array<VolumeChange> changes_;

@@ -1,0 +1,58 @@
+#pragma once
+// Boxes round the triangles of a blade, halved until few are left: which triangles can meet what is in a box. Boxes are closed, so that what
+// lies apart stays apart whatever the shift.
+
+#include "cutting/blade.h"
+
+namespace dsw {
+
+class BladeTree {
+ public:
+  struct Box {
+    double lower[3], upper[3];
+
+    Box();
+    void add(const double* point);
+    bool overlaps(const Box& other) const;
+  };
+
+  /** O(n log² n). Throws std::bad_alloc. */
+  BladeTree(const Memory* memory, const Blade& blade);
+
+  /** Of the whole blade. */
+  const Box& box() const { return nodes_[0].box; }
+
+  /** Calls visit(triangle) for those whose boxes overlap a box. */
+  template <class Visit>
+  void for_each_in(const Box& box, Visit visit) const {
+    for (uint32_t i = 0; i < nodes_.size();) {
+      const Node& node = nodes_[i];
+      if (!node.box.overlaps(box)) {
+        i = node.next;
+        continue;
+      }
+      for (uint32_t k = node.first; k < node.end; ++k) {
+        if (leaves_[k].box.overlaps(box)) visit(leaves_[k].triangle);
+      }
+      ++i;
+    }
+  }
+
+ private:
+  struct Leaf {
+    Box box;
+    uint32_t triangle;
+  };
+  /** In depth-first order; `next` is the first one that is not below it. Triangles only where nothing is below. */
+  struct Node {
+    Box box;
+    uint32_t first, end, next;
+  };
+
+  void build(uint32_t first, uint32_t end);
+
+  Array<Leaf> leaves_;
+  Array<Node> nodes_;
+};
+
+}  // namespace dsw

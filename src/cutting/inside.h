@@ -1,0 +1,64 @@
+#pragma once
+// Which cells lie inside of a closed surface: those round whose centre it turns. How often it does is asked once, of a ray; from there on a
+// flood knows it, as it changes only where the way from one centre to the next, by a vertex that the two cells share, crosses the surface.
+
+#include "cutting/blade_tree.h"
+#include "cutting/crossings.h"
+#include "topology/edit.h"
+
+namespace dsw {
+
+class Inside {
+ public:
+  /** What the surface crosses is left in *crossings. Throws std::bad_alloc, as all here. */
+  Inside(const Environment<3>& env, const Blade& blade, Crossings& crossings);
+
+  /** Floods through cells that are inside or crossed, from a cell that is; else from the first that is crossed, see start.h. O(facets of
+   * cells that are, with a search in a tree of triangles for each cell beside one). */
+  void flood_from(Cell start, uint32_t* visited);
+  /** The same from all cells that are. O(cells). */
+  void flood_all();
+
+  /** Cells that were looked at, and whether their centres are inside. */
+  uint32_t cell_count() const { return static_cast<uint32_t>(cells_.size()); }
+  Cell cell(uint32_t i) const { return cells_[i].cell; }
+  bool is_inside(uint32_t i) const { return cells_[i].turns != 0; }
+  /** Whether a point that is thought to lie in a cell is inside. */
+  bool holds(Cell c, const double* point) const;
+
+  /** What is inside becomes passable in an edit that is prepared; lists those cells that are not yet, as they will be. O(cells). */
+  void carve(Edit& edit, Array<Cell>& carved) const;
+
+ private:
+  struct Known {
+    Cell cell;
+    int turns;     // of the surface round the cell's centre
+    bool crossed;  // by the surface
+  };
+
+  bool flood(Cell start);
+  bool has_centre_in(Cell c, const double* at) const;
+  void add(Cell c);
+  void look_beyond(const Known& known, HalfFacet h);
+  bool seed(Cell c);
+  int crossings_of(uint32_t triangle, const double* from, const double* to) const;
+  int crossings_in(Cell c, const double* from, const double* to) const;
+  int turns_round(const double* point) const;
+
+  const Environment<3>& env_;
+  const Map<3>& map_;
+  const Blade& blade_;
+  Crossings& crossings_;
+  BladeTree tree_;
+  KeyTable numbers_;  // of cells, by unit
+  Array<Known> cells_;
+  uint32_t done_ = 0;  // cells whose neighbours have been looked at
+};
+
+/** Finds all that a blade crosses, anywhere. O(cells). */
+void find_all(const Environment<3>& env, const Blade& blade, Crossings& crossings);
+
+/** Whether a blade crosses passable cells, and ends in none of them. O(cells crossed). */
+bool closes(const Environment<3>& env, const Crossings& crossings);
+
+}  // namespace dsw

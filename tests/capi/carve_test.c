@@ -1,0 +1,415 @@
+/* carve.h: shapes carved out of a grid of cubes, vessels tied in it, what they return, every way to be refused, and what bodies and particles
+ * say to it. */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "fixture.h"
+
+static dsw_environment *g_env; /* 4 x 4 x 4 cubes */
+static double g_points[8 * 3];
+static dsw_carve_report g_carved;
+static dsw_tie_report g_tied;
+
+static const uint32_t g_box[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                   2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+
+static dsw_environment_info info(void) {
+  dsw_environment_info i;
+  i.struct_size = sizeof i;
+  CHECK_OK(dsw_environment_get_info(g_env, &i));
+  return i;
+}
+
+static size_t marked_count(void) {
+  size_t count = 999;
+  CHECK_OK(dsw_environment_get_mark_count(g_env, DSW_CELL_VOLUME, &count));
+  return count;
+}
+
+/* Cubes with region x from here to there become impassable. */
+static void mark_columns(int32_t first, int32_t last) {
+  for (; first <= last; ++first) {
+    CHECK_OK(dsw_environment_mark_region(g_env, first, DSW_MARK_IMPASSABLE, 0, NULL, NULL));
+  }
+}
+
+static void begin_block(dsw_context *context) {
+  g_env = make_environment(context, 4, 4, 4);
+  mark_columns(0, 3);
+}
+
+/* A tube along x, two cubes wide, through the middle. */
+static void begin_tube(dsw_context *context) {
+  unsigned x, y, z;
+  begin_block(context);
+  for (z = 1; z < 3; ++z) {
+    for (y = 1; y < 3; ++y) {
+      for (x = 0; x < 4; ++x) {
+        const dsw_volume_id v = volume_at(x + 4 * (y + 4 * z));
+        CHECK_OK(dsw_environment_mark_volumes(g_env, &v, 1, DSW_MARK_PASSABLE, 0, NULL));
+      }
+    }
+  }
+}
+
+static void end(void) {
+  CHECK_OK(dsw_environment_check(g_env, NULL));
+  CHECK_OK(dsw_environment_destroy(g_env));
+}
+
+static dsw_carve_desc box(double low, double high) {
+  dsw_carve_desc d;
+  unsigned i;
+  for (i = 0; i < 24; ++i) g_points[i] = (i / 3 >> i % 3 & 1) != 0 ? high : low;
+  dsw_carve_desc_init(&d, sizeof d);
+  d.points = g_points;
+  d.point_count = 8;
+  d.triangles = g_box;
+  d.triangle_count = 12;
+  return d;
+}
+
+/* A square in the plane x = at, with its middle in that of the tube. */
+static dsw_tie_desc loop(double at, double reach) {
+  static const double corners[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  dsw_tie_desc d;
+  unsigned i;
+  for (i = 0; i < 4; ++i) {
+    g_points[3 * i] = at;
+    g_points[3 * i + 1] = 2 + reach * corners[i][0];
+    g_points[3 * i + 2] = 2 + reach * corners[i][1];
+  }
+  dsw_tie_desc_init(&d, sizeof d);
+  d.points = g_points;
+  d.point_count = 4;
+  return d;
+}
+
+static size_t carved_count(const dsw_volume_id **volumes) {
+  size_t count = 999;
+  CHECK_OK(dsw_environment_get_carved_volumes(g_env, volumes, &count));
+  return count;
+}
+
+static double fly(double y, double z) {
+  double from[3] = {0.3, 0, 0}, to[3] = {3.7, 0, 0};
+  dsw_flight flight;
+  from[1] = to[1] = y;
+  from[2] = to[2] = z;
+  CHECK_OK(dsw_environment_cast(g_env, no_volume, from, to, NULL, &flight));
+  return flight.time;
+}
+
+static void along_the_grid(void) {
+  dsw_carve_desc d = box(1, 3);
+  const dsw_volume_id *volumes = NULL;
+  size_t i;
+  begin_block(NULL);
+  CHECK(carved_count(&volumes) == 0);
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.volumes_carved == 8 && g_carved.cut.volumes_split == 0 && g_carved.cut.volumes_changed == 0);
+  CHECK(marked_count() == 56);
+  CHECK(carved_count(&volumes) == 8);
+  for (i = 0; i < 8; ++i) CHECK((volumes[i].index % 4 + 1) / 2 == 1 && volumes[i].generation == 1);
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved)); /* nothing is left to carve */
+  CHECK(g_carved.volumes_carved == 0 && carved_count(&volumes) == 0 && marked_count() == 56);
+  end();
+}
+
+static void through_cubes(void) {
+  dsw_carve_desc d = box(0.75, 3.25);
+  const dsw_volume_change *changes = NULL;
+  size_t count = 0;
+  begin_block(NULL);
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.cut.volumes_crossed == 56 && g_carved.cut.volumes_split == 56 && g_carved.cut.volumes_whole == 0);
+  CHECK(g_carved.volumes_carved == 64 && marked_count() == 56 && info().volume_count == 120);
+  CHECK(g_carved.cut.vertex_count == 3 * 9 * 2);
+  CHECK_OK(dsw_environment_get_volume_changes(g_env, &changes, &count));
+  CHECK(count == 112);
+  end();
+}
+
+static void whole_volumes(void) {
+  dsw_carve_desc d = box(0.4, 2.6);
+  begin_block(NULL);
+  d.flags = DSW_CARVE_WHOLE;
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.volumes_carved == 27 && g_carved.cut.volumes_changed == 0 && info().volume_count == 64);
+  CHECK(g_carved.cut.volumes_whole == 26 && g_carved.cut.volumes_crossed == 26);
+  d = box(2.5, 3.6); /* the surface's lower sides pass through centres: it is shifted beyond them */
+  d.flags = DSW_CARVE_WHOLE;
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.volumes_carved == 1 && marked_count() == 36);
+  end();
+}
+
+static void all_and_nothing(void) {
+  dsw_carve_desc d = box(5, 7);
+  begin_block(NULL);
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.volumes_carved == 0 && g_carved.cut.volumes_crossed == 0);
+  d.start = volume_at(9);
+  CHECK_OK(dsw_environment_carve(g_env, &d, NULL));
+  d = box(1.5, 1.5); /* a point */
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.volumes_carved == 0 && g_carved.cut.volumes_split == 0);
+  d = box(-1e300, 1e300);
+  d.start = volume_at(9);
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.volumes_carved == 64 && g_carved.cut.volumes_crossed == 0 && marked_count() == 0);
+  end();
+}
+
+static void what_hangs_together(void) {
+  dsw_face_id faces[16];
+  double loads[16];
+  dsw_carve_desc d = box(-1, 5);
+  unsigned i;
+  begin_block(NULL);
+  for (i = 0; i < 16; ++i) {
+    faces[i] = face_at(1 + 4 * i, FACE_X1);
+    loads[i] = 1;
+  }
+  CHECK_OK(dsw_environment_tear_faces(g_env, faces, loads, 16, 0, NULL));
+  d.start = volume_at(0);
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.volumes_carved == 32);
+  d.start = no_volume;
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.volumes_carved == 32 && marked_count() == 0);
+  end();
+}
+
+static void bad_shapes(void) {
+  dsw_carve_desc d = box(0.75, 3.25), bad;
+  uint32_t triangles[36];
+  const dsw_volume_id *volumes = NULL;
+  size_t count = 5;
+  begin_block(NULL);
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_carve(NULL, &d, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_carve(g_env, NULL, NULL));
+  bad = d, bad.points = NULL;
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_carve(g_env, &bad, NULL));
+  bad = d, bad.triangles = NULL;
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_carve(g_env, &bad, NULL));
+  bad = d, bad.struct_size = 8;
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_carve(g_env, &bad, NULL));
+  bad = d, bad.flags = 2;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_carve(g_env, &bad, NULL));
+  bad = d, bad.point_count = 0;
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_carve(g_env, &bad, NULL));
+  bad = d, bad.triangle_count = 0;
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_carve(g_env, &bad, NULL));
+  bad = d, bad.triangle_count = (size_t)1 << 28;
+  CHECK_FAILS(DSW_STATUS_TOO_LARGE, dsw_environment_carve(g_env, &bad, NULL));
+  bad = d, bad.point_count = 7;
+  CHECK_FAILS(DSW_STATUS_INDEX_OUT_OF_RANGE, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_MESSAGE("desc->triangles[10] is 7");
+  bad = d, bad.snap = 0.26;
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_carve(g_env, &bad, NULL));
+  bad = d, bad.start = volume_at(64);
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_carve(g_env, &bad, NULL));
+  bad = d, bad.point_stride_bytes = 20;
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_carve(g_env, &bad, NULL));
+  bad = d, bad.triangle_count = 11;
+  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_MESSAGE("not closed");
+  memcpy(triangles, g_box, sizeof triangles);
+  bad = d, bad.triangles = triangles;
+  triangles[33] = 5, triangles[34] = 7, triangles[35] = 3; /* seen from behind */
+  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_carve(g_env, &bad, NULL));
+  triangles[4] = 1;
+  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_MESSAGE("triangle 1 of desc->triangles");
+  g_points[7] = NAN;
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_carve(g_env, &d, NULL));
+  CHECK_MESSAGE("desc->points[2]");
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_carved_volumes(NULL, &volumes, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_carved_volumes(g_env, NULL, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_get_carved_volumes(g_env, &volumes, NULL));
+  CHECK(volumes == NULL && count == 5 && marked_count() == 64);
+  end();
+}
+
+static void a_tube(void) {
+  dsw_tie_desc d = loop(1.25, 1.5);
+  const dsw_cut_face *faces = NULL;
+  dsw_face_id a[4], b[4];
+  size_t i, count = 0;
+  begin_tube(NULL);
+  CHECK(fly(1.7, 2.4) == 1);
+  CHECK_OK(dsw_environment_tie(g_env, &d, &g_tied));
+  CHECK(g_tied.is_closed == 1 && g_tied.cut.volumes_split == 4 && g_tied.cut.volumes_whole == 0);
+  CHECK(info().volume_count == 68 && marked_count() == 48);
+  CHECK(fabs(fly(1.7, 2.4) - (1.25 - 0.3) / 3.4) < 1e-12);
+  CHECK_OK(dsw_environment_get_cut_faces(g_env, &faces, &count));
+  CHECK(count == 4);
+  for (i = 0; i < 4; ++i) {
+    a[i] = faces[i].front;
+    b[i] = faces[i].back;
+  }
+  CHECK_OK(dsw_environment_sew_faces(g_env, a, b, 4)); /* undone */
+  CHECK(fly(1.7, 2.4) == 1);
+  end();
+}
+
+static void along_faces(void) {
+  dsw_tie_desc d = loop(2, 1.5);
+  begin_tube(NULL);
+  CHECK_OK(dsw_environment_tie(g_env, &d, &g_tied));
+  CHECK(g_tied.is_closed == 1 && g_tied.cut.volumes_split == 0 && g_tied.cut.volumes_whole == 0);
+  CHECK(g_tied.cut.face_count == 4 && g_tied.cut.volumes_changed == 0 && fabs(fly(1.7, 2.4) - 0.5) < 1e-12);
+  end();
+}
+
+static void a_loop_in_the_tube(void) {
+  dsw_tie_desc d = loop(1.25, 0.5);
+  const dsw_volume_id *whole = NULL;
+  size_t count = 0;
+  begin_tube(NULL);
+  d.start = volume_at(0);
+  CHECK_OK(dsw_environment_tie(g_env, &d, &g_tied));
+  CHECK(g_tied.is_closed == 0 && g_tied.cut.volumes_split == 0 && g_tied.cut.volumes_whole == 4);
+  CHECK(marked_count() == 52 && fly(1.7, 2.4) < 0.3);
+  CHECK_OK(dsw_environment_get_whole_volumes(g_env, &whole, &count));
+  CHECK_OK(dsw_environment_mark_volumes(g_env, whole, count, DSW_MARK_PASSABLE, 0, NULL));
+  CHECK(fly(1.7, 2.4) == 1);
+  d = loop(9, 0.5); /* nowhere */
+  CHECK_OK(dsw_environment_tie(g_env, &d, &g_tied));
+  CHECK(g_tied.is_closed == 0 && g_tied.cut.volumes_crossed == 0 && fly(1.7, 2.4) == 1);
+  d = loop(9, 0); /* a point */
+  CHECK_OK(dsw_environment_tie(g_env, &d, NULL));
+  end();
+}
+
+static void bad_loops(void) {
+  dsw_tie_desc d = loop(1.25, 1.5), bad;
+  begin_tube(NULL);
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tie(NULL, &d, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tie(g_env, NULL, NULL));
+  bad = d, bad.points = NULL;
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tie(g_env, &bad, NULL));
+  bad = d, bad.struct_size = 8;
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_tie(g_env, &bad, NULL));
+  bad = d, bad.flags = 1;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_tie(g_env, &bad, NULL));
+  bad = d, bad.point_count = 2;
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_tie(g_env, &bad, NULL));
+  bad = d, bad.point_count = (size_t)1 << 28;
+  CHECK_FAILS(DSW_STATUS_TOO_LARGE, dsw_environment_tie(g_env, &bad, NULL));
+  bad = d, bad.snap = -1;
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_tie(g_env, &bad, NULL));
+  bad = d, bad.start = volume_at(64);
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_tie(g_env, &bad, NULL));
+  bad = d, bad.point_stride_bytes = 4;
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_tie(g_env, &bad, NULL));
+  g_points[7] = HUGE_VAL;
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_tie(g_env, &d, NULL));
+  CHECK(marked_count() == 48 && info().volume_count == 64);
+  end();
+}
+
+static void borrowed_points(void) {
+  grid g = grid_create(4, 4, 4);
+  dsw_environment_desc e = grid_desc(&g);
+  dsw_carve_desc d = box(0.75, 3.25);
+  e.flags = DSW_ENVIRONMENT_BORROW_POINTS;
+  CHECK_OK(dsw_environment_create(NULL, &e, &g_env, NULL));
+  mark_columns(0, 3);
+  CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_carve(g_env, &d, NULL));
+  d.flags = DSW_CARVE_WHOLE; /* needs no vertices */
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.volumes_carved == 8 && marked_count() == 56);
+  end();
+  grid_destroy(&g);
+}
+
+static void bodies_and_particles(void) {
+  static const double across[6] = {0.5, 1.5, 1.5, 2.5, 1.4, 1.6}, at[3] = {1.5, 1.4, 1.6}, to[3] = {3.5, 1.4, 1.6};
+  const dsw_body_id *bodies = NULL;
+  const dsw_particle_id *particles = NULL;
+  dsw_scene *scene, *second;
+  dsw_particle_id particle;
+  dsw_flight flight;
+  dsw_body_id body;
+  dsw_carve_desc shape;
+  dsw_tie_desc d;
+  size_t count = 0;
+  begin_tube(NULL);
+  scene = make_scene(g_env, 0);
+  body = make_edge_body(scene, across, DSW_LEVEL_EDGES_SWEPT);
+  CHECK_OK(dsw_particle_create(scene, at, no_volume, &particle));
+  d = loop(1.25, 1.5);
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_environment_tie(g_env, &d, NULL));
+  CHECK_OK(dsw_scene_get_occupant_bodies(scene, &bodies, &count));
+  CHECK(count == 1 && bodies[0].index == body.index && info().volume_count == 64);
+  d = loop(1.25, 0.5); /* volumes stay whole: the particle is in one of them, an end of the body in another */
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_environment_tie(g_env, &d, NULL));
+  CHECK_OK(dsw_scene_get_occupants(scene, &particles, &count));
+  CHECK(count == 1 && particles[0].index == particle.index && marked_count() == 48);
+  CHECK_OK(dsw_particle_destroy(scene, particle));
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_environment_tie(g_env, &d, NULL));
+  CHECK_OK(dsw_scene_get_occupant_bodies(scene, &bodies, &count));
+  CHECK(count == 1 && bodies[0].index == body.index && marked_count() == 48);
+  CHECK_OK(dsw_body_destroy(scene, body));
+
+  CHECK_OK(dsw_particle_create(scene, at, no_volume, &particle));
+  d = loop(1.75, 1.5);
+  CHECK_OK(dsw_environment_tie(g_env, &d, &g_tied));
+  CHECK_OK(dsw_particle_move(scene, particle, to, NULL, &flight));
+  CHECK(flight.outcome == DSW_OUTCOME_CONTACT && flight.position[0] <= 1.75 && flight.position[0] > 1.74);
+  second = make_scene(g_env, 0);
+  CHECK_FAILS(DSW_STATUS_SHARED, dsw_environment_tie(g_env, &d, NULL));
+  shape = box(0.75, 3.25);
+  CHECK_FAILS(DSW_STATUS_SHARED, dsw_environment_carve(g_env, &shape, NULL));
+  CHECK_OK(dsw_scene_destroy(second));
+  CHECK_OK(dsw_scene_destroy(scene));
+  end();
+}
+
+static void running_out_of_memory(void) {
+  host h;
+  dsw_context *context;
+  dsw_status status;
+  size_t n, refusals = 0;
+  int ties;
+  for (ties = 0; ties < 2; ++ties) {
+    memset(&h, 0, sizeof h);
+    context = make_context(&h);
+    begin_tube(context);
+    status = DSW_STATUS_OUT_OF_MEMORY;
+    for (n = 1; status == DSW_STATUS_OUT_OF_MEMORY && n < 50000; n += 1 + n / 64) {
+      const dsw_carve_desc c = box(1.25, 2.75);
+      const dsw_tie_desc t = loop(1.25, 0.8);
+      h.refuse = h.calls + n;
+      status = ties ? dsw_environment_tie(g_env, &t, &g_tied) : dsw_environment_carve(g_env, &c, &g_carved);
+      h.refuse = 0;
+      if (status != DSW_STATUS_OUT_OF_MEMORY) break;
+      ++refusals;
+      CHECK(info().volume_count == 64 && marked_count() == 48);
+    }
+    CHECK(status == DSW_STATUS_OK && refusals > 50);
+    end();
+    CHECK_OK(dsw_context_destroy(context));
+    CHECK(h.alive == 0 && h.broken == 0);
+  }
+}
+
+int main(void) {
+  along_the_grid();
+  through_cubes();
+  whole_volumes();
+  all_and_nothing();
+  what_hangs_together();
+  bad_shapes();
+  a_tube();
+  along_faces();
+  a_loop_in_the_tube();
+  bad_loops();
+  borrowed_points();
+  bodies_and_particles();
+  running_out_of_memory();
+  return check_result();
+}
