@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "random_edits.h"
+#include "random_shapes.h"
 
 namespace dsw::oracle {
 
@@ -59,6 +60,32 @@ dsw_status RandomEdits::cut() {
   if (rng_.chance(0.7)) desc.start = volume_id(env().map, some_cell());
   may_change_ = true;
   return dsw_environment_cut(place_.get(), &desc, nullptr);
+}
+
+dsw_status RandomEdits::carve() {
+  const ClosedSurface surface = some_surface(env(), place_.world->size, rng_);
+  dsw_carve_desc desc;
+  dsw_carve_desc_init(&desc, sizeof desc);
+  desc.points = surface.points.data();
+  desc.point_count = surface.points.size() / 3;
+  desc.triangles = surface.triangles.data();
+  desc.triangle_count = surface.triangles.size() / 3;
+  desc.flags = rng_.chance(0.2) ? uint32_t{DSW_CARVE_WHOLE} : 0;
+  if (rng_.chance(0.5)) desc.start = volume_id(env().map, some_cell());
+  may_change_ = true;
+  return dsw_environment_carve(place_.get(), &desc, nullptr);
+}
+
+/// What stays whole becomes impassable; carving makes up for it.
+dsw_status RandomEdits::tie() {
+  const std::vector<double> loop = some_loop(env(), place_.world->size, rng_);
+  dsw_tie_desc desc;
+  dsw_tie_desc_init(&desc, sizeof desc);
+  desc.points = loop.data();
+  desc.point_count = loop.size() / 3;
+  if (rng_.chance(0.5)) desc.start = volume_id(env().map, some_cell());
+  may_change_ = true;
+  return dsw_environment_tie(place_.get(), &desc, nullptr);
 }
 
 }  // namespace dsw::oracle

@@ -15,9 +15,9 @@ constexpr double kTolerance = 1e-9;  // of the sum of volumes, which is rounded
 }  // namespace
 
 const char* name_of(Operation operation) {
-  const char* const names[] = {"sew",           "unsew",        "remove",      "add",
-                               "merge volumes", "split volume", "merge faces", "split face",
-                               "split edge",    "merge edges",  "collapse",    "cut"};
+  const char* const names[] = {"sew",          "unsew",       "remove",     "add",        "merge volumes",
+                               "split volume", "merge faces", "split face", "split edge", "merge edges",
+                               "collapse",     "cut",         "carve",      "tie"};
   return names[static_cast<size_t>(operation)];
 }
 
@@ -132,7 +132,8 @@ Operation RandomEdits::choose() {
     if (operation == Operation::kUnsew && !rng_.chance(0.3)) continue;
     if (operation == Operation::kSplitVolume && many) continue;
     if (operation == Operation::kSplitEdge && rng_.chance(0.6)) continue;
-    if (operation == Operation::kCut && (many || rng_.chance(0.5))) continue;
+    const bool cuts = operation == Operation::kCut || operation == Operation::kCarve || operation == Operation::kTie;
+    if (cuts && (many || rng_.chance(0.5))) continue;
     return operation;
   }
 }
@@ -335,6 +336,10 @@ dsw_status RandomEdits::call(Operation operation) {
     }
     case Operation::kCut:
       return cut();
+    case Operation::kCarve:
+      return carve();
+    case Operation::kTie:
+      return tie();
     default: {
       const dsw_edge_id edge = some_edge();
       return dsw_environment_collapse_edge(environment, edge, vertex_of(edge));

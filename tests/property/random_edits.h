@@ -21,6 +21,8 @@ enum class Operation {
   kMergeEdges,
   kCollapse,
   kCut,
+  kCarve,
+  kTie,
   kCount
 };
 const char* name_of(Operation operation);
@@ -76,6 +78,8 @@ class RandomEdits {
   dsw_status split_volume();
   dsw_status split_face();
   dsw_status cut();
+  dsw_status carve();
+  dsw_status tie();
   std::vector<double> some_blade(uint32_t rows, uint32_t columns);
   dsw::Cell some_cell();
   dsw_face_id some_face();

@@ -1,0 +1,202 @@
+// Shapes carved out of environments of every kind: what is inside, in exact integers, and nothing else.
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "environment/validity.h"
+#include "map/integrity.h"
+#include "random_edits.h"
+#include "random_shapes.h"
+
+namespace dsw::oracle {
+namespace {
+
+uint64_t wanted_seeds() {
+  const char* const text = std::getenv("DSW_CARVINGS");
+  return text == nullptr ? 6 : std::strtoull(text, nullptr, 10);
+}
+
+/// How often a surface turns round a point: crossings of a ray in a generic direction. The infinitesimal shift of the surface is a number,
+/// too small to matter but where a sign is 0 without it.
+class Turns {
+ public:
+  Turns(const ClosedSurface& surface, Rng& rng) : surface_(surface), rng_(rng) {
+    for (size_t i = 0; i < surface.points.size(); ++i) {
+      points_.push_back(to_big(surface.points[i], kScale));
+      points_.back() += Big(1) << static_cast<unsigned>(kScale - kShift * (1 + static_cast<int>(i % 3)));
+      reach_ = std::max(reach_, std::fabs(surface.points[i]));
+    }
+  }
+
+  int round(const double* p) {
+    for (;;) {
+      int sum = 0;
+      if (try_ray(p, sum)) return sum;
+    }
+  }
+
+ private:
+  static constexpr int kShift = 300, kScale = 1000;
+  using Point = std::array<Big, 3>;
+
+  static int side(const Point& a, const Point& b, const Point& c, const Point& d) {
+    Point u, v, w;
+    for (size_t k = 0; k < 3; ++k) {
+      u[k] = b[k] - a[k];
+      v[k] = c[k] - a[k];
+      w[k] = d[k] - a[k];
+    }
+    return sgn(Big(w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
+                   w[2] * (u[0] * v[1] - u[1] * v[0])));
+  }
+
+  /// Nearly along an axis, so that most triangles are seen to be out of the way. False: something is in line.
+  bool try_ray(const double* p, int& sum) {
+    const double reach = 4 * (reach_ + std::fabs(p[0]) + std::fabs(p[1]) + std::fabs(p[2]));
+    const double q[3] = {p[0] + reach, p[1] + rng_.range(-1, 1) * 1e-7 * reach,
+                         p[2] + rng_.range(-1, 1) * 1e-7 * reach};
+    const Point from = big(p), to = big(q);
+    for (size_t t = 0; t < surface_.triangles.size(); t += 3) {
+      const uint32_t* const c = &surface_.triangles[t];
+      bool apart = false;
+      for (uint32_t k = 0; k < 3; ++k) {
+        const double x[3] = {surface_.points[3 * c[0] + k], surface_.points[3 * c[1] + k],
+                             surface_.points[3 * c[2] + k]};
+        const double slack = 1e-6 * reach;
+        apart = apart || std::max({x[0], x[1], x[2]}) < std::min(p[k], q[k]) - slack ||
+                std::min({x[0], x[1], x[2]}) > std::max(p[k], q[k]) + slack;
+      }
+      if (apart) continue;
+      const Point corner[3] = {shifted(c[0]), shifted(c[1]), shifted(c[2])};
+      const int before = side(corner[0], corner[1], corner[2], from), after = side(corner[0], corner[1], corner[2], to);
+      if (before == 0 && after == 0) continue;  // a flat triangle
+      if (before == 0 || after == 0) return false;
+      if (before == after) continue;
+      int signs = 0;
+      for (size_t k = 0; k < 3; ++k) {
+        const int sign = side(from, to, corner[k], corner[(k + 1) % 3]);
+        if (sign == 0) return false;
+        signs += sign;
+      }
+      if (signs == 3 || signs == -3) sum += after;
+    }
+    return true;
+  }
+  static Point big(const double* p) { return {to_big(p[0], kScale), to_big(p[1], kScale), to_big(p[2], kScale)}; }
+  Point shifted(uint32_t i) const { return {points_[3 * i], points_[3 * i + 1], points_[3 * i + 2]}; }
+
+  const ClosedSurface& surface_;
+  Rng& rng_;
+  std::vector<Big> points_;
+  double reach_ = 0;
+};
+
+class CarveTest : public SceneTest {
+ protected:
+  const Environment<3>& env() const { return place_.get()->engine; }
+
+  void mark_most(Rng& rng) {
+    for_each_cell(env().map, [&](dsw::Cell c) {
+      if (rng.chance(0.2)) return;
+      const dsw_volume_id id = volume_id(env().map, c);
+      dsw_environment_mark_volumes(place_.get(), &id, 1, DSW_MARK_IMPASSABLE, 0, nullptr);
+    });
+  }
+  std::map<uint32_t, bool> marks() const {
+    std::map<uint32_t, bool> marks;
+    for_each_cell(env().map, [&](dsw::Cell c) { marks[env().map.index(c)] = env().map.marked(c); });
+    return marks;
+  }
+  /// What volumes that changed come from.
+  std::map<uint32_t, uint32_t> origins() const {
+    const dsw_volume_change* changes = nullptr;
+    size_t count = 0;
+    EXPECT_EQ(dsw_environment_get_volume_changes(place_.get(), &changes, &count), DSW_STATUS_OK);
+    std::map<uint32_t, uint32_t> origins;
+    for (size_t i = 0; i < count; ++i) origins[changes[i].after.index] = changes[i].before.index;
+    return origins;
+  }
+  std::set<uint32_t> carved(uint32_t wanted) const {
+    const dsw_volume_id* ids = nullptr;
+    size_t count = 0;
+    EXPECT_EQ(dsw_environment_get_carved_volumes(place_.get(), &ids, &count), DSW_STATUS_OK);
+    EXPECT_EQ(count, wanted);
+    std::set<uint32_t> carved;
+    for (size_t i = 0; i < count; ++i) {
+      EXPECT_TRUE(env().map.is_alive(ids[i].index, ids[i].generation));
+      EXPECT_TRUE(carved.insert(ids[i].index).second);
+    }
+    return carved;
+  }
+
+  Place place_;
+};
+DSW_FOR_ALL_SCENES(CarveTest);
+
+TEST_P(CarveTest, WhatIsInsideIsCarvedAndNothingElse) {
+  size_t carved_volumes = 0, split = 0, kept = 0;
+  for (uint64_t seed = 1; seed <= wanted_seeds(); ++seed) {
+    place_ = make_place(GetParam(), seed);
+    if (place_.environment == nullptr) continue;
+    Rng rng(seed ^ 0xca47e);
+    mark_most(rng);
+    for (int round = 0; round < 3; ++round) {
+      const ClosedSurface surface = some_surface(env(), place_.world->size, rng);
+      dsw_carve_desc desc;
+      dsw_carve_desc_init(&desc, sizeof desc);
+      desc.points = surface.points.data();
+      desc.point_count = surface.points.size() / 3;
+      desc.triangles = surface.triangles.data();
+      desc.triangle_count = surface.triangles.size() / 3;
+      desc.flags = rng.chance(0.3) ? uint32_t{DSW_CARVE_WHOLE} : 0;
+      const dsw::Cell any = env().map.cell(rng.below(env().map.index_count()));
+      if (any.valid() && rng.chance(0.5)) desc.start = volume_id(env().map, any);
+      const auto before = marks();
+      dsw_carve_report report;
+      ASSERT_EQ(dsw_environment_carve(place_.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
+      const auto origin = origins();
+      const std::set<uint32_t> is_carved = carved(report.volumes_carved);
+      Turns turns(surface, rng);
+      std::map<uint32_t, bool> is_inside;
+      ASSERT_EQ(check_integrity(env().map), nullptr);
+      for_each_cell(env().map, [&](dsw::Cell c) {
+        EXPECT_TRUE(check_cell(env(), c) == CellState::kValid || check_cell(env(), c) == CellState::kValidConvex);
+        double at[3];
+        centre(env(), c, at);
+        const uint32_t index = env().map.index(c);
+        const bool inside = is_inside[index] = turns.round(at) != 0;
+        const bool was_marked = before.at(origin.count(index) != 0 ? origin.at(index) : index);
+        const bool is_new = is_carved.count(index) != 0;
+        EXPECT_TRUE(!is_new || (was_marked && inside))
+            << "seed " << seed << ", round " << round << ", volume " << index;
+        EXPECT_EQ(env().map.marked(c), was_marked && !is_new);
+        kept += was_marked && !inside ? 1u : 0u;
+        if (desc.start.generation != 0) return;
+        EXPECT_EQ(is_new, was_marked && inside) << "seed " << seed << ", round " << round << ", volume " << index;
+      });
+      // Carving from one place on stops nowhere inside.
+      for_each_cell(env().map, [&](dsw::Cell c) {
+        if (is_carved.count(env().map.index(c)) == 0) return;
+        for (uint32_t f = 0; f < env().map.facets_of(c); ++f) {
+          const HalfFacet o = env().map.opposite(env().map.half_facet(c, f));
+          if (!o.valid() || !is_inside[env().map.index(env().map.cell_of(o))]) continue;
+          EXPECT_FALSE(env().map.marked(env().map.cell_of(o))) << "seed " << seed << ", round " << round;
+        }
+      });
+      carved_volumes += is_carved.size();
+      split += report.cut.volumes_split;
+      if (HasFailure()) return;
+    }
+  }
+  RecordProperty("carved", static_cast<int>(carved_volumes));
+  RecordProperty("split", static_cast<int>(split));
+  if (kind_named(GetParam()).integer) {  // others can be few and flat
+    EXPECT_GT(carved_volumes, 0u);
+    EXPECT_GT(split, 0u);
+    EXPECT_GT(kept, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace dsw::oracle

@@ -1,0 +1,23 @@
+// Shapes to carve with and loops to tie with: of every size, some through the environment's vertices or along its faces, folded, or flat.
+#pragma once
+
+#include <vector>
+
+#include "environment/environment.h"
+#include "mesh.h"
+#include "rng.h"
+
+namespace dsw::oracle {
+
+struct ClosedSurface {
+  std::vector<double> points;
+  std::vector<uint32_t> triangles;
+};
+
+/// Around somewhere in the environment; `size` is that of all of it.
+ClosedSurface some_surface(const Environment<3>& env, double size, Rng& rng);
+
+/// Points of a loop, nearly round or not at all.
+std::vector<double> some_loop(const Environment<3>& env, double size, Rng& rng);
+
+}  // namespace dsw::oracle
