@@ -375,6 +375,36 @@ SIZE(dsw_cut_face, 24);
 AT(dsw_cut_face, front, 0);
 AT(dsw_cut_face, back, 12);
 
+SIZE(dsw_carve_desc, 64);
+AT(dsw_carve_desc, struct_size, 0);
+AT(dsw_carve_desc, flags, 4);
+AT(dsw_carve_desc, points, 8);
+AT(dsw_carve_desc, point_count, 16);
+AT(dsw_carve_desc, point_stride_bytes, 24);
+AT(dsw_carve_desc, triangles, 32);
+AT(dsw_carve_desc, triangle_count, 40);
+AT(dsw_carve_desc, start, 48);
+AT(dsw_carve_desc, snap, 56);
+
+SIZE(dsw_carve_report, 48);
+AT(dsw_carve_report, cut, 0);
+AT(dsw_carve_report, volumes_carved, 40);
+AT(dsw_carve_report, reserved, 44);
+
+SIZE(dsw_tie_desc, 48);
+AT(dsw_tie_desc, struct_size, 0);
+AT(dsw_tie_desc, flags, 4);
+AT(dsw_tie_desc, points, 8);
+AT(dsw_tie_desc, point_count, 16);
+AT(dsw_tie_desc, point_stride_bytes, 24);
+AT(dsw_tie_desc, start, 32);
+AT(dsw_tie_desc, snap, 40);
+
+SIZE(dsw_tie_report, 48);
+AT(dsw_tie_report, cut, 0);
+AT(dsw_tie_report, is_closed, 40);
+AT(dsw_tie_report, reserved, 44);
+
 SIZE(dsw_deform_options, 40);
 AT(dsw_deform_options, struct_size, 0);
 AT(dsw_deform_options, flags, 4);
@@ -434,3 +464,4 @@ SIZE(dsw_wall_response, 4);
 SIZE(dsw_invalid_response, 4);
 SIZE(dsw_deform_outcome, 4);
 SIZE(dsw_cut_flag, 4);
+SIZE(dsw_carve_flag, 4);
