@@ -284,6 +284,30 @@ static void a_loop_in_the_tube(void) {
   end();
 }
 
+/* What a tie relies on: a tip that enters a cube through one face, and crosses no edge of it, leaves it whole, and that is told. */
+static void a_fold_of_the_blade(void) {
+  static const double at[5] = {-1, 2.4, 2.5, 2.6, 5};
+  double points[75];
+  const dsw_volume_id *whole = NULL;
+  size_t i, count = 0;
+  dsw_cut_desc d;
+  dsw_cut_report report;
+  g_env = make_environment(NULL, 4, 4, 4);
+  for (i = 0; i < 25; ++i) {
+    points[3 * i] = i == 12 ? 1.2 : 0.9;
+    points[3 * i + 1] = at[i / 5];
+    points[3 * i + 2] = at[i % 5];
+  }
+  dsw_cut_desc_init(&d, sizeof d);
+  d.points = points;
+  d.rows = d.columns = 5;
+  CHECK_OK(dsw_environment_cut(g_env, &d, &report));
+  CHECK(report.volumes_crossed == 17 && report.volumes_split == 16 && report.volumes_whole == 1);
+  CHECK_OK(dsw_environment_get_whole_volumes(g_env, &whole, &count));
+  CHECK(count == 1 && whole[0].index == 1 + 4 * (2 + 4 * 2));
+  end();
+}
+
 static void bad_loops(void) {
   dsw_tie_desc d = loop(1.25, 1.5), bad;
   begin_tube(NULL);
@@ -407,6 +431,7 @@ int main(void) {
   a_tube();
   along_faces();
   a_loop_in_the_tube();
+  a_fold_of_the_blade();
   bad_loops();
   borrowed_points();
   bodies_and_particles();
