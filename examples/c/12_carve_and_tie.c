@@ -47,11 +47,12 @@ static dsw_environment *create_block(void) {
 
 /* A ring of points round the tunnel's middle. */
 static void ring(double x, double radius, double points[ROUND][3]) {
+  const double step = 6.283185307179586 / (double)ROUND;
   int i;
   for (i = 0; i < ROUND; ++i) {
     points[i][0] = x;
-    points[i][1] = 4 + radius * cos(6.283185307179586 * i / ROUND);
-    points[i][2] = 4 + radius * sin(6.283185307179586 * i / ROUND);
+    points[i][1] = 4 + radius * cos(step * i);
+    points[i][2] = 4 + radius * sin(step * i);
   }
 }
 
