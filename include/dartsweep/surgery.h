@@ -97,12 +97,12 @@ DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_c
 DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment, const dsw_face_id *faces,
                                               const double *loads, size_t count, double threshold, size_t *torn);
 
-/** Vertices that the last successful cut added. @param vertices [out] owned by the environment, valid until its next cut.
+/** Vertices that the last successful cut or opening added. @param vertices [out] owned by the environment, valid until the next of these.
  * @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_cut_vertices(const dsw_environment *environment, const dsw_cut_vertex **vertices,
                                                     size_t *count);
 
-/** Faces of the last successful cut or tear. Ids are those from right after it. @param faces [out] as above. @note O(1). Thread: reader.
+/** Faces of the last successful cut or tear, lips of the last opening. Ids are those from right after it. @param faces [out] as above. @note O(1). Thread: reader.
  * @since 0.1 */
 DSW_API dsw_status dsw_environment_get_cut_faces(const dsw_environment *environment, const dsw_cut_face **faces,
                                                  size_t *count);
@@ -111,6 +111,57 @@ DSW_API dsw_status dsw_environment_get_cut_faces(const dsw_environment *environm
  * @param volumes [out] as above. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_whole_volumes(const dsw_environment *environment, const dsw_volume_id **volumes,
                                                      size_t *count);
+
+/** Describes how a crack opens. The array is read in place, once; nothing is retained. */
+typedef struct dsw_open_desc {
+  uint32_t struct_size;      /**< sizeof(dsw_open_desc). */
+  uint32_t flags;            /**< 0. */
+  const dsw_cut_face *faces; /**< The crack, as dsw_environment_get_cut_faces gives it: two faces on the outer boundary that lie
+                                  on each other, of two volumes; or one face between two volumes, named from any sides. */
+  size_t face_count;         /**< How many. */
+  double width;              /**< Above 0: how far the two copies of a vertex come apart. Scene units. */
+  int32_t region;            /**< Label of the volumes in the gap. Not 0: other passable volumes with this label are space, into which
+                                  the crack opens, as passable ones beside a crack between impassable ones always are. */
+  uint32_t tag;              /**< Host tag of the volumes in the gap. */
+} dsw_open_desc;
+
+/** What opening a crack did. */
+typedef struct dsw_open_report {
+  double smallest_width, largest_width; /**< Distance of the two copies of a vertex, rounded; 0 if none came apart. Scene units. */
+  uint32_t vertices_parted;    /**< Vertices that came apart. */
+  uint32_t vertices_shortened; /**< Of these those that could not go all of the way. */
+  uint32_t faces_opened;       /**< Faces that opened, which is how many volumes were added. */
+  uint32_t volumes_changed;    /**< Volumes at vertices that came apart. */
+} dsw_open_report;
+
+/** Writes the defaults and struct_size into at most `size` bytes; there is none for `width`. @param desc [out] may be null. @note
+ * Thread: any. @since 0.1 */
+DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
+
+/** Opens a crack, so that something can enter: its lips move apart, and the gap is filled with passable volumes, one for each face that opens,
+ * sewn to both lips, unless the faces are marked, and to each other. Gap volumes are wedges, pyramids and tetrahedra where the gap ends.
+ *
+ * A vertex of the crack comes apart where the crack leaves the volumes round it in two; it does not where the crack ends inside of the material,
+ * where three cracks meet, or where other volumes touch it that are joined with none of these through faces. Its copies go half of `width` each, along the
+ * crack's mean normal there and against it, and half as far, again and again, until all volumes are valid, exactly; below 1/4096 of
+ * `width` the vertex stays one. A face with no such vertex stays as it was. At the outer boundary the gap is open to the outside, and the
+ * boundary moves with its vertices.
+ *
+ * Where a crack between impassable volumes ends at passable ones (tissue in air, or an earlier gap), the gap opens into these: the volumes at
+ * the rim's vertices are parted there by a line of edges between the two copies, and one volume at each edge of the rim gets a face in its
+ * place, sewn to the gap. Name for that the faces between impassable volumes only, else the crack goes on in the air, and opens there
+ * as well.
+ *
+ * Both copies are new vertices; the old one goes with its last volume. dsw_environment_get_cut_vertices lists them, two for each vertex that came
+ * apart, with that one as both of `from`, by the id that it had. dsw_environment_get_cut_faces lists the lips in the order of `faces`, those that did
+ * not open left out; dsw_environment_get_volume_changes has the added volumes last, in the same order.
+ * @param desc [in] see dsw_open_desc. @param report [out] may be null. That nothing opens is a result, too.
+ * @return besides those of topology.h: DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED (flags), NON_FINITE and OUT_OF_RANGE (width), DUPLICATE_ID (a face
+ * stands twice), BAD_TOPOLOGY (two faces that do not lie on each other, or are of one volume, or of which one is not on the outer
+ * boundary), BORROWED (vertices have to be added, and the points are the host's). OCCUPIED: a wall would move over a particle or a body.
+ * @note O(volumes at the vertices of the crack) each time that ways are halved, and as topology.h says. @since 0.1 */
+DSW_API dsw_status dsw_environment_open(dsw_environment *environment, const dsw_open_desc *desc,
+                                        dsw_open_report *report);
 
 #ifdef __cplusplus
 }

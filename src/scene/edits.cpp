@@ -1,8 +1,9 @@
 // The new cells lie where the old ones were, so each point of those is in exactly one of these, under the shift; where the outer
-// boundary moves by a rounding, or volumes are removed, it can be in none. Bodies are looked at after the change has been applied.
+// boundary moves, or volumes are removed, it can be in none. Bodies are looked at after the change has been applied.
 
 #include "scene/edits.h"
 
+#include "map/cell_queue.h"
 #include "motion/cast.h"
 #include "scene/occupation.h"
 #include "sweep/body_probe.h"
@@ -18,7 +19,8 @@ class Followers {
         env_(edit.environment()),
         scene_(scene),
         particles_(Allocator<Seat>(scene.memory)),
-        vertices_(Allocator<Seat>(scene.memory)) {}
+        vertices_(Allocator<Seat>(scene.memory)),
+        new_cells_(scene.memory) {}
 
   /** Finds new cells; those without any that is passable go to the scene's occupants. */
   void find_cells() {
@@ -87,30 +89,43 @@ class Followers {
   }
   bool has_to_move(Cell c) const { return c.valid() && edit_.is_removed(c); }
   bool is_passable(Cell c) const { return c.valid() && !env_.map.marked(c); }
-  /** The new cell of a point that was in `old`; none if it would be beyond a wall there. */
-  Cell find(const double* point, Cell old) const {
+  /** The new cell of a point that was in `old`; none if no way leads there that meets no wall. Nearly always it is one of those that come
+   * of `old`; else what the point was in, or a wall, has moved over it. */
+  Cell find(const double* point, Cell old) {
     Cell found;
     edit_.for_each_heir(old, [&](size_t i) {
       if (contains(env_, edit_.cell(i), point)) found = edit_.cell(i);
       return !found.valid();
     });
-    // Nearly always it is in one of these.
-    for (size_t i = 0; !found.valid() && i < edit_.cell_count(); ++i) {
-      if (!contains(env_, edit_.cell(i), point)) continue;
-      if (is_beyond_wall(old, edit_.draft(i))) return {};
-      found = edit_.cell(i);
+    if (found.valid()) return found;
+    CellQueue around(scene_.memory);
+    const auto add_heirs = [&](Cell c) {
+      edit_.for_each_heir(c, [&](size_t i) {
+        around.insert(edit_.cell(i));
+        return true;
+      });
+    };
+    add_heirs(old);
+    if (around.size() == 0) for_each_beyond(old, add_heirs);  // it came to nothing
+    for (size_t i = 0; i < around.size(); ++i) {
+      if (contains(env_, around[i], point)) return around[i];
+      for_each_beyond(around[i], [&](Cell c) {
+        if (is_new(c)) around.insert(c);
+      });
     }
-    return found;
+    return {};
   }
-  /** A warped wall that is cut anew can leave a point on its other side. */
-  bool is_beyond_wall(Cell old, const CellDraft& draft) const {
-    for (uint32_t f = 0, facets = env_.map.facets_of(old); f < facets; ++f) {
-      const HalfFacet h = env_.map.half_facet(old, f), o = env_.map.opposite(h);
-      if (!o.valid() || !is_impassable(env_.map, h)) continue;
-      const Cell beyond = env_.map.cell_of(o);
-      if (beyond == draft.from || beyond == draft.also) return true;
+  /** Calls visit(cell) for the neighbours of a cell beyond facets that can be passed. */
+  template <class Visit>
+  void for_each_beyond(Cell c, Visit visit) const {
+    for (uint32_t f = 0, facets = env_.map.facets_of(c); f < facets; ++f) {
+      const HalfFacet h = env_.map.half_facet(c, f);
+      if (!is_impassable(env_.map, h)) visit(env_.map.cell_of(env_.map.opposite(h)));
     }
-    return false;
+  }
+  bool is_new(Cell c) {
+    for (size_t i = new_cells_.size(); i < edit_.cell_count(); ++i) new_cells_.insert(edit_.cell(i));
+    return new_cells_.contains(c);
   }
   /** Whether a half-facet in a sequence goes, or leads elsewhere now. */
   bool is_gone(uint32_t word) const {
@@ -136,6 +151,7 @@ class Followers {
   const Environment<3>& env_;
   Scene<3>& scene_;
   Array<Seat> particles_, vertices_;
+  CellQueue new_cells_;  // once they are asked for
 };
 
 void follow(Edit& edit, Scene<3>& scene) {

@@ -1,0 +1,309 @@
+#include "cutting/crack.h"
+
+#include "base/error.h"
+#include "map/records.h"
+
+namespace dsw {
+namespace {
+
+/** Numbers that are joined to sets. */
+class Sets {
+ public:
+  Sets(uint32_t count, const Memory* memory) : parents_(Allocator<uint32_t>(memory)) {
+    for (uint32_t i = 0; i < count; ++i) parents_.push_back(i);
+  }
+  uint32_t root(uint32_t i) {
+    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
+    return i;
+  }
+  void join(uint32_t i, uint32_t j) {
+    const uint32_t a = root(i), b = root(j);
+    parents_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  Array<uint32_t> parents_;
+};
+
+}  // namespace
+
+Crack::Crack(Environment<3>& env, int32_t region)
+    : env_(env),
+      map_(env.map),
+      region_(region),
+      pairs_(Allocator<FacetPair>(env.memory)),
+      sides_(env.memory),
+      mouths_(Allocator<Mouth>(env.memory)),
+      partings_(Allocator<Parting>(env.memory)),
+      cells_(Allocator<Cell>(env.memory)),
+      places_(env.memory),
+      copies_(Allocator<uint32_t>(env.memory)) {
+  make_ready(env.map);
+}
+
+void Crack::add(HalfFacet a, HalfFacet b, size_t i) {
+  const HalfFacet beyond = map_.opposite(a);
+  if (beyond.valid()) {
+    if (b != a && b != beyond)
+      fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: front and back are two faces, one is inside", i);
+    b = beyond;
+  } else {
+    if (map_.opposite(b).valid()) {
+      fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: front and back are two faces, one is inside", i);
+    }
+    if (map_.cell_of(a) == map_.cell_of(b)) {
+      fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: both faces are those of volume %u", i, map_.index(map_.cell_of(a)));
+    }
+    if (!face_each_other(draft_of(env_, a), draft_of(env_, b))) {
+      fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: the faces do not have the same vertices in opposite order", i);
+    }
+  }
+  for (const HalfFacet h : {a, b}) {
+    const uint32_t known = sides_.size();
+    if (sides_.insert(h.word) != known) fail(DSW_STATUS_DUPLICATE_ID, "pair %zu: a face stands in two pairs", i);
+  }
+  pairs_.push_back({a, b});
+}
+
+Dart Crack::dart_at(HalfFacet h, uint32_t vertex) const {
+  const Cell c = map_.cell_of(h);
+  const Shape shape = map_.shape(c);
+  uint32_t d = shape.facet_first(map_.local_of(h, c));
+  while (map_.vertex(c, shape.dart_vertex(d)) != vertex) ++d;
+  return {c, d};
+}
+
+/** Passable cells beside a crack in what is impassable, and cells of earlier gaps. */
+bool Crack::is_space(Cell c, uint32_t pair) const {
+  if (map_.marked(c)) return false;
+  const Cell a = map_.cell_of(pairs_[pair].a), b = map_.cell_of(pairs_[pair].b);
+  if (map_.marked(a) && map_.marked(b)) return true;
+  return region_ != 0 && env_.region(c) == region_ && env_.region(a) != region_ && env_.region(b) != region_;
+}
+
+/** The cells round an edge, from a facet of the crack to the next one, which is returned; invalid at the outer boundary. */
+HalfFacet Crack::go_round(Dart d, Array<Dart>& passed) const {
+  passed.clear();
+  for (;;) {
+    passed.push_back(d);
+    const Dart e = beta2(map_, d);
+    const HalfFacet h = half_facet(map_, e);
+    if (is_in_crack(h)) return h;
+    d = beta3(map_, e);
+    if (!d.cell.valid()) return {};
+  }
+}
+
+/** Where the crack ends at an edge with space round it: that cell of the space in which it would go on straight. */
+void Crack::find_mouth(Dart rim, uint32_t pair, const Array<Dart>& passed) {
+  const double *const p = env_.point(dart_vertex(map_, rim)), *const q = env_.point(dart_target(map_, rim));
+  double middle[3], inside[3] = {0, 0, 0};
+  point_at<3>(p, q, 0.5, middle);
+  const FacetDraft facet = draft_of(env_, pairs_[pair].a);
+  for (const uint32_t v : facet.loop) {
+    for (int k = 0; k < 3; ++k) inside[k] += env_.point(v)[k] / static_cast<double>(facet.loop.size());
+  }
+  const Vec along = unit(difference(q, p));
+  const auto across = [&](const Vec& v) { return unit(v - dot(v, along) * along); };
+  const Vec ahead = across(difference(middle, inside));
+  Dart best;
+  double most = -2;
+  for (const Dart d : passed) {
+    if (!is_space(d.cell, pair)) continue;
+    double at[3];
+    centre(env_, d.cell, at);
+    const double straight = dot(across(difference(at, middle)), ahead);
+    if (straight <= most) continue;
+    most = straight;
+    best = d;
+  }
+  if (best.cell.valid()) mouths_.push_back({best, pair});
+}
+
+void Crack::find_mouths() {
+  Array<Dart> passed{Allocator<Dart>(env_.memory)};
+  for (uint32_t i = 0; i < pairs_.size(); ++i) {
+    const Cell c = map_.cell_of(pairs_[i].a);
+    const Shape shape = map_.shape(c);
+    const uint32_t facet = map_.local_of(pairs_[i].a, c);
+    for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
+      if (go_round({c, d}, passed) == pairs_[i].b) find_mouth({c, d}, i, passed);
+    }
+  }
+}
+
+/** Out of the cell, twice as long as the facet is large. */
+Vec Crack::facet_normal(HalfFacet h) const {
+  const FacetDraft facet = draft_of(env_, h);
+  Vec sum;
+  for (size_t t = 0; t < facet.triangles.size(); t += 3) {
+    const double* const p = env_.point(facet.triangles[t]);
+    sum = sum +
+          cross(difference(env_.point(facet.triangles[t + 1]), p), difference(env_.point(facet.triangles[t + 2]), p));
+  }
+  return sum;
+}
+
+/** Of the crack at a vertex, to either side, whichever facet of a pair comes first. */
+Vec Crack::rough_normal(const Corner* corners, size_t count) const {
+  Vec sum;
+  for (size_t i = 0; i < count; ++i) {
+    if (corners[i].side != 0) continue;
+    const Vec n = facet_normal(side(corners[i]));
+    sum = sum + (dot(n, sum) < 0 ? -1.0 : 1.0) * n;
+  }
+  return sum;
+}
+
+/** A line through the space at a vertex, from mouth to mouth or from the only mouth to the outer boundary; at best where the crack's plane goes
+ * on. Gives the facets that it crosses; false: there is none. */
+bool Crack::find_line(uint32_t vertex, const Vec& normal, const Array<uint32_t>& mouths, KeyTable& crossed) const {
+  if (mouths.empty()) return true;
+  if (mouths.size() > 2) return false;
+  return find_line(vertex, &normal, mouths, crossed) || find_line(vertex, nullptr, mouths, crossed);
+}
+
+/** The shortest such line, with a normal only through facets on both sides of that plane. */
+bool Crack::find_line(uint32_t vertex, const Vec* normal, const Array<uint32_t>& mouths, KeyTable& crossed) const {
+  struct Step {
+    Cell cell;
+    HalfFacet entry;  // in the cell before
+    size_t before;
+  };
+  const uint32_t pair = mouths_[mouths[0]].pair;
+  const Cell target = mouths.size() == 2 ? mouths_[mouths[1]].dart.cell : Cell{};
+  Array<Step> steps{Allocator<Step>(env_.memory)};
+  KeyTable seen(env_.memory);
+  const auto visit = [&](Cell c, HalfFacet entry, size_t before) {
+    const uint32_t known = seen.size();
+    if (seen.insert(c.unit) == known) steps.push_back({c, entry, before});
+  };
+  const auto cross = [&](HalfFacet h) {
+    crossed.insert(h.word);
+    if (map_.opposite(h).valid()) crossed.insert(map_.opposite(h).word);
+  };
+  const auto cross_back = [&](size_t i) {
+    for (; i != 0; i = steps[i].before) cross(steps[i].entry);
+  };
+  visit(mouths_[mouths[0]].dart.cell, {}, 0);
+  for (size_t i = 0; i < steps.size(); ++i) {
+    const Cell c = steps[i].cell;
+    if (c == target) {
+      cross_back(i);
+      return true;
+    }
+    const Shape shape = map_.shape(c);
+    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+      if (map_.vertex(c, shape.dart_vertex(d)) != vertex) continue;
+      const HalfFacet h = map_.half_facet(c, shape.dart_facet(d)), o = map_.opposite(h);
+      if (is_in_crack(h)) continue;
+      const auto height = [&](uint32_t dart) {
+        return dot(*normal, difference(env_.point(c, shape.dart_vertex(dart)), env_.point(vertex)));
+      };
+      if (normal != nullptr && height(shape.beta0(d)) * height(shape.beta1(d)) > 0) continue;
+      if (o.valid()) {
+        if (is_space(map_.cell_of(o), pair)) visit(map_.cell_of(o), h, i);
+      } else if (!target.valid()) {
+        cross(h);
+        cross_back(i);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/** Whether a dart's edge and cell are those of one of the mouths. */
+bool Crack::is_mouth(Dart d, const Array<uint32_t>& mouths) const {
+  return std::any_of(mouths.begin(), mouths.end(), [&](uint32_t m) {
+    const Dart at = mouths_[m].dart;
+    return at.cell == d.cell && (at.local == d.local || beta2(map_, at).local == d.local);
+  });
+}
+
+/** The cells at a vertex hang together round it through facets and edges, but not across the crack and the line that carries it on. */
+void Crack::part_vertex(uint32_t vertex, const Corner* corners, size_t count, const Array<uint32_t>& mouths) {
+  CellQueue around(env_.memory);
+  for (size_t i = 0; i < count; ++i) around.insert(map_.cell_of(side(corners[i])));
+  for_each_cell_at_vertex(map_, vertex, around, [](Cell) {});
+  if (around.size() != map_.vertex_uses[vertex]) return;  // others would stay where it was
+  KeyTable crossed(env_.memory), ends(env_.memory);
+  if (!find_line(vertex, rough_normal(corners, count), mouths, crossed)) return;
+  const auto for_each_dart = [&](auto visit) {
+    for (size_t i = 0; i < around.size(); ++i) {
+      const Shape shape = map_.shape(around[i]);
+      for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+        if (map_.vertex(around[i], shape.dart_vertex(d)) == vertex)
+          visit(Dart{around[i], d}, Dart{around[i], shape.beta0(d)});
+      }
+    }
+  };
+  for_each_dart([&](Dart out, Dart in) {
+    ends.insert(start_key(out));
+    ends.insert(end_key(in));
+  });
+  Sets sets(ends.size(), env_.memory);
+  const auto number = [&](uint64_t key) { return ends.find(key); };
+  for_each_dart([&](Dart out, Dart in) {
+    const HalfFacet h = half_facet(map_, out);
+    if (crossed.find(h.word) == kNone) sets.join(number(start_key(out)), number(end_key(in)));
+    if (!is_mouth(out, mouths)) sets.join(number(start_key(out)), number(end_key(beta2(map_, out))));
+    if (is_in_crack(h) || !map_.opposite(h).valid()) return;
+    sets.join(number(start_key(out)), number(end_key(beta3(map_, out))));
+  });
+  const auto root_at = [&](const Corner& c) { return sets.root(number(start_key(dart_at(side(c), vertex)))); };
+  const uint32_t first = root_at(corners[0]);
+  uint32_t other = first;
+  for (uint32_t i = 0; i < ends.size(); ++i) {
+    const uint32_t root = sets.root(i);
+    if (root == first || root == other) continue;
+    if (other != first) return;
+    other = root;
+  }
+  if (other == first) return;
+  Vec normal;
+  for (size_t i = 0; i + 1 < count; ++i) {
+    if (corners[i].pair != corners[i + 1].pair || root_at(corners[i]) == root_at(corners[i + 1])) continue;
+    normal = normal + facet_normal(side(corners[root_at(corners[i]) == first ? i : i + 1]));
+  }
+  normal = unit(normal);
+  if (is_zero(normal)) return;
+  const auto first_cell = static_cast<uint32_t>(cells_.size());
+  for (size_t i = 0; i < around.size(); ++i) cells_.push_back(around[i]);
+  const auto parting = static_cast<uint32_t>(partings_.size());
+  partings_.push_back({vertex, normal, first_cell, static_cast<uint32_t>(cells_.size())});
+  for (uint32_t i = 0; i < ends.size(); ++i) {
+    places_.insert(ends[i]);
+    copies_.push_back(2 * parting + (sets.root(i) == first ? 0 : 1));
+  }
+}
+
+void Crack::part() {
+  find_mouths();
+  Array<Corner> corners{Allocator<Corner>(env_.memory)};
+  for (uint32_t i = 0; i < pairs_.size(); ++i) {
+    const FacetDraft facet = draft_of(env_, pairs_[i].a);
+    for (const uint32_t v : facet.loop) {
+      corners.push_back({v, i, 0});
+      corners.push_back({v, i, 1});
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  Array<MouthAt> mouths{Allocator<MouthAt>(env_.memory)};
+  for (uint32_t m = 0; m < mouths_.size(); ++m) {
+    mouths.push_back({dart_vertex(map_, mouths_[m].dart), m});
+    mouths.push_back({dart_target(map_, mouths_[m].dart), m});
+  }
+  std::sort(mouths.begin(), mouths.end());
+  Array<uint32_t> here{Allocator<uint32_t>(env_.memory)};
+  auto mouth = mouths.begin();
+  for (size_t i = 0, end = 0; i < corners.size(); i = end) {
+    const uint32_t v = corners[i].vertex;
+    while (end < corners.size() && corners[end].vertex == v) ++end;
+    here.clear();
+    for (; mouth != mouths.end() && mouth->vertex == v; ++mouth) here.push_back(mouth->mouth);
+    part_vertex(v, &corners[i], end - i, here);
+  }
+}
+
+}  // namespace dsw

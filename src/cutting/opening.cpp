@@ -1,0 +1,304 @@
+#include "cutting/opening.h"
+
+#include "base/error.h"
+#include "environment/marking.h"
+#include "environment/recut.h"
+
+namespace dsw {
+namespace {
+
+constexpr double kLeastShare = 1.0 / 4096;  // of the width; below a vertex stays one
+
+}  // namespace
+
+Opening::Opening(Environment<3>& env, const Crack& crack, const OpenSettings& settings)
+    : env_(env),
+      map_(env.map),
+      crack_(crack),
+      settings_(settings),
+      ways_(crack.partings().size(), Way{}, Allocator<Way>(env.memory)),
+      fresh_(env.memory),
+      of_fresh_(Allocator<uint32_t>(env.memory)),
+      changed_(env.memory),
+      gaps_(Allocator<Gap>(env.memory)),
+      sides_(Allocator<Side>(env.memory)),
+      record_(env.memory) {}
+
+/** Vertices of cells that come out invalid go half as far, and all is written anew: as often as the shares allow, so this ends. */
+void Opening::prepare(std::optional<Edit>& edit) {
+  Array<uint32_t> bad{Allocator<uint32_t>(env_.memory)};
+  for (;;) {
+    edit.emplace(env_);
+    bad.clear();
+    write(*edit, bad);
+    if (bad.empty()) edit->prepare(&bad);
+    if (bad.empty()) break;
+    shorten(*edit, bad);
+  }
+  write_record(*edit);
+}
+
+void Opening::write(Edit& edit, Array<uint32_t>& bad) {
+  changed_ = KeyTable(env_.memory);
+  gaps_.clear();
+  sides_.clear();
+  pairs_ = 0;
+  add_vertices(edit);
+  write_cells(edit);
+  add_mouths(edit);
+  add_gaps(edit);
+  join_sides(edit);
+  cut_facets(edit, bad);
+}
+
+void Opening::add_vertices(Edit& edit) {
+  fresh_ = KeyTable(env_.memory);
+  of_fresh_.clear();
+  for (uint32_t i = 0; i < ways_.size(); ++i) {
+    Way& way = ways_[i];
+    const Crack::Parting& parting = crack_.partings()[i];
+    double places[2][3];
+    while (!way.stays && !place_copies(parting, way, places)) {
+      way.share *= 0.5;
+      way.stays = way.share < kLeastShare;
+    }
+    if (way.stays) continue;
+    for (int k = 0; k < 2; ++k) {
+      way.copies[k] = edit.add_vertex(places[k]);
+      fresh_.insert(way.copies[k]);
+      of_fresh_.push_back(i);
+      if (vertex_marked(env_, parting.vertex)) edit.set_mark(way.copies[k], true);
+    }
+  }
+}
+
+/** False: they are too far away for a double. */
+bool Opening::place_copies(const Crack::Parting& parting, const Way& way, double (&places)[2][3]) const {
+  const double* const p = env_.point(parting.vertex);
+  const Vec step = 0.5 * way.share * settings_.width * parting.normal;
+  store(to_vec(p) - step, places[0]);
+  store(to_vec(p) + step, places[1]);
+  return std::all_of(places[0], places[0] + 6, [](double x) { return std::isfinite(x); });
+}
+
+uint32_t Opening::vertex_of(uint32_t copy, uint32_t before) const {
+  return copy == Crack::kNone || ways_[copy / 2].stays ? before : ways_[copy / 2].copies[copy % 2];
+}
+
+/** All cells at vertices that come apart. */
+void Opening::write_cells(Edit& edit) {
+  for (uint32_t i = 0; i < ways_.size(); ++i) {
+    if (ways_[i].stays) continue;
+    const Crack::Parting& parting = crack_.partings()[i];
+    for (uint32_t k = parting.first_cell; k < parting.end_cell; ++k) changed_.insert(crack_.cell(k).unit);
+  }
+  for (uint32_t i = 0; i < changed_.size(); ++i) {
+    const Cell c{static_cast<uint32_t>(changed_[i])};
+    CellDraft& draft = edit.draft(edit.replace(c));
+    const Shape shape = map_.shape(c);
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) write_facet(draft.facets[f], {c, shape.facet_first(f)});
+    move_marks(edit, c);
+  }
+}
+
+/** Puts copies in the places of vertices; both, where the line from rim to rim crosses the facet. Then it has to be cut anew. */
+void Opening::write_facet(FacetDraft& facet, Dart first) const {
+  const FacetDraft before = facet;
+  const auto n = static_cast<uint32_t>(before.loop.size());
+  facet.loop.clear();
+  for (uint32_t k = 0; k < n; ++k) {
+    const uint32_t in = at_end({first.cell, first.local + (k + n - 1) % n}),
+                   out = at_start({first.cell, first.local + k});
+    facet.loop.push_back(in);
+    if (out != in) facet.loop.push_back(out);
+  }
+  if (facet.loop.size() != n) {
+    facet.triangles.clear();
+    return;
+  }
+  for (uint32_t& v : facet.triangles) v = facet.loop[before.place_of(v)];
+}
+
+void Opening::move_marks(Edit& edit, Cell c) const {
+  if (env_.edge_marks.size() == 0) return;
+  for (uint32_t d = 0, n = map_.shape(c).dart_count(); d < n; ++d) {
+    const uint32_t a = dart_vertex(map_, {c, d}), b = dart_target(map_, {c, d});
+    const uint32_t from = at_start({c, d}), to = at_end({c, d});
+    if ((from != a || to != b) && edge_marked(env_, a, b)) edit.set_mark(from, to, true);
+  }
+}
+
+/** Cells of the space get a facet in the place of an edge of the rim. */
+void Opening::add_mouths(Edit& edit) {
+  for (const Mouth& mouth : crack_.mouths()) {
+    const Dart d = mouth.dart, e = beta2(map_, d);
+    const uint32_t number = changed_.find(d.cell.unit);
+    if (number == KeyTable::kNone) continue;
+    const uint32_t loop[4] = {at_end(d), at_start(d), at_end(e), at_start(e)};
+    FacetDraft facet(env_.memory);
+    for (int k = 0; k < 4; ++k) {
+      if (loop[k] != loop[(k + 3) % 4]) facet.loop.push_back(loop[k]);
+    }
+    if (facet.loop.size() >= 3) add_side(edit, number, std::move(facet), dart_vertex(map_, d), dart_target(map_, d));
+  }
+}
+
+void Opening::add_gaps(Edit& edit) {
+  for (uint32_t i = 0; i < crack_.pair_count(); ++i) add_gap(edit, crack_.pair(i));
+}
+
+/** The cell between two lips, if these come apart. */
+void Opening::add_gap(Edit& edit, const FacetPair& pair) {
+  Gap gap;
+  FacetDraft before[2] = {draft_of(env_, pair.a), draft_of(env_, pair.b)};
+  for (int k = 0; k < 2; ++k) {
+    const Cell c = map_.cell_of(before[k].near);
+    const uint32_t number = changed_.find(c.unit);
+    if (number == KeyTable::kNone) return;
+    gap.lips[k] = {number, map_.local_of(before[k].near, c)};
+  }
+  const auto lip = [&](int k) -> FacetDraft& { return edit.draft(gap.lips[k].draft).facets[gap.lips[k].facet]; };
+  const auto n = static_cast<uint32_t>(before[0].loop.size());
+  Array<uint32_t> front = lip(0).loop, back(front);
+  for (uint32_t k = 0; k < n; ++k) back[k] = lip(1).loop[before[1].place_of(before[0].loop[k])];
+  if (front == back) return;
+  CellDraft cell(env_.memory);
+  cell.region = settings_.region;
+  cell.tag = settings_.tag;
+  for (int k = 0; k < 2; ++k) {
+    lip(k).far = {};
+    lip(k).pair = pairs_++;
+    cell.facets.push_back(turned(lip(k)));
+    cell.facets.back().far = {};
+  }
+  const size_t number = edit.add(std::move(cell));
+  for (uint32_t k = 0; k < n; ++k) {
+    const uint32_t next = (k + 1) % n;
+    FacetDraft side(env_.memory);
+    side.loop.push_back(front[k]);
+    if (front[next] != front[k]) side.loop.push_back(front[next]);
+    if (back[next] != front[next]) side.loop.push_back(back[next]);
+    if (back[k] != front[k]) side.loop.push_back(back[k]);
+    if (side.loop.size() >= 3) add_side(edit, number, std::move(side), before[0].loop[k], before[0].loop[next]);
+  }
+  gaps_.push_back(gap);
+}
+
+void Opening::add_side(Edit& edit, size_t draft, FacetDraft&& facet, uint32_t a, uint32_t b) {
+  Array<FacetDraft>& facets = edit.draft(draft).facets;
+  sides_.push_back({pair_key(a, b), {draft, static_cast<uint32_t>(facets.size())}});
+  facets.push_back(std::move(facet));
+}
+
+/** Facets across the gap over the same edge are joined; what is left of them is on the outer boundary. */
+void Opening::join_sides(Edit& edit) {
+  std::sort(sides_.begin(), sides_.end(), [](const Side& x, const Side& y) {
+    if (x.edge != y.edge) return x.edge < y.edge;
+    return x.at.draft != y.at.draft ? x.at.draft < y.at.draft : x.at.facet < y.at.facet;
+  });
+  const auto facet = [&](const Side& side) -> FacetDraft& { return edit.draft(side.at.draft).facets[side.at.facet]; };
+  for (size_t i = 0; i < sides_.size(); ++i) {
+    FacetDraft& here = facet(sides_[i]);
+    for (size_t j = i + 1; here.pair == kNoPair && j < sides_.size() && sides_[j].edge == sides_[i].edge; ++j) {
+      FacetDraft& there = facet(sides_[j]);
+      if (there.pair == kNoPair && face_each_other(here, there)) here.pair = there.pair = pairs_++;
+    }
+  }
+}
+
+/** Triangles for new facets, and others for those that are not positive any more seen from the cells on both sides. Drafts with a facet for
+ * which there are none go to `bad`. */
+void Opening::cut_facets(Edit& edit, Array<uint32_t>& bad) const {
+  struct Key {
+    uint32_t word;
+    Place at;
+  };
+  Array<Key> keys{Allocator<Key>(env_.memory)};
+  const auto key_of = [](const FacetDraft& facet, HalfFacet h) {
+    return facet.pair != kNoPair ? kNoPair - 1 - facet.pair : h.word;
+  };
+  size_t drafts = changed_.size() + gaps_.size();
+  Array<double> apices{Allocator<double>(env_.memory)};
+  apices.resize(3 * drafts);
+  for (size_t i = 0; i < drafts; ++i) {
+    centre(env_, edit.draft(i), &apices[3 * i]);
+    for (uint32_t f = 0; f < edit.draft(i).facets.size(); ++f) {
+      const FacetDraft& facet = edit.draft(i).facets[f];
+      keys.push_back({key_of(facet, facet.near), {i, f}});
+    }
+  }
+  std::sort(keys.begin(), keys.end(), [](const Key& x, const Key& y) {
+    if (x.word != y.word) return x.word < y.word;
+    return x.at.draft != y.at.draft ? x.at.draft < y.at.draft : x.at.facet < y.at.facet;
+  });
+  const auto find_other = [&](const FacetDraft& facet) -> const Key* {
+    const uint32_t word = key_of(facet, facet.far);
+    auto at = std::lower_bound(keys.begin(), keys.end(), word, [](const Key& k, uint32_t w) { return k.word < w; });
+    for (; at != keys.end() && at->word == word; ++at) {
+      const FacetDraft& other = edit.draft(at->at.draft).facets[at->at.facet];
+      if (&other != &facet && face_each_other(facet, other)) return &*at;
+    }
+    return nullptr;
+  };
+  for (size_t i = 0; i < drafts; ++i) {
+    for (FacetDraft& facet : edit.draft(i).facets) {
+      const bool is_new = facet.triangles.empty();
+      if (!is_new && facet.loop.size() == 3) continue;
+      const bool outer = facet.pair == kNoPair && !facet.far.valid();
+      const Key* const other = outer ? nullptr : find_other(facet);
+      if (!is_new && other == nullptr)
+        continue;  // the outer boundary, and what lies at cells that stay, keep their triangles
+      const double *const apex = &apices[3 * i], *const beyond =
+                                                     other == nullptr ? nullptr : &apices[3 * other->at.draft];
+      if (!is_new && is_cut_well(env_, facet, apex, beyond)) continue;
+      FacetDraft anew = facet;
+      anew.triangles.clear();
+      const bool found = anew.loop.size() <= kMostTriangulated && cut_anew(env_, anew, anew.loop, apex, beyond);
+      if (found) {
+        facet.triangles = anew.triangles;
+        if (other != nullptr) cut_like(edit.draft(other->at.draft).facets[other->at.facet], facet);
+      } else if (is_new) {
+        bad.push_back(static_cast<uint32_t>(i));
+      }
+    }
+  }
+}
+
+/** The vertices that come apart at these drafts go half as far, or stay one. */
+void Opening::shorten(Edit& edit, const Array<uint32_t>& drafts) {
+  KeyTable partings(env_.memory);
+  for (const uint32_t i : drafts) {
+    for (const FacetDraft& facet : edit.draft(i).facets) {
+      for (const uint32_t v : facet.loop) {
+        const uint32_t fresh = fresh_.find(v);
+        if (fresh != KeyTable::kNone) partings.insert(of_fresh_[fresh]);
+      }
+    }
+  }
+  if (partings.size() == 0) fail(DSW_STATUS_INVALID_CELL, "a volume at the crack is not valid as it is");
+  for (uint32_t i = 0; i < partings.size(); ++i) {
+    Way& way = ways_[partings[i]];
+    way.share *= 0.5;
+    way.stays = way.share < kLeastShare;
+  }
+}
+
+void Opening::write_record(Edit& edit) {
+  for (uint32_t i = 0; i < ways_.size(); ++i) {
+    const Way& way = ways_[i];
+    if (way.stays) continue;
+    const uint32_t v = crack_.partings()[i].vertex;
+    for (const uint32_t copy : way.copies) record_.vertices.push_back({copy, v, v, 0.5});
+    const double width = length(difference(env_.point(way.copies[1]), env_.point(way.copies[0])));
+    record_.smallest = record_.vertices.size() == 2 ? width : std::min(record_.smallest, width);
+    record_.largest = std::max(record_.largest, width);
+    record_.shortened += way.share < 1 ? 1u : 0u;
+  }
+  for (const Gap& gap : gaps_) {
+    record_.faces.push_back(
+        {edit.half_facet(gap.lips[0].draft, gap.lips[0].facet), edit.half_facet(gap.lips[1].draft, gap.lips[1].facet)});
+  }
+  record_.changed = changed_.size();
+}
+
+}  // namespace dsw
