@@ -17,7 +17,7 @@ constexpr double kTolerance = 1e-9;  // of the sum of volumes, which is rounded
 const char* name_of(Operation operation) {
   const char* const names[] = {"sew",          "unsew",       "remove",     "add",        "merge volumes",
                                "split volume", "merge faces", "split face", "split edge", "merge edges",
-                               "collapse",     "cut",         "carve",      "tie"};
+                               "collapse",     "cut",         "carve",      "tie",        "open"};
   return names[static_cast<size_t>(operation)];
 }
 
@@ -132,7 +132,7 @@ Operation RandomEdits::choose() {
     if (operation == Operation::kUnsew && !rng_.chance(0.3)) continue;
     if (operation == Operation::kSplitVolume && many) continue;
     if (operation == Operation::kSplitEdge && rng_.chance(0.6)) continue;
-    const bool cuts = operation == Operation::kCut || operation == Operation::kCarve || operation == Operation::kTie;
+    const bool cuts = operation >= Operation::kCut && operation <= Operation::kOpen;
     if (cuts && (many || rng_.chance(0.5))) continue;
     return operation;
   }
@@ -340,6 +340,8 @@ dsw_status RandomEdits::call(Operation operation) {
       return carve();
     case Operation::kTie:
       return tie();
+    case Operation::kOpen:
+      return open();
     default: {
       const dsw_edge_id edge = some_edge();
       return dsw_environment_collapse_edge(environment, edge, vertex_of(edge));
@@ -444,9 +446,10 @@ std::string RandomEdits::bend() {
 }
 
 std::string RandomEdits::move_all() {
-  // Cuts open many cracks. Where later changes move one lip of one, the outer boundary passes through itself: then edges can be free over
+  // Cuts leave many cracks, and openings move the outer boundary. Where later changes move one lip of one, the outer boundary passes through itself: then edges can be free over
   // one sheet and blocked over the other, which bodies of DSW_LEVEL_EDGES do not tell apart.
-  const bool was_cut = tallies[static_cast<size_t>(Operation::kCut)].done != 0;
+  const bool was_cut = tallies[static_cast<size_t>(Operation::kCut)].done != 0 ||
+                       tallies[static_cast<size_t>(Operation::kOpen)].done != 0;
   if (was_cut && dsw_environment_check(place_.get(), nullptr) != DSW_STATUS_OK) return "";
   if (scene().deformation.get() != nullptr) {
     const std::string wrong = bend();

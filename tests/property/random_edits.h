@@ -23,6 +23,7 @@ enum class Operation {
   kCut,
   kCarve,
   kTie,
+  kOpen,
   kCount
 };
 const char* name_of(Operation operation);
@@ -80,6 +81,8 @@ class RandomEdits {
   dsw_status cut();
   dsw_status carve();
   dsw_status tie();
+  dsw_status open();
+  std::vector<dsw_cut_face> some_crack();
   std::vector<double> some_blade(uint32_t rows, uint32_t columns);
   dsw::Cell some_cell();
   dsw_face_id some_face();

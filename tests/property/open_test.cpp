@@ -1,0 +1,151 @@
+// Cuts into a tissue with air beside it that open: what lies in the air can enter, down to where the cut ends.
+#include <set>
+
+#include "environment/validity.h"
+#include "map/integrity.h"
+#include "random_edits.h"
+
+namespace dsw::oracle {
+namespace {
+
+class OpenTest : public SceneTest {
+ protected:
+  const Environment<3>& env() const { return place_.get()->engine; }
+
+  /// What lies below a plane through the middle is tissue.
+  void mark_tissue(Rng& rng) {
+    const double normal[3] = {rng.range(-0.3, 0.3), rng.range(-0.3, 0.3), 1};
+    std::vector<dsw_volume_id> tissue;
+    for_each_cell(env().map, [&](dsw::Cell c) {
+      double at[3], height = 0;
+      centre(env(), c, at);
+      for (int k = 0; k < 3; ++k) height += normal[k] * (at[k] - 0.5 * (env().lower[k] + env().upper[k]));
+      if (height < 0) tissue.push_back(volume_id(env().map, c));
+    });
+    ASSERT_EQ(
+        dsw_environment_mark_volumes(place_.get(), tissue.data(), tissue.size(), DSW_MARK_IMPASSABLE, 0, nullptr),
+        DSW_STATUS_OK);
+  }
+  /// A cut from the air into the tissue, not through it. Its faces between volumes of the tissue.
+  std::vector<dsw_cut_face> cut_tissue(Rng& rng) {
+    double blade[12], turn = rng.range(-0.2, 0.2);
+    for (int i = 0; i < 4; ++i) {
+      const double side = i % 2 == 0 ? -10 : 10, share[3] = {0.47, 0.5, i < 2 ? 0.2 : 2};
+      for (int k = 0; k < 3; ++k) {
+        blade[3 * i + k] = (1 - share[k]) * env().lower[k] + share[k] * env().upper[k];
+      }
+      blade[3 * i] += turn * side * place_.world->size;
+      blade[3 * i + 1] += side * place_.world->size;
+    }
+    dsw_cut_desc desc;
+    dsw_cut_desc_init(&desc, sizeof desc);
+    desc.points = blade;
+    desc.rows = desc.columns = 2;
+    EXPECT_EQ(dsw_environment_cut(place_.get(), &desc, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+    const dsw_cut_face* faces = nullptr;
+    size_t count = 0;
+    EXPECT_EQ(dsw_environment_get_cut_faces(place_.get(), &faces, &count), DSW_STATUS_OK);
+    std::vector<dsw_cut_face> inside;
+    for (size_t i = 0; i < count; ++i) {
+      const Map<3>& map = env().map;
+      if (map.marked(map.cell(faces[i].front.volume)) && map.marked(map.cell(faces[i].back.volume))) {
+        inside.push_back(faces[i]);
+      }
+    }
+    return inside;
+  }
+  std::vector<dsw::Cell> gap() const {
+    const dsw_volume_change* changes = nullptr;
+    size_t count = 0;
+    EXPECT_EQ(dsw_environment_get_volume_changes(place_.get(), &changes, &count), DSW_STATUS_OK);
+    std::vector<dsw::Cell> cells;
+    for (size_t i = 0; i < count; ++i) {
+      if (changes[i].before.generation == 0) cells.push_back(env().map.cell(changes[i].after.index));
+    }
+    return cells;
+  }
+  /// Lets a particle go from the air into every volume of the gap that hangs together with the air. How many these are.
+  size_t enter(const std::vector<dsw::Cell>& gap) {
+    const Map<3>& map = env().map;
+    const ScenePtr scene = make_scene(place_.get());
+    std::set<uint32_t> is_gap, left;
+    for (const dsw::Cell c : gap) is_gap.insert(c.unit);
+    left = is_gap;
+    for_each_cell(map, [&](dsw::Cell c) {
+      if (map.marked(c) || is_gap.count(c.unit) != 0) return;
+      double at[3];
+      centre(env(), c, at);
+      dsw_particle_id particle;
+      ASSERT_EQ(dsw_particle_create(scene.get(), at, volume_id(map, c), &particle), DSW_STATUS_OK);
+      enter_beyond(scene.get(), particle, c, is_gap, left);
+      ASSERT_EQ(dsw_particle_destroy(scene.get(), particle), DSW_STATUS_OK);
+    });
+    return is_gap.size() - left.size();
+  }
+  void move(dsw_scene* scene, dsw_particle_id particle, const double* to) const {
+    dsw_flight flight;
+    ASSERT_EQ(dsw_particle_move(scene, particle, to, nullptr, &flight), DSW_STATUS_OK);
+    EXPECT_EQ(flight.outcome, DSW_OUTCOME_REACHED);
+  }
+  /// From the centre of a volume into those of the gap next to it, and on from these.
+  void enter_beyond(dsw_scene* scene, dsw_particle_id particle, dsw::Cell c, const std::set<uint32_t>& is_gap,
+                    std::set<uint32_t>& left) {
+    const Map<3>& map = env().map;
+    const Shape shape = map.shape(c);
+    double back[3];
+    centre(env(), c, back);
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
+      if (!o.valid() || left.erase(map.cell_of(o).unit) == 0) continue;
+      const double* p[3];
+      simplex_points(env(), c, shape, shape.simplex_first(f), p);
+      double door[3], at[3];
+      for (int k = 0; k < 3; ++k) door[k] = (p[0][k] + p[1][k] + p[2][k]) / 3;
+      centre(env(), map.cell_of(o), at);
+      move(scene, particle, door);
+      move(scene, particle, at);
+      enter_beyond(scene, particle, map.cell_of(o), is_gap, left);
+      move(scene, particle, door);
+      move(scene, particle, back);
+    }
+  }
+
+  Place place_;
+};
+DSW_FOR_ALL_SCENES(OpenTest);
+
+TEST_P(OpenTest, ParticlesEnterTheCut) {
+  size_t faces = 0, opened = 0, entered = 0, crossing = 0, shortened = 0, parted = 0;
+  for (uint64_t seed = 1; seed <= 10; ++seed) {
+    place_ = make_place(GetParam(), seed);
+    if (place_.environment == nullptr) continue;
+    Rng rng(seed);
+    mark_tissue(rng);
+    const std::vector<dsw_cut_face> crack = cut_tissue(rng);
+    const bool is_partition = dsw_environment_check(place_.get(), nullptr) == DSW_STATUS_OK;
+    dsw_open_desc desc;
+    dsw_open_desc_init(&desc, sizeof desc);
+    desc.faces = crack.data();
+    desc.face_count = crack.size();
+    desc.width = 0.02 * place_.world->size;
+    dsw_open_report report;
+    ASSERT_EQ(dsw_environment_open(place_.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
+    ASSERT_EQ(check_integrity(env().map), nullptr);
+    for_each_cell(env().map, [&](dsw::Cell c) {
+      EXPECT_TRUE(check_cell(env(), c) == CellState::kValid || check_cell(env(), c) == CellState::kValidConvex);
+    });
+    if (is_partition && dsw_environment_check(place_.get(), nullptr) != DSW_STATUS_OK) ++crossing;
+    const std::vector<dsw::Cell> cells = gap();
+    ASSERT_EQ(cells.size(), report.faces_opened);
+    for (const dsw::Cell c : cells) EXPECT_FALSE(env().map.marked(c));
+    faces += crack.size();
+    opened += cells.size();
+    shortened += report.vertices_shortened;
+    parted += report.vertices_parted;
+    entered += enter(cells);
+  }
+  std::cout << faces << " faces " << opened << " opened " << entered << " entered " << crossing << " crossing " << parted << " parted " << shortened << " shortened\n";
+}
+
+}  // namespace
+}  // namespace dsw::oracle
