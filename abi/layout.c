@@ -405,6 +405,23 @@ AT(dsw_tie_report, cut, 0);
 AT(dsw_tie_report, is_closed, 40);
 AT(dsw_tie_report, reserved, 44);
 
+SIZE(dsw_open_desc, 40);
+AT(dsw_open_desc, struct_size, 0);
+AT(dsw_open_desc, flags, 4);
+AT(dsw_open_desc, faces, 8);
+AT(dsw_open_desc, face_count, 16);
+AT(dsw_open_desc, width, 24);
+AT(dsw_open_desc, region, 32);
+AT(dsw_open_desc, tag, 36);
+
+SIZE(dsw_open_report, 32);
+AT(dsw_open_report, smallest_width, 0);
+AT(dsw_open_report, largest_width, 8);
+AT(dsw_open_report, vertices_parted, 16);
+AT(dsw_open_report, vertices_shortened, 20);
+AT(dsw_open_report, faces_opened, 24);
+AT(dsw_open_report, volumes_changed, 28);
+
 SIZE(dsw_deform_options, 40);
 AT(dsw_deform_options, struct_size, 0);
 AT(dsw_deform_options, flags, 4);

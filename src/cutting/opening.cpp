@@ -1,6 +1,7 @@
 #include "cutting/opening.h"
 
 #include "base/error.h"
+#include "cutting/fold.h"
 #include "environment/marking.h"
 #include "environment/recut.h"
 
@@ -32,6 +33,7 @@ void Opening::prepare(std::optional<Edit>& edit) {
     bad.clear();
     write(*edit, bad);
     if (bad.empty()) edit->prepare(&bad);
+    if (bad.empty()) find_folds(*edit, bad);
     if (bad.empty()) break;
     shorten(*edit, bad);
   }
@@ -262,6 +264,21 @@ void Opening::cut_facets(Edit& edit, Array<uint32_t>& bad) const {
       }
     }
   }
+}
+
+/** Drafts at which the outer boundary would fold. Links are needed to see that, so the edit is tried. */
+void Opening::find_folds(Edit& edit, Array<uint32_t>& bad) const {
+  edit.apply();
+  for (uint32_t i = 0; i < edit.cell_count(); ++i) {
+    const Cell c = edit.cell(i);
+    const Shape shape = map_.shape(c);
+    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+      if (map_.opposite(half_facet(map_, {c, d})).valid() || !is_folded(env_, {c, d})) continue;
+      bad.push_back(i);
+      break;
+    }
+  }
+  edit.revert();
 }
 
 /** The vertices that come apart at these drafts go half as far, or stay one. */

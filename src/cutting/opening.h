@@ -69,6 +69,7 @@ class Opening {
   void add_side(Edit& edit, size_t draft, FacetDraft&& facet, uint32_t a, uint32_t b);
   void join_sides(Edit& edit);
   void cut_facets(Edit& edit, Array<uint32_t>& bad) const;
+  void find_folds(Edit& edit, Array<uint32_t>& bad) const;
   void shorten(Edit& edit, const Array<uint32_t>& drafts);
   void write_record(Edit& edit);
   uint32_t vertex_of(uint32_t copy, uint32_t before) const;

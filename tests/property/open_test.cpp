@@ -1,4 +1,5 @@
 // Cuts into a tissue with air beside it that open: what lies in the air can enter, down to where the cut ends.
+#include <cmath>
 #include <set>
 
 #include "environment/validity.h"
@@ -8,7 +9,35 @@
 namespace dsw::oracle {
 namespace {
 
-class OpenTest : public SceneTest {
+/// Cubes with 6 tetrahedra each, shaken.
+Mesh block_of_tets(int n, Rng& rng) {
+  const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
+  Mesh mesh;
+  const auto at = [&](const int* p) { return p[0] + (n + 1) * (p[1] + (n + 1) * p[2]); };
+  int p[3];
+  for (p[2] = 0; p[2] <= n; ++p[2]) {
+    for (p[1] = 0; p[1] <= n; ++p[1]) {
+      for (p[0] = 0; p[0] <= n; ++p[0]) {
+        Vec x;
+        for (size_t k = 0; k < 3; ++k) x[k] = p[k] + (p[k] == 0 || p[k] == n ? 0 : rng.range(-0.15, 0.15));
+        mesh.points.push_back(x);
+      }
+    }
+  }
+  for (int i = 0; i < 6 * n * n * n; ++i) {
+    int q[3] = {i / 6 % n, i / 6 / n % n, i / 6 / n / n};
+    std::vector<int> corners{at(q)};
+    for (const int k : orders[i % 6]) {
+      ++q[k];
+      corners.push_back(at(q));
+    }
+    if (i % 6 >= 3) std::swap(corners[2], corners[3]);
+    mesh.add_standard(DSW_CELL_TYPE_TETRA, corners);
+  }
+  return mesh;
+}
+
+class OpenTissueTest : public testing::Test {
  protected:
   const Environment<3>& env() const { return place_.get()->engine; }
 
@@ -22,9 +51,8 @@ class OpenTest : public SceneTest {
       for (int k = 0; k < 3; ++k) height += normal[k] * (at[k] - 0.5 * (env().lower[k] + env().upper[k]));
       if (height < 0) tissue.push_back(volume_id(env().map, c));
     });
-    ASSERT_EQ(
-        dsw_environment_mark_volumes(place_.get(), tissue.data(), tissue.size(), DSW_MARK_IMPASSABLE, 0, nullptr),
-        DSW_STATUS_OK);
+    ASSERT_EQ(dsw_environment_mark_volumes(place_.get(), tissue.data(), tissue.size(), DSW_MARK_IMPASSABLE, 0, nullptr),
+              DSW_STATUS_OK);
   }
   /// A cut from the air into the tissue, not through it. Its faces between volumes of the tissue.
   std::vector<dsw_cut_face> cut_tissue(Rng& rng) {
@@ -110,16 +138,8 @@ class OpenTest : public SceneTest {
     }
   }
 
-  Place place_;
-};
-DSW_FOR_ALL_SCENES(OpenTest);
-
-TEST_P(OpenTest, ParticlesEnterTheCut) {
-  size_t faces = 0, opened = 0, entered = 0, crossing = 0, shortened = 0, parted = 0;
-  for (uint64_t seed = 1; seed <= 10; ++seed) {
-    place_ = make_place(GetParam(), seed);
-    if (place_.environment == nullptr) continue;
-    Rng rng(seed);
+  /// A cut into a tissue that is opened, with all that has to hold afterwards.
+  void open_cut(Rng& rng) {
     mark_tissue(rng);
     const std::vector<dsw_cut_face> crack = cut_tissue(rng);
     const bool is_partition = dsw_environment_check(place_.get(), nullptr) == DSW_STATUS_OK;
@@ -134,17 +154,66 @@ TEST_P(OpenTest, ParticlesEnterTheCut) {
     for_each_cell(env().map, [&](dsw::Cell c) {
       EXPECT_TRUE(check_cell(env(), c) == CellState::kValid || check_cell(env(), c) == CellState::kValidConvex);
     });
-    if (is_partition && dsw_environment_check(place_.get(), nullptr) != DSW_STATUS_OK) ++crossing;
+    if (is_partition) {
+      EXPECT_EQ(dsw_environment_check(place_.get(), nullptr), DSW_STATUS_OK);
+    }
     const std::vector<dsw::Cell> cells = gap();
     ASSERT_EQ(cells.size(), report.faces_opened);
     for (const dsw::Cell c : cells) EXPECT_FALSE(env().map.marked(c));
-    faces += crack.size();
-    opened += cells.size();
-    shortened += report.vertices_shortened;
-    parted += report.vertices_parted;
-    entered += enter(cells);
+    check_vertices(report, desc.width);
+    faces_ += crack.size();
+    opened_ += cells.size();
+    entered_ += enter(cells);
   }
-  std::cout << faces << " faces " << opened << " opened " << entered << " entered " << crossing << " crossing " << parted << " parted " << shortened << " shortened\n";
+  /// Copies are as far from each other as the report says.
+  void check_vertices(const dsw_open_report& report, double width) const {
+    const dsw_cut_vertex* vertices = nullptr;
+    size_t count = 0, shortened = 0;
+    ASSERT_EQ(dsw_environment_get_cut_vertices(place_.get(), &vertices, &count), DSW_STATUS_OK);
+    ASSERT_EQ(count, 2 * report.vertices_parted);
+    for (size_t i = 0; i < count; i += 2) {
+      ASSERT_EQ(vertices[i].from[0].index, vertices[i + 1].from[1].index);
+      const double* const p = env().point(vertices[i].vertex.index);
+      const double* const q = env().point(vertices[i + 1].vertex.index);
+      const double distance = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+      EXPECT_GE(distance, report.smallest_width * (1 - 1e-9));
+      EXPECT_LE(distance, report.largest_width * (1 + 1e-9));
+      shortened += distance < 0.9 * width ? 1u : 0u;
+    }
+    EXPECT_EQ(shortened, report.vertices_shortened);
+    EXPECT_LE(report.largest_width, width * (1 + 1e-9));
+  }
+
+  Place place_;
+  size_t faces_ = 0, opened_ = 0, entered_ = 0;
+};
+class OpenTest : public OpenTissueTest, public testing::WithParamInterface<std::string> {};
+DSW_FOR_ALL_SCENES(OpenTest);
+
+TEST_P(OpenTest, ParticlesEnterTheCut) {
+  for (uint64_t seed = 1; seed <= 15; ++seed) {
+    place_ = make_place(GetParam(), seed);
+    if (place_.environment == nullptr) continue;
+    Rng rng(seed);
+    open_cut(rng);
+    ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
+  }
+  RecordProperty("faces", static_cast<int>(faces_));
+  RecordProperty("opened", static_cast<int>(opened_));
+  RecordProperty("entered", static_cast<int>(entered_));
+}
+
+TEST_F(OpenTissueTest, TheWholeCutIsEnteredWhereVolumesAreSmall) {
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
+    Rng rng(seed);
+    place_ = place_of(block_of_tets(6, rng));
+    ASSERT_NE(place_.environment, nullptr);
+    open_cut(rng);
+    ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
+  }
+  EXPECT_GT(faces_, 200u);
+  EXPECT_GE(opened_, faces_ - faces_ / 20);
+  EXPECT_EQ(entered_, opened_);
 }
 
 }  // namespace
