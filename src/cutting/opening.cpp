@@ -8,7 +8,7 @@
 namespace dsw {
 namespace {
 
-constexpr double kLeastShare = 1.0 / 4096;  // of the width; below a vertex stays one
+constexpr double kLeastShare = 1.0 / 4096;  // below a copy does not move
 
 }  // namespace
 
@@ -24,6 +24,12 @@ Opening::Opening(Environment<3>& env, const Crack& crack, const OpenSettings& se
       gaps_(Allocator<Gap>(env.memory)),
       sides_(Allocator<Side>(env.memory)),
       record_(env.memory) {}
+
+void Opening::Way::shorten(int k) {
+  shares[k] *= 0.5;
+  if (shares[k] < kLeastShare) shares[k] = 0;
+  stays = shares[0] == 0 && shares[1] == 0;
+}
 
 /** Vertices of cells that come out invalid go half as far, and all is written anew: as often as the shares allow, so this ends. */
 void Opening::prepare(std::optional<Edit>& edit) {
@@ -61,14 +67,14 @@ void Opening::add_vertices(Edit& edit) {
     const Crack::Parting& parting = crack_.partings()[i];
     double places[2][3];
     while (!way.stays && !place_copies(parting, way, places)) {
-      way.share *= 0.5;
-      way.stays = way.share < kLeastShare;
+      way.shorten(0);
+      way.shorten(1);
     }
     if (way.stays) continue;
     for (int k = 0; k < 2; ++k) {
       way.copies[k] = edit.add_vertex(places[k]);
       fresh_.insert(way.copies[k]);
-      of_fresh_.push_back(i);
+      of_fresh_.push_back(2 * i + static_cast<uint32_t>(k));
       if (vertex_marked(env_, parting.vertex)) edit.set_mark(way.copies[k], true);
     }
   }
@@ -77,9 +83,8 @@ void Opening::add_vertices(Edit& edit) {
 /** False: they are too far away for a double. */
 bool Opening::place_copies(const Crack::Parting& parting, const Way& way, double (&places)[2][3]) const {
   const double* const p = env_.point(parting.vertex);
-  const Vec step = 0.5 * way.share * settings_.width * parting.normal;
-  store(to_vec(p) - step, places[0]);
-  store(to_vec(p) + step, places[1]);
+  store(to_vec(p) - way.length(0) * settings_.width * parting.normal, places[0]);
+  store(to_vec(p) + way.length(1) * settings_.width * parting.normal, places[1]);
   return std::all_of(places[0], places[0] + 6, [](double x) { return std::isfinite(x); });
 }
 
@@ -281,23 +286,25 @@ void Opening::find_folds(Edit& edit, Array<uint32_t>& bad) const {
   edit.revert();
 }
 
-/** The vertices that come apart at these drafts go half as far, or stay one. */
+/** The copies in these drafts go half as far; where none of them moves any more, their vertices stay one. */
 void Opening::shorten(Edit& edit, const Array<uint32_t>& drafts) {
-  KeyTable partings(env_.memory);
+  KeyTable copies(env_.memory);
   for (const uint32_t i : drafts) {
     for (const FacetDraft& facet : edit.draft(i).facets) {
       for (const uint32_t v : facet.loop) {
         const uint32_t fresh = fresh_.find(v);
-        if (fresh != KeyTable::kNone) partings.insert(of_fresh_[fresh]);
+        if (fresh != KeyTable::kNone) copies.insert(of_fresh_[fresh]);
       }
     }
   }
-  if (partings.size() == 0) fail(DSW_STATUS_INVALID_CELL, "a volume at the crack is not valid as it is");
-  for (uint32_t i = 0; i < partings.size(); ++i) {
-    Way& way = ways_[partings[i]];
-    way.share *= 0.5;
-    way.stays = way.share < kLeastShare;
+  if (copies.size() == 0) fail(DSW_STATUS_INVALID_CELL, "a volume at the crack is not valid as it is");
+  bool moved = false;
+  for (uint32_t i = 0; i < copies.size(); ++i) {
+    Way& way = ways_[copies[i] / 2];
+    moved = moved || way.shares[copies[i] % 2] != 0;
+    way.shorten(static_cast<int>(copies[i] % 2));
   }
+  for (uint32_t i = 0; !moved && i < copies.size(); ++i) ways_[copies[i] / 2].stays = true;
 }
 
 void Opening::write_record(Edit& edit) {
@@ -309,7 +316,7 @@ void Opening::write_record(Edit& edit) {
     const double width = length(difference(env_.point(way.copies[1]), env_.point(way.copies[0])));
     record_.smallest = record_.vertices.size() == 2 ? width : std::min(record_.smallest, width);
     record_.largest = std::max(record_.largest, width);
-    record_.shortened += way.share < 1 ? 1u : 0u;
+    record_.shortened += way.shares[0] < 1 && way.shares[1] < 1 ? 1u : 0u;
   }
   for (const Gap& gap : gaps_) {
     record_.faces.push_back(

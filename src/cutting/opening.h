@@ -37,11 +37,13 @@ class Opening {
   const OpenRecord& record() const { return record_; }
 
  private:
-  /** How far a vertex of the crack comes apart, and its copies. */
+  /** How far the copies of a vertex go. Both shares 1: half of the width each; what one can't go the other one goes, if it can. */
   struct Way {
-    double share = 1;
+    double shares[2] = {1, 1};
     bool stays = false;
     uint32_t copies[2] = {0, 0};
+    double length(int k) const { return shares[k] * (1 - 0.5 * shares[1 - k]); }
+    void shorten(int k);
   };
   struct Place {
     size_t draft;
@@ -82,7 +84,7 @@ class Opening {
   OpenSettings settings_;
   Array<Way> ways_;           // by parting
   KeyTable fresh_;            // new vertices
-  Array<uint32_t> of_fresh_;  // their partings
+  Array<uint32_t> of_fresh_;  // twice the number of the parting, with that of the copy
   KeyTable changed_;          // cells by unit; numbers are those of their drafts
   Array<Gap> gaps_;
   Array<Side> sides_;
