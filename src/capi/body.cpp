@@ -41,12 +41,7 @@ dsw::ContactFilter to_filter(uint32_t category, uint32_t mask, bool self) {
 }
 
 dsw::BodyDescription to_description(const dsw::Scene<3>& scene, const dsw_body_desc& d) {
-  dsw::BodyDescription out;
-  out.level = capi::to_level(d.level, DSW_LEVEL_FACES, "desc->level");
-  out.skipping = to_skipping(d.flags, d.motion_share);
-  const bool self = (d.flags & DSW_BODY_SELF_CONTACTS) != 0;
-  if (self || d.category != 0 || d.mask != 0) capi::check_named(scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
-  out.filter = to_filter(d.category, d.mask, self);
+  dsw::BodyDescription out = capi::to_description(scene, {d.level, d.flags, d.motion_share, d.category, d.mask});
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
   if (d.vertex_count == 0) fail(DSW_STATUS_WRONG_SIZE, "desc->vertex_count is 0, a body has at least one vertex");
   out.positions = capi::to_points(d.positions, d.vertex_count, d.stride_bytes, "desc->positions");
@@ -81,6 +76,18 @@ void copy_ids(const Items& items, const dsw::SlotPool& slots, Id* out, size_t ca
 }  // namespace
 
 namespace dsw::capi {
+
+BodyDescription to_description(const Scene<3>& scene, const BodyOptions& options) {
+  BodyDescription out;
+  out.level = to_level(options.level, DSW_LEVEL_FACES, "desc->level");
+  out.skipping = to_skipping(options.flags, options.motion_share);
+  const bool self = (options.flags & DSW_BODY_SELF_CONTACTS) != 0;
+  if (self || options.category != 0 || options.mask != 0) {
+    check_named(scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
+  }
+  out.filter = to_filter(options.category, options.mask, self);
+  return out;
+}
 
 uint32_t to_vertex(const Body& body, dsw_body_vertex_id id, const char* name) {
   if (body.vertex_slots.alive(id.index, id.generation)) return id.index;

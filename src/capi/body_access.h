@@ -19,6 +19,16 @@ struct BodyAccess {
   BodyAccess(const dsw_scene* handle, dsw_body_id id) : BodyAccess(const_cast<dsw_scene*>(handle), id) {}
 };
 
+/** What a host says of a new body besides its shape, see dsw_body_desc. */
+struct BodyOptions {
+  dsw_level level;
+  uint32_t flags;
+  double motion_share;
+  uint32_t category, mask;
+};
+/** A description without vertices. */
+BodyDescription to_description(const Scene<3>& scene, const BodyOptions& options);
+
 uint32_t to_vertex(const Body& body, dsw_body_vertex_id id, const char* name);
 uint32_t to_edge(const Body& body, dsw_body_edge_id id, const char* name);
 uint32_t to_face(const Body& body, dsw_body_face_id id, const char* name);

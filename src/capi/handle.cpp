@@ -24,7 +24,11 @@ dsw_environment::dsw_environment(dsw_context* owner)
 }
 
 dsw_scene::dsw_scene(dsw_environment* home, dsw::SceneFeatures features)
-    : environment(home), engine(home->engine, home->engine.memory, home->parallel, features) {}
+    : environment(home),
+      engine(home->engine, home->engine.memory, home->parallel, features),
+      detached_volumes(dsw::Allocator<dsw_volume_id>(home->engine.memory)),
+      detached_vertices(dsw::Allocator<dsw_detached_vertex>(home->engine.memory)),
+      detached_faces(dsw::Allocator<dsw_detached_face>(home->engine.memory)) {}
 
 namespace dsw::capi {
 

@@ -48,6 +48,9 @@ struct dsw_scene {
   dsw_scene* previous = nullptr;  // of the same environment
   dsw_scene* next = nullptr;
   dsw::Scene<3> engine;
+  dsw::Array<dsw_volume_id> detached_volumes;  // of the last piece that came off, as the next two
+  dsw::Array<dsw_detached_vertex> detached_vertices;
+  dsw::Array<dsw_detached_face> detached_faces;
 
   dsw_scene(dsw_environment* home, dsw::SceneFeatures features);
 };

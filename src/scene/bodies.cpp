@@ -94,15 +94,12 @@ void let_meet(BodyRecord& of) {
   of.record.keeps_partners = of.next.keeps_partners = true;
 }
 
-dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
-  if (d.vertex_count >= kNone) fail(DSW_STATUS_TOO_LARGE, "desc->vertex_count is %zu", d.vertex_count);
+BodyRecord make_body(const Scene<3>& scene, const BodyDescription& d, const Cell* cells) {
   BodyRecord made(scene.memory);
   Body& body = made.body;
   body.level = d.level;
   body.skipping = d.skipping;
   body.filter = d.filter;
-  Array<Cell> cells(d.vertex_count, Cell{}, Allocator<Cell>(scene.memory));
-  place_points(scene, d.positions, d.vertex_count, d.hints, true, cells.data(), nullptr);
   const size_t triangles = triangle_count(d);
   reserve(body, d.vertex_count, d.edge_count + 3 * triangles, triangles);
   for (size_t i = 0; i < d.vertex_count; ++i) add_vertex(body, d.positions[i], cells[i]);
@@ -113,11 +110,12 @@ dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
     body.sequences.erase(body.sequences.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.sequences.end());
     body.sequences.shrink_to_fit();
   }
-  if (scene.features.contacts) {
-    let_meet(made);
-    scene.body_boxes.reserve(scene.bodies.size() + 1);
-  }
-  check_free(scene, body, body.level);
+  if (scene.features.contacts) let_meet(made);
+  return made;
+}
+
+dsw_body_id enter_body(Scene<3>& scene, BodyRecord&& made) {
+  if (scene.features.contacts) scene.body_boxes.reserve(scene.bodies.size() + 1);
   scene.body_slots.reserve(1);
   reserve_more(scene.bodies, 1);
   const SlotPool::Slot slot = scene.body_slots.acquire();
@@ -128,6 +126,15 @@ dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
   }
   note_body(scene, slot.index);
   return {slot.index, slot.generation};
+}
+
+dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
+  if (d.vertex_count >= kNone) fail(DSW_STATUS_TOO_LARGE, "desc->vertex_count is %zu", d.vertex_count);
+  Array<Cell> cells(d.vertex_count, Cell{}, Allocator<Cell>(scene.memory));
+  place_points(scene, d.positions, d.vertex_count, d.hints, true, cells.data(), nullptr);
+  BodyRecord made = make_body(scene, d, cells.data());
+  check_free(scene, made.body, made.body.level);
+  return enter_body(scene, std::move(made));
 }
 
 void destroy_body(Scene<3>& scene, uint32_t slot) noexcept {

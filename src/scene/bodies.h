@@ -60,6 +60,10 @@ struct BodyDescription {
 };
 
 dsw_body_id create_body(Scene<3>& scene, const BodyDescription& description);
+/** One that is not in the scene yet, its vertices in given cells; hints are not looked at. */
+BodyRecord make_body(const Scene<3>& scene, const BodyDescription& description, const Cell* cells);
+/** Puts one that is free into the scene. */
+dsw_body_id enter_body(Scene<3>& scene, BodyRecord&& made);
 /** Lets one that is not in a scene yet meet others. Throws std::bad_alloc. */
 void let_meet(BodyRecord& of);
 void destroy_body(Scene<3>& scene, uint32_t slot) noexcept;

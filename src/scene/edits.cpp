@@ -154,25 +154,34 @@ class Followers {
   CellQueue new_cells_;  // once they are asked for
 };
 
-void follow(Edit& edit, Scene<3>& scene) {
+void follow(Edit& edit, Scene<3>& scene, void (*also)(void* user), void* user) {
   Followers followers(edit, scene);
   const auto is_occupied = [&] { return !scene.occupants.empty() || !scene.occupant_bodies.empty(); };
   followers.find_cells();
   if (is_occupied()) refuse(scene);
   edit.apply();
-  if (scene.body_slots.alive_count() != 0) {
-    followers.move_vertices(false);
-    try {
-      followers.find_blocked_bodies();
-      if (is_occupied()) refuse(scene);
-    } catch (...) {
-      followers.move_vertices(true);
-      edit.revert();
-      throw;
-    }
+  followers.move_vertices(false);
+  try {
+    if (scene.body_slots.alive_count() != 0) followers.find_blocked_bodies();
+    if (is_occupied()) refuse(scene);
+    if (also != nullptr) also(user);
+  } catch (...) {
+    followers.move_vertices(true);
+    edit.revert();
+    throw;
   }
   followers.finish();
   edit.finish();
+}
+
+void try_to_follow(Edit& edit, Scene<3>& scene, void (*also)(void* user), void* user) {
+  clear_occupants(&scene);
+  try {
+    follow(edit, scene, also, user);
+  } catch (const std::bad_alloc&) {
+    clear_occupants(&scene);
+    throw;
+  }
 }
 
 }  // namespace
@@ -184,18 +193,13 @@ void carry_out(Edit& edit, Scene<3>* scene) {
 }
 
 void carry_out_prepared(Edit& edit, Scene<3>* scene) {
-  clear_occupants(scene);
-  if (scene == nullptr) {
-    edit.apply();
-    edit.finish();
-    return;
-  }
-  try {
-    follow(edit, *scene);
-  } catch (const std::bad_alloc&) {
-    clear_occupants(scene);
-    throw;
-  }
+  if (scene != nullptr) return try_to_follow(edit, *scene, nullptr, nullptr);
+  edit.apply();
+  edit.finish();
+}
+
+void carry_out_prepared(Edit& edit, Scene<3>& scene, void (*also)(void* user), void* user) {
+  try_to_follow(edit, scene, also, user);
 }
 
 }  // namespace dsw

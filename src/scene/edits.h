@@ -13,5 +13,8 @@ namespace dsw {
 void carry_out(Edit& edit, Scene<3>* scene);
 /** The same with an edit that is prepared. */
 void carry_out_prepared(Edit& edit, Scene<3>* scene);
+/** The same together with what `also` does after the edit has been applied. If that throws, having changed nothing itself, the edit
+ * is taken back. */
+void carry_out_prepared(Edit& edit, Scene<3>& scene, void (*also)(void* user), void* user);
 
 }  // namespace dsw

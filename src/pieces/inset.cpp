@@ -1,0 +1,135 @@
+// A vertex drawn along d leaves all triangles at it behind if d points behind each of them. Of all such directions the one farthest from
+// being along a triangle is opposite to the centre of the smallest ball round their unit normals, which a few steps towards the
+// farthest one come near to (Badoiu, Clarkson, "Smaller core-sets for balls", 2003). Where there is none, as at a saddle, that
+// to the middle of the cells can still do: it is looked at first if it is not worse.
+
+#include "pieces/inset.h"
+
+#include "motion/cast.h"
+
+namespace dsw {
+namespace {
+
+constexpr uint32_t kSteps = 64;
+
+/** Opposite to the middle of some unit normals. */
+Vec away_from(const Vec* normals, size_t count) {
+  Vec centre = normals[0];
+  for (uint32_t i = 1; i <= kSteps; ++i) {
+    const Vec* farthest = normals;
+    for (const Vec* n = normals; n != normals + count; ++n) {
+      if (dot(*n - centre, *n - centre) > dot(*farthest - centre, *farthest - centre)) farthest = n;
+    }
+    centre = centre + (1.0 / (i + 1)) * (*farthest - centre);
+  }
+  return unit(-1.0 * centre);
+}
+
+/** How far a direction points behind all triangles: the sine of the least angle. */
+double depth(const Vec& direction, const Vec* normals, size_t count) {
+  double least = 1;
+  for (const Vec* n = normals; n != normals + count; ++n) least = std::min(least, -dot(direction, *n));
+  return least;
+}
+
+}  // namespace
+
+Inset::Inset(const Environment<3>& env, const Piece& piece, const PieceSurface& surface)
+    : env_(env),
+      surface_(surface),
+      ways_(surface.vertices.size(), Way{}, Allocator<Way>(env.memory)),
+      cells_(Allocator<Cell>(env.memory)),
+      first_(Allocator<size_t>(env.memory)) {
+  // Corners of triangles, vertex by vertex.
+  Array<uint32_t> corners(surface.triangles.size() * 3, 0, Allocator<uint32_t>(env.memory));
+  const auto vertex_of = [&](uint32_t corner) { return surface.triangles[corner / 3].corners[corner % 3]; };
+  for (uint32_t i = 0; i < corners.size(); ++i) corners[i] = i;
+  std::sort(corners.begin(), corners.end(),
+            [&](uint32_t a, uint32_t b) { return vertex_of(a) != vertex_of(b) ? vertex_of(a) < vertex_of(b) : a < b; });
+  Array<Vec> normals{Allocator<Vec>(env.memory)};
+  const uint32_t* corner = corners.data();
+  for (uint32_t v = 0; v < surface.vertices.size(); ++v) {
+    first_.push_back(cells_.size());
+    find_cells(piece, v);
+    normals.clear();
+    ways_[v].reach = HUGE_VAL;
+    for (; corner != corners.data() + corners.size() && vertex_of(*corner) == v; ++corner) {
+      const SurfaceTriangle& triangle = surface.triangles[*corner / 3];
+      double p[3][3];
+      for (uint32_t k = 0; k < 3; ++k) origin(triangle.corners[(*corner + k) % 3], p[k]);
+      const Vec a = difference(p[1], p[0]), b = difference(p[2], p[0]);
+      ways_[v].reach = std::min({ways_[v].reach, length(a), length(b)});
+      const Vec normal = unit(cross(unit(a), unit(b)));
+      if (!is_zero(normal)) normals.push_back(normal);
+    }
+    find_directions(v, normals);
+  }
+  first_.push_back(cells_.size());
+}
+
+void Inset::origin(uint32_t vertex, double* position) const {
+  const uint32_t* const from = surface_.vertices[vertex].from;
+  if (from[0] == from[1]) {
+    std::copy_n(env_.point(from[0]), 3, position);
+  } else {
+    point_at<3>(env_.point(from[0]), env_.point(from[1]), 0.5, position);
+  }
+}
+
+/** On from one cell through facets at the vertex, or at both of those in whose middle it is. */
+void Inset::find_cells(const Piece& piece, uint32_t vertex) {
+  const Map<3>& map = env_.map;
+  const SurfaceVertex& of = surface_.vertices[vertex];
+  const size_t first = cells_.size();
+  cells_.push_back(of.cell);
+  for (size_t i = first; i < cells_.size(); ++i) {
+    const Cell c = cells_[i];
+    for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
+      const HalfFacet h = map.half_facet(c, f);
+      if (piece.is_surface(h)) continue;
+      const Shape shape = map.shape(c);
+      uint32_t found = 0;
+      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+        const uint32_t v = map.vertex(c, shape.dart_vertex(d));
+        found |= (v == of.from[0] ? 1u : 0u) | (v == of.from[1] ? 2u : 0u);
+      }
+      const Cell beyond = map.cell_of(piece.behind(h));
+      if (found == 3 &&
+          std::find(cells_.begin() + static_cast<std::ptrdiff_t>(first), cells_.end(), beyond) == cells_.end())
+        cells_.push_back(beyond);
+    }
+  }
+}
+
+void Inset::find_directions(uint32_t vertex, const Array<Vec>& normals) {
+  double at[3];
+  origin(vertex, at);
+  Vec middle;
+  for (size_t i = first_[vertex]; i < cells_.size(); ++i) {
+    double apex[3];
+    centre(env_, cells_[i], apex);
+    middle = middle + difference(apex, at);
+  }
+  Vec* const directions = ways_[vertex].directions;
+  directions[0] = directions[1] = unit(middle);
+  if (normals.empty()) return;
+  directions[1] = away_from(normals.data(), normals.size());
+  if (depth(directions[1], normals.data(), normals.size()) > depth(directions[0], normals.data(), normals.size()))
+    std::swap(directions[0], directions[1]);
+}
+
+bool Inset::place(uint32_t vertex, uint32_t attempt, double share, double* position, Cell* cell) const {
+  double at[3];
+  origin(vertex, at);
+  const Way& way = ways_[vertex];
+  const double distance = share / static_cast<double>(uint64_t{1} << attempt / 2) * way.reach;
+  store(to_vec(at) + distance * way.directions[attempt % 2], position);
+  for (size_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
+    if (!contains(env_, cells_[i], position)) continue;
+    *cell = cells_[i];
+    return true;
+  }
+  return false;
+}
+
+}  // namespace dsw

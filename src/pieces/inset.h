@@ -1,0 +1,35 @@
+#pragma once
+// Places near the vertices of a piece's surface, inside of the piece.
+
+#include "base/vec.h"
+#include "pieces/surface.h"
+
+namespace dsw {
+
+class Inset {
+ public:
+  /** Throws std::bad_alloc. O(size of the piece). */
+  Inset(const Environment<3>& env, const Piece& piece, const PieceSurface& surface);
+
+  /** Where a vertex is drawn to at its `attempt`-th place: `share` of the shortest edge there, or half, a quarter, ... of that after each
+   * second one. False if it does not lie in a cell of the piece there. */
+  bool place(uint32_t vertex, uint32_t attempt, double share, double* position, Cell* cell) const;
+  /** Where it is before, rounded. */
+  void origin(uint32_t vertex, double* position) const;
+
+ private:
+  struct Way {
+    Vec directions[2] = {};  // of length 1, the better one first
+    double reach = 0;        // length of the shortest edge
+  };
+  void find_cells(const Piece& piece, uint32_t vertex);
+  void find_directions(uint32_t vertex, const Array<Vec>& normals);
+
+  const Environment<3>& env_;
+  const PieceSurface& surface_;
+  Array<Way> ways_;
+  Array<Cell> cells_;    // of the piece at each vertex that hang together with its fan, one after the other
+  Array<size_t> first_;  // of a vertex; one more at the end
+};
+
+}  // namespace dsw
