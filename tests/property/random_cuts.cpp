@@ -1,4 +1,4 @@
-// Cuts along random blades, most of them unfit to cut with.
+// Cuts along random blades, most of them unfit to cut with, and pieces that come off.
 #include <algorithm>
 #include <cmath>
 
@@ -86,6 +86,39 @@ dsw_status RandomEdits::tie() {
   if (rng_.chance(0.5)) desc.start = volume_id(env().map, some_cell());
   may_change_ = true;
   return dsw_environment_tie(place_.get(), &desc, nullptr);
+}
+
+/// What is impassable somewhere; if nothing is, a volume with some that hang together with it becomes so.
+dsw_status RandomEdits::detach() {
+  const Map<3> &map = env().map;
+  dsw::Cell c = some_cell();
+  for (int tries = 0; tries < 100 && !map.marked(c); ++tries) c = some_cell();
+  if (!map.marked(c) || rng_.chance(0.3)) {
+    std::vector<dsw_volume_id> volumes;
+    for (uint32_t n = 1 + rng_.below(6); n > 0; --n) {
+      volumes.push_back(volume_id(map, c));
+      const HalfFacet o = map.opposite(map.half_facet(c, rng_.below(map.facets_of(c))));
+      if (o.valid()) c = map.cell_of(o);
+    }
+    return dsw_environment_mark_volumes(place_.get(), volumes.data(), volumes.size(), DSW_MARK_IMPASSABLE,
+                                        DSW_MARK_SKIP_OCCUPIED, nullptr);
+  }
+  dsw_detach_desc desc;
+  dsw_detach_desc_init(&desc, sizeof desc);
+  desc.volume = volume_id(map, c);
+  desc.level = static_cast<dsw_level>(1 + rng_.below(4));
+  const double gaps[] = {0, 1e-9, 0.25, 0.05};
+  desc.gap = gaps[rng_.below(4)];
+  dsw_body_id body;
+  return dsw_scene_detach(scene_.get(), &desc, &body, nullptr);
+}
+
+/// Else there would be more and more bodies.
+void RandomEdits::drop_pieces() {
+  for (size_t b = first_bodies_; b < scene().bodies.size(); ++b) {
+    const auto slot = static_cast<uint32_t>(b);
+    dsw_body_destroy(scene_.get(), {slot, scene().body_slots.generation(slot)});
+  }
 }
 
 }  // namespace dsw::oracle

@@ -17,7 +17,7 @@ constexpr double kTolerance = 1e-9;  // of the sum of volumes, which is rounded
 const char* name_of(Operation operation) {
   const char* const names[] = {"sew",          "unsew",       "remove",     "add",        "merge volumes",
                                "split volume", "merge faces", "split face", "split edge", "merge edges",
-                               "collapse",     "cut",         "carve",      "tie",        "open"};
+                               "collapse",     "cut",         "carve",      "tie",        "open",          "detach"};
   return names[static_cast<size_t>(operation)];
 }
 
@@ -48,6 +48,7 @@ RandomEdits::RandomEdits(const std::string& scene, uint64_t seed, FailingMemory*
   scene_ = make_scene(place_.get(), seed % 2 == 0 ? 0u : uint32_t{DSW_FEATURE_DEFORMING});
   add_particles();
   add_bodies();
+  first_bodies_ = scene_->engine.bodies.size();
 }
 
 void RandomEdits::mark_some() {
@@ -342,6 +343,8 @@ dsw_status RandomEdits::call(Operation operation) {
       return tie();
     case Operation::kOpen:
       return open();
+    case Operation::kDetach:
+      return detach();
     default: {
       const dsw_edge_id edge = some_edge();
       return dsw_environment_collapse_edge(environment, edge, vertex_of(edge));
@@ -468,6 +471,7 @@ std::string RandomEdits::move_all() {
   }
   for (uint32_t b = 0; b < scene().bodies.size(); ++b) {
     const dsw_body_id id = {b, scene().body_slots.generation(b)};
+    if (!scene().body_slots.alive(id.index, id.generation)) continue;
     std::vector<double> targets;
     double shift[3];
     const double origin[3] = {};
@@ -480,6 +484,7 @@ std::string RandomEdits::move_all() {
     }
   }
   const std::string wrong = check();
+  drop_pieces();
   return wrong.empty() ? wrong : "moves: " + wrong;
 }
 

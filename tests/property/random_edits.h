@@ -24,6 +24,7 @@ enum class Operation {
   kCarve,
   kTie,
   kOpen,
+  kDetach,
   kCount
 };
 const char* name_of(Operation operation);
@@ -83,6 +84,8 @@ class RandomEdits {
   dsw_status tie();
   dsw_status open();
   std::vector<dsw_cut_face> some_crack();
+  dsw_status detach();
+  void drop_pieces();
   std::vector<double> some_blade(uint32_t rows, uint32_t columns);
   dsw::Cell some_cell();
   dsw_face_id some_face();
@@ -114,7 +117,7 @@ class RandomEdits {
   Choices choices_;
   Rng& rng_ = choices_.rng;
   std::vector<std::array<dsw_face_id, 2>>& unsewn_ = choices_.unsewn;
-  size_t first_count_ = 0;
+  size_t first_count_ = 0, first_bodies_ = 0;
   double volume_ = 0;
   bool may_change_ = false;  // the last call: the space that all volumes fill
 };
