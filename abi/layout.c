@@ -422,6 +422,35 @@ AT(dsw_open_report, vertices_shortened, 20);
 AT(dsw_open_report, faces_opened, 24);
 AT(dsw_open_report, volumes_changed, 28);
 
+SIZE(dsw_detach_desc, 56);
+AT(dsw_detach_desc, struct_size, 0);
+AT(dsw_detach_desc, flags, 4);
+AT(dsw_detach_desc, level, 8);
+AT(dsw_detach_desc, category, 12);
+AT(dsw_detach_desc, mask, 16);
+AT(dsw_detach_desc, halvings, 20);
+AT(dsw_detach_desc, motion_share, 24);
+AT(dsw_detach_desc, gap, 32);
+AT(dsw_detach_desc, volume, 40);
+AT(dsw_detach_desc, max_volumes, 48);
+
+SIZE(dsw_detach_report, 32);
+AT(dsw_detach_report, distance, 0);
+AT(dsw_detach_report, volume_count, 8);
+AT(dsw_detach_report, vertex_count, 12);
+AT(dsw_detach_report, face_count, 16);
+AT(dsw_detach_report, sewn_count, 20);
+AT(dsw_detach_report, unsewn_count, 24);
+AT(dsw_detach_report, reserved, 28);
+
+SIZE(dsw_detached_vertex, 32);
+AT(dsw_detached_vertex, from, 0);
+AT(dsw_detached_vertex, weights, 16);
+
+SIZE(dsw_detached_face, 20);
+AT(dsw_detached_face, face, 0);
+AT(dsw_detached_face, volume, 12);
+
 SIZE(dsw_deform_options, 40);
 AT(dsw_deform_options, struct_size, 0);
 AT(dsw_deform_options, flags, 4);
