@@ -1,28 +1,68 @@
-// A vertex drawn along d leaves all triangles at it behind if d points behind each of them. Of all such directions the one farthest from
-// being along a triangle is opposite to the centre of the smallest ball round their unit normals, which a few steps towards the
-// farthest one come near to (Badoiu, Clarkson, "Smaller core-sets for balls", 2003). Where there is none, as at a saddle, that
-// to the middle of the cells can still do: it is looked at first if it is not worse.
+// A vertex drawn along d leaves all triangles at it behind if d points behind each of them. Of all such directions the one that is farthest
+// from being along a triangle is opposite to the point nearest to the origin of the convex hull of their unit normals, which is found as
+// by Gilbert, Johnson and Keerthi ("A fast procedure for computing the distance", 1988). Where there is no such direction, as at a
+// saddle, that to the middle of the cells can still do: the better of the two comes first.
 
 #include "pieces/inset.h"
+
+#include <initializer_list>
 
 #include "motion/cast.h"
 
 namespace dsw {
 namespace {
 
-constexpr uint32_t kSteps = 64;
+constexpr double kMost = 0.25;  // of the longest edge at a vertex, by which it is drawn in
 
-/** Opposite to the middle of some unit normals. */
-Vec away_from(const Vec* normals, size_t count) {
-  Vec centre = normals[0];
-  for (uint32_t i = 1; i <= kSteps; ++i) {
-    const Vec* farthest = normals;
-    for (const Vec* n = normals; n != normals + count; ++n) {
-      if (dot(*n - centre, *n - centre) > dot(*farthest - centre, *farthest - centre)) farthest = n;
-    }
-    centre = centre + (1.0 / (i + 1)) * (*farthest - centre);
+/** The point of the hull of some points that is nearest to the origin, and which of them it lies between. */
+struct Nearest {
+  Vec point;
+  Vec between[3];
+  size_t count = 0;
+  double square = HUGE_VAL;
+
+  void take(const Vec& p, std::initializer_list<Vec> of) {
+    if (!(dot(p, p) < square)) return;
+    point = p;
+    square = dot(p, p);
+    count = of.size();
+    std::copy(of.begin(), of.end(), between);
   }
-  return unit(-1.0 * centre);
+  void look_at(const Vec& a) { take(a, {a}); }
+  void look_at(const Vec& a, const Vec& b) {
+    const Vec ab = b - a;
+    const double t = -dot(a, ab) / dot(ab, ab);
+    if (t > 0 && t < 1) take(a + t * ab, {a, b});
+  }
+  void look_at(const Vec& a, const Vec& b, const Vec& c) {
+    const Vec n = cross(b - a, c - a);
+    const bool inside = dot(cross(a, b), n) > 0 && dot(cross(b, c), n) > 0 && dot(cross(c, a), n) > 0;
+    if (inside) take(dot(a, n) / dot(n, n) * n, {a, b, c});
+  }
+  /** Looks at what `last` and up to three others span. */
+  void look_at_all(const Vec* others, size_t size, const Vec& last) {
+    look_at(last);
+    for (size_t i = 0; i < size; ++i) {
+      look_at(others[i], last);
+      for (size_t k = 0; k < i; ++k) look_at(others[k], others[i], last);
+    }
+  }
+};
+
+/** Opposite to the nearest point of the normals' hull. It comes nearer in every round, and there are few that it can be. */
+Vec away_from(const Vec* normals, size_t count) {
+  Nearest nearest;
+  nearest.look_at(normals[0]);
+  for (;;) {
+    const Vec* first = normals;
+    for (const Vec* n = normals; n != normals + count; ++n) {
+      if (dot(*n, nearest.point) < dot(*first, nearest.point)) first = n;
+    }
+    Nearest next;
+    next.look_at_all(nearest.between, nearest.count, *first);
+    if (!(next.square < nearest.square)) return unit(-1.0 * nearest.point);
+    nearest = next;
+  }
 }
 
 /** How far a direction points behind all triangles: the sine of the least angle. */
@@ -52,13 +92,14 @@ Inset::Inset(const Environment<3>& env, const Piece& piece, const PieceSurface& 
     first_.push_back(cells_.size());
     find_cells(piece, v);
     normals.clear();
-    ways_[v].reach = HUGE_VAL;
+    ways_[v].shortest = HUGE_VAL;
     for (; corner != corners.data() + corners.size() && vertex_of(*corner) == v; ++corner) {
       const SurfaceTriangle& triangle = surface.triangles[*corner / 3];
       double p[3][3];
       for (uint32_t k = 0; k < 3; ++k) origin(triangle.corners[(*corner + k) % 3], p[k]);
       const Vec a = difference(p[1], p[0]), b = difference(p[2], p[0]);
-      ways_[v].reach = std::min({ways_[v].reach, length(a), length(b)});
+      ways_[v].shortest = std::min({ways_[v].shortest, length(a), length(b)});
+      ways_[v].longest = std::max({ways_[v].longest, length(a), length(b)});
       const Vec normal = unit(cross(unit(a), unit(b)));
       if (!is_zero(normal)) normals.push_back(normal);
     }
@@ -122,7 +163,10 @@ bool Inset::place(uint32_t vertex, uint32_t attempt, double share, double* posit
   double at[3];
   origin(vertex, at);
   const Way& way = ways_[vertex];
-  const double distance = share / static_cast<double>(uint64_t{1} << attempt / 2) * way.reach;
+  const uint32_t round = attempt / 2;
+  const auto scale = static_cast<double>(uint64_t{1} << (round + 1) / 2);
+  const double first = share * way.shortest, distance = round % 2 == 1 ? first / scale : first * scale;
+  if (round != 0 && distance > kMost * way.longest) return false;
   store(to_vec(at) + distance * way.directions[attempt % 2], position);
   for (size_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
     if (!contains(env_, cells_[i], position)) continue;

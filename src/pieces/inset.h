@@ -20,7 +20,7 @@ class Inset {
  private:
   struct Way {
     Vec directions[2] = {};  // of length 1, the better one first
-    double reach = 0;        // length of the shortest edge
+    double shortest = 0, longest = 0;  // lengths of the edges there
   };
   void find_cells(const Piece& piece, uint32_t vertex);
   void find_directions(uint32_t vertex, const Array<Vec>& normals);

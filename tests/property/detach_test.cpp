@@ -119,7 +119,7 @@ class DetachTest : public SceneTest {
       world().cell_marked[static_cast<size_t>(c)] = 0;
     }
     EXPECT_EQ(found, wanted);
-    EXPECT_EQ(dsw_environment_check(place_.get(), nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+    EXPECT_EQ(dsw_environment_check(place_.get(), nullptr), sound_) << dsw_last_error_message();
   }
 
   void check_surface(const std::set<int>& piece, const BodyState& state) {
@@ -219,6 +219,7 @@ class DetachTest : public SceneTest {
   Place place_;
   ScenePtr scene_;
   dsw_detach_report report_{};
+  dsw_status sound_ = DSW_STATUS_OK;  // what the check said of the mesh: its outer boundary can cross itself
 };
 DSW_FOR_ALL_SCENES(DetachTest);
 
@@ -233,6 +234,7 @@ TEST_P(DetachTest, ItsSurfaceIsAFreeBodyWhereItWas) {
     if (place_.environment == nullptr) continue;
     ASSERT_PLACE(place_);
     scene_ = make_scene(place_.get(), seed % 2 == 0 ? uint32_t{DSW_FEATURE_BODY_CONTACTS} : 0u);
+    sound_ = dsw_environment_check(place_.get(), nullptr);
     const auto cells = static_cast<uint32_t>(world().ids.size());
     const auto start = static_cast<int>(rng_.below(cells));
     const std::set<int> piece = blob(start, 1 + rng_.below(20));
@@ -275,6 +277,106 @@ TEST_P(DetachTest, ItsSurfaceIsAFreeBodyWhereItWas) {
                    std::to_string(refused[kind]) + " of " + std::to_string(tried[kind]));
     if (text != nullptr) std::cout << "kind " << kind << ": " << refused[kind] << " of " << tried[kind] << " refused\n";
   }
+  EXPECT_GT(done, 0u);
+}
+
+/// The environment as it is now.
+std::unique_ptr<World> world_now(const dsw_environment* environment) {
+  dsw_environment_info info;
+  info.struct_size = sizeof info;
+  EXPECT_EQ(dsw_environment_get_info(environment, &info), DSW_STATUS_OK);
+  Mesh mesh;
+  const double* points = nullptr;
+  size_t count = 0;
+  EXPECT_EQ(dsw_environment_get_points(environment, &points, &count), DSW_STATUS_OK);
+  for (size_t i = 0; i < count; ++i) mesh.points.push_back({points[3 * i], points[3 * i + 1], points[3 * i + 2]});
+  World::Changed changed;
+  std::vector<char> marked;
+  for (uint32_t i = 0; i < info.volume_index_count; ++i) {
+    dsw_volume_id v;
+    if (dsw_environment_get_volume(environment, i, &v) != DSW_STATUS_OK) continue;
+    uint32_t faces = 0;
+    EXPECT_EQ(dsw_environment_get_volume_counts(environment, v, nullptr, nullptr, nullptr, &faces), DSW_STATUS_OK);
+    std::vector<Loop> loops;
+    changed.outer.emplace_back();
+    for (uint32_t f = 0; f < faces; ++f) {
+      loops.emplace_back();
+      for (const dsw_vertex_id& at : vertices_of(environment, {DSW_CELL_FACE, v.index, v.generation, f})) {
+        loops.back().push_back(static_cast<int>(at.index));
+      }
+      dsw_volume_id beyond;
+      EXPECT_EQ(dsw_environment_get_neighbour(environment, v, f, &beyond, nullptr), DSW_STATUS_OK);
+      changed.outer.back().push_back(beyond.generation == 0 ? 1 : 0);
+    }
+    int impassable = 0;
+    EXPECT_EQ(dsw_environment_is_marked(environment, cell_of(v), &impassable), DSW_STATUS_OK);
+    marked.push_back(static_cast<char>(impassable));
+    changed.volumes.push_back(v);
+    mesh.add_polyhedron(std::move(loops));
+  }
+  auto world = std::make_unique<World>(mesh, environment, changed);
+  world->cell_marked = marked;
+  return world;
+}
+
+/// What cuts leave of something impassable comes off, piece by piece.
+TEST_P(DetachTest, WhatCutsPartComesOff) {
+  const char* const text = std::getenv("DSW_PIECES");
+  const size_t wanted = text == nullptr ? 6 : std::strtoull(text, nullptr, 10);
+  size_t done = 0, refused = 0;
+  for (uint64_t seed = 1; seed <= wanted; ++seed) {
+    rng_ = Rng(seed ^ 0xc07);
+    scene_.reset();
+    place_ = make_place(GetParam(), seed);
+    if (place_.environment == nullptr) continue;
+    ASSERT_PLACE(place_);
+    dsw_environment_info info;
+    info.struct_size = sizeof info;
+    ASSERT_EQ(dsw_environment_get_info(place_.get(), &info), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_environment_mark_region(place_.get(), 0, DSW_MARK_IMPASSABLE, 0, nullptr, nullptr), DSW_STATUS_OK);
+    for (int cuts = 1 + static_cast<int>(rng_.below(3)); cuts > 0; --cuts) {
+      double blade[4][3], u[3], v[3];
+      for (int k = 0; k < 3; ++k) u[k] = rng_.range(-10, 10) * world().size, v[k] = rng_.range(-10, 10) * world().size;
+      for (int k = 0; k < 3; ++k) {
+        const double share = rng_.range(0.35, 0.65), middle = share * info.lower[k] + (1 - share) * info.upper[k];
+        for (int i = 0; i < 4; ++i) blade[i][k] = middle + (i < 2 ? -u[k] : u[k]) + (i % 2 == 0 ? -v[k] : v[k]);
+      }
+      dsw_cut_desc desc;
+      dsw_cut_desc_init(&desc, sizeof desc);
+      desc.points = blade[0];
+      desc.rows = desc.columns = 2;
+      desc.flags = DSW_CUT_UNSEW;
+      ASSERT_EQ(dsw_environment_cut(place_.get(), &desc, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+    }
+    if (dsw_environment_check(place_.get(), nullptr) != DSW_STATUS_OK) continue;
+    scene_ = make_scene(place_.get());
+    for (uint32_t i = 0; i < info.volume_count; i += 1 + info.volume_count / 3) {
+      dsw_detach_desc desc;
+      dsw_detach_desc_init(&desc, sizeof desc);
+      desc.level = static_cast<dsw_level>(1 + rng_.below(4));
+      int impassable = 0;
+      ASSERT_EQ(dsw_environment_get_volume(place_.get(), i, &desc.volume), DSW_STATUS_OK);
+      ASSERT_EQ(dsw_environment_is_marked(place_.get(), cell_of(desc.volume), &impassable), DSW_STATUS_OK);
+      if (impassable == 0) continue;
+      dsw_body_id body;
+      const dsw_status status = dsw_scene_detach(scene_.get(), &desc, &body, &report_);
+      if (status == DSW_STATUS_OCCUPIED) {
+        ++refused;
+        if (text != nullptr) std::cout << "seed " << seed << ": " << dsw_last_error_message() << "\n";
+        continue;
+      }
+      ASSERT_EQ(status, DSW_STATUS_OK) << dsw_last_error_message() << ", seed " << seed;
+      ++done;
+      place_.world = world_now(place_.get());
+      ASSERT_EQ(world().fault(), "");
+      BodyState state;
+      ASSERT_EQ(read_body(scene_.get(), body, state), "");
+      EXPECT_EQ(2 * state.edges.size(), 3 * state.faces.size());
+      ASSERT_EQ(not_free(state, desc.level), "") << "seed " << seed;
+    }
+  }
+  RecordProperty("refused", std::to_string(refused) + " of " + std::to_string(refused + done));
+  if (text != nullptr) std::cout << "cut: " << refused << " of " << refused + done << " refused\n";
   EXPECT_GT(done, 0u);
 }
 
