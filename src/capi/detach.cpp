@@ -91,8 +91,8 @@ dsw_status dsw_scene_detach(dsw_scene* scene, const dsw_detach_desc* desc, dsw_b
     dsw::Detachment detachment(env, handle.engine, start, d.max_volumes == 0 ? SIZE_MAX : d.max_volumes);
     Results results(env.memory, detachment);
     const double gap = d.gap == 0 ? 0.01 : d.gap;
-    const uint32_t halvings = d.halvings == 0 ? 16 : d.halvings;
-    *body = detachment.carry_out(like, gap, 2 * (halvings + 1));
+    const uint32_t halvings = d.halvings == 0 ? 32 : d.halvings;
+    *body = detachment.carry_out(like, gap, 2 * (2 * halvings + 1));
     results.fill(env.map, detachment);
     home.changes.clear();
     handle.detached_volumes.swap(results.volumes);

@@ -79,6 +79,8 @@ dsw_status dsw_scene_get_memory_bytes(const dsw_scene* scene, uint64_t* bytes) {
   return capi::guard("dsw_scene_get_memory_bytes", [&] {
     const dsw_scene& handle = capi::check_handle(scene, "scene");
     capi::require(bytes, "bytes");
-    *bytes = handle.engine.memory_bytes() + sizeof handle - sizeof handle.engine;
+    *bytes = handle.engine.memory_bytes() + array_bytes(handle.detached_volumes) +
+             array_bytes(handle.detached_vertices) + array_bytes(handle.detached_faces) + sizeof handle -
+             sizeof handle.engine;
   });
 }

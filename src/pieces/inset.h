@@ -11,15 +11,15 @@ class Inset {
   /** Throws std::bad_alloc. O(size of the piece). */
   Inset(const Environment<3>& env, const Piece& piece, const PieceSurface& surface);
 
-  /** Where a vertex is drawn to at its `attempt`-th place: `share` of the shortest edge there, or half, a quarter, ... of that after each
-   * second one. False if it does not lie in a cell of the piece there. */
+  /** Where a vertex is drawn to at its `attempt`-th place, counted from 0: `share` of the shortest edge there in two directions, then half of
+   * that, twice as much, a quarter, ... False if it is too much, or does not lie in a cell of the piece there. */
   bool place(uint32_t vertex, uint32_t attempt, double share, double* position, Cell* cell) const;
   /** Where it is before, rounded. */
   void origin(uint32_t vertex, double* position) const;
 
  private:
   struct Way {
-    Vec directions[2] = {};  // of length 1, the better one first
+    Vec directions[2] = {};            // of length 1, the better one first
     double shortest = 0, longest = 0;  // lengths of the edges there
   };
   void find_cells(const Piece& piece, uint32_t vertex);
