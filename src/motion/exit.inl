@@ -27,13 +27,18 @@ struct Entry {
 enum class LookKind : uint8_t { kNothing, kPlanes, kBox, kLines };
 constexpr uint8_t kNotKnown = 0xff;
 
+/** The line of a cast, for polyhedra. Apart from what every cast has, which stays small so. */
+struct CastLine {
+  Shear shear;
+  uint32_t pierced = 0;  // after a look of kLines: the triangles of the cell that it pierces outwards
+};
+
 /** What the planes of a cell say about the target, or its triangles about the line. */
 struct Look {
   uint8_t facets;  // kPlanes: with the target outside. kBox: pierced outwards, or kNotKnown
   uint8_t second;  // kBox, of these: through the second triangle
   LookKind kind;
-  bool settled;          // kBox: at most one facet is pierced, for certain. kLines: the filter settled all triangles
-  uint32_t pierced = 0;  // kLines: triangles that the line pierces outwards
+  bool settled;  // kBox: at most one facet is pierced, for certain. kLines: the filter settled all triangles
 
   bool may_leave() const { return facets != 0; }
 
@@ -48,10 +53,11 @@ struct Look {
   template <class Tally>
   static Look of_lines(const LineExits& exits, const Shape& shape, Tally& tally) {
     tally.tests(shape.edge_count());
-    return {kNotKnown, 0, LookKind::kLines, exits.sure, exits.pierced};
+    return {kNotKnown, 0, LookKind::kLines, exits.sure};
   }
   static Look of_nothing() { return {kNotKnown, 0, LookKind::kNothing, false}; }
 };
+static_assert(sizeof(Look) == 4);
 
 template <int D, class Tally>
 class ExitFinder {
@@ -60,14 +66,14 @@ class ExitFinder {
       : env_(env), map_(env.map), p_(p), q_(q), tally_(tally) {}
 
   /** From p to q. In the plane there are no cells that ask for it. */
-  Shear line() const noexcept {
-    if constexpr (D == 3) return {p_, q_};
+  CastLine line() const noexcept {
+    if constexpr (D == 3) return {{p_, q_}};
     return {};
   }
 
   /** The first half of finding the exit: all planes of a cell that has a kernel, without a branch on their signs. `line`: from p to
    * q; may be unwritten where no cell is of general shape. */
-  DSW_HOT Look look(Cell c, const Entry& entry, const Shear& line) noexcept {
+  DSW_HOT Look look(Cell c, const Entry& entry, CastLine& line) noexcept {
     const uint32_t* w = map_.record(c);
     const Form form = form_of(w[0]);
     if constexpr (D == 3) {
@@ -89,18 +95,22 @@ class ExitFinder {
       }
       if (form == Form::kGeneral) {
         const Shape shape = map_.general_shape(w[0]);
-        if (has_line_exits(shape)) return Look::of_lines(look_along(w, shape, line), shape, tally_);
+        if (has_line_exits(shape)) {
+          const LineExits exits = look_along(w, shape, line.shear);
+          line.pierced = exits.pierced;
+          return Look::of_lines(exits, shape, tally_);
+        }
       }
     }
     return Look::of_nothing();
   }
 
-  /** The second half: which facet it is. `forecast`: a facet to ask first, where that saves asking the others. */
-  DSW_HOT Exit choose(Cell c, const Look& look, const Entry& entry, uint32_t forecast) noexcept {
+  /** The second half, with the same line: which facet it is. `forecast`: a facet to ask first, where that saves asking the others. */
+  DSW_HOT Exit choose(Cell c, const Look& look, const CastLine& line, const Entry& entry, uint32_t forecast) noexcept {
     if constexpr (D == 3) {
       if (look.kind == LookKind::kPlanes) return exit_flat(c, look.facets);
       if (look.kind == LookKind::kBox) return exit_box(map_.record(c), look, entry);
-      if (look.kind == LookKind::kLines && look.settled && look.pierced != 0) return exit_along(c, look.pierced, entry);
+      if (look.kind == LookKind::kLines && look.settled && line.pierced != 0) return exit_along(c, line.pierced, entry);
     }
     if (map_.convex(c)) return apart().exit_many_flat(c, forecast);
     return apart().exit_many(c, entry);
@@ -113,7 +123,11 @@ class ExitFinder {
     if constexpr (D == 3) {
       if (form_of(w[0]) == Form::kSimplex) return outside_tetrahedron(env_, w, q_, 0, uncounted_) == 0;
     }
-    if (!map_.convex(c)) return choose(c, look(c, Entry{}, line()), Entry{}, kNoFacet).facet == kStays;
+    if (!map_.convex(c)) {
+      CastLine along = line();
+      const Look seen = look(c, Entry{}, along);
+      return choose(c, seen, along, Entry{}, kNoFacet).facet == kStays;
+    }
     const Shape shape = map_.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const double* points[D];

@@ -79,7 +79,7 @@ class Walkers {
     static constexpr CastResult kFresh{};
     new (results_ + i) CastResult(kFresh);
     results_[i].cell = requests_[i].start;
-    if (D == 3 && has_polyhedra_) new (lines_ + i) Shear(finder(i).line());
+    if (D == 3 && has_polyhedra_) new (lines_ + i) CastLine(finder(i).line());
   }
 
   /** Keeps the casts that may leave where they start. */
@@ -192,7 +192,7 @@ class Walkers {
   /** Whether it does, and where to. */
   DSW_HOT bool leave(uint32_t i, const Entry& entry, uint32_t forecast) noexcept {
     const Cell cell = results_[i].cell;
-    const Exit exit = finder(i).choose(cell, looks_[i], entry, forecast);
+    const Exit exit = finder(i).choose(cell, looks_[i], lines_[i], entry, forecast);
     flight(i).exit = exit;
     if (exit.facet == kStays) return false;
     const HalfFacet at = map_.half_facet(cell, exit.facet);
@@ -226,7 +226,7 @@ class Walkers {
       return false;
     }
     prefetch_vertices(env_, next);
-    prefetch_local_points(env_, next);
+    if (D == 3 && has_polyhedra_) prefetch_local_points(env_, next);
     if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, f.exit.simplex, next);
     f.entry = {(f.visited & visit_bit(next)) != 0, result.cell, f.exit.simplex, o};
     f.visited |= visit_bit(next);
@@ -246,7 +246,7 @@ class Walkers {
     Flight flights_[kWave];
   };
   union {
-    Shear lines_[kWave];  // where there are polyhedra
+    CastLine lines_[kWave];  // where there are polyhedra
   };
   Look looks_[kWave];
   uint8_t active_[kWave];
