@@ -1,7 +1,5 @@
 #include "environment/local_points.h"
 
-#include <limits>
-
 #include "map/integrity.h"
 
 namespace dsw {
@@ -11,14 +9,14 @@ void keep_local_points(Environment<3>& env) {
   for_each_cell(env.map, [&](Cell c) {
     if (env.map.form(c) != Form::kGeneral) return;
     const uint32_t count = env.map.vertices_of(c), units = record_units(env.map, env.map.record(c)[0]);
-    float* const out = env.local_points.data() + size_t{c.unit} * kUnitWords;
-    if (count > kMostLocalPoints || 3 * count > units * kUnitWords) {
-      *out = std::numeric_limits<float>::infinity();
-      return;
-    }
+    float* out = env.local_points.data() + size_t{c.unit} * kUnitWords;
+    const bool fits = count <= kMostLocalPoints && kOriginWords + 3 * (count - 1) <= units * kUnitWords;
+    constexpr double kNone[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     const double* const origin = env.point(c, 0);
-    for (uint32_t v = 0; v < count; ++v) {
-      for (uint32_t k = 0; k < 3; ++k) out[k * count + v] = static_cast<float>(env.point(c, v)[k] - origin[k]);
+    std::memcpy(out, fits ? origin : kNone, sizeof kNone);
+    out += kOriginWords;
+    for (uint32_t k = 0; fits && k < 3; ++k) {
+      for (uint32_t v = 1; v < count; ++v) *out++ = static_cast<float>(env.point(c, v)[k] - origin[k]);
     }
   });
 }

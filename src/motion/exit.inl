@@ -30,7 +30,7 @@ constexpr uint8_t kNotKnown = 0xff;
 /** The line of a cast, for polyhedra. Apart from what every cast has, which stays small so. */
 struct CastLine {
   Shear shear;
-  uint32_t pierced = 0;  // after a look of kLines: the triangles of the cell that it pierces outwards
+  uint32_t pierced = 0, passed = 0;  // after a look of kLines, see LineExits
 };
 
 /** What the planes of a cell say about the target, or its triangles about the line. */
@@ -52,8 +52,9 @@ struct Look {
   }
   template <class Tally>
   static Look of_lines(const LineExits& exits, const Shape& shape, Tally& tally) {
-    tally.tests(shape.edge_count());
-    return {kNotKnown, 0, LookKind::kLines, exits.sure};
+    tally.tests(shape.edge_count() + static_cast<uint32_t>(__builtin_popcount(exits.ahead | exits.passed)));
+    const bool stays = exits.sure && exits.pierced != 0 && exits.ahead == exits.pierced;
+    return {static_cast<uint8_t>(stays ? 0 : kNotKnown), 0, LookKind::kLines, exits.sure};
   }
   static Look of_nothing() { return {kNotKnown, 0, LookKind::kNothing, false}; }
 };
@@ -98,6 +99,7 @@ class ExitFinder {
         if (has_line_exits(shape)) {
           const LineExits exits = look_along(w, shape, line.shear);
           line.pierced = exits.pierced;
+          line.passed = exits.passed;
           return Look::of_lines(exits, shape, tally_);
         }
       }
@@ -110,7 +112,7 @@ class ExitFinder {
     if constexpr (D == 3) {
       if (look.kind == LookKind::kPlanes) return exit_flat(c, look.facets);
       if (look.kind == LookKind::kBox) return exit_box(map_.record(c), look, entry);
-      if (look.kind == LookKind::kLines && look.settled && line.pierced != 0) return exit_along(c, line.pierced, entry);
+      if (look.kind == LookKind::kLines && look.settled && line.pierced != 0) return exit_along(c, line, entry);
     }
     if (map_.convex(c)) return apart().exit_many_flat(c, forecast);
     return apart().exit_many(c, entry);
@@ -299,13 +301,16 @@ class ExitFinder {
 
   /** Of the triangles that the line pierces outwards: a segment that is in the cell can leave it nowhere else, so of a single one
    * nothing but the target is asked. */
-  DSW_HOT Exit exit_along(Cell c, uint32_t pierced, const Entry& entry) noexcept {
+  DSW_HOT Exit exit_along(Cell c, const CastLine& line, const Entry& entry) noexcept {
+    const uint32_t pierced = line.pierced;
     if (__builtin_expect((pierced & (pierced - 1)) != 0, 0)) return apart().earliest_of(c, pierced, entry);
     const Shape shape = map_.general_shape(map_.record(c)[0]);
     const uint32_t s = static_cast<uint32_t>(__builtin_ctz(pierced));
-    const double* points[D];
-    points_of(c, shape.simplices() + static_cast<uint32_t>(D) * s, points);
-    if (!is_outside(points, q_)) return {};
+    if ((line.passed >> s & 1u) == 0) {
+      const double* points[D];
+      points_of(c, shape.simplices() + static_cast<uint32_t>(D) * s, points);
+      if (!is_outside(points, q_)) return {};
+    }
     return exit_through(c, shape, s);
   }
 

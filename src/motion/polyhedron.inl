@@ -8,7 +8,8 @@ constexpr uint32_t kMostTriangles = 28;  // what a sphere with as many vertices 
 /** Triangles of a cell that the line from p to q pierces outwards. */
 struct LineExits {
   uint32_t pierced = 0;
-  bool sure = false;  // false: the filter could not settle all of them
+  bool sure = false;               // false: the filter could not settle all of them
+  uint32_t ahead = 0, passed = 0;  // of these, where it tells: pierced after q, or before
 };
 
 /** Where the vertices of a polyhedron stand behind its links, for every number of them; repeats the first one. */
@@ -34,18 +35,26 @@ inline bool has_line_exits(const Shape& shape) noexcept {
 /** The line from a cell's vertex 0 for single precision. With u = 2^-24, m over the stored coordinates and C those of vertex 0 on the
  * plane: a point X = (A_i - s_i A_k) + C_i meets five roundings and three of its inputs, together less than 8.1 u m + 2.1 u |C|; C itself
  * is off by 9 M / 2^53 with M over p -> vertex 0 (shear.h). With |X| <= N = 2 m + |C| that is e < 4.1 u N + 9 M / 2^53, and
- * X_i Y_j - X_j Y_i with its three roundings is off by 4 N e + 2 e^2 + 4 u N^2 < 20.4 u N^2 + 37 N M / 2^53 for e < N / 100. */
+ * X_i Y_j - X_j Y_i with its three roundings is off by 4 N e + 2 e^2 + 4 u N^2 < 20.4 u N^2 + 37 N M / 2^53 for e < N / 100.
+ * These sides are the weights, each at most 2 N^2, of a triangle's vertices where the line pierces it. The sum of weights times z, how far
+ * vertices lie ahead of q along the axis k, says whether q is passed before that. z = A_k + z_0 is at most Z = N + |z_0|, and off by
+ * 3 u Z + 2 M / 2^53. With five roundings the sum is off by (3 * 20.4 + 6 * 3 + 6 * 5) u N^2 Z + (3 * 37 N Z + 12 N^2) M / 2^53, less than four
+ * times the bound of a side and Z. */
 struct NearLine {
-  float slope_i, slope_j, i, j;  // of vertex 0
-  double offset, reach;          // |C| and M
+  float slope_i, slope_j, i, j, z;  // of vertex 0
+  float forward;                    // 1, or -1 where the line goes down the axis k
+  double offset, reach;             // |C| and M
 
-  DSW_HOT NearLine(const Shear& line, const double* vertex) noexcept {
+  DSW_HOT NearLine(const Shear& line, const LocalOrigin& vertex) noexcept {
     Shear shear = line;
-    const Shear::Point c = shear(vertex);
+    const Shear::Point c = shear(vertex.at);
     slope_i = static_cast<float>(line.slopes()[0]);
     slope_j = static_cast<float>(line.slopes()[1]);
     i = static_cast<float>(c.i);
     j = static_cast<float>(c.j);
+    forward = line.turned() ? -1.0f : 1.0f;
+    const double along = vertex.at[line.k()] - line.from()[line.k()];
+    z = static_cast<float>((line.turned() ? -along : along) - line.largest());
     offset = std::max(std::fabs(c.i), std::fabs(c.j));
     reach = shear.largest();
   }
@@ -53,17 +62,16 @@ struct NearLine {
   /** Whether products stay normal, and e is small. */
   DSW_HOT bool is_in_range(double m) const noexcept {
     const double n = 2 * m + offset;
-    return n > 1e-15 && n < 1e15 && reach * 0x1p-43 < n;
+    return n > 1e-10 && n < 1e10 && reach * 0x1p-43 < n;
   }
-  DSW_HOT float bound(double m) const noexcept {
+  DSW_HOT double bound(double m) const noexcept {
     const double n = 2 * m + offset;
-    return static_cast<float>(n * (0x1p-19 * n + 0x1p-47 * reach));
+    return n * (0x1p-19 * n + 0x1p-47 * reach);
+  }
+  DSW_HOT double bound_ahead(double m) const noexcept {
+    return 4 * bound(m) * (2 * m + offset + std::fabs(static_cast<double>(z)));
   }
 };
-
-inline const double* first_vertex(const Environment<3>& env, const uint32_t* w, const Shape& shape) noexcept {
-  return env.point(w[(shape.facet_count() + 6) / 7 * kUnitWords + 1]);
-}
 
 #if defined(DSW_ISA_AVX512)
 
@@ -163,7 +171,7 @@ DSW_HOT LineExits line_exits_of(const Environment<3>& env, const uint32_t* w, co
     settled |= (in | out) << first;
   }
   const uint32_t all = (1u << count) - 1;
-  return {pierced & all, (line.is_in_range(sheared.largest) ? settled & all : 0) == all};
+  return {pierced & all, (line.is_in_range(sheared.largest) ? settled & all : 0) == all, 0, 0};
 }
 
 /** For shapes that have_line_exits. */
@@ -197,22 +205,26 @@ __attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env,
                                                       const Shear& line) noexcept {
   const uint32_t vertices = shape.vertex_count(), count = shape.simplex_count();
   const float* const local = local_points(env, w);
-  const auto used = static_cast<__mmask16>((1u << vertices) - 1);
+  const auto used = static_cast<__mmask16>((1u << vertices) - 2);  // vertex 0 is 0
   const auto row = [&](int axis) __attribute__((always_inline)) {
-    return _mm512_maskz_loadu_ps(used, local + static_cast<uint32_t>(axis) * vertices);
+    return _mm512_maskz_loadu_ps(used, local + kOriginWords - 1 + static_cast<uint32_t>(axis) * (vertices - 1));
   };
   const __m512 x = row(line.i()), y = row(line.j()), z = row(line.k());
-  const NearLine near(line, first_vertex(env, w, shape));
+  const NearLine near(line, LocalOrigin(local));
   const __m512 most = _mm512_max_ps(_mm512_max_ps(_mm512_abs_ps(x), _mm512_abs_ps(y)), _mm512_abs_ps(z));
   const double m = static_cast<double>(_mm512_reduce_max_ps(most));
   const __m512 i =
       _mm512_add_ps(_mm512_sub_ps(x, _mm512_mul_ps(_mm512_set1_ps(near.slope_i), z)), _mm512_set1_ps(near.i));
   const __m512 j =
       _mm512_add_ps(_mm512_sub_ps(y, _mm512_mul_ps(_mm512_set1_ps(near.slope_j), z)), _mm512_set1_ps(near.j));
-  const __m512 bound = _mm512_set1_ps(near.bound(m)), minus_bound = _mm512_set1_ps(-near.bound(m));
+  const __m512 ahead = _mm512_add_ps(_mm512_mul_ps(_mm512_set1_ps(near.forward), z), _mm512_set1_ps(near.z));
+  const auto side_bound = static_cast<float>(near.bound(m)), sum_bound = static_cast<float>(near.bound_ahead(m));
+  const auto greater = [](__m512 a, float b) { return _mm512_cmp_ps_mask(a, _mm512_set1_ps(b), _CMP_GT_OQ); };
+  const auto less = [](__m512 a, float b) { return _mm512_cmp_ps_mask(a, _mm512_set1_ps(b), _CMP_LT_OQ); };
+  LineExits exits;
   const uint64_t pairs = (uint64_t{1} << (3 * count + 1) / 2) - 1;
   const uint16_t* const corners = shape.simplices();
-  uint32_t pierced = 0, settled = 0;
+  uint32_t settled = 0;
   for (uint32_t first = 0; first < count; first += 16) {
     const uint64_t here = pairs >> 3 * first / 2;
     const __m512i low = _mm512_maskz_loadu_epi32(static_cast<__mmask16>(here & 0xffffu), corners + 3 * first);
@@ -224,15 +236,21 @@ __attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env,
     const __m512i a = pick(0), b = pick(1), c = pick(2);
     const __m512 ai = _mm512_permutexvar_ps(a, i), aj = _mm512_permutexvar_ps(a, j), bi = _mm512_permutexvar_ps(b, i),
                  bj = _mm512_permutexvar_ps(b, j), ci = _mm512_permutexvar_ps(c, i), cj = _mm512_permutexvar_ps(c, j);
-    const __m512 lowest =
-        _mm512_min_ps(_mm512_min_ps(side(ai, aj, bi, bj), side(bi, bj, ci, cj)), side(ci, cj, ai, aj));
-    const uint32_t in = _mm512_cmp_ps_mask(lowest, bound, _CMP_GT_OQ);
-    const uint32_t out = _mm512_cmp_ps_mask(minus_bound, lowest, _CMP_GT_OQ);
-    pierced |= in << first;
+    const __m512 ab = side(ai, aj, bi, bj), bc = side(bi, bj, ci, cj), ca = side(ci, cj, ai, aj);
+    const __m512 lowest = _mm512_min_ps(_mm512_min_ps(ab, bc), ca);
+    const __m512 sum = _mm512_add_ps(_mm512_add_ps(_mm512_mul_ps(bc, _mm512_permutexvar_ps(a, ahead)),
+                                                   _mm512_mul_ps(ca, _mm512_permutexvar_ps(b, ahead))),
+                                     _mm512_mul_ps(ab, _mm512_permutexvar_ps(c, ahead)));
+    const uint32_t in = greater(lowest, side_bound), out = less(lowest, -side_bound);
+    exits.pierced |= in << first;
+    exits.ahead |= (in & greater(sum, sum_bound)) << first;
+    exits.passed |= (in & less(sum, -sum_bound)) << first;
     settled |= (in | out) << first;
   }
   const uint32_t all = (1u << count) - 1;
-  return {pierced & all, near.is_in_range(m) && (settled & all) == all};
+  exits.pierced &= all, exits.ahead &= all, exits.passed &= all;
+  exits.sure = near.is_in_range(m) && (settled & all) == all;
+  return exits;
 }
 
 #else
@@ -246,7 +264,7 @@ __attribute__((noinline)) inline LineExits line_exits(const Environment<3>& env,
   Shear::Point corners[kMostCorners];
   for (uint32_t v = 0; v < shape.vertex_count(); ++v) corners[v] = shear(env.point(vertices[words[v]]));
   const double bound = Shear::bound(shear.largest());
-  LineExits exits{0, shear.is_in_range(shear.largest())};
+  LineExits exits{0, shear.is_in_range(shear.largest()), 0, 0};
   for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
     const uint16_t* const local = shape.simplices() + 3 * s;
     const Shear::Point &a = corners[local[0]], &b = corners[local[1]], &c = corners[local[2]];
@@ -262,23 +280,30 @@ __attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env,
                                                       const Shear& line) noexcept {
   const uint32_t count = shape.vertex_count();
   const float* const local = local_points(env, w);
-  const NearLine near(line, first_vertex(env, w, shape));
-  const float *const x = local + static_cast<uint32_t>(line.i()) * count,
-                     *const y = local + static_cast<uint32_t>(line.j()) * count,
-                     *const z = local + static_cast<uint32_t>(line.k()) * count;
-  float i[kMostCorners], j[kMostCorners], most = 0;
-  for (uint32_t v = 0; v < count; ++v) {
+  const NearLine near(line, LocalOrigin(local));
+  const auto row = [&](int axis) { return local + kOriginWords - 1 + static_cast<uint32_t>(axis) * (count - 1); };
+  const float *const x = row(line.i()), *const y = row(line.j()), *const z = row(line.k());
+  float i[kMostCorners] = {near.i}, j[kMostCorners] = {near.j}, ahead[kMostCorners] = {near.z}, most = 0;
+  for (uint32_t v = 1; v < count; ++v) {
     most = std::max(most, std::max(std::max(std::fabs(x[v]), std::fabs(y[v])), std::fabs(z[v])));
     i[v] = (x[v] - near.slope_i * z[v]) + near.i;
     j[v] = (y[v] - near.slope_j * z[v]) + near.j;
+    ahead[v] = near.forward * z[v] + near.z;
   }
-  const float bound = near.bound(static_cast<double>(most));
-  LineExits exits{0, near.is_in_range(static_cast<double>(most))};
+  const double m = static_cast<double>(most);
+  const auto bound = static_cast<float>(near.bound(m)), sum_bound = static_cast<float>(near.bound_ahead(m));
+  LineExits exits;
+  exits.sure = near.is_in_range(m);
   const auto side = [&](uint32_t a, uint32_t b) { return i[a] * j[b] - j[a] * i[b]; };
   for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
     const uint16_t* const t = shape.simplices() + 3 * s;
-    const float lowest = std::min(std::min(side(t[0], t[1]), side(t[1], t[2])), side(t[2], t[0]));
-    exits.pierced |= (lowest > bound ? 1u : 0u) << s;
+    const float ab = side(t[0], t[1]), bc = side(t[1], t[2]), ca = side(t[2], t[0]);
+    const float lowest = std::min(std::min(ab, bc), ca);
+    const float sum = (bc * ahead[t[0]] + ca * ahead[t[1]]) + ab * ahead[t[2]];
+    const uint32_t in = lowest > bound ? 1 : 0;
+    exits.pierced |= in << s;
+    exits.ahead |= (sum > sum_bound ? in : 0) << s;
+    exits.passed |= (sum < -sum_bound ? in : 0) << s;
     exits.sure &= std::fabs(lowest) > bound;
   }
   return exits;

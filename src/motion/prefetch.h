@@ -32,13 +32,17 @@ inline void prefetch_vertices(const Environment<D>& env, Cell c) noexcept {
   for (int i = 0; i <= D; ++i) __builtin_prefetch(env.point(w[i] & kVertexMask));
 }
 
-/** Those of a polyhedron, as many as most have. */
+/** What a look at a polyhedron reads, as far as most have it: local points, and of the shape counts and triangles. The record is read. */
 template <int D>
-inline void prefetch_local_points(const Environment<D>& env, Cell c) noexcept {
+inline void prefetch_polyhedron(const Environment<D>& env, Cell c) noexcept {
+  const uint32_t word = env.map.record(c)[0];
+  if (form_of(word) != Form::kGeneral) return;
+  constexpr uint32_t kLine = 64, kTriangles = 462;  // where those of a sphere of 16 triangles begin, in bytes
+  const auto* const table = reinterpret_cast<const char*>(env.map.general_shape(word).table());
+  for (const uint32_t at : {0u, kTriangles, kTriangles + kLine}) __builtin_prefetch(table + at);
   if (env.local_points.empty()) return;
-  const float* const local = env.local_points.data() + size_t{c.unit} * kUnitWords;
-  __builtin_prefetch(local);
-  __builtin_prefetch(local + kUnitWords * 2);
+  const auto* const local = reinterpret_cast<const char*>(env.local_points.data() + size_t{c.unit} * kUnitWords);
+  for (const uint32_t at : {0u, kLine, 2 * kLine}) __builtin_prefetch(local + at);
 }
 
 /** What is known of a cell of moving points, and its vertices. The record is read. */

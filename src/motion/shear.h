@@ -62,6 +62,8 @@ class Shear {
   int i() const noexcept { return i_; }
   int j() const noexcept { return j_; }
   int k() const noexcept { return k_; }
+  /** Whether the line goes down the axis k. */
+  bool turned() const noexcept { return turned_; }
   /** The axes i, j and k by their order: 0 1 2 is order 4. */
   int order() const noexcept { return 2 * k_ + (turned_ ? 1 : 0); }
   /** Those of i and j, one after the other. */

@@ -226,7 +226,7 @@ class Walkers {
       return false;
     }
     prefetch_vertices(env_, next);
-    if (D == 3 && has_polyhedra_) prefetch_local_points(env_, next);
+    if (D == 3 && has_polyhedra_) prefetch_polyhedron(env_, next);
     if (request.crossing != nullptr) request.crossing(request.crossing_user, result.cell, f.exit.simplex, next);
     f.entry = {(f.visited & visit_bit(next)) != 0, result.cell, f.exit.simplex, o};
     f.visited |= visit_bit(next);
