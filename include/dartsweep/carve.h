@@ -5,7 +5,8 @@
  * dsw_environment_get_cut_faces, dsw_environment_get_whole_volumes.
  *
  * Both surfaces are triangles, thought of as shifted by one infinitesimal, so that every answer to what they cross and hold is exact and
- * none is degenerate. They may pass through vertices, along edges and faces, through themselves, and leave the environment.
+ * none is degenerate. They may pass through vertices, along edges and faces, through themselves, and leave the environment. Volumes of a
+ * bent environment that are invalid then count as impassable, and are neither carved nor looked through.
  */
 #ifndef DARTSWEEP_CARVE_H
 #define DARTSWEEP_CARVE_H

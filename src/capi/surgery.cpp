@@ -23,7 +23,7 @@ dsw::Blade read_blade(const dsw::Memory* memory, const dsw_cut_desc& d) {
   const size_t count = size_t{d.rows} * d.columns;
   const dsw::PointArray points = capi::to_points(d.points, count, d.point_stride_bytes, "desc->points");
   dsw::check_finite(points, count, 3, {"desc->points", true});
-  return dsw::Blade::swept(memory, points, d.rows, d.columns);
+  return dsw::Blade::of_grid(memory, points, d.rows, d.columns);
 }
 
 dsw::CutSettings read_settings(const dsw_cut_desc& d) {

@@ -17,7 +17,7 @@ Vec nearest_on_segment(const Vec& a, const Vec& b) {
 Blade::Blade(const Memory* memory, PointArray points, uint32_t point_count)
     : points_(points), point_count_(point_count), triangles_(Allocator<Triangle>(memory)) {}
 
-Blade Blade::swept(const Memory* memory, PointArray points, uint32_t rows, uint32_t columns) {
+Blade Blade::of_grid(const Memory* memory, PointArray points, uint32_t rows, uint32_t columns) {
   Blade blade(memory, points, rows * columns);
   blade.triangles_.reserve(size_t{2} * (rows - 1) * (columns - 1));
   for (uint32_t first = 0; first + columns < rows * columns; ++first) {

@@ -18,7 +18,7 @@ class Blade {
 
   /** A chain of `columns` points at `rows` places, row after row: of each four neighbours, the triangle before the diagonal from the first
    * to the last, and that behind it. */
-  static Blade swept(const Memory* memory, PointArray points, uint32_t rows, uint32_t columns);
+  static Blade of_grid(const Memory* memory, PointArray points, uint32_t rows, uint32_t columns);
   /** Three points each. */
   static Blade of_triangles(const Memory* memory, PointArray points, uint32_t point_count, const uint32_t* corners,
                             uint32_t triangle_count);
