@@ -1,5 +1,6 @@
 /** @file surgery.h
- * What a surgeon or an engineer asks of an environment: a cut along the surface that a blade sweeps, tears, and pieces that come off. Each is made of the basic operations of
+ * What a surgeon or an engineer asks of an environment: a cut along the surface that a blade sweeps, tears, cracks that open, and pieces
+ * that come off. Each is made of the basic operations of
  * topology.h as one change; what is said there of ids, labels, marks, particles, bodies and threads holds here, and
  * dsw_environment_get_volume_changes lists what became of what.
  *
@@ -131,7 +132,7 @@ typedef struct dsw_open_desc {
 typedef struct dsw_open_report {
   double smallest_width, largest_width; /**< Distance of the two copies of a vertex, rounded; 0 if none came apart. Scene units. */
   uint32_t vertices_parted;    /**< Vertices that came apart. */
-  uint32_t vertices_shortened; /**< Of these those that could not go all of the way. */
+  uint32_t vertices_shortened; /**< Of these those that came apart by less than the width asked for. */
   uint32_t faces_opened;       /**< Faces that opened, which is how many volumes were added. */
   uint32_t volumes_changed;    /**< Volumes at vertices that came apart. */
 } dsw_open_report;
@@ -144,10 +145,11 @@ DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
  * sewn to both lips, unless the faces are marked, and to each other. Gap volumes are wedges, pyramids and tetrahedra where the gap ends.
  *
  * A vertex of the crack comes apart where the crack leaves the volumes round it in two; it does not where the crack ends inside of the material,
- * where three cracks meet, or where other volumes touch it that are joined with none of these through faces. Its copies go half of `width` each, along the
- * crack's mean normal there and against it, and half as far, again and again, until all volumes are valid, exactly; below 1/4096 of
- * `width` the vertex stays one. A face with no such vertex stays as it was. At the outer boundary the gap is open to the outside, and the
- * boundary moves with its vertices.
+ * where three cracks meet, or where other volumes touch it that are joined with none of these through faces. Its copies go half of `width`
+ * each, along the crack's mean normal there and against it; where volumes would not be valid then, exactly, or the outer boundary would fold, half as far, again
+ * and again, and the other copy goes further. Where both come to nothing (1/4096 of their ways) the vertex stays one. A face with no
+ * vertex that comes apart stays as it was. At the outer boundary the gap is open to the outside, and the boundary moves with its
+ * vertices.
  *
  * Where a crack between impassable volumes ends at passable ones (tissue in air, or an earlier gap), the gap opens into these: the volumes at
  * the rim's vertices are parted there by a line of edges between the two copies, and one volume at each edge of the rim gets a face in its

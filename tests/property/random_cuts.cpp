@@ -59,7 +59,13 @@ dsw_status RandomEdits::cut() {
   desc.snap = snaps[rng_.below(4)];
   if (rng_.chance(0.7)) desc.start = volume_id(env().map, some_cell());
   may_change_ = true;
-  return dsw_environment_cut(place_.get(), &desc, nullptr);
+  const dsw_status status = dsw_environment_cut(place_.get(), &desc, nullptr);
+  if (status != DSW_STATUS_OK || desc.flags == 0) return status;
+  const dsw_cut_face *faces = nullptr;
+  size_t count = 0;
+  dsw_environment_get_cut_faces(place_.get(), &faces, &count);
+  for (size_t i = 0; i < count; ++i) unsewn_.push_back({faces[i].front, faces[i].back});
+  return status;
 }
 
 dsw_status RandomEdits::carve() {

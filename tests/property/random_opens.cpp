@@ -1,4 +1,4 @@
-// Cracks that open: between the volumes on two sides of a plane near by, and those that unsewing has left.
+// Cracks that open: between the volumes on two sides of a plane near by, and those that cuts and unsewing have left.
 #include <algorithm>
 #include <set>
 
@@ -42,10 +42,12 @@ std::vector<dsw_cut_face> RandomEdits::some_crack() {
 
 dsw_status RandomEdits::open() {
   const Map<3>& map = env().map;
-  std::vector<dsw_cut_face> faces = some_crack();
+  std::vector<dsw_cut_face> faces;
+  if (rng_.chance(0.6)) faces = some_crack();
+  const double share = rng_.chance(0.6) ? 1 : 0.7;
   for (const auto& pair : unsewn_) {
     const auto is_alive = [&](dsw_face_id f) { return map.is_alive(f.volume, f.generation); };
-    if (!is_alive(pair[0]) || !is_alive(pair[1]) || !rng_.chance(0.5)) continue;
+    if (!is_alive(pair[0]) || !is_alive(pair[1]) || !rng_.chance(share)) continue;
     const HalfFacet h = map.half_facet(map.cell(pair[0].volume), pair[0].local);
     if (!map.opposite(h).valid()) faces.push_back({pair[0], pair[1]});
   }
