@@ -51,7 +51,7 @@ dsw_status RandomEdits::open() {
     const HalfFacet h = map.half_facet(map.cell(pair[0].volume), pair[0].local);
     if (!map.opposite(h).valid()) faces.push_back({pair[0], pair[1]});
   }
-  const double widths[] = {1e-9, 0.01, 0.1, 1, 1e30};
+  const double widths[] = {1e-9, 0.01, 0.1, 1, 10};
   dsw_open_desc desc;
   dsw_open_desc_init(&desc, sizeof desc);
   desc.faces = faces.data();
