@@ -117,24 +117,22 @@ DSW_API dsw_status dsw_environment_get_whole_volumes(const dsw_environment *envi
 
 /** Describes how a crack opens. The array is read in place, once; nothing is retained. */
 typedef struct dsw_open_desc {
-  uint32_t struct_size; /**< sizeof(dsw_open_desc). */
-  uint32_t flags;       /**< 0. */
-  const dsw_cut_face
-      *faces;        /**< The crack, as dsw_environment_get_cut_faces gives it: two faces on the outer boundary that lie
-                                  on each other, of two volumes; or one face between two volumes, named from any sides. */
-  size_t face_count; /**< How many. */
-  double width;      /**< Above 0: how far the two copies of a vertex come apart. Scene units. */
-  int32_t
-      region; /**< Label of the volumes in the gap. Not 0: other passable volumes with this label are space, into which
-                                  the crack opens, as passable ones beside a crack between impassable ones always are. */
-  uint32_t tag; /**< Host tag of the volumes in the gap. */
+  uint32_t struct_size;      /**< sizeof(dsw_open_desc). */
+  uint32_t flags;            /**< 0. */
+  const dsw_cut_face *faces; /**< The crack, as dsw_environment_get_cut_faces gives it: two faces on the outer boundary
+                                  that lie on each other, of two volumes; or an inner face, named from any sides. */
+  size_t face_count;         /**< How many. */
+  double width;              /**< Above 0: how far the two copies of a vertex come apart. Scene units. */
+  int32_t region; /**< Label of the volumes in the gap. Not 0: other passable volumes with this label are space into
+                       which the crack opens, as passable ones beside impassable lips always are. */
+  uint32_t tag;   /**< Host tag of the volumes in the gap. */
 } dsw_open_desc;
 
-/** What opening a crack did. */
+/** What opening a crack did. Widths are distances of the two copies of a vertex, rounded, in scene units; 0 if none came apart. */
 typedef struct dsw_open_report {
-  double smallest_width,
-      largest_width;        /**< Distance of the two copies of a vertex, rounded; 0 if none came apart. Scene units. */
-  uint32_t vertices_parted; /**< Vertices that came apart. */
+  double smallest_width;
+  double largest_width;
+  uint32_t vertices_parted;    /**< Vertices that came apart. */
   uint32_t vertices_shortened; /**< Of these those that came apart by less than the width asked for. */
   uint32_t faces_opened;       /**< Faces that opened, which is how many volumes were added. */
   uint32_t volumes_changed;    /**< Volumes at vertices that came apart. */
