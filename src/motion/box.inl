@@ -136,3 +136,16 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   exits.sure = reach.in_range() && (exits.candidates & ~lines.settled) == 0;
   return exits;
 }
+
+/** Whether a hexahedron with this centre is so clearly valid that the filter sees it, as is_plainly_valid in environment/validity.cpp asks. */
+inline bool is_plainly_valid(const Environment<3>& env, const uint32_t* w, const double* apex) noexcept {
+  const BoxVertices v(env.points, w + kUnitWords, apex);
+  const Points c0 = corner<0>(v), c1 = corner<1>(v), c2 = corner<2>(v), c3 = corner<3>(v);
+  const Points across02 = cross(c0, c2), across13 = cross(c1, c3);
+  const Lanes bound = Lanes::all(v.extent.bound()), minus_bound = Lanes::all(0) - bound;
+  const uint32_t positive =
+      Lanes::bits(Lanes::greater(dot(across02, c3), bound)) & Lanes::bits(Lanes::greater(dot(across13, c0), bound));
+  const uint32_t negative = Lanes::bits(Lanes::greater(minus_bound, dot(across02, c1))) &
+                            Lanes::bits(Lanes::greater(minus_bound, dot(across13, c2)));
+  return v.extent.in_range() && (positive & negative & kAllFacets) == kAllFacets;
+}

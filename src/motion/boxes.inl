@@ -159,6 +159,7 @@ __attribute__((noinline)) inline void WarpedBoxExits::look(const double* points,
                                    _mm256_test_epi32_mask(cuts, _mm256_set1_epi32(1 << f)));
     least.v = _mm512_min_pd(least.v, _mm512_min_pd(_mm512_abs_pd(quads.first.v), _mm512_abs_pd(quads.second.v)));
     const uint32_t out1 = Lanes::greater(quads.first, bound), out2 = Lanes::greater(quads.second, bound);
+    if ((out1 | out2) == 0) continue;  // a wrong guess costs less than line tests that nobody needs
     const Piercings lines = pierce(quads, out1, out2, back, line_bound);
     pierced_sets.add(f, lines.pierced);
     second_sets.add(f, lines.second);

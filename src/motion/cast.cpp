@@ -67,6 +67,10 @@ bool sees_all(const Environment<3>& env, Cell cell, const double* point, CastCou
   return kWalk<3>.sees_all(env, cell, point);
 }
 
+bool admits_with_centre(const Environment<3>& env, Cell cell, double* centre) noexcept {
+  return kWalk<3>.admits_with_centre(env, cell, centre);
+}
+
 template <int D>
 double crossing_time(const Environment<D>& env, Cell cell, uint32_t simplex, const double* from,
                      const double* to) noexcept {

@@ -86,6 +86,9 @@ bool contains(const Environment<D>& env, Cell cell, const double* point) noexcep
  * it to any other point of the cell lies in the cell. False for cells of other forms. */
 bool sees_all(const Environment<3>& env, Cell cell, const double* point, CastCounters* counters) noexcept;
 
+/** As `admits`; gives the cell's centre, too. Looking at a hexahedron of moving points takes half the time. */
+bool admits_with_centre(const Environment<3>& env, Cell cell, double* centre) noexcept;
+
 /** Largest double not later than the time at which the segment crosses simplex `simplex` of `cell`. */
 template <int D>
 double crossing_time(const Environment<D>& env, Cell cell, uint32_t simplex, const double* from,

@@ -46,6 +46,7 @@ struct Walk {
                   CastCounters* counters) noexcept;
   bool (*contains)(const Environment<D>& env, Cell cell, const double* centre, const double* point) noexcept;
   bool (*sees_all)(const Environment<D>& env, Cell cell, const double* point) noexcept;
+  bool (*admits_with_centre)(const Environment<D>& env, Cell cell, double* centre) noexcept;
 };
 
 template <int D>

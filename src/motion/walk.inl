@@ -19,6 +19,29 @@ constexpr uint32_t kAbreast = 8;  // casts that are looked at together
  * suspicion, which costs a comparison of times and nothing else. */
 inline uint64_t visit_bit(Cell c) { return uint64_t{1} << ((c.unit * 0x9e3779b1u) >> 26); }
 
+/** As find_out_validity, with the cell's centre. */
+template <int D>
+bool find_out_validity(const Environment<D>& env, Cell c, const double* apex) noexcept {
+  if constexpr (D == 3) {
+    const uint32_t* const w = env.map.record(c);
+    if (form_of(w[0]) == Form::kBox && is_plainly_valid(env, w, apex)) {
+      env.checked.note(env.map.index(c), CheckedCells::Known::kValid);
+      return true;
+    }
+  }
+  return dsw::find_out_validity(env, c);
+}
+
+/** As admits; gives the cell's centre, too. */
+template <int D>
+bool admits_with_centre(const Environment<D>& env, Cell c, double* apex) noexcept {
+  centre(env, c, apex);
+  if (!env.checked.active()) return true;
+  const CheckedCells::Known known = env.checked.known(env.map.index(c));
+  return known == CheckedCells::Known::kNothing ? find_out_validity(env, c, apex)
+                                                : known == CheckedCells::Known::kValid;
+}
+
 /** A cast that has left its first cell, or is about to. */
 struct Flight {
   Exit exit;
@@ -39,13 +62,15 @@ class Walkers {
         requests_(requests),
         results_(results),
         tally_(tally),
-        has_polyhedra_(!env.map.shape_offsets.empty()) {}
+        has_polyhedra_(!env.map.shape_offsets.empty()),
+        moving_(env.checked.active()) {}
 
   void run(uint32_t count) noexcept {
     count = begin_all(count);
     count = look_all<true>(count);
     count = keep(count, [&](uint32_t i) { return leave_first(i); });
     for (;;) {
+      if (moving_) prefetch_beyond(count);
       count = keep(count, [&](uint32_t i) { return enter(i); });
       if (count == 0) return;
       count = look_all<false>(count);
@@ -206,6 +231,23 @@ class Walkers {
     return true;
   }
 
+  /** As admits, where points move. */
+  __attribute__((noinline)) bool admits_moving(Cell c) noexcept {
+    const CheckedCells::Known known = env_.checked.known(map_.index(c));
+    if (known != CheckedCells::Known::kNothing) return known == CheckedCells::Known::kValid;
+    double apex[D];
+    centre(env_, c, apex);
+    return find_out_validity(env_, c, apex);
+  }
+
+  /** Asks for what is beyond the facets that casts leave through, where points move: nobody may have looked at it. */
+  void prefetch_beyond(uint32_t count) noexcept {
+    for (uint32_t k = 0; k < count; ++k) {
+      const HalfFacet o = {flight(active_[k]).link & ~kMarkBit};
+      if (o.valid()) prefetch_moving(env_, map_.cell_of(o));
+    }
+  }
+
   /** Whether it may come in there. */
   DSW_HOT bool enter(uint32_t i) noexcept {
     const CastRequest& request = requests_[i];
@@ -214,7 +256,7 @@ class Walkers {
     const HalfFacet o = {f.link & ~kMarkBit};
     const Cell next = o.valid() ? map_.cell_of(o) : Cell{};
     if (!o.valid() || (!request.through_walls && ((f.link & kMarkBit) != 0 || map_.marked(next))) ||
-        __builtin_expect(!admits(env_, next), 0)) {
+        __builtin_expect(moving_ && !admits_moving(next), 0)) {
       result.end = CastEnd::kHit;
       result.facet = f.at;
       result.simplex = f.exit.simplex;
@@ -242,7 +284,8 @@ class Walkers {
   CastResult* results_;
   Tally tally_;
   const bool has_polyhedra_;
-  union {  // constructs nothing
+  const bool moving_;  // points do
+  union {              // constructs nothing
     Flight flights_[kWave];
   };
   union {
@@ -280,5 +323,5 @@ bool sees_all(const Environment<D>& env, Cell cell, const double* point) noexcep
 }
 template <int D>
 Walk<D> this_walk() noexcept {
-  return {walk_plain<D>, walk_counted<D>, contains<D>, sees_all<D>};
+  return {walk_plain<D>, walk_counted<D>, contains<D>, sees_all<D>, admits_with_centre<D>};
 }

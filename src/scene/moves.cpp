@@ -90,7 +90,7 @@ void finish_one(const Scene<D>& scene, ParticleState<D>& state, const CastReques
   if (report != nullptr) report_move(scene.env, result, detail, report);
 }
 
-/** Casts of particles' moves, a wave at a time; `done(i, request, result)` is called for each in its order. */
+/** Casts of particles' moves, a wave at a time; `done(first, wave)` is called for each, in their order. */
 template <int D, class Done>
 void cast_particles(Scene<D>& scene, const dsw_particle_id* ids, PointArray targets, uint32_t max_cells,
                     bool with_crossings, size_t begin, size_t end, CastCounters* counters, const Done& done) noexcept {
@@ -108,7 +108,7 @@ void cast_particles(Scene<D>& scene, const dsw_particle_id* ids, PointArray targ
       if (with_crossings) writer.start(scene, begin, request);
     }
     wave.run(scene.env, counters);
-    for (uint32_t i = 0; i < wave.count(); ++i) done(first + i, wave.request(i), wave.result(i));
+    done(first, wave);
   }
 }
 
@@ -119,9 +119,9 @@ void prepare_crossings(Scene<D>& scene, const dsw_particle_id* ids, size_t count
                        uint32_t max_cells) {
   Array<size_t> first(count + 1, size_t{0}, scene.crossing_first.get_allocator());
   auto body = [&](size_t begin, size_t end) noexcept {
-    cast_particles(
-        scene, ids, targets, max_cells, false, begin, end, nullptr,
-        [&](size_t i, const CastRequest&, const CastResult& result) { first[i + 1] = result.cells_visited; });
+    cast_particles(scene, ids, targets, max_cells, false, begin, end, nullptr, [&](size_t at, const Wave<D>& wave) {
+      for (uint32_t i = 0; i < wave.count(); ++i) first[at + i + 1] = wave.result(i).cells_visited;
+    });
   };
   share_out(scene.parallel, count, body);
   for (size_t i = 0; i < count; ++i) first[i + 1] += first[i];
@@ -159,10 +159,11 @@ void move_checked(Scene<D>& scene, const dsw_particle_id* ids, size_t count, Poi
   if (scene.features.crossings) prepare_crossings(scene, ids, count, targets, options.max_cells);
   run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
     cast_particles(scene, ids, targets, options.max_cells, scene.features.crossings, begin, end,
-                   statistics == nullptr ? nullptr : &statistics->cast,
-                   [&](size_t i, const CastRequest& request, const CastResult& result) {
-                     finish_one(scene, scene.particles[ids[i].index], request, result, options.detail,
-                                flights == nullptr ? nullptr : flights + i, statistics);
+                   statistics == nullptr ? nullptr : &statistics->cast, [&](size_t first, const Wave<D>& wave) {
+                     for (uint32_t i = 0; i < wave.count(); ++i) {
+                       finish_one(scene, scene.particles[ids[first + i].index], wave.request(i), wave.result(i),
+                                  options.detail, flights == nullptr ? nullptr : flights + first + i, statistics);
+                     }
                    });
   });
 }
@@ -205,10 +206,13 @@ void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t cou
   prepare_statistics(scene, count);
   run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
     cast_particles(scene, ids, to, options.max_cells, false, begin, end,
-                   statistics == nullptr ? nullptr : &statistics->cast,
-                   [&](size_t i, const CastRequest& request, const CastResult& result) {
-                     if (statistics != nullptr) statistics->contacts += result.end == CastEnd::kHit ? 1 : 0;
-                     report_cast(scene.env, request, result, options.detail, flights + i);
+                   statistics == nullptr ? nullptr : &statistics->cast, [&](size_t first, const Wave<D>& wave) {
+                     dsw_flight* reports[kWave];
+                     for (uint32_t i = 0; i < wave.count(); ++i) {
+                       reports[i] = flights + first + i;
+                       if (statistics != nullptr && wave.result(i).end == CastEnd::kHit) ++statistics->contacts;
+                     }
+                     report_wave(scene.env, wave, options.detail, reports);
                    });
   });
 }

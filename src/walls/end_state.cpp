@@ -87,7 +87,7 @@ Went EndState::run_seats(const WallSettings& settings, WallRecord& record) {
   for (uint32_t k = 0; k < cells_.count(); ++k) prefetch_moving(env_, cells_[k]);
   for (uint32_t k = 0; k < cells_.count(); ++k) {
     const Cell c = cells_[k];
-    if (!admits(env_, c)) {
+    if (!admits_with_centre(env_, c, centres_[k])) {
       for (uint32_t i = 0, corners = env_.map.vertices_of(c); i < corners; ++i) {
         const uint32_t v = env_.map.vertex(c, i);
         if (!is_finite(env_.point(v))) fail_non_finite({env_.points, 3}, v, 3, {"next", true});
@@ -95,7 +95,6 @@ Went EndState::run_seats(const WallSettings& settings, WallRecord& record) {
       record.invalid.push_back(volume_id(env_.map, c));
       return Went::kInvalid;
     }
-    centre(env_, c, centres_[k]);
   }
   wave_.clear();
   for (size_t i = 0; i < points_.size(); ++i) {
