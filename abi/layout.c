@@ -136,7 +136,7 @@ SIZE(dsw_scene_desc, 8);
 AT(dsw_scene_desc, struct_size, 0);
 AT(dsw_scene_desc, features, 4);
 
-SIZE(dsw_statistics, 72);
+SIZE(dsw_statistics, 80);
 AT(dsw_statistics, struct_size, 0);
 AT(dsw_statistics, reserved, 4);
 AT(dsw_statistics, casts, 8);
@@ -147,6 +147,7 @@ AT(dsw_statistics, ties, 40);
 AT(dsw_statistics, forecast_hits, 48);
 AT(dsw_statistics, contacts, 56);
 AT(dsw_statistics, candidates, 64);
+AT(dsw_statistics, occupants_tested, 72);
 
 SIZE(dsw_sweep_options, 16);
 AT(dsw_sweep_options, struct_size, 0);

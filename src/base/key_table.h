@@ -1,7 +1,10 @@
 #pragma once
 // 64-bit keys, each once, numbered in the order of discovery, so that no result depends on a hash.
 
+#include <algorithm>
+
 #include "base/memory.h"
+#include "base/slot_pool.h"
 
 namespace dsw {
 
@@ -18,6 +21,11 @@ class KeyTable {
   /** The number of a key, or kNone. */
   uint32_t find(uint64_t key) const noexcept { return slots_[slot_of(key)]; }
 
+  /** Room for more keys: then inserting them cannot fail. Throws std::bad_alloc. */
+  void reserve(size_t more) {
+    reserve_more(keys_, more);
+    while (2 * (keys_.size() + more) >= slots_.size()) grow();
+  }
   /** The number of a key, which is new if it was size() before. Throws std::bad_alloc. */
   uint32_t insert(uint64_t key) {
     const size_t slot = slot_of(key);
@@ -27,6 +35,12 @@ class KeyTable {
     if (2 * keys_.size() >= slots_.size()) grow();
     return size() - 1;
   }
+
+  void clear() noexcept {
+    keys_.clear();
+    std::fill(slots_.begin(), slots_.end(), kNone);
+  }
+  uint64_t memory_bytes() const noexcept { return array_bytes(keys_) + array_bytes(slots_); }
 
  private:
   static constexpr size_t kFirstSlots = 64;

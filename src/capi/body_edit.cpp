@@ -64,7 +64,7 @@ dsw_status dsw_body_split_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge
     const capi::BodyAccess of(scene, body);
     const uint32_t e = capi::to_edge(of.body, edge, "edge");
     if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must lie between 0 and 1", share);
-    split_body_edge(of.scene, of.body, e, share, edit);
+    split_body_edge(of.scene, of.record, e, share, edit);
   });
 }
 
@@ -76,6 +76,6 @@ dsw_status dsw_body_collapse_edge(dsw_scene* scene, dsw_body_id body, dsw_body_e
     if (of.body.edges[e].ends[0] != v && of.body.edges[e].ends[1] != v) {
       fail(DSW_STATUS_NOT_FOUND, "vertex %u is no end of edge %u", v, e);
     }
-    collapse_body_edge(of.scene, of.body, e, v, edit);
+    collapse_body_edge(of.scene, of.record, e, v, edit);
   });
 }

@@ -22,12 +22,14 @@ dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* 
     dsw_environment& home = capi::check_handle(environment, "environment");
     capi::require(scene, "scene");
     const dsw_scene_desc d = desc == nullptr ? dsw_scene_desc{} : capi::read_struct(desc, "desc");
-    capi::check_flags(
-        d.features, DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS,
-        "desc->features");
+    capi::check_flags(d.features,
+                      DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING |
+                          DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_LIVE_CHANGES,
+                      "desc->features");
     const dsw::SceneFeatures features{
         (d.features & DSW_FEATURE_STATISTICS) != 0, (d.features & DSW_FEATURE_CROSSINGS) != 0,
-        (d.features & DSW_FEATURE_DEFORMING) != 0, (d.features & DSW_FEATURE_BODY_CONTACTS) != 0};
+        (d.features & DSW_FEATURE_DEFORMING) != 0, (d.features & DSW_FEATURE_BODY_CONTACTS) != 0,
+        (d.features & DSW_FEATURE_LIVE_CHANGES) != 0};
     capi::SceneOwner owner(home, features);
     *scene = owner.enter();
   });
@@ -64,6 +66,7 @@ dsw_status dsw_scene_get_statistics(const dsw_scene* scene, dsw_statistics* stat
     s.forecast_hits = from.forecast_hits;
     s.contacts = from.contacts;
     s.candidates = from.candidates;
+    s.occupants_tested = from.looked_at;
     capi::write_struct(statistics, s);
   });
 }

@@ -83,15 +83,26 @@ void check_face(const Body& body, size_t face, uint32_t a, uint32_t b, uint32_t 
 
 void check_free(Scene<3>& scene, const Body& body, SweepLevel level) {
   scene.offending.clear();
-  BodyProbe(scene.env, Box::everything(), Obstacle::kCells).find_blocked(body, level, scene.offending);
+  BodyProbe(scene.env, Obstacle::kCells).find_blocked(body, level, scene.offending);
   if (scene.offending.empty()) return check_apart(scene, body, level);
   fail(DSW_STATUS_OCCUPIED, "%zu edges meet something impassable; the first joins vertices %u and %u",
        scene.offending.size() / 2, scene.offending[0], scene.offending[1]);
 }
 
-void let_meet(BodyRecord& of) {
-  keep_boxes(of.body);
-  of.record.keeps_partners = of.next.keeps_partners = true;
+void prepare_body(const Scene<3>& scene, BodyRecord& of) {
+  if (scene.keeps_boxes()) keep_boxes(of.body);
+  of.record.keeps_partners = of.next.keeps_partners = scene.features.contacts;
+  if (scene.features.live) of.followed = scene.live.get()->gone.number();
+}
+
+void follow_changes(const Scene<3>& scene, BodyRecord& of) noexcept {
+  if (!scene.features.live) return;
+  const GoneFacets& gone = scene.live.get()->gone;
+  if (of.followed == gone.number()) return;
+  for (EdgeSequence& sequence : of.body.sequences) {
+    if (gone.are_in(sequence, of.followed)) sequence.forget();
+  }
+  of.followed = gone.number();
 }
 
 BodyRecord make_body(const Scene<3>& scene, const BodyDescription& d, const Cell* cells) {
@@ -110,12 +121,12 @@ BodyRecord make_body(const Scene<3>& scene, const BodyDescription& d, const Cell
     body.sequences.erase(body.sequences.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.sequences.end());
     body.sequences.shrink_to_fit();
   }
-  if (scene.features.contacts) let_meet(made);
+  prepare_body(scene, made);
   return made;
 }
 
 dsw_body_id enter_body(Scene<3>& scene, BodyRecord&& made) {
-  if (scene.features.contacts) scene.body_boxes.reserve(scene.bodies.size() + 1);
+  if (scene.keeps_boxes()) scene.body_boxes.reserve(scene.bodies.size() + 1);
   scene.body_slots.reserve(1);
   reserve_more(scene.bodies, 1);
   const SlotPool::Slot slot = scene.body_slots.acquire();

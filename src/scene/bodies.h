@@ -30,6 +30,7 @@ struct BodyRecord {
   MoveRecord next;           // of a move under way
   Array<BodyVertex> before;  // to go back to, if another body's move fails
   Array<Stop> stops;         // sorted
+  uint64_t followed = 0;     // up to which change of the topology its sequences are true, see gone_facets.h
 
   explicit BodyRecord(const Memory* memory)
       : body(memory),
@@ -64,8 +65,10 @@ dsw_body_id create_body(Scene<3>& scene, const BodyDescription& description);
 BodyRecord make_body(const Scene<3>& scene, const BodyDescription& description, const Cell* cells);
 /** Puts one that is free into the scene. */
 dsw_body_id enter_body(Scene<3>& scene, BodyRecord&& made);
-/** Lets one that is not in a scene yet meet others. Throws std::bad_alloc. */
-void let_meet(BodyRecord& of);
+/** Lets one that is not in a scene yet have all that the scene's bodies keep. Throws std::bad_alloc. */
+void prepare_body(const Scene<3>& scene, BodyRecord& of);
+/** Forgets sequences that name what has changed since; comes before each use of them. O(facets of the sequences). */
+void follow_changes(const Scene<3>& scene, BodyRecord& of) noexcept;
 void destroy_body(Scene<3>& scene, uint32_t slot) noexcept;
 /** Throws unless the id is alive. `argument` names it in messages. */
 BodyRecord& check_body(Scene<3>& scene, dsw_body_id id, ArgumentName argument, size_t index = 0);
@@ -76,8 +79,8 @@ void set_filter(Scene<3>& scene, Body& body, const ContactFilter& filter);
 uint32_t add_body_vertex(Scene<3>& scene, BodyRecord& of, const double* position, dsw_volume_id hint);
 uint32_t add_body_edge(Scene<3>& scene, Body& body, uint32_t a, uint32_t b);
 uint32_t add_body_face(Scene<3>& scene, Body& body, uint32_t a, uint32_t b, uint32_t c);
-void split_body_edge(Scene<3>& scene, Body& body, uint32_t edge, double share, dsw_body_edit* edit);
-void collapse_body_edge(Scene<3>& scene, Body& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit);
+void split_body_edge(Scene<3>& scene, BodyRecord& of, uint32_t edge, double share, dsw_body_edit* edit);
+void collapse_body_edge(Scene<3>& scene, BodyRecord& of, uint32_t edge, uint32_t vertex, dsw_body_edit* edit);
 
 /** Targets are finite, one for each vertex slot; `order` names distinct living vertices. */
 void move_body(Scene<3>& scene, BodyRecord& body, PointArray targets, MoveOrder order, const MoveSettings& settings);

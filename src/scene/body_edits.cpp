@@ -101,8 +101,10 @@ uint32_t add_body_face(Scene<3>& scene, Body& body, uint32_t a, uint32_t b, uint
   return add_face(body, a, b, c);
 }
 
-void split_body_edge(Scene<3>& scene, Body& body, uint32_t edge, double share, dsw_body_edit* edit) {
+void split_body_edge(Scene<3>& scene, BodyRecord& of, uint32_t edge, double share, dsw_body_edit* edit) {
+  Body& body = of.body;
   check_keeps_vertices(body);
+  follow_changes(scene, of);
   const BodyEdge& e = body.edges[edge];
   double point[3];
   point_at<3>(body.position(e.ends[0]), body.position(e.ends[1]), share, point);
@@ -115,10 +117,13 @@ void split_body_edge(Scene<3>& scene, Body& body, uint32_t edge, double share, d
          e.ends[0], e.ends[1]);
   }
   insert_vertex(body, edge, point, cell, share, edit);
+  settle_body(scene, of);
 }
 
-void collapse_body_edge(Scene<3>& scene, Body& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
+void collapse_body_edge(Scene<3>& scene, BodyRecord& of, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
+  Body& body = of.body;
   check_keeps_vertices(body);
+  follow_changes(scene, of);
   if (!can_collapse(body, edge, vertex)) {
     fail(DSW_STATUS_BAD_CELL, "merging vertex %u into %u would leave no manifold", vertex,
          body.edges[edge].other(vertex));

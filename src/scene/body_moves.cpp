@@ -56,6 +56,7 @@ void move_body(Scene<3>& scene, BodyRecord& body, PointArray targets, MoveOrder 
   BodyMove& move = mover_of(scene);
   move.set_counters(scene.features.statistics ? &casts : nullptr);
   Partners partners(scene.memory);
+  follow_changes(scene, body);
   if (scene.features.contacts) {
     find_partners(scene, body.body, reach_of(body.body, targets, order, settings.may_slide()), partners);
   }
@@ -73,6 +74,7 @@ void move_body_together(Scene<3>& scene, BodyRecord& body, PlaceFn place, const 
   BodyMove& move = mover_of(scene);
   move.set_counters(scene.features.statistics ? &casts : nullptr);
   Partners partners(scene.memory);
+  follow_changes(scene, body);
   if (scene.features.contacts) find_partners(scene, body.body, reach, partners);
   move.set_partners(scene.features.contacts ? &partners : nullptr);
   prepare(body);
@@ -93,6 +95,7 @@ void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count_of_bod
   size_t at = 0;
   for (size_t i = 0; i < count_of_bodies; ++i) {
     BodyRecord& body = *bodies[i];
+    follow_changes(scene, body);
     if (edits) {
       wholes.push_back(body.body);
     } else {

@@ -31,6 +31,7 @@ void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
     const uint32_t generation = scene.body_slots.generation(slot);
     if (!scene.body_slots.alive(slot, generation)) continue;
     BodyRecord& body = scene.bodies[slot];
+    follow_changes(scene, body);
     d.all.bodies[slot] = {&body.body, &body.next, {slot, generation}};
     body.next.edits.clear();
     if (scene.features.contacts) d.partners.all.push_back({&body.body, slot, generation});
@@ -51,6 +52,7 @@ void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
     std::swap(scene.bodies[owner.id.index].record.edits, owner.record->edits);
     settle_body(scene, scene.bodies[owner.id.index]);
   }
+  for (uint32_t slot = 0; scene.features.live && slot < scene.particles.size(); ++slot) note_particle(scene, slot);
 }
 
 }  // namespace dsw

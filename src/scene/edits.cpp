@@ -5,6 +5,7 @@
 
 #include "map/cell_queue.h"
 #include "motion/cast.h"
+#include "scene/near_bodies.h"
 #include "scene/occupation.h"
 #include "sweep/body_probe.h"
 
@@ -18,6 +19,8 @@ class Followers {
       : edit_(edit),
         env_(edit.environment()),
         scene_(scene),
+        places_(scene.memory, scene.keeps_boxes()),
+        near_(scene, find_places()),
         particles_(Allocator<Seat>(scene.memory)),
         vertices_(Allocator<Seat>(scene.memory)),
         new_cells_(scene.memory) {}
@@ -26,32 +29,34 @@ class Followers {
   void find_cells() {
     Array<Cell> marked{Allocator<Cell>(scene_.memory)};
     edit_.for_each_marked([&](Cell c) { marked.push_back(c); });
-    find_occupants(scene_, marked.data(), marked.size());
-    for (uint32_t slot = 0; slot < scene_.particles.size(); ++slot) {
-      const ParticleState<3>& particle = scene_.particles[slot];
-      if (!has_to_move(particle.cell)) continue;
-      const Cell c = find(particle.position, particle.cell);
-      particles_.push_back({0, slot, particle.cell, c});
-      if (!is_passable(c)) scene_.occupants.push_back({slot, scene_.slots.generation(slot)});
-    }
-    for_each_body([&](uint32_t slot, Body& body) {
+    looked_at_ += find_occupants(scene_, marked.data(), marked.size());
+    find_cells_of_particles();
+    Array<uint32_t> scratch{Allocator<uint32_t>(scene_.memory)};
+    for (const NearBodies::Near& each : near_) {
+      const Body& body = scene_.bodies[each.slot].body;
       bool all = true;
-      for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-        if (!has_to_move(body.vertices[v].cell)) continue;
+      const auto look = [&](uint32_t v) {
+        if (!has_to_move(body.vertices[v].cell)) return true;
         const Cell c = find(body.position(v), body.vertices[v].cell);
-        vertices_.push_back({slot, v, body.vertices[v].cell, c});
+        vertices_.push_back({each.slot, v, body.vertices[v].cell, c});
         all = all && is_passable(c);
-      }
-      if (!all) scene_.occupant_bodies.push_back({slot, scene_.body_slots.generation(slot)});
-    });
+        return true;
+      };
+      visit_near(body, &BodyBoxes::vertices, body.vertices.size(), each.places, scratch, looked_at_, look);
+      if (!all) scene_.occupant_bodies.push_back({each.slot, scene_.body_slots.generation(each.slot)});
+    }
   }
 
   /** After the edit was applied: bodies that are not free go to the scene's occupants. Their vertices are in their new cells. */
   void find_blocked_bodies() {
-    BodyProbe probe(env_, changed_box(), Obstacle::kCells);
-    for_each_body([&](uint32_t slot, Body& body) {
-      if (!probe.is_free(body)) scene_.occupant_bodies.push_back({slot, scene_.body_slots.generation(slot)});
-    });
+    BodyProbe probe(env_, Obstacle::kCells);
+    find_occupant_bodies(scene_, near_, probe);
+    looked_at_ += probe.looked_at;
+  }
+
+  /** Makes room for what finish() notes. */
+  void prepare() {
+    if (scene_.features.live) scene_.live.get()->gone.reserve(edit_);
   }
 
   void move_vertices(bool back) noexcept {
@@ -64,14 +69,14 @@ class Followers {
     for (const Seat& seat : particles_) {
       scene_.particles[seat.place].cell = seat.after;
       scene_.particles[seat.place].forecast = kNoFacet;
+      note_particle(scene_, seat.place);
     }
-    for_each_body([&](uint32_t, Body& body) {
-      for (EdgeSequence& sequence : body.sequences) {
-        const auto gone = [&](uint32_t facet) { return is_gone(facet); };
-        if (std::none_of(sequence.facets.begin(), sequence.facets.end(), gone)) continue;
-        sequence.forget();
-      }
-    });
+    if (scene_.features.live) {
+      note_gone_facets();
+    } else {
+      forget_sequences();
+    }
+    count_looked_at(scene_, looked_at_);
   }
 
  private:
@@ -81,10 +86,37 @@ class Followers {
     Cell before, after;
   };
 
-  template <class Visit>
-  void for_each_body(Visit visit) {
-    for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
-      if (scene_.body_slots.alive(slot, scene_.body_slots.generation(slot))) visit(slot, scene_.bodies[slot].body);
+  void find_cells_of_particles() {
+    const auto look = [&](uint32_t slot) {
+      ++looked_at_;
+      const ParticleState<3>& particle = scene_.particles[slot];
+      if (has_to_move(particle.cell)) particles_.push_back({0, slot, particle.cell, {}});
+    };
+    if (scene_.features.live) {
+      for (const Cell c : edit_.removed()) scene_.live.get()->particles.for_each(c, look);
+      std::sort(particles_.begin(), particles_.end(), [](const Seat& a, const Seat& b) { return a.place < b.place; });
+    } else {
+      for (uint32_t slot = 0; slot < scene_.particles.size(); ++slot) look(slot);
+    }
+    for (Seat& seat : particles_) {
+      seat.after = find(scene_.particles[seat.place].position, seat.before);
+      if (!is_passable(seat.after)) scene_.occupants.push_back({seat.place, scene_.slots.generation(seat.place)});
+    }
+  }
+  void note_gone_facets() noexcept {
+    GoneFacets& gone = scene_.live.get()->gone;
+    if (gone.is_full()) {
+      for (BodyRecord& each : scene_.bodies) follow_changes(scene_, each);
+      gone.clear();
+    }
+    gone.note(edit_);
+  }
+  void forget_sequences() noexcept {
+    for (BodyRecord& each : scene_.bodies) {
+      for (EdgeSequence& sequence : each.body.sequences) {
+        const auto gone = [&](uint32_t facet) { return is_gone(facet); };
+        if (std::any_of(sequence.facets.begin(), sequence.facets.end(), gone)) sequence.forget();
+      }
     }
   }
   bool has_to_move(Cell c) const { return c.valid() && edit_.is_removed(c); }
@@ -132,26 +164,34 @@ class Followers {
     if (word == kNoFacet) return false;
     return edit_.is_removed(env_.map.cell_of({word})) || edit_.is_relinked({word});
   }
-  Box changed_box() const {
-    Box box;
+  /** All that changes. */
+  BoxGroups& find_places() {
+    if (scene_.body_slots.alive_count() == 0) return places_;
     const auto add = [&](Cell c) {
+      Box box;
       for (uint32_t k = 0, n = env_.map.vertices_of(c); k < n; ++k) box.add(env_.point(c, k));
+      places_.add(box);
     };
     for (const Cell c : edit_.removed()) add(c);
     for (size_t i = 0; i < edit_.cell_count(); ++i) add(edit_.cell(i));
     edit_.for_each_marked(add);
     for (size_t i = 0; i < edit_.link_count(); ++i) {
+      Box box;
       const FacetDraft facet = draft_of(env_, edit_.link(i));
       for (const uint32_t v : facet.loop) box.add(env_.point(v));
+      places_.add(box);
     }
-    return box;
+    return places_;
   }
 
   Edit& edit_;
   const Environment<3>& env_;
   Scene<3>& scene_;
+  BoxGroups places_;
+  NearBodies near_;
   Array<Seat> particles_, vertices_;
   CellQueue new_cells_;  // once they are asked for
+  uint64_t looked_at_ = 0;
 };
 
 void follow(Edit& edit, Scene<3>& scene, void (*also)(void* user), void* user) {
@@ -159,6 +199,7 @@ void follow(Edit& edit, Scene<3>& scene, void (*also)(void* user), void* user) {
   const auto is_occupied = [&] { return !scene.occupants.empty() || !scene.occupant_bodies.empty(); };
   followers.find_cells();
   if (is_occupied()) refuse(scene);
+  followers.prepare();
   edit.apply();
   followers.move_vertices(false);
   try {

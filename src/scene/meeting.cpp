@@ -43,11 +43,11 @@ void join(Array<uint32_t>& roots, uint32_t i, uint32_t j) noexcept {
 }  // namespace
 
 void note_body(Scene<3>& scene, uint32_t slot) noexcept {
-  if (scene.features.contacts) scene.body_boxes.put(slot, scene.bodies[slot].body.boxes[0].bounds);
+  if (scene.keeps_boxes()) scene.body_boxes.put(slot, scene.bodies[slot].body.boxes[0].bounds);
 }
 
 void settle_body(Scene<3>& scene, BodyRecord& of) noexcept {
-  if (!scene.features.contacts) return;
+  if (!scene.keeps_boxes()) return;
   tighten_bounds(of.body);
   note_body(scene, slot_of(scene, of));
 }

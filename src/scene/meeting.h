@@ -5,7 +5,7 @@
 
 namespace dsw {
 
-/** Notes where a body is, after it has been made or has moved. Room has been made. */
+/** Notes where a body is, after it has been made or has moved, if that is kept. Room has been made. */
 void note_body(Scene<3>& scene, uint32_t slot) noexcept;
 /** The same, with bounds that fit again. */
 void settle_body(Scene<3>& scene, BodyRecord& of) noexcept;

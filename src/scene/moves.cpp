@@ -166,6 +166,7 @@ void move_checked(Scene<D>& scene, const dsw_particle_id* ids, size_t count, Poi
                      }
                    });
   });
+  for (size_t i = 0; scene.features.live && i < count; ++i) note_particle(scene, ids[i].index);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "scene/near_bodies.h"
 #include "sweep/body_probe.h"
 
 namespace dsw {
@@ -21,27 +22,34 @@ Obstacle obstacle_of(Cell) { return Obstacle::kCells; }
 Obstacle obstacle_of(HalfFacet) { return Obstacle::kFacets; }
 Obstacle obstacle_of(Dart) { return Obstacle::kWires; }
 
-void add_to(Box& box, const Environment<3>& env, Cell c) noexcept {
+Box box_of(const Environment<3>& env, Cell c) noexcept {
+  Box box;
   for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) box.add(env.point(c, i));
+  return box;
 }
-void add_to(Box& box, const Environment<3>& env, HalfFacet h) noexcept {
+Box box_of(const Environment<3>& env, HalfFacet h) noexcept {
+  Box box;
   const Cell c = env.map.cell_of(h);
   const Shape shape = env.map.shape(c);
   const uint32_t facet = env.map.local_of(h, c);
   for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
     box.add(env.point(c, shape.dart_vertex(d)));
   }
+  return box;
 }
-void add_to(Box& box, const Environment<3>& env, Dart d) noexcept {
+Box box_of(const Environment<3>& env, Dart d) noexcept {
+  Box box;
   box.add(env.point(dart_vertex(env.map, d)));
   box.add(env.point(dart_target(env.map, d)));
+  return box;
 }
 
 /** Marks that are gone again unless they are kept. */
 template <class Item>
 class Trial {
  public:
-  Trial(Environment<3>& env, const Memory* memory) : env_(env), changed_(Allocator<Item>(memory)) {}
+  Trial(Environment<3>& env, const Scene<3>& scene)
+      : env_(env), changed_(Allocator<Item>(scene.memory)), places_(scene.memory, scene.keeps_boxes()) {}
   ~Trial() {
     for (const Item item : changed_) set_mark(env_, item, false);
   }
@@ -51,28 +59,20 @@ class Trial {
   void mark(Item item) {
     changed_.push_back(item);  // first, because it may throw
     if (set_mark(env_, item, true)) {
-      add_to(box_, env_, item);
+      places_.add(box_of(env_, item));
     } else {
       changed_.pop_back();
     }
   }
   void keep() noexcept { changed_.clear(); }
   bool empty() const noexcept { return changed_.empty(); }
-  const Box& box() const noexcept { return box_; }
+  BoxGroups& places() noexcept { return places_; }
 
  private:
   Environment<3>& env_;
   Array<Item> changed_;
-  Box box_;
+  BoxGroups places_;
 };
-
-void find_occupant_bodies(Scene<3>& scene, BodyProbe& probe) {
-  for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
-    const uint32_t generation = scene.body_slots.generation(slot);
-    if (!scene.body_slots.alive(slot, generation) || probe.is_free(scene.bodies[slot].body)) continue;
-    scene.occupant_bodies.push_back({slot, generation});
-  }
-}
 
 /** Takes the marks of occupied cells back: an occupied cell was passable before. Returns how many there were. */
 size_t leave_out_particles(Environment<3>& env, const Scene<3>& scene) noexcept {
@@ -86,16 +86,20 @@ size_t leave_out_particles(Environment<3>& env, const Scene<3>& scene) noexcept 
 /** Marks the items that for_each(visit) visits; scene.occupants has the particles among them. Returns how many were left out. */
 template <class Item, class ForEach>
 size_t try_marks(Environment<3>& env, Scene<3>& scene, bool skip_occupied, ForEach for_each) {
-  Trial<Item> trial(env, scene.memory);
+  Trial<Item> trial(env, scene);
   for_each([&](Item item) { trial.mark(item); });
   if (trial.empty()) return 0;
-  BodyProbe probe(env, trial.box(), obstacle_of(Item{}));
-  find_occupant_bodies(scene, probe);
+  BodyProbe probe(env, obstacle_of(Item{}));
+  const NearBodies near(scene, trial.places());
+  find_occupant_bodies(scene, near, probe);
   const bool occupied = !scene.occupants.empty() || !scene.occupant_bodies.empty();
   if (occupied && !skip_occupied) refuse(scene);
   size_t left_out = leave_out_particles(env, scene);
-  for (const dsw_body_id id : scene.occupant_bodies) left_out += probe.leave_out(env, scene.bodies[id.index].body);
+  for (const dsw_body_id id : scene.occupant_bodies) {
+    left_out += probe.leave_out(env, scene.bodies[id.index].body, near.places_of(id.index));
+  }
   trial.keep();
+  count_looked_at(scene, probe.looked_at);
   return left_out;
 }
 
@@ -108,16 +112,22 @@ size_t set_marks(Environment<3>& env, Scene<3>* scene, bool marked, bool skip_oc
     set_all();
     return 0;
   }
+  size_t left_out = 0, looked_at = 0;
   try {
-    find_particles();
-    if (scene->body_slots.alive_count() != 0) return try_marks<Item>(env, *scene, skip_occupied, for_each);
+    looked_at = find_particles();
+    if (scene->body_slots.alive_count() != 0) {
+      left_out = try_marks<Item>(env, *scene, skip_occupied, for_each);
+    } else {
+      if (!scene->occupants.empty() && !skip_occupied) refuse(*scene);
+      set_all();
+      left_out = leave_out_particles(env, *scene);
+    }
   } catch (const std::bad_alloc&) {
     clear_occupants(scene);
     throw;
   }
-  if (!scene->occupants.empty() && !skip_occupied) refuse(*scene);
-  set_all();
-  return leave_out_particles(env, *scene);
+  count_looked_at(*scene, looked_at);
+  return left_out;
 }
 
 template <class Item>
@@ -127,7 +137,7 @@ auto each_of(const Item* items, size_t count) {
   };
 }
 
-constexpr auto kNoParticles = [] {};
+constexpr auto kNoParticles = [] { return size_t{0}; };
 
 }  // namespace
 
@@ -145,6 +155,17 @@ void refuse(const Scene<3>& scene) {
        particles, first.index, first.generation, scene.env.map.index(scene.particles[first.index].cell), others);
 }
 
+void find_occupant_bodies(Scene<3>& scene, const NearBodies& near, BodyProbe& probe) {
+  for (const NearBodies::Near& each : near) {
+    if (probe.is_free(scene.bodies[each.slot].body, each.places)) continue;
+    scene.occupant_bodies.push_back({each.slot, scene.body_slots.generation(each.slot)});
+  }
+}
+
+void count_looked_at(Scene<3>& scene, uint64_t count) noexcept {
+  if (scene.features.statistics) scene.statistics.looked_at += count;
+}
+
 void clear_occupants(Scene<3>* scene) noexcept {
   if (scene == nullptr) return;
   scene->occupants.clear();
@@ -153,7 +174,7 @@ void clear_occupants(Scene<3>* scene) noexcept {
 
 size_t mark_cells(Environment<3>& env, Scene<3>* scene, const Cell* cells, size_t count, bool marked,
                   bool skip_occupied) {
-  const auto find = [&] { find_occupants(*scene, cells, count); };
+  const auto find = [&] { return find_occupants(*scene, cells, count); };
   return set_marks<Cell>(env, scene, marked, skip_occupied, find, each_of(cells, count));
 }
 
@@ -169,7 +190,7 @@ void mark_edges(Environment<3>& env, Scene<3>* scene, const Dart* edges, size_t 
 size_t mark_region(Environment<3>& env, Scene<3>* scene, int32_t region, bool marked, bool skip_occupied,
                    size_t* left_out) {
   size_t count = 0;
-  const auto find = [&] { find_occupants_of_region(*scene, region); };
+  const auto find = [&] { return find_occupants_of_region(*scene, region); };
   const auto for_each = [&](auto visit) {
     for_each_cell_of_region(env, region, [&](Cell c) {
       visit(c);

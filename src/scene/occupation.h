@@ -9,6 +9,14 @@
 
 namespace dsw {
 
+class BodyProbe;
+class NearBodies;
+
+/** Appends to scene.occupant_bodies those that are not free. Throws std::bad_alloc. */
+void find_occupant_bodies(Scene<3>& scene, const NearBodies& near, BodyProbe& probe);
+/** Particles and parts of bodies that a change which has succeeded has looked at. */
+void count_looked_at(Scene<3>& scene, uint64_t count) noexcept;
+
 /** Forgets who was in the way of the last marking call; comes before each. */
 void clear_occupants(Scene<3>* scene) noexcept;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "environment/marking.h"
 #include "motion/locate.h"
 #include "scene/batch.h"
 #include "scene/scene.h"
@@ -57,6 +58,24 @@ void check_places(const Scene<D>& scene, PointArray positions, size_t count, con
   }
 }
 
+/** Those in one cell. */
+template <int D>
+void add_occupants(Scene<D>& scene, Cell cell) {
+  scene.live.get()->particles.for_each(cell, [&](uint32_t slot) {
+    scene.occupants.push_back({slot, scene.slots.generation(slot)});
+  });
+}
+
+/** By slot, each once: a cell may have been named twice. Returns how many there are. */
+template <int D>
+size_t sort_occupants(Scene<D>& scene) {
+  Array<dsw_particle_id>& all = scene.occupants;
+  std::sort(all.begin(), all.end(), [](dsw_particle_id a, dsw_particle_id b) { return a.index < b.index; });
+  const auto same = [](dsw_particle_id a, dsw_particle_id b) { return a.index == b.index; };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all.size();
+}
+
 }  // namespace
 
 template <int D>
@@ -84,6 +103,7 @@ void create_particles(Scene<D>& scene, PointArray positions, size_t count, const
   place_points(scene, positions, count, hints, indexed, cells, offender);
   scene.slots.reserve(count);
   reserve_more(scene.particles, count);
+  if (scene.features.live) scene.live.get()->particles.reserve(scene.slots.slot_count() + count);
   for (size_t i = 0; i < count; ++i) {
     const SlotPool::Slot slot = scene.slots.acquire();
     if (slot.index == scene.particles.size()) scene.particles.emplace_back();
@@ -92,6 +112,7 @@ void create_particles(Scene<D>& scene, PointArray positions, size_t count, const
     state.cell = cells[i];
     state.forecast = kNoFacet;
     ids[i] = {slot.index, slot.generation};
+    note_particle(scene, slot.index);
   }
 }
 
@@ -99,12 +120,17 @@ template <int D>
 void destroy_particle(Scene<D>& scene, uint32_t slot) noexcept {
   scene.slots.release(slot);
   scene.particles[slot].cell = Cell{};
+  note_particle(scene, slot);
 }
 
 template <int D>
-void find_occupants(Scene<D>& scene, const Cell* cells, size_t count) {
+size_t find_occupants(Scene<D>& scene, const Cell* cells, size_t count) {
   scene.occupants.clear();
-  if (count == 0 || scene.particles.empty()) return;
+  if (count == 0 || scene.particles.empty()) return 0;
+  if (scene.features.live) {
+    for (size_t i = 0; i < count; ++i) add_occupants(scene, cells[i]);
+    return sort_occupants(scene);
+  }
   // Most particles are cleared by one bit each; the few left are looked up in a sorted list.
   constexpr uint32_t kBits = 4096;
   constexpr size_t kFew = 64;
@@ -124,21 +150,27 @@ void find_occupants(Scene<D>& scene, const Cell* cells, size_t count) {
     if (((seen[bit / 64] >> (bit % 64)) & 1u) == 0 || !std::binary_search(units, units + count, unit)) continue;
     scene.occupants.push_back({slot, scene.slots.generation(slot)});
   }
+  return scene.particles.size();
 }
 
 template <int D>
-void find_occupants_of_region(Scene<D>& scene, int32_t region) {
+size_t find_occupants_of_region(Scene<D>& scene, int32_t region) {
   scene.occupants.clear();
+  if (scene.features.live) {
+    for_each_cell_of_region(scene.env, region, [&](Cell c) { add_occupants(scene, c); });
+    return sort_occupants(scene);
+  }
   for (uint32_t slot = 0; slot < scene.particles.size(); ++slot) {
     const Cell c = scene.particles[slot].cell;
     if (c.valid() && scene.env.region(c) == region) scene.occupants.push_back({slot, scene.slots.generation(slot)});
   }
+  return scene.particles.size();
 }
 
 template void place_points<3>(const Scene<3>&, PointArray, size_t, const dsw_volume_id*, bool, Cell*, size_t*);
 template void create_particles<3>(Scene<3>&, PointArray, size_t, const dsw_volume_id*, bool, dsw_particle_id*, size_t*);
 template void destroy_particle<3>(Scene<3>&, uint32_t) noexcept;
-template void find_occupants<3>(Scene<3>&, const Cell*, size_t);
-template void find_occupants_of_region<3>(Scene<3>&, int32_t);
+template size_t find_occupants<3>(Scene<3>&, const Cell*, size_t);
+template size_t find_occupants_of_region<3>(Scene<3>&, int32_t);
 
 }  // namespace dsw

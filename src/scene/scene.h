@@ -14,7 +14,9 @@
 #include "motion/move.h"
 #include "motion/particle_state.h"
 #include "scene/bodies.h"
+#include "scene/cell_particles.h"
 #include "scene/deformation.h"
+#include "scene/gone_facets.h"
 #include "scene/report.h"
 
 namespace dsw {
@@ -22,16 +24,27 @@ namespace dsw {
 struct SceneStatistics {
   CastCounters cast;
   uint64_t forecast_hits = 0, contacts = 0, candidates = 0;
+  uint64_t looked_at = 0;  // by changes of marks and topology
   void add(const SceneStatistics& o) {
     cast.add(o.cast);
     forecast_hits += o.forecast_hits;
     contacts += o.contacts;
     candidates += o.candidates;
+    looked_at += o.looked_at;
   }
 };
 
 struct SceneFeatures {
-  bool statistics = false, crossings = false, deforming = false, contacts = false;
+  bool statistics = false, crossings = false, deforming = false, contacts = false, live = false;
+};
+
+/** What a scene keeps beside the boxes of its bodies to find who is where the environment changes. */
+struct LiveRegister {
+  CellParticles particles;
+  GoneFacets gone;
+
+  explicit LiveRegister(const Memory* memory) : particles(memory), gone(memory) {}
+  uint64_t memory_bytes() const { return sizeof(*this) + particles.memory_bytes() + gone.memory_bytes(); }
 };
 
 template <int D>
@@ -52,10 +65,11 @@ struct Scene {
   Array<dsw_body_id> occupant_bodies;       // likewise
   Array<BodyRecord> bodies;                 // by slot
   SlotPool body_slots;
-  BoxGrid body_boxes;              // by slot, if bodies meet each other
+  BoxGrid body_boxes;              // by slot, if bodies keep boxes
   Array<BodyMove> mover;           // none or one: what moves of single bodies keep from call to call
   Array<uint32_t> offending;       // pairs of vertices of edges that were found not free
   Owned<Deformation> deformation;  // if named
+  Owned<LiveRegister> live;        // if named
 
   Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted)
       : env(environment),
@@ -75,17 +89,22 @@ struct Scene {
         body_boxes(source),
         mover(Allocator<BodyMove>(source)),
         offending(Allocator<uint32_t>(source)),
-        deformation(source) {
+        deformation(source),
+        live(source) {
+    if (features.live) live.make(source);
     if (features.crossings) crossing_first.push_back(0);
   }
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
+  /** Whether the boxes of bodies and their parts are kept. */
+  bool keeps_boxes() const { return features.contacts || features.live; }
   uint64_t memory_bytes() const {
     uint64_t of_bodies = array_bytes(bodies) + array_bytes(mover) + body_slots.memory_bytes() +
                          body_boxes.memory_bytes() + array_bytes(offending);
     for (const BodyRecord& each : bodies) of_bodies += each.memory_bytes();
     if (deformation.get() != nullptr) of_bodies += deformation.get()->memory_bytes();
+    if (live.get() != nullptr) of_bodies += live.get()->memory_bytes();
     return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
            array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) +
            array_bytes(occupants) + array_bytes(occupant_bodies) + of_bodies;
@@ -133,11 +152,17 @@ template <int D>
 void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t count, PointArray to,
                          const FlightOptions& options, dsw_flight* flights);
 
-/** Collects into scene.occupants the particles whose cell is among `cells`. */
+/** Notes the cell of a particle that has been put there, if that is kept. */
 template <int D>
-void find_occupants(Scene<D>& scene, const Cell* cells, size_t count);
+void note_particle(Scene<D>& scene, uint32_t slot) noexcept {
+  if (scene.features.live) scene.live.get()->particles.put(slot, scene.particles[slot].cell);
+}
+
+/** Collects into scene.occupants the particles whose cell is among `cells`. Returns how many were looked at. */
+template <int D>
+size_t find_occupants(Scene<D>& scene, const Cell* cells, size_t count);
 /** The same for all cells with a region label. */
 template <int D>
-void find_occupants_of_region(Scene<D>& scene, int32_t region);
+size_t find_occupants_of_region(Scene<D>& scene, int32_t region);
 
 }  // namespace dsw

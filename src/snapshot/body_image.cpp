@@ -9,6 +9,7 @@
 #include "body/integrity.h"
 #include "motion/locate.h"
 #include "motion/nearest.h"
+#include "scene/scene.h"
 #include "snapshot/scene_image.h"
 #include "sweep/body_probe.h"
 
@@ -115,7 +116,8 @@ bool can_be_at(const Environment<3>& env, Cell cell, const double* point) noexce
   return finite && cell.valid() && !is_closed(env, cell) && contains(env, cell, point);
 }
 
-void append(const Environment<3>& env, const BodyRecord& of, SceneImage& image) {
+void append(const Scene<3>& scene, const BodyRecord& of, SceneImage& image) {
+  const Environment<3>& env = scene.env;
   const Map<3>& map = env.map;
   const Body& body = of.body;
   const size_t edges = body.edges.size(), vertices = body.vertices.size();
@@ -159,7 +161,15 @@ void append(const Environment<3>& env, const BodyRecord& of, SceneImage& image) 
   append_all(image.face_slots, body.face_slots.words());
   append_all(image.free_faces, body.face_slots.free_slots());
   append_all(image.inserted, body.inserted);
-  for (size_t e = 0; e < sequences; ++e) append_sequence(map, body.sequences[e], image.sequences);
+  for (size_t e = 0; e < sequences; ++e) {
+    const EdgeSequence& sequence = body.sequences[e];
+    const bool gone = scene.features.live && scene.live.get()->gone.are_in(sequence, of.followed);
+    if (gone) {
+      append(image.sequences, {kUnknown});
+    } else {
+      append_sequence(map, sequence, image.sequences);
+    }
+  }
   for (size_t v = 0; v < balls; ++v) {
     const Clearance& ball = body.clearances[v];
     append(image.balls, {ball.centre[0], ball.centre[1], ball.centre[2], ball.radius, ball.wanted});
@@ -323,7 +333,7 @@ void BodyReader::check(const Body& body) {
     }
   }
   Array<uint32_t> blocked{Allocator<uint32_t>(env_.memory)};
-  BodyProbe(env_, Box::everything(), Obstacle::kCells).find_blocked(body, body.level, blocked);
+  BodyProbe(env_, Obstacle::kCells).find_blocked(body, body.level, blocked);
   if (!blocked.empty()) fail_corrupt("a body is not free, or that was in another environment");
 }
 

@@ -63,7 +63,7 @@ inline Cell to_cell(const Map<3>& map, uint32_t index) { return index < map.inde
 bool can_be_at(const Environment<3>& env, Cell cell, const double* point) noexcept;
 
 /** Appends a body, or a slot without one. Throws std::bad_alloc. */
-void append(const Environment<3>& env, const BodyRecord& of, SceneImage& image);
+void append(const Scene<3>& scene, const BodyRecord& of, SceneImage& image);
 
 /** Takes bodies from an image, which is not trusted: Error with CORRUPT, or std::bad_alloc. */
 class BodyReader {

@@ -12,10 +12,10 @@
 namespace dsw {
 namespace {
 
-constexpr BlockKind kKind = {"DSWSCN\x1a\n", 1, SceneImage::kSections};
-constexpr uint32_t kStatistics = 1, kCrossings = 2, kDeforming = 4, kContacts = 8, kAllFeatures = 15;
+constexpr BlockKind kKind = {"DSWSCN\x1a\n", 2, SceneImage::kSections};
+constexpr uint32_t kStatistics = 1, kCrossings = 2, kDeforming = 4, kContacts = 8, kLive = 16, kAllFeatures = 31;
 
-constexpr size_t kCounters = 8, kExtents = 3;
+constexpr size_t kCounters = 9, kExtents = 3;
 
 void get_counters(const SceneStatistics& s, uint64_t* out) {
   const uint64_t values[kCounters] = {s.cast.casts,
@@ -25,11 +25,12 @@ void get_counters(const SceneStatistics& s, uint64_t* out) {
                                       s.cast.ties,
                                       s.forecast_hits,
                                       s.contacts,
-                                      s.candidates};
+                                      s.candidates,
+                                      s.looked_at};
   std::copy_n(values, kCounters, out);
 }
 
-SceneStatistics to_statistics(const uint64_t* n) { return {{n[0], n[1], n[2], n[3], n[4]}, n[5], n[6], n[7]}; }
+SceneStatistics to_statistics(const uint64_t* n) { return {{n[0], n[1], n[2], n[3], n[4]}, n[5], n[6], n[7], n[8]}; }
 
 /** What two environments of which one is not the other's copy hardly share. */
 void get_extents(const Map<3>& map, uint64_t* out) {
@@ -54,14 +55,15 @@ SceneImage image_of(const Scene<3>& scene) {
   image.free_particles = scene.slots.free_slots();
   image.body_slots = scene.body_slots.words();
   image.free_bodies = scene.body_slots.free_slots();
-  for (const BodyRecord& each : scene.bodies) append(scene.env, each, image);
+  for (const BodyRecord& each : scene.bodies) append(scene, each, image);
   return image;
 }
 
 BlockHeader header_of(const Scene<3>& scene, SceneImage& image) {
   BlockHeader h;
   h.flags = (scene.features.statistics ? kStatistics : 0) | (scene.features.crossings ? kCrossings : 0) |
-            (scene.features.deforming ? kDeforming : 0) | (scene.features.contacts ? kContacts : 0);
+            (scene.features.deforming ? kDeforming : 0) | (scene.features.contacts ? kContacts : 0) |
+            (scene.features.live ? kLive : 0);
   uint64_t* bytes = h.bytes;
   image.for_each([&](const auto& array) { *bytes++ = array.size() * sizeof(array[0]); });
   return h;
@@ -77,6 +79,7 @@ void load_particles(Scene<3>& scene, SceneImage& image) {
   const size_t count = scene.slots.slot_count();
   if (image.particle_places.size() != 3 * count || image.particles.size() != 2 * count) fail_corrupt("particles: size");
   scene.particles.resize(count);
+  if (scene.features.live) scene.live.get()->particles.reserve(count);
   for (uint32_t slot = 0; slot < count; ++slot) {
     ParticleState<3>& state = scene.particles[slot];
     const uint32_t cell = image.particles[2 * size_t{slot}];
@@ -87,22 +90,25 @@ void load_particles(Scene<3>& scene, SceneImage& image) {
     if (alive ? !can_be_at(scene.env, state.cell, state.position) : cell != kNoIndex) {
       fail_corrupt("a particle is not where it is said to be, or that was in another environment");
     }
+    note_particle(scene, slot);
   }
 }
 
-/** Lets loaded bodies meet each other, if they are apart. */
+/** Gives loaded bodies what those of the scene keep, and lets them meet each other if they are apart. */
 void join_bodies(Scene<3>& scene) {
   const auto for_each_body = [&](auto visit) {
     for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
       if (scene.body_slots.alive(slot, scene.body_slots.generation(slot))) visit(slot, scene.bodies[slot]);
     }
   };
-  scene.body_boxes.reserve(scene.bodies.size());
+  if (scene.keeps_boxes()) scene.body_boxes.reserve(scene.bodies.size());
   for_each_body([&](uint32_t slot, BodyRecord& of) {
-    if (of.record.partners.size() != of.record.contacts.size()) fail_corrupt("the number of partners");
-    let_meet(of);
+    const size_t partners = scene.features.contacts ? of.record.contacts.size() : 0;
+    if (of.record.partners.size() != partners) fail_corrupt("the number of partners");
+    prepare_body(scene, of);
     note_body(scene, slot);
   });
+  if (!scene.features.contacts) return;
   for_each_body([&](uint32_t, const BodyRecord& of) {
     Partners partners(scene.memory);
     find_partners(scene, of.body, reach_of(of.body), partners);
@@ -126,8 +132,7 @@ void load_bodies(Scene<3>& scene, SceneImage& image) {
     }
   }
   reader.finish();
-  if (scene.features.contacts) return join_bodies(scene);
-  if (!image.partners.empty()) fail_corrupt("partners of bodies that do not meet");
+  join_bodies(scene);
 }
 
 }  // namespace
@@ -163,6 +168,7 @@ SceneFeatures saved_features(const uint8_t* block, size_t size) {
   features.crossings = (flags & kCrossings) != 0;
   features.deforming = (flags & kDeforming) != 0;
   features.contacts = (flags & kContacts) != 0;
+  features.live = (flags & kLive) != 0;
   return features;
 }
 

@@ -1,5 +1,5 @@
 // Vertices are looked up, edges cast and faces swept by one of their edges, each once: when a body is created or its level raised, and
-// when obstacles appear; then only what overlaps their box is looked at.
+// when obstacles appear; then only what overlaps their boxes is looked at.
 
 #include "sweep/body_probe.h"
 
@@ -33,23 +33,23 @@ bool is_face_free(const Environment<3>& env, SweepFlood& flood, const Body& body
   return (is_met(c[1]) && is_met(c[2])) || swept_side(m, env.point(start, 0)).sign == 0;
 }
 
-BodyProbe::BodyProbe(const Environment<3>& env, const Box& changed, Obstacle kind)
-    : env_(env), changed_(changed), kind_(kind), flood_(env) {}
+BodyProbe::BodyProbe(const Environment<3>& env, Obstacle kind)
+    : env_(env), kind_(kind), flood_(env), near_(Allocator<uint32_t>(env.memory)) {}
 
 /** Each calls visit(index) for what is not free, until it returns false; whether it never did. */
 template <class Visit>
-bool BodyProbe::visit_vertices(const Body& body, Visit visit) {
+bool BodyProbe::visit_vertices(const Body& body, const Places& changed, Visit visit) {
   if (kind_ != Obstacle::kCells) return true;
-  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+  const auto look = [&](uint32_t v) {
     const double* const at = body.position(v);
-    if (!body.has_vertex(v) || !changed_.overlaps(&at, 1) || !env_.map.marked(body.vertices[v].cell)) continue;
-    if (!visit(v)) return false;
-  }
-  return true;
+    if (!body.has_vertex(v) || !changed.overlap(&at, 1) || !env_.map.marked(body.vertices[v].cell)) return true;
+    return visit(v);
+  };
+  return visit_near(body, &BodyBoxes::vertices, body.vertices.size(), changed, near_, looked_at, look);
 }
 
 template <class Visit>
-bool BodyProbe::visit_edges(const Body& body, SweepLevel level, Visit visit) {
+bool BodyProbe::visit_edges(const Body& body, const Places& changed, SweepLevel level, Visit visit) {
   if (kind_ == Obstacle::kWires || level == SweepLevel::kPoints) return true;
   uint32_t edges[kWave];
   wave_.clear();
@@ -62,34 +62,35 @@ bool BodyProbe::visit_edges(const Body& body, SweepLevel level, Visit visit) {
     wave_.clear();
     return go_on;
   };
-  for (uint32_t e = 0; e < body.edges.size(); ++e) {
-    if (!body.has_edge(e)) continue;
+  const auto look = [&](uint32_t e) {
+    if (!body.has_edge(e)) return true;
     const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
     const double* const ends[2] = {a.position, b.position};
-    if (!changed_.overlaps(ends, 2)) continue;
+    if (!changed.overlap(ends, 2)) return true;
     edges[wave_.count()] = e;
     wave_.add(env_, a.cell, a.position, b.position).end = b.cell;
-    if (wave_.full() && !run()) return false;
-  }
-  return run();
+    return !wave_.full() || run();
+  };
+  return visit_near(body, &BodyBoxes::edges, body.edges.size(), changed, near_, looked_at, look) && run();
 }
 
 /** Vertices and edges of the body are free. */
 template <class Visit>
-bool BodyProbe::visit_faces(const Body& body, SweepLevel level, Visit visit) {
+bool BodyProbe::visit_faces(const Body& body, const Places& changed, SweepLevel level, Visit visit) {
   if (level != SweepLevel::kFaces) return true;
-  for (uint32_t f = 0; f < body.faces.size(); ++f) {
-    if (!body.has_face(f)) continue;
+  const auto look = [&](uint32_t f) {
+    if (!body.has_face(f)) return true;
     const uint32_t* const c = body.faces[f].corners;
     const double* const corners[3] = {body.position(c[0]), body.position(c[1]), body.position(c[2])};
-    if (changed_.overlaps(corners, 3) && !is_face_free(env_, flood_, body, f) && !visit(f)) return false;
-  }
-  return true;
+    return !changed.overlap(corners, 3) || is_face_free(env_, flood_, body, f) || visit(f);
+  };
+  return visit_near(body, &BodyBoxes::faces, body.faces.size(), changed, near_, looked_at, look);
 }
 
-bool BodyProbe::is_free(const Body& body) {
+bool BodyProbe::is_free(const Body& body, const Places& changed) {
   const auto stop = [](uint32_t) { return false; };
-  return visit_vertices(body, stop) && visit_edges(body, body.level, stop) && visit_faces(body, body.level, stop);
+  return visit_vertices(body, changed, stop) && visit_edges(body, changed, body.level, stop) &&
+         visit_faces(body, changed, body.level, stop);
 }
 
 void BodyProbe::find_blocked(const Body& body, SweepLevel level, Array<uint32_t>& pairs) {
@@ -98,17 +99,17 @@ void BodyProbe::find_blocked(const Body& body, SweepLevel level, Array<uint32_t>
     pairs.push_back(vertices[1]);
     return true;
   };
-  visit_edges(body, level, [&](uint32_t e) { return add(body.edges[e].ends); });
-  if (pairs.empty()) visit_faces(body, level, [&](uint32_t f) { return add(body.faces[f].corners); });
+  visit_edges(body, {}, level, [&](uint32_t e) { return add(body.edges[e].ends); });
+  if (pairs.empty()) visit_faces(body, {}, level, [&](uint32_t f) { return add(body.faces[f].corners); });
 }
 
-size_t BodyProbe::leave_out(Environment<3>& env, const Body& body) {
+size_t BodyProbe::leave_out(Environment<3>& env, const Body& body, const Places& changed) {
   Unmarking passed{env};
-  visit_vertices(body, [&](uint32_t v) {
+  visit_vertices(body, changed, [&](uint32_t v) {
     Unmarking::enter(&passed, {}, 0, body.vertices[v].cell);
     return true;
   });
-  visit_edges(body, body.level, [&](uint32_t e) {
+  visit_edges(body, changed, body.level, [&](uint32_t e) {
     // All on its way was passable before, so that every mark there is new; one flight through them finds them all.
     CastRequest request;
     request.from = body.position(body.edges[e].ends[0]);
@@ -120,7 +121,7 @@ size_t BodyProbe::leave_out(Environment<3>& env, const Body& body) {
     cast(env_, request, nullptr);
     return true;
   });
-  visit_faces(body, body.level, [&](uint32_t f) {
+  visit_faces(body, changed, body.level, [&](uint32_t f) {
     do {
       const size_t before = passed.count;
       for (const SweepContact& contact : flood_.all()) {

@@ -1,8 +1,7 @@
 #pragma once
 // Whether bodies stay free when something becomes impassable.
 
-#include "body/body.h"
-#include "body/box.h"
+#include "body/near.h"
 #include "motion/sweep.h"
 #include "motion/wave.h"
 
@@ -15,36 +14,38 @@ bool is_face_free(const Environment<3>& env, SweepFlood& flood, const Body& body
 /** What has become impassable. */
 enum class Obstacle { kCells, kFacets, kWires };
 
-/** Looks for what of a body, which stands still, meets obstacles inside of a box. At every level
+/** Looks for what of a body, which stands still, meets obstacles in some places. At every level
  * vertices lie in cells; edges are stopped by facets from EDGES on; at FACES facets and wires pierce faces. The shift lets neither
  * an edge meet a wire nor anything a single vertex. */
 class BodyProbe {
  public:
   /** Throws std::bad_alloc, as all that follows. */
-  BodyProbe(const Environment<3>& env, const Box& changed, Obstacle kind);
+  BodyProbe(const Environment<3>& env, Obstacle kind);
 
-  /** O(size of the body + volumes met by edges and faces in the box). */
-  bool is_free(const Body& body);
+  /** O(size of the body, or if it keeps boxes what of it is near; and volumes met by edges and faces in the places). */
+  bool is_free(const Body& body, const Places& changed);
 
   /** Appends the ends of the edges that are not free at a level; if all are, two corners of each face that is not. */
   void find_blocked(const Body& body, SweepLevel level, Array<uint32_t>& pairs);
 
   /** Takes back the marks of the cells that the body meets. All of them have just been set. Returns how many there were. */
-  size_t leave_out(Environment<3>& env, const Body& body);
+  size_t leave_out(Environment<3>& env, const Body& body, const Places& changed);
+
+  uint64_t looked_at = 0;  // vertices, edges and faces
 
  private:
   template <class Visit>
-  bool visit_vertices(const Body& body, Visit visit);
+  bool visit_vertices(const Body& body, const Places& changed, Visit visit);
   template <class Visit>
-  bool visit_edges(const Body& body, SweepLevel level, Visit visit);
+  bool visit_edges(const Body& body, const Places& changed, SweepLevel level, Visit visit);
   template <class Visit>
-  bool visit_faces(const Body& body, SweepLevel level, Visit visit);
+  bool visit_faces(const Body& body, const Places& changed, SweepLevel level, Visit visit);
 
   const Environment<3>& env_;
-  Box changed_;
   Obstacle kind_;
   SweepFlood flood_;
   Wave<3> wave_;
+  Array<uint32_t> near_;
 };
 
 }  // namespace dsw

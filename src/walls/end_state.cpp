@@ -11,7 +11,7 @@
 namespace dsw {
 
 EndState::EndState(Environment<3>& env, Occupants& all)
-    : env_(env), all_(all), points_(Allocator<Feature>(env.memory)), probe_(env, Box::everything(), Obstacle::kCells) {}
+    : env_(env), all_(all), points_(Allocator<Feature>(env.memory)), probe_(env, Obstacle::kCells) {}
 
 void EndState::run(double* next, const WallSettings& settings, WallRecord& record) {
   const double* const start = env_.points;
@@ -70,7 +70,7 @@ Went EndState::try_seats(const WallSettings& settings, WallRecord& record) {
     return all_.partners == nullptr || is_body_apart(*all_.partners, body, body.level, stop);
   };
   const auto is_free = [&](const Occupants::Owner& owner) {
-    return owner.body == nullptr || (probe_.is_free(*owner.body) && is_apart(*owner.body));
+    return owner.body == nullptr || (probe_.is_free(*owner.body, {}) && is_apart(*owner.body));
   };
   return std::all_of(all_.bodies.begin(), all_.bodies.end(), is_free) ? Went::kThrough : Went::kStopped;
 }

@@ -129,13 +129,13 @@ std::string RandomEdits::check() const {
     const ParticleState<3>& p = scene().particles[i];
     if (p.cell.valid()) test(p.cell, p.position, "particle ", i);
   }
-  BodyProbe probe(e, Box::everything(), Obstacle::kCells);
+  BodyProbe probe(e, Obstacle::kCells);
   for (uint32_t b = 0; b < scene().bodies.size(); ++b) {
     const Body& body = scene().bodies[b].body;
     for (const BodyVertex& v : body.vertices) {
       if (v.cell.valid()) test(v.cell, v.position, "a vertex of body ", b);
     }
-    if (wrong.empty() && !probe.is_free(body)) wrong = "body " + std::to_string(b) + " is not free";
+    if (wrong.empty() && !probe.is_free(body, {})) wrong = "body " + std::to_string(b) + " is not free";
   }
   return wrong;
 }

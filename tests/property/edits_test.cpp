@@ -63,24 +63,60 @@ TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) {
 }
 
 TEST_P(EditsTest, RunningOutOfMemoryAnywhereChangesNothing) {
-  FailingMemory memory;
-  RandomEdits edits(GetParam(), 3, &memory);
-  if (edits.environment() == nullptr) GTEST_SKIP() << "creation may refuse this mesh";
-  size_t done = 0;
-  for (size_t calls = 0; done < 40 && calls < 2000; ++calls) {
-    if (calls == 20) {
-      ASSERT_EQ(edits.move_all(), "");  // from here on points are the host's
+  for (const uint32_t features : {0u, uint32_t{DSW_FEATURE_LIVE_CHANGES}}) {
+    FailingMemory memory;
+    RandomEdits edits(GetParam(), 3, &memory, features);
+    if (edits.environment() == nullptr) GTEST_SKIP() << "creation may refuse this mesh";
+    size_t done = 0;
+    for (size_t calls = 0; done < 20 && calls < 1000; ++calls) {
+      if (calls == 20) {
+        ASSERT_EQ(edits.move_all(), "");  // from here on points are the host's
+      }
+      ASSERT_EQ(edits.step(), "") << "features " << features << ", call " << calls;
+      done = 0;
+      for (const EditTally& tally : edits.tallies) done += tally.done;
     }
-    ASSERT_EQ(edits.step(), "") << "call " << calls;
-    done = 0;
-    for (const EditTally& tally : edits.tallies) done += tally.done;
+    EXPECT_GT(edits.refusals, 100u);
   }
-  EXPECT_GT(edits.refusals, 200u);
+}
+
+/// As bytes, but for the flags that name the features of the scene, and the checksum.
+std::string saved_without_features(const RandomEdits& edits) {
+  constexpr size_t kAtChecksum = 24, kAtFlags = 32;
+  size_t scene = 0;
+  EXPECT_EQ(dsw_environment_save(edits.environment(), nullptr, 0, &scene), DSW_STATUS_OK);
+  std::string blocks = edits.saved();
+  blocks.erase(scene + kAtFlags, 4).erase(scene + kAtChecksum, 8);
+  return blocks;
+}
+
+TEST_P(EditsTest, WhatIsKeptToFindOccupantsChangesNoAnswer) {
+  size_t occupied = 0;
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    const uint32_t features = seed % 3 == 0 ? DSW_FEATURE_BODY_CONTACTS : 0;
+    RandomEdits plain(GetParam(), seed, nullptr, features);
+    RandomEdits kept(GetParam(), seed, nullptr, features | DSW_FEATURE_LIVE_CHANGES);
+    if (plain.environment() == nullptr) continue;
+    for (int call = 0; call < 60; ++call) {
+      const auto same = [&](const std::string& a, const std::string& b) {
+        occupied += plain.occupants().empty() ? 0u : 1u;
+        return a == b && plain.occupants() == kept.occupants();
+      };
+      ASSERT_TRUE(same(plain.step(), kept.step())) << "scene seed " << seed << ", call " << call;
+      ASSERT_TRUE(same(plain.mark(), kept.mark())) << "scene seed " << seed << ", call " << call;
+      if (call % 4 == 3) {
+        ASSERT_EQ(plain.move_all(), kept.move_all());
+      }
+      ASSERT_TRUE(saved_without_features(plain) == saved_without_features(kept)) << seed << ", call " << call;
+    }
+  }
+  EXPECT_GT(occupied, 0u);
 }
 
 TEST_P(EditsTest, WhatIsLoadedGoesOnWithTheSameBits) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
-    RandomEdits edits(GetParam(), seed), copy(GetParam(), seed);
+    const uint32_t features = seed > 2 ? DSW_FEATURE_LIVE_CHANGES : 0;
+    RandomEdits edits(GetParam(), seed, nullptr, features), copy(GetParam(), seed, nullptr, features);
     if (edits.environment() == nullptr) continue;
     for (int round = 0; round < 5; ++round) {
       for (int calls = 0; calls < 20; ++calls) {

@@ -51,7 +51,7 @@ Place place_with_regions(const std::string& name, uint64_t seed) {
 /// A scene with bodies and particles, and the marks as they ought to be.
 class Trial {
  public:
-  Trial(Place& place, uint64_t seed)
+  Trial(Place& place, uint64_t seed, uint32_t features)
       : place_(place),
         world_(*place.world),
         edges_(world_),
@@ -59,7 +59,7 @@ class Trial {
         points_marked_(place.mesh.points.size()),
         rng_(seed),
         motions_(world_, rng_),
-        scene_(make_scene(place.get())) {
+        scene_(make_scene(place.get(), features)) {
     std::vector<bool> used(points_marked_.size());
     for (const Face& f : world_.faces) {
       for (int v : f.loop) used[static_cast<size_t>(v)] = true;
@@ -406,7 +406,7 @@ TEST_P(OccupiedTest, RefusedOrLeftOutIfAndOnlyIfSomethingIsInTheWay) {
   for (const uint64_t seed : {61u, 62u}) {
     Place place = place_with_regions(GetParam(), seed);
     ASSERT_PLACE(place);
-    Trial trial(place, seed);
+    Trial trial(place, seed, seed == 61 ? 0 : DSW_FEATURE_LIVE_CHANGES);
     for (int tries = 0; tries < 30 && trial.body_count() < 4; ++tries) trial.add_body();
     trial.add_particle();
     for (int round = 0; round < 40 && !HasFatalFailure(); ++round) {

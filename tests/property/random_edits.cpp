@@ -36,7 +36,7 @@ ContextPtr FailingMemory::make_context() {
   return ContextPtr(context);
 }
 
-RandomEdits::RandomEdits(const std::string& scene, uint64_t seed, FailingMemory* memory)
+RandomEdits::RandomEdits(const std::string& scene, uint64_t seed, FailingMemory* memory, uint32_t features)
     : memory_(memory),
       context_(memory == nullptr ? nullptr : memory->make_context()),
       place_(make_place(scene, seed, 0, context_.get())),
@@ -45,7 +45,7 @@ RandomEdits::RandomEdits(const std::string& scene, uint64_t seed, FailingMemory*
   first_count_ = env().map.cell_count;
   volume_ = volume();
   mark_some();
-  scene_ = make_scene(place_.get(), seed % 2 == 0 ? 0u : uint32_t{DSW_FEATURE_DEFORMING});
+  scene_ = make_scene(place_.get(), features | (seed % 2 == 0 ? 0u : uint32_t{DSW_FEATURE_DEFORMING}));
   add_particles();
   add_bodies();
   first_bodies_ = scene_->engine.bodies.size();
@@ -393,6 +393,34 @@ std::string RandomEdits::step() {
     volume_ = now;
   }
   return wrong.empty() ? wrong : std::string(name_of(operation)) + ": " + wrong;
+}
+
+std::string RandomEdits::mark() {
+  const dsw_mark mark = rng_.chance(0.5) ? DSW_MARK_IMPASSABLE : DSW_MARK_PASSABLE;
+  const int count = rng_.chance(0.3) ? rng_.between(5, 30) : rng_.between(1, 3), kind = rng_.between(0, 2);
+  const uint32_t flags = rng_.chance(0.5) ? DSW_MARK_SKIP_OCCUPIED : 0;
+  std::vector<dsw_volume_id> volumes;
+  std::vector<dsw_face_id> faces;
+  std::vector<dsw_edge_id> edges;
+  for (int i = 0; i < count; ++i) {
+    volumes.push_back(volume_id(env().map, some_cell()));
+    faces.push_back(some_face());
+    edges.push_back(some_edge());
+  }
+  size_t skipped = 0;
+  const dsw_status status =
+      kind == 0   ? dsw_environment_mark_volumes(place_.get(), volumes.data(), volumes.size(), mark, flags, &skipped)
+      : kind == 1 ? dsw_environment_mark_faces(place_.get(), faces.data(), faces.size(), mark)
+                  : dsw_environment_mark_edges(place_.get(), edges.data(), edges.size(), mark);
+  return std::to_string(status) + " " + std::to_string(skipped) +
+         (status == DSW_STATUS_OK ? "" : dsw_last_error_message());
+}
+
+std::string RandomEdits::occupants() const {
+  std::string out;
+  for (const dsw_particle_id id : scene().occupants) out += " p" + std::to_string(id.index);
+  for (const dsw_body_id id : scene().occupant_bodies) out += " b" + std::to_string(id.index);
+  return out;
 }
 
 std::string RandomEdits::saved() const {

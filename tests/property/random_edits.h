@@ -42,11 +42,16 @@ struct FailingMemory {
 
 class RandomEdits {
  public:
-  /// With `memory`, every call is first made with each of its allocations refused in turn.
-  RandomEdits(const std::string& scene, uint64_t seed, FailingMemory* memory = nullptr);
+  /// With `memory`, every call is first made with each of its allocations refused in turn. `features`: of the scene, beside those that
+  /// it has anyhow.
+  RandomEdits(const std::string& scene, uint64_t seed, FailingMemory* memory = nullptr, uint32_t features = 0);
 
   /// One call with random arguments, then all checks that do not need exact integers. What is wrong; empty: nothing.
   std::string step();
+  /// Marks or unmarks some volumes, faces or edges, skipping what is occupied or not. What was answered.
+  std::string mark();
+  /// Particles and bodies that were in the way of the last call.
+  std::string occupants() const;
   /// Moves all particles and bodies a little: what they keep from move to move must fit what has changed.
   std::string move_all();
   /// Environment and scene as their snapshots.

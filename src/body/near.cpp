@@ -1,0 +1,65 @@
+#include "body/near.h"
+
+#include <algorithm>
+
+namespace dsw {
+namespace {
+
+constexpr double kWaste = 4;  // times what was put into it: the largest volume of a group
+
+/** Flat boxes count as if they had some thickness. */
+double volume_of(const Box& box) noexcept {
+  double size[3], longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    size[k] = box.upper[k] - box.lower[k];
+    longest = std::max(longest, size[k]);
+  }
+  double volume = 1;
+  for (const double each : size) volume *= std::max(each, longest / 8);
+  return volume;
+}
+
+}  // namespace
+
+void BoxGroups::add(const Box& box) {
+  const double volume = volume_of(box);
+  if (!boxes_.empty()) {
+    Box joined = boxes_.back();
+    joined.add(box);
+    if (!apart_ || volume_of(joined) <= kWaste * (volume_ + volume)) {
+      boxes_.back() = joined;
+      volume_ += volume;
+      return;
+    }
+  }
+  boxes_.push_back(box);
+  volume_ = volume;
+}
+
+void BoxGroups::join() noexcept {
+  while (boxes_.size() > 1) {
+    boxes_.front().add(boxes_.back());
+    boxes_.pop_back();
+  }
+}
+
+bool Places::overlap(const double* const* points, int corners) const noexcept {
+  if (everywhere()) return true;
+  Box box;
+  for (int i = 0; i < corners; ++i) box.add(points[i]);
+  return std::any_of(boxes, boxes + count, [&](const Box& place) { return place.overlaps(box); });
+}
+
+void find_overlapping(const BoxGrid& grid, const Places& places, Array<uint32_t>& found) {
+  found.clear();
+  for (size_t i = 0; i < places.count; ++i) {
+    grid.visit(places.boxes[i], [&](uint32_t number) {
+      found.push_back(number);
+      return true;
+    });
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+}
+
+}  // namespace dsw

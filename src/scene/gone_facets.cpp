@@ -1,0 +1,52 @@
+#include "scene/gone_facets.h"
+
+#include <algorithm>
+
+namespace dsw {
+namespace {
+
+constexpr size_t kMost = size_t{1} << 14;  // facets that are noted before all bodies are brought up to date
+
+size_t facets_of(const Edit& edit) noexcept {
+  size_t count = edit.link_count();
+  for (const Cell c : edit.removed()) count += edit.environment().map.facets_of(c);
+  return count;
+}
+
+}  // namespace
+
+bool GoneFacets::is_full() const noexcept { return words_.size() > kMost; }
+
+void GoneFacets::clear() noexcept {
+  words_.clear();
+  last_.clear();
+}
+
+void GoneFacets::reserve(const Edit& edit) {
+  const size_t count = facets_of(edit);
+  words_.reserve(count);
+  reserve_more(last_, count);
+}
+
+void GoneFacets::note(const Edit& edit) noexcept {
+  const Map<3>& map = edit.environment().map;
+  ++number_;
+  const auto add = [&](HalfFacet h) {
+    const uint32_t i = words_.insert(h.word);
+    if (i == last_.size()) last_.push_back(0);
+    last_[i] = number_;
+  };
+  for (const Cell c : edit.removed()) {
+    for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) add(map.half_facet(c, f));
+  }
+  for (size_t i = 0; i < edit.link_count(); ++i) add(edit.link(i));
+}
+
+bool GoneFacets::are_in(const EdgeSequence& sequence, uint64_t since) const noexcept {
+  return std::any_of(sequence.facets.begin(), sequence.facets.end(), [&](uint32_t word) {
+    const uint32_t i = words_.find(word);
+    return i != KeyTable::kNone && last_[i] > since;
+  });
+}
+
+}  // namespace dsw

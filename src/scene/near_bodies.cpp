@@ -1,0 +1,64 @@
+// A box is looked for among all bodies at once, so that scattered boxes cost no more than what is near each.
+
+#include "scene/near_bodies.h"
+
+#include <algorithm>
+
+namespace dsw {
+namespace {
+
+template <class Visit>
+void for_each_body(const Scene<3>& scene, Visit visit) {
+  for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
+    if (scene.body_slots.alive(slot, scene.body_slots.generation(slot))) visit(slot, scene.bodies[slot].body);
+  }
+}
+
+/** Whether looking at all bodies takes less than looking for each of so many boxes. O(count). */
+bool has_fewer_parts(const Scene<3>& scene, size_t count) {
+  if (scene.bodies.size() >= count) return false;
+  size_t parts = 0;
+  for_each_body(scene, [&](uint32_t, const Body& body) {
+    parts += body.vertices.size() + body.edges.size() + body.faces.size();
+  });
+  return parts < count;
+}
+
+}  // namespace
+
+NearBodies::NearBodies(const Scene<3>& scene, BoxGroups& places)
+    : boxes_(Allocator<Box>(scene.memory)), bodies_(Allocator<Near>(scene.memory)) {
+  if (!scene.keeps_boxes()) {
+    boxes_.assign(places.boxes().begin(), places.boxes().end());
+    for_each_body(scene, [&](uint32_t slot, const Body&) {
+      bodies_.push_back({slot, {boxes_.data(), boxes_.size()}});
+    });
+    return;
+  }
+  if (has_fewer_parts(scene, places.boxes().size())) places.join();
+  struct Pair {
+    uint32_t slot, box;
+    bool operator<(const Pair& o) const { return slot != o.slot ? slot < o.slot : box < o.box; }
+  };
+  Array<Pair> pairs{Allocator<Pair>(scene.memory)};
+  for (uint32_t i = 0; i < places.boxes().size(); ++i) {
+    scene.body_boxes.visit(places.boxes()[i], [&](uint32_t slot) {
+      pairs.push_back({slot, i});
+      return true;
+    });
+  }
+  std::sort(pairs.begin(), pairs.end());
+  boxes_.reserve(pairs.size());
+  for (const Pair& pair : pairs) {
+    boxes_.push_back(places.boxes()[pair.box]);
+    if (bodies_.empty() || bodies_.back().slot != pair.slot) bodies_.push_back({pair.slot, {&boxes_.back(), 0}});
+    ++bodies_.back().places.count;
+  }
+}
+
+const Places& NearBodies::places_of(uint32_t slot) const {
+  const auto before = [](const Near& near, uint32_t wanted) { return near.slot < wanted; };
+  return std::lower_bound(bodies_.begin(), bodies_.end(), slot, before)->places;
+}
+
+}  // namespace dsw

@@ -1,0 +1,32 @@
+#pragma once
+// The bodies of a scene that can be where something changes.
+
+#include "body/near.h"
+#include "scene/scene.h"
+
+namespace dsw {
+
+class NearBodies {
+ public:
+  struct Near {
+    uint32_t slot;
+    Places places;  // those it can be in
+  };
+
+  /** If the scene keeps boxes, bodies near the places; else all of them. Throws std::bad_alloc. */
+  NearBodies(const Scene<3>& scene, BoxGroups& places);
+  NearBodies(const NearBodies&) = delete;
+  NearBodies& operator=(const NearBodies&) = delete;
+
+  /** By slot. */
+  const Near* begin() const { return bodies_.data(); }
+  const Near* end() const { return bodies_.data() + bodies_.size(); }
+  /** Of a body that is among them. */
+  const Places& places_of(uint32_t slot) const;
+
+ private:
+  Array<Box> boxes_;
+  Array<Near> bodies_;
+};
+
+}  // namespace dsw
