@@ -35,8 +35,8 @@ std::array<double, 27> random_blade(scenes::Random& random, const double* at) {
 }
 
 /** Particles and edges at the places of the moving bodies' vertices. */
-void fill(HexCase& scene) {
-  dsw_scene* const handle = scene.world.scene();
+void fill(HexCase& scene, std::uint32_t features) {
+  dsw_scene* const handle = scene.world.scene(features);
   const std::vector<double>& starts = scene.motion.starts();
   std::vector<dsw_particle_id> particles(scene.motion.vertex_count());
   check(dsw_scene_create_particles(handle, starts.data(), particles.size(), 0, nullptr, particles.data(), nullptr));
@@ -56,12 +56,14 @@ void fill(HexCase& scene) {
   std::printf("  %zu particles, %zu bodies of one edge\n", particles.size(), made);
 }
 
-void cut_lattice(std::size_t cells, const Options& options, Report& report) {
+void cut_lattice(std::size_t cells, const std::string& label, std::size_t bodies, std::uint32_t features,
+                 const Options& options, Report& report) {
   scenes::HexGridOptions grid_options;
   grid_options.size = scenes::hex_grid_size(cells);
-  const std::string label = cells == 10000 ? "n1e4" : "n1e6";
-  HexCase scene("cut." + label, grid_options, {}, 1);
-  fill(scene);
+  scenes::BodyOptions body_options;
+  body_options.bodies = bodies;
+  HexCase scene("cut." + label, grid_options, body_options, 1);
+  fill(scene, features);
   dsw_environment* const environment = scene.world.environment();
   scenes::Random random(5);
   const std::size_t cuts = options.quick ? 100 : 400;
@@ -88,8 +90,10 @@ void cut_lattice(std::size_t cells, const Options& options, Report& report) {
   }
   double sum = 0;
   for (const double time : times) sum += time;
-  report.set("cut.cells_touched_ratio." + label, touched / crossed);
   report.set("cut.per_second." + label, 1e9 * static_cast<double>(times.size()) / sum);
+  report.set("cut.us_per_split_cell." + label, 1e-3 * sum / split);
+  if (label.find('.') != std::string::npos) return;  // the same cuts with other bodies
+  report.set("cut.cells_touched_ratio." + label, touched / crossed);
   report.set("cut.cells_crossed." + label, crossed / static_cast<double>(cuts));
   report.set("cut.cells_split_share." + label, split / crossed);
   report.set("cut.cells_whole_share." + label, whole / crossed);
@@ -99,8 +103,15 @@ void cut_lattice(std::size_t cells, const Options& options, Report& report) {
 }  // namespace
 
 void run_cut(const Options& options, Report& report) {
-  cut_lattice(10000, options, report);
-  cut_lattice(1000000, options, report);
+  constexpr std::size_t kBodies = 225, kFew = 9, kMany = 22500;
+  cut_lattice(10000, "n1e4", kBodies, 0, options, report);
+  cut_lattice(1000000, "n1e6", kBodies, 0, options, report);
+  const std::uint32_t live = DSW_FEATURE_LIVE_CHANGES;
+  cut_lattice(10000, "n1e4.register", kBodies, live, options, report);
+  cut_lattice(10000, "n1e4.few", kFew, 0, options, report);
+  cut_lattice(10000, "n1e4.few.register", kFew, live, options, report);
+  cut_lattice(10000, "n1e4.many", kMany, 0, options, report);
+  cut_lattice(10000, "n1e4.many.register", kMany, live, options, report);
 }
 
 }  // namespace dsw::bench

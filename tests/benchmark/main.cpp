@@ -12,8 +12,8 @@ int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   Options options;
   std::string json = "benchmark.json";
-  const std::vector<std::string> known = {"hex",   "threads", "tet",      "vessel", "change",  "create",
-                                          "fig11", "fig12",   "catheter", "deform", "coarsen", "cut"};
+  const std::vector<std::string> known = {"hex",   "threads",  "tet",    "vessel",  "change", "create",    "fig11",
+                                          "fig12", "catheter", "deform", "coarsen", "cut",    "obstacles", "self"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
   app.add_flag("--quick", options.quick, "Fewer steps and rounds");
@@ -41,6 +41,12 @@ int main(int argc, char** argv) {
     }
     if (wanted("cut")) {
       run_cut(options, report);
+    }
+    if (wanted("obstacles")) {
+      run_obstacles(options, report);
+    }
+    if (wanted("self")) {
+      run_self(options, report);
     }
     if (wanted("threads")) {
       run_threads(options, report);

@@ -22,6 +22,8 @@ void run_vessel(const Options& options, Report& report, Agreement& agreement);
 void run_coarsen(const Options& options, Report& report, Agreement& agreement);
 void run_change(const Options& options, Report& report);
 void run_cut(const Options& options, Report& report);
+void run_obstacles(const Options& options, Report& report);
+void run_self(const Options& options, Report& report);
 void run_create(const Options& options, Report& report);
 void run_fig12(const Options& options, Report& report);
 void run_catheter(const Options& options, Report& report);

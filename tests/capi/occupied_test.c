@@ -249,6 +249,39 @@ static void every_marking_call_forgets_the_last_ones_occupants(void) {
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 
+/* What making one cube impassable and splitting a face of it look at, with a particle and an edge in each of `count` other cubes, and in a
+   neighbour. */
+static uint64_t looked_at(uint32_t features, unsigned count) {
+  dsw_environment *environment = make_environment(NULL, 10, 10, 3);
+  dsw_scene *scene = make_scene(environment, features | DSW_FEATURE_STATISTICS);
+  const dsw_volume_id middle = volume_at(0), none = {0, 0};
+  const dsw_face_id top = face_at(0, FACE_Z1);
+  const dsw_vertex_id corners[2] = {vertex_at(0 + 11 * 11), vertex_at(1 + 11 * (1 + 11))};
+  dsw_statistics s;
+  unsigned i;
+  for (i = 0; i < count; ++i) {
+    const unsigned at = i == 0 ? 1 : 299 - i;
+    const double x = at % 10 + 0.5, y = at / 10 % 10 + 0.5, z = at / 100 + 0.5;
+    const double ends[6] = {x, y, z, x + 0.2, y, z};
+    dsw_particle_id particle;
+    make_edge_body(scene, ends, DSW_LEVEL_EDGES);
+    CHECK_OK(dsw_particle_create(scene, ends, none, &particle));
+  }
+  CHECK_OK(dsw_environment_mark_volumes(environment, &middle, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  CHECK_OK(dsw_environment_split_face(environment, top, corners[0], corners[1], NULL, NULL));
+  s.struct_size = sizeof s;
+  CHECK_OK(dsw_scene_get_statistics(scene, &s));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+  return s.occupants_tested;
+}
+
+static void what_is_looked_at_does_not_grow_with_the_bodies(void) {
+  CHECK(looked_at(0, 100) > 9 * looked_at(0, 10));
+  CHECK(looked_at(DSW_FEATURE_LIVE_CHANGES, 100) == looked_at(DSW_FEATURE_LIVE_CHANGES, 10));
+  CHECK(looked_at(DSW_FEATURE_LIVE_CHANGES, 10) < looked_at(0, 10) / 2);
+}
+
 static void the_getter_checks_its_arguments(void) {
   const dsw_body_id *bodies = NULL;
   size_t count = 9;
@@ -269,6 +302,7 @@ int main(void) {
   a_refused_call_keeps_what_was_marked_before();
   what_was_removed_is_not_in_the_way();
   every_marking_call_forgets_the_last_ones_occupants();
+  what_is_looked_at_does_not_grow_with_the_bodies();
   the_getter_checks_its_arguments();
   CHECK_OK(dsw_scene_destroy(g_scene));
   CHECK_OK(dsw_environment_destroy(g_env));
