@@ -1,21 +1,33 @@
 #pragma once
 // An axis-parallel box that grows. It is closed, so that what lies apart from it stays apart whatever the shift.
 
+#include <limits>
+
 namespace dsw {
 
 struct Box {
-  double lower[3], upper[3];
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double lower[3] = {kInfinity, kInfinity, kInfinity}, upper[3] = {-kInfinity, -kInfinity, -kInfinity};
 
-  Box() noexcept;
   static Box everything() noexcept;
-  void add(const double* point) noexcept;
+  void add(const double* point) noexcept {
+    for (int k = 0; k < 3; ++k) {
+      lower[k] = point[k] < lower[k] ? point[k] : lower[k];
+      upper[k] = upper[k] < point[k] ? point[k] : upper[k];
+    }
+  }
   void add(const Box& other) noexcept {
     add(other.lower);
     add(other.upper);
   }
   bool empty() const noexcept { return !(lower[0] <= upper[0]); }
   bool contains(const double* point) const noexcept;
-  bool overlaps(const Box& other) const noexcept;
+  bool overlaps(const Box& other) const noexcept {
+    for (int k = 0; k < 3; ++k) {
+      if (!(lower[k] <= other.upper[k] && other.lower[k] <= upper[k])) return false;
+    }
+    return true;
+  }
   /** Whether it overlaps the box of these points. */
   bool overlaps(const double* const* points, int count) const noexcept;
 };

@@ -34,11 +34,20 @@ void BoxGrid::reserve(size_t count) {
 }
 
 void BoxGrid::put(uint32_t number, const Box& box, double size) noexcept {
-  remove(number);
   Item& item = items_[number];
+  const int32_t exponent = exponent_of(box, size);
+  if (item.exponent == exponent) {
+    // Most moves are short: it stays in its list.
+    const Level& same = level_of(exponent);
+    if (place_of(same, item.box) == place_of(same, box)) {
+      item.box = box;
+      return;
+    }
+  }
+  remove(number);
   item.box = box;
-  item.exponent = exponent_of(box, size);
-  Level& level = level_of(item.exponent);
+  item.exponent = exponent;
+  Level& level = level_of(exponent);
   ++level.count;
   link(number, level);
 }
@@ -78,17 +87,10 @@ int32_t BoxGrid::exponent_of(const Box& box, double size) noexcept {
     largest = std::max({largest, std::fabs(box.lower[k]), std::fabs(box.upper[k])});
   }
   size = std::max(size, largest * kLeastShare);
-  if (!(size < std::ldexp(1.0, kHuge - 1))) return kHuge;
+  if (!(size < 0x1p1000)) return kHuge;  // kHuge - 1
   int exponent = kTiny;
   if (size > 0) std::frexp(size, &exponent);  // size < 2^exponent
   return std::max(exponent, kTiny);
-}
-
-BoxGrid::Place BoxGrid::place_of(const Level& level, const Box& box) noexcept {
-  Place at{};
-  if (level.exponent == kHuge) return at;
-  for (int k = 0; k < 3; ++k) at.x[k] = static_cast<int64_t>(std::floor(box.lower[k] * level.inverse));
-  return at;
 }
 
 /** The cells in which boxes that overlap this one are noted; everywhere if that is less work. */
@@ -96,22 +98,13 @@ BoxGrid::Look BoxGrid::find_range(const Level& level, const Box& box, Range& ran
   if (level.exponent == kHuge) return Look::kEverywhere;
   double cells = 1;
   for (int k = 0; k < 3; ++k) {
-    const double low = std::floor(box.lower[k] * level.inverse) - 1, high = std::floor(box.upper[k] * level.inverse);
+    const double low = box.lower[k] * level.inverse, high = box.upper[k] * level.inverse;
     if (low > kFarthest || high < -kFarthest) return Look::kNowhere;
-    range.low[k] = static_cast<int64_t>(std::max(low, -kFarthest));
-    range.high[k] = static_cast<int64_t>(std::min(high, kFarthest));
+    range.low[k] = floor_of(std::max(low, -kFarthest)) - 1;
+    range.high[k] = floor_of(std::min(high, kFarthest));
     cells *= static_cast<double>(range.high[k] - range.low[k]) + 1;
   }
   return cells <= static_cast<double>(items_.size()) + 8 ? Look::kRange : Look::kEverywhere;
-}
-
-size_t BoxGrid::head_of(const Place& at, int32_t exponent) const noexcept {
-  uint64_t hash = static_cast<uint32_t>(exponent);
-  for (const int64_t x : at.x) {
-    hash = (hash ^ static_cast<uint64_t>(x)) * 0x9e3779b97f4a7c15u;
-    hash ^= hash >> 32;
-  }
-  return static_cast<size_t>(hash) & (heads_.size() - 1);
 }
 
 }  // namespace dsw

@@ -41,9 +41,9 @@ class BoxGrid {
           for (at.x[2] = range.low[2]; at.x[2] <= range.high[2]; ++at.x[2]) {
             for (uint32_t i = heads_[head_of(at, level.exponent)]; i != kEnd; i = items_[i].next) {
               const Item& item = items_[i];
+              if (item.exponent != level.exponent || !item.box.overlaps(box)) continue;
               // Other cells share the list.
-              const bool noted_here = item.exponent == level.exponent && place_of(level, item.box) == at;
-              if (noted_here && item.box.overlaps(box) && !visit(i)) return false;
+              if (place_of(level, item.box) == at && !visit(i)) return false;
             }
           }
         }
@@ -79,9 +79,24 @@ class BoxGrid {
   enum class Look { kNowhere, kRange, kEverywhere };
 
   Look find_range(const Level& level, const Box& box, Range& range) const noexcept;
-  static Place place_of(const Level& level, const Box& box) noexcept;
+  static int64_t floor_of(double x) noexcept {  // of one well below 2^63
+    const auto whole = static_cast<int64_t>(x);
+    return whole - (static_cast<double>(whole) > x ? 1 : 0);
+  }
+  static Place place_of(const Level& level, const Box& box) noexcept {
+    Place at{};
+    if (level.exponent == kHuge) return at;
+    for (int k = 0; k < 3; ++k) at.x[k] = floor_of(box.lower[k] * level.inverse);
+    return at;
+  }
   static int32_t exponent_of(const Box& box, double size) noexcept;
-  size_t head_of(const Place& at, int32_t exponent) const noexcept;
+  size_t head_of(const Place& at, int32_t exponent) const noexcept {
+    uint64_t hash = static_cast<uint32_t>(exponent);
+    constexpr uint64_t kFactors[3] = {0x9e3779b97f4a7c15u, 0xc2b2ae3d27d4eb4fu, 0x165667b19e3779f9u};
+    for (int k = 0; k < 3; ++k) hash += static_cast<uint64_t>(at.x[k]) * kFactors[k];
+    hash = (hash ^ hash >> 32) * kFactors[0];
+    return static_cast<size_t>(hash >> 32) & (heads_.size() - 1);
+  }
   Level& level_of(int32_t exponent) noexcept;
   void link(uint32_t number, const Level& level) noexcept;
 

@@ -103,7 +103,7 @@ void cut_lattice(std::size_t cells, const std::string& label, std::size_t bodies
 }  // namespace
 
 void run_cut(const Options& options, Report& report) {
-  constexpr std::size_t kBodies = 225, kFew = 9, kMany = 22500;
+  constexpr std::size_t kBodies = 225, kFew = 9, kMany = 2250;
   cut_lattice(10000, "n1e4", kBodies, 0, options, report);
   cut_lattice(1000000, "n1e6", kBodies, 0, options, report);
   const std::uint32_t live = DSW_FEATURE_LIVE_CHANGES;

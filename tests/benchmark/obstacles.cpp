@@ -105,7 +105,7 @@ std::unique_ptr<ChangingEngine> fastest_embree(const HexCase& scene, const Scrip
   const auto try_out = [&](std::unique_ptr<ChangingEngine> engine) {
     engine->prepare(script.segments);
     time_steps(script, 1, *engine);
-    const double ns = median(time_steps(script, 3, *engine));
+    const double ns = median(time_steps(script, 2, *engine));
     std::printf("    %-36s %.0f ns\n", engine->name().c_str(), ns);
     if (!best || ns < best_ns) {
       best = std::move(engine);
@@ -114,7 +114,7 @@ std::unique_ptr<ChangingEngine> fastest_embree(const HexCase& scene, const Scrip
   };
   for (const bool refit : {false, true}) try_out(make_embree_single(scene.walls, script.slots, refit));
   for (const bool instances : {false, true}) {
-    for (const double chunk : {5.0, 8.0, 13.0}) try_out(make_embree_chunks(scene.walls, chunk, instances));
+    for (const double chunk : {8.0, 13.0}) try_out(make_embree_chunks(scene.walls, chunk, instances));
   }
   return best;
 }
@@ -150,7 +150,7 @@ struct Bodies {
 };
 
 /** Of eight vertices and twelve edges. */
-Bodies make_bodies(dsw_scene* scene, const std::vector<double>& starts) {
+Bodies make_bodies(const HexCase& at, dsw_scene* scene, const std::vector<double>& starts) {
   std::vector<std::uint32_t> edges;
   for (const auto& edge : scenes::kEdgeVertices) edges.insert(edges.end(), {edge[0], edge[1]});
   Bodies bodies;
@@ -158,6 +158,10 @@ Bodies make_bodies(dsw_scene* scene, const std::vector<double>& starts) {
     dsw_body_desc desc;
     dsw_body_desc_init(&desc, sizeof desc);
     desc.positions = &starts[i];
+    std::vector<std::uint32_t> cells;
+    for (std::size_t k = 0; k < scenes::kBodyVertices; ++k) cells.push_back(at.grid.cell_at(&starts[i + 3 * k]));
+    const std::vector<dsw_volume_id> hints = volume_ids(at.world, cells);
+    desc.hints = hints.data();
     desc.vertex_count = scenes::kBodyVertices;
     desc.edges = edges.data();
     desc.edge_count = scenes::kBodyEdges;
@@ -173,7 +177,7 @@ Bodies make_bodies(dsw_scene* scene, const std::vector<double>& starts) {
 /** The changes alone, with bodies that stand still; microseconds a step. */
 double time_marks(HexCase& scene, const Script& script, const std::vector<double>& starts, std::uint32_t features) {
   scene.world.close_scene();
-  make_bodies(scene.world.scene(features), starts);
+  make_bodies(scene, scene.world.scene(features), starts);
   dsw_environment* const environment = scene.world.environment();
   std::vector<double> ns;
   for (int round = 0; round < 5; ++round) {
@@ -189,7 +193,7 @@ double time_marks(HexCase& scene, const Script& script, const std::vector<double
 double time_moves(HexCase& scene, const Script& script, std::uint32_t features) {
   scene.world.close_scene();
   dsw_scene* const handle = scene.world.scene(features);
-  const Bodies bodies = make_bodies(handle, script.starts);
+  const Bodies bodies = make_bodies(scene, handle, script.starts);
   constexpr std::size_t kDoubles = 3 * scenes::kBodyVertices;
   std::vector<std::vector<double>> targets;
   for (const std::vector<double>& all : script.targets) {
@@ -243,7 +247,7 @@ double run_lattice(std::size_t cells, const Options& options, Report& report) {
   report.set("obstacles.marks_us.no_register." + label, time_marks(scene, script, script.starts, 0));
   if (cells == 1000000) {
     scenes::BodyOptions many;
-    many.bodies = 22500;
+    many.bodies = 2250;
     const std::vector<double> starts = scenes::BodyMotion(scene.grid, many).starts();
     report.set("obstacles.marks_us.many_bodies", time_marks(scene, script, starts, DSW_FEATURE_LIVE_CHANGES));
     report.set("obstacles.marks_us.many_bodies.no_register", time_marks(scene, script, starts, 0));

@@ -178,8 +178,8 @@ class Peer {
 
   double touch(const EdgeMotion& m, const double* a, const double* b) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (std::max(std::max(m.p[k], m.p2[k]), m.q[k]) < std::min(a[k], b[k])) return kNever;
-      if (std::min(std::min(m.p[k], m.p2[k]), m.q[k]) > std::max(a[k], b[k])) return kNever;
+      if (std::max(std::max(m.p[k], m.to[k]), m.q[k]) < std::min(a[k], b[k])) return kNever;
+      if (std::min(std::min(m.p[k], m.to[k]), m.q[k]) > std::max(a[k], b[k])) return kNever;
     }
     ++tests;
     return edge_touch(m, a, b).time;
@@ -191,7 +191,7 @@ class Peer {
     if (!at_v && !at_q) return touch(m, at(f), at(f + 1));
     const std::size_t common = at_v ? v : q, far = f == common ? f + 1 : f;
     const double time = touch(m, at(far), at(far));
-    return at_v ? time : std::min(time, touch({m.p, m.p2, m.p}, at(f), at(f + 1)));
+    return at_v ? time : std::min(time, touch({m.p, m.to, m.p}, at(f), at(f + 1)));
   }
 
   void meet(const std::vector<double>& targets, const Step& truth) {
