@@ -19,6 +19,13 @@ void figures_create(body_figures *figures, const char *name) {
 
 void figures_destroy(body_figures *figures) { free(figures->touch); }
 
+void figures_touch(body_figures *figures, const double *point, const double *normal) {
+  if (figures->touch_count < figures->touch_capacity) {
+    memcpy(figures->touch + 3 * figures->touch_count, point, 3 * sizeof(double));
+    memcpy(figures->normal + 3 * figures->touch_count++, normal, 3 * sizeof(double));
+  }
+}
+
 void figures_add(body_figures *figures, const dsw_scene *scene, dsw_body_id body, const dsw_move_report *report,
                  double seconds, int keep, FILE *csv) {
   const dsw_contact *contacts = NULL;
@@ -28,9 +35,8 @@ void figures_add(body_figures *figures, const dsw_scene *scene, dsw_body_id body
   require(dsw_body_get_edits(scene, body, &edits, &edit_count), "reading edits", kFailed);
   for (size_t i = 0; i < contact_count; ++i) {
     lasting += contacts[i].history == DSW_HISTORY_LASTING;
-    if (keep && figures->touch_count < figures->touch_capacity) {
-      memcpy(figures->touch + 3 * figures->touch_count, contacts[i].point, sizeof contacts[i].point);
-      memcpy(figures->normal + 3 * figures->touch_count++, contacts[i].normal, sizeof contacts[i].normal);
+    if (keep) {
+      figures_touch(figures, contacts[i].point, contacts[i].normal);
     }
   }
   for (size_t i = 0; i < edit_count; ++i) {

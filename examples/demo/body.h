@@ -1,4 +1,4 @@
-/* What the two scenes with bodies share: figures of their moves, contacts of the last steps, a table of the steps. */
+/* What the scenes with bodies share: figures of their moves, contacts of the last steps, a table of the steps. */
 #ifndef DARTSWEEP_DEMO_BODY_H
 #define DARTSWEEP_DEMO_BODY_H
 
@@ -20,6 +20,9 @@ typedef struct body_figures {
 
 void figures_create(body_figures *figures, const char *name);
 void figures_destroy(body_figures *figures);
+
+/* Keeps a contact for the files. */
+void figures_touch(body_figures *figures, const double *point, const double *normal);
 
 /* Adds what a move of a body did, and a line to `csv` if it is not null. `keep`: also its contacts. */
 void figures_add(body_figures *figures, const dsw_scene *scene, dsw_body_id body, const dsw_move_report *report,

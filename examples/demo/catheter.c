@@ -6,11 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "output.h"
 #include "run.h"
 
 enum { kRelaxations = 30, kKeptSteps = 8 };
 
-static const double kStiffness = 0.15, kSteering = 0.6, kNoise = 0.03, kMinPart = 0.1;
+static const double kReach = 0.85, kStiffness = 0.15, kSteering = 0.6, kNoise = 0.03, kMinPart = 0.1;
 
 static void unit_towards(const double *a, const double *b, double *direction) {
   double length = distance(a, b);
@@ -19,7 +20,7 @@ static void unit_towards(const double *a, const double *b, double *direction) {
   }
 }
 
-static void read_places(demo_catheter *c) {
+void catheter_read_places(demo_catheter *c) {
   double positions[3 * kMostLinks];
   size_t slots = 0;
   require(dsw_body_get_positions(c->scene, c->body, positions, kMostLinks, 0, NULL, &slots), "reading the catheter",
@@ -30,7 +31,7 @@ static void read_places(demo_catheter *c) {
 }
 
 /* The first link: from the middle of the inlet as far along the way as is free. */
-static void create_catheter(demo_catheter *c, const demo_flow *flow) {
+static void create_body(demo_catheter *c, const demo_flow *flow) {
   static const uint32_t edge[2] = {0, 1};
   dsw_body_desc desc;
   double points[6];
@@ -119,7 +120,7 @@ static void feed(demo_catheter *c) {
   c->vertex[0] = added;
   c->inserted[0] = 0;
   c->rest[0] = distance(c->entry, c->at);
-  read_places(c);
+  catheter_read_places(c);
 }
 
 /* Moves two points along their line so that their distance comes nearer to `length`; the tail (0) is in a hand. */
@@ -168,45 +169,68 @@ static uint32_t slot_of_tip(const demo_catheter *c, const demo_flow *flow) {
   return flow->slot_of[volumes[c->vertex[c->count - 1].index].index];
 }
 
-void catheter_run(demo_catheter *c, dsw_environment *environment, const demo_flow *flow, const char *name,
-                  dsw_response edge_response, size_t steps, FILE *csv) {
-  double reach = 0.85 * flow->length / (double)steps, targets[3 * kMostLinks], q[3 * kMostLinks];
-  dsw_move_options options;
+void catheter_create(demo_catheter *c, dsw_scene *scene, const demo_flow *flow, const char *name,
+                     dsw_response edge_response) {
   memset(c, 0, sizeof *c);
   figures_create(&c->figures, name);
-  require(dsw_scene_create(environment, NULL, &c->scene), "creating a scene", kFailed);
+  c->scene = scene;
   c->link = 3.0 * flow->radius > flow->length / 60 ? 3.0 * flow->radius : flow->length / 60;
   c->whole = flow->length;
-  create_catheter(c, flow);
-  read_places(c);
-  dsw_move_options_init(&options, sizeof options);
-  options.vertex_response = DSW_RESPONSE_SLIDE;
-  options.edge_response = edge_response;
-  options.min_part = kMinPart;
-  options.noise_share = edge_response == DSW_RESPONSE_STOP ? 0 : kNoise;
-  memset(targets, 0, sizeof targets);
-  for (size_t step = 0; step < steps; ++step) {
-    dsw_body_counts counts;
-    dsw_move_report report;
-    counts.struct_size = sizeof counts;
-    if (c->count > kMostLinks / 2) { /* so many obstacles that it had better stop */
-      options.edge_response = DSW_RESPONSE_STOP;
-    }
-    find_targets(c, flow->guide + 3 * (size_t)slot_of_tip(c, flow), reach, q);
-    for (size_t i = 0; i < c->count; ++i) {
-      memcpy(targets + 3 * (size_t)c->vertex[i].index, q + 3 * i, 3 * sizeof(double));
-    }
-    require(dsw_body_get_counts(c->scene, c->body, &counts), "reading the catheter", kFailed);
-    double start = seconds_now();
-    require(dsw_body_move(c->scene, c->body, targets, counts.vertex_slots, 0, &options, &report), "moving the catheter",
-            kFailed);
-    figures_add(&c->figures, c->scene, c->body, &report, seconds_now() - start, step + kKeptSteps >= steps, csv);
-    follow_edits(c);
-    prove_edges(&c->figures, c->scene, c->body);
-    read_places(c);
-    c->reached = flow->from_inlet[slot_of_tip(c, flow)];
-    feed(c);
+  create_body(c, flow);
+  catheter_read_places(c);
+  dsw_move_options_init(&c->options, sizeof c->options);
+  c->options.vertex_response = DSW_RESPONSE_SLIDE;
+  c->options.edge_response = edge_response;
+  c->options.min_part = kMinPart;
+  c->options.noise_share = edge_response == DSW_RESPONSE_STOP ? 0 : kNoise;
+}
+
+void catheter_step(demo_catheter *c, const demo_flow *flow, double reach, int keep, FILE *csv) {
+  double targets[3 * kMostLinks], q[3 * kMostLinks];
+  dsw_body_counts counts;
+  dsw_move_report report;
+  counts.struct_size = sizeof counts;
+  if (c->count > kMostLinks / 2) { /* so many obstacles that it had better stop */
+    c->options.edge_response = DSW_RESPONSE_STOP;
   }
+  find_targets(c, flow->guide + 3 * (size_t)slot_of_tip(c, flow), reach, q);
+  memset(targets, 0, sizeof targets);
+  for (size_t i = 0; i < c->count; ++i) {
+    memcpy(targets + 3 * (size_t)c->vertex[i].index, q + 3 * i, 3 * sizeof(double));
+  }
+  require(dsw_body_get_counts(c->scene, c->body, &counts), "reading the catheter", kFailed);
+  double start = seconds_now();
+  require(dsw_body_move(c->scene, c->body, targets, counts.vertex_slots, 0, &c->options, &report),
+          "moving the catheter", kFailed);
+  figures_add(&c->figures, c->scene, c->body, &report, seconds_now() - start, keep, csv);
+  follow_edits(c);
+  prove_edges(&c->figures, c->scene, c->body);
+  catheter_read_places(c);
+  c->reached = flow->from_inlet[slot_of_tip(c, flow)];
+  feed(c);
+}
+
+void catheter_run(demo_catheter *c, dsw_environment *environment, const demo_flow *flow, const char *name,
+                  dsw_response edge_response, size_t steps, FILE *csv) {
+  dsw_scene *scene = NULL;
+  require(dsw_scene_create(environment, NULL, &scene), "creating a scene", kFailed);
+  catheter_create(c, scene, flow, name, edge_response);
+  for (size_t step = 0; step < steps; ++step) {
+    catheter_step(c, flow, kReach * flow->length / (double)steps, step + kKeptSteps >= steps, csv);
+  }
+}
+
+int catheter_write(const demo_catheter *c, const char *out) {
+  uint32_t links[2 * kMostLinks];
+  char name[64];
+  vtu_field inserted = field("inserted", c->inserted, 1);
+  for (uint32_t i = 0; i < 2 * kMostLinks; ++i) {
+    links[i] = (i + 1) / 2;
+  }
+  sprintf(name, "catheter_%s.vtu", c->figures.name);
+  int code = vtu_write(out, name, c->at, c->count, links, 2, c->count - 1, &inserted, 1);
+  sprintf(name, "catheter_%s_contacts.vtu", c->figures.name);
+  return code | write_touches(out, name, c->figures.touch, c->figures.normal, c->figures.touch_count);
 }
 
 void catheter_destroy(demo_catheter *c) {

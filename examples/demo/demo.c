@@ -2,23 +2,23 @@
  * falls among pyramids. Every move ends at its target or at the first thing in the way, exactly; independent passes
  * prove that nothing went through. */
 #include <dartsweep/dartsweep.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "beat.h"
+#include "box.h"
 #include "catheter.h"
 #include "fall.h"
 #include "mesh.h"
 #include "output.h"
 #include "run.h"
-
-enum { kCatheters = 3 };
+#include "tables.h"
 
 typedef struct demo_options {
   const char *mesh, *out, *surface;
   double spacing;
-  long particles, steps, fall_steps, threads;
+  long particles, steps, fall_steps, box_steps, threads;
 } demo_options;
 
 /* The wall: faces between the lumen and any other region, or those that the mesh names. */
@@ -75,151 +75,23 @@ static dsw_environment *create_environment(dsw_context *context, const demo_mesh
   return environment;
 }
 
-static void print_table(FILE *out, const demo_run *run, const demo_mesh *mesh, const demo_options *options,
-                        size_t wall) {
-  dsw_environment_info info;
-  dsw_statistics s;
-  info.struct_size = sizeof info;
-  s.struct_size = sizeof s;
-  require(dsw_environment_get_info(run->environment, &info), "reading the environment", kFailed);
-  require(dsw_scene_get_statistics(run->scene, &s), "reading the statistics", kFailed);
-  double casts = s.casts > 0 ? (double)s.casts : 1, moves = (double)run->cloud * (double)options->steps;
-  int proven = run->wrong_moves + run->wrong_places == 0;
-  fprintf(out, "\n  environment                 %12lu volumes, %lu points\n", (unsigned long)info.volume_count,
-          (unsigned long)info.vertex_count);
-  fprintf(out, "  lumen                       %12lu volumes%s\n", (unsigned long)run->flow.count,
-          mesh->lumen == 0 ? " (no region is named lumen: all in reach)" : "");
-  fprintf(out, "  radius of the lumen, about  %12.3g\n", run->flow.radius);
-  fprintf(out, "  wall                        %12lu faces%s\n",
-          (unsigned long)(wall > 0 ? wall : info.boundary_face_count), wall > 0 ? "" : " (the outer boundary)");
-  fprintf(out, "  memory of the environment   %12.1f bytes per volume\n",
-          (double)info.memory_bytes / (double)info.volume_count);
-  fprintf(out, "  particles, steps            %12lu x %ld\n", (unsigned long)run->cloud, options->steps);
-  fprintf(out, "  -----------------------------------------------------------------\n");
-  fprintf(out, "  casts                       %12.0f\n", (double)s.casts);
-  fprintf(out, "  contacts                    %12.0f\n", (double)s.contacts);
-  fprintf(out, "  cells visited per cast      %12.2f\n", (double)s.cells_visited / casts);
-  fprintf(out, "  orientation tests per cast  %12.2f\n", (double)s.orientation_tests / casts);
-  fprintf(out, "  exact fallbacks             %12.0f (%.4f %% of the tests)\n", (double)s.exact_fallbacks,
-          s.orientation_tests > 0 ? 100.0 * (double)s.exact_fallbacks / (double)s.orientation_tests : 0.0);
-  fprintf(out, "  us per particle move        %12.3f (%ld thread%s)\n", 1e6 * run->move_seconds / moves,
-          options->threads, options->threads == 1 ? "" : "s");
-  fprintf(out, "  verified free               %12s", proven ? "yes" : "no");
-  if (proven) {
-    fprintf(out, " (%.0f moves cast again, %lu places found again)\n", moves, (unsigned long)run->cloud);
-  } else {
-    fprintf(out, " (%lu moves and %lu places are wrong)\n", (unsigned long)run->wrong_moves,
-            (unsigned long)run->wrong_places);
-  }
-}
-
-static void print_row(FILE *out, const char *what, const body_figures *const *runs, size_t count, size_t offset) {
-  fprintf(out, "  %-26s", what);
-  for (size_t i = 0; i < count; ++i) {
-    fprintf(out, "  %12lu", (unsigned long)*(const size_t *)((const char *)runs[i] + offset));
-  }
-  fputc('\n', out);
-}
-
-static void print_bodies(FILE *out, const demo_catheter *catheters, const demo_fall *fall) {
-  const body_figures *runs[kCatheters + 1];
-  dsw_statistics s;
-  const size_t n = kCatheters + 1;
-  s.struct_size = sizeof s;
-  require(dsw_scene_get_statistics(fall->scene, &s), "reading the statistics", kFailed);
-  for (size_t i = 0; i < n; ++i) {
-    runs[i] = i < kCatheters ? &catheters[i].figures : &fall->figures;
-  }
-  fprintf(out, "\n  %-26s", "catheters and surface");
-  for (size_t i = 0; i < n; ++i) {
-    fprintf(out, "  %12s", runs[i]->name);
-  }
-  fprintf(out, "\n  vertices at the end       ");
-  for (size_t i = 0; i < kCatheters; ++i) {
-    fprintf(out, "  %12lu", (unsigned long)catheters[i].count);
-  }
-  fprintf(out, "  %12lu\n", (unsigned long)fall->surface->point_count);
-  print_row(out, "steps", runs, n, offsetof(body_figures, steps));
-  print_row(out, "vertices moved", runs, n, offsetof(body_figures, moved));
-  print_row(out, "of these stopped", runs, n, offsetof(body_figures, stopped));
-  print_row(out, "contacts of bodies", runs, n, offsetof(body_figures, contacts));
-  print_row(out, "of these lasting", runs, n, offsetof(body_figures, lasting));
-  print_row(out, "vertices inserted", runs, n, offsetof(body_figures, inserted));
-  print_row(out, "vertices removed", runs, n, offsetof(body_figures, removed));
-  fprintf(out, "  way of the tip, of %-7.4g", catheters[0].whole);
-  for (size_t i = 0; i < kCatheters; ++i) {
-    fprintf(out, "  %12.4g", catheters[i].reached);
-  }
-  fprintf(out, "\n  ms per step               ");
-  for (size_t i = 0; i < n; ++i) {
-    fprintf(out, "  %12.3f", 1e3 * runs[i]->seconds / (double)runs[i]->steps);
-  }
-  fprintf(out, "\n  ms of the slowest step    ");
-  for (size_t i = 0; i < n; ++i) {
-    fprintf(out, "  %12.3f", 1e3 * runs[i]->slowest);
-  }
-  fprintf(out, "\n  bodies verified free      ");
-  for (size_t i = 0; i < n; ++i) {
-    fprintf(out, "  %12s", runs[i]->wrong == 0 && (i < kCatheters || fall->still_free) ? "yes" : "no");
-  }
-  fprintf(out, "\n\n  pyramids                    %12lu, %lu of them impassable\n", (unsigned long)fall->cells,
-          (unsigned long)fall->impassable);
-  fprintf(out, "  cells visited in a step     %12.0f (by the surface's casts; at level FACES)\n",
-          (double)s.cells_visited / (double)fall->figures.steps);
-}
-
-static int write_trace(const dsw_environment *environment, const char *out, const char *name, int with_boundary) {
-  dsw_trace *trace = NULL;
-  dsw_trace_data data;
-  data.struct_size = sizeof data;
-  require(dsw_trace_create(NULL, &trace), "creating a trace", kFailed);
-  require(dsw_trace_add_impassable(trace, environment, with_boundary, 0), "tracing the wall", kFailed);
-  require(dsw_trace_get(trace, &data), "reading a trace", kFailed);
-  int code = vtu_write(out, name, data.points, data.point_count, data.triangles, 3, data.triangle_count, NULL, 0);
-  require(dsw_trace_destroy(trace), "destroying a trace", kFailed);
-  return code;
-}
-
-static vtu_field field(const char *name, const double *values, int components) {
-  vtu_field f;
-  f.name = name;
-  f.values = values;
-  f.components = components;
-  return f;
-}
-
-/* Dots with a normal each. */
-static int write_touches(const char *out, const char *name, const double *points, const double *normals, size_t count) {
-  vtu_field normal = field("normal", normals, 3);
-  return vtu_write(out, name, points, count, NULL, 0, 0, &normal, 1);
-}
-
 static int write_files(const demo_run *run, const demo_catheter *catheters, const demo_fall *fall, const char *out,
                        size_t wall) {
-  uint32_t links[2 * kMostLinks];
-  char name[64];
-  vtu_field cloud[2], touched = field("contacts", fall->touched, 1);
+  const demo_soft *soft = &fall->soft;
+  vtu_field cloud[2], touched = field("contacts", soft->touched, 1);
   cloud[0] = field("contacts", run->contacts, 1);
   cloud[1] = field("last_contact_normal", run->last_normal, 3);
-  for (uint32_t i = 0; i < 2 * kMostLinks; ++i) {
-    links[i] = (i + 1) / 2;
-  }
   int code = vtu_write(out, "demo.vtu", run->position, run->cloud, NULL, 0, 0, cloud, 2);
   code |= write_touches(out, "contacts.vtu", run->touch, run->touch_normal, run->touch_count);
   code |= write_trace(run->environment, out, "wall.vtu", wall == 0);
   code |= write_trace(run->environment, out, "outer.vtu", 1);
   for (size_t i = 0; i < kCatheters; ++i) {
-    const demo_catheter *c = catheters + i;
-    vtu_field inserted = field("inserted", c->inserted, 1);
-    sprintf(name, "catheter_%s.vtu", c->figures.name);
-    code |= vtu_write(out, name, c->at, c->count, links, 2, c->count - 1, &inserted, 1);
-    sprintf(name, "catheter_%s_contacts.vtu", c->figures.name);
-    code |= write_touches(out, name, c->figures.touch, c->figures.normal, c->figures.touch_count);
+    code |= catheter_write(catheters + i, out);
   }
-  code |= vtu_write(out, "surface.vtu", fall->surface->points, fall->surface->point_count, fall->surface->corners, 3,
-                    fall->surface->triangle_count, &touched, 1);
+  code |= vtu_write(out, "surface.vtu", soft->surface->points, soft->surface->point_count, soft->surface->corners, 3,
+                    soft->surface->triangle_count, &touched, 1);
   code |=
-      write_touches(out, "surface_contacts.vtu", fall->figures.touch, fall->figures.normal, fall->figures.touch_count);
+      write_touches(out, "surface_contacts.vtu", soft->figures.touch, soft->figures.normal, soft->figures.touch_count);
   code |= write_trace(fall->environment, out, "obstacles.vtu", 0);
   return code;
 }
@@ -228,7 +100,7 @@ static int usage(const char *wrong) {
   fprintf(stderr,
           "demo: cannot use '%s'\n"
           "usage: dartsweep_demo [--mesh FILE] [--spacing MM] [--particles N] [--steps N] [--surface FILE.obj] "
-          "[--fall-steps N] [--threads N] [--out FOLDER]\n",
+          "[--fall-steps N] [--box-steps N] [--threads N] [--out FOLDER]\n",
           wrong);
   return kBadInput;
 }
@@ -241,6 +113,7 @@ static int read_options(int argc, char **argv, demo_options *options) {
   options->particles = 10000;
   options->steps = 300;
   options->fall_steps = 120;
+  options->box_steps = 120;
   options->threads = 1;
   for (int i = 1; i < argc; i += 2) {
     const char *name = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
@@ -261,6 +134,8 @@ static int read_options(int argc, char **argv, demo_options *options) {
       options->steps = (long)number;
     } else if (is_count && strcmp(name, "--fall-steps") == 0) {
       options->fall_steps = (long)number;
+    } else if (is_count && strcmp(name, "--box-steps") == 0) {
+      options->box_steps = (long)number;
     } else if (is_count && number <= 256 && strcmp(name, "--threads") == 0) {
       options->threads = (long)number;
     } else {
@@ -284,11 +159,13 @@ static void run_catheters(demo_catheter *catheters, const demo_run *run, size_t 
 
 int main(int argc, char **argv) {
   static demo_catheter catheters[kCatheters];
+  static demo_beat beat;
   demo_options options;
   demo_mesh mesh;
   demo_surface surface;
   demo_run run;
   demo_fall fall;
+  demo_box box;
   dsw_context *context = NULL;
   dsw_context_desc desc;
   FILE *csv = NULL;
@@ -320,21 +197,34 @@ int main(int argc, char **argv) {
   create_run(&run, environment, &mesh, (size_t)options.particles);
   drive(&run, (size_t)options.steps);
   run_catheters(catheters, &run, (size_t)options.steps, csv);
+  dsw_environment *beating = create_environment(context, &mesh);
+  mark_wall(beating, &mesh);
+  beat_create(&beat, beating, &run.flow);
+  beat_run(&beat, &run.flow, (size_t)options.steps, csv);
   fall_create(&fall, context, &surface);
   fall_run(&fall, (size_t)options.fall_steps, csv);
-  print_table(stdout, &run, &mesh, &options, wall);
+  box_create(&box, context);
+  box_run(&box, (size_t)options.box_steps, csv);
+  print_cloud(stdout, &run, &mesh, (size_t)options.steps, (size_t)options.threads, wall);
   print_bodies(stdout, catheters, &fall);
+  const change_figures *changes[] = {&beat.figures, &box.figures};
+  print_changes(stdout, changes, sizeof changes / sizeof changes[0]);
   if (options.out != NULL) {
     code = write_files(&run, catheters, &fall, options.out, wall);
+    code |= beat_write(&beat, options.out, wall == 0) | box_write(&box, options.out);
     code |= fclose(csv) != 0 ? kBadInput : 0;
   }
-  int wrong = run.wrong_moves + run.wrong_places + fall.figures.wrong > 0 || !fall.still_free;
+  int wrong = run.wrong_moves + run.wrong_places + fall.soft.figures.wrong > 0 || !fall.still_free;
+  wrong |= beat.figures.wrong + box.figures.wrong > 0 || !box.figures.sound;
   for (size_t i = 0; i < kCatheters; ++i) {
     wrong |= catheters[i].figures.wrong > 0;
     catheter_destroy(catheters + i);
   }
   destroy_run(&run);
   fall_destroy(&fall);
+  beat_destroy(&beat);
+  box_destroy(&box);
+  require(dsw_environment_destroy(beating), "destroying the environment", kFailed);
   require(dsw_environment_destroy(environment), "destroying the environment", kFailed);
   require(dsw_context_destroy(context), "destroying the context", kFailed);
   surface_free(&surface);

@@ -3,22 +3,16 @@
 #ifndef DARTSWEEP_DEMO_FALL_H
 #define DARTSWEEP_DEMO_FALL_H
 
-#include "body.h"
-#include "surface.h"
+#include "soft.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 typedef struct demo_fall {
-  body_figures figures;
+  demo_soft soft;
   dsw_environment *environment;
   dsw_scene *scene;
-  dsw_body_id body;
-  demo_surface *surface;              /* its points follow the body */
-  double *shape, *velocity, *targets; /* where the vertices were at rest; how fast they are; where they should go */
-  double *touched, *weight;           /* contacts of each vertex; how much it counts for the shape */
-  double rotation[4];                 /* of the shape, a quaternion x, y, z, w */
   size_t cells, impassable;
   int still_free; /* created again where it ended, at its level */
 } demo_fall;

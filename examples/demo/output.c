@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "run.h"
+
 static void write_values(FILE *file, const char *name, const double *values, size_t count, int components) {
   fprintf(file, "<DataArray type=\"Float64\" Name=\"%s\" NumberOfComponents=\"%d\" format=\"ascii\">\n", name,
           components);
@@ -75,4 +77,29 @@ int vtu_write(const char *directory, const char *name, const double *points, siz
     fprintf(stderr, "demo: writing '%s' failed: is the disk full?\n", name);
   }
   return failed ? 2 : 0;
+}
+
+int write_trace(const dsw_environment *environment, const char *out, const char *name, int with_boundary) {
+  dsw_trace *trace = NULL;
+  dsw_trace_data data;
+  data.struct_size = sizeof data;
+  require(dsw_trace_create(NULL, &trace), "creating a trace", kFailed);
+  require(dsw_trace_add_impassable(trace, environment, with_boundary, 0), "tracing the wall", kFailed);
+  require(dsw_trace_get(trace, &data), "reading a trace", kFailed);
+  int code = vtu_write(out, name, data.points, data.point_count, data.triangles, 3, data.triangle_count, NULL, 0);
+  require(dsw_trace_destroy(trace), "destroying a trace", kFailed);
+  return code;
+}
+
+vtu_field field(const char *name, const double *values, int components) {
+  vtu_field f;
+  f.name = name;
+  f.values = values;
+  f.components = components;
+  return f;
+}
+
+int write_touches(const char *out, const char *name, const double *points, const double *normals, size_t count) {
+  vtu_field normal = field("normal", normals, 3);
+  return vtu_write(out, name, points, count, NULL, 0, 0, &normal, 1);
 }
