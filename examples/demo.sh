@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# The main job: examples/demo.sh [MESH [SURFACE]]
+# The main job: examples/demo.sh [MESH [SURFACE [ORGAN]]]
 #
 # Installs what is missing (Debian 12, as root), builds the library and the demo, drives a cloud of 10,000 particles and
 # catheters through the lumen of MESH (.msh, .vtk or .vtu, also gzipped), or of the embedded vessel, and lets SURFACE
 # (.obj, closed, triangles) fall among pyramids; without it $DARTSWEEP_DATA/surfaces/hand_12k.obj if there is one, else a
-# ring. Leaves tables, pictures and .vtu files in build/demo/. Exit code 2: a file or an option can't be used; 1: anything
-# else.
+# ring. Then the environment changes: a scalpel cuts ORGAN (a volume mesh), without it $DARTSWEEP_DATA/organs/liver.msh, else
+# one made here; the vessel beats, a box bends. Leaves tables, pictures and .vtu files in build/demo/. Exit code 2: a file or
+# an option can't be used; 1: anything else.
 set -euo pipefail
 
 usage() {
-  sed -n '2,8s/^# \{0,1\}//p' "$0"
+  sed -n '2,10s/^# \{0,1\}//p' "$0"
   exit "$1"
 }
 fail() {
@@ -17,7 +18,7 @@ fail() {
   exit "$1"
 }
 
-[ $# -le 2 ] || usage 2 >&2
+[ $# -le 3 ] || usage 2 >&2
 case "${1:-}" in
   -h | --help) usage 0 ;;
   -*) usage 2 >&2 ;;
@@ -32,6 +33,11 @@ surface=${2:-}
 hand=${DARTSWEEP_DATA:-/nowhere}/surfaces/hand_12k.obj
 [ -n "$surface" ] || [ ! -f "$hand" ] || surface=$hand
 [ -z "$surface" ] || surface=$(realpath "$surface")
+organ=${3:-}
+[ -z "$organ" ] || [ -f "$organ" ] || fail 2 "cannot open organ file '$organ'"
+liver=${DARTSWEEP_DATA:-/nowhere}/organs/liver.msh
+[ -n "$organ" ] || [ ! -f "$liver" ] || organ=$liver
+[ -z "$organ" ] || organ=$(realpath "$organ")
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 source=$root/examples/demo
@@ -95,11 +101,18 @@ else
   title="a branching vessel"
 fi
 [ -z "$surface" ] || input+=(--surface "$surface")
+organ_title="an organ"
+if [ -n "$organ" ]; then
+  "$venv/bin/python" "$source/read_mesh.py" "$organ" "$out/organ.bin"
+  input+=(--tissue "$out/organ.bin")
+  organ_title=$(basename "$organ")
+fi
 "$tree/examples/dartsweep_demo" "${input[@]}" --threads "$(nproc)" --out "$out" | tee "$out/summary.txt"
-"$venv/bin/python" "$source/draw.py" "$out" "Dartsweep: a cloud and catheters in $title"
-rm -f "$out/mesh.bin"
+"$venv/bin/python" "$source/draw.py" "$out" "Dartsweep: a cloud and catheters in $title" "$organ_title"
+rm -f "$out/mesh.bin" "$out/organ.bin"
 
 echo
 echo "  tables   $out/summary.txt, steps.csv (every step of the bodies)"
-echo "  pictures $out/demo.png, surface.png"
-echo "  ParaView $out/demo.vtu (cloud), catheter_*.vtu, surface.vtu, wall.vtu, outer.vtu, obstacles.vtu, *contacts.vtu"
+echo "  pictures $out/demo.png, surface.png, scalpel.png, beating.png, box.png"
+echo "  ParaView $out/demo.vtu (cloud), catheter_*.vtu, surface.vtu, wall.vtu, outer.vtu, obstacles.vtu, *contacts.vtu,"
+echo "           tissue.vtu, scalpel.vtu, probe.vtu, beating.vtu, box.vtu, ring_*.vtu"

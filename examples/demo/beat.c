@@ -10,11 +10,11 @@
 
 enum { kSamples = 160, kSmoothings = 40, kKeptSteps = 10, kPeriod = 50 };
 
-static const double kPi = 3.14159265358979323846, kDepth = 0.6, kWaves = 2.5, kReach = 0.85;
+static const double kPi = 3.14159265358979323846, kDepth = 0.7, kWaves = 2.5, kReach = 0.85;
 
 /* The middle of the vessel: the way of the flow, at `count` places, smoothed. */
 static size_t find_middle(const demo_flow *flow, double *middle) {
-  size_t count = flow->path_count < kSamples ? flow->path_count : kSamples;
+  const size_t most = kSamples, count = flow->path_count < most ? flow->path_count : most;
   for (size_t i = 0; i < count; ++i) {
     size_t slot = flow->path[i * (flow->path_count - 1) / (count > 1 ? count - 1 : 1)];
     memcpy(middle + 3 * i, flow->centre + 3 * slot, 3 * sizeof(double));

@@ -10,7 +10,7 @@
 
 enum { kAlong = 12, kAcross = 9, kKeptSteps = 6, kPeriod = 80 };
 
-static const double kPi = 3.14159265358979323846, kLength = 8, kWidth = 6, kGravity = 2, kSize = 3, kSpeed = 2.5;
+static const double kPi = 3.14159265358979323846, kLength = 8, kWidth = 6, kGravity = 0.5, kSize = 3, kSpeed = 2.5;
 
 /* kAlong x kAcross x kAcross hexahedra. */
 static void create_environment(demo_box *box, dsw_context *context) {

@@ -1,5 +1,5 @@
 /* The main job: a cloud of particles flows and catheters are pushed through the lumen of a vessel; a closed surface
- * falls among pyramids. Every move ends at its target or at the first thing in the way, exactly; independent passes
+ * falls among pyramids; an organ is cut, a vessel beats, a box bends. Every move ends at its target or at the first thing in the way, exactly; independent passes
  * prove that nothing went through. */
 #include <dartsweep/dartsweep.h>
 #include <stdio.h>
@@ -13,12 +13,14 @@
 #include "mesh.h"
 #include "output.h"
 #include "run.h"
+#include "scalpel.h"
 #include "tables.h"
+#include "tissue.h"
 
 typedef struct demo_options {
-  const char *mesh, *out, *surface;
+  const char *mesh, *out, *surface, *tissue;
   double spacing;
-  long particles, steps, fall_steps, box_steps, threads;
+  long particles, steps, fall_steps, box_steps, cut_steps, threads;
 } demo_options;
 
 /* The wall: faces between the lumen and any other region, or those that the mesh names. */
@@ -100,7 +102,8 @@ static int usage(const char *wrong) {
   fprintf(stderr,
           "demo: cannot use '%s'\n"
           "usage: dartsweep_demo [--mesh FILE] [--spacing MM] [--particles N] [--steps N] [--surface FILE.obj] "
-          "[--fall-steps N] [--box-steps N] [--threads N] [--out FOLDER]\n",
+          "[--fall-steps N] [--tissue FILE] [--cut-steps N] "
+          "[--box-steps N] [--threads N] [--out FOLDER]\n",
           wrong);
   return kBadInput;
 }
@@ -109,11 +112,13 @@ static int read_options(int argc, char **argv, demo_options *options) {
   options->mesh = NULL;
   options->out = NULL;
   options->surface = NULL;
+  options->tissue = NULL;
   options->spacing = 1.3;
   options->particles = 10000;
   options->steps = 300;
   options->fall_steps = 120;
   options->box_steps = 120;
+  options->cut_steps = 12;
   options->threads = 1;
   for (int i = 1; i < argc; i += 2) {
     const char *name = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
@@ -126,6 +131,8 @@ static int read_options(int argc, char **argv, demo_options *options) {
       options->out = value;
     } else if (value != NULL && strcmp(name, "--surface") == 0) {
       options->surface = value;
+    } else if (value != NULL && strcmp(name, "--tissue") == 0) {
+      options->tissue = value;
     } else if (is_number && strcmp(name, "--spacing") == 0) {
       options->spacing = number;
     } else if (is_count && strcmp(name, "--particles") == 0) {
@@ -136,6 +143,8 @@ static int read_options(int argc, char **argv, demo_options *options) {
       options->fall_steps = (long)number;
     } else if (is_count && strcmp(name, "--box-steps") == 0) {
       options->box_steps = (long)number;
+    } else if (is_count && number >= 4 && number < kMostStations && strcmp(name, "--cut-steps") == 0) {
+      options->cut_steps = (long)number;
     } else if (is_count && number <= 256 && strcmp(name, "--threads") == 0) {
       options->threads = (long)number;
     } else {
@@ -160,8 +169,9 @@ static void run_catheters(demo_catheter *catheters, const demo_run *run, size_t 
 int main(int argc, char **argv) {
   static demo_catheter catheters[kCatheters];
   static demo_beat beat;
+  static demo_scalpel scalpel;
   demo_options options;
-  demo_mesh mesh;
+  demo_mesh mesh, organ;
   demo_surface surface;
   demo_run run;
   demo_fall fall;
@@ -171,6 +181,7 @@ int main(int argc, char **argv) {
   FILE *csv = NULL;
   int code = read_options(argc, argv, &options);
   memset(&mesh, 0, sizeof mesh);
+  memset(&organ, 0, sizeof organ);
   memset(&surface, 0, sizeof surface);
   if (code == 0 && options.surface != NULL) {
     code = surface_read(options.surface, &surface);
@@ -180,6 +191,11 @@ int main(int argc, char **argv) {
   if (code == 0) {
     code = options.mesh != NULL ? mesh_read(options.mesh, &mesh) : mesh_make_vessel(options.spacing, &mesh);
   }
+  if (code == 0 && options.tissue != NULL) {
+    code = mesh_read(options.tissue, &organ);
+  } else if (code == 0) {
+    mesh_make_organ(18, &organ);
+  }
   if (code == 0 && options.out != NULL) {
     csv = open_steps(options.out);
     code = csv == NULL ? kBadInput : 0;
@@ -187,6 +203,7 @@ int main(int argc, char **argv) {
   if (code != 0) {
     surface_free(&surface);
     mesh_free(&mesh);
+    mesh_free(&organ);
     return code;
   }
   dsw_context_desc_init(&desc, sizeof desc);
@@ -203,18 +220,23 @@ int main(int argc, char **argv) {
   beat_run(&beat, &run.flow, (size_t)options.steps, csv);
   fall_create(&fall, context, &surface);
   fall_run(&fall, (size_t)options.fall_steps, csv);
+  scalpel_create(&scalpel, context, &organ);
+  scalpel_run(&scalpel, (size_t)options.cut_steps, csv);
   box_create(&box, context);
   box_run(&box, (size_t)options.box_steps, csv);
   print_cloud(stdout, &run, &mesh, (size_t)options.steps, (size_t)options.threads, wall);
   print_bodies(stdout, catheters, &fall);
-  const change_figures *changes[] = {&beat.figures, &box.figures};
+  const change_figures *changes[] = {&scalpel.figures, &beat.figures, &box.figures};
   print_changes(stdout, changes, sizeof changes / sizeof changes[0]);
+  print_scalpel(stdout, &scalpel);
   if (options.out != NULL) {
     code = write_files(&run, catheters, &fall, options.out, wall);
-    code |= beat_write(&beat, options.out, wall == 0) | box_write(&box, options.out);
+    code |=
+        beat_write(&beat, options.out, wall == 0) | box_write(&box, options.out) | scalpel_write(&scalpel, options.out);
     code |= fclose(csv) != 0 ? kBadInput : 0;
   }
   int wrong = run.wrong_moves + run.wrong_places + fall.soft.figures.wrong > 0 || !fall.still_free;
+  wrong |= scalpel.figures.wrong > 0 || !scalpel.figures.sound;
   wrong |= beat.figures.wrong + box.figures.wrong > 0 || !box.figures.sound;
   for (size_t i = 0; i < kCatheters; ++i) {
     wrong |= catheters[i].figures.wrong > 0;
@@ -224,10 +246,12 @@ int main(int argc, char **argv) {
   fall_destroy(&fall);
   beat_destroy(&beat);
   box_destroy(&box);
+  scalpel_destroy(&scalpel);
   require(dsw_environment_destroy(beating), "destroying the environment", kFailed);
   require(dsw_environment_destroy(environment), "destroying the environment", kFailed);
   require(dsw_context_destroy(context), "destroying the context", kFailed);
   surface_free(&surface);
   mesh_free(&mesh);
+  mesh_free(&organ);
   return wrong ? kFailed : code;
 }

@@ -1,6 +1,7 @@
-"""Draws what the demo's C program wrote: the vessel with cloud and catheters, the surface among the pyramids.
+"""Draws what the demo's C program wrote: the vessel with cloud and catheters, the surface among the
+pyramids, and what changes: the organ that is cut, the vessel that beats, the box that bends.
 
-usage: draw.py FOLDER TITLE
+usage: draw.py FOLDER TITLE ORGAN
 """
 import os
 import sys
@@ -14,6 +15,7 @@ from PIL import Image
 WIDTH, HEIGHT = 1200, 700
 WALL, SLEEVE, NORMAL, INK = "#c8414b", "#8b7d72", "#1e9e6a", "#22303a"
 CATHETER, STATIC, INSERTED, STONE = "#1c6fa8", "#e08a1e", "#f2d31b", "#c3c9ce"
+TISSUE = "#c98b7d"
 
 
 def view_axes(points):
@@ -128,6 +130,93 @@ def draw_vessel(folder, title, rows):
     save(plot, os.path.join(folder, "demo.png"), middle, towards, up, 4 * size, scale)
 
 
+def frame_of(points):
+    """As view_axes, and the box of the points along these axes."""
+    axes = view_axes(points)
+    low, high = (np.array([pick(points @ axis) for axis in axes]) for pick in (np.min, np.max))
+    return (*axes, low, high)
+
+
+def used_points(mesh):
+    return mesh.points[np.unique(mesh.cells_dict[pyvista.CellType.TRIANGLE])]
+
+
+def draw_scalpel(folder, rows, column):
+    read = lambda name: pyvista.read(os.path.join(folder, name))
+    tissue, blades, probe, contacts = map(read, ("tissue.vtu", "scalpel.vtu", "probe.vtu", "probe_contacts.vtu"))
+    skin = tissue.extract_surface(algorithm="dataset_surface").clean()
+    rod = probe.points - probe.points.mean(axis=0)
+    up = np.linalg.svd(rod, full_matrices=False)[2][0]
+    up *= np.sign((probe.points[1] - probe.points[0]) @ up)
+    along = blades.points[-1] - blades.points[0]
+    along = along - (along @ up) * up
+    along /= np.linalg.norm(along)
+    towards = 0.75 * up + 0.62 * np.cross(up, along) + 0.2 * along
+    towards /= np.linalg.norm(towards)
+    plot = new_plot()
+    plot.add_mesh(skin, color=TISSUE, show_edges=True, edge_color="#8c5046", line_width=1, ambient=0.25, specular=0.2)
+    plot.add_mesh(probe.extract_surface(algorithm="dataset_surface").compute_normals(split_vertices=False),
+                  color=CATHETER, smooth_shading=True, ambient=0.25, specular=0.6)
+    length = np.linalg.norm(probe.points[1] - probe.points[0])
+    plot.add_mesh(pyvista.lines_from_points(blades.points[0::2]).tube(radius=0.006 * length), color=INK)
+    if contacts.n_points > 0:
+        plot.add_mesh(arrows(contacts, 0.25 * length), color=NORMAL, ambient=0.4)
+    number = lambda key: f"{int(rows[key][column]):,}"
+    text(plot, f"A scalpel cuts {sys.argv[3]}, a probe enters the cut", 28, HEIGHT - 46, 13)
+    text(plot, f"{number('volumes at the end')} volumes; {number('cuts or deformations')} changes, "
+         f"{rows['ms for each change'][column]} ms each; probe free after every step: {rows['free after every step'][column]}",
+         28, HEIGHT - 76)
+    text(plot, "way of the scalpel (black), probe (blue), where it touches (green)", 28, 24)
+    save(plot, os.path.join(folder, "scalpel.png"), blades.points.mean(axis=0) + 0.45 * length * up, towards, up,
+         20 * length, 1.45 * length)
+
+
+def draw_beating(folder, rows, column):
+    read = lambda name: pyvista.read(os.path.join(folder, name))
+    rest, wall = map(read, ("wall.vtu", "beating.vtu"))
+    right, up, towards, low, high = frame_of(used_points(rest))
+    size, span = (high - low)[:2]
+    plot = new_plot()
+    plot.add_mesh(glass(rest, towards, SLEEVE, 0.0, 0.30), scalars="rgba", rgba=True, lighting=False)
+    plot.add_mesh(glass(wall, towards, WALL, 0.10, 0.75), scalars="rgba", rgba=True, smooth_shading=True,
+                  specular=0.3, ambient=0.35)
+    add_catheter(plot, folder, "beaten", CATHETER, 0.0045 * size, True)
+    number = lambda key: f"{int(rows[key][column]):,}"
+    text(plot, "A vessel that beats squeezes a catheter", 28, HEIGHT - 46, 13)
+    text(plot, f"{number('cuts or deformations')} deformations, {rows['ms for each change'][column]} ms each; {number('contacts of walls')} "
+         f"contacts of the wall, vertices pushed {number('vertices pushed')} times; free after every step: "
+         f"{rows['free after every step'][column]}", 28, HEIGHT - 76)
+    text(plot, "at rest (grey), squeezed (red), catheter with inserted vertices (blue, yellow), normals where the wall has "
+         "pushed it (green)", 28, 24)
+    save(plot, os.path.join(folder, "beating.png"), (low + high) / 2 @ np.array([right, up, towards]), towards, up,
+         4 * size, max(span * 1.32, size * 1.12 * HEIGHT / WIDTH) / 2)
+
+
+def draw_box(folder, rows, column):
+    read = lambda name: pyvista.read(os.path.join(folder, name))
+    box = read("box.vtu").extract_surface(algorithm="dataset_surface")
+    towards = np.array([0.35, -0.85, 0.40])
+    towards /= np.linalg.norm(towards)
+    plot = new_plot()
+    plot.add_mesh(glass(box, towards, SLEEVE, 0.05, 0.25), scalars="rgba", rgba=True, lighting=False)
+    plot.add_mesh(box.extract_all_edges(), color="#9aa4ac", line_width=1, opacity=0.35)
+    low, high = np.array(box.bounds).reshape(3, 2).T
+    size = np.max(high - low)
+    for name, colour in (("ring_one", CATHETER), ("ring_two", STATIC)):
+        ring = read(f"{name}.vtu").extract_surface(algorithm="dataset_surface").compute_normals(split_vertices=False)
+        plot.add_mesh(ring, color=colour, smooth_shading=True, specular=0.3, ambient=0.25)
+        contacts = read(f"{name}_contacts.vtu")
+        if contacts.n_points > 0:
+            plot.add_mesh(arrows(contacts, 0.05 * size, 120), color=NORMAL, ambient=0.4)
+    number = lambda key: f"{int(rows[key][column]):,}"
+    text(plot, "Two soft rings collide in a box that bends, level FACES", 28, HEIGHT - 46, 13)
+    text(plot, f"{number('vertices of bodies')} vertices, {number('contacts of bodies')} contacts, {number('of these with bodies')} of "
+         f"them with each other; free after every step: {rows['free after every step'][column]}", 28, HEIGHT - 76)
+    text(plot, "normals of the last contacts (green)", 28, 24)
+    save(plot, os.path.join(folder, "box.png"), (low + high) / 2 + np.array([0, 0, 0.03 * size]), towards,
+         np.array([0, 0, 1.0]), 6 * size, 0.6 * size)
+
+
 def draw_surface(folder, rows):
     read = lambda name: pyvista.read(os.path.join(folder, name))
     surface, obstacles, contacts = map(read, ("surface.vtu", "obstacles.vtu", "surface_contacts.vtu"))
@@ -158,8 +247,10 @@ def draw_surface(folder, rows):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 4:
         sys.exit(__doc__)
     table = counts(sys.argv[1])
     draw_vessel(sys.argv[1], sys.argv[2], table)
     draw_surface(sys.argv[1], table)
+    for column, draw in enumerate((draw_scalpel, draw_beating, draw_box)):
+        draw(sys.argv[1], table, column)

@@ -114,10 +114,10 @@ void print_changes(FILE *out, const change_figures *const *changes, size_t count
   static const struct {
     const char *what;
     int digits;
-  } kRows[] = {{"volumes at the end", 0},  {"cuts or deformations", 0}, {"ms for each", 3},
+  } kRows[] = {{"volumes at the end", 0},  {"cuts or deformations", 0}, {"ms for each change", 3},
                {"ms of the slowest", 3},   {"contacts of walls", 0},    {"vertices pushed", 0},
                {"wall vertices held", 0},  {"vertices of bodies", 0},   {"moves of bodies", 0},
-               {"ms for each", 3},         {"contacts of bodies", 0},   {"of these with bodies", 0},
+               {"ms for each move", 3},    {"contacts of bodies", 0},   {"of these with bodies", 0},
                {"proofs of being free", 0}};
   enum { kRowCount = sizeof kRows / sizeof kRows[0] };
   const char *names[kMostChanges], *proven[kMostChanges], *sound[kMostChanges];
@@ -151,4 +151,11 @@ void print_changes(FILE *out, const change_figures *const *changes, size_t count
   }
   print_words(out, "free after every step", proven, count);
   print_words(out, "all volumes valid", sound, count);
+}
+
+void print_scalpel(FILE *out, const demo_scalpel *scalpel) {
+  fprintf(out, "\n  tissue                      %12lu volumes, %lu split by the scalpel, %lu of it taken out\n",
+          (unsigned long)scalpel->tissue_volumes, (unsigned long)scalpel->split, (unsigned long)scalpel->opened);
+  fprintf(out, "  floor of the cut            %12.4g below the surface; the probe touches at %.4g\n", scalpel->depth,
+          scalpel->reached);
 }

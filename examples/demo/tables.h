@@ -8,6 +8,7 @@
 #include "changes.h"
 #include "fall.h"
 #include "run.h"
+#include "scalpel.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -21,6 +22,8 @@ void print_cloud(FILE *out, const demo_run *run, const demo_mesh *mesh, size_t s
 void print_bodies(FILE *out, const demo_catheter *catheters, const demo_fall *fall);
 /* Environments that change, and what lies in them: at most kMostChanges of them. */
 void print_changes(FILE *out, const change_figures *const *changes, size_t count);
+/* What the scalpel did. */
+void print_scalpel(FILE *out, const demo_scalpel *scalpel);
 
 #ifdef __cplusplus
 }
