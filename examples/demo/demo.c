@@ -117,7 +117,7 @@ static int read_options(int argc, char **argv, demo_options *options) {
   options->particles = 10000;
   options->steps = 300;
   options->fall_steps = 120;
-  options->box_steps = 120;
+  options->box_steps = 44;
   options->cut_steps = 12;
   options->threads = 1;
   for (int i = 1; i < argc; i += 2) {

@@ -154,7 +154,8 @@ def draw_scalpel(folder, rows, column):
     towards = 0.75 * up + 0.62 * np.cross(up, along) + 0.2 * along
     towards /= np.linalg.norm(towards)
     plot = new_plot()
-    plot.add_mesh(skin, color=TISSUE, show_edges=True, edge_color="#8c5046", line_width=1, ambient=0.25, specular=0.2)
+    plot.add_mesh(skin, color=TISSUE, show_edges=True, edge_color="#8c5046", line_width=1, opacity=0.72,
+                  ambient=0.25, specular=0.2)
     plot.add_mesh(probe.extract_surface(algorithm="dataset_surface").compute_normals(split_vertices=False),
                   color=CATHETER, smooth_shading=True, ambient=0.25, specular=0.6)
     length = np.linalg.norm(probe.points[1] - probe.points[0])
@@ -168,7 +169,7 @@ def draw_scalpel(folder, rows, column):
          28, HEIGHT - 76)
     text(plot, "way of the scalpel (black), probe (blue), where it touches (green)", 28, 24)
     save(plot, os.path.join(folder, "scalpel.png"), blades.points.mean(axis=0) + 0.45 * length * up, towards, up,
-         20 * length, 1.45 * length)
+         20 * length, 1.6 * length)
 
 
 def draw_beating(folder, rows, column):
@@ -214,7 +215,7 @@ def draw_box(folder, rows, column):
          f"them with each other; free after every step: {rows['free after every step'][column]}", 28, HEIGHT - 76)
     text(plot, "normals of the last contacts (green)", 28, 24)
     save(plot, os.path.join(folder, "box.png"), (low + high) / 2 + np.array([0, 0, 0.03 * size]), towards,
-         np.array([0, 0, 1.0]), 6 * size, 0.6 * size)
+         np.array([0, 0, 1.0]), 6 * size, 0.84 * size)
 
 
 def draw_surface(folder, rows):
