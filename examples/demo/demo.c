@@ -1,6 +1,6 @@
 /* The main job: a cloud of particles flows and catheters are pushed through the lumen of a vessel; a closed surface
- * falls among pyramids; an organ is cut, a vessel beats, a box bends. Every move ends at its target or at the first thing in the way, exactly; independent passes
- * prove that nothing went through. */
+ * falls among pyramids; an organ is cut, a vessel beats, a box bends. Every move ends at its target or at the first thing
+ * in the way, exactly; independent passes prove that nothing went through. */
 #include <dartsweep/dartsweep.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -143,7 +143,7 @@ def used_points(mesh):
 
 def draw_scalpel(folder, rows, column):
     read = lambda name: pyvista.read(os.path.join(folder, name))
-    tissue, blades, probe, contacts = map(read, ("tissue.vtu", "scalpel.vtu", "probe.vtu", "probe_contacts.vtu"))
+    tissue, blades, probe = map(read, ("tissue.vtu", "scalpel.vtu", "probe.vtu"))
     skin = tissue.extract_surface(algorithm="dataset_surface").clean()
     rod = probe.points - probe.points.mean(axis=0)
     up = np.linalg.svd(rod, full_matrices=False)[2][0]
@@ -154,20 +154,18 @@ def draw_scalpel(folder, rows, column):
     towards = 0.75 * up + 0.62 * np.cross(up, along) + 0.2 * along
     towards /= np.linalg.norm(towards)
     plot = new_plot()
-    plot.add_mesh(skin, color=TISSUE, show_edges=True, edge_color="#8c5046", line_width=1, opacity=0.72,
-                  ambient=0.25, specular=0.2)
+    plot.add_mesh(skin, color=TISSUE, show_edges=True, edge_color="#8c5046", line_width=1, ambient=0.25, specular=0.2)
     plot.add_mesh(probe.extract_surface(algorithm="dataset_surface").compute_normals(split_vertices=False),
                   color=CATHETER, smooth_shading=True, ambient=0.25, specular=0.6)
     length = np.linalg.norm(probe.points[1] - probe.points[0])
     plot.add_mesh(pyvista.lines_from_points(blades.points[0::2]).tube(radius=0.006 * length), color=INK)
-    if contacts.n_points > 0:
-        plot.add_mesh(arrows(contacts, 0.25 * length), color=NORMAL, ambient=0.4)
     number = lambda key: f"{int(rows[key][column]):,}"
     text(plot, f"A scalpel cuts {sys.argv[3]}, a probe enters the cut", 28, HEIGHT - 46, 13)
     text(plot, f"{number('volumes at the end')} volumes; {number('cuts or deformations')} changes, "
          f"{rows['ms for each change'][column]} ms each; probe free after every step: {rows['free after every step'][column]}",
          28, HEIGHT - 76)
-    text(plot, "way of the scalpel (black), probe (blue), where it touches (green)", 28, 24)
+    text(plot, f"way of the scalpel (black), probe (blue): it touches {rows['floor of the cut'][-1]} below the surface, the floor "
+         f"of the cut is at {rows['floor of the cut'][0]}", 28, 24)
     save(plot, os.path.join(folder, "scalpel.png"), blades.points.mean(axis=0) + 0.45 * length * up, towards, up,
          20 * length, 1.6 * length)
 
@@ -184,8 +182,8 @@ def draw_beating(folder, rows, column):
     add_catheter(plot, folder, "beaten", CATHETER, 0.0045 * size, True)
     number = lambda key: f"{int(rows[key][column]):,}"
     text(plot, "A vessel that beats squeezes a catheter", 28, HEIGHT - 46, 13)
-    text(plot, f"{number('cuts or deformations')} deformations, {rows['ms for each change'][column]} ms each; {number('contacts of walls')} "
-         f"contacts of the wall, vertices pushed {number('vertices pushed')} times; free after every step: "
+    text(plot, f"{number('cuts or deformations')} deformations, {rows['ms for each change'][column]} ms each; "
+         f"{number('contacts of walls')} contacts of the wall, vertices pushed {number('vertices pushed')} times; free after every step: "
          f"{rows['free after every step'][column]}", 28, HEIGHT - 76)
     text(plot, "at rest (grey), squeezed (red), catheter with inserted vertices (blue, yellow), normals where the wall has "
          "pushed it (green)", 28, 24)
@@ -211,8 +209,8 @@ def draw_box(folder, rows, column):
             plot.add_mesh(arrows(contacts, 0.05 * size, 120), color=NORMAL, ambient=0.4)
     number = lambda key: f"{int(rows[key][column]):,}"
     text(plot, "Two soft rings collide in a box that bends, level FACES", 28, HEIGHT - 46, 13)
-    text(plot, f"{number('vertices of bodies')} vertices, {number('contacts of bodies')} contacts, {number('of these with bodies')} of "
-         f"them with each other; free after every step: {rows['free after every step'][column]}", 28, HEIGHT - 76)
+    text(plot, f"{number('vertices of bodies')} vertices, {number('contacts of bodies')} contacts, "
+         f"{number('of these with bodies')} of them with each other; free after every step: {rows['free after every step'][column]}", 28, HEIGHT - 76)
     text(plot, "normals of the last contacts (green)", 28, 24)
     save(plot, os.path.join(folder, "box.png"), (low + high) / 2 + np.array([0, 0, 0.03 * size]), towards,
          np.array([0, 0, 1.0]), 6 * size, 0.84 * size)
