@@ -86,10 +86,10 @@ void beat_create(demo_beat *beat, dsw_environment *environment, const demo_flow 
 
 /* Waves run along the vessel; its ends keep their width. */
 static void bend(const demo_beat *beat, size_t step, double *next) {
-  double begins = step < kPeriod / 2 ? 2.0 * (double)step / kPeriod : 1, end = 4 * beat->radius;
+  double begins = step < kPeriod / 2 ? 2.0 * (double)step / (double)kPeriod : 1, end = 4 * beat->radius;
   for (size_t i = 0; i < beat->point_count; ++i) {
     double s = beat->along[i], left = (s < beat->length - s ? s : beat->length - s) / end;
-    double wave = sin(kPi * (kWaves * s / beat->length - (double)step / kPeriod));
+    double wave = sin(kPi * (kWaves * s / beat->length - (double)step / (double)kPeriod));
     double depth = kDepth * begins * (left < 1 ? left : 1) * wave * wave;
     for (size_t k = 0; k < 3; ++k) {
       next[3 * i + k] = beat->rest[3 * i + k] + depth * beat->inward[3 * i + k];

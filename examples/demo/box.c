@@ -22,9 +22,9 @@ static void create_environment(demo_box *box, dsw_context *context) {
   int64_t *connectivity = (int64_t *)demo_allocate(8 * cells, sizeof(int64_t));
   dsw_environment_desc desc;
   for (size_t i = 0; i < box->point_count; ++i) {
-    box->rest[3 * i] = kLength * (double)(i % row) / kAlong;
-    box->rest[3 * i + 1] = kWidth * (double)(i / row % column) / kAcross;
-    box->rest[3 * i + 2] = kWidth * (double)(i / row / column) / kAcross;
+    box->rest[3 * i] = kLength * (double)(i % row) / (double)kAlong;
+    box->rest[3 * i + 1] = kWidth * (double)(i / row % column) / (double)kAcross;
+    box->rest[3 * i + 2] = kWidth * (double)(i / row / column) / (double)kAcross;
   }
   for (size_t i = 0; i < cells; ++i) {
     size_t x = i % kAlong, y = i / kAlong % kAcross, z = i / kAlong / kAcross;
@@ -76,7 +76,7 @@ void box_create(demo_box *box, dsw_context *context) {
 
 /* The walls at both ends come in and go out again, most of all in their middles, and the floor heaves. */
 static void bend(const demo_box *box, size_t step, double *next) {
-  double phase = kPi * (double)step / kPeriod, in = 2.1 * sin(phase) * sin(phase), up = 0.9 * sin(2 * phase);
+  double phase = kPi * (double)step / (double)kPeriod, in = 2.1 * sin(phase) * sin(phase), up = 0.9 * sin(2 * phase);
   for (size_t i = 0; i < box->point_count; ++i) {
     const double *p = box->rest + 3 * i;
     double x = p[0] / kLength, y = p[1] / kWidth, z = p[2] / kWidth;

@@ -104,7 +104,7 @@ static void make_probe(demo_scalpel *s, double x, double y, double tip) {
   uint32_t *c = p->corners;
   for (uint32_t i = 0; i < kAround * kRows; ++i) {
     uint32_t row = i / kAround, right = row * kAround + (i + 1) % kAround + 2;
-    double up = (double)(row + 1) / (kRows + 1), angle = 2 * kPi * (double)(i % kAround) / kAround;
+    double up = (double)(row + 1) / (double)(kRows + 1), angle = 2 * kPi * (double)(i % kAround) / (double)kAround;
     double z = length * up * up, radius = thick * sqrt(z < 4 * thick ? z / (4 * thick) : 1);
     to_world(s, x + radius * cos(angle), y + radius * sin(angle), tip + z, p->points + 3 * (i + 2));
     const uint32_t two[6] = {i + 2, right, row + 1 == kRows ? 1 : right + kAround, row == 0 ? 0 : i + 2 - kAround,
@@ -211,7 +211,7 @@ static void push_probe(demo_scalpel *s, FILE *csv) {
   size_t n = s->surface.point_count;
   memset(&motion, 0, sizeof motion);
   motion.rotation[3] = 1;
-  motion.translation[s->axis[2]] = -(kDeep + 0.4) * s->size[2] / kPushes;
+  motion.translation[s->axis[2]] = -(kDeep + 0.4) * s->size[2] / (double)kPushes;
   report.fraction = 1;
   for (size_t push = 0; push < kPushes && report.fraction == 1; ++push) {
     double start = seconds_now();

@@ -218,7 +218,7 @@ void tissue_put_in_air(dsw_environment *environment, double most, double *first,
   find_hull(environment, volumes, &info, &h);
   find_centre(&h, centre);
   for (size_t i = 0; i < kLayers; ++i) { /* each layer thicker than the one before */
-    double part = (double)(i + 1) / kLayers;
+    double part = (double)(i + 1) / (double)kLayers;
     scales[i] = 1 + (most - 1) * part * part;
   }
   add_layers(environment, &h, centre, scales);
