@@ -143,7 +143,7 @@ static int read_options(int argc, char **argv, demo_options *options) {
       options->fall_steps = (long)number;
     } else if (is_count && strcmp(name, "--box-steps") == 0) {
       options->box_steps = (long)number;
-    } else if (is_count && number >= 4 && number < kMostStations && strcmp(name, "--cut-steps") == 0) {
+    } else if (is_count && number >= 4 && number <= (double)kMostCuts && strcmp(name, "--cut-steps") == 0) {
       options->cut_steps = (long)number;
     } else if (is_count && number <= 256 && strcmp(name, "--threads") == 0) {
       options->threads = (long)number;
