@@ -8,7 +8,7 @@
 #include "run.h"
 #include "tissue.h"
 
-/* Rows of the blades: for each step, and how far a cut begins behind. */
+/* Rows of the blades for each step; a cut begins behind by one of so many parts of the blade, which is more than a volume. */
 enum { kFine = 3, kBehind = 6, kAround = 16, kRows = 24, kPushes = 40 };
 
 static const double kPi = 3.14159265358979323846;
@@ -140,7 +140,7 @@ void scalpel_create(demo_scalpel *s, dsw_context *context, const demo_mesh *orga
 
 /* A blade goes on to row `last`. What it does not cross completely stays whole until it has gone on, so a cut begins some rows behind. */
 static void cut(demo_scalpel *s, const double *blade, size_t last) {
-  size_t first = last < kFine + kBehind ? 0 : last - kFine - kBehind;
+  size_t behind = kFine + s->stations / kBehind, first = last < behind ? 0 : last - behind;
   dsw_cut_desc desc;
   dsw_cut_report report;
   dsw_cut_desc_init(&desc, sizeof desc);

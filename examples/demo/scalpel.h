@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-enum { kMostCuts = 300, kMostStations = 1000 };
+enum { kMostCuts = 50, kMostStations = 200 };
 
 typedef struct demo_scalpel {
   change_figures figures;
