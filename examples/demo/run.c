@@ -6,23 +6,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 enum { kBar = 40, kContactSteps = 4 };
-
-void require(dsw_status status, const char *what, int exit_code) {
-  if (status != DSW_STATUS_OK) {
-    fprintf(stderr, "demo: %s: %s: %s\n", what, dsw_status_string(status), dsw_last_error_message());
-    exit(exit_code);
-  }
-}
-
-double seconds_now(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /* A number in [0,1) that depends on nothing but its arguments, so runs repeat bit for bit. */
 static double chance(uint32_t particle, uint32_t step, uint32_t use) {

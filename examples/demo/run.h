@@ -4,14 +4,13 @@
 
 #include <dartsweep/dartsweep.h>
 
+#include "base.h"
 #include "flow.h"
 #include "mesh.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-enum { kFailed = 1, kBadInput = 2 };
 
 typedef struct demo_run {
   dsw_environment *environment;
@@ -27,12 +26,6 @@ typedef struct demo_run {
   size_t wrong_moves, wrong_places;
   double move_seconds;
 } demo_run;
-
-/* Ends the program with the library's message unless `status` is OK. */
-void require(dsw_status status, const char *what, int exit_code);
-
-/* Seconds of a clock that never goes back. */
-double seconds_now(void);
 
 /* Places the cloud in the lumen and creates its particles. The environment must outlive the run. */
 void create_run(demo_run *run, dsw_environment *environment, const demo_mesh *mesh, size_t cloud);

@@ -1,0 +1,84 @@
+// One body of a scene and its physics.
+#ifndef DARTSWEEP_PHYSICS_SOFT_BODY_H
+#define DARTSWEEP_PHYSICS_SOFT_BODY_H
+
+#include <optional>
+
+#include "contact_response.h"
+#include "integrators.h"
+#include "library.h"
+#include "shape_matching.h"
+
+namespace physics {
+
+struct SoftBodyOptions {
+  IntegratorOptions integrator;
+  dsw_move_options move;  // how the library answers contacts
+  double omega = 0.5;     // share of the mass that an inserted vertex takes over, see Points::split
+  double match = 0;       // with a shape: share of the way to its goals made in one step, in (0, 1]
+  double restitution = 0;
+  int contact_rounds = 8;
+  std::size_t most_vertices = 1000;  // a body with as many gets no new ones: its edges slide
+  Friction friction;
+
+  // Vertices slide; edges get new vertices where there is room and slide where there is none; inserted ones go when they are in line again.
+  SoftBodyOptions();
+};
+
+struct StepReport {
+  dsw_move_report move;
+  dsw_status status = DSW_STATUS_OK;  // of the move; NON_FINITE: see SoftBody::step
+  std::size_t inserted = 0, removed = 0;
+  double library_seconds = 0;  // of the move, on the wall clock
+};
+
+class SoftBody {
+ public:
+  // A polyline through `line`, at level EDGES_SWEPT. Throws LibraryError where it is not free.
+  SoftBody(dsw_scene* scene, const Positions& line, double mass_each, const SoftBodyOptions& options);
+  // A closed or open surface of triangles (three indices each), at level FACES.
+  SoftBody(dsw_scene* scene, const Positions& corners, const std::vector<std::uint32_t>& triangles, double mass_each,
+           const SoftBodyOptions& options);
+
+  // One time step: integrate, move as far as the library finds free, follow its edits, answer its contacts.
+  // Targets that are no numbers are refused by the library (DSW_STATUS_NON_FINITE): the body stays where it was, at rest, and the
+  // scene goes on from there. Throws LibraryError for whatever else a call answers.
+  StepReport step(double dt);
+  // Living vertices.
+  std::size_t count() const;
+
+  // Adds a vertex before vertex `next` of a line, and the spring between them; false where the edge is not free.
+  bool add_vertex(const Vector3& at, std::size_t next, double mass, double stretching, double bending,
+                  std::size_t* added);
+
+  // Reads positions back: a wall may have pushed (walls.h), and inserted vertices.
+  void read_positions();
+  // Applies the edits that the library made in its last call.
+  void follow_edits(StepReport* report);
+
+  dsw_scene* scene() const { return scene_; }
+  dsw_body_id id() const { return id_; }
+  const std::vector<Touch>& touches() const { return touches_; }
+  bool was_inserted(std::size_t i) const { return i < inserted_.size() && inserted_[i]; }
+
+  Points points;
+  std::vector<dsw_volume_id> volumes;  // that the points lie in
+  Springs springs;
+  std::optional<ShapeMatching> shape;
+  Load load;
+  SoftBodyOptions options;
+
+ private:
+  void create(const Positions& corners, double mass_each, dsw_body_desc* desc);
+  void rest();
+  void pull_into_shape(double dt, Points* next);
+
+  dsw_scene* scene_;
+  dsw_body_id id_ = {0, 0};
+  std::vector<char> inserted_;
+  std::vector<Touch> touches_;
+};
+
+}  // namespace physics
+
+#endif

@@ -1,0 +1,66 @@
+#include "stability.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "extremes.h"
+#include "table.h"
+
+namespace physics {
+namespace {
+
+void expect_promise(const Outcome& outcome, const std::string& what) {
+  EXPECT_EQ(outcome.nonfinite, 0u) << what;
+  EXPECT_EQ(outcome.not_free, 0u) << what;
+  EXPECT_EQ(outcome.lost, 0u) << what;
+}
+
+TEST(Stability, ThePromiseHoldsWhateverPhysicsDoes) {
+  for (const Integrator method : {Integrator::kSymplecticEuler, Integrator::kImplicitEuler, Integrator::kXpbd}) {
+    for (const double stiffness : {1e-2, 1e4, 1e12}) {
+      for (const double dt : {1e-5, 1e-1}) {
+        const StabilityRow row = run_stability(method, stiffness, dt, 40);
+        const std::string what = std::string(name_of(method)) + " " + std::to_string(stiffness);
+        expect_promise(row.free, what);
+        expect_promise(row.contact, what);
+        EXPECT_GT(row.contact.contacts, 0u) << what << ": or nothing was tested";
+        if (method == Integrator::kImplicitEuler) {
+          EXPECT_TRUE(is_stable(row)) << stiffness << ' ' << dt;
+          EXPECT_LE(row.energy_largest, 1 + 1e-6) << stiffness << ' ' << dt;
+        }
+      }
+    }
+  }
+}
+
+TEST(Stability, SymplecticEulerIsSeenToFail) {
+  EXPECT_FALSE(is_stable(run_stability(Integrator::kSymplecticEuler, 1e4, 1e-3, 20)));
+}
+
+TEST(Extremes, EachKeepsThePromiseAndGoesOn) {
+  for (const Extreme& extreme : run_extremes(2000)) {
+    expect_promise(extreme.outcome, extreme.name);
+    EXPECT_TRUE(extreme.goes_on) << extreme.name;
+    const bool is_no_number = extreme.name == "force_nan" || extreme.name == "force_infinite";
+    EXPECT_EQ(extreme.outcome.refused > 0, is_no_number) << extreme.name;
+    if (extreme.name == "velocity_1e300") {
+      EXPECT_GT(extreme.outcome.contacts, 0u);
+      EXPECT_LE(extreme.largest, 8) << "it ends at the first wall";
+    }
+  }
+}
+
+TEST(Table, WritesBothForms) {
+  Table table(2);
+  table[0].add("name", "a").add("value", 0.5);
+  table[1].add("name", "b").add("value", 1.0 / 0.0);
+  std::ostringstream csv, json;
+  write_csv(table, csv);
+  write_json(table, json);
+  EXPECT_EQ(csv.str(), "name,value\na,0.5\nb,\n");
+  EXPECT_EQ(json.str(), "[\n    {\"name\": \"a\", \"value\": 0.5},\n    {\"name\": \"b\", \"value\": null}\n  ]");
+}
+
+}  // namespace
+}  // namespace physics

@@ -1,0 +1,22 @@
+// The proof that a body is free, by other calls of the library than those that moved it.
+#ifndef DARTSWEEP_PHYSICS_VERIFY_H
+#define DARTSWEEP_PHYSICS_VERIFY_H
+
+#include "library.h"
+
+namespace physics {
+
+struct Verdict {
+  std::size_t edges = 0, vertices = 0;  // looked at
+  std::size_t not_free = 0;             // edges that meet something impassable
+  std::size_t lost = 0;  // vertices that are not in the volume that the body reports, or not in a passable one
+  bool good() const { return not_free == 0 && lost == 0; }
+};
+
+// Casts every edge through the environment alone, and finds every vertex again without a hint. Throws LibraryError.
+// O(edges + vertices), given an environment with a grid.
+Verdict verify(const dsw_scene* scene, dsw_body_id body);
+
+}  // namespace physics
+
+#endif
