@@ -8,7 +8,7 @@
 
 #include <dartsweep/dartsweep.h>
 
-#include <map>
+#include <unordered_map>
 
 #include "points.h"
 
@@ -16,7 +16,7 @@ namespace physics {
 
 // Coefficients of friction by the host tag of cells.
 struct Friction {
-  std::map<std::uint32_t, double> by_tag;
+  std::unordered_map<std::uint32_t, double> by_tag;
   double otherwise = 0.1;
 
   double of(std::uint32_t tag) const {

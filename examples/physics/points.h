@@ -25,6 +25,8 @@ struct Points {
   void set(std::size_t i, Vector3 at, double point_mass);
   // Takes a point away without a trace; `split` and `merge` are what keeps momentum.
   void clear(std::size_t i);
+  // Ends all motion.
+  void rest() { velocity.assign(size(), Vector3::Zero()); }
 
   // A response inserted `added` between a and b: it takes `omega` of what interpolation would give it, (1 - share) of a's mass and share
   // of b's, out of these two. Mass and momentum stay what they were. A held end gives a copy of its share instead.

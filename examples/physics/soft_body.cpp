@@ -68,12 +68,6 @@ std::size_t SoftBody::count() const {
       std::count_if(points.mass.begin(), points.mass.end(), [](double m) { return m > 0; }));
 }
 
-void SoftBody::rest() {
-  for (Vector3& velocity : points.velocity) {
-    velocity.setZero();
-  }
-}
-
 StepReport SoftBody::step(double dt) {
   StepReport report;
   Points next;
@@ -91,13 +85,13 @@ StepReport SoftBody::step(double dt) {
   if (report.status == DSW_STATUS_NON_FINITE) {
     report.move = dsw_move_report{};
     touches_.clear();
-    rest();
+    points.rest();
     return report;
   }
   check(report.status, "moving a body");
   points.velocity = next.velocity;
   if (!is_finite(next)) {  // the positions were numbers, their quotients are not
-    rest();
+    points.rest();
   }
   follow_edits(&report);
   read_positions();

@@ -70,7 +70,6 @@ class SoftBody {
 
  private:
   void create(const Positions& corners, double mass_each, dsw_body_desc* desc);
-  void rest();
   void pull_into_shape(double dt, Points* next);
 
   dsw_scene* scene_;

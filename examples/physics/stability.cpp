@@ -41,13 +41,16 @@ Vector3 throw_of(std::size_t i) {
 
 void run_free(StabilityRow* row, int steps) {
   Channel channel;
-  channel.scale = 1e6;
+  channel.scale = 1000;
   const Environment environment = make_channel(channel);
-  Rod rod(environment.get(), Vector3(5e5, 5e5, 5e5), row->integrator, row->stiffness, row->dt);
+  Rod rod(environment.get(), Vector3(500, 500, 500), row->integrator, row->stiffness, row->dt);
   SoftBody& body = *rod.body;
+  double thrown = 0;
   for (std::size_t i = 0; i < body.points.size(); ++i) {
     body.points.velocity[i] = throw_of(i);
+    thrown += kMass * throw_of(i).norm();
   }
+  const Vector3 momentum = momentum_of(body.points);
   const auto energy = [&body] { return kinetic_energy_of(body.points) + body.springs.energy(body.points.position); };
   const double start = energy();
   row->energy_largest = row->kinetic_largest = 1;
@@ -62,6 +65,7 @@ void run_free(StabilityRow* row, int steps) {
     row->largest_stretch = stretch <= row->largest_stretch ? row->largest_stretch : stretch;
     row->energy_drift = now - 1;
   }
+  row->momentum_change = (momentum_of(body.points) - momentum).norm() / thrown;
 }
 
 void run_contact(StabilityRow* row, int steps) {

@@ -55,6 +55,7 @@ Table run_grid(bool quick, Summary* summary) {
         row.add("integrator", physics::name_of(r.integrator)).add("stiffness", stiffness).add("dt", dt);
         row.add("stable", physics::is_stable(r) ? 1 : 0).add("energy_drift", r.energy_drift);
         row.add("energy_largest", r.energy_largest).add("kinetic_largest", r.kinetic_largest);
+        row.add("momentum_change", r.momentum_change);
         row.add("largest_stretch", r.largest_stretch).add("contact_stretch", r.contact_stretch);
         Summary both;
         both.add(r.free);

@@ -98,6 +98,10 @@ void Walls::take_reactions(const std::vector<Touch>& touches) {
 dsw_status Walls::step(double dt, dsw_deform_report* report) {
   Points next;
   integrate(points, springs, load, dt, options_.integrator, &next);
+  if (!is_finite(next)) {
+    points.rest();
+    return DSW_STATUS_NON_FINITE;
+  }
   std::vector<double>& array = arrays_[next_array_];
   const std::vector<double>& now = arrays_[1 - next_array_];
   array = now;
@@ -105,13 +109,11 @@ dsw_status Walls::step(double dt, dsw_deform_report* report) {
     std::copy_n(next.position[i].data(), 3, &array[3 * std::size_t{vertices_[i]}]);
   }
   const dsw_status status = dsw_scene_deform(scene_, array.data(), array.size() / 3, &options_.deform, report);
-  if (status == DSW_STATUS_NON_FINITE || (status == DSW_STATUS_OK && report->outcome == DSW_DEFORM_REFUSED)) {
-    for (Vector3& velocity : points.velocity) {
-      velocity.setZero();
-    }
+  check(status, "bending the environment");
+  if (report->outcome == DSW_DEFORM_REFUSED) {
+    points.rest();
     return status;
   }
-  check(status, "bending the environment");
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const Vector3 reached = Eigen::Map<const Vector3>(&array[3 * std::size_t{vertices_[i]}]);
     points.velocity[i] = reached == next.position[i] ? next.velocity[i] : Vector3((reached - points.position[i]) / dt);

@@ -32,7 +32,8 @@ class Walls {
   void take_reactions(const std::vector<Touch>& touches);
 
   // One time step: integrate, then bend the environment as far as the library finds possible. Vertices it held have the velocity of what
-  // they made. Positions that are no numbers are refused (DSW_STATUS_NON_FINITE, if any body is near): the walls stay, at rest.
+  // they made. Positions that are no numbers give DSW_STATUS_NON_FINITE: the walls stay, at rest. (They do not go to the library, which
+  // would refuse them near bodies only and call the volumes elsewhere invalid.)
   dsw_status step(double dt, dsw_deform_report* report);
 
   // Vertices of the wall first, then their anchors, which are held.

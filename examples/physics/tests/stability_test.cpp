@@ -18,9 +18,9 @@ void expect_promise(const Outcome& outcome, const std::string& what) {
 
 TEST(Stability, ThePromiseHoldsWhateverPhysicsDoes) {
   for (const Integrator method : {Integrator::kSymplecticEuler, Integrator::kImplicitEuler, Integrator::kXpbd}) {
-    for (const double stiffness : {1e-2, 1e4, 1e12}) {
+    for (const double stiffness : {1e-2, 1e12}) {
       for (const double dt : {1e-5, 1e-1}) {
-        const StabilityRow row = run_stability(method, stiffness, dt, 40);
+        const StabilityRow row = run_stability(method, stiffness, dt, 30);
         const std::string what = std::string(name_of(method)) + " " + std::to_string(stiffness);
         expect_promise(row.free, what);
         expect_promise(row.contact, what);
