@@ -452,7 +452,7 @@ SIZE(dsw_detached_face, 20);
 AT(dsw_detached_face, face, 0);
 AT(dsw_detached_face, volume, 12);
 
-SIZE(dsw_deform_options, 40);
+SIZE(dsw_deform_options, 48);
 AT(dsw_deform_options, struct_size, 0);
 AT(dsw_deform_options, flags, 4);
 AT(dsw_deform_options, method, 8);
@@ -461,6 +461,28 @@ AT(dsw_deform_options, invalid, 16);
 AT(dsw_deform_options, most_halvings, 20);
 AT(dsw_deform_options, min_part, 24);
 AT(dsw_deform_options, point_room, 32);
+AT(dsw_deform_options, remesh_radius, 40);
+AT(dsw_deform_options, remesh_max_faces, 44);
+
+SIZE(dsw_remesh_desc, 48);
+AT(dsw_remesh_desc, struct_size, 0);
+AT(dsw_remesh_desc, flags, 4);
+AT(dsw_remesh_desc, volumes, 8);
+AT(dsw_remesh_desc, volume_count, 16);
+AT(dsw_remesh_desc, next, 24);
+AT(dsw_remesh_desc, point_count, 32);
+AT(dsw_remesh_desc, radius, 40);
+AT(dsw_remesh_desc, max_faces, 44);
+
+SIZE(dsw_remesh_report, 32);
+AT(dsw_remesh_report, invalid_count, 0);
+AT(dsw_remesh_report, mended_count, 4);
+AT(dsw_remesh_report, left_count, 8);
+AT(dsw_remesh_report, patch_count, 12);
+AT(dsw_remesh_report, volumes_removed, 16);
+AT(dsw_remesh_report, volumes_added, 20);
+AT(dsw_remesh_report, most_faces, 24);
+AT(dsw_remesh_report, reserved, 28);
 
 SIZE(dsw_deform_report, 40);
 AT(dsw_deform_report, fraction, 0);
@@ -471,7 +493,7 @@ AT(dsw_deform_report, held_count, 20);
 AT(dsw_deform_report, contact_count, 24);
 AT(dsw_deform_report, invalid_count, 28);
 AT(dsw_deform_report, pushed_count, 32);
-AT(dsw_deform_report, reserved, 36);
+AT(dsw_deform_report, remeshed_count, 36);
 
 SIZE(dsw_wall_contact, 200);
 AT(dsw_wall_contact, from, 0);

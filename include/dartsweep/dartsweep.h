@@ -18,6 +18,7 @@
 #include "dartsweep/move.h"
 #include "dartsweep/particle.h"
 #include "dartsweep/query.h"
+#include "dartsweep/remesh.h"
 #include "dartsweep/scene.h"
 #include "dartsweep/snapshot.h"
 #include "dartsweep/surgery.h"

@@ -45,6 +45,9 @@ typedef enum dsw_wall_response {
 typedef enum dsw_invalid_response {
   DSW_INVALID_HOLD = 0,   /**< The vertex that would make it so stays. END_STATE: as DSW_WALL_STOP. */
   DSW_INVALID_REFUSE = 1, /**< Nothing moves; see dsw_scene_get_invalid_volumes. */
+  /** Before anything moves, volumes that are met, and those at their vertices, are mended if they would be invalid at the end of the way,
+   * as by dsw_environment_remesh with `next`; volumes that are invalid already stay. Then as HOLD. */
+  DSW_INVALID_REMESH = 2,
   DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff
 } dsw_invalid_response;
 
@@ -70,6 +73,8 @@ typedef struct dsw_deform_options {
       point_room; /**< Vertices for which `next` has room, `point_count` or more. While the environment reads `next`, operations write there
                         the positions of vertices that they add, and 0 for those that they remove; beyond the room they answer
                         DSW_STATUS_BORROWED. 0: `next` is not written by operations, and no vertex can be added. */
+  uint32_t remesh_radius; /**< REMESH: `radius` and */
+  uint32_t remesh_max_faces; /**< `max_faces` of dsw_remesh_desc. */
 } dsw_deform_options;
 
 /** What a deformation did. */
@@ -82,7 +87,8 @@ typedef struct dsw_deform_report {
   uint32_t contact_count;     /**< See dsw_scene_get_wall_contacts. */
   uint32_t invalid_count;     /**< See dsw_scene_get_invalid_volumes. */
   uint32_t pushed_count;      /**< Moves of body vertices and particles that walls made. */
-  uint32_t reserved;          /**< 0. */
+  uint32_t remeshed_count;    /**< REMESH: volumes that went for others, listed by
+                                 dsw_environment_get_volume_changes; 0 with REFUSED. */
 } dsw_deform_report;
 
 /** A wall that met something: one vertex of the environment was moved from `from` towards `to`, and a wall at it touched a vertex, edge or

@@ -1,6 +1,7 @@
 #include "dartsweep/deform.h"
 
 #include "capi/convert.h"
+#include "capi/remesh.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -17,12 +18,11 @@ void check_number(uint32_t value, uint32_t last, const char* name) {
   if (value > last) fail(DSW_STATUS_UNSUPPORTED, "%s is %u, this version knows 0 .. %u", name, value, last);
 }
 
-dsw::WallSettings read_settings(const dsw_deform_options* options) {
-  const dsw_deform_options o = options == nullptr ? dsw_deform_options{} : capi::read_struct(options, "options");
+dsw::WallSettings read_settings(const dsw_deform_options& o) {
   capi::check_flags(o.flags, 0, "options->flags");
   check_number(capi::raw_value(o.method), DSW_DEFORM_END_STATE, "options->method");
   check_number(capi::raw_value(o.response), DSW_WALL_STOP, "options->response");
-  check_number(capi::raw_value(o.invalid), DSW_INVALID_REFUSE, "options->invalid");
+  check_number(capi::raw_value(o.invalid), DSW_INVALID_REMESH, "options->invalid");
   dsw::WallSettings s;
   s.end_state = o.method == DSW_DEFORM_END_STATE;
   s.response = o.response;
@@ -41,6 +41,31 @@ dsw::WallSettings read_settings(const dsw_deform_options* options) {
   if (o.min_part != 0) s.min_part = o.min_part;
   s.point_room = o.point_room;
   return s;
+}
+
+/** Mends volumes that would become invalid, and deforms with that. Returns how many went. */
+uint32_t mend_and_deform(dsw_scene& scene, double* next, const dsw::WallSettings& settings, dsw::MendSettings mend) {
+  dsw::Deformation& of = *scene.engine.deformation.get();
+  mend.only_valid = true;
+  dsw::Mending mending(of.env, next, mend);
+  want_near(scene.engine, mending);
+  std::optional<dsw::Edit> edit;
+  mending.prepare(edit);
+  dsw::Edit* change = edit ? &*edit : nullptr;
+  capi::MendResults results(of.env, mending.record(), change);
+  auto bend = [&] {
+    deform(scene.engine, next, settings);
+    return of.record.outcome != DSW_DEFORM_REFUSED;
+  };
+  if (change == nullptr) {
+    bend();
+  } else {
+    const dsw::Meanwhile meanwhile{[](void* user) { return (*static_cast<decltype(bend)*>(user))(); }, &bend};
+    if (!carry_out_prepared(*change, scene.engine, &meanwhile)) change = nullptr;
+    renew_ids(of);
+  }
+  results.move_to(*scene.environment, change);
+  return change == nullptr ? 0 : mending.record().gone;
 }
 
 template <class T>
@@ -66,12 +91,19 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
       fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, the environment has %u vertices", point_count,
            of.env.map.vertex_count);
     }
-    const dsw::WallSettings settings = read_settings(options);
+    const dsw_deform_options o = options == nullptr ? dsw_deform_options{} : capi::read_struct(options, "options");
+    const dsw::WallSettings settings = read_settings(o);
     if (settings.point_room != 0 && settings.point_room < point_count) {
       fail(DSW_STATUS_WRONG_SIZE, "options->point_room is %zu, point_count is %zu", settings.point_room, point_count);
     }
     if (next == of.env.points) fail(DSW_STATUS_IN_USE, "next is the array that the environment reads now");
-    deform(scene->engine, next, settings);
+    const dsw::MendSettings mend = capi::to_mend_settings(o.remesh_radius, o.remesh_max_faces);
+    uint32_t remeshed = 0;
+    if (o.invalid == DSW_INVALID_REMESH) {
+      remeshed = mend_and_deform(*scene, next, settings, mend);
+    } else {
+      deform(scene->engine, next, settings);
+    }
     if (report == nullptr) return;
     const dsw::WallRecord& done = of.record;
     *report = {done.fraction,
@@ -82,7 +114,7 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
                static_cast<uint32_t>(done.contacts.size()),
                static_cast<uint32_t>(done.invalid.size()),
                done.pushed,
-               0};
+               remeshed};
   });
 }
 

@@ -35,6 +35,7 @@ DSW_FIRST_SIZE(dsw_carve_desc, snap);
 DSW_FIRST_SIZE(dsw_tie_desc, snap);
 DSW_FIRST_SIZE(dsw_open_desc, tag);
 DSW_FIRST_SIZE(dsw_detach_desc, max_volumes);
+DSW_FIRST_SIZE(dsw_remesh_desc, max_faces);
 DSW_FIRST_SIZE(dsw_coarsen_options, max_trials);
 DSW_FIRST_SIZE(dsw_coarsen_report, trials);
 DSW_FIRST_SIZE(dsw_trace_data, triangle_count);

@@ -161,7 +161,8 @@ dsw_environment* build_environment(dsw_context* context, const dsw_environment_d
 uint64_t memory_bytes(const dsw_environment& environment) {
   return environment.engine.memory_bytes() + array_bytes(environment.changes) + array_bytes(environment.cut_vertices) +
          array_bytes(environment.cut_faces) + array_bytes(environment.whole_volumes) +
-         array_bytes(environment.carved_volumes) + sizeof environment - sizeof environment.engine;
+         array_bytes(environment.carved_volumes) + array_bytes(environment.unmended_volumes) + sizeof environment -
+         sizeof environment.engine;
 }
 
 void check_environment(const dsw_environment& environment, dsw_build_report* report) {

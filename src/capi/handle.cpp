@@ -14,7 +14,8 @@ dsw_environment::dsw_environment(dsw_context* owner)
       cut_vertices(dsw::Allocator<dsw_cut_vertex>(dsw::capi::memory_of(owner))),
       cut_faces(dsw::Allocator<dsw_cut_face>(dsw::capi::memory_of(owner))),
       whole_volumes(dsw::Allocator<dsw_volume_id>(dsw::capi::memory_of(owner))),
-      carved_volumes(dsw::Allocator<dsw_volume_id>(dsw::capi::memory_of(owner))) {
+      carved_volumes(dsw::Allocator<dsw_volume_id>(dsw::capi::memory_of(owner))),
+      unmended_volumes(dsw::Allocator<dsw_volume_id>(dsw::capi::memory_of(owner))) {
   if (owner != nullptr) {
     parallel = owner->parallel;
   } else {

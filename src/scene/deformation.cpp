@@ -19,7 +19,10 @@ uint64_t Deformation::memory_bytes() const noexcept {
          next.memory_bytes();
 }
 
-void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
+namespace {
+
+/** All that lies in the environment now. */
+void gather(Scene<3>& scene) {
   Deformation& d = *scene.deformation.get();
   d.all.particles = scene.particles.data();
   d.all.particle_count = scene.particles.size();
@@ -36,6 +39,13 @@ void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
     body.next.edits.clear();
     if (scene.features.contacts) d.partners.all.push_back({&body.body, slot, generation});
   }
+}
+
+}  // namespace
+
+void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
+  Deformation& d = *scene.deformation.get();
+  gather(scene);
   if (settings.end_state) {
     d.end_state.run(next, settings, d.next);
   } else {
@@ -53,6 +63,29 @@ void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
     settle_body(scene, scene.bodies[owner.id.index]);
   }
   for (uint32_t slot = 0; scene.features.live && slot < scene.particles.size(); ++slot) note_particle(scene, slot);
+}
+
+void want_near(Scene<3>& scene, Mending& mending) {
+  gather(scene);
+  const Map<3>& map = scene.deformation.get()->env.map;
+  CellQueue near(scene.memory), around(scene.memory);
+  for (const Cell c : scene.deformation.get()->swept.find_occupied()) {
+    for (uint32_t k = 0, n = map.vertices_of(c); k < n; ++k) {
+      around.clear();
+      around.insert(c);
+      for_each_cell_at_vertex(map, map.vertex(c, k), around, [&](Cell at) { near.insert(at); });
+    }
+  }
+  for (size_t i = 0; i < near.size(); ++i) mending.want(near[i]);
+}
+
+void renew_ids(Deformation& deformation) noexcept {
+  const Map<3>& map = deformation.env.map;
+  for (dsw_volume_id& id : deformation.record.invalid) id.generation = map.cell_slots.generation(id.index);
+  for (dsw_wall_contact& contact : deformation.record.contacts) {
+    dsw_face_id& wall = contact.wall;
+    if (wall.generation != 0) wall.generation = map.cell_slots.generation(wall.volume);
+  }
 }
 
 }  // namespace dsw

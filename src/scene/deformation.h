@@ -1,6 +1,7 @@
 #pragma once
 // What a scene keeps to deform its environment.
 
+#include "remesh/mending.h"
 #include "walls/end_state.h"
 #include "walls/wall_motion.h"
 
@@ -24,5 +25,10 @@ struct Deformation {
 
 /** Takes the points of a scene's environment to `next`. Throws std::bad_alloc and NON_FINITE: then nothing has changed. */
 void deform(Scene<3>& scene, double* next, const WallSettings& settings);
+
+/** Wants those cells mended that hold something, and those at their vertices. Throws std::bad_alloc. */
+void want_near(Scene<3>& scene, Mending& mending);
+/** What the last deformation left names cells as they are called now; for one in the course of a change of the topology. */
+void renew_ids(Deformation& deformation) noexcept;
 
 }  // namespace dsw

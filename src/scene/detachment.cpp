@@ -30,8 +30,12 @@ dsw_body_id Detachment::carry_out(const BodyDescription& like, double share, uin
   place_all(like);
   write_edit();
   edit_.prepare();
-  const auto enter = [](void* self) { static_cast<Detachment*>(self)->enter(); };
-  carry_out_prepared(edit_, scene_, enter, this);
+  const auto enter = [](void* self) {
+    static_cast<Detachment*>(self)->enter();
+    return true;
+  };
+  const Meanwhile meanwhile{enter, this};
+  carry_out_prepared(edit_, scene_, &meanwhile);
   measure();
   return id_;
 }

@@ -38,7 +38,7 @@ class Followers {
       const auto look = [&](uint32_t v) {
         if (!has_to_move(body.vertices[v].cell)) return true;
         const Cell c = find(body.position(v), body.vertices[v].cell);
-        vertices_.push_back({each.slot, v, body.vertices[v].cell, c});
+        vertices_.push_back({each.slot, v, body.vertices[v].cell, c, kNoFacet});
         all = all && is_passable(c);
         return true;
       };
@@ -59,38 +59,46 @@ class Followers {
     if (scene_.features.live) scene_.live.get()->gone.reserve(edit_);
   }
 
-  void move_vertices(bool back) noexcept {
-    for (const Seat& seat : vertices_) {
-      scene_.bodies[seat.body].body.vertices[seat.place].cell = back ? seat.before : seat.after;
-    }
-  }
-
-  void finish() noexcept {
+  void take_seats() noexcept {
+    for (const Seat& seat : vertices_) scene_.bodies[seat.body].body.vertices[seat.place].cell = seat.after;
     for (const Seat& seat : particles_) {
       scene_.particles[seat.place].cell = seat.after;
       scene_.particles[seat.place].forecast = kNoFacet;
       note_particle(scene_, seat.place);
     }
+  }
+  void leave_seats() noexcept {
+    for (const Seat& seat : vertices_) scene_.bodies[seat.body].body.vertices[seat.place].cell = seat.before;
+    for (const Seat& seat : particles_) {
+      scene_.particles[seat.place].cell = seat.before;
+      scene_.particles[seat.place].forecast = seat.forecast;
+      note_particle(scene_, seat.place);
+    }
+  }
+
+  /** Sequences of what goes; to be done while it can still be asked. */
+  void forget_sequences() noexcept {
     if (scene_.features.live) {
       note_gone_facets();
     } else {
-      forget_sequences();
+      forget_all_sequences();
     }
-    count_looked_at(scene_, looked_at_);
   }
+  void finish() noexcept { count_looked_at(scene_, looked_at_); }
 
  private:
   /** Of a particle, or of a vertex of a body. */
   struct Seat {
     uint32_t body, place;
     Cell before, after;
+    uint32_t forecast;  // before
   };
 
   void find_cells_of_particles() {
     const auto look = [&](uint32_t slot) {
       ++looked_at_;
       const ParticleState<3>& particle = scene_.particles[slot];
-      if (has_to_move(particle.cell)) particles_.push_back({0, slot, particle.cell, {}});
+      if (has_to_move(particle.cell)) particles_.push_back({0, slot, particle.cell, {}, particle.forecast});
     };
     if (scene_.features.live) {
       for (const Cell c : edit_.removed()) scene_.live.get()->particles.for_each(c, look);
@@ -111,7 +119,7 @@ class Followers {
     }
     gone.note(edit_);
   }
-  void forget_sequences() noexcept {
+  void forget_all_sequences() noexcept {
     for (BodyRecord& each : scene_.bodies) {
       for (EdgeSequence& sequence : each.body.sequences) {
         const auto gone = [&](uint32_t facet) { return is_gone(facet); };
@@ -194,35 +202,35 @@ class Followers {
   uint64_t looked_at_ = 0;
 };
 
-void follow(Edit& edit, Scene<3>& scene, void (*also)(void* user), void* user) {
+bool follow(Edit& edit, Scene<3>& scene, const Meanwhile* meanwhile) {
   Followers followers(edit, scene);
   const auto is_occupied = [&] { return !scene.occupants.empty() || !scene.occupant_bodies.empty(); };
   followers.find_cells();
   if (is_occupied()) refuse(scene);
   followers.prepare();
   edit.apply();
-  followers.move_vertices(false);
+  followers.take_seats();
+  const auto take_back = [&] {
+    followers.leave_seats();
+    edit.revert();
+  };
+  bool stays = true;
   try {
     if (scene.body_slots.alive_count() != 0) followers.find_blocked_bodies();
     if (is_occupied()) refuse(scene);
-    if (also != nullptr) also(user);
+    followers.forget_sequences();
+    if (meanwhile != nullptr) stays = meanwhile->run(meanwhile->user);
   } catch (...) {
-    followers.move_vertices(true);
-    edit.revert();
+    take_back();
     throw;
   }
-  followers.finish();
-  edit.finish();
-}
-
-void try_to_follow(Edit& edit, Scene<3>& scene, void (*also)(void* user), void* user) {
-  clear_occupants(&scene);
-  try {
-    follow(edit, scene, also, user);
-  } catch (const std::bad_alloc&) {
-    clear_occupants(&scene);
-    throw;
+  if (stays) {
+    followers.finish();
+    edit.finish();
+  } else {
+    take_back();
   }
+  return stays;
 }
 
 }  // namespace
@@ -234,13 +242,22 @@ void carry_out(Edit& edit, Scene<3>* scene) {
 }
 
 void carry_out_prepared(Edit& edit, Scene<3>* scene) {
-  if (scene != nullptr) return try_to_follow(edit, *scene, nullptr, nullptr);
+  if (scene != nullptr) {
+    carry_out_prepared(edit, *scene, nullptr);
+    return;
+  }
   edit.apply();
   edit.finish();
 }
 
-void carry_out_prepared(Edit& edit, Scene<3>& scene, void (*also)(void* user), void* user) {
-  try_to_follow(edit, scene, also, user);
+bool carry_out_prepared(Edit& edit, Scene<3>& scene, const Meanwhile* meanwhile) {
+  clear_occupants(&scene);
+  try {
+    return follow(edit, scene, meanwhile);
+  } catch (const std::bad_alloc&) {
+    clear_occupants(&scene);
+    throw;
+  }
 }
 
 }  // namespace dsw

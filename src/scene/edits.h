@@ -13,8 +13,14 @@ namespace dsw {
 void carry_out(Edit& edit, Scene<3>* scene);
 /** The same with an edit that is prepared. */
 void carry_out_prepared(Edit& edit, Scene<3>* scene);
-/** The same together with what `also` does after the edit has been applied. If that throws, having changed nothing itself, the edit
- * is taken back. */
-void carry_out_prepared(Edit& edit, Scene<3>& scene, void (*also)(void* user), void* user);
+
+/** What is done in the changed environment while the change can be taken back, which it is if this returns false or throws. */
+struct Meanwhile {
+  bool (*run)(void* user);
+  void* user;
+};
+/** Likewise, with something done meanwhile unless that is null. Returns whether the change stays. Ids are the old ones then: the
+ * cells that come have the indices that they will have, and the generations of those that had them. */
+bool carry_out_prepared(Edit& edit, Scene<3>& scene, const Meanwhile* meanwhile);
 
 }  // namespace dsw

@@ -30,13 +30,14 @@ struct FacetDraft {
 
 struct CellDraft {
   Array<FacetDraft> facets;
-  Cell from, also;  // what it comes from; both invalid: out of nothing. Label, tag and index are those of `from`
+  Cell from;         // what it comes from; invalid: out of nothing. Label, tag and index are those of this
+  Array<Cell> also;  // further cells that it comes from
   bool keeps_index = true;
   bool marked = false;
   int32_t region = 0;
   uint32_t tag = 0;
 
-  explicit CellDraft(const Memory* memory) : facets(Allocator<FacetDraft>(memory)) {}
+  explicit CellDraft(const Memory* memory) : facets(Allocator<FacetDraft>(memory)), also(Allocator<Cell>(memory)) {}
 };
 
 /** A facet as it is. */

@@ -80,7 +80,7 @@ size_t Edit::add(CellDraft&& draft) {
   drafts_.push_back(std::move(draft));
   const size_t i = drafts_.size() - 1;
   note_heir(drafts_[i].from, static_cast<uint32_t>(i));
-  note_heir(drafts_[i].also, static_cast<uint32_t>(i));
+  for (const Cell c : drafts_[i].also) note_heir(c, static_cast<uint32_t>(i));
   return i;
 }
 
@@ -470,7 +470,7 @@ void Edit::log_changes() noexcept {
   const auto id = [&](Cell c) { return SlotPool::Slot{map_.index(c), map_.generation(c)}; };
   for (const CellDraft& draft : drafts_) {
     changes_.push_back({draft.from.valid() ? id(draft.from) : SlotPool::Slot{0, 0}, {0, 0}});
-    if (draft.also.valid()) changes_.push_back({id(draft.also), {0, 0}});
+    for (const Cell c : draft.also) changes_.push_back({id(c), {0, 0}});
   }
   for (const Cell c : removed_) {
     if (ancestors_.find(c.unit) == KeyTable::kNone) changes_.push_back({id(c), {0, 0}});
@@ -528,7 +528,7 @@ void Edit::finish() noexcept {
     env_.marked_cells += draft.marked ? 1u : 0u;
     const SlotPool::Slot after{index, map_.cell_slots.generation(index)};
     changes_[at++].after = after;
-    if (draft.also.valid()) changes_[at++].after = after;
+    for (size_t k = 0; k < draft.also.size(); ++k) changes_[at++].after = after;
   }
   for (const Cell c : removed_) {
     if (map_.unit_of_cell[map_.index(c)] == kNoCell) map_.cell_slots.release(map_.index(c));

@@ -85,7 +85,7 @@ class Edit {
   Environment<3>& environment() const { return env_; }
 
   /** How long changes() can be; the rest after finish(). */
-  size_t most_changes() const { return 2 * drafts_.size() + removed_.size(); }
+  size_t most_changes() const { return drafts_.size() + heirs_.size() + removed_.size(); }
   Array<VolumeChange>& changes() { return changes_; }
 
  private:

@@ -130,7 +130,7 @@ size_t merge_cells(Edit& edit, HalfFacet h) {
   drop_shared(merged, b);
   drop_shared(other, a);
   for (FacetDraft& facet : other.facets) merged.facets.push_back(std::move(facet));
-  merged.also = b;
+  merged.also.push_back(b);
   edit.remove(a);
   edit.remove(b);
   return edit.add(std::move(merged));

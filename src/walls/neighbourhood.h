@@ -15,6 +15,8 @@ class Neighbourhood {
 
   /** Finds out which cells hold what. Throws std::bad_alloc. */
   void find_occupants();
+  /** The cells that hold anything, each once, before points move. */
+  const Array<Cell>& occupied() const noexcept { return occupied_; }
   /** Starts to move points; see MovingPoints::begin. */
   void begin(double* next);
   MovingPoints& points() noexcept { return points_; }

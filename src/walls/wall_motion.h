@@ -16,6 +16,12 @@ class WallMotion {
    * then all is as it was before. O(occupants, volumes met); where the way is shortened, O(points). */
   void run(double* next, const WallSettings& settings, WallRecord& record);
 
+  /** The cells that hold anything now, each once. Valid until the next call. Throws std::bad_alloc. */
+  const Array<Cell>& find_occupied() {
+    around_.find_occupants();
+    return around_.occupied();
+  }
+
   uint64_t memory_bytes() const noexcept { return around_.memory_bytes() + move_.memory_bytes() + array_bytes(turns_); }
 
  private:

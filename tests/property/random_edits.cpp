@@ -6,6 +6,7 @@
 #include <set>
 
 #include "body_state.h"
+#include "remesh/mending.h"
 
 namespace dsw::oracle {
 namespace {
@@ -17,7 +18,8 @@ constexpr double kTolerance = 1e-9;  // of the sum of volumes, which is rounded
 const char* name_of(Operation operation) {
   const char* const names[] = {"sew",          "unsew",       "remove",     "add",        "merge volumes",
                                "split volume", "merge faces", "split face", "split edge", "merge edges",
-                               "collapse",     "cut",         "carve",      "tie",        "open",          "detach"};
+                               "collapse",     "cut",         "carve",      "tie",        "open",          "detach",
+                               "remesh"};
   return names[static_cast<size_t>(operation)];
 }
 
@@ -126,8 +128,8 @@ Operation RandomEdits::choose() {
   const bool few = count<first_count_ / 2 + 3, many = count> 2 * first_count_;
   for (;;) {
     const auto operation = static_cast<Operation>(rng_.below(static_cast<uint32_t>(Operation::kCount)));
-    const bool takes =
-        operation == Operation::kRemove || operation == Operation::kCollapse || operation == Operation::kMergeVolumes;
+    const bool takes = operation == Operation::kRemove || operation == Operation::kCollapse ||
+                       operation == Operation::kMergeVolumes || operation == Operation::kRemesh;
     if (takes && few) continue;
     if (operation == Operation::kRemove && !rng_.chance(many ? 0.3 : 0.04)) continue;
     if (operation == Operation::kUnsew && !rng_.chance(0.3)) continue;
@@ -288,6 +290,38 @@ dsw_status RandomEdits::split_face() {
                                     nullptr, nullptr);
 }
 
+/// For a deformation that some vertices of a cell will not come through.
+dsw_status RandomEdits::remesh() {
+  const Map<3>& map = env().map;
+  std::vector<double> next(env().points, env().points + 3 * size_t{map.vertex_count});
+  const dsw::Cell c = some_cell();
+  const double reach = rng_.range(0.1, 0.8) * place_.world->size;
+  for (uint32_t k = 0; k < map.vertices_of(c); ++k) {
+    const bool moves = rng_.chance(0.4);
+    for (size_t axis = 0; axis < 3; ++axis) {
+      const double by = rng_.range(-reach, reach);
+      if (moves) next[3 * size_t{map.vertex(c, k)} + axis] += by;
+    }
+  }
+  dsw_remesh_desc desc;
+  dsw_remesh_desc_init(&desc, sizeof desc);
+  desc.next = next.data();
+  desc.point_count = map.vertex_count;
+  desc.radius = 1 + rng_.below(2);
+  dsw_remesh_report report{};
+  const dsw_status status = dsw_environment_remesh(place_.get(), &desc, &report);
+  if (status != DSW_STATUS_OK) return status;
+  if (report.volumes_removed == 0) return DSW_STATUS_NOT_FOUND;
+  const dsw_volume_change* changes = nullptr;
+  size_t count = 0;
+  dsw_environment_get_volume_changes(place_.get(), &changes, &count);
+  for (size_t i = 0; i < count; ++i) {
+    if (changes[i].after.generation == 0) continue;
+    if (!is_valid_with(place_.get()->engine, next.data(), map.cell(changes[i].after.index))) return DSW_STATUS_INTERNAL;
+  }
+  return report.volumes_added <= report.volumes_removed ? DSW_STATUS_OK : DSW_STATUS_INTERNAL;
+}
+
 dsw_status RandomEdits::call(Operation operation) {
   dsw_environment* const environment = place_.get();
   const Map<3>& map = env().map;
@@ -345,6 +379,8 @@ dsw_status RandomEdits::call(Operation operation) {
       return open();
     case Operation::kDetach:
       return detach();
+    case Operation::kRemesh:
+      return remesh();
     default: {
       const dsw_edge_id edge = some_edge();
       return dsw_environment_collapse_edge(environment, edge, vertex_of(edge));

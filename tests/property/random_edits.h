@@ -25,6 +25,7 @@ enum class Operation {
   kTie,
   kOpen,
   kDetach,
+  kRemesh,
   kCount
 };
 const char* name_of(Operation operation);
@@ -91,6 +92,7 @@ class RandomEdits {
   std::vector<dsw_cut_face> some_crack();
   dsw_status detach();
   void drop_pieces();
+  dsw_status remesh();
   std::vector<double> some_blade(uint32_t rows, uint32_t columns);
   dsw::Cell some_cell();
   dsw_face_id some_face();

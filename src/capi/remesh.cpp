@@ -1,0 +1,82 @@
+#include "dartsweep/remesh.h"
+
+#include "capi/convert.h"
+#include "capi/remesh.h"
+
+namespace capi = dsw::capi;
+using dsw::fail;
+
+namespace dsw::capi {
+
+MendSettings to_mend_settings(uint32_t radius, uint32_t max_faces) {
+  MendSettings s;
+  if (radius > 8) fail(DSW_STATUS_OUT_OF_RANGE, "the radius is %u, must be 1 to 8, or 0", radius);
+  if (max_faces != 0 && (max_faces < 4 || max_faces > kMostRim)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "max_faces is %u, must be 4 to %u, or 0", max_faces, kMostRim);
+  }
+  if (radius != 0) s.radius = radius;
+  if (max_faces != 0) s.most_faces = max_faces;
+  return s;
+}
+
+MendResults::MendResults(const Environment<3>& env, const MendRecord& record, const Edit* edit)
+    : changes_(Allocator<dsw_volume_change>(env.memory)), unmended_(Allocator<dsw_volume_id>(env.memory)) {
+  if (edit != nullptr) changes_.reserve(edit->most_changes());
+  for (const Cell c : record.left) unmended_.push_back(volume_id(env.map, c));
+}
+
+void MendResults::move_to(dsw_environment& handle, Edit* edit) noexcept {
+  handle.unmended_volumes.swap(unmended_);
+  for (size_t i = 0; edit != nullptr && i < edit->changes().size(); ++i) {
+    const VolumeChange& c = edit->changes()[i];
+    changes_.push_back({{c.before.index, c.before.generation}, {c.after.index, c.after.generation}});
+  }
+  handle.changes.swap(changes_);
+}
+
+}  // namespace dsw::capi
+
+void dsw_remesh_desc_init(dsw_remesh_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_remesh_desc{}); }
+
+dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh_desc* desc,
+                                  dsw_remesh_report* report) {
+  return capi::guard("dsw_environment_remesh", [&] {
+    dsw_environment& handle = capi::check_handle(environment, "environment");
+    dsw_scene* const scene = capi::only_scene(handle);
+    const dsw_remesh_desc d = desc == nullptr ? dsw_remesh_desc{} : capi::read_struct(desc, "desc");
+    capi::check_flags(d.flags, 0, "desc->flags");
+    dsw::Environment<3>& env = handle.engine;
+    const size_t points = d.next == nullptr ? 0 : env.map.vertex_count;
+    if (d.point_count != points) {
+      fail(DSW_STATUS_WRONG_SIZE, "desc->point_count is %zu, must be %zu", d.point_count, points);
+    }
+    capi::require_array(d.volumes, d.volume_count, "desc->volumes");
+    dsw::Mending mending(env, d.next, capi::to_mend_settings(d.radius, d.max_faces));
+    for (size_t i = 0; i < d.volume_count; ++i) {
+      mending.want(capi::to_cell(env.map, d.volumes[i], {"desc->volumes", true}, i));
+    }
+    if (d.volumes == nullptr) mending.want_all();
+    std::optional<dsw::Edit> edit;
+    mending.prepare(edit);
+    const dsw::MendRecord& record = mending.record();
+    dsw::Edit* const change = edit ? &*edit : nullptr;
+    capi::MendResults results(env, record, change);
+    if (change != nullptr) carry_out_prepared(*change, scene == nullptr ? nullptr : &scene->engine);
+    results.move_to(handle, change);
+    if (report == nullptr) return;
+    const auto left = static_cast<uint32_t>(record.left.size());
+    *report = {record.wanted, record.wanted - left, left, record.patches, record.gone,
+               record.made,   record.most_faces,    0};
+  });
+}
+
+dsw_status dsw_environment_get_unmended_volumes(const dsw_environment* environment, const dsw_volume_id** volumes,
+                                                size_t* count) {
+  return capi::guard("dsw_environment_get_unmended_volumes", [&] {
+    const dsw_environment& handle = capi::check_handle(environment, "environment");
+    capi::require(volumes, "volumes");
+    capi::require(count, "count");
+    *volumes = handle.unmended_volumes.data();
+    *count = handle.unmended_volumes.size();
+  });
+}
