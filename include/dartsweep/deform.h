@@ -73,7 +73,7 @@ typedef struct dsw_deform_options {
       point_room; /**< Vertices for which `next` has room, `point_count` or more. While the environment reads `next`, operations write there
                         the positions of vertices that they add, and 0 for those that they remove; beyond the room they answer
                         DSW_STATUS_BORROWED. 0: `next` is not written by operations, and no vertex can be added. */
-  uint32_t remesh_radius; /**< REMESH: `radius` and */
+  uint32_t remesh_radius;    /**< REMESH: `radius` and */
   uint32_t remesh_max_faces; /**< `max_faces` of dsw_remesh_desc. */
 } dsw_deform_options;
 

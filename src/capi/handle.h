@@ -36,7 +36,7 @@ struct dsw_environment {
   dsw::Array<dsw_cut_vertex> cut_vertices;  // of the last cut, as the next two
   dsw::Array<dsw_cut_face> cut_faces;
   dsw::Array<dsw_volume_id> whole_volumes;
-  dsw::Array<dsw_volume_id> carved_volumes;  // of the last carving
+  dsw::Array<dsw_volume_id> carved_volumes;    // of the last carving
   dsw::Array<dsw_volume_id> unmended_volumes;  // of the last mending
 
   explicit dsw_environment(dsw_context* owner);

@@ -145,8 +145,14 @@ class Followers {
         return true;
       });
     };
-    add_heirs(old);
-    if (around.size() == 0) for_each_beyond(old, add_heirs);  // it came to nothing
+    CellQueue gone(scene_.memory);
+    gone.insert(old);
+    for (size_t i = 0; i < gone.size() && around.size() == 0; ++i) {
+      add_heirs(gone[i]);
+      for_each_beyond(gone[i], [&](Cell c) {  // where it came to nothing
+        if (edit_.is_removed(c)) gone.insert(c);
+      });
+    }
     for (size_t i = 0; i < around.size(); ++i) {
       if (contains(env_, around[i], point)) return around[i];
       for_each_beyond(around[i], [&](Cell c) {

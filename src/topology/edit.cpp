@@ -47,13 +47,10 @@ Edit::~Edit() {
   if (made_regions_) env_.regions.clear();
   if (made_tags_) env_.tags.clear();
   if (vertices_.empty()) return;
-  for (size_t i = 0; i < points_before_.size() / 3; ++i) {
-    std::copy_n(&points_before_[i * 3], 3, env_.lent + size_t{vertices_[i]} * 3);
+  for (size_t i = 0; i < vertices_.size(); ++i) {
+    std::copy_n(&points_before_[i * 3], 3, env_.writable_points() + size_t{vertices_[i]} * 3);
   }
-  if (points_before_.empty()) {
-    for (const uint32_t v : vertices_) std::fill_n(&env_.owned_points[size_t{v} * 3], 3, 0.0);
-    env_.owned_points.resize(point_doubles_);
-  }
+  if (!env_.owned_points.empty()) env_.owned_points.resize(point_doubles_);
   env_.vertex_marks.resize(vertex_mark_words_);
 }
 
@@ -105,20 +102,20 @@ uint32_t Edit::add_vertex(const double* position) {
   return v;
 }
 
-/** Where the position of a new vertex is written. */
+/** Where the position of a new vertex is written; what is there now is kept. */
 double* Edit::room_for(uint32_t v) {
   const size_t at = size_t{v} * 3;
+  reserve_more(points_before_, 3);
   if (env_.owned_points.empty()) {
     if (v >= env_.point_room) fail(DSW_STATUS_BORROWED, "the points are the host's, without room for vertex %u", v);
-    points_before_.insert(points_before_.end(), env_.lent + at, env_.lent + at + 3);
-    return env_.lent + at;
-  }
-  if (at == env_.owned_points.size()) {
+  } else if (at == env_.owned_points.size()) {
     reserve_more(env_.owned_points, 3);
     env_.points = env_.owned_points.data();
     env_.owned_points.resize(at + 3);
   }
-  return &env_.owned_points[at];
+  double* const point = env_.writable_points() + at;
+  points_before_.insert(points_before_.end(), point, point + 3);
+  return point;
 }
 
 uint32_t Edit::add_vertex(uint32_t a, uint32_t b, double share) {

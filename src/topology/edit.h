@@ -158,7 +158,7 @@ class Edit {
   Array<MarkChange> marks_;
   Array<CellMark> cell_marks_;
   Array<uint32_t> vertices_;     // new ones
-  Array<double> points_before_;  // where they are now, in arrays of the host's
+  Array<double> points_before_;  // in their places
   Array<VolumeChange> changes_;
   uint32_t fresh_ = 0;  // cells that get an index of their own
   int64_t sides_ = 0, boundary_ = 0, marked_ = 0,

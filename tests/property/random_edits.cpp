@@ -18,8 +18,8 @@ constexpr double kTolerance = 1e-9;  // of the sum of volumes, which is rounded
 const char* name_of(Operation operation) {
   const char* const names[] = {"sew",          "unsew",       "remove",     "add",        "merge volumes",
                                "split volume", "merge faces", "split face", "split edge", "merge edges",
-                               "collapse",     "cut",         "carve",      "tie",        "open",          "detach",
-                               "remesh"};
+                               "collapse",     "cut",         "carve",      "tie",        "open",
+                               "detach",       "remesh"};
   return names[static_cast<size_t>(operation)];
 }
 

@@ -98,13 +98,15 @@ class RemeshTest : public SceneTest {
     for (const ParticleState<3>& p : s.particles) {
       ASSERT_TRUE(!p.cell.valid() || (contains(env(), p.cell, p.position) && !is_closed(env(), p.cell)));
     }
-    BodyProbe probe(env(), Box::everything(), Obstacle::kCells);
+    BodyProbe probe(env(), Obstacle::kCells);
+    Array<uint32_t> blocked{Allocator<uint32_t>(s.memory)};
     for (const BodyRecord& record : s.bodies) {
       for (const BodyVertex& v : record.body.vertices) {
         ASSERT_TRUE(!v.cell.valid() || contains(env(), v.cell, v.position));
       }
-      ASSERT_TRUE(probe.is_free(record.body));
+      probe.find_blocked(record.body, record.body.level, blocked);
     }
+    ASSERT_TRUE(blocked.empty());
   }
   dsw_remesh_report mend() {
     dsw_remesh_desc desc;
