@@ -12,6 +12,7 @@
 #include "dartsweep/contact_check.h"
 #include "dartsweep/context.h"
 #include "dartsweep/deform.h"
+#include "dartsweep/detach.h"
 #include "dartsweep/environment.h"
 #include "dartsweep/ids.h"
 #include "dartsweep/marking.h"

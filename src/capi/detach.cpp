@@ -1,5 +1,6 @@
+#include "dartsweep/detach.h"
+
 #include "capi/body_access.h"
-#include "dartsweep/surgery.h"
 #include "scene/detachment.h"
 
 namespace capi = dsw::capi;

@@ -9,6 +9,7 @@
 
 #include "capi/guard.h"
 #include "dartsweep/carve.h"
+#include "dartsweep/detach.h"
 #include "dartsweep/scene.h"
 #include "environment/environment.h"
 #include "scene/scene.h"

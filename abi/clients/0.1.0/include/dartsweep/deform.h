@@ -45,6 +45,9 @@ typedef enum dsw_wall_response {
 typedef enum dsw_invalid_response {
   DSW_INVALID_HOLD = 0,   /**< The vertex that would make it so stays. END_STATE: as DSW_WALL_STOP. */
   DSW_INVALID_REFUSE = 1, /**< Nothing moves; see dsw_scene_get_invalid_volumes. */
+  /** Before anything moves, volumes that are met, and those at their vertices, are mended if they would be invalid at the end of the way,
+   * as by dsw_environment_remesh with `next`; volumes that are invalid already stay. Then as HOLD. */
+  DSW_INVALID_REMESH = 2,
   DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff
 } dsw_invalid_response;
 
@@ -66,6 +69,12 @@ typedef struct dsw_deform_options {
   dsw_invalid_response invalid; /**< HOLD by default. */
   uint32_t most_halvings; /**< SWEPT: the largest k, 1 to 10; 0 means 10. Without a fold in the way k = 0 is enough. */
   double min_part;        /**< INSERT: least part of an edge that a split leaves, in (0,0.5]; 0 means 0.25. */
+  size_t
+      point_room; /**< Vertices for which `next` has room, `point_count` or more. While the environment reads `next`, operations write there
+                        the positions of vertices that they add, and 0 for those that they remove; beyond the room they answer
+                        DSW_STATUS_BORROWED. 0: `next` is not written by operations, and no vertex can be added. */
+  uint32_t remesh_radius;    /**< REMESH: `radius` and */
+  uint32_t remesh_max_faces; /**< `max_faces` of dsw_remesh_desc. */
 } dsw_deform_options;
 
 /** What a deformation did. */
@@ -78,7 +87,8 @@ typedef struct dsw_deform_report {
   uint32_t contact_count;     /**< See dsw_scene_get_wall_contacts. */
   uint32_t invalid_count;     /**< See dsw_scene_get_invalid_volumes. */
   uint32_t pushed_count;      /**< Moves of body vertices and particles that walls made. */
-  uint32_t reserved;          /**< 0. */
+  uint32_t remeshed_count;    /**< REMESH: volumes that went for others, listed by
+                                 dsw_environment_get_volume_changes; 0 with REFUSED. */
 } dsw_deform_report;
 
 /** A wall that met something: one vertex of the environment was moved from `from` towards `to`, and a wall at it touched a vertex, edge or
@@ -113,7 +123,7 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
  * destroyed: it reads positions here, and the array before is the host's again, to be written next. Written where a vertex could not
  * go all of its way. Must not be the array that the environment reads now.
  * @param point_count [in] vertices of the environment. @param options [in] may be null. @param report [out] may be null.
- * @return DSW_STATUS_NOT_NAMED, IN_USE (`next` is the array that it reads), WRONG_SIZE, NON_FINITE (a vertex near a body or particle; others make their volumes invalid),
+ * @return DSW_STATUS_NOT_NAMED, IN_USE (`next` is the array that it reads), WRONG_SIZE (also point_room, if below point_count), NON_FINITE (a vertex near a body or particle; others make their volumes invalid),
  * OUT_OF_RANGE, UNSUPPORTED, OUT_OF_MEMORY: nothing has changed, `next` is as it was and not retained; that also holds for the
  * outcome REFUSED.
  * @note O(bodies, particles, volumes they meet); STOP, once something is met, O(vertices of the environment). Thread: writer of the

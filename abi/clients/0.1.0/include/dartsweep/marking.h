@@ -13,7 +13,8 @@
  *
  * Where something is in the way, dsw_scene_get_occupants and dsw_scene_get_occupant_bodies tell what. Without bodies in the
  * scene their part costs nothing. With bodies, making cells impassable also costs O(vertices, edges and faces of all bodies of
- * the scene), and a cast or sweep for each of their edges and faces in the box of the cells that change.
+ * the scene), and a cast or sweep for each of their edges and faces in the box of the cells that change. In a scene with
+ * DSW_FEATURE_LIVE_CHANGES only particles in these cells, and what of bodies is near them, is looked at.
  */
 #ifndef DARTSWEEP_MARKING_H
 #define DARTSWEEP_MARKING_H

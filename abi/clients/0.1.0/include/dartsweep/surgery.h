@@ -1,7 +1,8 @@
 /** @file surgery.h
- * What a surgeon or an engineer asks of an environment: a cut along the surface that a blade sweeps, and tears. Each is made of the basic operations of
- * topology.h as one change; what is said there of ids, labels, marks, particles, bodies and threads holds here, and
- * dsw_environment_get_volume_changes lists what became of what.
+ * What a surgeon or an engineer asks of an environment: a cut along the surface that a blade sweeps, tears, and cracks that open. (Shapes
+ * carved out and vessels tied are in carve.h, pieces that come off in detach.h.) Each is made of the basic operations of topology.h as one
+ * change; what is said there of ids, labels, marks, particles, bodies and threads holds here, and dsw_environment_get_volume_changes lists
+ * what became of what.
  *
  * The blade is thought of as shifted by one infinitesimal, as bodies are, so that every answer to what it crosses is exact and
  * none is degenerate: it may pass through vertices, along edges and faces, fold, come to nothing, or lie outside. It cuts volumes that are
@@ -83,7 +84,7 @@ DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 /** Cuts an environment along a blade. The part before the blade keeps the index of a volume that is split.
  * @param desc [in] see dsw_cut_desc. @param report [out] may be null. That nothing is cut is a result, too.
  * @return besides those of topology.h: DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED (flags), OUT_OF_RANGE (rows, columns, snap), WRONG_SIZE
- * (point_stride_bytes), NON_FINITE, STALE_ID (start), BORROWED (vertices have to be added, and the points are the host's). INVALID_CELL and BAD_CELL do not occur: such volumes stay whole.
+ * (point_stride_bytes), NON_FINITE, STALE_ID (start), BORROWED (vertices have to be added, and the points are the host's without room for them, see dsw_deform_options). INVALID_CELL and BAD_CELL do not occur: such volumes stay whole.
  * OCCUPIED: with DSW_CUT_UNSEW an edge or face of a body crosses the cut, or the outer boundary would move by a rounding into a body.
  * @since 0.1 */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc, dsw_cut_report *report);
@@ -97,12 +98,12 @@ DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_c
 DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment, const dsw_face_id *faces,
                                               const double *loads, size_t count, double threshold, size_t *torn);
 
-/** Vertices that the last successful cut added. @param vertices [out] owned by the environment, valid until its next cut.
+/** Vertices that the last successful cut or opening added. @param vertices [out] owned by the environment, valid until the next of these.
  * @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_cut_vertices(const dsw_environment *environment, const dsw_cut_vertex **vertices,
                                                     size_t *count);
 
-/** Faces of the last successful cut or tear. Ids are those from right after it. @param faces [out] as above. @note O(1). Thread: reader.
+/** Faces of the last successful cut or tear, lips of the last opening. Ids are those from right after it. @param faces [out] as above. @note O(1). Thread: reader.
  * @since 0.1 */
 DSW_API dsw_status dsw_environment_get_cut_faces(const dsw_environment *environment, const dsw_cut_face **faces,
                                                  size_t *count);
@@ -111,6 +112,59 @@ DSW_API dsw_status dsw_environment_get_cut_faces(const dsw_environment *environm
  * @param volumes [out] as above. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_whole_volumes(const dsw_environment *environment, const dsw_volume_id **volumes,
                                                      size_t *count);
+
+/** Describes how a crack opens. The array is read in place, once; nothing is retained. */
+typedef struct dsw_open_desc {
+  uint32_t struct_size;      /**< sizeof(dsw_open_desc). */
+  uint32_t flags;            /**< 0. */
+  const dsw_cut_face *faces; /**< The crack, as dsw_environment_get_cut_faces gives it: two faces on the outer boundary
+                                  that lie on each other, of two volumes; or an inner face, named from any sides. */
+  size_t face_count;         /**< How many. */
+  double width;              /**< Above 0: how far the two copies of a vertex come apart. Scene units. */
+  int32_t region; /**< Label of the volumes in the gap. Not 0: other passable volumes with this label are space into
+                       which the crack opens, as passable ones beside impassable lips always are. */
+  uint32_t tag;   /**< Host tag of the volumes in the gap. */
+} dsw_open_desc;
+
+/** What opening a crack did. Widths are distances of the two copies of a vertex, rounded, in scene units; 0 if none came apart. */
+typedef struct dsw_open_report {
+  double smallest_width;
+  double largest_width;
+  uint32_t vertices_parted;    /**< Vertices that came apart. */
+  uint32_t vertices_shortened; /**< Of these those that came apart by less than the width asked for. */
+  uint32_t faces_opened;       /**< Faces that opened, which is how many volumes were added. */
+  uint32_t volumes_changed;    /**< Volumes at vertices that came apart. */
+} dsw_open_report;
+
+/** Writes the defaults and struct_size into at most `size` bytes; there is none for `width`. @param desc [out] may be null. @note
+ * Thread: any. @since 0.1 */
+DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
+
+/** Opens a crack, so that something can enter: its lips move apart, and the gap is filled with passable volumes, one for each face that opens,
+ * sewn to both lips, unless the faces are marked, and to each other. Gap volumes are wedges, pyramids and tetrahedra where the gap ends.
+ *
+ * A vertex of the crack comes apart where the crack leaves the volumes round it in two; it does not where the crack ends inside of the material,
+ * where three cracks meet, or where other volumes touch it that are joined with none of these through faces. Its copies go half of `width`
+ * each, along the crack's mean normal there and against it; where volumes would not be valid then, exactly, or the outer boundary would fold, half as far, again
+ * and again, and the other copy goes further. Where both come to nothing (1/4096 of their ways) the vertex stays one. A face with no
+ * vertex that comes apart stays as it was. At the outer boundary the gap is open to the outside, and the boundary moves with its
+ * vertices.
+ *
+ * Where a crack between impassable volumes ends at passable ones (tissue in air, or an earlier gap), the gap opens into these: the volumes at
+ * the rim's vertices are parted there by a line of edges between the two copies, and one volume at each edge of the rim gets a face in its
+ * place, sewn to the gap. Name for that the faces between impassable volumes only, else the crack goes on in the air, and opens there
+ * as well.
+ *
+ * Both copies are new vertices; the old one goes with its last volume. dsw_environment_get_cut_vertices lists them, two for each vertex that came
+ * apart, with that one as both of `from`, by the id that it had. dsw_environment_get_cut_faces lists the lips in the order of `faces`, those that did
+ * not open left out; dsw_environment_get_volume_changes has the added volumes last, in the same order.
+ * @param desc [in] see dsw_open_desc. @param report [out] may be null. That nothing opens is a result, too.
+ * @return besides those of topology.h: DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED (flags), NON_FINITE and OUT_OF_RANGE (width), DUPLICATE_ID (a face
+ * stands twice), BAD_TOPOLOGY (two faces that do not lie on each other, or are of one volume, or of which one is not on the outer
+ * boundary), BORROWED (vertices have to be added, and the points are the host's). OCCUPIED: a wall would move over a particle or a body.
+ * @note O(volumes at the vertices of the crack) each time that ways are halved, and as topology.h says. @since 0.1 */
+DSW_API dsw_status dsw_environment_open(dsw_environment *environment, const dsw_open_desc *desc,
+                                        dsw_open_report *report);
 
 #ifdef __cplusplus
 }

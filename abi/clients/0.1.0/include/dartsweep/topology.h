@@ -7,8 +7,8 @@
  * DSW_STATUS_STALE_ID from then on. What comes out as a tetrahedron, pyramid, wedge or hexahedron is one, with vertices and faces in the
  * order of that type; any other volume is a polyhedron. dsw_environment_get_volume_changes lists what became of what. Region label, tag and mark of
  * a volume are those of the volume it comes from. Marks of faces, edges and vertices stay where these do.
- * With points of its own an environment removes a vertex with its last volume, and may give its index to a later one with the next
- * generation; borrowed points keep their ids for ever.
+ * With points of its own, or lent with room (deform.h), an environment removes a vertex with its last volume, and may give its index to a
+ * later one with the next generation; other borrowed points keep their ids for ever.
  *
  * What is guaranteed: a call that fails changes nothing. Every new volume is valid, exactly, as at creation. The volumes that come
  * fill the same space as those that go (so that all volumes stay a partition), but for what a function says of the outer boundary:
@@ -20,8 +20,9 @@
  *
  * Cost: the first call on an environment makes tables of about 24 bytes a volume and 12 a vertex, once. Every call costs
  * O(faces of the volumes that change), plus amortised growth of arrays, one pass over the particles and the vertices of bodies of the
- * scene, and a cast or sweep for each edge and face of a body in the box of what changes; never the size of the environment. A
- * grid (DSW_ENVIRONMENT_LOCATE_GRID) is kept as it was: what it does not find any more is walked to from near by.
+ * scene (with DSW_FEATURE_LIVE_CHANGES only over those near), and a cast or sweep for each edge and face of a body in the box of
+ * what changes; never the size of the environment. A grid (DSW_ENVIRONMENT_LOCATE_GRID) is kept as it was: what it does not find any
+ * more is walked to from near by.
  *
  * Every function here returns, besides what it says: DSW_STATUS_NULL_ARGUMENT, DSW_STATUS_STALE_ID, DSW_STATUS_SHARED,
  * DSW_STATUS_OCCUPIED, DSW_STATUS_TOO_LARGE (more than 2^28 records or vertices, or volumes with more than 65534 corners of
@@ -65,7 +66,7 @@ typedef struct dsw_volumes_desc {
   const dsw_vertex_id *vertices; /**< Vertices that the environment has: 0 .. vertex_count-1 in connectivity. */
   size_t vertex_count;
   const double *points;      /**< New vertices, 3 doubles each, finite: vertex_count and following in connectivity. */
-  size_t point_count;        /**< 0 where the points of the environment are borrowed. */
+  size_t point_count;        /**< 0 where the points of the environment are borrowed without room (deform.h). */
   size_t point_stride_bytes; /**< Distance of two points; 0 means 24. */
   const uint8_t *cell_types; /**< dsw_cell_type of each volume; null: all are uniform_cell_type. */
   size_t cell_count;         /**< At least 1. */
@@ -91,7 +92,7 @@ DSW_API void dsw_volumes_desc_init(dsw_volumes_desc *desc, size_t size);
  * @param desc [in] see dsw_volumes_desc. @param volumes [out] desc->cell_count ids, may be null.
  * @param vertices [out] desc->point_count ids of the new vertices, may be null.
  * @return DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED, WRONG_SIZE, OUT_OF_RANGE, NON_FINITE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, BORROWED
- * (new points where they are the host's), DUPLICATE_CELL, SHARED_FACE (among the new volumes), NOT_FOUND (a face in sew_to that no new
+ * (new points where they are the host's without room for them, see dsw_deform_options), DUPLICATE_CELL, SHARED_FACE (among the new volumes), NOT_FOUND (a face in sew_to that no new
  * volume has), BAD_TOPOLOGY (one that is not on the outer boundary). The message names the volume by its place in desc.
  * @since 0.1 */
 DSW_API dsw_status dsw_environment_add_volumes(dsw_environment *environment, const dsw_volumes_desc *desc,
@@ -136,7 +137,7 @@ DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_
  * dsw_environment_copy_vertices), in all of its volumes. On the outer boundary the surface moves by that rounding.
  * @param share [in] 0 < share < 1. @param vertex [out] the new vertex; may be null.
  * @param edges [out] 2 ids, may be null: the parts at the first and at the second vertex.
- * @return DSW_STATUS_OUT_OF_RANGE for share, DSW_STATUS_BORROWED: the points are the host's. @since 0.1 */
+ * @return DSW_STATUS_OUT_OF_RANGE for share, DSW_STATUS_BORROWED: the points are the host's, without room. @since 0.1 */
 DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_edge_id edge, double share,
                                               dsw_vertex_id *vertex, dsw_edge_id *edges);
 
