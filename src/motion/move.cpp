@@ -16,14 +16,17 @@ void pull_back(const Environment<D>& env, const CastRequest& request, MoveResult
   CastRequest trial = request;
   trial.crossing = nullptr;
   trial.max_cells = 0;
-  trial.to = result.position;
-  bool found = false;
-  result.cell = request.start;
-  result.candidates += retreat<D>(request.from, request.to, result.time, result.position, &found, [&](const double*) {
+  const auto is_free = [&](const double* candidate) {
+    trial.to = candidate;
     const CastResult free = cast(env, trial, counters);
+    ++result.candidates;
     if (free.end == CastEnd::kReached) result.cell = free.cell;
     return free.end == CastEnd::kReached;
-  });
+  };
+  double target[D], time = result.time;
+  std::copy(request.to, request.to + D, target);
+  if (!result.work_limited) shorten<D>(request.from, target, &time, is_free);
+  if (!retreat<D>(request.from, target, time, result.position, is_free)) result.cell = request.start;
 }
 
 }  // namespace

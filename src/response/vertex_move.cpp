@@ -71,13 +71,16 @@ bool VertexMove::advance(uint32_t v, const double* to) {
     return true;
   }
   const dsw_contact contact = record_contacts(v, to, end == SweepEnd::kContact ? &first : nullptr, pair);
-  const double off = stand_off(contact), lean = std::fabs(dot(to_vec(contact.normal), difference(to, at.position)));
-  const double time = off > 0 ? std::max(0.0, contact.time - off / lean) : contact.time;
+  const auto is_free = [&](const double* candidate) { return sweeps_.is_free(body_, v, candidate, &cell); };
+  double target[3], time = contact.time;
+  std::copy_n(to, 3, target);
+  shorten<3>(at.position, target, &time, is_free);
+  const double lean = std::fabs(dot(to_vec(contact.normal), difference(target, at.position)));
+  const double back = stand_off(contact) / lean;
+  if (back > 0)
+    time = std::max(0.0, time - back);  // not a number: the way is longer than doubles go, and nothing is kept off
   double position[3];
-  bool found = false;
-  retreat<3>(at.position, to, time, position, &found,
-             [&](const double* candidate) { return sweeps_.is_free(body_, v, candidate, &cell); });
-  if (!found) return false;
+  if (!retreat<3>(at.position, target, time, position, is_free)) return false;
   put_vertex(body_, v, position, cell);
   return false;
 }
