@@ -49,7 +49,7 @@ DSW_API dsw_status dsw_scene_get_particles(const dsw_scene *scene, const dsw_par
                                            double *positions, size_t stride_bytes, dsw_volume_id *volumes);
 
 /** Moves a particle towards a target.
- * @param target [in] 3 finite doubles; 1e300 is a move that ends at the first wall.
+ * @param target [in] 3 finite doubles; 1e300 is a move that ends next to the first wall, as any other.
  * @param options [in] null: defaults; DSW_CAST_START_KNOWN has no effect. With DSW_CAST_NO_DETAIL the report has no
  * normal and no ids of the hit; position, time and volume are always exact.
  * @param flight [out] may be null.

@@ -33,22 +33,17 @@ double reach(const double* p, const double* q, double time) noexcept {
   return std::max(start, target);
 }
 
-template <int D>
-bool is_long(const double* p, const double* q, double time) noexcept {
-  return reach<D>(p, q, time) < largest_coordinate<D>(q);
-}
-
 /** First step back from a contact at `time`: one unit in the last place of the largest coordinate, as a fraction of the move. */
 template <int D>
 double first_step(const double* p, const double* q, double time) noexcept {
   using Limits = std::numeric_limits<double>;
   const double largest = reach<D>(p, q, time);
+  const bool is_long = largest < largest_coordinate<D>(q);
   double length = 0;
   for (int k = 0; k < D; ++k) length = std::max(length, std::fabs(q[k] - p[k]));
   const double ulp = std::nextafter(largest, Limits::infinity()) - largest;
   const double step = std::isfinite(ulp) ? ulp / length : Limits::epsilon();
-  const double least = is_long<D>(p, q, time) ? Limits::denorm_min() : Limits::epsilon() / 2;
-  return std::min(std::max(step, least), 1.0);
+  return std::min(std::max(step, is_long ? Limits::denorm_min() : Limits::epsilon() / 2), 1.0);
 }
 
 /** Where the contact of a long way comes so early that no double tells its time well: q comes nearer on this way, and `time` is found
@@ -56,7 +51,7 @@ double first_step(const double* p, const double* q, double time) noexcept {
 template <int D, class IsFree>
 void shorten(const double* p, double* q, double* time, IsFree is_free) {
   constexpr double kLeast = std::numeric_limits<double>::min();
-  if (*time >= kLeast || !is_long<D>(p, q, *time)) return;
+  if (*time >= kLeast || first_step<D>(p, q, *time) >= kLeast) return;
   point_at<D>(p, q, kLeast, q);
   // Positive doubles are in the order of their bits: 62 halvings lead from all of them to one.
   const auto time_of = [](uint64_t bits) {
