@@ -138,8 +138,9 @@ Vec Crack::facet_normal(HalfFacet h) const {
   Vec sum;
   for (size_t t = 0; t < facet.triangles.size(); t += 3) {
     const double* const p = env_.point(facet.triangles[t]);
-    sum = sum +
-          cross(difference(env_.point(facet.triangles[t + 1]), p), difference(env_.point(facet.triangles[t + 2]), p));
+    // Of unit length first: squares of very long or short edges are no doubles.
+    const Vec a = unit(difference(env_.point(facet.triangles[t + 1]), p));
+    sum = sum + cross(a, unit(difference(env_.point(facet.triangles[t + 2]), p)));
   }
   return sum;
 }

@@ -67,7 +67,7 @@ Cell find_start(const Environment<3>& env, const Blade& blade, Cell hint, uint32
   // A blade that is larger than the environment is looked for from anywhere.
   for (uint32_t i = 0; i < env.map.index_count(); ++i) {
     const Cell any = env.map.cell(i);
-    if (any.valid()) return Search(env, blade).run(any, visited);
+    if (any.valid() && admits(env, any)) return Search(env, blade).run(any, visited);
   }
   return {};
 }

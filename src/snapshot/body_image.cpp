@@ -284,8 +284,8 @@ void BodyReader::read_balls(Body& body, uint64_t count) {
     ball.wait = words[0];
     ball.patience = words[1];
     ball.version = words[2] == 1 ? env_.obstacle_version : EdgeSequence::kNever;
-    const bool finite = std::all_of(place, place + 5, [](double x) { return std::isfinite(x); });
-    if (!finite || words[2] > 1 || !(ball.radius > 0 || (ball.radius == 0 && words[2] == 0)))
+    const bool finite = std::all_of(place, place + 4, [](double x) { return std::isfinite(x); });
+    if (!finite || std::isnan(ball.wanted) || words[2] > 1 || !(ball.radius > 0 || (ball.radius == 0 && words[2] == 0)))
       fail_corrupt("a clearance");
     if (words[2] == 0) continue;
     const Cell at = locate(env_, ball.centre, body.vertices[v].cell, nullptr).cell;

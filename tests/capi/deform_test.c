@@ -401,13 +401,14 @@ static void saved_and_loaded(void) {
 /* A cut in an environment that bends: its vertices are written to the array that was lent, if that has room. */
 static void cut_while_bent(void) {
   static const double blade[12] = {1.25, -1, -1, 1.25, 5, -1, 1.25, -1, 5, 1.25, 5, 5};
+  static const double other_blade[12] = {2.25, -1, -1, 2.25, 5, -1, 2.25, -1, 5, 2.25, 5, 5};
   static double arrays[2][3 * 2 * POINTS];
   dsw_deform_options o = options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
   const dsw_cut_vertex *added = NULL;
   size_t i, count = 0, points = POINTS;
   dsw_cut_report report;
   dsw_cut_desc d;
-  int turn;
+  int turn, valid = 1;
   begin(DSW_FEATURE_DEFORMING);
   dsw_cut_desc_init(&d, sizeof d);
   d.points = blade;
@@ -438,6 +439,21 @@ static void cut_while_bent(void) {
   CHECK(arrays[0][3 * (POINTS + 25)] == -7);
   points += count;
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_deform(g_scene, arrays[1], POINTS, &o, NULL));
+  /* The first volume invalid, and the blade's points outside: it is looked for from another volume. */
+  memcpy(arrays[1], arrays[0], sizeof arrays[0]);
+  arrays[1][0] = arrays[1][1] = arrays[1][2] = 0.9;
+  o.point_room = 2 * POINTS;
+  CHECK_OK(dsw_scene_deform(g_scene, arrays[1], points, &o, NULL));
+  CHECK_OK(dsw_environment_is_valid(g_env, volume_at(0), &valid));
+  CHECK(!valid);
+  d.points = other_blade;
+  CHECK_OK(dsw_environment_cut(g_env, &d, &report));
+  CHECK(report.volumes_crossed == 16);
+  points += report.vertex_count;
+  memcpy(arrays[0], arrays[1], sizeof arrays[0]);
+  memset(arrays[0], 0, 3 * sizeof(double));
+  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], points, &o, NULL));
+  memcpy(arrays[1], arrays[0], sizeof arrays[0]);
   for (i = 0; i < points; ++i) arrays[1][3 * i] *= 1.125;
   o.point_room = 0;
   CHECK_OK(dsw_scene_deform(g_scene, arrays[1], points, &o, NULL));

@@ -339,6 +339,37 @@ static void running_out_of_memory(void) {
   CHECK(h.alive == 0 && h.broken == 0);
 }
 
+/* As large and as small as doubles allow. */
+static void any_size(void) {
+  static const double sizes[] = {1e-200, 1e-165, 1e155, 1e200};
+  size_t i, k, count = 0;
+  for (i = 0; i < 4; ++i) {
+    const dsw_cut_face *faces = NULL;
+    grid g = grid_create(4, 4, 4);
+    dsw_environment_desc e = grid_desc(&g);
+    double blade[12] = {1.5, -1, -1, 1.5, 5, -1, 1.5, -1, 5, 1.5, 5, 5};
+    dsw_open_desc d;
+    dsw_cut_desc c;
+    for (k = 0; k < 3 * g.point_count; ++k) g.points[k] *= sizes[i];
+    for (k = 0; k < 12; ++k) blade[k] *= sizes[i];
+    CHECK_OK(dsw_environment_create(NULL, &e, &g_env, NULL));
+    dsw_cut_desc_init(&c, sizeof c);
+    c.points = blade;
+    c.rows = c.columns = 2;
+    c.flags = DSW_CUT_UNSEW;
+    CHECK_OK(dsw_environment_cut(g_env, &c, NULL));
+    CHECK_OK(dsw_environment_get_cut_faces(g_env, &faces, &count));
+    CHECK(count == 16);
+    memcpy(g_faces, faces, count * sizeof *faces);
+    d = open_faces(count, 0.25 * sizes[i]);
+    CHECK_OK(dsw_environment_open(g_env, &d, &g_report));
+    CHECK(g_report.faces_opened == 16 && g_report.vertices_shortened == 0);
+    CHECK(fabs(g_report.smallest_width / sizes[i] - 0.25) < 1e-12);
+    CHECK_OK(dsw_environment_destroy(g_env));
+    grid_destroy(&g);
+  }
+}
+
 int main(void) {
   a_crack_right_through();
   a_cut_that_ends_inside();
@@ -349,5 +380,6 @@ int main(void) {
   borrowed_points();
   bodies_and_particles();
   running_out_of_memory();
+  any_size();
   return check_result();
 }

@@ -137,5 +137,38 @@ TEST_F(DeformMemoryTest, Deforming) {
   place_.environment.reset();  // before the arrays that it reads
 }
 
+/// What one deformation has pushed is not put back by the failure of the next one, of the other method.
+TEST_F(DeformMemoryTest, AFailureLeavesWhatTheOneBeforeHasDone) {
+  mark_wall(1, 1, 1);
+  const double at[3] = {2.05, 1.5, 1.5};
+  dsw_particle_id particle;
+  ASSERT_EQ(dsw_particle_create(scene(), at, {0, 0}, &particle), DSW_STATUS_OK);
+  std::vector<double> arrays[3];  // lent
+  arrays[0] = points_of(place_.get());
+  for (uint32_t y = 1; y <= 2; ++y) {
+    for (uint32_t z = 1; z <= 2; ++z) arrays[0][3 * point(2, y, z)] += 0.2;
+  }
+  ASSERT_EQ(dsw_scene_deform(scene(), arrays[0].data(), arrays[0].size() / 3, nullptr, nullptr), DSW_STATUS_OK);
+  double pushed[3];
+  ASSERT_EQ(dsw_particle_get(scene(), particle, pushed, nullptr), DSW_STATUS_OK);
+  ASSERT_GT(pushed[0], 2.1);
+  const dsw_body_id body = make(tetrahedron({3.25, 1.5, 1.25}, 0.3), DSW_LEVEL_FACES);
+  const std::string bits = bits_of(read(body));
+  dsw_deform_options options;
+  dsw_deform_options_init(&options, sizeof options);
+  options.method = DSW_DEFORM_END_STATE;
+  arrays[1] = arrays[0];
+  const size_t refusals = until_it_succeeds(
+      [&] { return dsw_scene_deform(scene(), arrays[1].data(), arrays[1].size() / 3, &options, nullptr); },
+      [&] {
+        double now[3];
+        return dsw_particle_get(scene(), particle, now, nullptr) == DSW_STATUS_OK && std::equal(now, now + 3, pushed) &&
+               bits_of(read(body)) == bits;
+      });
+  EXPECT_GT(refusals, 0u);
+  scene_.reset();
+  place_.environment.reset();  // before the arrays that it reads
+}
+
 }  // namespace
 }  // namespace dsw::oracle

@@ -210,6 +210,27 @@ TEST_F(SceneInGridTest, IsRefusedWhereItWasNot) {
   EXPECT_EQ(other, nullptr);
 }
 
+/// Squares of what a clearance is measured by are no doubles there.
+TEST_F(SceneInGridTest, ClearancesOfAnySizeAreLoaded) {
+  for (const double size : {1e-200, 1e140, 1e155, 1e200}) {
+    scene_.reset();
+    place_ = place_of(hex_grid(axis(4, size), axis(4, size), axis(3, size)));
+    ASSERT_NE(place_.environment, nullptr);
+    scene_ = make_scene(place_.get());
+    const dsw_body_id body =
+        make({{{0.5 * size, 0.5 * size, 0.5 * size}, {1.5 * size, 0.5 * size, 0.5 * size}}, {{0, 1}}, {}},
+             DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_CLEARANCE);
+    const double targets[6] = {0.6 * size, 0.5 * size, 0.5 * size, 1.6 * size, 0.5 * size, 0.5 * size};
+    ASSERT_EQ(dsw_body_move(scene(), body, targets, 2, 0, nullptr, nullptr), DSW_STATUS_OK);
+    const Bytes block = saved(scene());
+    dsw_scene* copy = nullptr;
+    ASSERT_EQ(dsw_scene_destroy(scene_.release()), DSW_STATUS_OK);
+    EXPECT_EQ(dsw_scene_load(place_.get(), block.data(), block.size(), &copy), DSW_STATUS_OK)
+        << size << ": " << dsw_last_error_message();
+    scene_.reset(copy);
+  }
+}
+
 TEST_F(SceneInGridTest, ABentEnvironmentGoesOnBending) {
   mark_wall(1, 1, 1);
   scene_.reset();
