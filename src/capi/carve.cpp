@@ -59,8 +59,6 @@ dsw::Array<double> read_loop(const dsw::Memory* memory, const dsw_tie_desc& d) {
   return loop;
 }
 
-bool is_null(dsw_volume_id id) { return id.index == 0 && id.generation == 0; }
-
 }  // namespace
 
 void dsw_carve_desc_init(dsw_carve_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_carve_desc{}); }
@@ -82,7 +80,7 @@ dsw_status dsw_environment_carve(dsw_environment* environment, const dsw_carve_d
     dsw::Crossings crossings(env, shape);
     dsw::Inside inside(env, shape, crossings);
     uint32_t visited = 0;
-    if (is_null(d.start)) {
+    if (dsw::is_null(d.start)) {
       inside.flood_all();
     } else {
       inside.flood_from(env.map.cell(d.start.index), &visited);
@@ -93,12 +91,11 @@ dsw_status dsw_environment_carve(dsw_environment* environment, const dsw_carve_d
     dsw::Array<dsw::Cell> carved{dsw::Allocator<dsw::Cell>(env.memory)};
     inside.carve(*edit, carved);
     const dsw::CutRecord& record = cut.record();
-    capi::CutResults results(env.memory, record, *edit);
+    capi::CutResults results(*edit, record.faces, &record.vertices, &record.whole);
     dsw::Array<dsw_volume_id> ids{dsw::Allocator<dsw_volume_id>(env.memory)};
     ids.reserve(carved.size());
-    carry_out_prepared(*edit, scene == nullptr ? nullptr : &scene->engine);
-    results.fill(env.map, record, *edit);
-    results.move_to(handle);
+    carry_out_prepared(*edit, capi::engine_of(scene));
+    results.give_to(handle);
     for (const dsw::Cell c : carved) ids.push_back(volume_id(env.map, c));
     handle.carved_volumes.swap(ids);
     if (report == nullptr) return;
@@ -130,7 +127,7 @@ dsw_status dsw_environment_tie(dsw_environment* environment, const dsw_tie_desc*
     capi::check_hint(env.map, d.start, "desc->start");
     dsw::Crossings crossings(env, disc);
     uint32_t visited = 0;
-    if (is_null(d.start)) {
+    if (dsw::is_null(d.start)) {
       find_all(env, disc, crossings);
     } else {
       const dsw::Cell start = find_start(env, disc, env.map.cell(d.start.index), &visited);
@@ -141,10 +138,9 @@ dsw_status dsw_environment_tie(dsw_environment* environment, const dsw_tie_desc*
     cut.prepare(edit);
     const bool is_closed = closes(env, crossings);
     const dsw::CutRecord& record = cut.record();
-    capi::CutResults results(env.memory, record, *edit);
-    carry_out_prepared(*edit, scene == nullptr ? nullptr : &scene->engine);
-    results.fill(env.map, record, *edit);
-    results.move_to(handle);
+    capi::CutResults results(*edit, record.faces, &record.vertices, &record.whole);
+    carry_out_prepared(*edit, capi::engine_of(scene));
+    results.give_to(handle);
     if (report == nullptr) return;
     *report = {capi::to_report(record, visited + record.met), is_closed ? 1u : 0u, 0};
   });

@@ -11,6 +11,7 @@
 #include "scene/report.h"
 #include "scene/segments.h"
 #include "scene/sweeps.h"
+#include "topology/edit.h"
 
 namespace dsw::capi {
 
@@ -82,5 +83,17 @@ uint32_t raw_value(const Enum& given) noexcept {
 
 /** Refuses flags that this version does not know. */
 void check_flags(uint32_t flags, uint32_t known, const char* name);
+
+/** An array that is kept for the host. */
+template <class T>
+void hand_out(const Array<T>& array, const T** items, size_t* count, const char* name) {
+  require(items, name);
+  require(count, "count");
+  *items = array.data();
+  *count = array.size();
+}
+
+/** What became of volumes, by an edit that is finished. There is room for it. */
+void append_changes(Edit& edit, Array<dsw_volume_change>& changes) noexcept;
 
 }  // namespace dsw::capi

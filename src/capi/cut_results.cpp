@@ -21,37 +21,40 @@ dsw_cut_report to_report(const CutRecord& record, uint32_t visited) noexcept {
           0};
 }
 
-CutResults::CutResults(const Memory* memory, const CutRecord& record, const Edit& edit)
-    : changes(Allocator<dsw_volume_change>(memory)),
-      vertices(Allocator<dsw_cut_vertex>(memory)),
-      faces(Allocator<dsw_cut_face>(memory)),
-      whole(Allocator<dsw_volume_id>(memory)) {
-  changes.reserve(edit.most_changes());
-  vertices.reserve(record.vertices.size());
-  faces.reserve(record.faces.size());
-  whole.reserve(record.whole.size());
-}
-
-void CutResults::fill(const Map<3>& map, const CutRecord& record, Edit& edit) {
-  for (const VolumeChange& c : edit.changes()) {
-    changes.push_back({{c.before.index, c.before.generation}, {c.after.index, c.after.generation}});
+CutResults::CutResults(Edit& edit, const Array<CutFace>& faces, const Array<NewVertex>* vertices,
+                       const Array<Cell>* whole)
+    : edit_(edit),
+      of_faces_(faces),
+      of_vertices_(vertices),
+      of_whole_(whole),
+      changes_(Allocator<dsw_volume_change>(edit.environment().memory)),
+      faces_(Allocator<dsw_cut_face>(edit.environment().memory)),
+      vertices_(Allocator<dsw_cut_vertex>(edit.environment().memory)),
+      whole_(Allocator<dsw_volume_id>(edit.environment().memory)) {
+  const Map<3>& map = edit.environment().map;
+  changes_.reserve(edit.most_changes());
+  faces_.reserve(faces.size());
+  if (whole != nullptr) whole_.reserve(whole->size());
+  if (vertices == nullptr) return;
+  for (const NewVertex& v : *vertices) {
+    vertices_.push_back({{v.vertex, 0}, {vertex_id(map, v.a), vertex_id(map, v.b)}, {1 - v.share, v.share}});
   }
-  for (const NewVertex& v : record.vertices) {
-    vertices.push_back({vertex_id(map, v.vertex), {vertex_id(map, v.a), vertex_id(map, v.b)}, {1 - v.share, v.share}});
+}
+
+void CutResults::give_to(dsw_environment& handle) noexcept {
+  const Map<3>& map = handle.engine.map;
+  append_changes(edit_, changes_);
+  handle.changes.swap(changes_);
+  for (const CutFace& f : of_faces_) faces_.push_back({face_id(map, f.front), face_id(map, f.back)});
+  handle.cut_faces.swap(faces_);
+  if (of_vertices_ != nullptr) {
+    for (dsw_cut_vertex& v : vertices_) v.vertex = vertex_id(map, v.vertex.index);
+    handle.cut_vertices.swap(vertices_);
   }
-  for (const CutFace& f : record.faces) faces.push_back({face_id(map, f.front), face_id(map, f.back)});
-  for (const Cell c : record.whole) whole.push_back(volume_id(map, c));
-}
-
-void CutResults::move_faces_to(dsw_environment& handle) noexcept {
-  handle.changes.swap(changes);
-  handle.cut_faces.swap(faces);
-}
-
-void CutResults::move_to(dsw_environment& handle) noexcept {
-  move_faces_to(handle);
-  handle.cut_vertices.swap(vertices);
-  handle.whole_volumes.swap(whole);
+  if (of_whole_ != nullptr) {
+    for (const Cell c : *of_whole_) whole_.push_back(volume_id(map, c));
+    handle.whole_volumes.swap(whole_);
+  }
 }
 
 }  // namespace dsw::capi

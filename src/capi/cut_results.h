@@ -12,30 +12,25 @@ double to_snap(double given);
 /** `visited`: cells that were looked at. */
 dsw_cut_report to_report(const CutRecord& record, uint32_t visited) noexcept;
 
-/** What the host can ask for after a cut, with room for all of it. */
-struct CutResults {
-  Array<dsw_volume_change> changes;
-  Array<dsw_cut_vertex> vertices;
-  Array<dsw_cut_face> faces;
-  Array<dsw_volume_id> whole;
+/** What the host can ask for after a cut, an opening or a tear, with room for all of it. */
+class CutResults {
+ public:
+  /** Before the edit is finished: what vertices come from may go then. What is given outlives this; of what is null the environment
+   * keeps what it has. Throws std::bad_alloc. */
+  CutResults(Edit& edit, const Array<CutFace>& faces, const Array<NewVertex>* vertices, const Array<Cell>* whole);
 
-  CutResults(const Memory* memory, const CutRecord& record, const Edit& edit);
+  /** After it is finished: ids are new. */
+  void give_to(dsw_environment& handle) noexcept;
 
-  /** After the edit is finished: ids are new. */
-  void fill(const Map<3>& map, const CutRecord& record, Edit& edit);
-
-  /** What a tear gives. */
-  void move_faces_to(dsw_environment& handle) noexcept;
-  void move_to(dsw_environment& handle) noexcept;
+ private:
+  Edit& edit_;
+  const Array<CutFace>& of_faces_;
+  const Array<NewVertex>* of_vertices_;
+  const Array<Cell>* of_whole_;
+  Array<dsw_volume_change> changes_;
+  Array<dsw_cut_face> faces_;
+  Array<dsw_cut_vertex> vertices_;
+  Array<dsw_volume_id> whole_;
 };
-
-/** An array that an environment keeps for the host. */
-template <class T>
-void hand_out(const Array<T>& array, const T** items, size_t* count, const char* name) {
-  require(items, name);
-  require(count, "count");
-  *items = array.data();
-  *count = array.size();
-}
 
 }  // namespace dsw::capi

@@ -68,14 +68,6 @@ uint32_t mend_and_deform(dsw_scene& scene, double* next, const dsw::WallSettings
   return change == nullptr ? 0 : mending.record().gone;
 }
 
-template <class T>
-void hand_out(const dsw::Array<T>& array, const T** items, size_t* count, const char* name) {
-  capi::require(items, name);
-  capi::require(count, "count");
-  *items = array.data();
-  *count = array.size();
-}
-
 }  // namespace
 
 void dsw_deform_options_init(dsw_deform_options* options, size_t size) {
@@ -120,17 +112,17 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
 
 dsw_status dsw_scene_get_wall_contacts(const dsw_scene* scene, const dsw_wall_contact** contacts, size_t* count) {
   return capi::guard("dsw_scene_get_wall_contacts",
-                     [&] { hand_out(deformation_of(scene).record.contacts, contacts, count, "contacts"); });
+                     [&] { capi::hand_out(deformation_of(scene).record.contacts, contacts, count, "contacts"); });
 }
 
 dsw_status dsw_scene_get_held_vertices(const dsw_scene* scene, const dsw_vertex_id** vertices, size_t* count) {
   return capi::guard("dsw_scene_get_held_vertices",
-                     [&] { hand_out(deformation_of(scene).record.held, vertices, count, "vertices"); });
+                     [&] { capi::hand_out(deformation_of(scene).record.held, vertices, count, "vertices"); });
 }
 
 dsw_status dsw_scene_get_invalid_volumes(const dsw_scene* scene, const dsw_volume_id** volumes, size_t* count) {
   return capi::guard("dsw_scene_get_invalid_volumes",
-                     [&] { hand_out(deformation_of(scene).record.invalid, volumes, count, "volumes"); });
+                     [&] { capi::hand_out(deformation_of(scene).record.invalid, volumes, count, "volumes"); });
 }
 
 dsw_status dsw_environment_is_valid(const dsw_environment* environment, dsw_volume_id volume, int* valid) {

@@ -63,14 +63,6 @@ uint32_t count_unsewn(const dsw::Map<3>& map, const dsw::Piece& piece) {
   return count;
 }
 
-template <class T>
-void hand_out(const dsw::Array<T>& array, const T** items, size_t* count, const char* name) {
-  capi::require(items, name);
-  capi::require(count, "count");
-  *items = array.data();
-  *count = array.size();
-}
-
 }  // namespace
 
 void dsw_detach_desc_init(dsw_detach_desc* desc, size_t size) { capi::init_struct(desc, size, defaults()); }
@@ -111,18 +103,19 @@ dsw_status dsw_scene_detach(dsw_scene* scene, const dsw_detach_desc* desc, dsw_b
 }
 
 dsw_status dsw_scene_get_detached_volumes(const dsw_scene* scene, const dsw_volume_id** volumes, size_t* count) {
-  return capi::guard("dsw_scene_get_detached_volumes",
-                     [&] { hand_out(capi::check_handle(scene, "scene").detached_volumes, volumes, count, "volumes"); });
+  return capi::guard("dsw_scene_get_detached_volumes", [&] {
+    capi::hand_out(capi::check_handle(scene, "scene").detached_volumes, volumes, count, "volumes");
+  });
 }
 
 dsw_status dsw_scene_get_detached_vertices(const dsw_scene* scene, const dsw_detached_vertex** vertices,
                                            size_t* count) {
   return capi::guard("dsw_scene_get_detached_vertices", [&] {
-    hand_out(capi::check_handle(scene, "scene").detached_vertices, vertices, count, "vertices");
+    capi::hand_out(capi::check_handle(scene, "scene").detached_vertices, vertices, count, "vertices");
   });
 }
 
 dsw_status dsw_scene_get_detached_faces(const dsw_scene* scene, const dsw_detached_face** faces, size_t* count) {
   return capi::guard("dsw_scene_get_detached_faces",
-                     [&] { hand_out(capi::check_handle(scene, "scene").detached_faces, faces, count, "faces"); });
+                     [&] { capi::hand_out(capi::check_handle(scene, "scene").detached_faces, faces, count, "faces"); });
 }

@@ -134,6 +134,7 @@ class SceneOwner {
 uint32_t scene_count(const dsw_environment& environment);
 /** The only scene; null if there is none. Throws if there are several. */
 dsw_scene* only_scene(const dsw_environment& environment);
+inline Scene<3>* engine_of(dsw_scene* scene) { return scene == nullptr ? nullptr : &scene->engine; }
 /** Throws IN_USE where a scene that deforms the environment would not be its only one. */
 void attach(dsw_scene& scene);
 void detach(dsw_scene& scene);

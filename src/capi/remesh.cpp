@@ -27,10 +27,7 @@ MendResults::MendResults(const Environment<3>& env, const MendRecord& record, co
 
 void MendResults::move_to(dsw_environment& handle, Edit* edit) noexcept {
   handle.unmended_volumes.swap(unmended_);
-  for (size_t i = 0; edit != nullptr && i < edit->changes().size(); ++i) {
-    const VolumeChange& c = edit->changes()[i];
-    changes_.push_back({{c.before.index, c.before.generation}, {c.after.index, c.after.generation}});
-  }
+  if (edit != nullptr) append_changes(*edit, changes_);
   handle.changes.swap(changes_);
 }
 
@@ -61,7 +58,7 @@ dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh
     const dsw::MendRecord& record = mending.record();
     dsw::Edit* const change = edit ? &*edit : nullptr;
     capi::MendResults results(env, record, change);
-    if (change != nullptr) carry_out_prepared(*change, scene == nullptr ? nullptr : &scene->engine);
+    if (change != nullptr) carry_out_prepared(*change, capi::engine_of(scene));
     results.move_to(handle, change);
     if (report == nullptr) return;
     const auto left = static_cast<uint32_t>(record.left.size());
@@ -73,10 +70,6 @@ dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh
 dsw_status dsw_environment_get_unmended_volumes(const dsw_environment* environment, const dsw_volume_id** volumes,
                                                 size_t* count) {
   return capi::guard("dsw_environment_get_unmended_volumes", [&] {
-    const dsw_environment& handle = capi::check_handle(environment, "environment");
-    capi::require(volumes, "volumes");
-    capi::require(count, "count");
-    *volumes = handle.unmended_volumes.data();
-    *count = handle.unmended_volumes.size();
+    capi::hand_out(capi::check_handle(environment, "environment").unmended_volumes, volumes, count, "volumes");
   });
 }

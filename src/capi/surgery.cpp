@@ -49,18 +49,17 @@ dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc*
     const dsw::Blade blade = read_blade(env.memory, d);
     capi::check_hint(env.map, d.start, "desc->start");
     uint32_t visited = 0;
-    const bool anywhere = d.start.index == 0 && d.start.generation == 0;
-    const dsw::Cell start = find_start(env, blade, anywhere ? dsw::Cell{} : env.map.cell(d.start.index), &visited);
+    const dsw::Cell hint = dsw::is_null(d.start) ? dsw::Cell{} : env.map.cell(d.start.index);
+    const dsw::Cell start = find_start(env, blade, hint, &visited);
     dsw::Crossings crossings(env, blade);
     if (start.valid()) crossings.flood(start);
     dsw::Cut cut(env, blade, settings, crossings);
     std::optional<dsw::Edit> edit;
     cut.prepare(edit);
     const dsw::CutRecord& record = cut.record();
-    capi::CutResults results(env.memory, record, *edit);
-    carry_out_prepared(*edit, scene == nullptr ? nullptr : &scene->engine);
-    results.fill(env.map, record, *edit);
-    results.move_to(handle);
+    capi::CutResults results(*edit, record.faces, &record.vertices, &record.whole);
+    carry_out_prepared(*edit, capi::engine_of(scene));
+    results.give_to(handle);
     if (report == nullptr) return;
     *report = capi::to_report(record, record.met + visited);
   });
@@ -88,10 +87,9 @@ dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_fa
       record.faces.push_back({h, o});
     }
     edit.prepare();
-    capi::CutResults results(env.memory, record, edit);
-    carry_out_prepared(edit, scene == nullptr ? nullptr : &scene->engine);
-    results.fill(env.map, record, edit);
-    results.move_faces_to(handle);
+    capi::CutResults results(edit, record.faces, nullptr, nullptr);
+    carry_out_prepared(edit, capi::engine_of(scene));
+    results.give_to(handle);
     if (torn != nullptr) *torn = record.faces.size();
   });
 }

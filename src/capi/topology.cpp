@@ -24,10 +24,8 @@ class Change {
   void carry_out() {
     dsw::Array<dsw_volume_change> changes{dsw::Allocator<dsw_volume_change>(memory())};
     changes.reserve(edit_.most_changes());
-    dsw::carry_out(edit_, scene_ == nullptr ? nullptr : &scene_->engine);
-    for (const dsw::VolumeChange& c : edit_.changes()) {
-      changes.push_back({{c.before.index, c.before.generation}, {c.after.index, c.after.generation}});
-    }
+    dsw::carry_out(edit_, capi::engine_of(scene_));
+    capi::append_changes(edit_, changes);
     handle_.changes.swap(changes);
   }
 
