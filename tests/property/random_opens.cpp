@@ -45,11 +45,15 @@ dsw_status RandomEdits::open() {
   std::vector<dsw_cut_face> faces;
   if (rng_.chance(0.6)) faces = some_crack();
   const double share = rng_.chance(0.6) ? 1 : 0.7;
+  std::set<uint32_t> named;  // detaching sews some, which then can be unsewn again
   for (const auto& pair : unsewn_) {
     const auto is_alive = [&](dsw_face_id f) { return map.is_alive(f.volume, f.generation); };
     if (!is_alive(pair[0]) || !is_alive(pair[1]) || !rng_.chance(share)) continue;
     const HalfFacet h = map.half_facet(map.cell(pair[0].volume), pair[0].local);
-    if (!map.opposite(h).valid()) faces.push_back({pair[0], pair[1]});
+    const HalfFacet o = map.half_facet(map.cell(pair[1].volume), pair[1].local);
+    if (map.opposite(h).valid() || named.count(h.word) + named.count(o.word) != 0) continue;
+    named.insert({h.word, o.word});
+    faces.push_back({pair[0], pair[1]});
   }
   const double widths[] = {1e-9, 0.01, 0.1, 1, 10};
   dsw_open_desc desc;
