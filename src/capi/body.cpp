@@ -41,7 +41,8 @@ dsw::ContactFilter to_filter(uint32_t category, uint32_t mask, bool self) {
 }
 
 dsw::BodyDescription to_description(const dsw::Scene<3>& scene, const dsw_body_desc& d) {
-  dsw::BodyDescription out = capi::to_description(scene, {d.level, d.flags, d.motion_share, d.category, d.mask});
+  const dsw::SweepLevel level = capi::to_level(d.level, DSW_LEVEL_FACES, "desc->level");
+  dsw::BodyDescription out = capi::to_description(scene, {level, d.flags, d.motion_share, d.category, d.mask});
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
   if (d.vertex_count == 0) fail(DSW_STATUS_WRONG_SIZE, "desc->vertex_count is 0, a body has at least one vertex");
   out.positions = capi::to_points(d.positions, d.vertex_count, d.stride_bytes, "desc->positions");
@@ -79,7 +80,7 @@ namespace dsw::capi {
 
 BodyDescription to_description(const Scene<3>& scene, const BodyOptions& options) {
   BodyDescription out;
-  out.level = to_level(options.level, DSW_LEVEL_FACES, "desc->level");
+  out.level = options.level;
   out.skipping = to_skipping(options.flags, options.motion_share);
   const bool self = (options.flags & DSW_BODY_SELF_CONTACTS) != 0;
   if (self || options.category != 0 || options.mask != 0) {

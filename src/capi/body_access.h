@@ -21,7 +21,7 @@ struct BodyAccess {
 
 /** What a host says of a new body besides its shape, see dsw_body_desc. */
 struct BodyOptions {
-  dsw_level level;
+  SweepLevel level;
   uint32_t flags;
   double motion_share;
   uint32_t category, mask;

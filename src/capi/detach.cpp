@@ -77,8 +77,9 @@ dsw_status dsw_scene_detach(dsw_scene* scene, const dsw_detach_desc* desc, dsw_b
     capi::require(body, "body");
     const dsw_detach_desc d = capi::read_struct(desc, "desc");
     check_numbers(d);
+    const dsw::SweepLevel level = capi::to_level(d.level, DSW_LEVEL_FACES, "desc->level");
     const dsw::BodyDescription like =
-        capi::to_description(handle.engine, {d.level, d.flags, d.motion_share, d.category, d.mask});
+        capi::to_description(handle.engine, {level, d.flags, d.motion_share, d.category, d.mask});
     dsw::Environment<3>& env = home.engine;
     const dsw::Cell start = capi::to_cell(env.map, d.volume, {"desc->volume", false});
     dsw::Detachment detachment(env, handle.engine, start, d.max_volumes == 0 ? SIZE_MAX : d.max_volumes);

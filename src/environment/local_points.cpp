@@ -5,7 +5,8 @@
 namespace dsw {
 
 void keep_local_points(Environment<3>& env) {
-  env.local_points.assign(env.map.words.size(), 0.0f);
+  // Of what does not fit as much is read as of what does, before that is seen.
+  env.local_points.assign(env.map.words.size() + kOriginWords + 3 * kMostLocalPoints, 0.0f);
   for_each_cell(env.map, [&](Cell c) {
     if (env.map.form(c) != Form::kGeneral) return;
     const uint32_t count = env.map.vertices_of(c), units = record_units(env.map, env.map.record(c)[0]);
