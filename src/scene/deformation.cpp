@@ -27,6 +27,7 @@ void gather(Scene<3>& scene) {
   d.all.particles = scene.particles.data();
   d.all.particle_count = scene.particles.size();
   d.all.particle_slots = &scene.slots;
+  d.all.forget_saved();
   d.all.bodies.assign(scene.bodies.size(), Occupants::Owner{});
   d.partners.all.clear();
   d.all.partners = scene.features.contacts ? &d.partners : nullptr;

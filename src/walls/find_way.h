@@ -24,7 +24,6 @@ bool find_way(Occupants& all, bool whole, WallRecord& record, TryWay try_way, Ta
       if (way != 1) record.contacts.swap(contacts);
       if (!invalid.empty()) record.invalid.swap(invalid);
       record.fraction = way;
-      all.keep();
       return true;
     }
     take_back();

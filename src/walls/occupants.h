@@ -31,8 +31,8 @@ struct Occupants {
   void save(bool whole);
   /** Puts everything back to where it was when it was saved last; nothing if that is done, was let go, or saving failed. */
   void restore() noexcept;
-  /** Lets go what was saved: all that was made of it stays. */
-  void keep() noexcept { saved_ = false; }
+  /** Lets go what was saved before. */
+  void forget_saved() noexcept { saved_ = false; }
   uint64_t memory_bytes() const noexcept;
 
  private:
