@@ -23,6 +23,7 @@ class Followers {
         near_(scene, find_places()),
         particles_(Allocator<Seat>(scene.memory)),
         vertices_(Allocator<Seat>(scene.memory)),
+        sequences_(Allocator<KeptSequence>(scene.memory)),
         new_cells_(scene.memory) {}
 
   /** Finds new cells; those without any that is passable go to the scene's occupants. */
@@ -54,9 +55,16 @@ class Followers {
     looked_at_ += probe.looked_at;
   }
 
-  /** Makes room for what finish() notes. */
-  void prepare() {
-    if (scene_.features.live) scene_.live.get()->gone.reserve(edit_);
+  /** Makes room for what is noted, or if it may have to be taken back keeps copies of the sequences that are going to be forgotten. */
+  void prepare(bool may_go_back) {
+    keeps_sequences_ = may_go_back;
+    if (may_go_back) {
+      for_each_gone_sequence([&](uint32_t slot, uint32_t e, const EdgeSequence& sequence) {
+        sequences_.push_back({slot, e, sequence});
+      });
+    } else if (scene_.features.live) {
+      scene_.live.get()->gone.reserve(edit_);
+    }
   }
 
   void take_seats() noexcept {
@@ -74,15 +82,13 @@ class Followers {
       scene_.particles[seat.place].forecast = seat.forecast;
       note_particle(scene_, seat.place);
     }
+    for (KeptSequence& kept : sequences_) std::swap(scene_.bodies[kept.body].body.sequences[kept.edge], kept.sequence);
   }
 
   /** Sequences of what goes; to be done while it can still be asked. */
   void forget_sequences() noexcept {
-    if (scene_.features.live) {
-      note_gone_facets();
-    } else {
-      forget_all_sequences();
-    }
+    if (scene_.features.live && !keeps_sequences_) return note_gone_facets();
+    for_each_gone_sequence([](uint32_t, uint32_t, EdgeSequence& sequence) { sequence.forget(); });
   }
   void finish() noexcept { count_looked_at(scene_, looked_at_); }
 
@@ -92,6 +98,10 @@ class Followers {
     uint32_t body, place;
     Cell before, after;
     uint32_t forecast;  // before
+  };
+  struct KeptSequence {
+    uint32_t body, edge;
+    EdgeSequence sequence;
   };
 
   void find_cells_of_particles() {
@@ -119,11 +129,17 @@ class Followers {
     }
     gone.note(edit_);
   }
-  void forget_all_sequences() noexcept {
-    for (BodyRecord& each : scene_.bodies) {
-      for (EdgeSequence& sequence : each.body.sequences) {
-        const auto gone = [&](uint32_t facet) { return is_gone(facet); };
-        if (std::any_of(sequence.facets.begin(), sequence.facets.end(), gone)) sequence.forget();
+  /** Calls visit(slot, edge, sequence) for those that name facets that go, or lead elsewhere now. */
+  template <class Visit>
+  void for_each_gone_sequence(Visit visit) {
+    const auto is_gone = [&](uint32_t word) {
+      return word != kNoFacet && (edit_.is_removed(env_.map.cell_of({word})) || edit_.is_relinked({word}));
+    };
+    for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
+      Array<EdgeSequence>& sequences = scene_.bodies[slot].body.sequences;
+      for (uint32_t e = 0; e < sequences.size(); ++e) {
+        const Array<uint32_t>& facets = sequences[e].facets;
+        if (std::any_of(facets.begin(), facets.end(), is_gone)) visit(slot, e, sequences[e]);
       }
     }
   }
@@ -173,11 +189,6 @@ class Followers {
     for (size_t i = new_cells_.size(); i < edit_.cell_count(); ++i) new_cells_.insert(edit_.cell(i));
     return new_cells_.contains(c);
   }
-  /** Whether a half-facet in a sequence goes, or leads elsewhere now. */
-  bool is_gone(uint32_t word) const {
-    if (word == kNoFacet) return false;
-    return edit_.is_removed(env_.map.cell_of({word})) || edit_.is_relinked({word});
-  }
   /** All that changes. */
   BoxGroups& find_places() {
     if (scene_.body_slots.alive_count() == 0) return places_;
@@ -204,6 +215,8 @@ class Followers {
   BoxGroups places_;
   NearBodies near_;
   Array<Seat> particles_, vertices_;
+  Array<KeptSequence> sequences_;
+  bool keeps_sequences_ = false;
   CellQueue new_cells_;  // once they are asked for
   uint64_t looked_at_ = 0;
 };
@@ -213,7 +226,7 @@ bool follow(Edit& edit, Scene<3>& scene, const Meanwhile* meanwhile) {
   const auto is_occupied = [&] { return !scene.occupants.empty() || !scene.occupant_bodies.empty(); };
   followers.find_cells();
   if (is_occupied()) refuse(scene);
-  followers.prepare();
+  followers.prepare(meanwhile != nullptr);
   edit.apply();
   followers.take_seats();
   const auto take_back = [&] {

@@ -194,7 +194,13 @@ TEST_F(RemeshMemoryTest, DeformingWithIt) {
   const double at[3] = {1.25, 1.5, 1.5};
   dsw_particle_id particle;
   ASSERT_EQ(dsw_particle_create(scene(), at, {0, 0}, &particle), DSW_STATUS_OK);
-  const dsw_body_id body = make(tetrahedron({1.05, 1.5, 1.25}, 0.5), DSW_LEVEL_FACES, DSW_BODY_SEQUENCES);
+  const dsw_body_id body = make(tetrahedron({0.6, 1.5, 1.25}, 1.1), DSW_LEVEL_EDGES, DSW_BODY_SEQUENCES);
+  // Once it has moved it knows the facets that its edges pass.
+  const double targets[12] = {0.7, 1.5, 1.25, 1.8, 1.5, 1.25, 0.7, 2.6, 1.25, 0.7, 1.5, 2.35};
+  ASSERT_EQ(dsw_body_move(scene(), body, targets, 4, 0, nullptr, nullptr), DSW_STATUS_OK);
+  const Array<EdgeSequence>& sequences = scene()->engine.bodies[body.index].body.sequences;
+  ASSERT_TRUE(std::any_of(sequences.begin(), sequences.end(),
+                          [](const EdgeSequence& s) { return s.known() && !s.facets.empty(); }));
   dsw_deform_options options;
   dsw_deform_options_init(&options, sizeof options);
   options.invalid = DSW_INVALID_REMESH;
@@ -206,7 +212,10 @@ TEST_F(RemeshMemoryTest, DeformingWithIt) {
     std::string block(1 << 20, '\0');
     size_t size = 0;
     EXPECT_EQ(dsw_environment_save(place_.get(), &block[0], block.size(), &size), DSW_STATUS_OK);
-    return block.substr(0, size);
+    block.resize(size);
+    std::string of_scene(1 << 20, '\0');
+    EXPECT_EQ(dsw_scene_save(scene(), &of_scene[0], of_scene.size(), &size), DSW_STATUS_OK);
+    return block + of_scene.substr(0, size);
   };
   // Tables for changes are made once, whatever becomes of the first.
   dsw_remesh_desc nothing;
