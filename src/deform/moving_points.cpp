@@ -19,7 +19,7 @@ void MovingPoints::begin(double* next) {
   start_ = env_.points;
   next_ = next;
   env_.points = next;
-  ++env_.obstacle_version;
+  env_.renew_version();
   env_.checked.close_all();
 }
 
@@ -28,7 +28,7 @@ void MovingPoints::finish() noexcept {
   for (const uint32_t v : touched_) place_[v] = kUntouched;
   touched_.clear();
   targets_.clear();
-  ++env_.obstacle_version;
+  env_.renew_version();
   release_owned_points(env_);
   env_.checked.forget_all();
 }
@@ -43,7 +43,7 @@ void MovingPoints::take_back() noexcept {
   targets_.clear();
   next_ = nullptr;
   env_.points = start_;
-  ++env_.obstacle_version;
+  env_.renew_version();
   env_.checked.forget_all();
 }
 
@@ -66,7 +66,7 @@ void MovingPoints::at(uint32_t v, double fraction, double* out) const noexcept {
 
 void MovingPoints::put(uint32_t v, const double* position) noexcept {
   std::copy_n(position, 3, next_ + size_t{3} * v);
-  ++env_.obstacle_version;
+  env_.renew_version();
 }
 
 void MovingPoints::shorten(double fraction) noexcept {

@@ -26,7 +26,8 @@ struct Environment {
   EdgeMarks edge_marks;          // wires, by their two vertices
   Array<uint64_t> vertex_marks;  // bits; empty: none
   uint64_t marked_cells = 0, marked_facets = 0, marked_edges = 0, marked_vertices = 0;
-  uint64_t obstacle_version = 0;  // grows when something becomes impassable, or points move
+  uint64_t obstacle_version = 0;  // another one when something becomes impassable, or points move
+  uint64_t last_version = 0;      // that was given
   uint32_t part_count = 0;
   double lower[D] = {}, upper[D] = {};  // box of the vertices that cells use
   Grid<D> grid;                         // empty unless asked for
@@ -47,6 +48,8 @@ struct Environment {
   Environment(const Environment&) = delete;
   Environment& operator=(const Environment&) = delete;
 
+  /** What was known of obstacles is not any more. Who takes back what was done gives back the version from before. */
+  void renew_version() noexcept { obstacle_version = ++last_version; }
   /** Where vertices are written that come and go; null: they stay as they are. */
   double* writable_points() { return owned_points.empty() ? lent : owned_points.data(); }
   const double* point(uint32_t vertex) const { return points + size_t{vertex} * D; }

@@ -13,7 +13,7 @@ bool count_change(uint64_t& count, bool was, bool marked) noexcept {
 /** Passes on whether a mark changed, and notes it if something became impassable. */
 template <int D>
 bool note_change(Environment<D>& env, bool changed, bool marked) noexcept {
-  env.obstacle_version += changed && marked ? 1 : 0;
+  if (changed && marked) env.renew_version();
   return changed;
 }
 

@@ -49,9 +49,13 @@ template <class Item>
 class Trial {
  public:
   Trial(Environment<3>& env, const Scene<3>& scene)
-      : env_(env), changed_(Allocator<Item>(scene.memory)), places_(scene.memory, scene.keeps_boxes()) {}
+      : env_(env),
+        version_(env.obstacle_version),
+        changed_(Allocator<Item>(scene.memory)),
+        places_(scene.memory, scene.keeps_boxes()) {}
   ~Trial() {
     for (const Item item : changed_) set_mark(env_, item, false);
+    if (!changed_.empty()) env_.obstacle_version = version_;
   }
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
@@ -70,6 +74,7 @@ class Trial {
 
  private:
   Environment<3>& env_;
+  const uint64_t version_;
   Array<Item> changed_;
   BoxGroups places_;
 };

@@ -442,6 +442,8 @@ void Edit::set_marks(bool back) noexcept {
 }
 
 void Edit::apply() noexcept {
+  version_ = env_.obstacle_version;
+  env_.renew_version();
   for (const Link& link : links_) map_.words[link.word] = link.after;
   set_marks(false);
   forget_cells();
@@ -452,12 +454,12 @@ void Edit::revert() noexcept {
   for (const Link& link : links_) map_.words[link.word] = link.before;
   set_marks(true);
   forget_cells();
+  env_.obstacle_version = version_;
   applied_ = false;
 }
 
-/** What is known of cells, and what was passable, may be so no more. */
+/** What is known of cells may be so no more. */
 void Edit::forget_cells() noexcept {
-  ++env_.obstacle_version;
   if (!env_.checked.active()) return;
   for (const Made& made : made_) env_.checked.open(made.index);
 }

@@ -145,6 +145,7 @@ class Edit {
   Map<3>& map_;
   Room room_;  // before
   size_t point_doubles_, vertex_mark_words_;
+  uint64_t version_ = 0;  // of obstacles, before it was applied
   bool applied_ = false, finished_ = false, made_regions_ = false, made_tags_ = false;
   Array<float> local_points_;  // of the environment, to be put back
   KeyTable gone_;              // units of removed_, in the order in which they were named

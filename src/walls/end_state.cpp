@@ -19,7 +19,7 @@ void EndState::run(double* next, const WallSettings& settings, WallRecord& recor
   Array<double> targets{Allocator<double>(env_.memory)};  // if the way is shortened
   const auto read_points = [&](const double* points) {
     env_.points = points;
-    ++env_.obstacle_version;
+    env_.renew_version();
     env_.checked.forget_all();
   };
   const auto take_back = [&] { read_points(start); };

@@ -70,7 +70,7 @@ std::string RandomEdits::state() const {
     append(out, record.body.vertices);
     for (const EdgeSequence& sequence : record.body.sequences) append(out, sequence.facets);
   }
-  return out;
+  return out + saved();
 }
 
 double RandomEdits::volume() const {
