@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
-# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz format; none means all
+# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz format page; none means all
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-config python3 binutils abigail-tools
   libccd-dev libeigen3-dev libgtest-dev libgmp-dev)
 steps=("$@")
-[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz format)
+[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz format page)
 jobs=$(nproc)
 export CMAKE_GENERATOR=Ninja CTEST_PARALLEL_LEVEL=$jobs CMAKE_BUILD_PARALLEL_LEVEL=$jobs
 
@@ -51,7 +51,7 @@ run_step() {
     tail -n 150 "$log"
   fi
   local lines
-  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:' "$log" || true)
+  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^# (pass|fail) [0-9]+' "$log" || true)
   [ $status -eq 0 ] || lines+=$'\nFAILED, see '$log
   summary+=("$name ($((SECONDS - start)) s)"$'\n'"$lines")
   echo "$lines"
@@ -87,6 +87,7 @@ for step in "${steps[@]}"; do
     abi) run_step abi preset abi -- dartsweep abi_programs ;;
     fuzz) run_step fuzz preset fuzz -- all ;;
     format) run_step format check_format ;;
+    page) run_step page examples/insertion/page/test.sh ;;
     *) echo "no step '$step'"; exit 2 ;;
   esac
 done
