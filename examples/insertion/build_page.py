@@ -54,6 +54,7 @@ def check(insertion):
     wall, frames, series = insertion["wall"], insertion["frames"], insertion["series"]
     if insertion["format"] != 1:
         raise ValueError(f"format {insertion['format']!r} is not 1")
+    insertion["title"].encode()  # raises UnicodeEncodeError, a ValueError, for half a character
     if not frames or not wall["triangles"]:
         raise ValueError("no frames or no wall")
     if len(wall["positions"]) % 3 or len(wall["triangles"]) % 3 or any(len(frame["positions"]) % 3 for frame in frames):
@@ -121,7 +122,7 @@ def main():
     try:
         with open(given.input, encoding="utf-8") as file:
             data = pack(json.load(file))
-    except (OSError, ValueError, KeyError, TypeError, OverflowError) as error:
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError) as error:
         bundle.fail(f"cannot use '{given.input}': {type(error).__name__}: {error}")
     try:
         page = bundle.build(os.path.join(HERE, "page"), os.path.realpath(given.build), data["title"], data, given.with_tests)

@@ -39,47 +39,47 @@ def run(command, **settings):
         raise BundleError(f"{' '.join(command)} failed:\n{done.stdout}")
 
 
-def install(folder, build, with_tests=False):
-    """Installs what folder/package-lock.json pins in build/node_modules, if it is not there yet; the packages of the tests
+def install(folder, modules, with_tests=False):
+    """Installs what folder/package-lock.json pins in modules/node_modules if it is not there yet; the packages of the tests
     only if asked to."""
-    os.makedirs(build, exist_ok=True)
+    os.makedirs(modules, exist_ok=True)
     for name in ("package.json", "package-lock.json"):
-        shutil.copy(os.path.join(folder, name), os.path.join(build, name))
-    lock = os.path.join(build, "package-lock.json")
-    done = os.path.join(build, "node_modules", "installed-with-tests" if with_tests else "installed")
-    others = os.path.join(build, "node_modules", "installed-with-tests")
+        shutil.copy(os.path.join(folder, name), os.path.join(modules, name))
+    lock = os.path.join(modules, "package-lock.json")
+    done = os.path.join(modules, "node_modules", "installed-with-tests" if with_tests else "installed")
+    others = os.path.join(modules, "node_modules", "installed-with-tests")
     if any(os.path.exists(mark) and filecmp.cmp(lock, mark, shallow=False) for mark in (done, others)):
         return
     node, npm = node_command()
     which = [] if with_tests else ["--omit=dev"]
-    run([node, npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--prefix", build, *which], cwd=build,
+    run([node, npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--prefix", modules, *which], cwd=modules,
         env={**os.environ, "PATH": os.path.dirname(node) + os.pathsep + os.environ.get("PATH", "")})
     shutil.copy(lock, done)
 
 
-def licences(build):
+def licences(modules):
     """The licences of the packages that the last bundle contains, as a comment."""
-    with open(os.path.join(build, "bundled.json"), encoding="utf-8") as file:
+    with open(os.path.join(modules, "bundled.json"), encoding="utf-8") as file:
         inputs = json.load(file)["inputs"]
     packages = sorted({path.split("node_modules/")[1].split("/")[0] for path in inputs if "node_modules/" in path})
     texts = []
     for package in packages:
-        with open(os.path.join(build, "node_modules", package, "LICENSE"), encoding="utf-8") as file:
+        with open(os.path.join(modules, "node_modules", package, "LICENSE"), encoding="utf-8") as file:
             texts.append(f"{package}\n\n{file.read().strip()}")
     return "/*! This page contains:\n\n" + "\n\n".join(texts).replace("*/", "* /") + "\n*/\n"
 
 
-def bundle(folder, build):
+def bundle(folder, modules):
     """Script and style of folder/src/main.js and all it imports."""
     node, _ = node_command()
-    script = os.path.join(build, "bundle.js")
-    run([node, os.path.join(build, "node_modules", "esbuild", "bin", "esbuild"), os.path.join(folder, "src", "main.js"),
+    script = os.path.join(modules, "bundle.js")
+    run([node, os.path.join(modules, "node_modules", "esbuild", "bin", "esbuild"), os.path.join(folder, "src", "main.js"),
          "--bundle", "--minify", "--format=iife", "--target=es2022", "--charset=utf8", "--legal-comments=none",
-         "--log-level=warning", "--metafile=" + os.path.join(build, "bundled.json"), "--outfile=" + script],
-        cwd=build, env={**os.environ, "NODE_PATH": os.path.join(build, "node_modules")})
+         "--log-level=warning", "--metafile=" + os.path.join(modules, "bundled.json"), "--outfile=" + script],
+        cwd=modules, env={**os.environ, "NODE_PATH": os.path.join(modules, "node_modules")})
     with open(script, encoding="utf-8") as file:
-        code = licences(build) + file.read()
-    with open(os.path.join(build, "bundle.css"), encoding="utf-8") as file:
+        code = licences(modules) + file.read()
+    with open(os.path.join(modules, "bundle.css"), encoding="utf-8") as file:
         style = file.read()
     for text, end in ((code, "</script"), (code, "<!--"), (style, "</style")):
         if end in text.lower():

@@ -61,7 +61,7 @@ export class Cameras {
     this.around.up.copy(up);
     const towards = new Vector3().crossVectors(across, up).multiplyScalar(Math.cos(TILT)).addScaledVector(up, Math.sin(TILT));
     const half = Math.tan(FIELD * Math.PI / 360);
-    const distance = Math.max(this.#extent.dot(up) / 2 / half, this.#extent.dot(across) / 2 / half / this.around.aspect) * 1.06 +
+    const distance = Math.max(this.#extent.dot(up) / 2 / half, this.#extent.dot(across) / 2 / half / this.around.aspect) * 1.12 +
         this.#extent.dot(this.shortest) / 2;
     this.controls.target.copy(this.#middle);
     this.around.position.copy(this.#middle).addScaledVector(towards, distance);

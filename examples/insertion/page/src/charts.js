@@ -14,11 +14,11 @@ const LABELS = {
   detection_ms: 'detection',
   step_ms: 'step',
 };
-const UNITLESS = ['time', 'verified']; // the axis, and what the strip shows
+const NOT_CHARTED = ['time', 'verified']; // the axis, and what the strip shows
 
 /** Which series share a chart: all times in ms. */
 function groups(series) {
-  const names = Object.keys(series).filter(name => !UNITLESS.includes(name));
+  const names = Object.keys(series).filter(name => !NOT_CHARTED.includes(name));
   const times = names.filter(name => name.endsWith('_ms'));
   const charts = names.filter(name => !times.includes(name)).map(name => ({title: LABELS[name] ?? label(name), names: [name]}));
   return times.length ? [...charts, {title: 'Time [ms]', names: times}] : charts;

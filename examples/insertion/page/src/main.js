@@ -96,7 +96,8 @@ function showFrame() {
   charts.show(frame);
   list.show(frames.contactsOf(frame), selected);
   byId('slider').value = frame;
-  const parts = [`${frames.time[frame].toFixed(3)} s`, `step ${number(frames.step[frame])}`, `frame ${frame + 1} of ${frames.count}`,
+  const parts = [
+    `${frames.time[frame].toFixed(3)} s`, `step ${number(frames.step[frame])}`, `frame ${frame + 1} of ${frames.count}`,
     `${number(frames.vertexCount(frame))} vertices, ${number(frames.insertedOf(frame).length)} inserted`];
   byId('readout').replaceChildren(...parts.map(part => element('span', {textContent: part})));
   showCounts();
@@ -133,7 +134,9 @@ function makeTransport() {
     player.seek(Number(byId('slider').value));
   });
   byId('speed').append(...SPEEDS.map(speed =>
-    element('option', {value: speed, textContent: speed === 1 ? 'real time' : `${speed} × real time`, selected: speed === player.speed})));
+    element('option', {
+      value: speed, textContent: speed === 1 ? 'real time' : `${speed} × real time`, selected: speed === player.speed,
+    })));
   byId('speed').addEventListener('change', () => {
     player.speed = Number(byId('speed').value);
   });

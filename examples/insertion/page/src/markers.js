@@ -1,6 +1,6 @@
 // Many equal shapes at points, turned along directions, never smaller than some pixels: contacts, vertices; and the trail.
-import {BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, IcosahedronGeometry, InstancedBufferAttribute,
-  InstancedBufferGeometry, Mesh, Points, ShaderMaterial} from 'three';
+import {BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, FrontSide, IcosahedronGeometry,
+  InstancedBufferAttribute, InstancedBufferGeometry, Mesh, Points, ShaderMaterial} from 'three';
 import {mergeGeometries} from 'three/addons/utils/BufferGeometryUtils.js';
 
 import {GROW, LIT, pixel} from './shading.js';
@@ -54,7 +54,7 @@ export class Markers {
   #count = 0;
 
   /** Up to `capacity` copies of `shape`, `size` large in the scene and at least `pixels` on the screen. */
-  constructor(shape, capacity, size, pixels) {
+  constructor(shape, capacity, size, pixels, side = FrontSide) {
     this.geometry = new InstancedBufferGeometry();
     this.geometry.setAttribute('position', shape.getAttribute('position'));
     this.geometry.setAttribute('normal', shape.getAttribute('normal'));
@@ -64,7 +64,7 @@ export class Markers {
     }
     this.size = {value: size};
     const uniforms = {pixel, size: this.size, pixels: {value: pixels}};
-    this.mesh = new Mesh(this.geometry, new ShaderMaterial({uniforms, vertexShader: VERTEX, fragmentShader: FRAGMENT}));
+    this.mesh = new Mesh(this.geometry, new ShaderMaterial({uniforms, side, vertexShader: VERTEX, fragmentShader: FRAGMENT}));
     this.mesh.frustumCulled = false;
     this.clear();
   }
@@ -86,9 +86,9 @@ export class Markers {
   }
 }
 
-/** Contacts of all frames as dots, of which the first so many are shown. */
+/** Contacts of all frames as dots, `size` large but within a few pixels, of which the first so many are shown. */
 export class Trail {
-  constructor(points, kinds) {
+  constructor(points, kinds, size) {
     this.kinds = kinds;
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(points, 3));
@@ -96,15 +96,17 @@ export class Trail {
     geometry.setAttribute('tint', this.tint);
     this.ratio = {value: 1};
     this.mesh = new Points(geometry, new ShaderMaterial({
-      uniforms: {ratio: this.ratio},
+      uniforms: {pixel, ratio: this.ratio, size: {value: size}},
       vertexShader: `
+        uniform float pixel;
         uniform float ratio;
+        uniform float size;
         attribute vec3 tint;
         varying vec3 vTint;
         void main() {
           vTint = tint;
           gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-          gl_PointSize = 2.6 * ratio;
+          gl_PointSize = ratio * clamp(size / (pixel * gl_Position.w), 1.5, 5.0);
         }`,
       fragmentShader: `
         varying vec3 vTint;

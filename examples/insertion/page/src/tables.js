@@ -76,7 +76,9 @@ export class FrameContacts {
       lines.push(line);
     }
     if (end - begin > MOST) {
-      lines.push(element('tr', {}, element('td', {colSpan: Object.keys(COLUMNS).length, textContent: `and ${number(end - begin - MOST)} more`})));
+      lines.push(element('tr', {}, element('td', {
+        colSpan: Object.keys(COLUMNS).length, textContent: `and ${number(end - begin - MOST)} more`,
+      })));
     }
     this.#body.replaceChildren(...lines);
     this.select(selected);

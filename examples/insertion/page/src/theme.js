@@ -1,6 +1,6 @@
 // Colours are named once, in style.css, for light and dark.
 
-export const KIND_COLOURS = ['--plane', '--edge', '--vertex'];
+const KIND_COLOURS = ['--plane', '--edge', '--vertex'];
 
 /** The colour of a kind of contact; kinds that the page does not know share one. */
 export function kindColour(kind) {

@@ -7,6 +7,7 @@ export function writeVerdict(host, {summary, series}, seek) {
   const free = summary['demo.exactly_free_steps'];
   const wrong = (series.verified ?? []).indexOf(0);
   const good = steps === free && steps > 0 && wrong < 0;
+  host.title = 'Exactly: as real numbers, not up to a tolerance, no edge of the catheter meets the wall.';
   host.className = good ? 'good' : 'bad';
   if (steps === undefined || free === undefined) {
     host.textContent = 'Not verified: the input has no figures of it.';

@@ -1,5 +1,5 @@
 // The 3D view: wall, catheter, contacts, and which camera draws them. A picture is drawn when something has changed.
-import {Color, Scene, Vector2, Vector3, WebGLRenderer} from 'three';
+import {BackSide, Color, Scene, Vector2, Vector3, WebGLRenderer} from 'three';
 
 import {Cameras} from './cameras.js';
 import {arrow, ball, Markers, Trail} from './markers.js';
@@ -38,8 +38,8 @@ export class View {
     this.vertices = new Markers(ball(), mostVertices, 0, 1.8);
     this.inserted = new Markers(ball(), most(frame => data.frames.insertedOf(frame).length), 0, 2.2);
     this.arrows = new Markers(arrow(), most(frame => data.frames.contactCount(frame)), 1.1 * radius, 18);
-    this.mark = new Markers(ball(), 1, 0.28 * radius, 6);
-    this.trail = new Trail(data.contacts.local, data.contacts.kind);
+    this.mark = new Markers(ball(), 1, 0.26 * radius, 5, BackSide); // seen as a rim about the foot of the arrow
+    this.trail = new Trail(data.contacts.local, data.contacts.kind, 0.12 * radius);
     this.vertices.mesh.visible = false;
     this.scene = new Scene();
     for (const part of [this.wall, this.tube, this.vertices, this.inserted, this.arrows, this.mark, this.trail]) {
@@ -49,7 +49,7 @@ export class View {
     this.inset = true;
     this.thickness = 0.4;
     this.paint();
-    this.show(0);
+    this.resize();
     this.cameras.reset();
   }
 
@@ -128,9 +128,9 @@ export class View {
 
   set edges(shown) {
     if (shown) {
-      this.scene.add(this.wall.edges());
+      this.scene.add(this.wall.edges);
     } else {
-      this.scene.remove(this.wall.edges());
+      this.scene.remove(this.wall.edges);
     }
     this.draw();
   }
@@ -181,15 +181,11 @@ export class View {
     if (width === 0 || height === 0) {
       return;
     }
-    const first = this.#size.x === 1;
     this.#size.set(width, height);
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height);
     this.trail.ratio.value = this.renderer.getPixelRatio();
     this.cameras.resize(width / height);
-    if (first) {
-      this.cameras.reset();
-    }
     this.draw();
   }
 
@@ -214,7 +210,7 @@ export class View {
     }
     this.renderer.setClearColor(0, 0);
     this.renderer.clear();
-    this.wall.mesh.material = this.wall.glass;
+    this.wall.prepare(false, this.markTint);
     this.wall.sort(this.cameras.around.getWorldDirection(new Vector3()));
     this.#render(this.cameras.around, height);
     if (this.inset) {
@@ -231,8 +227,13 @@ export class View {
     this.cameras.within.updateProjectionMatrix();
     this.renderer.setClearColor(0, 1);
     this.renderer.clear();
-    this.wall.mesh.material = this.wall.inside;
+    this.wall.prepare(true);
+    // The eye is in the catheter, or even in the ball of a vertex.
+    const {vertices, inserted} = this;
+    const shown = [vertices.mesh.visible, inserted.mesh.visible];
+    vertices.mesh.visible = inserted.mesh.visible = false;
     this.#render(this.cameras.within, height);
+    [vertices.mesh.visible, inserted.mesh.visible] = shown;
   }
 
   #render(camera, height) {

@@ -42,7 +42,7 @@ const INSIDE = `
     vec3 flatNormal = normalize(cross(dFdx(vEye), dFdy(vEye)));
     vec3 toEye = -vEye / length(vEye);
     float facing = mix(abs(dot(normalize(vNormal), toEye)), abs(dot(flatNormal, toEye)), 0.5);
-    vec3 lamp = colour * (0.2 + 1.3 * facing) + vec3(0.3 * pow(facing, 16.0));
+    vec3 lamp = colour * (0.12 + 1.1 * facing) + vec3(0.3 * pow(facing, 16.0));
     gl_FragColor = vec4(lamp / (1.0 + distance * distance), 1.0);
     #include <colorspace_fragment>
   }`;
@@ -85,23 +85,30 @@ export class Wall {
     geometry.setIndex(new BufferAttribute(Uint32Array.from(triangles), 1));
     geometry.computeVertexNormals();
     const colour = {value: new Color()};
-    this.opacity = {value: 0.35};
+    const tissue = {value: new Color('#b8323d')}; // whatever the theme, for there is no background
+    this.opacity = {value: 0.42};
     const options = {vertexShader: VERTEX, side: DoubleSide};
     this.glass = new ShaderMaterial(
         {...options, fragmentShader: GLASS, uniforms: {colour, opacity: this.opacity}, transparent: true, depthWrite: false});
     this.inside = new ShaderMaterial(
-        {...options, fragmentShader: INSIDE, uniforms: {colour, reach: {value: 4 * this.radius}}});
+        {...options, fragmentShader: INSIDE, uniforms: {colour: tissue, reach: {value: 4 * this.radius}}});
     this.mesh = new Mesh(geometry, this.glass);
     this.colour = colour.value;
   }
 
   /** The edges of the triangles, made when first asked for. */
-  edges() {
+  get edges() {
     if (!this.lines) {
       this.lines = new LineSegments(new WireframeGeometry(this.mesh.geometry),
-          new LineBasicMaterial({transparent: true, opacity: 0.25, depthWrite: false, color: this.colour}));
+          new LineBasicMaterial({transparent: true, opacity: 0.25, depthWrite: false}));
     }
     return this.lines;
+  }
+
+  /** Before a picture from inside, where the wall is opaque tissue, or from outside. */
+  prepare(inside, ink) {
+    this.mesh.material = inside ? this.inside : this.glass;
+    this.lines?.material.color.set(inside ? '#000' : ink);
   }
 
   /** Orders the triangles from back to front along `direction`, the way the camera looks: a counting sort, so that tens of

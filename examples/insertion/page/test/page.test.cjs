@@ -9,13 +9,13 @@ const {pathToFileURL} = require('node:url');
 const {chromium} = require('playwright-core');
 
 const sample = JSON.parse(fs.readFileSync(process.env.SAMPLE, 'utf8').replaceAll('NaN', 'null'));
-const address = pathToFileURL(process.env.PAGE).href;
+const pageAddress = pathToFileURL(process.env.PAGE).href;
 const last = sample.frames.length - 1;
 
 const launch = args => chromium.launch({executablePath: process.env.CHROMIUM, args});
 
 /** Opens the page; what it asks for or complains about ends up in `wrong`. */
-async function open(browser, {hash = '', ...options} = {}) {
+async function open(browser, {hash = '', address = pageAddress, ...options} = {}) {
   const context = await browser.newContext({viewport: {width: 1280, height: 800}, offline: true, ...options});
   const page = await context.newPage();
   const wrong = [];
@@ -28,7 +28,8 @@ async function open(browser, {hash = '', ...options} = {}) {
 }
 
 const state = page => page.evaluate(() => window.insertion.state());
-const picture = (page, name) => page.screenshot({path: path.join(process.env.PICTURES, name), fullPage: name.includes('whole')});
+const picture = (page, name) =>
+  page.screenshot({path: path.join(process.env.PICTURES, name), fullPage: name.includes('whole')});
 
 /** Mean and variance of the brightness of a canvas, and a sum that tells two pictures apart. */
 const pixels = (page, selector) => page.evaluate(selector => {
@@ -54,6 +55,16 @@ const cells = (page, selector) => page.$$eval(`${selector} tbody tr`, rows =>
 
 const near = (text, value) => value === null ? text === '–' :
   Math.abs(Number(text.replaceAll(',', '')) - value) <= 1e-3 * Math.abs(value);
+
+const spoilt = path.join(process.env.PICTURES, 'spoilt.json');
+const changed = change => JSON.stringify({...sample, ...change});
+
+/** Makes the page spoilt.json.html of a text. */
+function build(insertion) {
+  fs.writeFileSync(spoilt, insertion);
+  const script = path.join(__dirname, '..', '..', 'build_page.py');
+  return spawnSync(process.env.PYTHON, [script, spoilt, `${spoilt}.html`, '--build', process.env.PICTURES], {encoding: 'utf8'});
+}
 
 describe('with WebGL', () => {
   let browser, page, wrong;
@@ -138,6 +149,13 @@ describe('with WebGL', () => {
     assert.ok(!await page.isVisible('#charts figure:last-child .now'));
     await page.mouse.dblclick(box.x + 20, box.y + 20);
     await page.waitForSelector('#charts figure:last-child .now');
+    // The figure is that at the pointer, and away from charts that of the frame.
+    const value = () => page.textContent('#charts figure:nth-child(3) .value');
+    await page.evaluate(() => window.insertion.seek(11));
+    await page.mouse.move(box.x + box.width / last * 4, box.y + 20);
+    assert.equal(await value(), String(sample.series.contacts[4]));
+    await page.mouse.move(20, 20);
+    assert.equal(await value(), String(sample.series.contacts[11]));
   });
 
   test('tables say what the input says', async () => {
@@ -191,12 +209,30 @@ describe('with WebGL', () => {
     const other = await open(browser, {hash: '#frame=21&camera=follow', colorScheme: 'dark'});
     const {frame, camera} = await state(other.page);
     assert.deepEqual([frame, camera], [21, 'follow']);
+    const {print} = await pixels(other.page, '#view canvas');
+    await other.page.keyboard.press('1');
+    assert.notEqual((await pixels(other.page, '#view canvas')).print, print);
+    await other.page.keyboard.press('2');
     await picture(other.page, 'dark.png');
     assert.deepEqual(other.wrong, []);
   });
 
+  test('a frame that was not verified is said and shown', async () => {
+    const {series, summary} = sample;
+    const verified = series.verified.map((_, frame) => frame === 7 ? 0 : 1);
+    assert.equal(build(changed({series: {...series, verified}, summary: {...summary, 'demo.exactly_free_steps': 599}})).status, 0);
+    const other = await open(browser, {address: pathToFileURL(`${spoilt}.html`).href});
+    assert.match(await other.page.textContent('#verdict'), /599 of 600/);
+    assert.equal(await other.page.getAttribute('#verdict', 'class'), 'bad');
+    await other.page.click('#verdict button');
+    assert.equal((await state(other.page)).frame, 7);
+    assert.deepEqual(other.wrong, []);
+    fs.rmSync(`${spoilt}.html`);
+  });
+
   test('on a phone nothing is wider than the screen', async () => {
-    const phone = await open(browser, {viewport: {width: 390, height: 844}, hasTouch: true, deviceScaleFactor: 2, hash: '#frame=26'});
+    const screen = {viewport: {width: 390, height: 844}, hasTouch: true, deviceScaleFactor: 2};
+    const phone = await open(browser, {...screen, hash: '#frame=26'});
     assert.equal(await phone.page.evaluate(() => document.documentElement.scrollWidth), 390);
     await picture(phone.page, 'phone.png');
     assert.deepEqual(phone.wrong, []);
@@ -222,19 +258,15 @@ test('without WebGL there is a message, and the charts still', async () => {
 });
 
 test('an input that is not as agreed gives a message and no page', () => {
-  const spoilt = path.join(process.env.PICTURES, 'spoilt.json');
-  const build = insertion => {
-    fs.writeFileSync(spoilt, insertion);
-    return spawnSync(process.env.PYTHON, [path.join(__dirname, '..', '..', 'build_page.py'), spoilt, `${spoilt}.html`], {encoding: 'utf8'});
-  };
-  const without = change => JSON.stringify({...sample, ...change});
   for (const [insertion, message] of [
     ['{"format": 1', /JSONDecodeError/],
-    [without({format: 2}), /format 2 is not 1/],
-    [without({frames: []}), /no frames/],
-    [without({wall: undefined}), /'wall'/],
-    [without({wall: {...sample.wall, triangles: [0, 1, 640]}}), /triangle/],
-    [without({series: {...sample.series, contacts: [1]}}), /one entry a frame: contacts/],
+    [changed({format: 2}), /format 2 is not 1/],
+    [changed({title: '\ud800'}), /UnicodeEncodeError/],
+    [changed({title: 3}), /AttributeError/],
+    [changed({frames: []}), /no frames/],
+    [changed({wall: undefined}), /'wall'/],
+    [changed({wall: {...sample.wall, triangles: [0, 1, 640]}}), /triangle/],
+    [changed({series: {...sample.series, contacts: [1]}}), /one entry a frame: contacts/],
   ]) {
     const {status, stderr} = build(insertion);
     assert.equal(status, 1);
@@ -242,5 +274,4 @@ test('an input that is not as agreed gives a message and no page', () => {
     assert.match(stderr, message);
     assert.ok(!fs.existsSync(`${spoilt}.html`));
   }
-  fs.rmSync(spoilt);
 });

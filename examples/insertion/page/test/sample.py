@@ -29,7 +29,7 @@ def wall():
 
 
 def contact(frame, number):
-    x, y, z = centre(0.7 * frame - 2 * number)
+    x, y, z = centre(1 + 0.7 * frame * (1 - 0.2 * number))
     turn = 0.4 * frame + 1.3 * number
     out = [0, math.cos(turn), math.sin(turn)]
     return {"point": [x, y + RADIUS * out[1], z + RADIUS * out[2]], "normal": [0, -out[1], -out[2]],
@@ -47,7 +47,7 @@ def frame(number):
 
 def insertion():
     frames = [frame(number) for number in range(FRAMES)]
-    counts = [len(entry["contacts"]) for entry in frames]
+    counts = [number % 5 for number in range(FRAMES)]
     every = [one for entry in frames for one in entry["contacts"]]
     by_kind = [[one for one in every if one["kind"] == kind] for kind in KINDS]
     return {
