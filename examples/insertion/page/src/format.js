@@ -8,7 +8,7 @@ export function number(value, digits = 4) {
     return '–';
   }
   if (Number.isInteger(value)) {
-    return whole.format(value);
+    return whole.format(value + 0); // no negative zero
   }
   const size = Math.abs(value);
   return size < 1e-3 || size >= 1e7 ? value.toExponential(digits - 1) : Number(value.toPrecision(digits)).toString();

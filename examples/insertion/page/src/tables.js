@@ -5,10 +5,10 @@ const COLUMNS = {
   kind: 'What of the wall was met: the inside of a face (plane), an edge or a vertex',
   vertex: 'Index into the catheter\'s line at this frame, from the tail; – for none',
   time: 'Share of the vertex\'s move up to the contact, 0 to 1',
-  normal: 'Of the contact, away from the wall',
-  point: 'Where the contact is',
   tag: 'Of the cell behind the wall',
   impulse: 'That the wall gave the catheter',
+  normal: 'Of the contact, away from the wall',
+  point: 'Where the contact is',
 };
 const MOST = 400; // rows of one frame
 
@@ -39,10 +39,10 @@ export function describe(contact, digits = 4) {
     kind: contact.kind,
     vertex: contact.vertex < 0 ? '–' : String(contact.vertex),
     time: number(contact.time, digits),
-    normal: vector(contact.normal, digits),
-    point: vector(contact.point, digits),
     tag: String(contact.tag),
     impulse: number(contact.impulse, digits),
+    normal: vector(contact.normal, digits),
+    point: vector(contact.point, digits),
   };
 }
 

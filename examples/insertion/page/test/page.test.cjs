@@ -171,7 +171,7 @@ describe('with WebGL', () => {
       const rows = await cells(page, '#frame-contacts');
       assert.equal(rows.length, contacts.length);
       contacts.forEach((contact, at) => {
-        const [kind, vertex, time, normal, point, tag, impulse] = rows[at];
+        const [kind, vertex, time, tag, impulse, normal, point] = rows[at];
         assert.deepEqual([kind, vertex, tag], [contact.kind, contact.vertex < 0 ? '–' : String(contact.vertex), String(contact.tag)]);
         assert.ok(near(time, contact.time) && near(impulse, contact.impulse));
         normal.split(', ').forEach((text, axis) => assert.ok(Math.abs(Number(text) - contact.normal[axis]) < 1e-3));
