@@ -2,6 +2,8 @@
 import 'uplot/dist/uPlot.min.css';
 import '../style.css';
 
+import WebGL from 'three/addons/capabilities/WebGL.js';
+
 import {Charts} from './charts.js';
 import {readData} from './data.js';
 import {element, number} from './format.js';
@@ -24,14 +26,12 @@ let pointing = null;
 let remembering = 0; // a timer
 
 function makeView() {
-  try {
+  if (WebGL.isWebGL2Available()) {
     return new View(byId('view'), data);
-  } catch (error) {
-    console.info(`no 3D view: ${error.message}`);
-    byId('view').classList.add('flat');
-    byId('no-webgl').hidden = false;
-    return null;
   }
+  byId('view').classList.add('flat');
+  byId('no-webgl').hidden = false;
+  return null;
 }
 
 function select(contact) {

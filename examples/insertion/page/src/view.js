@@ -18,7 +18,7 @@ export class View {
   #hidden = new Set(); // kinds of contacts
   #selected = -1;
 
-  /** Throws where there is no WebGL. */
+  /** Needs WebGL 2. */
   constructor(host, data) {
     this.host = host;
     this.frames = data.frames;
@@ -26,10 +26,11 @@ export class View {
     this.renderer = new WebGLRenderer({antialias: true, alpha: true});
     this.renderer.autoClear = false;
     this.canvas = this.renderer.domElement;
+    this.canvas.addEventListener('webglcontextrestored', () => this.draw());
     host.prepend(this.canvas);
 
-    const counts = Array.from({length: data.frames.count}, (_, frame) => frame);
-    const most = wanted => counts.reduce((most, frame) => Math.max(most, wanted(frame)), 0);
+    const every = Array.from({length: data.frames.count}, (_, frame) => frame);
+    const most = wanted => every.reduce((most, frame) => Math.max(most, wanted(frame)), 0);
     const mostVertices = most(frame => data.frames.vertexCount(frame));
     this.wall = new Wall(data.wall);
     const {radius} = this.wall;

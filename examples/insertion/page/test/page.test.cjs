@@ -242,16 +242,14 @@ describe('with WebGL', () => {
 test('without WebGL there is a message, and the charts still', async () => {
   const browser = await launch(['--disable-3d-apis']);
   try {
-    const {page} = await open(browser);
-    const errors = [];
-    page.on('pageerror', error => errors.push(error.stack));
+    const {page, wrong} = await open(browser);
     assert.ok(await page.isVisible('#no-webgl'));
     await page.fill('#slider', '17');
     assert.equal((await state(page)).frame, 17);
     assert.ok((await pixels(page, '#charts canvas')).variance > 1);
     assert.equal((await cells(page, '#frame-contacts')).length, sample.frames[17].contacts.length);
     await picture(page, 'no-webgl.png');
-    assert.deepEqual(errors, []);
+    assert.deepEqual(wrong, []);
   } finally {
     await browser.close();
   }
