@@ -70,7 +70,7 @@ def check(insertion):
 
 def pack(insertion):
     """The data of the page. Positions count from `origin`, the middle of the wall, so that single precision costs a part in 10^7
-    of the wall's size wherever it lies; contacts keep what the library has reported, in double precision. Raises ValueError,
+    of the wall's size wherever it lies; contacts keep what the input says, in double precision. Raises ValueError,
     KeyError or TypeError if the input is not as agreed."""
     check(insertion)
     wall, frames = insertion["wall"], insertion["frames"]

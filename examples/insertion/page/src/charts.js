@@ -14,13 +14,18 @@ const LABELS = {
   detection_ms: 'detection',
   step_ms: 'step',
 };
+/** The name of a series for people. */
+export function seriesLabel(name) {
+  return LABELS[name] ?? label(name);
+}
+
 const NOT_CHARTED = ['time', 'verified']; // the axis, and what the strip shows
 
 /** Which series share a chart: all times in ms. */
 function groups(series) {
   const names = Object.keys(series).filter(name => !NOT_CHARTED.includes(name));
   const times = names.filter(name => name.endsWith('_ms'));
-  const charts = names.filter(name => !times.includes(name)).map(name => ({title: LABELS[name] ?? label(name), names: [name]}));
+  const charts = names.filter(name => !times.includes(name)).map(name => ({title: seriesLabel(name), names: [name]}));
   return times.length ? [...charts, {title: 'Time [ms]', names: times}] : charts;
 }
 
@@ -61,7 +66,7 @@ export class Charts {
         {...bare, size: 52, gap: 4, space: 24, values: (_, ticks) => ticks.map(short)},
       ],
       series: [{}, ...chart.names.map((name, at) => ({
-        label: LABELS[name] ?? label(name),
+        label: seriesLabel(name),
         stroke: () => colour(LINES[at % LINES.length]),
         width: 1.4,
         points: {show: false},
@@ -107,7 +112,7 @@ export class Charts {
 
   #tell(chart, at) {
     chart.value.textContent = chart.names.map(name =>
-      (chart.names.length > 1 ? `${LABELS[name] ?? label(name)} ` : '') + number(this.series[name][at])).join(' · ');
+      (chart.names.length > 1 ? `${seriesLabel(name)} ` : '') + number(this.series[name][at])).join(' · ');
   }
 
   show(frame) {

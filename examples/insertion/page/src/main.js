@@ -4,7 +4,7 @@ import '../style.css';
 
 import WebGL from 'three/addons/capabilities/WebGL.js';
 
-import {Charts} from './charts.js';
+import {Charts, seriesLabel} from './charts.js';
 import {readData} from './data.js';
 import {element, number} from './format.js';
 import {bindKeys, KEYS} from './keys.js';
@@ -195,6 +195,8 @@ byId('about').textContent = [
 writeVerdict(byId('verdict'), data, frame => player.seek(frame));
 fillContactTable(byId('contact-table'), data.contact_table);
 fillSummary(byId('summary'), data.summary);
+byId('series').append(...Object.entries(data.series_about).map(([name, about]) =>
+  element('tr', {}, element('td', {textContent: seriesLabel(name)}), element('td', {textContent: about}))));
 byId('keys').append(...KEYS.map(([keys, what]) =>
   element('tr', {}, element('td', {}, element('kbd', {textContent: keys})), element('td', {textContent: what}))));
 
