@@ -58,7 +58,7 @@ export class Charts {
       width: 300,
       height: 90,
       legend: {show: false},
-      padding: [6, 10, withTimes ? 0 : 4, 0],
+      padding: [6, 16, withTimes ? 0 : 4, 0],
       scales: {x: {time: false}, y: {range: (_, least, most) => [Math.min(0, least ?? 0), most > 0 ? most * 1.06 : 1]}},
       axes: [
         {...bare, size: withTimes ? 24 : 0, gap: 3,

@@ -198,7 +198,7 @@ fillSummary(byId('summary'), data.summary);
 byId('series').append(...Object.entries(data.series_about).map(([name, about]) =>
   element('tr', {}, element('td', {textContent: seriesLabel(name)}), element('td', {textContent: about}))));
 byId('keys').append(...KEYS.map(([keys, what]) =>
-  element('tr', {}, element('td', {}, element('kbd', {textContent: keys})), element('td', {textContent: what}))));
+  element('div', {}, element('dt', {textContent: keys}), element('dd', {textContent: what}))));
 
 view = makeView();
 const charts = new Charts(byId('charts'), data, time => { player.pause(); player.seekTime(time); });

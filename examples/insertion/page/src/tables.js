@@ -30,7 +30,12 @@ export function fillContactTable(table, {columns, rows}) {
 }
 
 export function fillSummary(table, summary) {
-  table.replaceChildren(element('tbody', {}, ...Object.entries(summary).map(([name, value]) => row([name, value]))));
+  table.replaceChildren(element('tbody', {}, ...Object.entries(summary).map(([name, value]) => {
+    const line = row([name, value]);
+    // Long names may be broken after a dot or an underscore.
+    line.firstChild.replaceChildren(...name.split(/(?<=[._])/).flatMap(part => [part, element('wbr')]));
+    return line;
+  })));
 }
 
 /** How a contact is told: name and text of each figure, with enough digits to find it in the input. */
