@@ -31,6 +31,8 @@ class Owned {
     }
   }
   T* get() const { return object_; }
+  /** The caller owns it, and its memory, from now on. */
+  T* release() noexcept { return std::exchange(object_, nullptr); }
 
  private:
   const Memory* memory_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "capi/body_access.h"
+#include "capi/recorded.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -128,7 +129,18 @@ dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body
     dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
     capi::require(desc, "desc");
     capi::require(body, "body");
-    *body = create_body(s, to_description(s, capi::read_struct(desc, "desc")));
+    const dsw_body_desc d = capi::read_struct(desc, "desc");
+    const dsw::BodyDescription description = to_description(s, d);
+    capi::Recorded call(scene, capi::Call::kCreateBody,
+                        capi::without(d, &dsw_body_desc::positions, &dsw_body_desc::hints, &dsw_body_desc::edges,
+                                      &dsw_body_desc::face_offsets, &dsw_body_desc::face_corners),
+                        capi::Points{description.positions, d.vertex_count},
+                        capi::Items<dsw_volume_id>{d.hints, d.vertex_count},
+                        capi::Items<uint32_t>{d.edges, 2 * d.edge_count},
+                        capi::Items<uint32_t>{d.face_offsets, d.face_count == 0 ? 0 : d.face_count + 1},
+                        capi::Items<uint32_t>{d.face_corners, d.face_corner_count});
+    *body = create_body(s, description);
+    call.done(*body);
   });
 }
 
@@ -155,7 +167,9 @@ dsw_status dsw_scene_get_occupant_bodies(const dsw_scene* scene, const dsw_body_
 dsw_status dsw_body_destroy(dsw_scene* scene, dsw_body_id body) {
   return capi::guard("dsw_body_destroy", [&] {
     const capi::BodyAccess of(scene, body);
+    capi::Recorded call(scene, capi::Call::kDestroyBody, body);
     destroy_body(of.scene, body.index);
+    call.done();
   });
 }
 
@@ -194,7 +208,10 @@ dsw_status dsw_body_get_level(const dsw_scene* scene, dsw_body_id body, dsw_leve
 dsw_status dsw_body_set_level(dsw_scene* scene, dsw_body_id body, dsw_level level) {
   return capi::guard("dsw_body_set_level", [&] {
     const capi::BodyAccess of(scene, body);
-    set_level(of.scene, of.body, capi::to_level(level, DSW_LEVEL_FACES, "level"));
+    const dsw::SweepLevel wanted = capi::to_level(level, DSW_LEVEL_FACES, "level");
+    capi::Recorded call(scene, capi::Call::kSetLevel, body, level);
+    set_level(of.scene, of.body, wanted);
+    call.done();
   });
 }
 
@@ -213,7 +230,9 @@ dsw_status dsw_body_set_filter(dsw_scene* scene, dsw_body_id body, uint32_t cate
   return capi::guard("dsw_body_set_filter", [&] {
     const capi::BodyAccess of(scene, body);
     capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
+    capi::Recorded call(scene, capi::Call::kSetFilter, body, category, mask);
     set_filter(of.scene, of.body, to_filter(category, mask, of.body.filter.self));
+    call.done();
   });
 }
 

@@ -1,6 +1,7 @@
 // Changes of bodies while they live: the second half of body.h.
 
 #include "capi/body_access.h"
+#include "capi/recorded.h"
 #include "dartsweep/body.h"
 
 namespace capi = dsw::capi;
@@ -12,7 +13,9 @@ dsw_status dsw_body_add_vertex(dsw_scene* scene, dsw_body_id body, const double*
     const capi::BodyAccess of(scene, body);
     capi::require(position, "position");
     capi::require(vertex, "vertex");
+    capi::Recorded call(scene, capi::Call::kAddBodyVertex, body, capi::Points{{position, 3}, 1}, hint);
     *vertex = vertex_id(of.body, add_body_vertex(of.scene, of.record, position, hint));
+    call.done(*vertex);
   });
 }
 
@@ -22,7 +25,9 @@ dsw_status dsw_body_add_edge(dsw_scene* scene, dsw_body_id body, dsw_body_vertex
     const capi::BodyAccess of(scene, body);
     capi::require(edge, "edge");
     const uint32_t from = capi::to_vertex(of.body, a, "a"), to = capi::to_vertex(of.body, b, "b");
+    capi::Recorded call(scene, capi::Call::kAddBodyEdge, body, a, b);
     *edge = edge_id(of.body, add_body_edge(of.scene, of.body, from, to));
+    call.done(*edge);
   });
 }
 
@@ -33,28 +38,39 @@ dsw_status dsw_body_add_face(dsw_scene* scene, dsw_body_id body, dsw_body_vertex
     capi::require(face, "face");
     const uint32_t corners[3] = {capi::to_vertex(of.body, a, "a"), capi::to_vertex(of.body, b, "b"),
                                  capi::to_vertex(of.body, c, "c")};
+    capi::Recorded call(scene, capi::Call::kAddBodyFace, body, a, b, c);
     *face = face_id(of.body, add_body_face(of.scene, of.body, corners[0], corners[1], corners[2]));
+    call.done(*face);
   });
 }
 
 dsw_status dsw_body_remove_face(dsw_scene* scene, dsw_body_id body, dsw_body_face_id face) {
   return capi::guard("dsw_body_remove_face", [&] {
     const capi::BodyAccess of(scene, body);
-    remove_face(of.body, capi::to_face(of.body, face, "face"));
+    const uint32_t f = capi::to_face(of.body, face, "face");
+    capi::Recorded call(scene, capi::Call::kRemoveBodyFace, body, face);
+    remove_face(of.body, f);
+    call.done();
   });
 }
 
 dsw_status dsw_body_remove_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge) {
   return capi::guard("dsw_body_remove_edge", [&] {
     const capi::BodyAccess of(scene, body);
-    remove_edge(of.body, capi::to_edge(of.body, edge, "edge"));
+    const uint32_t e = capi::to_edge(of.body, edge, "edge");
+    capi::Recorded call(scene, capi::Call::kRemoveBodyEdge, body, edge);
+    remove_edge(of.body, e);
+    call.done();
   });
 }
 
 dsw_status dsw_body_remove_vertex(dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id vertex) {
   return capi::guard("dsw_body_remove_vertex", [&] {
     const capi::BodyAccess of(scene, body);
-    remove_vertex(of.body, capi::to_vertex(of.body, vertex, "vertex"));
+    const uint32_t v = capi::to_vertex(of.body, vertex, "vertex");
+    capi::Recorded call(scene, capi::Call::kRemoveBodyVertex, body, vertex);
+    remove_vertex(of.body, v);
+    call.done();
   });
 }
 
@@ -64,7 +80,9 @@ dsw_status dsw_body_split_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge
     const capi::BodyAccess of(scene, body);
     const uint32_t e = capi::to_edge(of.body, edge, "edge");
     if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must lie between 0 and 1", share);
+    capi::Recorded call(scene, capi::Call::kSplitBodyEdge, body, edge, share);
     split_body_edge(of.scene, of.record, e, share, edit);
+    call.done(of.body);
   });
 }
 
@@ -76,6 +94,8 @@ dsw_status dsw_body_collapse_edge(dsw_scene* scene, dsw_body_id body, dsw_body_e
     if (of.body.edges[e].ends[0] != v && of.body.edges[e].ends[1] != v) {
       fail(DSW_STATUS_NOT_FOUND, "vertex %u is no end of edge %u", v, e);
     }
+    capi::Recorded call(scene, capi::Call::kCollapseBodyEdge, body, edge, vertex);
     collapse_body_edge(of.scene, of.record, e, v, edit);
+    call.done(of.body);
   });
 }

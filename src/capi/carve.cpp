@@ -1,6 +1,7 @@
 #include "dartsweep/carve.h"
 
 #include "capi/cut_results.h"
+#include "capi/recorded.h"
 #include "cutting/inside.h"
 #include "cutting/start.h"
 #include "scene/edits.h"
@@ -20,6 +21,12 @@ dsw::PointArray read_points(const Desc& d) {
   const dsw::PointArray points = capi::to_points(d.points, d.point_count, d.point_stride_bytes, "desc->points");
   dsw::check_finite(points, d.point_count, 3, {"desc->points", true});
   return points;
+}
+
+/** As they were read. */
+template <class Desc>
+capi::Points points_of(const Desc& d) {
+  return {capi::to_points(d.points, d.point_count, d.point_stride_bytes, "desc->points"), d.point_count};
 }
 
 dsw::Blade read_shape(const dsw::Memory* memory, const dsw_carve_desc& d) {
@@ -77,6 +84,9 @@ dsw_status dsw_environment_carve(dsw_environment* environment, const dsw_carve_d
     dsw::Environment<3>& env = handle.engine;
     const dsw::Blade shape = read_shape(env.memory, d);
     capi::check_hint(env.map, d.start, "desc->start");
+    capi::Recorded call(scene, capi::Call::kCarve,
+                        capi::without(d, &dsw_carve_desc::points, &dsw_carve_desc::triangles), points_of(d),
+                        capi::Items<uint32_t>{d.triangles, 3 * d.triangle_count});
     dsw::Crossings crossings(env, shape);
     dsw::Inside inside(env, shape, crossings);
     uint32_t visited = 0;
@@ -98,8 +108,10 @@ dsw_status dsw_environment_carve(dsw_environment* environment, const dsw_carve_d
     results.give_to(handle);
     for (const dsw::Cell c : carved) ids.push_back(volume_id(env.map, c));
     handle.carved_volumes.swap(ids);
-    if (report == nullptr) return;
-    *report = {capi::to_report(record, visited + inside.cell_count()), static_cast<uint32_t>(carved.size()), 0};
+    const dsw_carve_report done{capi::to_report(record, visited + inside.cell_count()),
+                                static_cast<uint32_t>(carved.size()), 0};
+    call.done(done, capi::items_of(handle.changes));
+    if (report != nullptr) *report = done;
   });
 }
 
@@ -125,6 +137,7 @@ dsw_status dsw_environment_tie(dsw_environment* environment, const dsw_tie_desc*
     const dsw::Array<double> loop = read_loop(env.memory, d);
     const dsw::Blade disc = dsw::Blade::fan(env.memory, {loop.data(), 3}, static_cast<uint32_t>(d.point_count) + 1);
     capi::check_hint(env.map, d.start, "desc->start");
+    capi::Recorded call(scene, capi::Call::kTie, capi::without(d, &dsw_tie_desc::points), points_of(d));
     dsw::Crossings crossings(env, disc);
     uint32_t visited = 0;
     if (dsw::is_null(d.start)) {
@@ -141,7 +154,8 @@ dsw_status dsw_environment_tie(dsw_environment* environment, const dsw_tie_desc*
     capi::CutResults results(*edit, record.faces, &record.vertices, &record.whole);
     carry_out_prepared(*edit, capi::engine_of(scene));
     results.give_to(handle);
-    if (report == nullptr) return;
-    *report = {capi::to_report(record, visited + record.met), is_closed ? 1u : 0u, 0};
+    const dsw_tie_report done{capi::to_report(record, visited + record.met), is_closed ? 1u : 0u, 0};
+    call.done(done, capi::items_of(handle.changes));
+    if (report != nullptr) *report = done;
   });
 }

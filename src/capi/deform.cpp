@@ -1,6 +1,7 @@
 #include "dartsweep/deform.h"
 
 #include "capi/convert.h"
+#include "capi/recorded.h"
 #include "capi/remesh.h"
 
 namespace capi = dsw::capi;
@@ -90,23 +91,25 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
     }
     if (next == of.env.points) fail(DSW_STATUS_IN_USE, "next is the array that the environment reads now");
     const dsw::MendSettings mend = capi::to_mend_settings(o.remesh_radius, o.remesh_max_faces);
+    capi::Recorded call(scene, capi::Call::kDeform, capi::without(o), capi::MovedPoints{next, of.env});
     uint32_t remeshed = 0;
     if (o.invalid == DSW_INVALID_REMESH) {
       remeshed = mend_and_deform(*scene, next, settings, mend);
     } else {
       deform(scene->engine, next, settings);
     }
-    if (report == nullptr) return;
-    const dsw::WallRecord& done = of.record;
-    *report = {done.fraction,
-               done.outcome,
-               done.steps,
-               done.near,
-               static_cast<uint32_t>(done.held.size()),
-               static_cast<uint32_t>(done.contacts.size()),
-               static_cast<uint32_t>(done.invalid.size()),
-               done.pushed,
-               remeshed};
+    const dsw::WallRecord& record = of.record;
+    const dsw_deform_report done{record.fraction,
+                                 record.outcome,
+                                 record.steps,
+                                 record.near,
+                                 static_cast<uint32_t>(record.held.size()),
+                                 static_cast<uint32_t>(record.contacts.size()),
+                                 static_cast<uint32_t>(record.invalid.size()),
+                                 record.pushed,
+                                 remeshed};
+    call.done(done, capi::items_of(record.held));
+    if (report != nullptr) *report = done;
   });
 }
 

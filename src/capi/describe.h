@@ -38,6 +38,7 @@ DSW_FIRST_SIZE(dsw_detach_desc, max_volumes);
 DSW_FIRST_SIZE(dsw_remesh_desc, max_faces);
 DSW_FIRST_SIZE(dsw_coarsen_options, max_trials);
 DSW_FIRST_SIZE(dsw_coarsen_report, trials);
+DSW_FIRST_SIZE(dsw_recording_desc, user);
 DSW_FIRST_SIZE(dsw_trace_data, triangle_count);
 #undef DSW_FIRST_SIZE
 

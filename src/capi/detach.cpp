@@ -1,6 +1,7 @@
 #include "dartsweep/detach.h"
 
 #include "capi/body_access.h"
+#include "capi/recorded.h"
 #include "scene/detachment.h"
 
 namespace capi = dsw::capi;
@@ -82,6 +83,7 @@ dsw_status dsw_scene_detach(dsw_scene* scene, const dsw_detach_desc* desc, dsw_b
         capi::to_description(handle.engine, {level, d.flags, d.motion_share, d.category, d.mask});
     dsw::Environment<3>& env = home.engine;
     const dsw::Cell start = capi::to_cell(env.map, d.volume, {"desc->volume", false});
+    capi::Recorded call(scene, capi::Call::kDetach, d);
     dsw::Detachment detachment(env, handle.engine, start, d.max_volumes == 0 ? SIZE_MAX : d.max_volumes);
     Results results(env.memory, detachment);
     const double gap = d.gap == 0 ? 0.01 : d.gap;
@@ -92,14 +94,15 @@ dsw_status dsw_scene_detach(dsw_scene* scene, const dsw_detach_desc* desc, dsw_b
     handle.detached_volumes.swap(results.volumes);
     handle.detached_vertices.swap(results.vertices);
     handle.detached_faces.swap(results.faces);
-    if (report == nullptr) return;
-    *report = {detachment.distance(),
-               static_cast<uint32_t>(handle.detached_volumes.size()),
-               static_cast<uint32_t>(handle.detached_vertices.size()),
-               static_cast<uint32_t>(handle.detached_faces.size()),
-               static_cast<uint32_t>(detachment.piece().cracks().size()),
-               count_unsewn(env.map, detachment.piece()),
-               0};
+    const dsw_detach_report done{detachment.distance(),
+                                 static_cast<uint32_t>(handle.detached_volumes.size()),
+                                 static_cast<uint32_t>(handle.detached_vertices.size()),
+                                 static_cast<uint32_t>(handle.detached_faces.size()),
+                                 static_cast<uint32_t>(detachment.piece().cracks().size()),
+                                 count_unsewn(env.map, detachment.piece()),
+                                 0};
+    call.done(*body, done);
+    if (report != nullptr) *report = done;
   });
 }
 

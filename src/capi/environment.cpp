@@ -2,6 +2,7 @@
 
 #include "capi/convert.h"
 #include "capi/environment_build.h"
+#include "capi/recorded.h"
 #include "environment/builder.h"
 #include "environment/find_facets.h"
 
@@ -314,6 +315,8 @@ dsw_status dsw_environment_set_tag(dsw_environment* environment, dsw_volume_id v
       if (tag == 0) return;
       env.tags.resize(env.map.index_count(), 0u);
     }
+    capi::for_each_scene(*environment,
+                         [&](dsw_scene& scene) { capi::Recorded(&scene, capi::Call::kSetTag, volume, tag).done(); });
     env.tags[env.map.index(c)] = tag;
   });
 }

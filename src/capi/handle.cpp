@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "capi/recorded.h"
 #include "environment/moving.h"
 
 dsw_environment::dsw_environment(dsw_context* owner)
@@ -30,6 +31,8 @@ dsw_scene::dsw_scene(dsw_environment* home, dsw::SceneFeatures features)
       detached_volumes(dsw::Allocator<dsw_volume_id>(home->engine.memory)),
       detached_vertices(dsw::Allocator<dsw_detached_vertex>(home->engine.memory)),
       detached_faces(dsw::Allocator<dsw_detached_face>(home->engine.memory)) {}
+
+dsw_scene::~dsw_scene() { dsw::capi::end_recording(*this); }
 
 namespace dsw::capi {
 

@@ -14,6 +14,11 @@
 #include "environment/environment.h"
 #include "scene/scene.h"
 
+namespace dsw::capi {
+struct Recording;
+struct CallWatch;
+}  // namespace dsw::capi
+
 struct dsw_context {
   static constexpr uint64_t kMagic = 0x6473775f63747831u;
   uint64_t magic = kMagic;
@@ -47,7 +52,9 @@ struct dsw_scene {
   static constexpr uint64_t kMagic = 0x6473775f73636e31u;
   uint64_t magic = kMagic;
   dsw_environment* environment;
-  dsw_scene* previous = nullptr;  // of the same environment
+  dsw::capi::Recording* recording = nullptr;  // owned; see recorded.h
+  dsw::capi::CallWatch* watch = nullptr;      // of the replay that it belongs to
+  dsw_scene* previous = nullptr;              // of the same environment
   dsw_scene* next = nullptr;
   dsw::Scene<3> engine;
   dsw::Array<dsw_volume_id> detached_volumes;  // of the last piece that came off, as the next two
@@ -55,6 +62,7 @@ struct dsw_scene {
   dsw::Array<dsw_detached_face> detached_faces;
 
   dsw_scene(dsw_environment* home, dsw::SceneFeatures features);
+  ~dsw_scene();
 };
 
 namespace dsw::capi {
@@ -134,6 +142,12 @@ class SceneOwner {
 uint32_t scene_count(const dsw_environment& environment);
 /** The only scene; null if there is none. Throws if there are several. */
 dsw_scene* only_scene(const dsw_environment& environment);
+/** Calls use(scene) for each scene of an environment. */
+template <class Use>
+void for_each_scene(const dsw_environment& environment, const Use& use) {
+  const std::lock_guard<std::mutex> lock(environment.scenes_mutex);
+  for (dsw_scene* scene = environment.first_scene; scene != nullptr; scene = scene->next) use(*scene);
+}
 inline Scene<3>* engine_of(dsw_scene* scene) { return scene == nullptr ? nullptr : &scene->engine; }
 /** Throws IN_USE where a scene that deforms the environment would not be its only one. */
 void attach(dsw_scene& scene);

@@ -1,6 +1,7 @@
 #include "dartsweep/marking.h"
 
 #include "capi/convert.h"
+#include "capi/recorded.h"
 #include "scene/occupation.h"
 
 namespace capi = dsw::capi;
@@ -17,10 +18,9 @@ bool to_bool(dsw_mark mark) {
 }
 
 /** Refuses a shared environment and begins a marking call: what the last one said about occupants is over. */
-dsw::Scene<3>* begin_marking(dsw_environment& environment) {
-  dsw_scene* const handle = capi::only_scene(environment);
-  dsw::Scene<3>* const scene = handle == nullptr ? nullptr : &handle->engine;
-  dsw::clear_occupants(scene);
+dsw_scene* begin_marking(dsw_environment& environment) {
+  dsw_scene* const scene = capi::only_scene(environment);
+  dsw::clear_occupants(capi::engine_of(scene));
   return scene;
 }
 
@@ -69,9 +69,11 @@ dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_
     capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
     Converted<dsw::Cell> cells(env.memory, count);
     for (size_t i = 0; i < count; ++i) cells.data()[i] = capi::to_cell(env.map, volumes[i], {"volumes", true}, i);
-    dsw::Scene<3>* const scene = begin_marking(handle);
+    dsw_scene* const scene = begin_marking(handle);
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
-    const size_t left_out = mark_cells(env, scene, cells.data(), count, marked, skip);
+    capi::Recorded call(scene, capi::Call::kMarkVolumes, capi::Items<dsw_volume_id>{volumes, count}, mark, flags);
+    const size_t left_out = mark_cells(env, capi::engine_of(scene), cells.data(), count, marked, skip);
+    call.done(left_out);
     if (skipped != nullptr) *skipped = left_out;
   });
 }
@@ -85,7 +87,10 @@ dsw_status dsw_environment_mark_faces(dsw_environment* environment, const dsw_fa
     const bool marked = to_bool(mark);
     Converted<dsw::HalfFacet> facets(env.memory, count);
     for (size_t i = 0; i < count; ++i) facets.data()[i] = capi::to_half_facet(env.map, faces[i], {"faces", true}, i);
-    mark_facets(env, begin_marking(handle), facets.data(), count, marked);
+    dsw_scene* const scene = begin_marking(handle);
+    capi::Recorded call(scene, capi::Call::kMarkFaces, capi::Items<dsw_face_id>{faces, count}, mark);
+    mark_facets(env, capi::engine_of(scene), facets.data(), count, marked);
+    call.done();
   });
 }
 
@@ -98,7 +103,10 @@ dsw_status dsw_environment_mark_edges(dsw_environment* environment, const dsw_ed
     const bool marked = to_bool(mark);
     Converted<dsw::Dart> darts(env.memory, count);
     for (size_t i = 0; i < count; ++i) darts.data()[i] = capi::to_dart(env.map, edges[i], {"edges", true}, i);
-    mark_edges(env, begin_marking(handle), darts.data(), count, marked);
+    dsw_scene* const scene = begin_marking(handle);
+    capi::Recorded call(scene, capi::Call::kMarkEdges, capi::Items<dsw_edge_id>{edges, count}, mark);
+    mark_edges(env, capi::engine_of(scene), darts.data(), count, marked);
+    call.done();
   });
 }
 
@@ -110,9 +118,11 @@ dsw_status dsw_environment_mark_vertices(dsw_environment* environment, const dsw
     capi::require_array(vertices, count, "vertices");
     const bool marked = to_bool(mark);
     for (size_t i = 0; i < count; ++i) capi::to_vertex(env.map, vertices[i], {"vertices", true}, i);
-    begin_marking(handle);
+    dsw_scene* const scene = begin_marking(handle);
+    capi::Recorded call(scene, capi::Call::kMarkVertices, capi::Items<dsw_vertex_id>{vertices, count}, mark);
     if (marked && count != 0) reserve_vertex_marks(env);
     for (size_t i = 0; i < count; ++i) set_vertex_mark(env, vertices[i].index, marked);
+    call.done();
   });
 }
 
@@ -123,10 +133,12 @@ dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t reg
     dsw::Environment<3>& env = handle.engine;
     const bool impassable = to_bool(mark);
     capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
-    dsw::Scene<3>* const scene = begin_marking(handle);
+    dsw_scene* const scene = begin_marking(handle);
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
     size_t left_out = 0;
-    const size_t all = mark_region(env, scene, region, impassable, skip, &left_out);
+    capi::Recorded call(scene, capi::Call::kMarkRegion, region, mark, flags);
+    const size_t all = mark_region(env, capi::engine_of(scene), region, impassable, skip, &left_out);
+    call.done(all, left_out);
     if (marked != nullptr) *marked = all - left_out;
     if (skipped != nullptr) *skipped = left_out;
   });
@@ -137,7 +149,10 @@ dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a,
   return capi::guard("dsw_environment_mark_between", [&] {
     dsw_environment& handle = capi::check_handle(environment, "environment");
     const bool impassable = to_bool(mark);
-    const size_t all = mark_between(handle.engine, begin_marking(handle), a, b, impassable);
+    dsw_scene* const scene = begin_marking(handle);
+    capi::Recorded call(scene, capi::Call::kMarkBetween, a, b, mark);
+    const size_t all = mark_between(handle.engine, capi::engine_of(scene), a, b, impassable);
+    call.done(all);
     if (marked != nullptr) *marked = all;
   });
 }

@@ -4,6 +4,7 @@
 
 #include "base/vec.h"
 #include "capi/body_access.h"
+#include "capi/recorded.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -85,17 +86,35 @@ void check_target_count(size_t given, size_t needed) {
   if (given != needed) fail(DSW_STATUS_WRONG_SIZE, "target_count is %zu, there are %zu vertex slots", given, needed);
 }
 
-void write_report(const dsw::MoveRecord& record, dsw_move_report* report) noexcept {
-  if (report == nullptr) return;
-  *report = {record.fraction,
-             record.moved,
-             record.stopped,
-             static_cast<uint32_t>(record.contacts.size()),
-             static_cast<uint32_t>(record.edits.size()),
-             record.sweeps.swept,
-             record.sweeps.skipped,
-             record.limited,
-             0};
+dsw_move_report to_report(const dsw::MoveRecord& record) noexcept {
+  return {record.fraction,
+          record.moved,
+          record.stopped,
+          static_cast<uint32_t>(record.contacts.size()),
+          static_cast<uint32_t>(record.edits.size()),
+          record.sweeps.swept,
+          record.sweeps.skipped,
+          record.limited,
+          0};
+}
+
+/** Options that have been read, as they are written down. */
+dsw_move_options recorded(const dsw_move_options& o) { return capi::without(o, &dsw_move_options::order); }
+capi::Items<uint32_t> order_of(const dsw_move_options& o) { return {o.order, o.order_count}; }
+
+/** What has become of bodies. */
+struct Moved {
+  dsw::BodyRecord* const* records;
+  size_t count;
+};
+
+template <class Use>
+void for_each_part(const Moved& of, const Use& use) {
+  for (size_t i = 0; i < of.count; ++i) {
+    const dsw_move_report report = to_report(of.records[i]->record);
+    use(&report, sizeof report);
+    capi::for_each_part(of.records[i]->body, use);
+  }
 }
 
 /** A rigid motion with its quaternion of length 1. */
@@ -184,8 +203,12 @@ dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targe
     const dsw::PointArray points = capi::to_points(targets, target_count, stride_bytes, "targets");
     const dsw::MoveOrder order = to_order(of.scene, of.body, o);
     check_targets(of.body, points, order, 0);
+    capi::Recorded call(scene, capi::Call::kMoveBody, body, capi::Points{points, target_count}, recorded(o),
+                        order_of(o));
     move_body(of.scene, of.record, points, order, settings);
-    write_report(of.record.record, report);
+    dsw::BodyRecord* const record = &of.record;
+    call.done(Moved{&record, 1});
+    if (report != nullptr) *report = to_report(of.record.record);
   });
 }
 
@@ -216,8 +239,11 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
       check_targets(each->body, points, {}, first);
       first += each->body.vertices.size();
     }
+    capi::Recorded call(scene, capi::Call::kMoveBodies, capi::Items<dsw_body_id>{bodies, count},
+                        capi::Points{points, target_count}, recorded(o));
     move_bodies(s, records.data(), count, points, settings);
-    for (size_t i = 0; reports != nullptr && i < count; ++i) write_report(records[i]->record, reports + i);
+    call.done(Moved{records.data(), count});
+    for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = to_report(records[i]->record);
   });
 }
 
@@ -242,8 +268,11 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
         fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
       }
     }
+    capi::Recorded call(scene, capi::Call::kMoveRigid, body, *motion, recorded(o), order_of(o));
     move_body_together(of.scene, of.record, Rigid::place, &rigid, order, rigid.reach(of.body));
-    write_report(of.record.record, report);
+    dsw::BodyRecord* const record = &of.record;
+    call.done(Moved{&record, 1});
+    if (report != nullptr) *report = to_report(of.record.record);
   });
 }
 

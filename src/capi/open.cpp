@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "capi/cut_results.h"
+#include "capi/recorded.h"
 #include "cutting/opening.h"
 #include "dartsweep/surgery.h"
 #include "scene/edits.h"
@@ -39,6 +40,8 @@ dsw_status dsw_environment_open(dsw_environment* environment, const dsw_open_des
     dsw::Environment<3>& env = handle.engine;
     dsw::Crack crack(env, settings.region);
     read_faces(env.map, d, crack);
+    capi::Recorded call(scene, capi::Call::kOpen, capi::without(d, &dsw_open_desc::faces),
+                        capi::Items<dsw_cut_face>{d.faces, d.face_count});
     crack.part();
     dsw::Opening opening(env, crack, settings);
     std::optional<dsw::Edit> edit;
@@ -47,12 +50,13 @@ dsw_status dsw_environment_open(dsw_environment* environment, const dsw_open_des
     capi::CutResults results(*edit, record.faces, &record.vertices, nullptr);
     carry_out_prepared(*edit, capi::engine_of(scene));
     results.give_to(handle);
-    if (report == nullptr) return;
-    *report = {record.smallest,
-               record.largest,
-               static_cast<uint32_t>(record.vertices.size() / 2),
-               record.shortened,
-               static_cast<uint32_t>(record.faces.size()),
-               record.changed};
+    const dsw_open_report done{record.smallest,
+                               record.largest,
+                               static_cast<uint32_t>(record.vertices.size() / 2),
+                               record.shortened,
+                               static_cast<uint32_t>(record.faces.size()),
+                               record.changed};
+    call.done(done, capi::items_of(handle.changes));
+    if (report != nullptr) *report = done;
   });
 }

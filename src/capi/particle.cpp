@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "capi/convert.h"
+#include "capi/recorded.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -15,6 +16,26 @@ dsw::FlightOptions to_flight_options(const dsw_cast_options* options) {
   return {o.max_cells, o.detail};
 }
 
+/** Options that have been read, as they are written down. */
+dsw_cast_options recorded(const dsw_cast_options* options) {
+  return capi::without(options == nullptr ? dsw_cast_options{} : capi::read_struct(options, "options"));
+}
+
+/** Where particles are. */
+struct Places {
+  const dsw::Scene<3>& scene;
+  const dsw_particle_id* particles;
+  size_t count;
+};
+
+template <class Use>
+void for_each_part(const Places& of, const Use& use) {
+  for (size_t i = 0; i < of.count; ++i) {
+    const auto& position = of.scene.particles[of.particles[i].index].position;
+    use(position, sizeof position);
+  }
+}
+
 }  // namespace
 
 dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_volume_id hint,
@@ -23,7 +44,9 @@ dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_vol
     dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
     capi::require(position, "position");
     capi::require(particle, "particle");
+    capi::Recorded call(scene, capi::Call::kCreateParticle, capi::Points{{position, 3}, 1}, hint);
     create_particles(s, {position, 3}, 1, &hint, false, particle, nullptr);
+    call.done(*particle);
   });
 }
 
@@ -33,7 +56,10 @@ dsw_status dsw_scene_create_particles(dsw_scene* scene, const double* positions,
     dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
     const dsw::PointArray points = capi::to_points(positions, count, stride_bytes, "positions");
     capi::require_array(particles, count, "particles");
+    capi::Recorded call(scene, capi::Call::kCreateParticles, capi::Points{points, count},
+                        capi::Items<dsw_volume_id>{hints, count});
     create_particles(s, points, count, hints, true, particles, offender);
+    call.done(capi::Items<dsw_particle_id>{particles, count});
   });
 }
 
@@ -41,7 +67,9 @@ dsw_status dsw_particle_destroy(dsw_scene* scene, dsw_particle_id particle) {
   return capi::guard("dsw_particle_destroy", [&] {
     dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
     check_particle(s, particle);
+    capi::Recorded call(scene, capi::Call::kDestroyParticle, particle);
     destroy_particle(s, particle.index);
+    call.done();
   });
 }
 
@@ -83,7 +111,11 @@ dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const d
   return capi::guard("dsw_particle_move", [&] {
     dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
     capi::require(target, "target");
-    move_particle(s, particle, target, to_flight_options(options), flight);
+    const dsw::FlightOptions o = to_flight_options(options);
+    check_particle(s, particle);
+    capi::Recorded call(scene, capi::Call::kMoveParticle, particle, capi::Points{{target, 3}, 1}, recorded(options));
+    move_particle(s, particle, target, o, flight);
+    call.done(s.particles[particle.index].position);
   });
 }
 
@@ -94,7 +126,11 @@ dsw_status dsw_scene_move_particles(dsw_scene* scene, const dsw_particle_id* par
     dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
     capi::require_array(particles, count, "particles");
     const dsw::PointArray points = capi::to_points(targets, count, stride_bytes, "targets");
-    move_particles(s, particles, count, points, to_flight_options(options), flights);
+    const dsw::FlightOptions o = to_flight_options(options);
+    capi::Recorded call(scene, capi::Call::kMoveParticles, capi::Items<dsw_particle_id>{particles, count},
+                        capi::Points{points, count}, recorded(options));
+    move_particles(s, particles, count, points, o, flights);
+    call.done(Places{s, particles, count});
   });
 }
 
@@ -106,7 +142,11 @@ dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id
     capi::require_array(particles, count, "particles");
     const dsw::PointArray points = capi::to_points(to, count, stride_bytes, "to");
     capi::require_array(flights, count, "flights");
-    cast_from_particles(s, particles, count, points, to_flight_options(options), flights);
+    const dsw::FlightOptions o = to_flight_options(options);
+    capi::Recorded call(scene, capi::Call::kCastFromParticles, capi::Items<dsw_particle_id>{particles, count},
+                        capi::Points{points, count}, recorded(options));
+    cast_from_particles(s, particles, count, points, o, flights);
+    call.done(capi::Items<dsw_flight>{flights, count});
   });
 }
 

@@ -1,6 +1,7 @@
 #include "dartsweep/remesh.h"
 
 #include "capi/convert.h"
+#include "capi/recorded.h"
 #include "capi/remesh.h"
 
 namespace capi = dsw::capi;
@@ -53,6 +54,8 @@ dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh
       mending.want(capi::to_cell(env.map, d.volumes[i], {"desc->volumes", true}, i));
     }
     if (d.volumes == nullptr) mending.want_all();
+    capi::Recorded call(scene, capi::Call::kRemesh, capi::without(d, &dsw_remesh_desc::volumes, &dsw_remesh_desc::next),
+                        capi::Items<dsw_volume_id>{d.volumes, d.volume_count}, capi::Items<double>{d.next, 3 * points});
     std::optional<dsw::Edit> edit;
     mending.prepare(edit);
     const dsw::MendRecord& record = mending.record();
@@ -60,10 +63,11 @@ dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh
     capi::MendResults results(env, record, change);
     if (change != nullptr) carry_out_prepared(*change, capi::engine_of(scene));
     results.move_to(handle, change);
-    if (report == nullptr) return;
     const auto left = static_cast<uint32_t>(record.left.size());
-    *report = {record.wanted, record.wanted - left, left, record.patches, record.gone,
-               record.made,   record.most_faces,    0};
+    const dsw_remesh_report done{record.wanted, record.wanted - left, left, record.patches, record.gone,
+                                 record.made,   record.most_faces,    0};
+    call.done(done, capi::items_of(handle.changes));
+    if (report != nullptr) *report = done;
   });
 }
 

@@ -1,6 +1,7 @@
 #include "dartsweep/scene.h"
 
 #include "capi/convert.h"
+#include "capi/recorded.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -74,7 +75,9 @@ dsw_status dsw_scene_get_statistics(const dsw_scene* scene, dsw_statistics* stat
 dsw_status dsw_scene_reset_statistics(dsw_scene* scene) {
   return capi::guard("dsw_scene_reset_statistics", [&] {
     counting_scene(scene);
+    capi::Recorded call(scene, capi::Call::kResetStatistics);
     scene->engine.statistics = dsw::SceneStatistics{};
+    call.done();
   });
 }
 

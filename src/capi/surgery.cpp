@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "capi/cut_results.h"
+#include "capi/recorded.h"
 #include "cutting/start.h"
 #include "scene/edits.h"
 #include "topology/operations.h"
@@ -12,6 +13,8 @@ using dsw::fail;
 
 namespace {
 
+size_t blade_points(const dsw_cut_desc& d) noexcept { return size_t{d.rows} * d.columns; }
+
 dsw::Blade read_blade(const dsw::Memory* memory, const dsw_cut_desc& d) {
   if (d.rows < 2 || d.columns < 2) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->rows is %u and desc->columns is %u, must be 2 at least", d.rows, d.columns);
@@ -20,7 +23,7 @@ dsw::Blade read_blade(const dsw::Memory* memory, const dsw_cut_desc& d) {
     fail(DSW_STATUS_TOO_LARGE, "desc->rows is %u and desc->columns is %u, together must be below 2^28 points", d.rows,
          d.columns);
   }
-  const size_t count = size_t{d.rows} * d.columns;
+  const size_t count = blade_points(d);
   const dsw::PointArray points = capi::to_points(d.points, count, d.point_stride_bytes, "desc->points");
   dsw::check_finite(points, count, 3, {"desc->points", true});
   return dsw::Blade::of_grid(memory, points, d.rows, d.columns);
@@ -48,6 +51,9 @@ dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc*
     dsw::Environment<3>& env = handle.engine;
     const dsw::Blade blade = read_blade(env.memory, d);
     capi::check_hint(env.map, d.start, "desc->start");
+    const capi::Points points{capi::to_points(d.points, blade_points(d), d.point_stride_bytes, "desc->points"),
+                              blade_points(d)};
+    capi::Recorded call(scene, capi::Call::kCut, capi::without(d, &dsw_cut_desc::points), points);
     uint32_t visited = 0;
     const dsw::Cell hint = dsw::is_null(d.start) ? dsw::Cell{} : env.map.cell(d.start.index);
     const dsw::Cell start = find_start(env, blade, hint, &visited);
@@ -60,8 +66,9 @@ dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc*
     capi::CutResults results(*edit, record.faces, &record.vertices, &record.whole);
     carry_out_prepared(*edit, capi::engine_of(scene));
     results.give_to(handle);
-    if (report == nullptr) return;
-    *report = capi::to_report(record, record.met + visited);
+    const dsw_cut_report done = capi::to_report(record, record.met + visited);
+    call.done(done, capi::items_of(handle.changes));
+    if (report != nullptr) *report = done;
   });
 }
 
@@ -74,6 +81,8 @@ dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_fa
     capi::require_array(loads, count, "loads");
     if (std::isnan(threshold)) fail(DSW_STATUS_NON_FINITE, "threshold is not a number");
     dsw::Environment<3>& env = handle.engine;
+    capi::Recorded call(scene, capi::Call::kTearFaces, capi::Items<dsw_face_id>{faces, count},
+                        capi::Items<double>{loads, count}, threshold);
     dsw::Edit edit(env);
     dsw::CutRecord record(env.memory);
     dsw::KeyTable seen(env.memory);
@@ -90,6 +99,7 @@ dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_fa
     capi::CutResults results(edit, record.faces, nullptr, nullptr);
     carry_out_prepared(edit, capi::engine_of(scene));
     results.give_to(handle);
+    call.done(capi::items_of(handle.changes));
     if (torn != nullptr) *torn = record.faces.size();
   });
 }

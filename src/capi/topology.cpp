@@ -1,6 +1,7 @@
 #include "dartsweep/topology.h"
 
 #include "capi/convert.h"
+#include "capi/recorded.h"
 #include "scene/edits.h"
 #include "topology/operations.h"
 
@@ -21,12 +22,16 @@ class Change {
   const dsw::Memory* memory() const { return handle_.engine.memory; }
   dsw::Edit& edit() { return edit_; }
 
-  void carry_out() {
+  /** What was asked for is written if the scene is recorded. */
+  template <class... Arguments>
+  void carry_out(capi::Call number, const Arguments&... arguments) {
+    capi::Recorded call(scene_, number, arguments...);
     dsw::Array<dsw_volume_change> changes{dsw::Allocator<dsw_volume_change>(memory())};
     changes.reserve(edit_.most_changes());
     dsw::carry_out(edit_, capi::engine_of(scene_));
     capi::append_changes(edit_, changes);
     handle_.changes.swap(changes);
+    call.done(capi::items_of(handle_.changes));
   }
 
   /** What has come of a draft. */
@@ -98,7 +103,18 @@ dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_v
                         d.tags,        faces.data(), faces.size()};
     if (input.index_bytes == 0) input.index_bytes = 8;
     add_cells(change.edit(), input);
-    change.carry_out();
+    const auto text = [&](const void* integers, size_t count) {
+      return capi::Items<uint8_t>{static_cast<const uint8_t*>(integers), count * input.index_bytes};
+    };
+    change.carry_out(
+        capi::Call::kAddVolumes,
+        capi::without(d, &dsw_volumes_desc::vertices, &dsw_volumes_desc::points, &dsw_volumes_desc::cell_types,
+                      &dsw_volumes_desc::offsets, &dsw_volumes_desc::connectivity, &dsw_volumes_desc::regions,
+                      &dsw_volumes_desc::tags, &dsw_volumes_desc::sew_to),
+        capi::Items<dsw_vertex_id>{d.vertices, d.vertex_count}, capi::Points{points, d.point_count},
+        capi::Items<uint8_t>{d.cell_types, d.cell_count}, text(d.offsets, d.cell_count + 1),
+        text(d.connectivity, d.connectivity_count), capi::Items<int32_t>{d.regions, d.cell_count},
+        capi::Items<uint32_t>{d.tags, d.cell_count}, capi::Items<dsw_face_id>{d.sew_to, d.sew_count});
     for (size_t i = 0; volumes != nullptr && i < d.cell_count; ++i) volumes[i] = change.volume(i);
     for (size_t i = 0; vertices != nullptr && i < d.point_count; ++i) {
       vertices[i] = capi::vertex_id(change.map(), all[d.vertex_count + i]);
@@ -118,7 +134,8 @@ dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_fac
       pairs[i].b = capi::to_half_facet(change.map(), faces_b[i], {"faces_b", true}, i);
     }
     sew(change.edit(), pairs.data(), count);
-    change.carry_out();
+    change.carry_out(capi::Call::kSewFaces, capi::Items<dsw_face_id>{faces_a, count},
+                     capi::Items<dsw_face_id>{faces_b, count});
   });
 }
 
@@ -126,7 +143,7 @@ dsw_status dsw_environment_unsew_face(dsw_environment* environment, dsw_face_id 
   return capi::guard("dsw_environment_unsew_face", [&] {
     Change change(environment);
     unsew(change.edit(), capi::to_half_facet(change.map(), face, {"face", false}));
-    change.carry_out();
+    change.carry_out(capi::Call::kUnsewFace, face);
   });
 }
 
@@ -137,7 +154,7 @@ dsw_status dsw_environment_remove_volumes(dsw_environment* environment, const ds
     dsw::Array<dsw::Cell> cells(count, dsw::Cell{}, dsw::Allocator<dsw::Cell>(change.memory()));
     for (size_t i = 0; i < count; ++i) cells[i] = capi::to_cell(change.map(), volumes[i], {"volumes", true}, i);
     remove_cells(change.edit(), cells.data(), count);
-    change.carry_out();
+    change.carry_out(capi::Call::kRemoveVolumes, capi::Items<dsw_volume_id>{volumes, count});
   });
 }
 
@@ -145,7 +162,7 @@ dsw_status dsw_environment_merge_volumes(dsw_environment* environment, dsw_face_
   return capi::guard("dsw_environment_merge_volumes", [&] {
     Change change(environment);
     const size_t merged = merge_cells(change.edit(), capi::to_half_facet(change.map(), face, {"face", false}));
-    change.carry_out();
+    change.carry_out(capi::Call::kMergeVolumes, face);
     if (volume != nullptr) *volume = change.volume(merged);
   });
 }
@@ -159,7 +176,7 @@ dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume
     dsw::Array<uint32_t> vertices(count, 0u, dsw::Allocator<uint32_t>(change.memory()));
     for (size_t i = 0; i < count; ++i) vertices[i] = capi::to_vertex(change.map(), loop[i], {"loop", true}, i);
     const dsw::SplitCell split = split_cell(change.edit(), c, vertices.data(), count);
-    change.carry_out();
+    change.carry_out(capi::Call::kSplitVolume, volume, capi::Items<dsw_vertex_id>{loop, count});
     if (volumes != nullptr) {
       volumes[0] = change.volume(split.left);
       volumes[1] = change.volume(split.right);
@@ -172,7 +189,7 @@ dsw_status dsw_environment_merge_faces(dsw_environment* environment, dsw_edge_id
   return capi::guard("dsw_environment_merge_faces", [&] {
     Change change(environment);
     const dsw::MergedFacet merged = merge_facets(change.edit(), capi::to_dart(change.map(), edge, {"edge", false}));
-    change.carry_out();
+    change.carry_out(capi::Call::kMergeFaces, edge);
     if (face != nullptr) *face = change.face(merged.draft, merged.facet);
   });
 }
@@ -185,7 +202,7 @@ dsw_status dsw_environment_split_face(dsw_environment* environment, dsw_face_id 
     const uint32_t from = capi::to_vertex(change.map(), a, {"a", false});
     const uint32_t to = capi::to_vertex(change.map(), b, {"b", false});
     const dsw::SplitFacet split = split_facet(change.edit(), h, from, to);
-    change.carry_out();
+    change.carry_out(capi::Call::kSplitFace, face, a, b);
     if (faces != nullptr) {
       faces[0] = change.face(split.draft, split.from_a);
       faces[1] = change.face(split.draft, split.from_b);
@@ -203,7 +220,7 @@ dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id 
     if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must be above 0 and below 1", share);
     const uint32_t ends[2] = {dart_vertex(map, d), dart_target(map, d)};
     const uint32_t middle = split_edge(change.edit(), d, share);
-    change.carry_out();
+    change.carry_out(capi::Call::kSplitEdge, edge, share);
     if (vertex != nullptr) *vertex = capi::vertex_id(map, middle);
     if (edges != nullptr) {
       edges[0] = change.edge(0, ends[0], middle);
@@ -219,7 +236,7 @@ dsw_status dsw_environment_merge_edges(dsw_environment* environment, dsw_edge_id
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
     const uint32_t middle = capi::to_vertex(change.map(), vertex, {"vertex", false});
     const dsw::MergedEdge ends = merge_edges(change.edit(), d, middle);
-    change.carry_out();
+    change.carry_out(capi::Call::kMergeEdges, edge, vertex);
     if (merged != nullptr) *merged = change.edge(0, ends.a, ends.b);
   });
 }
@@ -229,7 +246,7 @@ dsw_status dsw_environment_collapse_edge(dsw_environment* environment, dsw_edge_
     Change change(environment);
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
     collapse_edge(change.edit(), d, capi::to_vertex(change.map(), vertex, {"vertex", false}));
-    change.carry_out();
+    change.carry_out(capi::Call::kCollapseEdge, edge, vertex);
   });
 }
 

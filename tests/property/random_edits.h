@@ -64,6 +64,7 @@ class RandomEdits {
 
   size_t refusals = 0;  // of memory
   const dsw_environment* environment() const { return place_.get(); }
+  dsw_scene* handle() const { return scene_.get(); }
   size_t volume_count() const { return env().map.cell_count; }
   size_t exact_checks = 0;  // of a partition; others look at volumes and particles only
   EditTally tallies[static_cast<size_t>(Operation::kCount)];

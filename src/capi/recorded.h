@@ -1,0 +1,207 @@
+#pragma once
+// What a recording keeps of the calls that change a scene or its environment: src/record/README.md. A call is written when all of its
+// arguments have been checked and before the engine is asked, so that it is there if the process dies in it; calls that are refused change
+// nothing and are left out.
+
+#include <cstdio>
+#include <cstring>
+
+#include "base/points.h"
+#include "capi/convert.h"
+#include "dartsweep/record.h"
+#include "record/record.h"
+
+namespace dsw::capi {
+
+/** Numbers are those of recordings: new ones are appended. replay.cpp has a row for each. */
+enum class Call : uint32_t {
+  kMarkVolumes = 1,
+  kMarkFaces,
+  kMarkEdges,
+  kMarkVertices,
+  kMarkRegion,
+  kMarkBetween,
+  kSetTag,
+  kAddVolumes,
+  kRemoveVolumes,
+  kSewFaces,
+  kUnsewFace,
+  kMergeVolumes,
+  kSplitVolume,
+  kMergeFaces,
+  kSplitFace,
+  kSplitEdge,
+  kMergeEdges,
+  kCollapseEdge,
+  kCut,
+  kTearFaces,
+  kOpen,
+  kCarve,
+  kTie,
+  kDetach,
+  kRemesh,
+  kDeform,
+  kCreateParticle,
+  kCreateParticles,
+  kDestroyParticle,
+  kMoveParticle,
+  kMoveParticles,
+  kCastFromParticles,
+  kResetStatistics,
+  kCreateBody,
+  kDestroyBody,
+  kSetLevel,
+  kSetFilter,
+  kAddBodyVertex,
+  kAddBodyEdge,
+  kAddBodyFace,
+  kRemoveBodyFace,
+  kRemoveBodyEdge,
+  kRemoveBodyVertex,
+  kSplitBodyEdge,
+  kCollapseBodyEdge,
+  kMoveBody,
+  kMoveBodies,
+  kMoveRigid,
+  kCount
+};
+
+/** An array of plain things; null is told from empty. */
+template <class T>
+struct Items {
+  const T* items;
+  size_t count;
+};
+template <class T>
+Items<T> items_of(const Array<T>& array) noexcept {
+  return {array.data(), array.size()};
+}
+
+struct Points {
+  PointArray points;
+  size_t count;
+};
+
+/** The points of a deformation: those that are elsewhere than where the environment has them. */
+struct MovedPoints {
+  const double* next;
+  const Environment<3>& env;
+};
+
+/** A struct of the interface, whose pointers are written as null: what they point at is written after it. */
+template <class T, class... Pointers>
+T without(T given, Pointers... pointers) noexcept {
+  given.struct_size = sizeof(T);  // also of defaults, which have none
+  ((given.*pointers = nullptr), ...);
+  return given;
+}
+
+constexpr uint64_t kNullArray = UINT64_MAX;
+
+/** Calls use(bytes, size) for each part of what is written of something. */
+template <class T, class Use>
+void for_each_part(const T& value, const Use& use) {
+  use(&value, sizeof value);
+}
+template <class T, class Use>
+void for_each_part(const Items<T>& array, const Use& use) {
+  const uint64_t count = array.items == nullptr ? kNullArray : array.count;
+  use(&count, sizeof count);
+  if (array.items != nullptr && array.count != 0) use(array.items, array.count * sizeof(T));
+}
+template <class Use>
+void for_each_part(const Points& array, const Use& use) {
+  const uint64_t count = array.points.data == nullptr ? kNullArray : 3 * uint64_t{array.count};
+  use(&count, sizeof count);
+  for (size_t i = 0; count != kNullArray && i < array.count; ++i) use(array.points[i], 3 * sizeof(double));
+}
+template <class Use>
+void for_each_part(const MovedPoints& of, const Use& use) {
+  for (uint32_t v = 0; v < of.env.map.vertex_count; ++v) {
+    const double* const to = of.next + 3 * size_t{v};
+    if (std::memcmp(to, of.env.point(v), 3 * sizeof(double)) == 0) continue;
+    const uint64_t vertex = v;
+    use(&vertex, sizeof vertex);
+    use(to, 3 * sizeof(double));
+  }
+  use(&kNullArray, sizeof kNullArray);
+}
+/** Where a body is. */
+template <class Use>
+void for_each_part(const Body& body, const Use& use) {
+  for (const BodyVertex& v : body.vertices) use(v.position, sizeof v.position);
+}
+
+/** A recording of a scene that is being made. */
+struct Recording {
+  RecordWriter writer;
+  dsw_write_fn write;
+  void* user;
+  std::FILE* file = nullptr;  // ours, if the host has named one
+
+  Recording(dsw_write_fn function, void* argument) noexcept;
+  ~Recording();
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+};
+
+/** Ends the recording of a scene, if it has one. False: not all of it was written. */
+bool end_recording(dsw_scene& scene) noexcept;
+
+/** What is told of the last call that changed a scene, to whom replays it. */
+struct CallWatch {
+  uint64_t digest = 0;
+  bool made = false, failed = false;
+};
+
+/** One call, from before it is made to its end. */
+class Recorded {
+ public:
+  /** `scene` may be null: an environment without one. */
+  template <class... Arguments>
+  Recorded(dsw_scene* scene, Call call, const Arguments&... arguments) noexcept
+      : scene_(scene != nullptr && (scene->recording != nullptr || scene->watch != nullptr) ? scene : nullptr) {
+    if (scene_ == nullptr || scene_->recording == nullptr) return;
+    RecordWriter& writer = scene_->recording->writer;
+    uint64_t size = sizeof(uint64_t);
+    [[maybe_unused]] const auto measure = [&](const void*, size_t bytes) { size += (bytes + 7) & ~size_t{7}; };
+    (for_each_part(arguments, measure), ...);
+    writer.begin(EntryKind::kCall, size);
+    const auto number = static_cast<uint64_t>(call);
+    writer.put(&number, sizeof number);
+    [[maybe_unused]] const auto put = [&](const void* bytes, size_t count) {
+      const size_t whole = count & ~size_t{7};
+      writer.put(bytes, whole);
+      if (whole == count) return;
+      uint8_t rest[8] = {};
+      std::memcpy(rest, static_cast<const uint8_t*>(bytes) + whole, count - whole);
+      writer.put(rest, sizeof rest);
+    };
+    (for_each_part(arguments, put), ...);
+    writer.end();
+  }
+
+  /** It has done what it should; `results` are what it answered or changed, whatever is quick to read. */
+  template <class... Results>
+  void done(const Results&... results) noexcept {
+    if (scene_ == nullptr) return;
+    Digest digest;
+    [[maybe_unused]] const auto put = [&](const void* bytes, size_t count) { digest.put(bytes, count); };
+    (for_each_part(results, put), ...);
+    finish(false, digest.value());
+  }
+
+  /** Not done: it failed. */
+  ~Recorded() {
+    if (scene_ != nullptr) finish(true, 0);
+  }
+  Recorded(const Recorded&) = delete;
+  Recorded& operator=(const Recorded&) = delete;
+
+ private:
+  void finish(bool failed, uint64_t digest) noexcept;
+
+  dsw_scene* scene_;  // null: nobody wants to know
+};
+
+}  // namespace dsw::capi

@@ -1,0 +1,81 @@
+#pragma once
+// A recording that is made again: what replay.cpp and the rows of calls share.
+
+#include "capi/recorded.h"
+
+struct dsw_replay {
+  static constexpr uint64_t kMagic = 0x6473775f72706c31u;
+  uint64_t magic = kMagic;
+  dsw_context* context;
+  dsw::RecordReader reader;
+  dsw_environment* environment = nullptr;
+  dsw_scene* scene = nullptr;
+  dsw::capi::CallWatch watch;
+  uint64_t calls = 0;            // made so far
+  dsw::Array<uint64_t> words;    // the arguments of a call
+  dsw::Array<double> points[2];  // lent to the environment in turn
+
+  dsw_replay(dsw_context* owner, const uint8_t* bytes, size_t size);
+  ~dsw_replay();
+  dsw_replay(const dsw_replay&) = delete;
+  dsw_replay& operator=(const dsw_replay&) = delete;
+};
+
+namespace dsw::capi {
+
+/** The arguments of a recorded call, in the order in which for_each_part wrote them. Throws CORRUPT where there are none left. */
+class Arguments {
+ public:
+  explicit Arguments(const Array<uint64_t>& words) : at_(words.data()), end_(words.data() + words.size()) {}
+
+  /** A plain value. */
+  template <class T>
+  T get() {
+    T value;
+    std::memcpy(&value, take(sizeof(T)), sizeof(T));
+    return value;
+  }
+  /** A struct that begins with its size, which another version has written. */
+  template <class T>
+  T get_struct() {
+    need(1);
+    uint32_t size;
+    std::memcpy(&size, at_, sizeof size);
+    return read_struct(static_cast<const T*>(take(size)), "a recorded struct");
+  }
+  template <class T>
+  Items<T> get_items() {
+    const auto count = get<uint64_t>();
+    if (count == kNullArray) return {nullptr, 0};
+    if (count > static_cast<uint64_t>(end_ - at_) * sizeof(uint64_t) / sizeof(T)) fail_short();
+    const auto size = static_cast<size_t>(count);
+    return {static_cast<const T*>(take(size * sizeof(T))), size};
+  }
+
+ private:
+  [[noreturn]] static void fail_short() { fail(DSW_STATUS_CORRUPT, "the recording is damaged: arguments of a call"); }
+  void need(size_t words) const {
+    if (words > static_cast<size_t>(end_ - at_)) fail_short();
+  }
+  const void* take(size_t bytes) {
+    const size_t words = (bytes + 7) / 8;
+    need(words);
+    const void* const from = at_;
+    at_ += words;
+    return from;
+  }
+
+  const uint64_t* at_;
+  const uint64_t* end_;
+};
+
+/** How a call is made again. */
+struct ReplayRow {
+  const char* function;  // null: none of these
+  dsw_status (*make)(dsw_replay& replay, Arguments& arguments);
+};
+/** Calls that change the environment, and all others. */
+ReplayRow environment_row(Call call) noexcept;
+ReplayRow body_row(Call call) noexcept;
+
+}  // namespace dsw::capi

@@ -1,0 +1,259 @@
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "fixture.h"
+
+/* Where recordings go: memory, which may refuse. */
+typedef struct tape {
+  unsigned char bytes[65536];
+  size_t size, writes, refuse; /* the write that is refused, from 1; 0: none */
+} tape;
+
+static int write_tape(void *user, const void *bytes, size_t size_bytes) {
+  tape *const t = (tape *)user;
+  if (++t->writes == t->refuse || t->size + size_bytes > sizeof t->bytes) return 1;
+  memcpy(t->bytes + t->size, bytes, size_bytes);
+  t->size += size_bytes;
+  return 0;
+}
+
+static dsw_recording_desc to_tape(tape *t) {
+  dsw_recording_desc desc;
+  dsw_recording_desc_init(&desc, sizeof desc);
+  memset(t, 0, sizeof *t);
+  desc.write = write_tape;
+  desc.user = t;
+  return desc;
+}
+
+static tape one, other;
+
+static void calls_are_made_again_by_name(void) {
+  static const char *const names[] = {"dsw_particle_create",     "dsw_particle_move", "dsw_environment_mark_volumes",
+                                      "dsw_environment_set_tag", "dsw_body_create",   "dsw_environment_mark_volumes"};
+  dsw_environment *const env = make_environment(NULL, 3, 2, 2);
+  dsw_scene *const scene = make_scene(env, 0), *again = NULL;
+  const dsw_recording_desc desc = to_tape(&one);
+  const dsw_volume_id wall = volume_at(1), occupied = volume_at(2);
+  const double from[3] = {0.5, 0.5, 0.5}, to[3] = {0.75, 0.5, 0.5}, nan_point[3] = {0, 0, NAN},
+               line[6] = {2.5, 0.25, 0.5, 2.5, 0.75, 0.5};
+  dsw_particle_id particle;
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  double position[3] = {0, 0, 0};
+  uint32_t tag = 0;
+  size_t i;
+  CHECK_OK(dsw_scene_start_recording(scene, &desc));
+  CHECK_FAILS(DSW_STATUS_IN_USE, dsw_scene_start_recording(scene, &desc));
+  CHECK_OK(dsw_particle_create(scene, from, no_volume, &particle));
+  CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_move(scene, stale_particle, to, NULL, NULL)); /* not recorded */
+  CHECK_OK(dsw_environment_mark_volumes(env, &wall, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  CHECK_OK(dsw_environment_set_tag(env, wall, 77));
+  make_edge_body(scene, line, DSW_LEVEL_EDGES_SWEPT);
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_environment_mark_volumes(env, &occupied, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  CHECK_OK(dsw_scene_stop_recording(scene));
+  CHECK_OK(dsw_scene_stop_recording(scene));
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_particle_move(scene, particle, nan_point, NULL, NULL));
+  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  for (i = 0; i < sizeof names / sizeof *names; ++i) {
+    memset(&report, 0xff, sizeof report);
+    CHECK_OK(dsw_replay_step(replay, &report));
+    CHECK(report.call == i && report.outcome == DSW_REPLAY_SAME && strcmp(report.function, names[i]) == 0);
+    CHECK(report.has_failed == (i == 5) && report.status == (i == 5 ? DSW_STATUS_OCCUPIED : DSW_STATUS_OK));
+  }
+  CHECK_OK(dsw_replay_step(replay, &report));
+  CHECK(report.outcome == DSW_REPLAY_END && report.call == 6 && report.function == NULL);
+  CHECK_OK(dsw_replay_get_scene(replay, &again));
+  CHECK_OK(dsw_particle_get(again, particle, position, NULL));
+  CHECK(memcmp(position, to, sizeof to) == 0);
+  CHECK_OK(dsw_environment_get_tag(dsw_scene_get_environment(again), wall, &tag));
+  CHECK(tag == 77);
+  CHECK_OK(dsw_replay_destroy(replay));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+}
+
+/* A step of a replay is recorded itself: a recording of one call, for whoever has to look at it. */
+static void one_call_can_be_taken_out(void) {
+  dsw_environment *const env = make_environment(NULL, 2, 1, 1);
+  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *again = NULL;
+  dsw_recording_desc desc = to_tape(&one);
+  const double from[3] = {0.5, 0.5, 0.5}, to[3] = {1.5, 0.5, 0.25}, back[3] = {0.25, 0.25, 0.25};
+  dsw_particle_id particle;
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  CHECK_OK(dsw_particle_create(scene, from, no_volume, &particle));
+  CHECK_OK(dsw_scene_start_recording(scene, &desc));
+  CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
+  CHECK_OK(dsw_particle_move(scene, particle, back, NULL, NULL));
+  CHECK_OK(dsw_scene_destroy(scene)); /* ends the recording */
+  CHECK_OK(dsw_environment_destroy(env));
+  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  CHECK_OK(dsw_replay_step(replay, &report));
+  CHECK_OK(dsw_replay_get_scene(replay, &again));
+  desc = to_tape(&other);
+  CHECK_OK(dsw_scene_start_recording(again, &desc));
+  CHECK_OK(dsw_replay_step(replay, &report));
+  CHECK_OK(dsw_scene_stop_recording(again));
+  CHECK(report.call == 1 && report.outcome == DSW_REPLAY_SAME);
+  CHECK_OK(dsw_replay_destroy(replay));
+  CHECK_OK(dsw_replay_create(NULL, other.bytes, other.size, &replay));
+  CHECK_OK(dsw_replay_step(replay, &report));
+  CHECK(report.call == 0 && report.outcome == DSW_REPLAY_SAME && report.status == DSW_STATUS_OK);
+  CHECK_OK(dsw_replay_step(replay, &report));
+  CHECK(report.outcome == DSW_REPLAY_END);
+  CHECK_OK(dsw_replay_destroy(replay));
+}
+
+static void a_scene_in_other_hands_differs(void) {
+  dsw_environment *const env = make_environment(NULL, 2, 1, 1);
+  dsw_scene *const scene = make_scene(env, 0), *again = NULL, *guest;
+  const dsw_recording_desc desc = to_tape(&one);
+  const double from[3] = {0.5, 0.5, 0.5}, to[3] = {1.5, 0.5, 0.25};
+  const dsw_volume_id wall = volume_at(1);
+  dsw_particle_id particle;
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  CHECK_OK(dsw_particle_create(scene, from, no_volume, &particle));
+  CHECK_OK(dsw_scene_start_recording(scene, &desc));
+  CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
+  CHECK_OK(dsw_scene_stop_recording(scene));
+  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  CHECK_OK(dsw_replay_get_scene(replay, &again));
+  CHECK_OK(dsw_environment_mark_volumes(dsw_scene_get_environment(again), &wall, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  CHECK_OK(dsw_replay_step(replay, &report));
+  CHECK(report.outcome == DSW_REPLAY_DIFFERENT && report.status == DSW_STATUS_OK && report.has_failed == 0);
+  guest = make_scene(dsw_scene_get_environment(again), 0);
+  CHECK_FAILS(DSW_STATUS_IN_USE, dsw_replay_destroy(replay));
+  CHECK_OK(dsw_scene_destroy(guest));
+  CHECK_OK(dsw_replay_destroy(replay));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+}
+
+/* A recording that can't be written never fails a call. */
+static void writing_may_fail(void) {
+  dsw_environment *const env = make_environment(NULL, 2, 1, 1);
+  dsw_scene *const scene = make_scene(env, 0);
+  const double from[3] = {0.5, 0.5, 0.5};
+  dsw_particle_id particle;
+  size_t refuse, starts;
+  dsw_recording_desc desc = to_tape(&one);
+  CHECK_OK(dsw_scene_start_recording(scene, &desc));
+  starts = one.writes;
+  CHECK_OK(dsw_scene_stop_recording(scene));
+  for (refuse = 1; refuse <= starts + 3; ++refuse) {
+    desc = to_tape(&one);
+    one.refuse = refuse;
+    if (refuse <= starts) {
+      CHECK_FAILS(DSW_STATUS_WRITE_FAILED, dsw_scene_start_recording(scene, &desc));
+      CHECK_OK(dsw_scene_stop_recording(scene)); /* there is none */
+      continue;
+    }
+    CHECK_OK(dsw_scene_start_recording(scene, &desc));
+    CHECK_OK(dsw_particle_create(scene, from, no_volume, &particle));
+    if (refuse <= starts + 2) {
+      CHECK_FAILS(DSW_STATUS_WRITE_FAILED, dsw_scene_stop_recording(scene));
+      CHECK(one.writes == refuse);
+    } else {
+      CHECK_OK(dsw_scene_stop_recording(scene));
+    }
+  }
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+}
+
+static void bad_arguments(void) {
+  dsw_environment *const env = make_environment(NULL, 1, 1, 1);
+  dsw_scene *const scene = make_scene(env, 0);
+  dsw_recording_desc desc = to_tape(&one);
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_start_recording(NULL, &desc));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_start_recording(scene, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_stop_recording(NULL));
+  desc.path = "x";
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_start_recording(scene, &desc));
+  desc.write = NULL;
+  desc.path = "no/such/folder/recording";
+  CHECK_FAILS(DSW_STATUS_WRITE_FAILED, dsw_scene_start_recording(scene, &desc));
+  CHECK_MESSAGE("no/such/folder");
+  desc.path = NULL;
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_start_recording(scene, &desc));
+  desc = to_tape(&one);
+  desc.flags = 1;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_start_recording(scene, &desc));
+  desc = to_tape(&one);
+  desc.struct_size = 8;
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_scene_start_recording(scene, &desc));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_create(NULL, NULL, 8, &replay));
+  CHECK_FAILS(DSW_STATUS_TRUNCATED, dsw_replay_create(NULL, "", 0, &replay));
+  CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_replay_create(NULL, "not a recording at all", 22, &replay));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step(NULL, &report));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_get_scene(NULL, NULL));
+  CHECK_OK(dsw_replay_destroy(NULL));
+  desc = to_tape(&one);
+  CHECK_OK(dsw_scene_start_recording(scene, &desc));
+  CHECK_OK(dsw_scene_stop_recording(scene));
+  one.bytes[8] = 99; /* format */
+  CHECK_FAILS(DSW_STATUS_BAD_VERSION, dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  one.bytes[8] = 1;
+  CHECK_FAILS(DSW_STATUS_TRUNCATED, dsw_replay_create(NULL, one.bytes, one.size - 8, &replay));
+  CHECK(replay == NULL);
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+}
+
+/* Every allocation of a replay refused in turn: a status, and everything is given back. */
+static void memory_may_run_out(void) {
+  host h;
+  size_t refuse;
+  int done = 0;
+  dsw_environment *const env = make_environment(NULL, 2, 2, 1);
+  dsw_scene *const scene = make_scene(env, 0);
+  const dsw_recording_desc desc = to_tape(&one);
+  const double from[3] = {0.5, 0.5, 0.5};
+  dsw_particle_id particle;
+  CHECK_OK(dsw_scene_start_recording(scene, &desc));
+  CHECK_OK(dsw_particle_create(scene, from, no_volume, &particle));
+  CHECK_OK(dsw_scene_stop_recording(scene));
+  for (refuse = 1; !done && refuse < 1000; ++refuse) {
+    dsw_context *context;
+    dsw_replay *replay = NULL;
+    dsw_status status;
+    memset(&h, 0, sizeof h);
+    context = make_context(&h);
+    h.calls = 0;
+    h.refuse = refuse;
+    status = dsw_replay_create(context, one.bytes, one.size, &replay);
+    if (status == DSW_STATUS_OK) {
+      dsw_replay_report report;
+      status = dsw_replay_step(replay, &report);
+      if (status == DSW_STATUS_OK) {
+        CHECK(report.outcome == (report.status == DSW_STATUS_OK ? DSW_REPLAY_SAME : DSW_REPLAY_DIFFERENT));
+        done = report.status == DSW_STATUS_OK && h.calls < refuse;
+      }
+      CHECK_OK(dsw_replay_destroy(replay));
+    }
+    CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
+    h.refuse = 0;
+    CHECK_OK(dsw_context_destroy(context));
+    CHECK(h.alive == 0 && h.broken == 0);
+  }
+  CHECK(done);
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+}
+
+int main(void) {
+  calls_are_made_again_by_name();
+  one_call_can_be_taken_out();
+  a_scene_in_other_hands_differs();
+  writing_may_fail();
+  bad_arguments();
+  memory_may_run_out();
+  return check_result();
+}
