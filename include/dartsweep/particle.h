@@ -36,6 +36,11 @@ DSW_API dsw_status dsw_particle_destroy(dsw_scene *scene, dsw_particle_id partic
 /** How many particles there are. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_scene_get_particle_count(const dsw_scene *scene, size_t *count);
 
+/** Ids of the particles of a scene, by index. @param particles [out] `capacity` ids. @param count [out] how many there are.
+ * @return DSW_STATUS_BUFFER_TOO_SMALL. @note O(particles). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_scene_get_particle_ids(const dsw_scene *scene, dsw_particle_id *particles, size_t capacity,
+                                              size_t *count);
+
 /** Position and volume of a particle; either may be null. @param position [out] 3 doubles. @note O(1). Thread: reader.
  * @since 0.1 */
 DSW_API dsw_status dsw_particle_get(const dsw_scene *scene, dsw_particle_id particle, double *position,

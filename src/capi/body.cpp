@@ -66,15 +66,6 @@ dsw::BodyDescription to_description(const dsw::Scene<3>& scene, const dsw_body_d
   return out;
 }
 
-/** Copies the ids of what lives. */
-template <class Id, class Items>
-void copy_ids(const Items& items, const dsw::SlotPool& slots, Id* out, size_t capacity, size_t* count) {
-  capi::check_capacity(slots.alive_count(), capacity, out, count);
-  for (uint32_t i = 0; i < items.size(); ++i) {
-    if (slots.alive(i, slots.generation(i))) *out++ = {i, slots.generation(i)};
-  }
-}
-
 }  // namespace
 
 namespace dsw::capi {
@@ -108,16 +99,6 @@ uint32_t to_face(const Body& body, dsw_body_face_id id, const char* name) {
 
 void check_named(bool named, const char* feature) {
   if (!named) fail(DSW_STATUS_NOT_NAMED, "scene was made without %s", feature);
-}
-
-void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* count) {
-  require(count, "count");
-  if (capacity < needed) {
-    *count = needed;
-    fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity is %zu, %zu are needed", capacity, needed);
-  }
-  require_array(buffer, needed, "buffer");
-  *count = needed;
 }
 
 }  // namespace dsw::capi
@@ -178,6 +159,13 @@ dsw_status dsw_scene_get_body_count(const dsw_scene* scene, size_t* count) {
     const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
     capi::require(count, "count");
     *count = s.body_slots.alive_count();
+  });
+}
+
+dsw_status dsw_scene_get_bodies(const dsw_scene* scene, dsw_body_id* bodies, size_t capacity, size_t* count) {
+  return capi::guard("dsw_scene_get_bodies", [&] {
+    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::copy_ids(s.bodies.size(), s.body_slots, bodies, capacity, count);
   });
 }
 
@@ -254,7 +242,7 @@ dsw_status dsw_body_get_vertices(const dsw_scene* scene, dsw_body_id body, dsw_b
                                  size_t capacity, size_t* count) {
   return capi::guard("dsw_body_get_vertices", [&] {
     const dsw::Body& b = capi::BodyAccess(scene, body).body;
-    copy_ids(b.vertices, b.vertex_slots, vertices, capacity, count);
+    capi::copy_ids(b.vertices.size(), b.vertex_slots, vertices, capacity, count);
   });
 }
 
@@ -262,7 +250,7 @@ dsw_status dsw_body_get_edges(const dsw_scene* scene, dsw_body_id body, dsw_body
                               size_t* count) {
   return capi::guard("dsw_body_get_edges", [&] {
     const dsw::Body& b = capi::BodyAccess(scene, body).body;
-    copy_ids(b.edges, b.edge_slots, edges, capacity, count);
+    capi::copy_ids(b.edges.size(), b.edge_slots, edges, capacity, count);
   });
 }
 
@@ -270,7 +258,7 @@ dsw_status dsw_body_get_faces(const dsw_scene* scene, dsw_body_id body, dsw_body
                               size_t* count) {
   return capi::guard("dsw_body_get_faces", [&] {
     const dsw::Body& b = capi::BodyAccess(scene, body).body;
-    copy_ids(b.faces, b.face_slots, faces, capacity, count);
+    capi::copy_ids(b.faces.size(), b.face_slots, faces, capacity, count);
   });
 }
 

@@ -36,7 +36,4 @@ uint32_t to_face(const Body& body, dsw_body_face_id id, const char* name);
 /** Throws NOT_NAMED unless the scene was made with a feature. */
 void check_named(bool named, const char* feature);
 
-/** Sets `count` and fails if there is no room. */
-void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* count);
-
 }  // namespace dsw::capi

@@ -129,4 +129,14 @@ void append_changes(Edit& edit, Array<dsw_volume_change>& changes) noexcept {
   }
 }
 
+void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* count) {
+  require(count, "count");
+  if (capacity < needed) {
+    *count = needed;
+    fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity is %zu, %zu are needed", capacity, needed);
+  }
+  require_array(buffer, needed, "buffer");
+  *count = needed;
+}
+
 }  // namespace dsw::capi

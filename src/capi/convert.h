@@ -93,6 +93,18 @@ void hand_out(const Array<T>& array, const T** items, size_t* count, const char*
   *count = array.size();
 }
 
+/** Sets `count` and fails if there is no room. */
+void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* count);
+
+/** Copies the ids of what lives in slots. */
+template <class Id>
+void copy_ids(size_t slot_count, const SlotPool& slots, Id* out, size_t capacity, size_t* count) {
+  check_capacity(slots.alive_count(), capacity, out, count);
+  for (uint32_t i = 0; i < slot_count; ++i) {
+    if (slots.alive(i, slots.generation(i))) *out++ = {i, slots.generation(i)};
+  }
+}
+
 /** What became of volumes, by an edit that is finished. There is room for it. */
 void append_changes(Edit& edit, Array<dsw_volume_change>& changes) noexcept;
 

@@ -81,6 +81,14 @@ dsw_status dsw_scene_get_particle_count(const dsw_scene* scene, size_t* count) {
   });
 }
 
+dsw_status dsw_scene_get_particle_ids(const dsw_scene* scene, dsw_particle_id* particles, size_t capacity,
+                                      size_t* count) {
+  return capi::guard("dsw_scene_get_particle_ids", [&] {
+    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    capi::copy_ids(s.particles.size(), s.slots, particles, capacity, count);
+  });
+}
+
 dsw_status dsw_particle_get(const dsw_scene* scene, dsw_particle_id particle, double* position, dsw_volume_id* volume) {
   return capi::guard("dsw_particle_get", [&] {
     const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;

@@ -1,0 +1,211 @@
+/* Opens a recording (record.h), makes its calls again and tells what they did:
+ *
+ *   dartsweep_replay FILE [--to N] [--quiet] [--take FILE] [--draw FOLDER]
+ *
+ * Prints a line for each call, and at the end the verdict on what is there then. --to N stops before call N. --take FILE writes that one
+ * call, with the scene as it is before it, as a recording of its own: what a bug report needs. --draw FOLDER writes the scene as .vtu files.
+ * Exit code 1: a call did something else than was recorded, or what is there then is not free; 2: the file or an option can't be used. */
+#include <dartsweep/dartsweep.h>
+#include <getopt.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base.h"
+#include "output.h"
+
+typedef struct options {
+  const char *file, *take, *draw;
+  uint64_t to;
+  int quiet;
+} options;
+
+static int usage(void) {
+  fprintf(stderr, "usage: dartsweep_replay FILE [--to N] [--quiet] [--take FILE] [--draw FOLDER]\n");
+  return kBadInput;
+}
+
+static int read_options(int argc, char **argv, options *o) {
+  static const struct option known[] = {{"to", required_argument, NULL, 't'},
+                                        {"quiet", no_argument, NULL, 'q'},
+                                        {"take", required_argument, NULL, 'k'},
+                                        {"draw", required_argument, NULL, 'd'},
+                                        {NULL, 0, NULL, 0}};
+  int letter;
+  memset(o, 0, sizeof *o);
+  o->to = UINT64_MAX;
+  while ((letter = getopt_long(argc, argv, "", known, NULL)) != -1) {
+    char *end = NULL;
+    if (letter == 't') {
+      o->to = strtoull(optarg, &end, 10);
+      if (*optarg < '0' || *optarg > '9' || *end != 0) return usage();
+    } else if (letter == 'q') {
+      o->quiet = 1;
+    } else if (letter == 'k') {
+      o->take = optarg;
+    } else if (letter == 'd') {
+      o->draw = optarg;
+    } else {
+      return usage();
+    }
+  }
+  if (optind + 1 != argc) return usage();
+  o->file = argv[optind];
+  return 0;
+}
+
+static void *room_for(size_t count, size_t size) {
+  void *const room = calloc(count == 0 ? 1 : count, size);
+  if (room == NULL) {
+    fprintf(stderr, "replay: not enough memory\n");
+    exit(kFailed);
+  }
+  return room;
+}
+
+/* All bytes of a file; the caller frees them. */
+static unsigned char *read_file(const char *name, size_t *size) {
+  FILE *const file = fopen(name, "rb");
+  unsigned char *bytes = NULL;
+  size_t room = 0, got = 1;
+  *size = 0;
+  while (file != NULL && got > 0) {
+    if (*size == room) {
+      room = room == 0 ? 1 << 16 : 2 * room;
+      bytes = (unsigned char *)realloc(bytes, room);
+      if (bytes == NULL) break;
+    }
+    got = fread(bytes + *size, 1, room - *size, file);
+    *size += got;
+  }
+  if (file == NULL || bytes == NULL || ferror(file)) {
+    fprintf(stderr, "replay: cannot read '%s'\n", name);
+    exit(kBadInput);
+  }
+  fclose(file);
+  return bytes;
+}
+
+static const char *outcome_name(dsw_replay_outcome outcome) {
+  return outcome == DSW_REPLAY_SAME        ? "same"
+         : outcome == DSW_REPLAY_DIFFERENT ? "DIFFERENT"
+                                           : "unfinished: the recording ends in it";
+}
+
+/* One step, told; 0: there is none, or it differs. */
+static int step(dsw_replay *replay, int quiet, int *differs) {
+  dsw_replay_report report;
+  require(dsw_replay_step(replay, &report), "making the next call", kBadInput);
+  if (report.outcome == DSW_REPLAY_END) return 0;
+  *differs = report.outcome == DSW_REPLAY_DIFFERENT;
+  if (!quiet || report.outcome != DSW_REPLAY_SAME) {
+    printf("%8" PRIu64 "  %-34s %-24s %s\n", report.call, report.function, dsw_status_string(report.status),
+           outcome_name(report.outcome));
+    if (report.status != DSW_STATUS_OK) printf("          %s\n", dsw_last_error_message());
+    if (*differs)
+      printf("          the recorded call %s\n", report.has_failed ? "failed" : "did not fail, or had other results");
+  }
+  return report.outcome == DSW_REPLAY_SAME;
+}
+
+/* Exactly: an environment and a scene that are loaded from their snapshots are checked as a whole. Returns 1 if all is well. */
+static int print_verdict(dsw_scene *scene) {
+  dsw_environment *const environment = dsw_scene_get_environment(scene);
+  dsw_environment *copy = NULL;
+  dsw_scene *again = NULL;
+  size_t sizes[2] = {0, 0}, particles = 0, bodies = 0;
+  unsigned char *blocks[2];
+  dsw_status is_partition, is_free;
+  require(dsw_environment_save(environment, NULL, 0, &sizes[0]), "saving", kFailed);
+  require(dsw_scene_save(scene, NULL, 0, &sizes[1]), "saving", kFailed);
+  blocks[0] = (unsigned char *)room_for(sizes[0], 1);
+  blocks[1] = (unsigned char *)room_for(sizes[1], 1);
+  require(dsw_environment_save(environment, blocks[0], sizes[0], &sizes[0]), "saving", kFailed);
+  require(dsw_scene_save(scene, blocks[1], sizes[1], &sizes[1]), "saving", kFailed);
+  require(dsw_scene_get_particle_count(scene, &particles), "counting", kFailed);
+  require(dsw_scene_get_body_count(scene, &bodies), "counting", kFailed);
+  is_partition = dsw_environment_check(environment, NULL);
+  printf("environment: %s\n",
+         is_partition == DSW_STATUS_OK ? "every volume is valid, no two overlap" : dsw_last_error_message());
+  is_free = dsw_environment_load(NULL, blocks[0], sizes[0], &copy);
+  if (is_free == DSW_STATUS_OK) is_free = dsw_scene_load(copy, blocks[1], sizes[1], &again);
+  printf("scene: %lu particles, %lu bodies: %s\n", (unsigned long)particles, (unsigned long)bodies,
+         is_free == DSW_STATUS_OK ? "all in their volumes, all free" : dsw_last_error_message());
+  dsw_scene_destroy(again);
+  dsw_environment_destroy(copy);
+  free(blocks[0]);
+  free(blocks[1]);
+  return is_free == DSW_STATUS_OK;
+}
+
+static void take_call(dsw_replay *replay, dsw_scene *scene, const char *file, int *differs) {
+  dsw_recording_desc desc;
+  dsw_recording_desc_init(&desc, sizeof desc);
+  desc.path = file;
+  require(dsw_scene_start_recording(scene, &desc), "writing the call", kBadInput);
+  step(replay, 0, differs);
+  require(dsw_scene_stop_recording(scene), "writing the call", kBadInput);
+}
+
+/* The edges of a body. */
+static int draw_body(const dsw_scene *scene, dsw_body_id body, const char *folder) {
+  dsw_body_counts counts;
+  double *positions;
+  uint32_t *ends;
+  size_t got = 0, i, count = 0;
+  char name[64];
+  int code;
+  counts.struct_size = sizeof counts;
+  require(dsw_body_get_counts(scene, body, &counts), "reading a body", kFailed);
+  positions = (double *)room_for(3 * (size_t)counts.vertex_slots, sizeof *positions);
+  ends = (uint32_t *)room_for(2 * (size_t)counts.edge_slots, sizeof *ends);
+  require(dsw_body_get_positions(scene, body, positions, counts.vertex_slots, 0, NULL, &got), "reading a body",
+          kFailed);
+  require(dsw_body_get_edge_vertices(scene, body, ends, counts.edge_slots, &got), "reading a body", kFailed);
+  for (i = 0; i < counts.edge_slots; ++i) {
+    if (ends[2 * i] == UINT32_MAX) continue; /* a free slot */
+    ends[2 * count] = ends[2 * i];
+    ends[2 * count + 1] = ends[2 * i + 1];
+    ++count;
+  }
+  snprintf(name, sizeof name, "body_%u.vtu", body.index);
+  code = vtu_write(folder, name, positions, counts.vertex_slots, ends, 2, count, NULL, 0);
+  free(positions);
+  free(ends);
+  return code;
+}
+
+static int draw(const dsw_scene *scene, const char *folder) {
+  size_t count = 0, i;
+  dsw_body_id *bodies;
+  int code = write_trace(dsw_scene_get_environment(scene), folder, "walls.vtu", 1);
+  require(dsw_scene_get_body_count(scene, &count), "counting", kFailed);
+  bodies = (dsw_body_id *)room_for(count, sizeof *bodies);
+  require(dsw_scene_get_bodies(scene, bodies, count, &count), "reading bodies", kFailed);
+  for (i = 0; i < count && code == 0; ++i) code = draw_body(scene, bodies[i], folder);
+  free(bodies);
+  return code;
+}
+
+int main(int argc, char **argv) {
+  options o;
+  size_t size = 0;
+  unsigned char *bytes;
+  dsw_replay *replay = NULL;
+  dsw_scene *scene = NULL;
+  uint64_t call = 0;
+  int differs = 0, good;
+  if (read_options(argc, argv, &o) != 0) return kBadInput;
+  bytes = read_file(o.file, &size);
+  require(dsw_replay_create(NULL, bytes, size, &replay), "opening the recording", kBadInput);
+  require(dsw_replay_get_scene(replay, &scene), "opening the recording", kBadInput);
+  while (call < o.to && step(replay, o.quiet, &differs)) ++call;
+  if (o.take != NULL) take_call(replay, scene, o.take, &differs);
+  printf("%" PRIu64 " calls did what was recorded\n", call);
+  good = print_verdict(scene);
+  if (o.draw != NULL && draw(scene, o.draw) != 0) return kBadInput;
+  require(dsw_replay_destroy(replay), "closing", kFailed);
+  free(bytes);
+  return differs || !good ? kFailed : 0;
+}
