@@ -43,6 +43,18 @@ class Arguments {
     std::memcpy(&size, at_, sizeof size);
     return read_struct(static_cast<const T*>(take(size)), "a recorded struct");
   }
+  /** As many as are expected, or null. */
+  template <class T>
+  const T* get_items(size_t count) {
+    const Items<T> items = get_items<T>();
+    if (items.items != nullptr && items.count != count) fail_short();
+    return items.items;
+  }
+  const double* get_points(size_t count) {
+    const Items<double> items = get_items<double>();
+    if (items.items != nullptr && (items.count % 3 != 0 || items.count / 3 != count)) fail_short();
+    return items.items;
+  }
   template <class T>
   Items<T> get_items() {
     const auto count = get<uint64_t>();

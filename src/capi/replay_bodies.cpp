@@ -13,19 +13,17 @@ Array<T> room_for(const dsw_replay& r, size_t count) {
 }
 
 dsw_status create_particle(dsw_replay& r, Arguments& a) {
-  const auto point = a.get_items<double>();
-  if (point.count != 3) fail(DSW_STATUS_CORRUPT, "the recording is damaged: a position");
+  const double* const point = a.get_points(1);
   dsw_particle_id particle;
-  return dsw_particle_create(r.scene, point.items, a.get<dsw_volume_id>(), &particle);
+  return dsw_particle_create(r.scene, point, a.get<dsw_volume_id>(), &particle);
 }
 
 dsw_status create_many_particles(dsw_replay& r, Arguments& a) {
   const auto points = a.get_items<double>();
-  const auto hints = a.get_items<dsw_volume_id>();
   const size_t count = points.count / 3;
-  if (hints.items != nullptr && hints.count != count) fail(DSW_STATUS_CORRUPT, "the recording is damaged: hints");
+  const auto* const hints = a.get_items<dsw_volume_id>(count);
   auto particles = room_for<dsw_particle_id>(r, count);
-  return dsw_scene_create_particles(r.scene, points.items, count, 0, hints.items, particles.data(), nullptr);
+  return dsw_scene_create_particles(r.scene, points.items, count, 0, hints, particles.data(), nullptr);
 }
 
 dsw_status destroy_one_particle(dsw_replay& r, Arguments& a) {
@@ -34,36 +32,32 @@ dsw_status destroy_one_particle(dsw_replay& r, Arguments& a) {
 
 dsw_status move_one_particle(dsw_replay& r, Arguments& a) {
   const auto particle = a.get<dsw_particle_id>();
-  const auto target = a.get_items<double>();
-  if (target.count != 3) fail(DSW_STATUS_CORRUPT, "the recording is damaged: a target");
+  const double* const target = a.get_points(1);
   const auto o = a.get_struct<dsw_cast_options>();
-  return dsw_particle_move(r.scene, particle, target.items, &o, nullptr);
+  return dsw_particle_move(r.scene, particle, target, &o, nullptr);
 }
 
 /** What moves and casts of many particles are given. */
 struct Flights {
   Items<dsw_particle_id> particles;
-  Items<double> targets;
+  const double* targets;
   dsw_cast_options options;
 
   explicit Flights(Arguments& a)
       : particles(a.get_items<dsw_particle_id>()),
-        targets(a.get_items<double>()),
-        options(a.get_struct<dsw_cast_options>()) {
-    if (targets.count != 3 * particles.count) fail(DSW_STATUS_CORRUPT, "the recording is damaged: targets");
-  }
+        targets(a.get_points(particles.count)),
+        options(a.get_struct<dsw_cast_options>()) {}
 };
 
 dsw_status move_many_particles(dsw_replay& r, Arguments& a) {
   const Flights f(a);
-  return dsw_scene_move_particles(r.scene, f.particles.items, f.particles.count, f.targets.items, 0, &f.options,
-                                  nullptr);
+  return dsw_scene_move_particles(r.scene, f.particles.items, f.particles.count, f.targets, 0, &f.options, nullptr);
 }
 
 dsw_status cast_from_many_particles(dsw_replay& r, Arguments& a) {
   const Flights f(a);
   auto flights = room_for<dsw_flight>(r, f.particles.count);
-  return dsw_scene_cast_from_particles(r.scene, f.particles.items, f.particles.count, f.targets.items, 0, &f.options,
+  return dsw_scene_cast_from_particles(r.scene, f.particles.items, f.particles.count, f.targets, 0, &f.options,
                                        flights.data());
 }
 
@@ -71,20 +65,14 @@ dsw_status reset_statistics(dsw_replay& r, Arguments&) { return dsw_scene_reset_
 
 dsw_status create_one_body(dsw_replay& r, Arguments& a) {
   auto d = a.get_struct<dsw_body_desc>();
-  const auto positions = a.get_items<double>();
-  const auto hints = a.get_items<dsw_volume_id>();
-  const auto edges = a.get_items<uint32_t>(), offsets = a.get_items<uint32_t>(), corners = a.get_items<uint32_t>();
-  if (positions.count != 3 * d.vertex_count || (hints.items != nullptr && hints.count != d.vertex_count) ||
-      edges.count != 2 * d.edge_count || (d.face_count != 0 && offsets.count != d.face_count + 1) ||
-      corners.count != d.face_corner_count) {
+  if (d.edge_count > kVertexMask || d.face_count > kVertexMask)
     fail(DSW_STATUS_CORRUPT, "the recording is damaged: a body");
-  }
-  d.positions = positions.items;
+  d.positions = a.get_points(d.vertex_count);
   d.stride_bytes = 0;
-  d.hints = hints.items;
-  d.edges = edges.items;
-  d.face_offsets = offsets.items;
-  d.face_corners = corners.items;
+  d.hints = a.get_items<dsw_volume_id>(d.vertex_count);
+  d.edges = a.get_items<uint32_t>(2 * d.edge_count);
+  d.face_offsets = a.get_items<uint32_t>(d.face_count == 0 ? 0 : d.face_count + 1);
+  d.face_corners = a.get_items<uint32_t>(d.face_corner_count);
   dsw_body_id body;
   return dsw_body_create(r.scene, &d, &body);
 }
@@ -104,10 +92,9 @@ dsw_status set_body_filter(dsw_replay& r, Arguments& a) {
 
 dsw_status add_vertex(dsw_replay& r, Arguments& a) {
   const auto body = a.get<dsw_body_id>();
-  const auto point = a.get_items<double>();
-  if (point.count != 3) fail(DSW_STATUS_CORRUPT, "the recording is damaged: a position");
+  const double* const point = a.get_points(1);
   dsw_body_vertex_id vertex;
-  return dsw_body_add_vertex(r.scene, body, point.items, a.get<dsw_volume_id>(), &vertex);
+  return dsw_body_add_vertex(r.scene, body, point, a.get<dsw_volume_id>(), &vertex);
 }
 
 dsw_status add_edge(dsw_replay& r, Arguments& a) {
@@ -154,10 +141,7 @@ dsw_status collapse_one_edge(dsw_replay& r, Arguments& a) {
 /** Options with the order that stands after them. */
 dsw_move_options get_ordered(Arguments& a) {
   auto o = a.get_struct<dsw_move_options>();
-  const auto order = a.get_items<uint32_t>();
-  if (order.items != nullptr && order.count != o.order_count)
-    fail(DSW_STATUS_CORRUPT, "the recording is damaged: an order");
-  o.order = order.items;
+  o.order = a.get_items<uint32_t>(o.order_count);
   return o;
 }
 

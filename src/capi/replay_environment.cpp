@@ -45,15 +45,19 @@ dsw_status set_tag(dsw_replay& r, Arguments& a) {
 
 dsw_status add_volumes(dsw_replay& r, Arguments& a) {
   auto d = a.get_struct<dsw_volumes_desc>();
-  d.vertices = a.get_items<dsw_vertex_id>().items;
-  d.points = a.get_items<double>().items;
+  // More cells or integers than there are bytes are none of ours.
+  if (d.cell_count >= kVertexMask || d.connectivity_count >= SIZE_MAX / 8)
+    fail(DSW_STATUS_CORRUPT, "the recording is damaged: new volumes");
+  const size_t index_bytes = d.index_bytes == 0 ? 8 : d.index_bytes;
+  d.vertices = a.get_items<dsw_vertex_id>(d.vertex_count);
+  d.points = a.get_points(d.point_count);
   d.point_stride_bytes = 0;
-  d.cell_types = a.get_items<uint8_t>().items;
-  d.offsets = a.get_items<uint8_t>().items;
-  d.connectivity = a.get_items<uint8_t>().items;
-  d.regions = a.get_items<int32_t>().items;
-  d.tags = a.get_items<uint32_t>().items;
-  d.sew_to = a.get_items<dsw_face_id>().items;
+  d.cell_types = a.get_items<uint8_t>(d.cell_count);
+  d.offsets = a.get_items<uint8_t>((d.cell_count + 1) * index_bytes);
+  d.connectivity = a.get_items<uint8_t>(d.connectivity_count * index_bytes);
+  d.regions = a.get_items<int32_t>(d.cell_count);
+  d.tags = a.get_items<uint32_t>(d.cell_count);
+  d.sew_to = a.get_items<dsw_face_id>(d.sew_count);
   return dsw_environment_add_volumes(r.environment, &d, nullptr, nullptr);
 }
 
@@ -63,8 +67,8 @@ dsw_status remove_volumes(dsw_replay& r, Arguments& a) {
 }
 
 dsw_status sew_faces(dsw_replay& r, Arguments& a) {
-  const auto one = a.get_items<dsw_face_id>(), other = a.get_items<dsw_face_id>();
-  return dsw_environment_sew_faces(r.environment, one.items, other.items, one.count);
+  const auto one = a.get_items<dsw_face_id>();
+  return dsw_environment_sew_faces(r.environment, one.items, a.get_items<dsw_face_id>(one.count), one.count);
 }
 
 dsw_status unsew_face(dsw_replay& r, Arguments& a) {
@@ -108,34 +112,35 @@ dsw_status collapse_edge(dsw_replay& r, Arguments& a) {
 
 dsw_status cut(dsw_replay& r, Arguments& a) {
   auto d = a.get_struct<dsw_cut_desc>();
-  d.points = a.get_items<double>().items;
+  d.points = a.get_points(size_t{d.rows} * d.columns);
   d.point_stride_bytes = 0;
   return dsw_environment_cut(r.environment, &d, nullptr);
 }
 
 dsw_status tear_faces(dsw_replay& r, Arguments& a) {
   const auto faces = a.get_items<dsw_face_id>();
-  const auto loads = a.get_items<double>();
-  return dsw_environment_tear_faces(r.environment, faces.items, loads.items, faces.count, a.get<double>(), nullptr);
+  const double* const loads = a.get_items<double>(faces.count);
+  return dsw_environment_tear_faces(r.environment, faces.items, loads, faces.count, a.get<double>(), nullptr);
 }
 
 dsw_status open(dsw_replay& r, Arguments& a) {
   auto d = a.get_struct<dsw_open_desc>();
-  d.faces = a.get_items<dsw_cut_face>().items;
+  d.faces = a.get_items<dsw_cut_face>(d.face_count);
   return dsw_environment_open(r.environment, &d, nullptr);
 }
 
 dsw_status carve(dsw_replay& r, Arguments& a) {
   auto d = a.get_struct<dsw_carve_desc>();
-  d.points = a.get_items<double>().items;
+  d.points = a.get_points(d.point_count);
   d.point_stride_bytes = 0;
-  d.triangles = a.get_items<uint32_t>().items;
+  if (d.triangle_count >= kVertexMask) fail(DSW_STATUS_CORRUPT, "the recording is damaged: a surface");
+  d.triangles = a.get_items<uint32_t>(3 * d.triangle_count);
   return dsw_environment_carve(r.environment, &d, nullptr);
 }
 
 dsw_status tie(dsw_replay& r, Arguments& a) {
   auto d = a.get_struct<dsw_tie_desc>();
-  d.points = a.get_items<double>().items;
+  d.points = a.get_points(d.point_count);
   d.point_stride_bytes = 0;
   return dsw_environment_tie(r.environment, &d, nullptr);
 }
@@ -148,8 +153,8 @@ dsw_status detach_piece(dsw_replay& r, Arguments& a) {
 
 dsw_status remesh(dsw_replay& r, Arguments& a) {
   auto d = a.get_struct<dsw_remesh_desc>();
-  d.volumes = a.get_items<dsw_volume_id>().items;
-  d.next = a.get_items<double>().items;
+  d.volumes = a.get_items<dsw_volume_id>(d.volume_count);
+  d.next = a.get_points(d.point_count);
   return dsw_environment_remesh(r.environment, &d, nullptr);
 }
 

@@ -1,5 +1,7 @@
 #include "dartsweep/topology.h"
 
+#include <optional>
+
 #include "capi/convert.h"
 #include "capi/recorded.h"
 #include "scene/edits.h"
@@ -14,33 +16,34 @@ namespace {
 class Change {
  public:
   explicit Change(dsw_environment* environment)
-      : handle_(capi::check_handle(environment, "environment")),
-        scene_(capi::only_scene(handle_)),
-        edit_(handle_.engine) {}
+      : handle_(capi::check_handle(environment, "environment")), scene_(capi::only_scene(handle_)) {}
 
   const dsw::Map<3>& map() const { return handle_.engine.map; }
   const dsw::Memory* memory() const { return handle_.engine.memory; }
-  dsw::Edit& edit() { return edit_; }
 
-  /** What was asked for is written if the scene is recorded. */
+  /** Arguments have been checked; what was asked for is written if the scene is recorded. */
   template <class... Arguments>
-  void carry_out(capi::Call number, const Arguments&... arguments) {
-    capi::Recorded call(scene_, number, arguments...);
+  dsw::Edit& begin(capi::Call number, const Arguments&... arguments) {
+    call_.emplace(scene_, number, arguments...);
+    return edit_.emplace(handle_.engine);
+  }
+
+  void carry_out() {
     dsw::Array<dsw_volume_change> changes{dsw::Allocator<dsw_volume_change>(memory())};
-    changes.reserve(edit_.most_changes());
-    dsw::carry_out(edit_, capi::engine_of(scene_));
-    capi::append_changes(edit_, changes);
+    changes.reserve(edit_->most_changes());
+    dsw::carry_out(*edit_, capi::engine_of(scene_));
+    capi::append_changes(*edit_, changes);
     handle_.changes.swap(changes);
-    call.done(capi::items_of(handle_.changes));
+    call_->done(capi::items_of(handle_.changes));
   }
 
   /** What has come of a draft. */
-  dsw_volume_id volume(size_t draft) const { return volume_id(map(), edit_.cell(draft)); }
+  dsw_volume_id volume(size_t draft) const { return volume_id(map(), edit_->cell(draft)); }
   dsw_face_id face(size_t draft, uint32_t facet) const {
-    return face_id(map(), canonical(map(), edit_.half_facet(draft, facet)));
+    return face_id(map(), canonical(map(), edit_->half_facet(draft, facet)));
   }
   dsw_edge_id edge(size_t draft, uint32_t a, uint32_t b) const {
-    const dsw::Cell c = edit_.cell(draft);
+    const dsw::Cell c = edit_->cell(draft);
     uint32_t d = 0;
     while (dart_vertex(map(), {c, d}) != a || dart_target(map(), {c, d}) != b) ++d;
     return capi::edge_id(map(), {c, d});
@@ -49,7 +52,8 @@ class Change {
  private:
   dsw_environment& handle_;
   dsw_scene* scene_;
-  dsw::Edit edit_;
+  std::optional<capi::Recorded> call_;
+  std::optional<dsw::Edit> edit_;
 };
 
 void check_arrays(const dsw_volumes_desc& d) {
@@ -93,20 +97,15 @@ dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_v
     for (size_t i = 0; i < d.vertex_count; ++i) {
       all.push_back(capi::to_vertex(change.map(), d.vertices[i], {"desc->vertices", true}, i));
     }
-    for (size_t i = 0; i < d.point_count; ++i) all.push_back(change.edit().add_vertex(points[i]));
     dsw::Array<dsw::HalfFacet> faces{dsw::Allocator<dsw::HalfFacet>(change.memory())};
     for (size_t i = 0; i < d.sew_count; ++i) {
       faces.push_back(capi::to_half_facet(change.map(), d.sew_to[i], {"desc->sew_to", true}, i));
     }
-    dsw::NewCells input{all.data(),    all.size(),   d.cell_types,   d.uniform_cell_type,  d.cell_count,
-                        d.index_bytes, d.offsets,    d.connectivity, d.connectivity_count, d.regions,
-                        d.tags,        faces.data(), faces.size()};
-    if (input.index_bytes == 0) input.index_bytes = 8;
-    add_cells(change.edit(), input);
+    const uint32_t index_bytes = d.index_bytes == 0 ? 8 : d.index_bytes;
     const auto text = [&](const void* integers, size_t count) {
-      return capi::Items<uint8_t>{static_cast<const uint8_t*>(integers), count * input.index_bytes};
+      return capi::Items<uint8_t>{static_cast<const uint8_t*>(integers), count * index_bytes};
     };
-    change.carry_out(
+    dsw::Edit& edit = change.begin(
         capi::Call::kAddVolumes,
         capi::without(d, &dsw_volumes_desc::vertices, &dsw_volumes_desc::points, &dsw_volumes_desc::cell_types,
                       &dsw_volumes_desc::offsets, &dsw_volumes_desc::connectivity, &dsw_volumes_desc::regions,
@@ -115,6 +114,12 @@ dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_v
         capi::Items<uint8_t>{d.cell_types, d.cell_count}, text(d.offsets, d.cell_count + 1),
         text(d.connectivity, d.connectivity_count), capi::Items<int32_t>{d.regions, d.cell_count},
         capi::Items<uint32_t>{d.tags, d.cell_count}, capi::Items<dsw_face_id>{d.sew_to, d.sew_count});
+    for (size_t i = 0; i < d.point_count; ++i) all.push_back(edit.add_vertex(points[i]));
+    const dsw::NewCells input{all.data(),  all.size(),   d.cell_types,   d.uniform_cell_type,  d.cell_count,
+                              index_bytes, d.offsets,    d.connectivity, d.connectivity_count, d.regions,
+                              d.tags,      faces.data(), faces.size()};
+    add_cells(edit, input);
+    change.carry_out();
     for (size_t i = 0; volumes != nullptr && i < d.cell_count; ++i) volumes[i] = change.volume(i);
     for (size_t i = 0; vertices != nullptr && i < d.point_count; ++i) {
       vertices[i] = capi::vertex_id(change.map(), all[d.vertex_count + i]);
@@ -133,17 +138,19 @@ dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_fac
       pairs[i].a = capi::to_half_facet(change.map(), faces_a[i], {"faces_a", true}, i);
       pairs[i].b = capi::to_half_facet(change.map(), faces_b[i], {"faces_b", true}, i);
     }
-    sew(change.edit(), pairs.data(), count);
-    change.carry_out(capi::Call::kSewFaces, capi::Items<dsw_face_id>{faces_a, count},
-                     capi::Items<dsw_face_id>{faces_b, count});
+    dsw::Edit& edit = change.begin(capi::Call::kSewFaces, capi::Items<dsw_face_id>{faces_a, count},
+                                   capi::Items<dsw_face_id>{faces_b, count});
+    sew(edit, pairs.data(), count);
+    change.carry_out();
   });
 }
 
 dsw_status dsw_environment_unsew_face(dsw_environment* environment, dsw_face_id face) {
   return capi::guard("dsw_environment_unsew_face", [&] {
     Change change(environment);
-    unsew(change.edit(), capi::to_half_facet(change.map(), face, {"face", false}));
-    change.carry_out(capi::Call::kUnsewFace, face);
+    const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
+    unsew(change.begin(capi::Call::kUnsewFace, face), h);
+    change.carry_out();
   });
 }
 
@@ -153,16 +160,18 @@ dsw_status dsw_environment_remove_volumes(dsw_environment* environment, const ds
     capi::require_array(volumes, count, "volumes");
     dsw::Array<dsw::Cell> cells(count, dsw::Cell{}, dsw::Allocator<dsw::Cell>(change.memory()));
     for (size_t i = 0; i < count; ++i) cells[i] = capi::to_cell(change.map(), volumes[i], {"volumes", true}, i);
-    remove_cells(change.edit(), cells.data(), count);
-    change.carry_out(capi::Call::kRemoveVolumes, capi::Items<dsw_volume_id>{volumes, count});
+    remove_cells(change.begin(capi::Call::kRemoveVolumes, capi::Items<dsw_volume_id>{volumes, count}), cells.data(),
+                 count);
+    change.carry_out();
   });
 }
 
 dsw_status dsw_environment_merge_volumes(dsw_environment* environment, dsw_face_id face, dsw_volume_id* volume) {
   return capi::guard("dsw_environment_merge_volumes", [&] {
     Change change(environment);
-    const size_t merged = merge_cells(change.edit(), capi::to_half_facet(change.map(), face, {"face", false}));
-    change.carry_out(capi::Call::kMergeVolumes, face);
+    const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
+    const size_t merged = merge_cells(change.begin(capi::Call::kMergeVolumes, face), h);
+    change.carry_out();
     if (volume != nullptr) *volume = change.volume(merged);
   });
 }
@@ -175,8 +184,9 @@ dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume
     capi::require_array(loop, count, "loop");
     dsw::Array<uint32_t> vertices(count, 0u, dsw::Allocator<uint32_t>(change.memory()));
     for (size_t i = 0; i < count; ++i) vertices[i] = capi::to_vertex(change.map(), loop[i], {"loop", true}, i);
-    const dsw::SplitCell split = split_cell(change.edit(), c, vertices.data(), count);
-    change.carry_out(capi::Call::kSplitVolume, volume, capi::Items<dsw_vertex_id>{loop, count});
+    dsw::Edit& edit = change.begin(capi::Call::kSplitVolume, volume, capi::Items<dsw_vertex_id>{loop, count});
+    const dsw::SplitCell split = split_cell(edit, c, vertices.data(), count);
+    change.carry_out();
     if (volumes != nullptr) {
       volumes[0] = change.volume(split.left);
       volumes[1] = change.volume(split.right);
@@ -188,8 +198,9 @@ dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume
 dsw_status dsw_environment_merge_faces(dsw_environment* environment, dsw_edge_id edge, dsw_face_id* face) {
   return capi::guard("dsw_environment_merge_faces", [&] {
     Change change(environment);
-    const dsw::MergedFacet merged = merge_facets(change.edit(), capi::to_dart(change.map(), edge, {"edge", false}));
-    change.carry_out(capi::Call::kMergeFaces, edge);
+    const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
+    const dsw::MergedFacet merged = merge_facets(change.begin(capi::Call::kMergeFaces, edge), d);
+    change.carry_out();
     if (face != nullptr) *face = change.face(merged.draft, merged.facet);
   });
 }
@@ -201,8 +212,8 @@ dsw_status dsw_environment_split_face(dsw_environment* environment, dsw_face_id 
     const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
     const uint32_t from = capi::to_vertex(change.map(), a, {"a", false});
     const uint32_t to = capi::to_vertex(change.map(), b, {"b", false});
-    const dsw::SplitFacet split = split_facet(change.edit(), h, from, to);
-    change.carry_out(capi::Call::kSplitFace, face, a, b);
+    const dsw::SplitFacet split = split_facet(change.begin(capi::Call::kSplitFace, face, a, b), h, from, to);
+    change.carry_out();
     if (faces != nullptr) {
       faces[0] = change.face(split.draft, split.from_a);
       faces[1] = change.face(split.draft, split.from_b);
@@ -219,8 +230,8 @@ dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id 
     const dsw::Dart d = capi::to_dart(map, edge, {"edge", false});
     if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must be above 0 and below 1", share);
     const uint32_t ends[2] = {dart_vertex(map, d), dart_target(map, d)};
-    const uint32_t middle = split_edge(change.edit(), d, share);
-    change.carry_out(capi::Call::kSplitEdge, edge, share);
+    const uint32_t middle = split_edge(change.begin(capi::Call::kSplitEdge, edge, share), d, share);
+    change.carry_out();
     if (vertex != nullptr) *vertex = capi::vertex_id(map, middle);
     if (edges != nullptr) {
       edges[0] = change.edge(0, ends[0], middle);
@@ -235,8 +246,8 @@ dsw_status dsw_environment_merge_edges(dsw_environment* environment, dsw_edge_id
     Change change(environment);
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
     const uint32_t middle = capi::to_vertex(change.map(), vertex, {"vertex", false});
-    const dsw::MergedEdge ends = merge_edges(change.edit(), d, middle);
-    change.carry_out(capi::Call::kMergeEdges, edge, vertex);
+    const dsw::MergedEdge ends = merge_edges(change.begin(capi::Call::kMergeEdges, edge, vertex), d, middle);
+    change.carry_out();
     if (merged != nullptr) *merged = change.edge(0, ends.a, ends.b);
   });
 }
@@ -245,8 +256,9 @@ dsw_status dsw_environment_collapse_edge(dsw_environment* environment, dsw_edge_
   return capi::guard("dsw_environment_collapse_edge", [&] {
     Change change(environment);
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
-    collapse_edge(change.edit(), d, capi::to_vertex(change.map(), vertex, {"vertex", false}));
-    change.carry_out(capi::Call::kCollapseEdge, edge, vertex);
+    const uint32_t v = capi::to_vertex(change.map(), vertex, {"vertex", false});
+    collapse_edge(change.begin(capi::Call::kCollapseEdge, edge, vertex), d, v);
+    change.carry_out();
   });
 }
 

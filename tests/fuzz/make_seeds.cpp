@@ -1,6 +1,6 @@
 // Writes the seeds of all targets: sound meshes of every cell type as fuzz_create reads them, snapshots of the same meshes with marks, also
-// changed and with points that move, and the snapshot of a scene. Made new in every build, so that they follow the formats.
-// usage: make_seeds FOLDER   (writes FOLDER/create, FOLDER/snapshot and FOLDER/scene)
+// changed and with points that move, the snapshot of a scene, and programs of calls. Made new in every build, so that they follow the formats.
+// usage: make_seeds FOLDER   (writes FOLDER/create, FOLDER/snapshot, FOLDER/scene and FOLDER/calls)
 
 #include <array>
 #include <filesystem>
@@ -201,6 +201,18 @@ std::vector<uint8_t> snapshot(const Mesh& mesh, uint32_t flags, bool marked, boo
   return block;
 }
 
+/** A program of calls can be any bytes. */
+constexpr uint32_t kPrograms = 16;
+std::vector<uint8_t> some_bytes(uint32_t seed) {
+  std::vector<uint8_t> bytes = {static_cast<uint8_t>(seed)};
+  uint64_t state = seed;
+  for (int i = 0; i < 900; ++i) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    bytes.push_back(static_cast<uint8_t>(state >> 56));
+  }
+  return bytes;
+}
+
 void write(const std::filesystem::path& path, const std::vector<uint8_t>& bytes) {
   std::filesystem::create_directories(path.parent_path());
   std::ofstream file(path, std::ios::binary);
@@ -244,5 +256,6 @@ int main(int argc, char** argv) {
   write(folder / "scene" / "bodies", dsw_fuzz::save(scene));
   dsw_scene_destroy(scene);
   dsw_environment_destroy(home);
+  for (uint32_t i = 0; i < kPrograms; ++i) write(folder / "calls" / std::to_string(i), some_bytes(i));
   return 0;
 }

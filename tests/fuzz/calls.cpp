@@ -1,0 +1,300 @@
+#include "calls.h"
+
+#include <algorithm>
+
+namespace dsw_fuzz {
+
+dsw_status Calls::make() {
+  const uint32_t which = bytes_.below(56);
+  if (which < 7) return change_marks(which);
+  if (which < 18) return change_topology(which - 7);
+  if (which < 26) return cut(which - 18);
+  if (which < 33) return use_particles(which - 26);
+  if (which < 38) return make_bodies(which - 33);
+  if (which < 46) return edit_body(which - 38);
+  if (which < 53) return move_bodies(which - 46);
+  return deform();
+}
+
+dsw_volume_id Calls::volume() {
+  dsw_volume_id id = {bytes_.byte(), bytes_.below(4)};
+  if (!wild()) dsw_environment_get_volume(environment_, id.index % 64, &id);
+  return id;
+}
+
+dsw_face_id Calls::face() {
+  const dsw_volume_id of = volume();
+  return {of.index, of.generation, bytes_.below(8)};
+}
+
+dsw_edge_id Calls::edge() {
+  const dsw_volume_id of = volume();
+  return {of.index, of.generation, bytes_.below(14)};
+}
+
+dsw_vertex_id Calls::vertex() {
+  dsw_vertex_id id = {bytes_.byte(), bytes_.below(4)};
+  if (!wild()) dsw_environment_get_vertex(environment_, id.index % 72, &id);
+  return id;
+}
+
+dsw_particle_id Calls::particle() {
+  dsw_particle_id ids[64];
+  size_t count = 0;
+  const uint32_t i = bytes_.byte();
+  if (wild() || dsw_scene_get_particle_ids(scene_, ids, 64, &count) != DSW_STATUS_OK || count == 0) return {i, 1};
+  return ids[i % count];
+}
+
+dsw_body_id Calls::body() {
+  dsw_body_id ids[64];
+  size_t count = 0;
+  const uint32_t i = bytes_.byte();
+  if (wild() || dsw_scene_get_bodies(scene_, ids, 64, &count) != DSW_STATUS_OK || count == 0) return {i, 1};
+  return ids[i % count];
+}
+
+dsw_body_vertex_id Calls::body_vertex(dsw_body_id of) {
+  dsw_body_vertex_id id = {bytes_.below(12), bytes_.below(4)};
+  if (!wild()) dsw_body_get_vertex(scene_, of, id.index, &id);
+  return id;
+}
+
+dsw_body_edge_id Calls::body_edge(dsw_body_id of) {
+  dsw_body_edge_id ids[64];
+  size_t count = 0;
+  const uint32_t i = bytes_.byte();
+  if (wild() || dsw_body_get_edges(scene_, of, ids, 64, &count) != DSW_STATUS_OK || count == 0) return {i, 1};
+  return ids[i % count];
+}
+
+dsw_body_face_id Calls::body_face(dsw_body_id of) {
+  dsw_body_face_id ids[64];
+  size_t count = 0;
+  const uint32_t i = bytes_.byte();
+  if (wild() || dsw_body_get_faces(scene_, of, ids, 64, &count) != DSW_STATUS_OK || count == 0) return {i, 1};
+  return ids[i % count];
+}
+
+void Calls::place(double* xyz) {
+  if (wild()) {
+    bytes_.point(xyz);
+    return;
+  }
+  for (int k = 0; k < 3; ++k) xyz[k] = bytes_.byte() / 80.0;
+}
+
+dsw_status Calls::change_marks(uint32_t which) {
+  switch (which) {
+    case 0: {
+      const dsw_volume_id ids[] = {volume(), volume()};
+      return dsw_environment_mark_volumes(environment_, ids, 1 + bytes_.below(2), mark(), bytes_.below(3), nullptr);
+    }
+    case 1: {
+      const dsw_face_id id = face();
+      return dsw_environment_mark_faces(environment_, &id, 1, mark());
+    }
+    case 2: {
+      const dsw_edge_id id = edge();
+      return dsw_environment_mark_edges(environment_, &id, 1, mark());
+    }
+    case 3: {
+      const dsw_vertex_id id = vertex();
+      return dsw_environment_mark_vertices(environment_, &id, 1, mark());
+    }
+    case 4:
+      return dsw_environment_mark_region(environment_, static_cast<int32_t>(bytes_.below(3)), mark(), bytes_.below(2),
+                                         nullptr, nullptr);
+    case 5:
+      return dsw_environment_mark_between(environment_, 0, static_cast<int32_t>(bytes_.below(3)), mark(), nullptr);
+    default:
+      return dsw_environment_set_tag(environment_, volume(), bytes_.byte());
+  }
+}
+
+dsw_status Calls::change_topology(uint32_t which) {
+  switch (which) {
+    case 0: {
+      const dsw_face_id a = face(), b = face();
+      return dsw_environment_sew_faces(environment_, &a, &b, 1);
+    }
+    case 1:
+      return dsw_environment_unsew_face(environment_, face());
+    case 2: {
+      const dsw_volume_id id = volume();
+      return dsw_environment_remove_volumes(environment_, &id, 1);
+    }
+    case 3:
+      return dsw_environment_merge_volumes(environment_, face(), nullptr);
+    case 4: {
+      dsw_vertex_id loop[5];
+      const uint32_t count = bytes_.below(6);
+      for (uint32_t i = 0; i < count; ++i) loop[i] = vertex();
+      return dsw_environment_split_volume(environment_, volume(), loop, count, nullptr, nullptr);
+    }
+    case 5:
+      return dsw_environment_merge_faces(environment_, edge(), nullptr);
+    case 6: {
+      const dsw_face_id id = face();
+      const dsw_cell cell = {DSW_CELL_FACE, id.volume, id.generation, id.local};
+      dsw_vertex_id corners[32];
+      size_t count = 0;
+      if (dsw_environment_copy_vertices(environment_, cell, corners, 32, &count) != DSW_STATUS_OK || count < 4) {
+        return dsw_environment_split_face(environment_, id, vertex(), vertex(), nullptr, nullptr);
+      }
+      const uint32_t first = bytes_.byte();
+      return dsw_environment_split_face(environment_, id, corners[first % count], corners[(first + 2) % count], nullptr,
+                                        nullptr);
+    }
+    case 7:
+      return dsw_environment_split_edge(environment_, edge(), bytes_.below(9) / 8.0, nullptr, nullptr);
+    case 8:
+      return dsw_environment_merge_edges(environment_, edge(), vertex(), nullptr);
+    case 9: {
+      const dsw_edge_id id = edge();
+      const dsw_cell cell = {DSW_CELL_EDGE, id.volume, id.generation, id.local};
+      dsw_vertex_id ends[2] = {vertex(), {0, 0}};
+      size_t count = 0;
+      dsw_environment_copy_vertices(environment_, cell, ends, 2, &count);
+      return dsw_environment_collapse_edge(environment_, id, ends[bytes_.below(2)]);
+    }
+    default:
+      return add_volumes();
+  }
+}
+
+/** A tetrahedron on three corners of a face of the outer boundary, or somewhere else. */
+dsw_status Calls::add_volumes() {
+  const dsw_face_id id = face();
+  const dsw_cell cell = {DSW_CELL_FACE, id.volume, id.generation, id.local};
+  dsw_vertex_id corners[32];
+  size_t count = 0;
+  if (dsw_environment_copy_vertices(environment_, cell, corners, 32, &count) != DSW_STATUS_OK) count = 0;
+  count = std::min<size_t>(count, 3);
+  double points[12];
+  for (size_t i = 0; i + count < 4; ++i) place(points + 3 * i);
+  const int64_t connectivity[] = {0, 2, 1, 3};
+  dsw_volumes_desc desc;
+  dsw_volumes_desc_init(&desc, sizeof desc);
+  desc.vertices = corners;
+  desc.vertex_count = count;
+  desc.points = points;
+  desc.point_count = 4 - count;
+  desc.uniform_cell_type = DSW_CELL_TYPE_TETRA;
+  desc.cell_count = 1;
+  desc.connectivity = connectivity;
+  desc.connectivity_count = 4;
+  if (bytes_.below(2) == 0) {
+    desc.sew_to = &id;
+    desc.sew_count = 1;
+  }
+  return dsw_environment_add_volumes(environment_, &desc, nullptr, nullptr);
+}
+
+dsw_status Calls::cut(uint32_t which) {
+  double points[27];
+  for (int i = 0; i < 9; ++i) place(points + 3 * i);
+  const uint32_t flags = bytes_.below(3);
+  const double snap = bytes_.below(5) / 16.0;
+  const dsw_volume_id start = bytes_.below(2) == 0 ? dsw_volume_id{0, 0} : volume();
+  switch (which) {
+    case 0:
+    case 1: {
+      dsw_cut_desc d;
+      dsw_cut_desc_init(&d, sizeof d);
+      d.flags = flags;
+      d.points = points;
+      d.rows = 2 + bytes_.below(2);
+      d.columns = 2 + bytes_.below(2);
+      d.snap = snap;
+      d.start = start;
+      return dsw_environment_cut(environment_, &d, nullptr);
+    }
+    case 2: {
+      const dsw_face_id faces[] = {face(), face()};
+      const double loads[] = {bytes_.number(), bytes_.number()};
+      return dsw_environment_tear_faces(environment_, faces, loads, 2, bytes_.number(), nullptr);
+    }
+    case 3: {
+      const dsw_cut_face* faces = nullptr;
+      size_t count = 0;
+      dsw_environment_get_cut_faces(environment_, &faces, &count);
+      const std::vector<dsw_cut_face> crack(faces, faces + count);
+      dsw_open_desc d;
+      dsw_open_desc_init(&d, sizeof d);
+      d.faces = crack.data();
+      d.face_count = crack.size();
+      d.width = bytes_.below(16) / 32.0;
+      return dsw_environment_open(environment_, &d, nullptr);
+    }
+    case 4: {
+      const uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+      dsw_carve_desc d;
+      dsw_carve_desc_init(&d, sizeof d);
+      d.flags = flags;
+      d.points = points;
+      d.point_count = 4;
+      d.triangles = triangles;
+      d.triangle_count = 4;
+      d.start = start;
+      d.snap = snap;
+      return dsw_environment_carve(environment_, &d, nullptr);
+    }
+    case 5: {
+      dsw_tie_desc d;
+      dsw_tie_desc_init(&d, sizeof d);
+      d.points = points;
+      d.point_count = 3 + bytes_.below(4);
+      d.start = start;
+      d.snap = snap;
+      return dsw_environment_tie(environment_, &d, nullptr);
+    }
+    case 6: {
+      dsw_detach_desc d;
+      dsw_detach_desc_init(&d, sizeof d);
+      d.volume = volume();
+      d.level = static_cast<dsw_level>(bytes_.below(5));
+      dsw_body_id body_id;
+      return dsw_scene_detach(scene_, &d, &body_id, nullptr);
+    }
+    default:
+      return remesh();
+  }
+}
+
+dsw_status Calls::remesh() {
+  dsw_remesh_desc d;
+  dsw_remesh_desc_init(&d, sizeof d);
+  const dsw_volume_id wanted = volume();
+  if (bytes_.below(2) == 0) {
+    d.volumes = &wanted;
+    d.volume_count = 1;
+  }
+  d.radius = bytes_.below(4);
+  return dsw_environment_remesh(environment_, &d, nullptr);
+}
+
+/** Some vertices to other places, in an array that has room for more, or not. */
+dsw_status Calls::deform() {
+  const double* now = nullptr;
+  size_t count = 0;
+  dsw_environment_get_points(environment_, &now, &count);
+  std::vector<double>& next = lent_[now == lent_[0].data() ? 1 : 0];
+  dsw_deform_options o;
+  dsw_deform_options_init(&o, sizeof o);
+  o.method = static_cast<dsw_deform_method>(bytes_.below(2));
+  o.response = static_cast<dsw_wall_response>(bytes_.below(4));
+  o.invalid = static_cast<dsw_invalid_response>(bytes_.below(3));
+  o.most_halvings = 1 + bytes_.below(4);
+  o.point_room = bytes_.below(2) == 0 ? 0 : count + 40;
+  next.assign(3 * (count + 40), 0);
+  std::copy_n(now, 3 * count, next.begin());
+  for (uint32_t i = 0, moved = bytes_.below(6); i < moved; ++i) {
+    const size_t v = bytes_.byte() % count;
+    for (size_t k = 0; k < 3; ++k) next[3 * v + k] += static_cast<int8_t>(bytes_.byte()) / 100.0;
+  }
+  if (wild()) next[3 * (bytes_.byte() % count)] = bytes_.number();
+  return dsw_scene_deform(scene_, next.data(), count, &o, nullptr);
+}
+
+}  // namespace dsw_fuzz

@@ -1,0 +1,158 @@
+// What is called for particles and bodies.
+
+#include "calls.h"
+
+namespace dsw_fuzz {
+
+dsw_status Calls::use_particles(uint32_t which) {
+  double points[9];
+  for (int i = 0; i < 3; ++i) place(points + 3 * i);
+  dsw_flight flights[3];
+  dsw_cast_options o;
+  dsw_cast_options_init(&o, sizeof o);
+  o.max_cells = bytes_.below(4);
+  switch (which) {
+    case 0: {
+      dsw_particle_id id;
+      return dsw_particle_create(scene_, points, volume(), &id);
+    }
+    case 1: {
+      dsw_particle_id ids[3];
+      return dsw_scene_create_particles(scene_, points, 1 + bytes_.below(3), 0, nullptr, ids, nullptr);
+    }
+    case 2:
+      return dsw_particle_destroy(scene_, particle());
+    case 3:
+      return dsw_particle_move(scene_, particle(), points, &o, nullptr);
+    case 4: {
+      const dsw_particle_id ids[] = {particle(), particle(), particle()};
+      return dsw_scene_move_particles(scene_, ids, 1 + bytes_.below(3), points, 0, nullptr, nullptr);
+    }
+    case 5: {
+      const dsw_particle_id ids[] = {particle(), particle()};
+      return dsw_scene_cast_from_particles(scene_, ids, 2, points, 0, nullptr, flights);
+    }
+    default:
+      return dsw_scene_reset_statistics(scene_);
+  }
+}
+
+dsw_status Calls::make_bodies(uint32_t which) {
+  switch (which) {
+    case 0:
+    case 1:
+    case 2: {
+      double positions[12];
+      place(positions);
+      for (int i = 3; i < 12; ++i) positions[i] = positions[i % 3] + static_cast<int8_t>(bytes_.byte()) / 300.0;
+      const uint32_t edges[] = {0, 1, 1, 2, 2, 3}, offsets[] = {0, 3, 6}, corners[] = {0, 1, 2, 0, 2, 3};
+      const bool with_faces = bytes_.below(2) == 0;
+      dsw_body_desc d;
+      dsw_body_desc_init(&d, sizeof d);
+      d.level = static_cast<dsw_level>(bytes_.below(5));
+      d.flags = bytes_.byte();
+      if (bytes_.below(2) == 0) d.flags &= 0xfu;
+      d.positions = positions;
+      d.vertex_count = 4;
+      d.edges = edges;
+      d.edge_count = bytes_.below(4);
+      d.face_offsets = offsets;
+      d.face_corners = corners;
+      d.face_count = with_faces ? 2 : 0;
+      d.face_corner_count = with_faces ? 6 : 0;
+      dsw_body_id id;
+      return dsw_body_create(scene_, &d, &id);
+    }
+    case 3:
+      return dsw_body_set_level(scene_, body(), static_cast<dsw_level>(bytes_.below(5)));
+    default:
+      return bytes_.below(2) == 0 ? dsw_body_set_filter(scene_, body(), bytes_.byte(), bytes_.byte())
+                                  : dsw_body_destroy(scene_, body());
+  }
+}
+
+dsw_status Calls::edit_body(uint32_t which) {
+  const dsw_body_id id = body();
+  switch (which) {
+    case 0: {
+      double point[3];
+      place(point);
+      dsw_body_vertex_id made;
+      return dsw_body_add_vertex(scene_, id, point, {0, 0}, &made);
+    }
+    case 1: {
+      dsw_body_edge_id made;
+      return dsw_body_add_edge(scene_, id, body_vertex(id), body_vertex(id), &made);
+    }
+    case 2: {
+      dsw_body_face_id made;
+      return dsw_body_add_face(scene_, id, body_vertex(id), body_vertex(id), body_vertex(id), &made);
+    }
+    case 3:
+      return dsw_body_remove_face(scene_, id, body_face(id));
+    case 4:
+      return dsw_body_remove_edge(scene_, id, body_edge(id));
+    case 5:
+      return dsw_body_remove_vertex(scene_, id, body_vertex(id));
+    case 6:
+      return dsw_body_split_edge(scene_, id, body_edge(id), bytes_.below(9) / 8.0, nullptr);
+    default:
+      return dsw_body_collapse_edge(scene_, id, body_edge(id), body_vertex(id), nullptr);
+  }
+}
+
+dsw_move_options Calls::options() {
+  dsw_move_options o;
+  dsw_move_options_init(&o, sizeof o);
+  o.vertex_response = bytes_.below(2) == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
+  o.edge_response = static_cast<dsw_response>(bytes_.below(6));
+  o.search = static_cast<dsw_search>(bytes_.below(4));
+  o.bisection_depth = bytes_.below(12);
+  o.max_cells = bytes_.below(8) == 0 ? bytes_.below(20) : 0;
+  o.min_length = 0.01;  // or edges are split for ever
+  o.noise_share = bytes_.below(2) * 0.02;
+  o.stand_off = wild() ? bytes_.number() : 0;
+  return o;
+}
+
+dsw_status Calls::move_bodies(uint32_t which) {
+  dsw_body_id ids[] = {body(), body()};
+  if (which == 0) {
+    dsw_rigid_motion motion = {{0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
+    for (double& q : motion.rotation) q += static_cast<int8_t>(bytes_.byte()) / 256.0;
+    place(motion.centre);
+    for (double& t : motion.translation) t = static_cast<int8_t>(bytes_.byte()) / 100.0;
+    return dsw_body_move_rigid(scene_, ids[0], &motion, nullptr, nullptr);
+  }
+  const uint32_t count = which == 1 ? 2 : 1;
+  std::vector<double> targets;
+  for (uint32_t i = 0; i < count; ++i) {
+    dsw_body_counts counts;
+    counts.struct_size = sizeof counts;
+    if (dsw_body_get_counts(scene_, ids[i], &counts) != DSW_STATUS_OK) continue;
+    std::vector<double> positions(3 * size_t{counts.vertex_slots});
+    size_t got = 0;
+    dsw_body_get_positions(scene_, ids[i], positions.data(), counts.vertex_slots, 0, nullptr, &got);
+    const bool together = bytes_.below(2) == 0;
+    double by[3] = {};
+    for (size_t k = 0; k < positions.size(); ++k) {
+      if (k < 3 || !together) by[k % 3] = static_cast<int8_t>(bytes_.byte()) / 50.0;
+      positions[k] += by[k % 3];
+    }
+    if (wild() && !positions.empty()) positions[bytes_.byte() % positions.size()] = bytes_.number();
+    targets.insert(targets.end(), positions.begin(), positions.end());
+  }
+  dsw_move_options o = options();
+  if (count == 2) {
+    return dsw_scene_move_bodies(scene_, ids, 2, targets.data(), targets.size() / 3, 0, &o, nullptr);
+  }
+  order_.clear();
+  for (uint32_t i = 0, n = bytes_.below(8); i < n && n > 4; ++i) order_.push_back(bytes_.below(8));
+  if (!order_.empty()) {
+    o.order = order_.data();
+    o.order_count = order_.size();
+  }
+  return dsw_body_move(scene_, ids[0], targets.data(), targets.size() / 3, 0, &o, nullptr);
+}
+
+}  // namespace dsw_fuzz
