@@ -19,7 +19,6 @@ dsw::OpenSettings read_settings(const dsw_open_desc& d) {
 }
 
 void read_faces(const dsw::Map<3>& map, const dsw_open_desc& d, dsw::Crack& crack) {
-  capi::require_array(d.faces, d.face_count, "desc->faces");
   for (size_t i = 0; i < d.face_count; ++i) {
     const dsw::HalfFacet front = capi::to_half_facet(map, d.faces[i].front, {"desc->faces", true}, i);
     crack.add(front, capi::to_half_facet(map, d.faces[i].back, {"desc->faces", true}, i), i);
@@ -38,10 +37,11 @@ dsw_status dsw_environment_open(dsw_environment* environment, const dsw_open_des
     const dsw_open_desc d = capi::read_struct(desc, "desc");
     const dsw::OpenSettings settings = read_settings(d);
     dsw::Environment<3>& env = handle.engine;
-    dsw::Crack crack(env, settings.region);
-    read_faces(env.map, d, crack);
+    capi::require_array(d.faces, d.face_count, "desc->faces");
     capi::Recorded call(scene, capi::Call::kOpen, capi::without(d, &dsw_open_desc::faces),
                         capi::Items<dsw_cut_face>{d.faces, d.face_count});
+    dsw::Crack crack(env, settings.region);
+    read_faces(env.map, d, crack);
     crack.part();
     dsw::Opening opening(env, crack, settings);
     std::optional<dsw::Edit> edit;

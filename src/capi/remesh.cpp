@@ -49,13 +49,14 @@ dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh
       fail(DSW_STATUS_WRONG_SIZE, "desc->point_count is %zu, must be %zu", d.point_count, points);
     }
     capi::require_array(d.volumes, d.volume_count, "desc->volumes");
-    dsw::Mending mending(env, d.next, capi::to_mend_settings(d.radius, d.max_faces));
+    const dsw::MendSettings settings = capi::to_mend_settings(d.radius, d.max_faces);
+    capi::Recorded call(scene, capi::Call::kRemesh, capi::without(d, &dsw_remesh_desc::volumes, &dsw_remesh_desc::next),
+                        capi::Items<dsw_volume_id>{d.volumes, d.volume_count}, capi::Items<double>{d.next, 3 * points});
+    dsw::Mending mending(env, d.next, settings);
     for (size_t i = 0; i < d.volume_count; ++i) {
       mending.want(capi::to_cell(env.map, d.volumes[i], {"desc->volumes", true}, i));
     }
     if (d.volumes == nullptr) mending.want_all();
-    capi::Recorded call(scene, capi::Call::kRemesh, capi::without(d, &dsw_remesh_desc::volumes, &dsw_remesh_desc::next),
-                        capi::Items<dsw_volume_id>{d.volumes, d.volume_count}, capi::Items<double>{d.next, 3 * points});
     std::optional<dsw::Edit> edit;
     mending.prepare(edit);
     const dsw::MendRecord& record = mending.record();
