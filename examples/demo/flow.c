@@ -204,7 +204,27 @@ static void straighten_inlet(const demo_graph *g, demo_flow *flow, double zone) 
   }
 }
 
-static dsw_status find_flow(const dsw_environment *environment, const demo_mesh *mesh, demo_flow *flow, demo_graph *g) {
+/* The end of a branch that `rank` others are farther from the inlet than; the farthest if there are not so many. */
+static uint32_t choose_end(const demo_graph *g, demo_flow *flow, uint32_t farthest, size_t rank) {
+  char *is_end = (char *)demo_allocate(g->count, 1);
+  double *order = (double *)demo_allocate(2 * g->count, sizeof(double));
+  find_ends(g, flow->from_inlet, flow->length, is_end);
+  flow->end_count = 0;
+  for (size_t i = 0; i < g->count; ++i) {
+    if (is_end[i]) {
+      order[2 * flow->end_count] = -flow->from_inlet[i];
+      order[2 * flow->end_count++ + 1] = (double)i;
+    }
+  }
+  qsort(order, flow->end_count, 2 * sizeof(double), by_cost);
+  uint32_t end = rank > 0 && rank < flow->end_count ? (uint32_t)order[2 * rank + 1] : farthest;
+  free(is_end);
+  free(order);
+  return end;
+}
+
+static dsw_status find_flow(const dsw_environment *environment, const demo_mesh *mesh, size_t route, demo_flow *flow,
+                            demo_graph *g) {
   dsw_status status = DSW_STATUS_OK;
   size_t samples = 0;
   double *cost = (double *)demo_allocate(g->count, sizeof(double));
@@ -221,7 +241,7 @@ static dsw_status find_flow(const dsw_environment *environment, const demo_mesh 
   find_potential(g, flow->from_inlet, flow->length, zone, cost);
   find_directions(g, cost, 1, 12, flow->along);
   straighten_inlet(g, flow, zone);
-  find_ways(g, end, 1, cost, towards);
+  find_ways(g, choose_end(g, flow, end, route), 1, cost, towards);
   find_directions(g, cost, -1, 2, flow->guide);
   for (uint32_t at = start; at != kNoSlot; at = towards[at]) {
     flow->path[flow->path_count++] = at;
@@ -232,7 +252,7 @@ static dsw_status find_flow(const dsw_environment *environment, const demo_mesh 
   return status;
 }
 
-dsw_status flow_create(const dsw_environment *environment, const demo_mesh *mesh, demo_flow *flow) {
+dsw_status flow_create(const dsw_environment *environment, const demo_mesh *mesh, size_t route, demo_flow *flow) {
   size_t n = mesh->cell_count, best = 0;
   dsw_status status = DSW_STATUS_OK;
   dsw_volume_id best_start = {0, 0};
@@ -271,7 +291,7 @@ dsw_status flow_create(const dsw_environment *environment, const demo_mesh *mesh
     status = flood(environment, best_start, flow, &g);
   }
   if (status == DSW_STATUS_OK && best > 0) {
-    status = find_flow(environment, mesh, flow, &g);
+    status = find_flow(environment, mesh, route, flow, &g);
   }
   free(g.first);
   free(g.hops);

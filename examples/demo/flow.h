@@ -18,17 +18,19 @@ typedef struct demo_flow {
   double *centre;     /* 3 doubles a slot */
   double *from_inlet; /* length of the way from the inlet */
   double *along;      /* 3 doubles a slot: unit direction away from the inlet */
-  double *guide;      /* 3 doubles a slot: unit direction to the farthest end, kept off the wall */
-  uint32_t *path;     /* slots from the inlet to the farthest end */
+  double *guide;      /* 3 doubles a slot: unit direction to the end that was chosen, kept off the wall */
+  uint32_t *path;     /* slots from the inlet to that end */
   size_t path_count;
-  double length; /* largest from_inlet */
-  double radius; /* of the lumen, roughly: three times the mean distance to the wall */
+  size_t end_count; /* ends of branches, the inlet not counted */
+  double length;    /* largest from_inlet */
+  double radius;    /* of the lumen, roughly: three times the mean distance to the wall */
 } demo_flow;
 
 static const uint32_t kNoSlot = 0xffffffffu;
 
-/* Returns DSW_STATUS_OK, or what a call answered. A mesh without an inlet: the widest end of all branches is taken. */
-dsw_status flow_create(const dsw_environment *environment, const demo_mesh *mesh, demo_flow *flow);
+/* Returns DSW_STATUS_OK, or what a call answered. A mesh without an inlet: the widest end of all branches is taken.
+ * `route`: to which end the guide and the path lead, 0 the farthest, 1 the next, ...; from end_count on, to the farthest. */
+dsw_status flow_create(const dsw_environment *environment, const demo_mesh *mesh, size_t route, demo_flow *flow);
 void flow_destroy(demo_flow *flow);
 
 double distance(const double *a, const double *b);

@@ -144,7 +144,7 @@ void create_run(demo_run *run, dsw_environment *environment, const demo_mesh *me
   memset(run, 0, sizeof *run);
   run->environment = environment;
   run->cloud = cloud;
-  require(flow_create(environment, mesh, &run->flow), "finding the way through the lumen", kFailed);
+  require(flow_create(environment, mesh, 0, &run->flow), "finding the way through the lumen", kFailed);
   if (run->flow.count < 2) {
     fprintf(stderr, "demo: the lumen has fewer than two volumes; nothing can flow\n");
     exit(kBadInput);

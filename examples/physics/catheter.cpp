@@ -1,43 +1,82 @@
 #include "catheter.h"
 
-namespace physics {
+#include <algorithm>
 
-Catheter::Catheter(World* world, const demo_flow* flow, const CatheterOptions& options)
-    : world_(world), flow_(flow), options_(options) {
-  const std::uint32_t inlet = flow->path[0];
-  entry_ = Eigen::Map<const Vector3>(flow->centre + 3 * std::size_t{inlet});
-  inwards_ = Eigen::Map<const Vector3>(flow->guide + 3 * std::size_t{inlet});
-  const Positions line = {entry_, entry_ + options.link * inwards_};
-  options_.body.move.min_length = 0.1 * options.link;
-  body_ = world->add(std::make_unique<SoftBody>(world->scene(), line, options.mass, options_.body));
-  body_->springs = make_rod(line, options.stretching, options.bending);
-  body_->load.drag = options.drag;
-  body_->points.held[tail_] = 1;
+namespace physics {
+namespace {
+
+constexpr double kFastest = 3;
+
+}  // namespace
+
+CatheterOptions scaled(CatheterOptions options, double scale) {
+  options.link *= scale;
+  options.look_ahead *= scale;
+  options.speed *= scale;
+  options.mass /= scale;
+  options.stretching *= scale;
+  options.bending *= scale * scale * scale;
+  options.steering *= scale;
+  return options;
 }
 
-std::uint32_t Catheter::slot_of_tip() const { return flow_->slot_of[body_->volumes[tip_].index]; }
-
-double Catheter::reached() const { return flow_->from_inlet[slot_of_tip()]; }
+Catheter::Catheter(World* world, const Route* route, const CatheterOptions& options)
+    : world_(world), route_(route), options_(options) {
+  const Positions line = {route->at(0), route->at(options.link)};
+  options_.body.move.min_length = 0.3 * options.link;
+  body_ = world->add(std::make_unique<SoftBody>(world->scene(), line, options.mass * options.link, options_.body));
+  body_->springs = make_rod(line, options.stretching, options.bending);
+  body_->load.drag = options.drag;
+  body_->points.held = {1, 1};
+}
 
 void Catheter::step(double dt) {
-  Points& points = body_->points;
-  points.velocity[tail_] = options_.speed * inwards_;
-  body_->load.force.assign(points.size(), Vector3::Zero());
-  body_->load.force[tip_] =
-      options_.steering * Eigen::Map<const Vector3>(flow_->guide + 3 * std::size_t{slot_of_tip()});
-  world_->step(dt);
   feed();
+  Points& points = body_->points;
+  pushed_ += options_.speed * dt;
+  lead(tail_, pushed_, dt);
+  lead(second_, pushed_ + options_.link, dt);
+  body_->load.force.assign(points.size(), Vector3::Zero());
+  const Vector3 ahead = route_->at(reached() + options_.look_ahead) - points.position[tip_];
+  body_->load.force[tip_] = options_.steering * ahead / std::max(ahead.norm(), options_.look_ahead);
+  world_->step(dt);
+}
+
+// The hand takes a vertex to where it should be, but not faster than so many times its own speed.
+void Catheter::lead(std::size_t vertex, double way, double dt) {
+  const Vector3 left = route_->at(way) - body_->points.position[vertex];
+  body_->points.velocity[vertex] = left / std::max(dt, left.norm() / (kFastest * options_.speed));
 }
 
 // Where the new edge would not be free the tail goes on for now.
 void Catheter::feed() {
   std::size_t added = 0;
-  if ((body_->points.position[tail_] - entry_).norm() >= options_.link &&
-      body_->add_vertex(entry_, tail_, options_.mass, options_.stretching, options_.bending, &added)) {
-    body_->points.held[tail_] = 0;
+  if ((options_.links == 0 || links_ < options_.links) && pushed_ >= options_.link &&
+      body_->add_vertex(route_->at(0), tail_, options_.mass * options_.link, options_.stretching, options_.bending,
+                        &added)) {
+    body_->points.held[second_] = 0;
     body_->points.held[added] = 1;
+    second_ = tail_;
     tail_ = added;
+    pushed_ = 0;
+    ++links_;
   }
+}
+
+std::vector<std::size_t> Catheter::line() const {
+  std::vector<std::vector<std::size_t>> neighbours(body_->points.size());
+  for (const DistanceSpring& spring : body_->springs.distances) {
+    neighbours[spring.a].push_back(spring.b);
+    neighbours[spring.b].push_back(spring.a);
+  }
+  std::vector<std::size_t> line = {tail_};
+  for (std::size_t before = tail_; line.back() != tip_;) {
+    const std::vector<std::size_t>& both = neighbours[line.back()];
+    const std::size_t next = both.front() == before ? both.back() : both.front();
+    before = line.back();
+    line.push_back(next);
+  }
+  return line;
 }
 
 }  // namespace physics

@@ -84,6 +84,7 @@ std::vector<Touch> read_touches(const dsw_scene* scene, dsw_body_id body, const 
       continue;
     }
     Touch touch;
+    touch.contact = i;
     touch.point[0] = contact.vertex.index;
     touch.normal = Eigen::Map<const Vector3>(contact.normal);
     touch.at = Eigen::Map<const Vector3>(contact.point);

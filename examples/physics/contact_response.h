@@ -34,6 +34,7 @@ struct Touch {
   Vector3 at = Vector3::Zero();
   double friction = 0;
   dsw_face_id wall = {0, 0, 0};       // null: a wire or a marked vertex
+  std::size_t contact = 0;            // its number in dsw_body_get_contacts
   Vector3 impulse = Vector3::Zero();  // found by `resolve`: what the body got; the wall got its opposite
 };
 

@@ -20,6 +20,7 @@ SoftBody::SoftBody(dsw_scene* scene, const Positions& line, double mass_each, co
   }
   dsw_body_desc desc;
   dsw_body_desc_init(&desc, sizeof desc);
+  desc.level = options.level;
   desc.edges = edges.data();
   desc.edge_count = edges.size() / 2;
   create(line, mass_each, &desc);

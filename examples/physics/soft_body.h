@@ -13,9 +13,10 @@ namespace physics {
 
 struct SoftBodyOptions {
   IntegratorOptions integrator;
-  dsw_move_options move;  // how the library answers contacts
-  double omega = 0.5;     // share of the mass that an inserted vertex takes over, see Points::split
-  double match = 0;       // with a shape: share of the way to its goals made in one step, in (0, 1]
+  dsw_level level = DSW_LEVEL_EDGES_SWEPT;  // of a line
+  dsw_move_options move;                    // how the library answers contacts
+  double omega = 0.5;                       // share of the mass that an inserted vertex takes over, see Points::split
+  double match = 0;                         // with a shape: share of the way to its goals made in one step, in (0, 1]
   double restitution = 0;
   int contact_rounds = 8;
   std::size_t most_vertices = 1000;  // a body with as many gets no new ones: its edges slide
@@ -34,7 +35,7 @@ struct StepReport {
 
 class SoftBody {
  public:
-  // A polyline through `line`, at level EDGES_SWEPT. Throws LibraryError where it is not free.
+  // A polyline through `line`. Throws LibraryError where it is not free.
   SoftBody(dsw_scene* scene, const Positions& line, double mass_each, const SoftBodyOptions& options);
   // A closed or open surface of triangles (three indices each), at level FACES.
   SoftBody(dsw_scene* scene, const Positions& corners, const std::vector<std::uint32_t>& triangles, double mass_each,

@@ -15,7 +15,7 @@ class InTheVessel : public testing::Test {
     ASSERT_EQ(mesh_make_vessel(2.0, &mesh), 0);
     environment_.reset(create_environment(nullptr, &mesh));
     mark_wall(environment_.get(), &mesh);
-    ASSERT_EQ(flow_create(environment_.get(), &mesh, &flow_), DSW_STATUS_OK);
+    ASSERT_EQ(flow_create(environment_.get(), &mesh, 0, &flow_), DSW_STATUS_OK);
     mesh_free(&mesh);
   }
   void TearDown() override { flow_destroy(&flow_); }
@@ -25,12 +25,13 @@ class InTheVessel : public testing::Test {
 };
 
 TEST_F(InTheVessel, ACatheterIsExactlyFreeAtEveryStep) {
+  const Route route(environment_.get(), flow_);
   for (const Integrator method : {Integrator::kImplicitEuler, Integrator::kXpbd}) {
     World world(environment_.get());
     CatheterOptions options;
     options.body.integrator.method = method;
     options.speed = 300;
-    Catheter catheter(&world, &flow_, options);
+    Catheter catheter(&world, &route, options);
     std::size_t contacts = 0, inserted = 0, removed = 0;
     for (int step = 0; step < 250; ++step) {
       catheter.step(1e-3);

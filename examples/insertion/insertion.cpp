@@ -1,0 +1,122 @@
+#include "insertion.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace insertion {
+namespace {
+
+using physics::check;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kPart = 0.97;      // of the way, that the tip is to make in all steps
+constexpr double kUsualRadius = 2;  // mm, of the lumen that the numbers of CatheterOptions are for
+
+std::uint32_t features_of(const Options& options) { return options.statistics ? DSW_FEATURE_STATISTICS : 0; }
+
+}  // namespace
+
+physics::CatheterOptions fit_catheter(const Options& options, double radius, double way) {
+  const double scale = radius / kUsualRadius;
+  physics::CatheterOptions usual;
+  usual.links = options.vertices - 1;
+  const double link =
+      options.link > 0 ? options.link : std::min(3 * radius, 0.5 * way / static_cast<double>(usual.links));
+  const double seconds = static_cast<double>(options.steps) * options.dt;
+  const double speed = options.speed > 0 ? options.speed : (kPart * way - link) / seconds;
+  usual.link = link / scale;
+  usual.speed = speed / scale;
+  usual.body.integrator.method = options.integrator;
+  usual.body.friction.otherwise = options.friction;
+  usual.body.level = options.level;
+  return scaled(usual, scale);
+}
+
+Run::Run(const Options& options, const Vessel* vessel)
+    : options_(options),
+      vessel_(vessel),
+      made_of_(fit_catheter(options, vessel->radius(), vessel->route().length())),
+      world_(vessel->environment(), features_of(options)) {
+  try {
+    catheter_.emplace(&world_, &vessel->route(), made_of_);
+  } catch (const physics::LibraryError& error) {
+    throw BadInput("a link of " + std::to_string(made_of_.link) +
+                   " does not fit into the inlet; try a smaller --link (" + error.what() + ")");
+  }
+}
+
+void Run::count_cells(Step* step) {
+  if (!options_.statistics) {
+    return;
+  }
+  dsw_statistics statistics;
+  statistics.struct_size = sizeof statistics;
+  check(dsw_scene_get_statistics(world_.scene(), &statistics), "reading statistics");
+  check(dsw_scene_reset_statistics(world_.scene()), "resetting statistics");
+  step->cells_visited = statistics.cells_visited;
+  step->orientation_tests = statistics.orientation_tests;
+}
+
+Step Run::step() {
+  Step step;
+  const auto start = Clock::now();
+  catheter_->step(options_.dt);
+  step.step_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  count_cells(&step);
+
+  const physics::StepReport& report = world_.report(0);
+  step.detection_seconds = report.library_seconds;
+  step.contacts = report.move.contact_count;
+  step.inserted = report.inserted;
+  step.removed = report.removed;
+  step.reached = catheter_->reached();
+  step.all_in = catheter_->links() >= made_of_.links;
+  std::size_t count = 0;
+  const dsw_contact* all = contacts(&count);
+  std::for_each(all, all + count, [this](const dsw_contact& contact) { table_.add(contact); });
+
+  const physics::Verdict verdict = physics::verify(world_.scene(), catheter_->body().id());
+  step.free = verdict.good();
+  step.vertices = verdict.vertices;
+  totals_.not_free += verdict.not_free;
+  totals_.lost += verdict.lost;
+  totals_.edges_verified += verdict.edges;
+  totals_.vertices_verified += verdict.vertices;
+  totals_.refused += report.status == DSW_STATUS_OK ? 0 : 1;
+  add(step, verdict.edges);
+  return step;
+}
+
+void Run::add(const Step& step, std::size_t edges) {
+  Totals& t = totals_;
+  if (step.all_in && t.whole_edges == 0) {
+    t.whole_steps = t.whole_contacts = 0;
+    t.whole_detection = t.whole_longest = 0;
+  }
+  ++t.steps;
+  t.exactly_free += step.free ? 1 : 0;
+  t.inserted += step.inserted;
+  t.removed += step.removed;
+  t.most_vertices = std::max(t.most_vertices, step.vertices);
+  t.most_cells = std::max(t.most_cells, step.cells_visited);
+  t.cells += step.cells_visited;
+  t.orientation_tests += step.orientation_tests;
+  t.detection_seconds += step.detection_seconds;
+  t.step_seconds += step.step_seconds;
+  t.reached = std::max(t.reached, step.reached);
+  const physics::SoftBody& body = catheter_->body();
+  t.largest_stretch = std::max(t.largest_stretch, body.springs.largest_stretch(body.points.position));
+  ++t.whole_steps;
+  t.whole_contacts += step.contacts;
+  t.whole_edges += step.all_in ? edges : 0;
+  t.whole_detection += step.detection_seconds;
+  t.whole_longest = std::max(t.whole_longest, step.detection_seconds);
+}
+
+const dsw_contact* Run::contacts(std::size_t* count) const {
+  const dsw_contact* contacts = nullptr;
+  check(dsw_body_get_contacts(world_.scene(), catheter_->body().id(), &contacts, count), "reading contacts");
+  return contacts;
+}
+
+}  // namespace insertion
