@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
 # The main job: examples/demo.sh [MESH [SURFACE [ORGAN]]]
 #
-# Installs what is missing (Debian 12, as root), builds the library and the demo, drives a cloud of 10,000 particles and
-# catheters through the lumen of MESH (.msh, .vtk or .vtu, also gzipped), or of the embedded vessel, and lets SURFACE
-# (.obj, closed, triangles) fall among pyramids; without it $DARTSWEEP_DATA/surfaces/hand_12k.obj if there is one, else a
-# ring. Then the environment changes: a scalpel cuts ORGAN (a volume mesh), without it $DARTSWEEP_DATA/organs/liver.msh, else
-# one made here; the vessel beats, a box bends. Leaves tables, pictures and .vtu files in build/demo/. Exit code 2: a file or
-# an option can't be used; 1: anything else.
+# Installs what is missing (Debian 12, as root), builds the library and the examples, and pushes a catheter through the
+# vessels of MESH: a volume mesh (.msh, .vtk or .vtu, also gzipped), or a surface (.stl, .obj or .ply) that is filled with
+# tetrahedra first; without it through the embedded vessel. Every step is verified. Leaves figures, a picture and a page in
+# build/demo/. Then the other scenes: a cloud of 10,000 particles in the same vessels; SURFACE (.obj, closed, triangles) falls
+# among pyramids, without it $DARTSWEEP_DATA/surfaces/hand_12k.obj if there is one, else a ring; a scalpel cuts ORGAN (a volume
+# mesh), without it $DARTSWEEP_DATA/organs/liver.msh, else one made here; the vessel beats, a box bends. Exit code 2: a file
+# or an option can't be used; 1: anything else, and a step that was not verified.
 set -euo pipefail
 
 usage() {
-  sed -n '2,10s/^# \{0,1\}//p' "$0"
+  sed -n '2,11s/^# \{0,1\}//p' "$0"
   exit "$1"
 }
 fail() {
@@ -41,6 +42,7 @@ liver=${DARTSWEEP_DATA:-/nowhere}/organs/liver.msh
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 source=$root/examples/demo
+insertion=$root/examples/insertion
 venv=$root/build/venv
 tree=$root/build/demo-release
 out=$root/build/demo
@@ -64,6 +66,8 @@ command -v c++ > /dev/null && command -v cc > /dev/null || missing+=(g++)
 command -v cmake > /dev/null || missing+=(cmake)
 command -v make > /dev/null || missing+=(make)
 [ -e /usr/include/eigen3/Eigen/Core ] || missing+=(libeigen3-dev)
+[ -e /usr/include/CLI/CLI.hpp ] || missing+=(libcli11-dev)
+[ -e /usr/include/nlohmann/json.hpp ] || missing+=(nlohmann-json3-dev)
 python3 -c 'import ensurepip, venv' 2> /dev/null || missing+=(python3-venv)
 ldconfig -p 2> /dev/null | grep -q 'libOSMesa\.so' || /sbin/ldconfig -p | grep -q 'libOSMesa\.so' ||
   missing+=(libosmesa6)
@@ -77,29 +81,56 @@ if [ ${#missing[@]} -gt 0 ]; then
 fi
 
 # Python modules, pinned, in a folder of their own; again only when the list has changed.
-if ! cmp -s "$source/requirements.txt" "$venv/installed.txt"; then
-  echo "installing $(grep -v '^#' "$source/requirements.txt" | tr '\n' ' ')in build/venv"
+lists=("$source/requirements.txt" "$insertion/requirements.txt")
+[ ! -f "$insertion/page/requirements.txt" ] || lists+=("$insertion/page/requirements.txt")
+wanted=$(cat "${lists[@]}")
+if [ "$wanted" != "$(cat "$venv/installed.txt" 2> /dev/null)" ]; then
+  echo "installing $(grep -v '^#' <<< "$wanted" | tr '\n' ' ')in build/venv"
   quietly "creating build/venv" python3 -m venv --clear "$venv"
   quietly "installing Python modules" \
-    "$venv/bin/python" -m pip install --disable-pip-version-check -r "$source/requirements.txt"
-  cp "$source/requirements.txt" "$venv/installed.txt"
+    "$venv/bin/python" -m pip install --disable-pip-version-check -r /dev/stdin <<< "$wanted"
+  echo "$wanted" > "$venv/installed.txt"
 fi
 
-echo "building the library and the demo"
+echo "building the library and the examples"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 quietly "configuring" \
   cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON
-quietly "building" cmake --build "$tree" --target example_demo
+quietly "building" cmake --build "$tree" --target dartsweep_insertion example_demo
 
-rm -f "$out"/*.png "$out"/*.vtu "$out"/*.csv "$out"/summary.txt
+rm -rf "$out"/*.png "$out"/*.vtu "$out"/*.csv "$out"/*.html "$out"/summary.txt "$out/insertion" "$out/haptic.txt"
+mkdir "$out/insertion"
 if [ -n "$mesh" ]; then
+  title=$(basename "$mesh")
+  case "${mesh,,}" in
+    *.stl | *.obj | *.ply)
+      "$venv/bin/python" "$insertion/fill_surface.py" "$mesh" "$out/filled.vtu"
+      mesh=$out/filled.vtu
+      ;;
+  esac
   "$venv/bin/python" "$source/read_mesh.py" "$mesh" "$out/mesh.bin"
   input=(--mesh "$out/mesh.bin")
-  title=$(basename "$mesh")
+  source_name=(--source "$title")
 else
   input=()
+  source_name=()
   title="a branching vessel"
 fi
+
+echo
+echo "a catheter in $title, 10,000 steps of 1 ms:"
+insert=$tree/examples/insertion/dartsweep_insertion
+"$insert" "${input[@]}" "${source_name[@]}" --out "$out/insertion"
+echo
+echo "200 edges at haptic rate; of these figures:"
+"$insert" --preset haptic "${input[@]}" > "$out/haptic.txt"
+grep -E '^demo\.(steps|exactly_free_steps|lost|realtime_factor|detection_ms|edges|contacts_per_step) ' "$out/haptic.txt"
+"$venv/bin/python" "$insertion/draw.py" "$out/insertion/insertion.json" "$out/insertion.png"
+[ ! -f "$insertion/build_page.py" ] || quietly "making the page" \
+  "$venv/bin/python" "$insertion/build_page.py" "$out/insertion/insertion.json" "$out/insertion.html"
+
+echo
+echo "the other scenes:"
 [ -z "$surface" ] || input+=(--surface "$surface")
 organ_title="an organ"
 if [ -n "$organ" ]; then
@@ -109,9 +140,15 @@ if [ -n "$organ" ]; then
 fi
 "$tree/examples/dartsweep_demo" "${input[@]}" --threads "$(nproc)" --out "$out" | tee "$out/summary.txt"
 "$venv/bin/python" "$source/draw.py" "$out" "Dartsweep: a cloud and catheters in $title" "$organ_title"
-rm -f "$out/mesh.bin" "$out/organ.bin"
+rm -f "$out/mesh.bin" "$out/organ.bin" "$out/filled.vtu"
 
 echo
+echo "the main job, a catheter:"
+echo "  page     $out/insertion.html (any browser, without a network)"
+echo "  picture  $out/insertion.png"
+echo "  tables   $out/insertion/summary.txt, steps.csv (every step), insertion.json (every figure); $out/haptic.txt"
+echo "  ParaView $out/insertion/catheter.vtu, contacts.vtu, wall.vtu"
+echo "the other scenes:"
 echo "  tables   $out/summary.txt, steps.csv (every step of the bodies)"
 echo "  pictures $out/demo.png, surface.png, scalpel.png, beating.png, box.png"
 echo "  ParaView $out/demo.vtu (cloud), catheter_*.vtu, surface.vtu, wall.vtu, outer.vtu, obstacles.vtu, *contacts.vtu,"

@@ -19,7 +19,7 @@ Options quick() {
 TEST(Run, IsExactlyFreeAfterEveryStepAndTravels) {
   const Options options = quick();
   const Vessel vessel(options);
-  Run run(options, &vessel);
+  insertion::Run run(options, &vessel);
   std::size_t contacts = 0;
   for (std::size_t i = 0; i < options.steps; ++i) {
     const Step step = run.step();
