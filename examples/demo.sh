@@ -88,7 +88,7 @@ if [ "$wanted" != "$(cat "$venv/installed.txt" 2> /dev/null)" ]; then
   echo "installing $(grep -v '^#' <<< "$wanted" | tr '\n' ' ')in build/venv"
   quietly "creating build/venv" python3 -m venv --clear "$venv"
   quietly "installing Python modules" \
-    "$venv/bin/python" -m pip install --disable-pip-version-check -r /dev/stdin <<< "$wanted"
+    "$venv/bin/python" -m pip install --disable-pip-version-check "${lists[@]/#/-r}"
   echo "$wanted" > "$venv/installed.txt"
 fi
 

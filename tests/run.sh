@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-config python3 binutils abigail-tools
-  libccd-dev libeigen3-dev libgtest-dev libgmp-dev)
+  libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev)
 steps=("$@")
 [ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz format page)
 jobs=$(nproc)

@@ -29,6 +29,10 @@ physics::CatheterOptions fit_catheter(const Options& options, double radius, dou
   usual.body.integrator.method = options.integrator;
   usual.body.friction.otherwise = options.friction;
   usual.body.level = options.level;
+  if (!options.inserts) {
+    usual.body.move.edge_response = DSW_RESPONSE_SLIDE;
+    usual.body.move.noise_share = 0;
+  }
   return scaled(usual, scale);
 }
 

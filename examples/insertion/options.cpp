@@ -14,6 +14,7 @@ void apply_preset(const CLI::App& app, Options* options) {
   if (options->preset == "haptic") {
     options->vertices = app.count("--vertices") > 0 ? options->vertices : 201;
     options->statistics = app.count("--statistics") > 0 ? options->statistics : false;
+    options->inserts = app.count("--response") > 0 ? options->inserts : false;
   }
 }
 
@@ -25,10 +26,12 @@ int read_options(int argc, char** argv, Options* options) {
                                                          {"implicit_euler", Integrator::kImplicitEuler},
                                                          {"xpbd", Integrator::kXpbd}};
   const std::map<std::string, dsw_level> levels = {{"edges", DSW_LEVEL_EDGES}, {"edges_swept", DSW_LEVEL_EDGES_SWEPT}};
+  const std::map<std::string, bool> responses = {{"insert", true}, {"slide", false}};
   CLI::App app("Pushes a catheter through a network of vessels and proves after every step that it is free.",
                "dartsweep_insertion");
-  app.add_option("--preset", options->preset,
-                 "figure8: 20 vertices, 10,000 steps; haptic: 201 vertices, without statistics")
+  app.add_option(
+         "--preset", options->preset,
+         "figure8: 20 vertices, edges get new ones where they touch; haptic: 201 vertices, edges slide, no statistics")
       ->check(CLI::IsMember({"figure8", "haptic"}));
   app.add_option("--mesh", options->mesh, "arrays that examples/demo/read_mesh.py made of a mesh")
       ->check(CLI::ExistingFile);
@@ -47,6 +50,8 @@ int read_options(int argc, char** argv, Options* options) {
   app.add_option("--integrator", options->integrator, "symplectic_euler, implicit_euler or xpbd")
       ->transform(CLI::CheckedTransformer(integrators));
   app.add_option("--level", options->level, "edges or edges_swept")->transform(CLI::CheckedTransformer(levels));
+  app.add_option("--response", options->inserts, "of edges that touch: insert a vertex where there is room, or slide")
+      ->transform(CLI::CheckedTransformer(responses));
   app.add_option("--route", options->route, "0: to the farthest end of a branch, 1: to the next, ...");
   app.add_option("--frames", options->frames, "states that are written, evenly spaced")->check(CLI::Range(1, 100000));
   app.add_flag("--statistics,!--no-statistics", options->statistics, "count cells and orientation tests");

@@ -23,6 +23,7 @@ struct Options {
   double friction = 0.04;  // of a coated catheter
   physics::Integrator integrator = physics::Integrator::kImplicitEuler;
   dsw_level level = DSW_LEVEL_EDGES_SWEPT;
+  bool inserts = true;    // edges that touch get new vertices where there is room; else they only slide
   std::size_t route = 0;  // to the farthest end, the next one ...
   std::size_t frames = 500;
   bool statistics = true;
