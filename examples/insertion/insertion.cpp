@@ -10,6 +10,7 @@ using physics::check;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kPart = 0.97;      // of the way, that the tip is to make in all steps
+constexpr double kSlow = 5;         // radii a second: a careful hand
 constexpr double kUsualRadius = 2;  // mm, of the lumen that the numbers of CatheterOptions are for
 
 std::uint32_t features_of(const Options& options) { return options.statistics ? DSW_FEATURE_STATISTICS : 0; }
@@ -23,12 +24,14 @@ physics::CatheterOptions fit_catheter(const Options& options, double radius, dou
   const double link =
       options.link > 0 ? options.link : std::min(3 * radius, 0.5 * way / static_cast<double>(usual.links));
   const double seconds = static_cast<double>(options.steps) * options.dt;
-  const double speed = options.speed > 0 ? options.speed : (kPart * way - link) / seconds;
+  const double whole_way = (kPart * way - link) / seconds, slow = kSlow * radius;
   usual.link = link / scale;
-  usual.speed = speed / scale;
+  usual.speed = (options.speed > 0 ? options.speed : options.slow ? slow : whole_way) / scale;
+  usual.feeding = options.slow ? 2 * link * static_cast<double>(usual.links) / seconds / scale : 0;
   usual.body.integrator.method = options.integrator;
   usual.body.friction.otherwise = options.friction;
   usual.body.level = options.level;
+  usual.body.contact_memory = options.contact_memory;
   if (!options.inserts) {
     usual.body.move.edge_response = DSW_RESPONSE_SLIDE;
     usual.body.move.noise_share = 0;

@@ -12,6 +12,7 @@ constexpr int kBadInput = 2;
 // Defaults of a preset; what was given by hand stays.
 void apply_preset(const CLI::App& app, Options* options) {
   if (options->preset == "haptic") {
+    options->slow = true;
     options->vertices = app.count("--vertices") > 0 ? options->vertices : 201;
     options->statistics = app.count("--statistics") > 0 ? options->statistics : false;
     options->inserts = app.count("--response") > 0 ? options->inserts : false;
@@ -52,6 +53,9 @@ int read_options(int argc, char** argv, Options* options) {
   app.add_option("--level", options->level, "edges or edges_swept")->transform(CLI::CheckedTransformer(levels));
   app.add_option("--response", options->inserts, "of edges that touch: insert a vertex where there is room, or slide")
       ->transform(CLI::CheckedTransformer(responses));
+  app.add_option("--contact-memory", options->contact_memory,
+                 "steps for which a contact that presses stays a constraint")
+      ->check(CLI::Range(0, 100));
   app.add_option("--route", options->route, "0: to the farthest end of a branch, 1: to the next, ...");
   app.add_option("--frames", options->frames, "states that are written, evenly spaced")->check(CLI::Range(1, 100000));
   app.add_flag("--statistics,!--no-statistics", options->statistics, "count cells and orientation tests");

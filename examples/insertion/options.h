@@ -10,7 +10,9 @@ namespace insertion {
 
 struct Options {
   std::string preset = "figure8";
-  std::string mesh;      // empty: the generated vessel
+  std::string mesh;  // empty: the generated vessel
+  // All links are in after half of the steps, then the hand goes slowly: 5 radii of the lumen a second.
+  bool slow = false;
   double spacing = 1.3;  // of the generated vessel
   std::string source;    // what to call the mesh; empty: the file's name
   std::string unit = "mm";
@@ -23,8 +25,9 @@ struct Options {
   double friction = 0.04;  // of a coated catheter
   physics::Integrator integrator = physics::Integrator::kImplicitEuler;
   dsw_level level = DSW_LEVEL_EDGES_SWEPT;
-  bool inserts = true;    // edges that touch get new vertices where there is room; else they only slide
-  std::size_t route = 0;  // to the farthest end, the next one ...
+  bool inserts = true;     // edges that touch get new vertices where there is room; else they only slide
+  int contact_memory = 0;  // steps, see physics::SoftBodyOptions
+  std::size_t route = 0;   // to the farthest end, the next one ...
   std::size_t frames = 500;
   bool statistics = true;
   bool progress = false;  // the bar also where stderr is no terminal

@@ -111,6 +111,7 @@ Json summary_of(const Options& options, const Vessel& vessel, const Run& run) {
   s["demo.friction"] = options.friction;
   s["demo.integrator"] = physics::name_of(options.integrator);
   s["demo.response"] = options.inserts ? "insert" : "slide";
+  s["demo.contact_memory"] = options.contact_memory;
   s["demo.level"] = options.level == DSW_LEVEL_EDGES ? "edges" : "edges_swept";
   return s;
 }

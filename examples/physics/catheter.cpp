@@ -13,6 +13,7 @@ CatheterOptions scaled(CatheterOptions options, double scale) {
   options.link *= scale;
   options.look_ahead *= scale;
   options.speed *= scale;
+  options.feeding *= scale;
   options.mass /= scale;
   options.stretching *= scale;
   options.bending *= scale * scale * scale;
@@ -33,7 +34,9 @@ Catheter::Catheter(World* world, const Route* route, const CatheterOptions& opti
 void Catheter::step(double dt) {
   feed();
   Points& points = body_->points;
-  pushed_ += options_.speed * dt;
+  const bool feeds = options_.feeding > 0 && links_ < options_.links;
+  speed_ = feeds ? options_.feeding : options_.speed;
+  pushed_ += speed_ * dt;
   lead(tail_, pushed_, dt);
   lead(second_, pushed_ + options_.link, dt);
   body_->load.force.assign(points.size(), Vector3::Zero());
@@ -45,7 +48,7 @@ void Catheter::step(double dt) {
 // The hand takes a vertex to where it should be, but not faster than so many times its own speed.
 void Catheter::lead(std::size_t vertex, double way, double dt) {
   const Vector3 left = route_->at(way) - body_->points.position[vertex];
-  body_->points.velocity[vertex] = left / std::max(dt, left.norm() / (kFastest * options_.speed));
+  body_->points.velocity[vertex] = left / std::max(dt, left.norm() / (kFastest * speed_));
 }
 
 // Where the new edge would not be free the tail goes on for now.

@@ -11,7 +11,8 @@ namespace physics {
 struct CatheterOptions {
   double link = 2.5;      // mm
   std::size_t links = 0;  // at most; once all are in, the tail goes on along the route. 0: there is always another one
-  double speed = 30;      // of the tail, mm/s
+  double speed = 30;      // of the hand, mm/s
+  double feeding = 0;     // of the hand until all links are in, mm/s; 0: the same
   double mass = 1.6;      // mg/mm
   double stretching = 1e8;  // uN
   double bending = 1e7;     // uN mm^2
@@ -50,8 +51,8 @@ class Catheter {
   CatheterOptions options_;
   SoftBody* body_ = nullptr;
   std::size_t tail_ = 0, second_ = 1, tip_ = 1,
-              links_ = 1;  // the first two are in the hand, so it pushes along the route
-  double pushed_ = 0;      // where on the route the hand is
+              links_ = 1;          // the first two are in the hand, so it pushes along the route
+  double pushed_ = 0, speed_ = 0;  // where on the route the hand is, and how fast
 };
 
 }  // namespace physics

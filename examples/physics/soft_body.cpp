@@ -64,6 +64,29 @@ void SoftBody::pull_into_shape(double dt, Points* next) {
   }
 }
 
+void SoftBody::stay_off_known_walls(double dt, Points* next) {
+  if (known_.empty()) {
+    return;
+  }
+  resolve(0, options.contact_rounds, &known_, next);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (next->inverse_mass(i) > 0) {
+      next->position[i] = points.position[i] + dt * next->velocity[i];
+    }
+  }
+}
+
+// Those that have pressed go on; those whose vertices are gone, or that have been known for long, do not.
+void SoftBody::remember_contacts() {
+  const auto is_over = [this](Touch& touch) {
+    const auto is_gone = [this](std::size_t i) { return points.mass[i] == 0; };
+    return ++touch.age > options.contact_memory || !(touch.impulse.squaredNorm() > 0) ||
+           std::any_of(touch.point, touch.point + touch.count, is_gone);
+  };
+  known_.insert(known_.end(), touches_.begin(), touches_.end());
+  known_.erase(std::remove_if(known_.begin(), known_.end(), is_over), known_.end());
+}
+
 std::size_t SoftBody::count() const {
   return static_cast<std::size_t>(
       std::count_if(points.mass.begin(), points.mass.end(), [](double m) { return m > 0; }));
@@ -76,6 +99,7 @@ StepReport SoftBody::step(double dt) {
   if (shape) {
     pull_into_shape(dt, &next);
   }
+  stay_off_known_walls(dt, &next);
   dsw_move_options move = options.move;
   if (count() >= options.most_vertices) {
     move.edge_response = DSW_RESPONSE_SLIDE;
@@ -86,6 +110,7 @@ StepReport SoftBody::step(double dt) {
   if (report.status == DSW_STATUS_NON_FINITE) {
     report.move = dsw_move_report{};
     touches_.clear();
+    known_.clear();
     points.rest();
     return report;
   }
@@ -98,6 +123,7 @@ StepReport SoftBody::step(double dt) {
   read_positions();
   touches_ = read_touches(scene_, id_, points, options.friction);
   resolve(options.restitution, options.contact_rounds, &touches_, &points);
+  remember_contacts();
   return report;
 }
 

@@ -19,6 +19,10 @@ struct SoftBodyOptions {
   double match = 0;                         // with a shape: share of the way to its goals made in one step, in (0, 1]
   double restitution = 0;
   int contact_rounds = 8;
+  // For so many steps a contact that presses stays a constraint of the physics, found again or not: targets then do not lead into a wall that
+  // is known, and the library has no contact to find. 0: every step finds its contacts anew. What kept contacts do to walls that give
+  // way is not handed to them.
+  int contact_memory = 0;
   std::size_t most_vertices = 1000;  // a body with as many gets no new ones: its edges slide
   Friction friction;
 
@@ -72,11 +76,13 @@ class SoftBody {
  private:
   void create(const Positions& corners, double mass_each, dsw_body_desc* desc);
   void pull_into_shape(double dt, Points* next);
+  void stay_off_known_walls(double dt, Points* next);
+  void remember_contacts();
 
   dsw_scene* scene_;
   dsw_body_id id_ = {0, 0};
   std::vector<char> inserted_;
-  std::vector<Touch> touches_;
+  std::vector<Touch> touches_, known_;  // of the last move; of earlier ones, see contact_memory
 };
 
 }  // namespace physics

@@ -50,5 +50,43 @@ TEST_F(InTheVessel, ACatheterIsExactlyFreeAtEveryStep) {
   }
 }
 
+TEST_F(InTheVessel, ARouteIsSmoothAndFree) {
+  const Route route(environment_.get(), flow_);
+  EXPECT_GT(route.length(), 0.5 * flow_.length);
+  EXPECT_LT(route.length(), flow_.length);  // the way over middles of volumes zigzags
+  EXPECT_EQ(route.at(-1), route.at(0));
+  EXPECT_EQ(route.at(2 * route.length()), route.at(route.length()));
+  const double piece = 0.5;
+  for (double way = piece; way < route.length(); way += piece) {
+    EXPECT_LT((route.at(way) - route.at(way - piece)).norm(), 1.001 * piece);
+    EXPECT_NEAR(route.nearest(route.at(way)), way, 2 * flow_.radius);
+    dsw_flight flight;
+    const Vector3 a = route.at(way - piece), b = route.at(way);
+    ASSERT_EQ(dsw_environment_cast(environment_.get(), {0, 0}, a.data(), b.data(), nullptr, &flight), DSW_STATUS_OK);
+    EXPECT_EQ(flight.outcome, DSW_OUTCOME_REACHED);
+  }
+}
+
+TEST_F(InTheVessel, AHandGoesOnOnceAllLinksAreIn) {
+  const Route route(environment_.get(), flow_);
+  World world(environment_.get());
+  CatheterOptions options;
+  options.links = 5;
+  options.speed = 100;
+  options.feeding = 400;
+  Catheter catheter(&world, &route, options);
+  int fed = 0;
+  for (int step = 0; step < 300; ++step) {
+    catheter.step(1e-3);
+    fed += catheter.links() < 5 ? 1 : 0;
+  }
+  EXPECT_EQ(catheter.links(), 5u);
+  EXPECT_NEAR(fed, 4 * options.link / 0.4, 4);
+  const std::vector<std::size_t> line = catheter.line();
+  EXPECT_GE(line.size(), 6u);
+  EXPECT_NEAR(route.nearest(catheter.body().points.position[line.front()]), 0.1 * (300 - fed), 2);
+  EXPECT_GT(catheter.reached(), 0.1 * (300 - fed) + 4 * options.link);
+}
+
 }  // namespace
 }  // namespace physics

@@ -95,15 +95,19 @@ TEST(World, InsertedVerticesAreRemovedAgain) {
 }
 
 // A point slides on the top of the post for a while; returns its speed.
-double speed_after_sliding(const Friction& friction) {
+double speed_after_sliding(const Friction& friction, int contact_memory = 0, std::size_t* contacts = nullptr) {
   const Environment environment = make_post();
   World world(environment.get());
   SoftBody* body = add_line(&world, {{4.1, 2.5, 2.01}}, 0, 0);
   body->options.friction = friction;
+  body->options.contact_memory = contact_memory;
   body->load.gravity = Vector3(0, 0, -10);
   body->points.velocity[0] = Vector3(1, 0, 0);
   for (int step = 0; step < 200; ++step) {
     world.step(1e-3);
+    if (contacts != nullptr) {
+      *contacts += world.report(0).move.contact_count;
+    }
   }
   EXPECT_NEAR(body->points.position[0].z(), 2, 1e-2);
   return body->points.velocity[0].x();
@@ -118,6 +122,16 @@ TEST(World, FrictionComesFromTheCellsTag) {
   EXPECT_NEAR(speed_after_sliding(friction), 1 - 0.2 * 10 * 0.2, 0.02);
   friction.by_tag[5] = 5;
   EXPECT_NEAR(speed_after_sliding(friction), 0, 1e-6);
+}
+
+TEST(World, AContactThatIsKnownRubsAsOneThatIsFound) {
+  Friction friction;
+  friction.otherwise = 0.2;
+  std::size_t found = 0, rarely_found = 0;
+  const double speed = speed_after_sliding(friction, 0, &found);
+  EXPECT_NEAR(speed_after_sliding(friction, 4, &rarely_found), speed, 0.01);
+  EXPECT_GT(rarely_found, 0u);
+  EXPECT_LT(3 * rarely_found, found);
 }
 
 TEST(World, AShapeFallsAndStaysAShape) {
