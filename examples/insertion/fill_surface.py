@@ -5,8 +5,10 @@ usage: fill_surface.py SURFACE OUT.vtu
 SURFACE is a .stl, .obj or .ply of triangles. Open ends, where a vessel was cut, get caps (MeshFix); TetGen fills it and keeps its
 triangles. Exit code 2 with a message if that can't be done.
 """
+import logging
 import os
 import sys
+import warnings
 
 import numpy as np
 import pymeshfix
@@ -27,6 +29,8 @@ def read(path):
     if os.path.splitext(path)[1].lower() not in ENDINGS:
         raise Refused(f"only {', '.join(sorted(ENDINGS))} are read")
     pyvista.vtk_verbosity("off")
+    logging.disable(logging.CRITICAL)  # VTK's own account of a bad file is long; ours is one line
+    warnings.simplefilter("ignore")
     try:
         surface = pyvista.read(path).extract_surface(algorithm="dataset_surface").triangulate().clean()
     except Exception as error:

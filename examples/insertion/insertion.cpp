@@ -41,7 +41,6 @@ physics::CatheterOptions fit_catheter(const Options& options, double radius, dou
 
 Run::Run(const Options& options, const Vessel* vessel)
     : options_(options),
-      vessel_(vessel),
       made_of_(fit_catheter(options, vessel->radius(), vessel->route().length())),
       world_(vessel->environment(), features_of(options)) {
   try {

@@ -48,7 +48,6 @@ class Run {
   void add(const Step& step, std::size_t edges);
 
   const Options options_;
-  const Vessel* vessel_;
   physics::CatheterOptions made_of_;
   physics::World world_;
   std::optional<physics::Catheter> catheter_;
