@@ -1,0 +1,136 @@
+#!/usr/bin/env bash
+# The experiments of [JCD10], one command each: examples/paper.sh FIGURE [--quick] [MESH]
+#
+# FIGURE is 9 (cells tested against the length of a catheter), 11 (time against the size of the scene, with Bullet both ways), 12
+# (what edges cost on a surface of 12,000 vertices, and what eliminations save) or all. Installs what is missing (Debian 12, as
+# root), builds, runs, and prints a table `ours | paper` with a sentence for each figure; CSV, SVG and PNG in build/paper/.
+# MESH is the vessel of figure 9 (.msh, .vtk, .vtu, also gzipped); without it one is made. Figure 12 takes
+# $DARTSWEEP_DATA/surfaces/hand_12k.obj if there is one, else a ring of 12,000 vertices. --quick: fewer steps and rounds of
+# figures 11 and 12. Exit code 2: a file or an option can't be used; 1: anything else.
+set -euo pipefail
+
+usage() {
+  sed -n '2,9s/^# \{0,1\}//p' "$0"
+  exit "$1"
+}
+fail() {
+  echo "paper: $2" >&2
+  exit "$1"
+}
+
+figures=() quick=() mesh=
+for argument in "$@"; do
+  case $argument in
+    -h | --help) usage 0 ;;
+    --quick) quick=(--quick) ;;
+    9 | 11 | 12) figures+=("$argument") ;;
+    all) figures+=(9 11 12) ;;
+    -*) usage 2 >&2 ;;
+    *)
+      [ -z "$mesh" ] || usage 2 >&2
+      [ -f "$argument" ] || fail 2 "'$argument' is no figure and no mesh file that can be opened"
+      mesh=$(realpath "$argument")
+      ;;
+  esac
+done
+[ ${#figures[@]} -gt 0 ] || usage 2 >&2
+wanted() { [[ " ${figures[*]} " == *" $1 "* ]]; }
+benchmark=
+if wanted 11 || wanted 12; then benchmark=yes; fi
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+source=$root/examples/paper
+venv=$root/build/venv-paper
+tree=$root/build/paper-release
+out=$root/build/paper
+log=$out/log.txt
+mkdir -p "$out"
+: > "$log"
+
+# Runs a command with its output in the log; on failure shows the end of it.
+quietly() {
+  local what=$1
+  shift
+  "$@" >> "$log" 2>&1 < /dev/null || {
+    tail -n 20 "$log" >&2
+    fail 1 "$what failed; all of its output is in $log"
+  }
+}
+
+# Packages, each with a test that it is there.
+missing=()
+header() {
+  local folder
+  for folder in /usr/include /usr/local/include /usr/include/*-linux-gnu; do
+    [ ! -e "$folder/$1" ] || return 0
+  done
+  missing+=("$2")
+}
+command -v c++ > /dev/null && command -v cc > /dev/null || missing+=(g++)
+command -v cmake > /dev/null || missing+=(cmake)
+command -v make > /dev/null || missing+=(make)
+header eigen3/Eigen/Core libeigen3-dev
+python3 -c 'import ensurepip, venv' 2> /dev/null || missing+=(python3-venv)
+if [ -n "$benchmark" ]; then
+  command -v pkg-config > /dev/null || missing+=(pkg-config)
+  header embree3/rtcore.h libembree-dev
+  header bullet/btBulletCollisionCommon.h libbullet-dev
+  header CGAL/version.h libcgal-dev
+  header gmpxx.h libgmp-dev
+  header nlohmann/json.hpp nlohmann-json3-dev
+  header CLI/CLI.hpp libcli11-dev
+fi
+if [ ${#missing[@]} -gt 0 ]; then
+  command -v apt-get > /dev/null && [ "$(id -u)" -eq 0 ] ||
+    fail 1 "these packages are missing and only root on Debian can have them installed here: ${missing[*]}"
+  echo "installing ${missing[*]}"
+  export DEBIAN_FRONTEND=noninteractive
+  quietly "updating the package lists" apt-get update -q
+  quietly "installing ${missing[*]}" apt-get install -q -y --no-install-recommends "${missing[@]}"
+fi
+
+# Python modules, pinned, in a folder of their own; again only when the list has changed. A mesh file needs its readers.
+lists=("$source/requirements.txt")
+[ -z "$mesh" ] || lists+=("$root/examples/demo/requirements.txt")
+if ! cat "${lists[@]}" | cmp -s - "$venv/installed.txt"; then
+  echo "installing $(cat "${lists[@]}" | grep -v '^#' | tr '\n' ' ')in build/venv-paper"
+  quietly "creating build/venv-paper" python3 -m venv --clear "$venv"
+  quietly "installing Python modules" "$venv/bin/python" -m pip install --disable-pip-version-check "${lists[@]/#/-r}"
+  cat "${lists[@]}" > "$venv/installed.txt"
+fi
+
+echo "building the library and the programs"
+export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+targets=()
+! wanted 9 || targets+=(paper_catheter_length)
+[ -z "$benchmark" ] || targets+=(dartsweep_bench)
+quietly "configuring" cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON \
+  -DDSW_BUILD_BENCH="$([ -n "$benchmark" ] && echo ON || echo OFF)"
+quietly "building" cmake --build "$tree" --target "${targets[@]}"
+
+data=(--data "${DARTSWEEP_DATA:-/nowhere}")
+for figure in "${figures[@]}"; do
+  echo "running figure $figure"
+  rm -f "$out/figure$figure".*
+  case $figure in
+    9)
+      input=()
+      if [ -n "$mesh" ]; then
+        "$venv/bin/python" "$root/examples/demo/read_mesh.py" "$mesh" "$out/mesh.bin"
+        input=(--mesh "$out/mesh.bin")
+      fi
+      "$tree/examples/paper/catheter_length" "${input[@]}" --csv "$out/catheter_length.csv"
+      rm -f "$out/mesh.bin"
+      ;;
+    *)
+      quietly "measuring figure $figure" "$tree/tests/benchmark/dartsweep_bench" --part "fig$figure" "${quick[@]}" "${data[@]}" \
+        --json "$out/fig$figure.json"
+      ;;
+  esac
+done
+
+"$venv/bin/python" "$source/results.py" "$out" "${figures[@]}"
+"$venv/bin/python" "$source/draw.py" "$out" "${figures[@]}"
+echo
+echo "  tables   $out/results.csv, figure*.csv"
+echo "  pictures $out/figure*.svg and .png"
