@@ -1,0 +1,371 @@
+// What a scene pays for what it names, and what it does not pay for the rest: bytes, orientation tests and time of one scene, each
+// level, feature and way to leave out work on and off. A program of its own: it needs no peer, and runs on two builds of the library.
+#include "fig11_case.h"
+#include "report.h"
+#include "timing.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+namespace dsw::bench {
+
+namespace {
+
+#ifdef LEFT_OUT_WITH_LIBCCD
+constexpr const char* kLibccd = "built";
+#else
+constexpr const char* kLibccd = "not built";
+#endif
+
+/** What a scene asks for. */
+struct Setting {
+  std::string feature, setting;
+  std::uint32_t features = 0;  // of the scene
+  dsw_level level = DSW_LEVEL_EDGES_SWEPT;
+  std::uint32_t flags = 0;  // of its bodies
+  dsw_response vertex_response = DSW_RESPONSE_STOP, edge_response = DSW_RESPONSE_STOP;
+  dsw_search search = DSW_SEARCH_EXACT;
+  std::string off{};  // the setting of this feature that is `off` or the default, where another row has measured it
+};
+
+Setting level(const char* name, dsw_level value) {
+  Setting made{"level", name};
+  made.level = value;
+  return made;
+}
+
+Setting feature(const char* name, std::uint32_t bits) {
+  Setting made{name, "on"};
+  made.features = bits;
+  made.off = "off";
+  return made;
+}
+
+/** Of bodies at DSW_LEVEL_EDGES, where all of these do something. */
+Setting flag(const char* name, std::uint32_t bits) {
+  Setting made{name, "on"};
+  made.level = DSW_LEVEL_EDGES;
+  made.flags = bits;
+  made.off = "off";
+  return made;
+}
+
+Setting response(const char* name, dsw_response vertices, dsw_response edges) {
+  Setting made{"response", name};
+  made.vertex_response = vertices;
+  made.edge_response = edges;
+  made.off = "stop";
+  return made;
+}
+
+Setting search(const char* name, dsw_search value) {
+  Setting made{"contact detail", name};
+  made.search = value;
+  made.off = "exact";
+  return made;
+}
+
+constexpr std::uint32_t kAll = DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING |
+                               DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_LIVE_CHANGES;
+
+/** The one at level EDGES_SWEPT names nothing else: it is the `off` of all that are not flags, that at EDGES of flags. */
+std::vector<Setting> all_settings() {
+  return {level("points", DSW_LEVEL_POINTS),
+          level("edges", DSW_LEVEL_EDGES),
+          level("edges_swept", DSW_LEVEL_EDGES_SWEPT),
+          level("faces", DSW_LEVEL_FACES),
+          feature("statistics", DSW_FEATURE_STATISTICS),
+          feature("crossings", DSW_FEATURE_CROSSINGS),
+          feature("deforming", DSW_FEATURE_DEFORMING),
+          feature("body contacts", DSW_FEATURE_BODY_CONTACTS),
+          feature("live changes", DSW_FEATURE_LIVE_CHANGES),
+          feature("all five", kAll),
+          flag("sequences", DSW_BODY_SEQUENCES),
+          flag("skip by environment", DSW_BODY_SKIP_BY_ENVIRONMENT),
+          flag("skip by clearance", DSW_BODY_SKIP_BY_CLEARANCE),
+          flag("skip by motion", DSW_BODY_SKIP_BY_MOTION),
+          response("slide", DSW_RESPONSE_SLIDE, DSW_RESPONSE_SLIDE),
+          response("adaptive_one", DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_ONE),
+          response("adaptive_many", DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_MANY),
+          response("hybrid", DSW_RESPONSE_SLIDE, DSW_RESPONSE_HYBRID),
+          search("all", DSW_SEARCH_ALL),
+          search("bisection", DSW_SEARCH_BISECTION)};
+}
+
+/** Bodies that may get new vertices: these aim at the point between the targets of the ends of their edge. */
+class Bodies {
+ public:
+  Bodies(dsw_environment* environment, const Setting& setting, const BodyShape& shape,
+         const std::vector<double>& positions, std::uint32_t more_features = 0)
+      : flock_(environment, {setting.setting, setting.level, setting.flags}, shape, positions,
+               setting.features | more_features),
+        vertices_(shape.vertices),
+        inserted_(flock_.bodies().size()) {
+    dsw_move_options_init(&options_, sizeof options_);
+    options_.vertex_response = setting.vertex_response;
+    options_.edge_response = setting.edge_response;
+    options_.search = setting.search;
+    options_.min_length = 0.1;  // of edges half a cell long, so that there is an end to insertions
+    adaptive_ = setting.edge_response != DSW_RESPONSE_STOP && setting.edge_response != DSW_RESPONSE_SLIDE;
+  }
+
+  dsw_scene* scene() const { return flock_.scene(); }
+  std::size_t vertex_count() const {
+    std::size_t count = vertices_ * inserted_.size();
+    for (const auto& each : inserted_) {
+      count += each.size();
+    }
+    return count;
+  }
+
+  /** All bodies take one step. @return ns that the library takes. */
+  double move(const std::vector<double>& script) {
+    if (!adaptive_) {
+      return cpu_time_ns([&] { flock_.move(script.data(), &options_); });
+    }
+    targets_.clear();
+    for (std::size_t body = 0; body < inserted_.size(); ++body) {
+      const std::size_t first = targets_.size();
+      const auto* own = &script[3 * vertices_ * body];
+      targets_.insert(targets_.end(), own, own + 3 * vertices_);
+      for (const Inserted& each : inserted_[body]) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double a = targets_[first + 3 * each.ends[0] + k], b = targets_[first + 3 * each.ends[1] + k];
+          targets_.push_back(a + each.share * (b - a));
+        }
+      }
+    }
+    const double ns = cpu_time_ns([&] {
+      check(dsw_scene_move_bodies(scene(), flock_.bodies().data(), inserted_.size(), targets_.data(),
+                                  targets_.size() / 3, 0, &options_, nullptr));
+    });
+    for (std::size_t body = 0; body < inserted_.size(); ++body) {
+      const dsw_body_edit* edits = nullptr;
+      std::size_t count = 0;
+      check(dsw_body_get_edits(scene(), flock_.bodies()[body], &edits, &count));
+      for (std::size_t i = 0; i < count; ++i) {  // none is removed: noise_share is 0, so indices follow each other
+        inserted_[body].push_back({{edits[i].ends[0].index, edits[i].ends[1].index}, edits[i].share});
+      }
+    }
+    return ns;
+  }
+
+ private:
+  struct Inserted {
+    std::size_t ends[2];
+    double share;
+  };
+
+  Flock flock_;
+  std::size_t vertices_;                         // of one body, at first
+  std::vector<std::vector<Inserted>> inserted_;  // of each body, in the order of their indices
+  std::vector<double> targets_;
+  dsw_move_options options_{};
+  bool adaptive_ = false;
+};
+
+/** One scene in an environment of its own, whose memory is counted. */
+class Run {
+ public:
+  Run(const Fig11Case& scene, const Script& script, Setting what)
+      : setting_(std::move(what)), scene_(scene), script_(script), world_(scene.grid.mesh, 1, true) {
+    mark_cells(world_, scene.grid.obstacle);
+    dsw_scene_desc desc;
+    dsw_scene_desc_init(&desc, sizeof desc);
+    desc.features = setting_.features;
+    dsw_scene* empty = nullptr;
+    std::uint64_t own = 0;
+    check(dsw_scene_create(world_.environment(), &desc, &empty));
+    check(dsw_scene_get_memory_bytes(empty, &own));
+    environment_bytes_ = bytes() - static_cast<double>(own);
+    check(dsw_scene_destroy(empty));
+    start();
+  }
+
+  const Setting& setting() const { return setting_; }
+  const World& world() const { return world_; }
+
+  /** The bodies begin anew, in a scene of their own. */
+  void start(std::uint32_t more_features = 0) {
+    bodies_.reset();
+    bodies_ = std::make_unique<Bodies>(world_.environment(), setting_, scene_.shape, script_.starts, more_features);
+  }
+  void stop() { bodies_.reset(); }
+
+  void step(std::size_t index) { ns_.push_back(bodies_->move(script_.targets[index])); }
+
+  /** All that was taken from the host. */
+  double bytes() const { return static_cast<double>(world_.memory().now); }
+  double bytes_per_cell() const { return environment_bytes_ / static_cast<double>(scene_.grid.mesh.cell_count()); }
+  double bytes_per_vertex() const {
+    return (bytes() - environment_bytes_) / static_cast<double>(bodies_->vertex_count());
+  }
+  double microseconds() const { return median(ns_) / 1000; }
+
+  /** Orientation tests of a step: of a second scene, which counts them. */
+  double count_tests() {
+    start(DSW_FEATURE_STATISTICS);
+    check(dsw_scene_reset_statistics(bodies_->scene()));
+    for (const auto& targets : script_.targets) {
+      bodies_->move(targets);
+    }
+    dsw_statistics statistics{};
+    statistics.struct_size = sizeof statistics;
+    check(dsw_scene_get_statistics(bodies_->scene(), &statistics));
+    return static_cast<double>(statistics.orientation_tests) / static_cast<double>(script_.steps);
+  }
+
+ private:
+  Setting setting_;
+  const Fig11Case& scene_;
+  const Script& script_;
+  World world_;
+  double environment_bytes_ = 0;  // with what naming features adds to it
+  std::unique_ptr<Bodies> bodies_;
+  std::vector<double> ns_;  // of each step
+};
+
+/** What a scene that names nothing pays for what another scene has named before it in its environment. Deforming is left out: it
+ * says that walks stay those for warped volumes. */
+void measure_unnamed(const Fig11Case& scene, const Script& script, Report& report) {
+  Run fresh(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));
+  Run after(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));
+  after.start(kAll & ~DSW_FEATURE_DEFORMING);
+  for (std::size_t step = 0; step < script.steps; ++step) {
+    after.step(step);
+  }
+  for (Run* run : {&fresh, &after}) {
+    run->start();
+    for (std::size_t step = 0; step < script.steps; ++step) {
+      run->step(step);
+    }
+  }
+  report.set("left_out.unnamed_bytes", after.bytes() - fresh.bytes());
+  report.set("left_out.unnamed_orientation_tests", after.count_tests() - fresh.count_tests());
+}
+
+constexpr double kNothing = -1;  // an empty field
+
+struct Row {
+  std::string feature, setting;
+  double bytes_per_cell = kNothing, bytes_per_vertex = kNothing, tests = kNothing, microseconds = kNothing;
+};
+
+/** Casts alone, with the whole report and with the least. */
+void measure_casts(const World& world, const Segments& segments, std::vector<Row>& rows) {
+  std::vector<dsw_flight> flights(segments.batch);
+  std::map<std::uint32_t, std::vector<double>> ns;
+  for (std::size_t first = 0; first < segments.count(); first += segments.batch) {
+    for (const std::uint32_t flags : {0u, static_cast<std::uint32_t>(DSW_CAST_NO_DETAIL)}) {
+      dsw_cast_options options;
+      dsw_cast_options_init(&options, sizeof options);
+      options.flags = DSW_CAST_START_KNOWN | flags;
+      ns[flags].push_back(cpu_time_ns([&] {
+        check(dsw_environment_cast_segments(world.environment(), segments.batch, &segments.starts[first],
+                                            &segments.from[3 * first], &segments.to[3 * first], 0, &options,
+                                            flights.data()));
+      }));
+    }
+  }
+  for (const auto& [flags, each] : ns) {
+    Row row{"detail of casts", flags == 0 ? "on" : "off"};
+    row.microseconds = median(each) / 1000;
+    rows.push_back(row);
+  }
+}
+
+std::vector<Row> measure(const Fig11Case& scene, const Script& script, bool libccd_only, Report& report) {
+  std::vector<std::unique_ptr<Run>> runs;
+  for (const Setting& setting : all_settings()) {
+    if (!libccd_only || setting.setting == "edges_swept") {
+      runs.push_back(std::make_unique<Run>(scene, script, setting));
+    }
+  }
+  for (std::size_t step = 0; step < script.steps; ++step) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      runs[(step + i) % runs.size()]->step(step);
+    }
+  }
+  std::vector<Row> rows;
+  std::map<std::string, Row> of_level;
+  for (const auto& run : runs) {
+    const Setting& setting = run->setting();
+    Row row{setting.feature, setting.setting, run->bytes_per_cell(), run->bytes_per_vertex(), 0, run->microseconds()};
+    row.tests = run->count_tests();
+    run->stop();
+    if (setting.feature == "level") {
+      of_level[setting.setting] = row;
+    } else if (rows.back().feature != setting.feature) {
+      rows.push_back(of_level.at(setting.level == DSW_LEVEL_EDGES ? "edges" : "edges_swept"));
+      rows.back().feature = setting.feature;
+      rows.back().setting = setting.off;
+    }
+    rows.push_back(row);
+  }
+  Row nothing_named = of_level.at("edges_swept");
+  if (libccd_only) {
+    nothing_named.feature = "libccd";
+    nothing_named.setting = kLibccd;
+    return {nothing_named};
+  }
+  report.set("left_out.bytes_per_cell", nothing_named.bytes_per_cell);
+  report.set("left_out.bytes_per_vertex", nothing_named.bytes_per_vertex);
+  report.set("left_out.orientation_tests_per_step", nothing_named.tests);
+  measure_casts(runs.front()->world(), script.segments, rows);
+  return rows;
+}
+
+void write_rows(const std::vector<Row>& rows, const std::string& path) {
+  std::ofstream file(path);
+  file << "feature,setting,bytes_per_cell,bytes_per_vertex,orientation_tests_per_step,microseconds_per_step\n";
+  for (const Row& row : rows) {
+    file << row.feature << ',' << row.setting;
+    for (const double value : {row.bytes_per_cell, row.bytes_per_vertex, row.tests, row.microseconds}) {
+      char text[32] = "";
+      if (value != kNothing) {
+        std::snprintf(text, sizeof text, "%.7g", value);
+      }
+      file << ',' << text;
+    }
+    file << '\n';
+  }
+  if (!file.flush()) {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+}  // namespace
+
+}  // namespace dsw::bench
+
+int main(int argc, char** argv) {
+  using namespace dsw::bench;
+  std::string csv = "left_out.csv", json = "left_out.json";
+  std::size_t cells = 100000, steps = 100;
+  bool libccd_only = false;
+  CLI::App app("What a scene pays for what it names.");
+  app.add_option("--csv", csv, "Table to write");
+  app.add_option("--json", json, "Figures to write");
+  app.add_option("--cells", cells, "Of the lattice");
+  app.add_option("--steps", steps, "Of the bodies");
+  app.add_flag("--libccd-only", libccd_only, "Only the row that says whether libccd is built in");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    Fig11Case scene(cells);
+    const Script script = scene.record(steps, false);
+    Report report;
+    if (!libccd_only) {
+      measure_unnamed(scene, script, report);
+    }
+    write_rows(measure(scene, script, libccd_only, report), csv);
+    return report.write(json) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "left_out: %s\n", error.what());
+    return 1;
+  }
+}
