@@ -9,17 +9,19 @@ namespace dsw::oracle {
 
 /// Refuses the call number `refuse`, counted from 1; 0: none.
 struct Memory {
-  size_t calls = 0, refuse = 0, alive = 0;
+  size_t calls = 0, refuse = 0, alive = 0, bytes = 0;
 };
 
 inline void* allocate(void* user, size_t size, size_t alignment) {
   auto& memory = *static_cast<Memory*>(user);
   if (++memory.calls == memory.refuse) return nullptr;
   ++memory.alive;
+  memory.bytes += size;
   return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
-inline void release(void* user, void* block, size_t, size_t) {
+inline void release(void* user, void* block, size_t size, size_t) {
   --static_cast<Memory*>(user)->alive;
+  static_cast<Memory*>(user)->bytes -= size;
   std::free(block);
 }
 inline void one_after_the_other(void*, dsw_task_fn task, void* data, size_t count) {
