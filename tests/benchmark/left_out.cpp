@@ -235,7 +235,7 @@ class Run {
 void measure_unnamed(const Fig11Case& scene, const Script& script, Report& report) {
   Run fresh(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));
   Run after(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));
-  after.start(kAll & ~DSW_FEATURE_DEFORMING);
+  after.start(kAll ^ DSW_FEATURE_DEFORMING);
   for (std::size_t step = 0; step < script.steps; ++step) {
     after.step(step);
   }

@@ -61,5 +61,6 @@ for build in dartsweep_left_out dartsweep_left_out_core; do  # each alone, so th
   "$bench/$build" --steps "$steps" --libccd-only --csv "$tree/libccd.csv" --json "$tree/libccd.json"
   tail -n 1 "$tree/libccd.csv" >> "$folder/left_out.csv"
 done
-python3 "$here/library_size.py" "$folder" "$tree/left_out.json" "not built:$bench/libdartsweep_core.so" "built:$tree/src/libdartsweep.so"
+python3 "$here/library_size.py" "$folder" "$tree/left_out.json" \
+  "not built:$bench/libdartsweep_core.so" "built:$tree/src/libdartsweep.so"
 echo "wrote $folder/left_out.csv, library_size.csv and left_out.json"

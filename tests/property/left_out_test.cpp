@@ -21,7 +21,7 @@ class LeftOutTest : public MemoryTest {
     scene_ = make_scene(place_.get(), features);
     for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
       for (double y : {0.125, 1.125}) {
-        const BodyPlan plan = tetrahedron({0.25 * level, y, 1.25}, 0.1875);
+        const BodyPlan plan = tetrahedron({0.25 * static_cast<int>(level), y, 1.25}, 0.1875);
         const dsw_body_id body = make(plan, level);
         std::vector<Vec> targets = plan.at;
         for (int step = 0; step < 4; ++step) {
