@@ -1,0 +1,35 @@
+// The curves of this program, by what is measured together. Each writes its tables to `options.out`.
+#ifndef DARTSWEEP_TESTS_BENCHMARK_ERROR_CURVES_H
+#define DARTSWEEP_TESTS_BENCHMARK_ERROR_CURVES_H
+
+#include "curve.h"
+
+#include <cstdint>
+
+namespace dsw::curves {
+
+struct Options {
+  bool quick = false;
+  double scale = 1;  // on all counts; tests make it small
+  std::string out;   // a folder that exists
+  std::uint64_t seed = 1;
+
+  /** A count for this run, at least 20. */
+  std::size_t count(std::size_t quick_count, std::size_t full_count) const {
+    const double wanted = scale * static_cast<double>(quick ? quick_count : full_count);
+    return wanted < 20 ? 20 : static_cast<std::size_t>(wanted);
+  }
+  int rounds() const { return quick ? 3 : 7; }
+};
+
+/** vertex_time, edge_time, edge_place: bisection against the exact time. */
+void time_curves(const Options& options);
+/** missed_vessel, missed_faces, missed_spikes: levels against the length of edges. */
+void level_curves(const Options& options);
+/** ccd_vertex_face, ccd_edge_edge, degenerate_vertex_face, degenerate_edge_edge: single pairs, beside peers. Leaves the pairs in
+ * pairs_<curve>.csv. */
+void pair_curves(const Options& options);
+
+}  // namespace dsw::curves
+
+#endif
