@@ -29,6 +29,10 @@ void level_curves(const Options& options);
 /** ccd_vertex_face, ccd_edge_edge, degenerate_vertex_face, degenerate_edge_edge: single pairs, beside peers. Leaves the pairs in
  * pairs_<curve>.csv. */
 void pair_curves(const Options& options);
+/** cast_time, cast_through: casts through a scene, beside peers. */
+void cast_curves(const Options& options);
+/** sampling_vessel, sampling_faces: vertices of a catheter. */
+void body_curves(const Options& options);
 
 }  // namespace dsw::curves
 

@@ -11,8 +11,6 @@ mpq_class time_of(const oracle::MoveTruth& truth) {
   return time;
 }
 
-double difference(double a, const mpq_class& b) { return mpq_class(abs(mpq_class(a) - b)).get_d(); }
-
 double distance_at(const Vec& from, const Vec& to, const mpq_class& time, const double* point) {
   mpq_class square = 0;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -18,8 +18,6 @@ struct Move {
 
 /** Exact time of the first event; only where there is one. */
 mpq_class time_of(const oracle::MoveTruth& truth);
-/** |a - b|, rounded. */
-double difference(double a, const mpq_class& b);
 /** Where the vertex is at that time, and how far a point is from it. */
 double distance_at(const Vec& from, const Vec& to, const mpq_class& time, const double* point);
 

@@ -54,6 +54,8 @@ void check(dsw_status status) {
   }
 }
 
+double difference(double a, const mpq_class& b) { return mpq_class(abs(mpq_class(a) - b)).get_d(); }
+
 Place::Place(Kind kind, int side, std::uint64_t seed) : side_(side) {
   Rng rng(seed);
   const oracle::Mesh mesh = lattice(side, rng);
@@ -154,11 +156,14 @@ Vec Place::point_at_wall(Rng& rng, double distance) {
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t k = 0; k < 3; ++k) p[k] += weights[i] / sum * walls_->point(wall[i])[k];
     }
-    if (!holds(p)) continue;
-    dsw_volume_id volume;
-    check(dsw_environment_locate(environment_.get(), p.data(), {0, 0}, &volume, nullptr));
-    if (volume.generation != 0 && is_open_[volume.index] != 0) return p;
+    if (holds(p) && is_open(p)) return p;
   }
+}
+
+bool Place::is_open(const Vec& p) const {
+  dsw_volume_id volume;
+  check(dsw_environment_locate(environment_.get(), p.data(), {0, 0}, &volume, nullptr));
+  return volume.generation != 0 && is_open_[volume.index] != 0;
 }
 
 Vec Place::direction(Rng& rng, double length) {

@@ -27,6 +27,9 @@ struct ContextDelete {
 /** Throws with the library's message unless the status is DSW_STATUS_OK. */
 void check(dsw_status status);
 
+/** |a - b|, rounded. */
+double difference(double a, const mpq_class& b);
+
 class Place {
  public:
   /** Cubes of unit edge, `side` along each axis, six tetrahedra in each: one cell is 1 long. */
@@ -52,6 +55,8 @@ class Place {
   static Vec direction(Rng& rng, double length);
   /** Whether no edge of it meets anything; exact. */
   bool is_free(const std::vector<Vec>& polyline);
+  /** In a cell in which something can move. */
+  bool is_open(const Vec& p) const;
   /** Inside of the whole, with this margin. */
   bool holds(const Vec& p, double margin = 0.5) const;
 
