@@ -99,6 +99,18 @@ const Positions kShort = {{1.5, 1.5, 1.5}, {2, 1.75, 1.75}};
 
 }  // namespace
 
+std::string what_happened(const Extreme& extreme) {
+  const Outcome& o = extreme.outcome;
+  const std::string then = extreme.goes_on ? "; the scene goes on" : "; the scene does not go on";
+  if (!o.message.empty()) {
+    return "refused: " + o.message + then;
+  }
+  return (o.refused > 0    ? "velocities that are no numbers became 0"
+          : o.contacts > 0 ? "stopped by walls"
+                           : "moved freely") +
+         then;
+}
+
 std::vector<Extreme> run_extremes(int many) {
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<Case> cases;

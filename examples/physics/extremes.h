@@ -15,6 +15,9 @@ struct Extreme {
   bool goes_on = false;  // five ordinary steps after it, the body moves
 };
 
+// In words: what the library said or did.
+std::string what_happened(const Extreme& extreme);
+
 // `many`: number of steps of the longest run, and of cells that the longest step crosses; a million for the report.
 // O(many).
 std::vector<Extreme> run_extremes(int many);

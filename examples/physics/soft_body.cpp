@@ -107,7 +107,9 @@ StepReport SoftBody::step(double dt) {
   const auto start = std::chrono::steady_clock::now();
   report.status = dsw_body_move(scene_, id_, next.position.front().data(), next.size(), 0, &move, &report.move);
   report.library_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.was_finite = is_finite(next);
   if (report.status == DSW_STATUS_NON_FINITE) {
+    report.message = dsw_last_error_message();
     report.move = dsw_move_report{};
     touches_.clear();
     known_.clear();
@@ -116,7 +118,7 @@ StepReport SoftBody::step(double dt) {
   }
   check(report.status, "moving a body");
   points.velocity = next.velocity;
-  if (!is_finite(next)) {  // the positions were numbers, their quotients are not
+  if (!report.was_finite) {  // the positions were numbers, their quotients are not
     points.rest();
   }
   follow_edits(&report);

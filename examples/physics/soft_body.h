@@ -3,6 +3,7 @@
 #define DARTSWEEP_PHYSICS_SOFT_BODY_H
 
 #include <optional>
+#include <string>
 
 #include "contact_response.h"
 #include "integrators.h"
@@ -33,6 +34,8 @@ struct SoftBodyOptions {
 struct StepReport {
   dsw_move_report move;
   dsw_status status = DSW_STATUS_OK;  // of the move; NON_FINITE: see SoftBody::step
+  bool was_finite = true;             // false: positions or velocities that physics wanted were no numbers
+  std::string message;                // of the library, where it refused them
   std::size_t inserted = 0, removed = 0;
   double library_seconds = 0;  // of the move, on the wall clock
 };
@@ -47,7 +50,8 @@ class SoftBody {
 
   // One time step: integrate, move as far as the library finds free, follow its edits, answer its contacts.
   // Targets that are no numbers are refused by the library (DSW_STATUS_NON_FINITE): the body stays where it was, at rest, and the
-  // scene goes on from there. Throws LibraryError for whatever else a call answers.
+  // scene goes on from there. Velocities that are no numbers although the targets are become 0. Throws LibraryError for whatever else a
+  // call answers.
   StepReport step(double dt);
   // Living vertices.
   std::size_t count() const;

@@ -2,7 +2,6 @@
 #ifndef DARTSWEEP_PHYSICS_STABILITY_H
 #define DARTSWEEP_PHYSICS_STABILITY_H
 
-#include "integrators.h"
 #include "outcome.h"
 
 namespace physics {
@@ -18,9 +17,13 @@ struct StabilityRow {
   double largest_stretch;  // largest | length / rest - 1 |
   double momentum_change;  // at the end, relative to the sum of all |mass * velocity| at the start
   Outcome free;
-  // The same rod falls on posts, with gravity, friction and new vertices at the contacts:
-  double contact_stretch;
-  Outcome contact;
+  Outcome posts;           // the same rod falls on posts, with gravity, friction and new vertices at the contacts
+  Outcome pressed;         // a hand presses its end against a wall, half a link deep, and drags it along
+  double pressed_stretch;  // of what was pressed; new vertices, whose links may be short, included
+  Outcome surface;         // a closed surface of such springs, at level FACES, is thrown at the posts
+  Outcome walls;           // the pressed rod again; the wall gives way, by springs as stiff as those of the rod
+
+  Outcome all() const;
 };
 
 // Everything is verified after every step. O(steps).

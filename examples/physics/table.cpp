@@ -4,9 +4,31 @@
 #include <cstdio>
 
 namespace physics {
+namespace {
+
+// A value of JSON as CSV has it: text without its quotes, unless it has a comma or quotes in it.
+std::string csv_of(const std::string& json) {
+  if (json.front() != '"') {
+    return json == "null" ? "" : json;
+  }
+  std::string text;
+  bool special = false;
+  for (std::size_t i = 1; i + 1 < json.size(); ++i) {
+    i += json[i] == '\\' ? 1 : 0;
+    special = special || json[i] == ',' || json[i] == '"';
+    text += json[i] == '"' ? std::string("\"\"") : std::string(1, json[i]);
+  }
+  return special ? '"' + text + '"' : text;
+}
+
+}  // namespace
 
 Row& Row::add(const std::string& name, const std::string& text) {
-  values_.emplace_back(name, '"' + text + '"');
+  std::string escaped;
+  for (const char c : text) {
+    escaped += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  }
+  values_.emplace_back(name, '"' + escaped + '"');
   return *this;
 }
 
@@ -31,9 +53,7 @@ void Row::write_json(std::ostream& out) const {
 void Row::write_csv(std::ostream& out, bool heading) const {
   const char* before = "";
   for (const auto& value : values_) {
-    const std::string& text = value.second;
-    const bool quoted = text.front() == '"';
-    out << before << (heading ? value.first : quoted ? text.substr(1, text.size() - 2) : text == "null" ? "" : text);
+    out << before << (heading ? value.first : csv_of(value.second));
     before = ",";
   }
   out << '\n';

@@ -11,7 +11,7 @@ namespace physics {
 
 class Row {
  public:
-  // Names and text are written as they are: plain words, no quotes, no commas.
+  // Names are plain words. Text may have commas and quotes in it.
   Row& add(const std::string& name, const std::string& text);
   Row& add(const std::string& name, const char* text) { return add(name, std::string(text)); }
   // Six digits; what is no number becomes null in JSON, and nothing in CSV.

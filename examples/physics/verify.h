@@ -8,14 +8,16 @@ namespace physics {
 
 struct Verdict {
   std::size_t edges = 0, vertices = 0;  // looked at
-  std::size_t not_free = 0;             // edges that meet something impassable
+  std::size_t nonfinite = 0;            // vertices whose position is no number
+  std::size_t not_free = 0;             // edges that meet something impassable; one more for a surface that does
   std::size_t lost = 0;  // vertices that are not in the volume that the body reports, or not in a passable one
-  bool good() const { return not_free == 0 && lost == 0; }
+  bool good() const { return nonfinite == 0 && not_free == 0 && lost == 0; }
 };
 
-// Casts every edge through the environment alone, and finds every vertex again without a hint. Throws LibraryError.
+// Casts every edge through the environment alone, and finds every vertex again, without a hint unless walls have folded cells over others. A surface is created once more where it is,
+// which fails unless it is free at its level. Throws LibraryError.
 // O(edges + vertices), given an environment with a grid.
-Verdict verify(const dsw_scene* scene, dsw_body_id body);
+Verdict verify(dsw_scene* scene, dsw_body_id body);
 
 }  // namespace physics
 

@@ -49,7 +49,7 @@ std::size_t World::step(double dt) {
   std::size_t refused = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     reports_[i] = bodies_[i]->step(dt);
-    refused += reports_[i].status == DSW_STATUS_OK ? 0 : 1;
+    refused += reports_[i].was_finite ? 0 : 1;
   }
   if (!walls_) {
     return refused;

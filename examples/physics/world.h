@@ -18,10 +18,11 @@ class World {
   // Needs DSW_FEATURE_DEFORMING. The environment reads points from the walls until it is destroyed: take them back with `release_walls`
   // if it lives longer than the world.
   Walls* add_walls(const WallOptions& options);
+  Walls* walls() const { return walls_.get(); }
   std::unique_ptr<Walls> release_walls() { return std::move(walls_); }
 
   // Bodies move in the order in which they were added, then the walls, which answer what bodies did to them and push them.
-  // Returns how many were refused because their physics handed over something that is no number.
+  // Returns how many were put to rest because their physics handed over something that is no number.
   std::size_t step(double dt);
 
   dsw_scene* scene() const { return scene_.get(); }

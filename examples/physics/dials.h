@@ -1,0 +1,26 @@
+// The dials of physics, each as a curve of error against run time (see curve.h).
+#ifndef DARTSWEEP_PHYSICS_DIALS_H
+#define DARTSWEEP_PHYSICS_DIALS_H
+
+#include <string>
+
+namespace physics {
+
+// A rope that swings, without anything to meet, by each integrator and at time steps from 1e-5 to 0.1 s: how far its points come to lie from
+// those of a reference solution. Curve `integrator`. False where a file can't be written, here and below.
+bool measure_integrators(const std::string& folder, bool quick);
+
+// The sweeps of XPBD, and the Newton steps of implicit Euler, at three stiffnesses: how far they stay from the end of the step that both are
+// looking for. Curve `solver_steps`.
+bool measure_solvers(const std::string& folder, bool quick);
+
+// The share of the way to its goals that a matched shape makes in a step: how far it sags. Curve `shape_matching`.
+bool measure_shape_matching(const std::string& folder, bool quick);
+
+// A rod that turns against a post, its vertices moved one at a time, at time steps from 1e-5 to 0.1 s: contact times and the shape reached,
+// against those of all vertices moving at once. Curve `time_step`. Throws LibraryError.
+bool measure_time_step(const std::string& folder, bool quick);
+
+}  // namespace physics
+
+#endif
