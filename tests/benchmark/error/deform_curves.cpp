@@ -1,0 +1,208 @@
+// Particles at rest while all of a lattice goes by, one cell in ten of it impassable. Seen from the lattice each particle flies straight on, so
+// exact rationals tell which of them walls meet. The way is 10 cell radii long and is made in 1 to 1000 deformations.
+#include "deform_curves.h"
+
+#include "../timing.h"
+#include "check.h"
+#include "rng.h"
+
+#include <stdexcept>
+
+namespace dsw::curves {
+namespace {
+
+using oracle::Vec;
+
+constexpr double kRadius = 0.5;  // of a ball in a cell
+constexpr double kRadii = 10;    // length of the way
+constexpr Vec kWay = {0.9 * kRadii * kRadius, 0.35 * kRadii* kRadius, 0.25 * kRadii* kRadius};
+
+struct Particle {
+  Vec at;
+  bool met;  // exactly: a wall goes over it
+};
+
+struct Lattice {
+  int size[3] = {18, 9, 8};
+  oracle::Mesh mesh;
+  std::vector<uint32_t> marked;
+  std::vector<Particle> particles;
+
+  Lattice(std::size_t count, oracle::Rng& rng) {
+    build(rng);
+    oracle::EnvironmentPtr environment = make();
+    oracle::World world(mesh, environment.get());
+    for (const uint32_t cell : marked) world.cell_marked[cell] = 1;
+    while (particles.size() < count) {
+      Particle p;
+      Vec to;
+      for (std::size_t k = 0; k < 3; ++k) {
+        p.at[k] = rng.range(kWay[k] + 0.5, size[k] - 0.5);
+        to[k] = p.at[k] - kWay[k];
+      }
+      const oracle::Walk walk = world.cast(world.body(p.at.data()), world.body(to.data()));
+      if (walk.outcome == oracle::Walk::kImpassable) continue;
+      if (walk.outcome != oracle::Walk::kReached && walk.outcome != oracle::Walk::kContact) {
+        throw std::runtime_error("the oracle does not find its way: " + walk.fault);
+      }
+      p.met = walk.outcome == oracle::Walk::kContact;
+      particles.push_back(p);
+    }
+  }
+
+  oracle::EnvironmentPtr make() const {
+    oracle::EnvironmentPtr environment = oracle::create_environment(mesh, {}, DSW_ENVIRONMENT_LOCATE_GRID);
+    for (const uint32_t cell : marked) {
+      dsw_volume_id id;
+      if (environment == nullptr || dsw_environment_get_volume(environment.get(), cell, &id) != DSW_STATUS_OK ||
+          dsw_environment_mark_volumes(environment.get(), &id, 1, DSW_MARK_IMPASSABLE, 0, nullptr) != DSW_STATUS_OK) {
+        throw std::runtime_error("no environment");
+      }
+    }
+    return environment;
+  }
+
+ private:
+  /// Vertices are shifted by up to a tenth of a cell: no face is flat.
+  void build(oracle::Rng& rng) {
+    for (int z = 0; z <= size[2]; ++z) {
+      for (int y = 0; y <= size[1]; ++y) {
+        for (int x = 0; x <= size[0]; ++x) {
+          mesh.points.push_back({x + rng.range(-0.1, 0.1), y + rng.range(-0.1, 0.1), z + rng.range(-0.1, 0.1)});
+        }
+      }
+    }
+    const auto point = [this](int x, int y, int z) { return x + (size[0] + 1) * (y + (size[1] + 1) * z); };
+    for (int z = 0; z < size[2]; ++z) {
+      for (int y = 0; y < size[1]; ++y) {
+        for (int x = 0; x < size[0]; ++x) {
+          mesh.add_standard(DSW_CELL_TYPE_HEXAHEDRON, {point(x, y, z), point(x + 1, y, z), point(x + 1, y + 1, z),
+                                                       point(x, y + 1, z), point(x, y, z + 1), point(x + 1, y, z + 1),
+                                                       point(x + 1, y + 1, z + 1), point(x, y + 1, z + 1)});
+          if (rng.chance(0.1)) marked.push_back(static_cast<uint32_t>(mesh.cells.size() - 1));
+        }
+      }
+    }
+  }
+};
+
+struct Bent {
+  double seconds = 0;                 // of the processor, all deformations
+  std::size_t met = 0, passed = 0;    // walls went over them in truth; and they were not touched
+  std::size_t unmet = 0, pushed = 0;  // no wall did; and they were pushed
+  double way = 1;                     // made by the points of the lattice, in the mean
+  std::size_t lost = 0;               // not where they say, by another search
+};
+
+Bent bend(const Lattice& lattice, dsw_deform_method method, int steps) {
+  std::vector<double> arrays[2];  // lent: they go after the environment
+  const oracle::EnvironmentPtr environment = lattice.make();
+  dsw_scene_desc desc;
+  dsw_scene_desc_init(&desc, sizeof desc);
+  desc.features = DSW_FEATURE_DEFORMING;
+  dsw_scene* made = nullptr;
+  if (dsw_scene_create(environment.get(), &desc, &made) != DSW_STATUS_OK) throw std::runtime_error("no scene");
+  const oracle::ScenePtr scene(made);
+  std::vector<dsw_particle_id> ids;
+  for (const Particle& p : lattice.particles) {
+    ids.emplace_back();
+    if (dsw_particle_create(made, p.at.data(), {0, 0}, &ids.back()) != DSW_STATUS_OK)
+      throw std::runtime_error("no particle");
+  }
+  dsw_deform_options options;
+  dsw_deform_options_init(&options, sizeof options);
+  options.method = method;
+  const std::size_t points = lattice.mesh.points.size();
+  Bent bent;
+  for (int step = 1; step <= steps; ++step) {
+    std::vector<double>& next = arrays[step % 2];
+    next.clear();
+    for (const Vec& p : lattice.mesh.points) {
+      for (std::size_t k = 0; k < 3; ++k) next.push_back(p[k] + kWay[k] * step / steps);
+    }
+    dsw_status status = DSW_STATUS_OK;
+    bent.seconds +=
+        1e-9 * bench::cpu_time_ns([&] { status = dsw_scene_deform(made, next.data(), points, &options, nullptr); });
+    if (status != DSW_STATUS_OK) throw std::runtime_error(dsw_last_error_message());
+  }
+  const std::vector<double>& reached = arrays[steps % 2];
+  double made_way = 0;
+  for (std::size_t v = 0; v < points; ++v) {
+    for (std::size_t k = 0; k < 3; ++k) made_way += (reached[3 * v + k] - lattice.mesh.points[v][k]) / kWay[k] / 3;
+  }
+  bent.way = made_way / static_cast<double>(points);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Particle& p = lattice.particles[i];
+    Vec at;
+    dsw_volume_id volume, found;
+    dsw_place place = DSW_PLACE_NONE;
+    if (dsw_particle_get(made, ids[i], at.data(), &volume) != DSW_STATUS_OK ||
+        dsw_environment_locate(environment.get(), at.data(), {0, 0}, &found, &place) != DSW_STATUS_OK) {
+      throw std::runtime_error("no particle");
+    }
+    bent.lost += place == DSW_PLACE_PASSABLE && found.index == volume.index ? 0 : 1;
+    ++(p.met ? bent.met : bent.unmet);
+    bent.passed += p.met && at == p.at ? 1 : 0;
+    bent.pushed += !p.met && at != p.at ? 1 : 0;
+  }
+  return bent;
+}
+
+double share(std::size_t part, std::size_t all) { return static_cast<double>(part) / static_cast<double>(all); }
+
+/// The first setting of a method, from the longest steps on, from which on nothing is wrong; null if there is none.
+const Point* first_right(const Curve& curve, const std::string& method) {
+  const Point* first = nullptr;
+  for (const Point& p : curve.points) {
+    if (p.method != method) continue;
+    first = p.error > 0 ? nullptr : first != nullptr ? first : &p;
+  }
+  return first;
+}
+
+}  // namespace
+
+void deform_curves(const Options& options) {
+  oracle::Rng rng(options.seed);
+  const Lattice lattice(options.count(300, 2000), rng);
+  const std::vector<int> steps = options.quick ? std::vector<int>{1, 4, 10, 20, 100, 1000}
+                                               : std::vector<int>{1, 2, 3, 5, 7, 10, 15, 20, 30, 50, 100, 300, 1000};
+  Curve passed{
+      "deform_passed", "particle", "share of particles that a wall went over without touching them", "", {}, ""};
+  Curve pushed{"deform_pushed", "particle", "share of particles pushed that no wall met", "", {}, ""};
+  for (const dsw_deform_method method : {DSW_DEFORM_END_STATE, DSW_DEFORM_SWEPT}) {
+    for (const int n : steps) {
+      const Bent bent = bend(lattice, method, n);
+      Point point;
+      point.method = method == DSW_DEFORM_SWEPT ? "swept" : "end state";
+      point.setting = text("%.4g", kRadii / n);
+      point.unit = "radii";
+      point.seconds = bent.seconds / static_cast<double>(lattice.particles.size());
+      point.note = text("%d deformations; the lattice made %.4g of its way; %zu lost", n, bent.way, bent.lost);
+      point.error = share(bent.passed, bent.met);
+      point.count = bent.met;
+      passed.points.push_back(point);
+      point.error = share(bent.pushed, bent.unmet);
+      point.count = bent.unmet;
+      pushed.points.push_back(point);
+    }
+  }
+  const Point *end_state = first_right(passed, "end state"), *swept = first_right(passed, "swept");
+  passed.advice = "Take swept where walls move more than a cell radius a step";
+  if (swept != nullptr)
+    passed.advice += text(": it lets nothing pass from %s radii a step on, at %.2g us", swept->setting.c_str(),
+                          1e6 * swept->seconds);
+  passed.advice += end_state == nullptr
+                       ? std::string("; end state let something pass at every step tried.")
+                       : text("; end state lets nothing pass from %s radii a step down, at %.2g us for the whole way.",
+                              end_state->setting.c_str(), 1e6 * end_state->seconds);
+  pushed.advice = text(
+      "Neither method pushes for nothing where steps are short; in one step of %g radii end state pushes %.2g of the "
+      "particles that nothing "
+      "met, swept %.2g.",
+      kRadii, pushed.points.front().error, pushed.points[steps.size()].error);
+  passed.write(options.out);
+  pushed.write(options.out);
+}
+
+}  // namespace dsw::curves
