@@ -7,7 +7,7 @@
 namespace physics {
 
 // A rope that swings, without anything to meet, by each integrator and at time steps from 1e-5 to 0.1 s: how far its points come to lie from
-// those of a reference solution. Curve `integrator`. False where a file can't be written, here and below.
+// those of a reference solution. Curve `integrator`, and swing.json, the rope for mujoco_peer.py. False where a file can't be written, here and below.
 bool measure_integrators(const std::string& folder, bool quick);
 
 // The sweeps of XPBD, and the Newton steps of implicit Euler, at three stiffnesses: how far they stay from the end of the step that both are

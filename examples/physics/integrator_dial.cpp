@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "curve.h"
 #include "dials.h"
@@ -19,6 +20,38 @@ double fastest(const Swing& swing, const IntegratorOptions& options, double dt, 
     best = std::min(best, run(swing, options, dt, kSeconds, trace));
   }
   return best;
+}
+
+void write_points(const Positions& points, std::ostream& out) {
+  const char* before = "[";
+  for (const Vector3& p : points) {
+    out << before << '[' << p.x() << ", " << p.y() << ", " << p.z() << ']';
+    before = ", ";
+  }
+  out << ']';
+}
+
+// The rope and the truth about it, for peers.
+bool write_swing(const std::string& file, const Swing& swing, const std::vector<double>& steps,
+                 const std::vector<Positions>& truth) {
+  std::ofstream out(file);
+  out.precision(17);
+  out << "{\"mass\": " << Swing::kMass << ", \"gravity\": " << Swing::kGravity << ", \"rest\": " << Swing::kLink
+      << ", \"stiffness\": " << kStiffness << ", \"seconds\": " << kSeconds << ", \"samples\": " << truth.size()
+      << ",\n \"points\": ";
+  write_points(swing.points.position, out);
+  out << ",\n \"time_steps\": [";
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    out << (i == 0 ? "" : ", ") << steps[i];
+  }
+  out << "],\n \"truth\": [";
+  for (std::size_t t = 0; t < truth.size(); ++t) {
+    out << (t == 0 ? "" : ",\n  ");
+    write_points(truth[t], out);
+  }
+  out << "]}\n";
+  out.close();
+  return static_cast<bool>(out);
 }
 
 }  // namespace
@@ -51,7 +84,7 @@ bool measure_integrators(const std::string& folder, bool quick) {
   const double limit = 2 / std::sqrt(4 * kStiffness / Swing::kMass);
   advice += ". All three are of first order; symplectic Euler, the cheapest, explodes beyond dt = " + in_words(limit) +
             " s here, the others never do.";
-  return write_curve(folder, "integrator", {panel}, advice);
+  return write_curve(folder, "integrator", {panel}, advice) && write_swing(folder + "/swing.json", swing, steps, truth);
 }
 
 bool measure_solvers(const std::string& folder, bool quick) {

@@ -1,11 +1,14 @@
 // Particles at rest while all of a lattice goes by, one cell in ten of it impassable. Seen from the lattice each particle flies straight on, so
-// exact rationals tell which of them walls meet. The way is 10 cell radii long and is made in 1 to 1000 deformations.
+// exact rationals tell which of them walls meet. The way is 10 cell radii long and is made in 1 to 1000 deformations. Then the same with edges in
+// place of particles.
 #include "deform_curves.h"
 
 #include "../timing.h"
+#include "body_state.h"
 #include "check.h"
 #include "rng.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace dsw::curves {
@@ -88,56 +91,88 @@ struct Lattice {
 
 struct Bent {
   double seconds = 0;                 // of the processor, all deformations
-  std::size_t met = 0, passed = 0;    // walls went over them in truth; and they were not touched
-  std::size_t unmet = 0, pushed = 0;  // no wall did; and they were pushed
   double way = 1;                     // made by the points of the lattice, in the mean
+  std::size_t met = 0, passed = 0;    // particles that walls went over in truth; and were not touched
+  std::size_t unmet = 0, pushed = 0;  // that no wall met; and were pushed
   std::size_t lost = 0;               // not where they say, by another search
+  std::size_t not_free = 0;           // edges that meet something impassable, exactly
 };
 
-Bent bend(const Lattice& lattice, dsw_deform_method method, int steps) {
-  std::vector<double> arrays[2];  // lent: they go after the environment
-  const oracle::EnvironmentPtr environment = lattice.make();
-  dsw_scene_desc desc;
-  dsw_scene_desc_init(&desc, sizeof desc);
-  desc.features = DSW_FEATURE_DEFORMING;
-  dsw_scene* made = nullptr;
-  if (dsw_scene_create(environment.get(), &desc, &made) != DSW_STATUS_OK) throw std::runtime_error("no scene");
-  const oracle::ScenePtr scene(made);
+/// A lattice that goes by a scene. What the scene holds is put into it before.
+class Bending {
+ public:
+  explicit Bending(const Lattice& lattice) : lattice_(lattice), environment_(lattice.make()) {
+    dsw_scene_desc desc;
+    dsw_scene_desc_init(&desc, sizeof desc);
+    desc.features = DSW_FEATURE_DEFORMING;
+    dsw_scene* made = nullptr;
+    if (dsw_scene_create(environment(), &desc, &made) != DSW_STATUS_OK) throw std::runtime_error("no scene");
+    scene_.reset(made);
+  }
+
+  Bent run(dsw_deform_method method, int steps) {
+    dsw_deform_options options;
+    dsw_deform_options_init(&options, sizeof options);
+    options.method = method;
+    const std::vector<Vec>& points = lattice_.mesh.points;
+    Bent bent;
+    for (int step = 1; step <= steps; ++step) {
+      std::vector<double>& next = arrays_[step % 2];
+      next.clear();
+      for (const Vec& p : points) {
+        for (std::size_t k = 0; k < 3; ++k) next.push_back(p[k] + (step == steps ? kWay[k] : kWay[k] * step / steps));
+      }
+      dsw_status status = DSW_STATUS_OK;
+      bent.seconds += 1e-9 * bench::cpu_time_ns([&] {
+                        status = dsw_scene_deform(scene(), next.data(), points.size(), &options, nullptr);
+                      });
+      if (status != DSW_STATUS_OK) throw std::runtime_error(dsw_last_error_message());
+    }
+    // `way` is 1 only where every point is exactly where it should be.
+    bool all = true;
+    double made = 0;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      const double* at = &arrays_[steps % 2][3 * v];
+      reached_.mesh.points[v] = {at[0], at[1], at[2]};
+      for (std::size_t k = 0; k < 3; ++k) {
+        all = all && at[k] == points[v][k] + kWay[k];
+        made += (at[k] - points[v][k]) / kWay[k] / 3;
+      }
+    }
+    bent.way = all ? 1 : made / static_cast<double>(points.size());
+    return bent;
+  }
+
+  dsw_scene* scene() { return scene_.get(); }
+  dsw_environment* environment() { return environment_.get(); }
+  /// The lattice as it is after a run.
+  const Lattice& reached() const { return reached_; }
+
+ private:
+  const Lattice& lattice_;
+  Lattice reached_ = lattice_;
+  std::vector<double> arrays_[2];  // lent: they go after the environment
+  oracle::EnvironmentPtr environment_;
+  oracle::ScenePtr scene_;
+};
+
+Bent bend_particles(const Lattice& lattice, dsw_deform_method method, int steps) {
+  Bending bending(lattice);
   std::vector<dsw_particle_id> ids;
   for (const Particle& p : lattice.particles) {
     ids.emplace_back();
-    if (dsw_particle_create(made, p.at.data(), {0, 0}, &ids.back()) != DSW_STATUS_OK)
+    if (dsw_particle_create(bending.scene(), p.at.data(), {0, 0}, &ids.back()) != DSW_STATUS_OK) {
       throw std::runtime_error("no particle");
-  }
-  dsw_deform_options options;
-  dsw_deform_options_init(&options, sizeof options);
-  options.method = method;
-  const std::size_t points = lattice.mesh.points.size();
-  Bent bent;
-  for (int step = 1; step <= steps; ++step) {
-    std::vector<double>& next = arrays[step % 2];
-    next.clear();
-    for (const Vec& p : lattice.mesh.points) {
-      for (std::size_t k = 0; k < 3; ++k) next.push_back(p[k] + kWay[k] * step / steps);
     }
-    dsw_status status = DSW_STATUS_OK;
-    bent.seconds +=
-        1e-9 * bench::cpu_time_ns([&] { status = dsw_scene_deform(made, next.data(), points, &options, nullptr); });
-    if (status != DSW_STATUS_OK) throw std::runtime_error(dsw_last_error_message());
   }
-  const std::vector<double>& reached = arrays[steps % 2];
-  double made_way = 0;
-  for (std::size_t v = 0; v < points; ++v) {
-    for (std::size_t k = 0; k < 3; ++k) made_way += (reached[3 * v + k] - lattice.mesh.points[v][k]) / kWay[k] / 3;
-  }
-  bent.way = made_way / static_cast<double>(points);
+  Bent bent = bending.run(method, steps);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const Particle& p = lattice.particles[i];
     Vec at;
     dsw_volume_id volume, found;
     dsw_place place = DSW_PLACE_NONE;
-    if (dsw_particle_get(made, ids[i], at.data(), &volume) != DSW_STATUS_OK ||
-        dsw_environment_locate(environment.get(), at.data(), {0, 0}, &found, &place) != DSW_STATUS_OK) {
+    if (dsw_particle_get(bending.scene(), ids[i], at.data(), &volume) != DSW_STATUS_OK ||
+        dsw_environment_locate(bending.environment(), at.data(), {0, 0}, &found, &place) != DSW_STATUS_OK) {
       throw std::runtime_error("no particle");
     }
     bent.lost += place == DSW_PLACE_PASSABLE && found.index == volume.index ? 0 : 1;
@@ -145,6 +180,37 @@ Bent bend(const Lattice& lattice, dsw_deform_method method, int steps) {
     bent.passed += p.met && at == p.at ? 1 : 0;
     bent.pushed += !p.met && at != p.at ? 1 : 0;
   }
+  return bent;
+}
+
+/// Edges from every tenth particle, 0.8 cells long, where there is room.
+Bent bend_edges(const Lattice& lattice, uint64_t seed, dsw_deform_method method, int steps, std::size_t* count) {
+  Bending bending(lattice);
+  oracle::Rng rng(seed);
+  std::vector<dsw_body_id> bodies;
+  for (std::size_t i = 0; i < lattice.particles.size(); i += 10) {
+    oracle::BodyPlan plan;
+    const Vec& p = lattice.particles[i].at;
+    const double x = rng.range(-1, 1), y = rng.range(-1, 1), z = rng.range(-1, 1),
+                 part = 0.8 / std::sqrt(x * x + y * y + z * z);
+    plan.at = {p, {p[0] + part * x, p[1] + part * y, p[2] + part * z}};
+    plan.edges = {{0, 1}};
+    dsw_body_id body;
+    if (oracle::create_body(bending.scene(), plan, DSW_LEVEL_EDGES_SWEPT, 0, {}, &body) == DSW_STATUS_OK)
+      bodies.push_back(body);
+  }
+  Bent bent = bending.run(method, steps);
+  const Lattice& reached = bending.reached();
+  oracle::World world(reached.mesh, bending.environment());
+  for (const uint32_t cell : reached.marked) world.cell_marked[cell] = 1;
+  oracle::SweepWorld exact(world, {});
+  for (const dsw_body_id body : bodies) {
+    oracle::BodyState state;
+    const std::string fault = oracle::read_body(bending.scene(), body, state);
+    if (!fault.empty()) throw std::runtime_error(fault);
+    for (const auto& edge : state.edges) bent.not_free += exact.blocked(state.at[edge[0]], state.at[edge[1]]) ? 1 : 0;
+  }
+  *count = bodies.size();
   return bent;
 }
 
@@ -170,9 +236,10 @@ void deform_curves(const Options& options) {
   Curve passed{
       "deform_passed", "particle", "share of particles that a wall went over without touching them", "", {}, ""};
   Curve pushed{"deform_pushed", "particle", "share of particles pushed that no wall met", "", {}, ""};
+  Curve way{"deform_way", "edge", "share of its way that the lattice did not make", "", {}, ""};
   for (const dsw_deform_method method : {DSW_DEFORM_END_STATE, DSW_DEFORM_SWEPT}) {
     for (const int n : steps) {
-      const Bent bent = bend(lattice, method, n);
+      const Bent bent = bend_particles(lattice, method, n);
       Point point;
       point.method = method == DSW_DEFORM_SWEPT ? "swept" : "end state";
       point.setting = text("%.4g", kRadii / n);
@@ -185,6 +252,12 @@ void deform_curves(const Options& options) {
       point.error = share(bent.pushed, bent.unmet);
       point.count = bent.unmet;
       pushed.points.push_back(point);
+
+      const Bent with_edges = bend_edges(lattice, options.seed, method, n, &point.count);
+      point.seconds = with_edges.seconds / static_cast<double>(point.count);
+      point.error = std::max(0.0, 1 - with_edges.way);
+      point.note = text("%d deformations; %zu edges not free", n, with_edges.not_free);
+      way.points.push_back(point);
     }
   }
   const Point *end_state = first_right(passed, "end state"), *swept = first_right(passed, "swept");
@@ -203,6 +276,13 @@ void deform_curves(const Options& options) {
       kRadii, pushed.points.front().error, pushed.points[steps.size()].error);
   passed.write(options.out);
   pushed.write(options.out);
+  const auto made = [&](std::size_t i) { return 1 - way.points[i].error; };
+  way.advice = text(
+      "Take swept where edges lie in the way: in one step of %g radii the lattice makes %.3g of its way (end state "
+      "%.2g, and %.2g in steps of %s): "
+      "end state goes no further than where no edge is met. Edges are free after either.",
+      kRadii, made(steps.size()), made(0), made(steps.size() - 1), way.points.back().setting.c_str());
+  way.write(options.out);
 }
 
 }  // namespace dsw::curves
