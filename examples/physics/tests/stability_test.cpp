@@ -49,7 +49,7 @@ TEST(Extremes, EachKeepsThePromiseAndGoesOn) {
     EXPECT_EQ(extreme.outcome.refused > 0, is_no_number || extreme.name == "time_step_zero") << extreme.name;
     if (extreme.name == "target_1e300") {
       EXPECT_GT(extreme.outcome.contacts, 0u);
-      EXPECT_NEAR(extreme.largest, 8, 1e-9) << "it ends at the walls, next to them";
+      EXPECT_NEAR(extreme.largest, 8, 2e-9) << "it ends next to the walls, but for the distance kept";
     }
   }
 }
