@@ -8,6 +8,7 @@
 #include "check.h"
 #include "rng.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -22,7 +23,8 @@ constexpr Vec kWay = {0.9 * kRadii * kRadius, 0.35 * kRadii* kRadius, 0.25 * kRa
 
 struct Particle {
   Vec at;
-  bool met;  // exactly: a wall goes over it
+  bool met;           // exactly: a wall goes over it
+  oracle::Loop wall;  // its corners
 };
 
 struct Lattice {
@@ -49,6 +51,7 @@ struct Lattice {
         throw std::runtime_error("the oracle does not find its way: " + walk.fault);
       }
       p.met = walk.outcome == oracle::Walk::kContact;
+      if (p.met) p.wall = world.faces[static_cast<std::size_t>(walk.face)].loop;
       particles.push_back(p);
     }
   }
@@ -93,6 +96,7 @@ struct Bent {
   double seconds = 0;                 // of the processor, all deformations
   double way = 1;                     // made by the points of the lattice, in the mean
   std::size_t met = 0, passed = 0;    // particles that walls went over in truth; and were not touched
+  std::size_t waiting = 0;            // and were not touched, but the wall was held and has some way to go
   std::size_t unmet = 0, pushed = 0;  // that no wall met; and were pushed
   std::size_t lost = 0;               // not where they say, by another search
   std::size_t not_free = 0;           // edges that meet something impassable, exactly
@@ -128,29 +132,34 @@ class Bending {
                       });
       if (status != DSW_STATUS_OK) throw std::runtime_error(dsw_last_error_message());
     }
-    // `way` is 1 only where every point is exactly where it should be.
-    bool all = true;
+    in_place_.assign(points.size(), true);
     double made = 0;
     for (std::size_t v = 0; v < points.size(); ++v) {
       const double* at = &arrays_[steps % 2][3 * v];
       reached_.mesh.points[v] = {at[0], at[1], at[2]};
       for (std::size_t k = 0; k < 3; ++k) {
-        all = all && at[k] == points[v][k] + kWay[k];
+        in_place_[v] = in_place_[v] && at[k] == points[v][k] + kWay[k];
         made += (at[k] - points[v][k]) / kWay[k] / 3;
       }
     }
+    const bool all = std::find(in_place_.begin(), in_place_.end(), false) == in_place_.end();
     bent.way = all ? 1 : made / static_cast<double>(points.size());
     return bent;
   }
 
   dsw_scene* scene() { return scene_.get(); }
   dsw_environment* environment() { return environment_.get(); }
+  /// Whether a wall made all of its way.
+  bool is_in_place(const oracle::Loop& wall) const {
+    return std::all_of(wall.begin(), wall.end(), [this](int v) { return in_place_[static_cast<std::size_t>(v)]; });
+  }
   /// The lattice as it is after a run.
   const Lattice& reached() const { return reached_; }
 
  private:
   const Lattice& lattice_;
   Lattice reached_ = lattice_;
+  std::vector<bool> in_place_;     // by vertex
   std::vector<double> arrays_[2];  // lent: they go after the environment
   oracle::EnvironmentPtr environment_;
   oracle::ScenePtr scene_;
@@ -177,7 +186,7 @@ Bent bend_particles(const Lattice& lattice, dsw_deform_method method, int steps)
     }
     bent.lost += place == DSW_PLACE_PASSABLE && found.index == volume.index ? 0 : 1;
     ++(p.met ? bent.met : bent.unmet);
-    bent.passed += p.met && at == p.at ? 1 : 0;
+    if (p.met && at == p.at) ++(bending.is_in_place(p.wall) ? bent.passed : bent.waiting);
     bent.pushed += !p.met && at != p.at ? 1 : 0;
   }
   return bent;
@@ -216,14 +225,19 @@ Bent bend_edges(const Lattice& lattice, uint64_t seed, dsw_deform_method method,
 
 double share(std::size_t part, std::size_t all) { return static_cast<double>(part) / static_cast<double>(all); }
 
-/// The first setting of a method, from the longest steps on, from which on nothing is wrong; null if there is none.
-const Point* first_right(const Curve& curve, const std::string& method) {
-  const Point* first = nullptr;
+/// The cheapest setting of a method with which nothing is wrong; null if there is none.
+const Point* cheapest_right(const Curve& curve, const std::string& method) {
+  const Point* best = nullptr;
   for (const Point& p : curve.points) {
-    if (p.method != method) continue;
-    first = p.error > 0 ? nullptr : first != nullptr ? first : &p;
+    if (p.method == method && p.error == 0 && (best == nullptr || p.seconds < best->seconds)) best = &p;
   }
-  return first;
+  return best;
+}
+
+std::string in_words(const Point* point) {
+  return point == nullptr ? std::string("at no step tried")
+                          : text("in steps of %s radii (%.3g us a particle for the whole way)", point->setting.c_str(),
+                                 1e6 * point->seconds);
 }
 
 }  // namespace
@@ -245,7 +259,9 @@ void deform_curves(const Options& options) {
       point.setting = text("%.4g", kRadii / n);
       point.unit = "radii";
       point.seconds = bent.seconds / static_cast<double>(lattice.particles.size());
-      point.note = text("%d deformations; the lattice made %.4g of its way; %zu lost", n, bent.way, bent.lost);
+      point.note = text(
+          "%d deformations; the lattice made %.4g of its way, %zu particles wait for a wall that is held; %zu lost", n,
+          bent.way, bent.waiting, bent.lost);
       point.error = share(bent.passed, bent.met);
       point.count = bent.met;
       passed.points.push_back(point);
@@ -260,15 +276,12 @@ void deform_curves(const Options& options) {
       way.points.push_back(point);
     }
   }
-  const Point *end_state = first_right(passed, "end state"), *swept = first_right(passed, "swept");
-  passed.advice = "Take swept where walls move more than a cell radius a step";
-  if (swept != nullptr)
-    passed.advice += text(": it lets nothing pass from %s radii a step on, at %.2g us", swept->setting.c_str(),
-                          1e6 * swept->seconds);
-  passed.advice += end_state == nullptr
-                       ? std::string("; end state let something pass at every step tried.")
-                       : text("; end state lets nothing pass from %s radii a step down, at %.2g us for the whole way.",
-                              end_state->setting.c_str(), 1e6 * end_state->seconds);
+  const auto half =
+      std::find_if(passed.points.begin(), passed.points.end(), [](const Point& p) { return p.setting == "0.5"; });
+  passed.advice =
+      text("Take swept where nothing may pass: it lets nothing pass ") + in_words(cheapest_right(passed, "swept")) +
+      "; end state lets nothing pass " + in_words(cheapest_right(passed, "end state")) +
+      text(", and %.2g of what is met at half a cell radius a step, for %.2g us.", half->error, 1e6 * half->seconds);
   pushed.advice = text(
       "Neither method pushes for nothing where steps are short; in one step of %g radii end state pushes %.2g of the "
       "particles that nothing "
