@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 #include "curve.h"
 #include "extremes.h"
@@ -112,13 +113,20 @@ Row row_of(const Summary& summary) {
   return row;
 }
 
-void print(const Summary& summary) {
+std::vector<std::pair<std::string, double>> figures_of(const Summary& summary) {
+  const auto number = [](std::size_t count) { return static_cast<double>(count); };
   const Outcome& o = summary.all;
-  std::cout << "stability.nonfinite " << o.nonfinite << "\nstability.not_free " << o.not_free << "\nstability.lost "
-            << o.lost << "\nstability.implicit_max_stable_k " << summary.stable_up_to[1]
-            << "\nstability.xpbd_max_stable_k " << summary.stable_up_to[2] << "\nstability.symplectic_max_stable_k "
-            << summary.stable_up_to[0] << "\nstability.steps " << o.steps << "\nstability.contacts " << o.contacts
-            << "\nstability.rubbing " << o.rubbing << "\nstability.refused " << o.refused << '\n';
+  return {{"stability.nonfinite", number(o.nonfinite)},
+          {"stability.not_free", number(o.not_free)},
+          {"stability.lost", number(o.lost)},
+          {"stability.implicit_max_stable_k", summary.stable_up_to[1]},
+          {"stability.xpbd_max_stable_k", summary.stable_up_to[2]},
+          {"stability.symplectic_max_stable_k", summary.stable_up_to[0]},
+          {"stability.refused", number(o.refused)},
+          {"stability.rows", number(summary.rows)},
+          {"stability.steps", number(o.steps)},
+          {"stability.contacts", number(o.contacts)},
+          {"stability.rubbing", number(o.rubbing)}};
 }
 
 // Energy drift or stretch of the free rod over stiffness.
@@ -165,13 +173,18 @@ bool write_curves(const std::string& folder, const std::vector<physics::Stabilit
                  in_words(limit) + ".");
 }
 
-bool write_files(const std::string& folder, const Table& grid, const Table& extremes, const Row& summary) {
+bool write_files(const std::string& folder, const Table& grid, const Table& extremes, const Summary& summary) {
   std::ofstream stability_csv(folder + "/stability.csv"), extremes_csv(folder + "/extremes.csv");
   std::ofstream json(folder + "/stability.json");
+  json.precision(15);
   physics::write_csv(grid, stability_csv);
   physics::write_csv(extremes, extremes_csv);
-  json << "{\n  \"summary\": ";
-  summary.write_json(json);
+  json << "{\n";
+  for (const auto& [key, value] : figures_of(summary)) {
+    json << "  \"" << key << "\": " << value << ",\n";
+  }
+  json << "  \"summary\": ";
+  row_of(summary).write_json(json);
   json << ",\n  \"stability\": ";
   physics::write_json(grid, json);
   json << ",\n  \"extremes\": ";
@@ -215,8 +228,11 @@ int main(int argc, char** argv) {
     for (const physics::StabilityRow& r : grid) {
       rows.push_back(row_of(r));
     }
-    print(summary);
-    if (!write_files(folder, rows, extremes, row_of(summary)) || !write_curves(folder, grid, summary)) {
+    std::cout.precision(15);
+    for (const auto& [key, value] : figures_of(summary)) {
+      std::cout << key << ' ' << value << '\n';
+    }
+    if (!write_files(folder, rows, extremes, summary) || !write_curves(folder, grid, summary)) {
       std::cerr << "stability: cannot write to '" << folder << "'\n";
       return 2;
     }

@@ -35,7 +35,8 @@ Row& Row::add(const std::string& name, const std::string& text) {
 Row& Row::add(const std::string& name, double number) {
   char text[32] = "null";
   if (std::isfinite(number)) {
-    std::snprintf(text, sizeof text, "%.6g", number);
+    const bool is_count = number == std::floor(number) && std::abs(number) < 1e9;
+    std::snprintf(text, sizeof text, is_count ? "%.0f" : "%.6g", number);
   }
   values_.emplace_back(name, text);
   return *this;

@@ -14,7 +14,7 @@ class Row {
   // Names are plain words. Text may have commas and quotes in it.
   Row& add(const std::string& name, const std::string& text);
   Row& add(const std::string& name, const char* text) { return add(name, std::string(text)); }
-  // Six digits; what is no number becomes null in JSON, and nothing in CSV.
+  // Six digits, counts in full; what is no number becomes null in JSON, and nothing in CSV.
   Row& add(const std::string& name, double number);
 
   void write_json(std::ostream& out) const;
