@@ -31,8 +31,10 @@ void level_curves(const Options& options);
 void pair_curves(const Options& options);
 /** cast_time, cast_through: casts through a scene, beside peers. */
 void cast_curves(const Options& options);
-/** sampling_vessel, sampling_faces: vertices of a catheter. */
+/** sampling_vessel, sampling_faces: vertices of a catheter. elimination: edges that are not looked at. */
 void body_curves(const Options& options);
+/** stand_off_gap, stand_off_fallbacks: a distance kept from walls along which a sheet slides. */
+void slide_curves(const Options& options);
 
 }  // namespace dsw::curves
 

@@ -29,7 +29,7 @@ void measure(const Options& options, Kind kind, Curve& curve) {
     std::vector<std::unique_ptr<Movers>> movers;
     std::vector<Method> methods;
     for (std::size_t i = 0; i < 4; ++i) {
-      movers.push_back(std::make_unique<Movers>(place, moves, kLevels[i], move_options()));
+      movers.push_back(std::make_unique<Movers>(place, moves, Setting{kLevels[i], 0, 0, move_options()}));
       Movers* mine = movers.back().get();
       methods.push_back(
           {kNames[i], text("%g", length), "cells long", [mine] { mine->prepare(); }, [mine] { mine->run(); }});
@@ -38,7 +38,7 @@ void measure(const Options& options, Kind kind, Curve& curve) {
     for (std::size_t i = 0; i < 4; ++i) {
       std::size_t missed = 0, invented = 0;
       for (std::size_t m = 0; m < moves.size(); ++m) {
-        const bool found = movers[i]->contact(m) != nullptr, there = !moves[m].truth.events.empty();
+        const bool found = !movers[i]->contacts(m).empty(), there = !moves[m].truth.events.empty();
         missed += there && !found ? 1 : 0;
         invented += found && !there ? 1 : 0;
       }

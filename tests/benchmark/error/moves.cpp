@@ -31,11 +31,13 @@ std::optional<Move> move_from(Place& place, Rng& rng, const Vec& start, int vert
     return Vec{start[0] + d[0], start[1] + d[1], start[2] + d[2]};
   };
   for (int i = 1; i < vertices; ++i) at.push_back(beside(length));
-  move.to = beside(step);
-  bool inside = place.holds(move.to);
+  const Vec to = beside(step);
+  move.targets = at;
+  move.targets[0] = to;
+  bool inside = place.holds(to);
   for (const Vec& p : at) inside = inside && place.holds(p);
   if (!inside || !place.is_free(at)) return std::nullopt;
-  oracle::VertexMove flight = {at[0], move.to, {at.begin() + 1, at.end()}, {}};
+  oracle::VertexMove flight = {at[0], to, {at.begin() + 1, at.end()}, {}};
   if (vertices == 2) move.body.edges = {{0, 1}};
   if (vertices == 3) {
     move.body.faces = {{0, 1, 2}};
@@ -60,41 +62,64 @@ dsw_move_options move_options() {
   return options;
 }
 
-Movers::Movers(Place& place, const std::vector<Move>& moves, dsw_level level, const dsw_move_options& options,
-               std::uint32_t flags)
-    : moves_(moves), level_(level), options_(options), flags_(flags), scene_(place.scene()) {
-  for (const Move& move : moves) {
-    targets_.insert(targets_.end(), move.to.begin(), move.to.end());
-    for (std::size_t i = 1; i < move.body.at.size(); ++i) {
-      targets_.insert(targets_.end(), move.body.at[i].begin(), move.body.at[i].end());
-    }
+dsw_body_id create_body(dsw_scene* scene, const oracle::BodyPlan& plan, const Setting& setting) {
+  dsw_body_desc desc;
+  dsw_body_desc_init(&desc, sizeof desc);
+  std::vector<std::uint32_t> offsets = {0}, corners;
+  for (const auto& face : plan.faces) {
+    corners.insert(corners.end(), face.begin(), face.end());
+    offsets.push_back(static_cast<std::uint32_t>(corners.size()));
   }
+  desc.flags = setting.flags;
+  desc.level = setting.level;
+  desc.motion_share = setting.motion_share;
+  desc.positions = plan.at[0].data();
+  desc.vertex_count = plan.at.size();
+  desc.edges = plan.edges.empty() ? nullptr : plan.edges[0].data();
+  desc.edge_count = plan.edges.size();
+  if (!plan.faces.empty()) {
+    desc.face_offsets = offsets.data();
+    desc.face_corners = corners.data();
+    desc.face_count = plan.faces.size();
+    desc.face_corner_count = corners.size();
+  }
+  dsw_body_id body;
+  check(dsw_body_create(scene, &desc, &body));
+  return body;
 }
 
-void Movers::clear() {
-  for (const dsw_body_id body : bodies_) dsw_body_destroy(scene_.get(), body);
-  bodies_.clear();
+std::vector<Vec> positions_of(const dsw_scene* scene, dsw_body_id body, std::size_t vertices) {
+  std::vector<Vec> at(vertices);
+  std::size_t count = 0;
+  check(dsw_body_get_positions(scene, body, at[0].data(), vertices, 0, nullptr, &count));
+  return at;
+}
+
+void Movers::add(const Trip& trip) {
+  trips_.push_back(&trip);
+  for (const Vec& target : trip.targets) targets_.insert(targets_.end(), target.begin(), target.end());
 }
 
 void Movers::prepare() {
-  clear();
-  for (const Move& move : moves_) {
-    dsw_body_id body;
-    check(create_body(scene_.get(), move.body, level_, flags_, {}, &body));
-    bodies_.push_back(body);
-  }
+  for (const dsw_body_id body : bodies_) check(dsw_body_destroy(scene_.get(), body));
+  bodies_.clear();
+  for (const Trip* trip : trips_) bodies_.push_back(create_body(scene_.get(), trip->body, setting_));
 }
 
 void Movers::run() {
   check(dsw_scene_move_bodies(scene_.get(), bodies_.data(), bodies_.size(), targets_.data(), targets_.size() / 3, 0,
-                              &options_, nullptr));
+                              &setting_.options, nullptr));
 }
 
-const dsw_contact* Movers::contact(std::size_t i) const {
+std::vector<dsw_contact> Movers::contacts(std::size_t i) const {
   const dsw_contact* contacts = nullptr;
   std::size_t count = 0;
   check(dsw_body_get_contacts(scene_.get(), bodies_[i], &contacts, &count));
-  return count == 0 ? nullptr : contacts;
+  return {contacts, contacts + count};
+}
+
+std::vector<Vec> Movers::positions(std::size_t i) const {
+  return positions_of(scene_.get(), bodies_[i], trips_[i]->targets.size());
 }
 
 }  // namespace dsw::curves

@@ -9,11 +9,15 @@
 
 namespace dsw::curves {
 
-/** Vertex 0 of a body goes to `to`, the others stay. */
-struct Move {
+/** A body and where all of its vertices go to in one move. */
+struct Trip {
   oracle::BodyPlan body;
-  Vec to;
-  oracle::MoveTruth truth;  // at the level asked for
+  std::vector<Vec> targets;
+};
+
+/** One in which vertex 0 alone goes elsewhere, and what is true of it at the level asked for. */
+struct Move : Trip {
+  oracle::MoveTruth truth;
 };
 
 /** Exact time of the first event; only where there is one. */
@@ -28,34 +32,47 @@ Move random_move(Place& place, Rng& rng, int vertices, double length, double ste
 std::optional<Move> move_from(Place& place, Rng& rng, const Vec& start, int vertices, double length, double step,
                               dsw_level level);
 
-/** Many bodies in one scene, each of which makes its move; one call moves all. */
+/** Exact time, no distance kept: what an approximation is compared with. */
+dsw_move_options move_options();
+
+/** How bodies are made and moved. */
+struct Setting {
+  dsw_level level = DSW_LEVEL_EDGES_SWEPT;
+  std::uint32_t flags = 0;
+  double motion_share = 0;
+  dsw_move_options options = move_options();
+};
+
+dsw_body_id create_body(dsw_scene* scene, const oracle::BodyPlan& plan, const Setting& setting);
+
+/** Many bodies in one scene, each of which makes its trip; one call moves all. */
 class Movers {
  public:
-  Movers(Place& place, const std::vector<Move>& moves, dsw_level level, const dsw_move_options& options,
-         std::uint32_t flags = 0);
-  ~Movers() { clear(); }
-  Movers(const Movers&) = delete;
-  Movers& operator=(const Movers&) = delete;
+  /** @param trips a vector of Trip or Move; stays as it is. */
+  template <class Trips>
+  Movers(Place& place, const Trips& trips, const Setting& setting) : setting_(setting), scene_(place.scene()) {
+    for (const Trip& trip : trips) add(trip);
+  }
 
   /** Puts all bodies back to where they start. */
   void prepare();
   void run();
-  /** The contact of body i in the last run, or null. */
-  const dsw_contact* contact(std::size_t i) const;
+  /** Contacts of body i in the last run. */
+  std::vector<dsw_contact> contacts(std::size_t i) const;
+  /** Where its vertices are. */
+  std::vector<Vec> positions(std::size_t i) const;
 
  private:
-  void clear();
+  void add(const Trip& trip);
 
-  const std::vector<Move>& moves_;
-  dsw_level level_;
-  dsw_move_options options_;
-  std::uint32_t flags_;
+  Setting setting_;
   oracle::ScenePtr scene_;
+  std::vector<const Trip*> trips_;
   std::vector<dsw_body_id> bodies_;
   std::vector<double> targets_;
 };
 
-dsw_move_options move_options();
+std::vector<Vec> positions_of(const dsw_scene* scene, dsw_body_id body, std::size_t vertices);
 
 }  // namespace dsw::curves
 

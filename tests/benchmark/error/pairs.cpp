@@ -84,7 +84,7 @@ Pairs random_pairs(Place& place, Rng& rng, PairKind kind, std::size_t count) {
     if (move.truth.events.empty()) continue;
     const oracle::SweepEvent& event = move.truth.events[0];
     if ((event.triangle >= 0) != faces || event.order != 0) continue;
-    Pair pair{move.body.at[0], move.to, move.body.at.back(), {}, {}};
+    Pair pair{move.body.at[0], move.targets[0], move.body.at.back(), {}, {}};
     const auto& points = place.world().mesh.points;
     if (faces) {
       const int* v = place.world().triangles[static_cast<std::size_t>(event.triangle)].v;

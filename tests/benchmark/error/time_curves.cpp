@@ -28,15 +28,16 @@ struct Answers {
 Answers judge(const std::vector<Move>& moves, const Movers& movers) {
   Answers answers;
   for (std::size_t i = 0; i < moves.size(); ++i) {
-    const dsw_contact* contact = movers.contact(i);
-    if (contact == nullptr) {
+    const auto contacts = movers.contacts(i);
+    if (contacts.empty()) {
       ++answers.missed;
       continue;
     }
+    const dsw_contact& contact = contacts.front();
     const mpq_class time = time_of(moves[i].truth);
-    answers.time.values.push_back(difference(contact->time, time));
-    answers.place.values.push_back(distance_at(moves[i].body.at[0], moves[i].to, time, contact->position));
-    answers.other += contact->time != moves[i].truth.events[0].time ? 1 : 0;
+    answers.time.values.push_back(difference(contact.time, time));
+    answers.place.values.push_back(distance_at(moves[i].body.at[0], moves[i].targets[0], time, contact.position));
+    answers.other += contact.time != moves[i].truth.events[0].time ? 1 : 0;
   }
   return answers;
 }
@@ -62,7 +63,7 @@ void bisect(const Options& options, int vertices, dsw_level level, Curve& times,
   std::vector<std::unique_ptr<Movers>> movers;
   std::vector<Method> methods;
   const auto add = [&](const std::string& name, const std::string& setting, const dsw_move_options& move) {
-    movers.push_back(std::make_unique<Movers>(place, moves, level, move));
+    movers.push_back(std::make_unique<Movers>(place, moves, Setting{level, 0, 0, move}));
     Movers* mine = movers.back().get();
     methods.push_back(
         {name, setting, setting.empty() ? "" : "halvings", [mine] { mine->prepare(); }, [mine] { mine->run(); }});
