@@ -26,13 +26,15 @@ struct Options {
 void time_curves(const Options& options);
 /** missed_vessel, missed_faces, missed_spikes: levels against the length of edges. */
 void level_curves(const Options& options);
-/** ccd_vertex_face, ccd_edge_edge, degenerate_vertex_face, degenerate_edge_edge: single pairs, beside peers. Leaves the pairs in
- * pairs_<curve>.csv. */
+/** ccd_vertex_face, ccd_edge_edge, degenerate_vertex_face, degenerate_edge_edge, contact_point, contact_normal: single pairs, beside
+ * peers. Leaves the pairs of the first four in pairs_<curve>.csv. */
 void pair_curves(const Options& options);
 /** cast_time, cast_through: casts through a scene, beside peers. */
 void cast_curves(const Options& options);
-/** sampling_vessel, sampling_faces: vertices of a catheter. elimination: edges that are not looked at. */
-void body_curves(const Options& options);
+/** sampling_vessel, sampling_faces: vertices of a catheter. */
+void sampling_curves(const Options& options);
+/** elimination: edges that are not looked at. */
+void elimination_curve(const Options& options);
 /** stand_off_gap, stand_off_fallbacks: a distance kept from walls along which a sheet slides. */
 void slide_curves(const Options& options);
 

@@ -12,8 +12,9 @@ int main(int argc, char** argv) {
   const struct {
     const char* name;
     void (*run)(const Options&);
-  } groups[] = {{"time", time_curves},  {"levels", level_curves}, {"pairs", pair_curves},
-                {"casts", cast_curves}, {"bodies", body_curves},  {"slide", slide_curves}};
+  } groups[] = {{"time", time_curves},  {"levels", level_curves},      {"pairs", pair_curves},
+                {"casts", cast_curves}, {"sampling", sampling_curves}, {"elimination", elimination_curve},
+                {"slide", slide_curves}};
   std::vector<std::string> known = {"all"}, wanted;
   for (const auto& group : groups) known.push_back(group.name);
   Options options;

@@ -66,15 +66,21 @@ PairMethods methods_for(const Pairs& pairs) {
 }
 
 std::string compare(const Curve& curve, const char* what) {
-  const Point& ours = curve.points[0];
-  const Point* best = nullptr;
+  const Point &ours = curve.points[0], *exact = nullptr, *fast = nullptr;
   for (const Point& p : curve.points) {
-    if (&p != &ours && (best == nullptr || p.error < best->error)) best = &p;
+    if (&p == &ours) continue;
+    if (exact == nullptr || p.error < exact->error) exact = &p;
+    if (fast == nullptr || p.seconds < fast->seconds) fast = &p;
   }
-  if (best == nullptr) return "";
-  return text("Take the exact test: %s %.2g at %.0f ns; the most exact peer here, %s %s, has %.2g at %.0f ns.", what,
-              ours.error, 1e9 * ours.seconds, best->method.c_str(), best->setting.c_str(), best->error,
-              1e9 * best->seconds);
+  if (exact == nullptr) return "";
+  const auto name = [](const Point& p) { return p.method + (p.setting.empty() ? "" : " (" + p.setting + ")"); };
+  std::string advice =
+      text("Take the exact test: %s %.2g, at %.0f ns. The most exact peer here, %s, has %.2g at %.0f ns", what,
+           ours.error, 1e9 * ours.seconds, name(*exact).c_str(), exact->error, 1e9 * exact->seconds);
+  if (fast != exact) {
+    advice += text("; the fastest, %s, %.2g at %.0f ns", name(*fast).c_str(), fast->error, 1e9 * fast->seconds);
+  }
+  return advice + ".";
 }
 
 void measure_times(const Options& options, PairKind kind, const std::string& name) {
@@ -113,11 +119,119 @@ void measure_degenerate(const Options& options, PairKind kind, const std::string
   curve.write(options.out);
 }
 
+/** Contacts alone, as casts in their scene. */
+class SceneCasts {
+ public:
+  SceneCasts(Place& place, const Pairs& pairs) : environment_(place.environment()), flights_(pairs.list.size()) {
+    for (const Pair& pair : pairs.list) {
+      from_.insert(from_.end(), pair.from.begin(), pair.from.end());
+      to_.insert(to_.end(), pair.to.begin(), pair.to.end());
+    }
+    starts_.resize(flights_.size());
+    check(
+        dsw_environment_locate_points(environment_, from_.data(), starts_.size(), 0, nullptr, starts_.data(), nullptr));
+    dsw_cast_options_init(&options_, sizeof options_);
+    options_.flags = DSW_CAST_START_KNOWN;
+  }
+  void run() {
+    check(dsw_environment_cast_segments(environment_, starts_.size(), starts_.data(), from_.data(), to_.data(), 0,
+                                        &options_, flights_.data()));
+  }
+  PairAnswer answer(std::size_t i) const {
+    const dsw_flight& f = flights_[i];
+    return {f.outcome == DSW_OUTCOME_CONTACT ? f.time : -1,
+            true,
+            {f.position[0], f.position[1], f.position[2]},
+            {f.normal[0], f.normal[1], f.normal[2]}};
+  }
+
+ private:
+  const dsw_environment* environment_;
+  std::vector<double> from_, to_;
+  std::vector<dsw_volume_id> starts_;
+  std::vector<dsw_flight> flights_;
+  dsw_cast_options options_{};
+};
+
+/** Degrees between a triangle's normal and a vector, whichever way either points. */
+double angle(const Pair& pair, const Vec& normal) {
+  std::array<mpq_class, 3> n, r, c;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const auto edge = [&](std::size_t corner, std::size_t axis) {
+      return mpq_class(mpq_class(pair.corners[corner][axis]) - mpq_class(pair.corners[0][axis]));
+    };
+    n[k] = edge(1, i) * edge(2, j) - edge(1, j) * edge(2, i);
+    r[k] = mpq_class(normal[k]);
+  }
+  mpq_class cross = 0, dot = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    c[k] = n[i] * r[j] - n[j] * r[i];
+    cross += c[k] * c[k];
+    dot += n[k] * r[k];
+  }
+  return std::atan2(std::sqrt(cross.get_d()), std::fabs(dot.get_d())) * 57.29577951308232;
+}
+
+/** Points and normals of contacts that are seen. */
+void measure_contacts(const Options& options) {
+  Place place(Kind::kFaces, 12, options.seed);
+  Rng rng(options.seed + 350);
+  const Pairs all = random_pairs(place, rng, PairKind::kVertexFace, options.count(1000, 20000));
+  Pairs pairs{all.kind, {}};
+  // Every other pair is a contact of the scene.
+  for (std::size_t i = 0; i < all.list.size(); i += 2) pairs.list.push_back(all.list[i]);
+  SceneCasts casts(place, pairs);
+  casts.run();
+  PairMethods peers(pairs);
+  add_bullet(peers);
+  add_fcl(peers);
+  std::vector<Method> methods = {{"dartsweep exact", "", "", {}, [&casts] { casts.run(); }}};
+  methods.insert(methods.end(), peers.methods().begin(), peers.methods().end());
+  const auto seconds = time_methods(methods, pairs.list.size(), options.rounds());
+  Curve point{"contact_point",
+              "contact of a vertex (of ours: looked for in a whole scene)",
+              "where it touches",
+              "cells",
+              {},
+              ""};
+  Curve normal{"contact_normal", point.item, "normal", "degrees", {}, ""};
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    Errors points, normals;
+    std::size_t unseen = 0;
+    for (std::size_t k = 0; k < pairs.list.size(); ++k) {
+      const PairAnswer answer = i == 0 ? casts.answer(k) : peers.answers(i - 1)[k];
+      unseen += answer.time < 0 ? 1 : 0;
+      if (answer.time < 0 || !answer.has_contact) continue;
+      const Pair& pair = pairs.list[k];
+      points.values.push_back(distance_at(pair.from, pair.to, *pair.time, answer.point.data()));
+      const bool has_normal = answer.normal != Vec{};
+      if (has_normal) normals.values.push_back(angle(pair, answer.normal));
+    }
+    const Method& m = methods[i];
+    const std::string note = text("; %zu contacts not seen", unseen);
+    if (!points.values.empty()) {
+      point.points.push_back(
+          {m.name, m.setting, m.unit, seconds[i], points.mean(), points.values.size(), points.spread() + note});
+    }
+    if (!normals.values.empty()) {
+      normal.points.push_back(
+          {m.name, m.setting, m.unit, seconds[i], normals.mean(), normals.values.size(), normals.spread() + note});
+    }
+  }
+  point.advice = compare(point, "its mean error is");
+  normal.advice = compare(normal, "its normals are off by");
+  point.write(options.out);
+  normal.write(options.out);
+}
+
 }  // namespace
 
 void pair_curves(const Options& options) {
   measure_times(options, PairKind::kVertexFace, "ccd_vertex_face");
   measure_times(options, PairKind::kEdgeEdge, "ccd_edge_edge");
+  measure_contacts(options);
   measure_degenerate(options, PairKind::kVertexFace, "degenerate_vertex_face");
   measure_degenerate(options, PairKind::kEdgeEdge, "degenerate_edge_edge");
 }

@@ -36,7 +36,7 @@ struct PairAnswer {
 std::optional<mpq_class> vertex_face_time(const Pair& pair);
 std::optional<mpq_class> edge_edge_time(const Pair& pair);
 
-/** First contacts of moves in a scene, and as many pairs that miss. */
+/** First contacts of moves in a scene, each followed by the same with its obstacle moved aside, which mostly misses. */
 Pairs random_pairs(Place& place, Rng& rng, PairKind kind, std::size_t count);
 /** Small integers: contacts on corners and edges, some a unit in the last place beside. */
 Pairs degenerate_pairs(Rng& rng, PairKind kind, std::size_t count);

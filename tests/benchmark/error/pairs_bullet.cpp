@@ -1,5 +1,5 @@
-// Bullet's casts of convex shapes, set up as its own ray and sweep tests do: a sphere of radius 0, no margins. It knows no edge of
-// which one end moves.
+// Bullet's casts of convex shapes. Those by which it casts rays get what its rays are: a sphere of radius 0, no margins. Its continuous
+// test of convex shapes works on distances and wants a margin: a sphere that is not quite a point. It knows no edge of which one end moves.
 #include "pairs.h"
 
 #include "../bullet_casts.h"
@@ -20,9 +20,11 @@ enum class Caster { kSubsimplex, kGjk, kContinuous };
 
 Vec to_vec(const btVector3& p) { return {p.x(), p.y(), p.z()}; }
 
-PairAnswer cast(const Pair& pair, Caster caster, btScalar epsilon) {
-  btSphereShape point(0);
-  point.setMargin(0);
+/** @param dial the epsilon of kSubsimplex, the radius of kContinuous. */
+PairAnswer cast(const Pair& pair, Caster caster, btScalar dial) {
+  const btScalar radius = caster == Caster::kContinuous ? dial : 0;
+  btSphereShape point(radius);
+  point.setMargin(radius);
   btTriangleShape triangle(bench::to_bullet(pair.corners[0].data()), bench::to_bullet(pair.corners[1].data()),
                            bench::to_bullet(pair.corners[2].data()));
   triangle.setMargin(0);
@@ -37,7 +39,7 @@ PairAnswer cast(const Pair& pair, Caster caster, btScalar epsilon) {
   result.m_fraction = 1;
   bool hit = false;
   if (caster == Caster::kSubsimplex) {
-    result.m_subSimplexCastEpsilon = epsilon;
+    result.m_subSimplexCastEpsilon = dial;
     btSubsimplexConvexCast convex(&point, &triangle, &simplex);
     hit = convex.calcTimeOfImpact(from, to, rest, rest, result);
   } else if (caster == Caster::kGjk) {
@@ -70,8 +72,11 @@ void add_bullet(PairMethods& methods) {
     methods.add("Bullet subsimplex cast", text("%g", setting), "epsilon",
                 [epsilon](const Pair& pair) { return cast(pair, Caster::kSubsimplex, epsilon); });
   }
-  // Its allowed penetration is for shapes with an inside: any lets points through triangles.
-  methods.add("Bullet continuous convex", "", "", [](const Pair& pair) { return cast(pair, Caster::kContinuous, 0); });
+  for (const double setting : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 0.0}) {
+    const auto radius = static_cast<btScalar>(setting);
+    methods.add("Bullet continuous convex", text("%g", setting), "radius, cells",
+                [radius](const Pair& pair) { return cast(pair, Caster::kContinuous, radius); });
+  }
   methods.add("Bullet GJK cast", "", "", [](const Pair& pair) { return cast(pair, Caster::kGjk, 0); });
   methods.add("Bullet ray and triangle", "", "", ray);
 }

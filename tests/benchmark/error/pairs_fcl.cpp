@@ -44,7 +44,10 @@ void add_fcl(PairMethods& methods) {
   const struct {
     const char* setting;
     bool filtered, newton;
-  } settings[] = {{"Newton", false, true}, {"closed form", false, false}, {"Newton, filtered", true, true}};
+  } settings[] = {{"Newton", false, true},
+                  {"closed form", false, false},
+                  {"Newton, filtered", true, true},
+                  {"closed form, filtered", true, false}};
   for (const auto& s : settings) {
     methods.add("FCL cubic", s.setting, "solver",
                 [test, s](const Pair& pair) { return test(pair, s.filtered, s.newton); });
