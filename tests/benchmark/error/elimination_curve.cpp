@@ -139,7 +139,7 @@ void elimination_curve(const Options& options) {
   Place place(Kind::kFaces, 20, options.seed);
   Rng rng(options.seed + 700);
   std::vector<Rope> list;
-  const std::size_t count = options.count(40, 200);
+  const std::size_t count = options.count(40, 120);
   while (list.size() < count) list.push_back(random_rope(place, rng, list.size() % 2 == 1));
   std::vector<std::unique_ptr<Ropes>> ropes;
   std::vector<Method> methods;

@@ -3,6 +3,7 @@
 #include "predicates/touch.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace dsw::curves {
 
@@ -93,6 +94,7 @@ Pairs random_pairs(Place& place, Rng& rng, PairKind kind, std::size_t count) {
       pair.corners = {points[static_cast<std::size_t>(event.a)], points[static_cast<std::size_t>(event.b)], {}};
     }
     pair.time = time_of_pair(kind, pair);
+    if (!pair.time || *pair.time != time_of(move.truth)) throw std::logic_error("two exact times differ");
     pairs.list.push_back(pair);
     const Vec aside = Place::direction(rng, 0.5);
     for (Vec& corner : pair.corners) corner = plus(corner, aside);

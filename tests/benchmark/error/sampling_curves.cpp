@@ -66,7 +66,7 @@ Trip trip_of(const Bend& b, std::uint32_t vertices) {
 void sampling(const Options& options, Kind kind, const std::string& name) {
   Place place(kind, 20, options.seed);
   Rng rng(options.seed + 600);
-  const auto bends = random_bends(place, rng, options.count(200, 2000));
+  const auto bends = random_bends(place, rng, options.count(200, 600));
   const auto touching =
       static_cast<std::size_t>(std::count_if(bends.begin(), bends.end(), [](const Bend& b) { return b.touches; }));
   const struct {
