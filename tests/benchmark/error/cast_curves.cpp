@@ -212,9 +212,9 @@ void cast_curves(const Options& options) {
                               aimed.seconds[i], static_cast<double>(judged.through) / hits, judged.time.values.size(),
                               text("%zu through a closed wall", judged.through)});
   }
-  grazing.advice =
-      text("Take the exact cast: %.2g of the casts pass, at %.0f ns. Of peers %s; %s.", grazing.points[0].error,
-           1e9 * grazing.points[0].seconds, best_of(grazing, "Embree").c_str(), best_of(grazing, "Bullet").c_str());
+  grazing.advice = text("Of exact casts %.2g pass, at %.0f ns. Of a peer take the setting by which least pass: %s; %s.",
+                        grazing.points[0].error, 1e9 * grazing.points[0].seconds, best_of(grazing, "Embree").c_str(),
+                        best_of(grazing, "Bullet").c_str());
   grazing.write(options.out);
 }
 
