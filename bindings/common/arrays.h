@@ -1,0 +1,81 @@
+// Arrays on their way between a host and the library. Typemaps go by these types, not by the names of arguments.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "common/error.h"
+
+namespace dartsweep {
+
+// Elements that the host lends for a call, packed: View<const T> is read, View<T> is written. Null and 0 where an array is left out.
+template <class T>
+struct View {
+  T *data = nullptr;
+  std::size_t count = 0;
+};
+
+// Points that are read: 3 doubles each, stride_bytes apart.
+struct Points {
+  const double *data = nullptr;
+  std::size_t count = 0;
+  std::size_t stride_bytes = 24;
+};
+
+// Points that are written, packed.
+struct PointsOut {
+  double *data = nullptr;
+  std::size_t count = 0;
+};
+
+// Signed integers of 4 or 8 bytes, as mesh libraries have them.
+struct Indices {
+  const void *data = nullptr;
+  std::size_t count = 0;
+  std::uint32_t bytes = 8;
+};
+
+// An array that the library keeps after the call: `owner` holds it for as long.
+struct Lent {
+  double *data = nullptr;
+  std::size_t count = 0;  // Points.
+  std::shared_ptr<void> owner;
+};
+
+// Elements that a call gives to the host. Moved, never copied; not set to zero first, since all are written.
+template <class T>
+class Array {
+ public:
+  Array() = default;
+  explicit Array(std::size_t count) : data_(count ? new T[count] : nullptr), count_(count) {}
+  Array(const T *source, std::size_t count) : Array(count) {
+    for (std::size_t i = 0; i < count; ++i) data_[i] = source[i];
+  }
+  std::size_t size() const { return count_; }
+  T get(std::size_t index) const {
+    if (index >= count_) throw Error(DSW_STATUS_OUT_OF_RANGE, "index beyond the array");
+    return data_[index];
+  }
+  T *data() { return data_.get(); }
+  T *release() { return data_.release(); }  // For hosts that take the memory over; delete[] it.
+
+ private:
+  std::unique_ptr<T[]> data_;
+  std::size_t count_ = 0;
+};
+
+// Arrays that belong together must be of one length; one that is left out passes where `may_be_left_out`.
+inline void same_count(const char *name, std::size_t count, std::size_t expected, bool may_be_left_out = false) {
+  if (count == expected || (may_be_left_out && count == 0)) return;
+  throw Error(DSW_STATUS_WRONG_SIZE,
+              std::string(name) + " has " + std::to_string(count) + " entries, not " + std::to_string(expected));
+}
+
+inline std::size_t common_stride(const Points &a, const Points &b) {
+  if (a.stride_bytes == b.stride_bytes || b.count == 0) return a.stride_bytes;
+  throw Error(DSW_STATUS_WRONG_SIZE, "arrays of points have different strides");
+}
+
+}  // namespace dartsweep

@@ -1,0 +1,169 @@
+// A body as a host's object: a scene and the id of a body in it. It keeps the scene's memory, not the body: that may be gone.
+#pragma once
+
+#include "common/scene.h"
+
+namespace dartsweep {
+
+class Body {
+ public:
+  Body(Scene &scene, dsw_body_id id) : state_(scene.state()), id_(id) {}
+
+  dsw_body_id id() const { return id_; }
+  void destroy() { change(dsw_body_destroy); }
+
+  dsw_body_counts get_counts() const {
+    const SceneReading self(*state_);
+    dsw_body_counts out = {};
+    out.struct_size = sizeof out;
+    check(dsw_body_get_counts(self.handle, id_, &out));
+    return out;
+  }
+  dsw_level get_level() const { return one<dsw_level>(dsw_body_get_level); }
+  void set_level(dsw_level level) { change(dsw_body_set_level, level); }
+  BodyFilter get_filter() const {
+    const SceneReading self(*state_);
+    BodyFilter out = {};
+    check(dsw_body_get_filter(self.handle, id_, &out.category, &out.mask));
+    return out;
+  }
+  void set_filter(std::uint32_t category, std::uint32_t mask) { change(dsw_body_set_filter, category, mask); }
+
+  // --- parts
+  void get_positions(PointsOut positions, View<dsw_volume_id> volumes = {}) const {
+    same_count("volumes", volumes.count, positions.count, true);
+    const SceneReading self(*state_);
+    std::size_t count = 0;
+    check(dsw_body_get_positions(self.handle, id_, positions.data, positions.count, 24, volumes.data, &count));
+    same_count("positions", positions.count, count);
+  }
+  Array<dsw_body_vertex_id> get_vertices() const { return fill<dsw_body_vertex_id>(dsw_body_get_vertices); }
+  Array<dsw_body_edge_id> get_edges() const { return fill<dsw_body_edge_id>(dsw_body_get_edges); }
+  Array<dsw_body_face_id> get_faces() const { return fill<dsw_body_face_id>(dsw_body_get_faces); }
+  // Ends of one edge, corners of one triangle.
+  Array<dsw_body_vertex_id> get_edge(dsw_body_edge_id edge) const { return corners(2, dsw_body_get_edge, edge); }
+  Array<dsw_body_vertex_id> get_face(dsw_body_face_id face) const { return corners(3, dsw_body_get_face, face); }
+  // Of all at once, by index: 2 or 3 indices of vertices for each slot.
+  Array<std::uint32_t> get_edge_vertices() const { return all_corners(2, dsw_body_get_edge_vertices); }
+  Array<std::uint32_t> get_face_vertices() const { return all_corners(3, dsw_body_get_face_vertices); }
+  dsw_body_vertex_id get_vertex(std::uint32_t index) const {
+    const SceneReading self(*state_);
+    dsw_body_vertex_id out = {};
+    check(dsw_body_get_vertex(self.handle, id_, index, &out));
+    return out;
+  }
+  dsw_body_vertex_id add_vertex(const dsw_vec3 &position, dsw_volume_id hint = {}) {
+    dsw_body_vertex_id out = {};
+    change(dsw_body_add_vertex, &position.x, hint, &out);
+    return out;
+  }
+  dsw_body_edge_id add_edge(dsw_body_vertex_id a, dsw_body_vertex_id b) {
+    dsw_body_edge_id out = {};
+    change(dsw_body_add_edge, a, b, &out);
+    return out;
+  }
+  dsw_body_face_id add_face(dsw_body_vertex_id a, dsw_body_vertex_id b, dsw_body_vertex_id c) {
+    dsw_body_face_id out = {};
+    change(dsw_body_add_face, a, b, c, &out);
+    return out;
+  }
+  void remove_face(dsw_body_face_id face) { change(dsw_body_remove_face, face); }
+  void remove_edge(dsw_body_edge_id edge) { change(dsw_body_remove_edge, edge); }
+  void remove_vertex(dsw_body_vertex_id vertex) { change(dsw_body_remove_vertex, vertex); }
+  dsw_body_edit split_edge(dsw_body_edge_id edge, double share) {
+    dsw_body_edit out = {};
+    change(dsw_body_split_edge, edge, share, &out);
+    return out;
+  }
+  dsw_body_edit collapse_edge(dsw_body_edge_id edge, dsw_body_vertex_id vertex) {
+    dsw_body_edit out = {};
+    change(dsw_body_collapse_edge, edge, vertex, &out);
+    return out;
+  }
+
+  // --- moves. Without `order` all vertices move, by index.
+  dsw_move_report move(Points targets, const dsw_move_options *options = nullptr,
+                       View<const std::uint32_t> order = {}) {
+    dsw_move_report out = {};
+    const Ordered ordered(options, order);
+    change(dsw_body_move, targets.data, targets.count, targets.stride_bytes, ordered.get(), &out);
+    return out;
+  }
+  dsw_move_report move_rigid(const dsw_rigid_motion &motion, const dsw_move_options *options = nullptr,
+                             View<const std::uint32_t> order = {}) {
+    dsw_move_report out = {};
+    const Ordered ordered(options, order);
+    change(dsw_body_move_rigid, &motion, ordered.get(), &out);
+    return out;
+  }
+  Array<dsw_contact> get_contacts() const { return list<dsw_contact>(dsw_body_get_contacts); }
+  Array<dsw_contact_partner> get_contact_partners() const {
+    return list<dsw_contact_partner>(dsw_body_get_contact_partners);
+  }
+  Array<dsw_body_edit> get_edits() const { return list<dsw_body_edit>(dsw_body_get_edits); }
+
+ private:
+  // Options with the order of vertices, or as they came where there is none.
+  class Ordered {
+   public:
+    Ordered(const dsw_move_options *options, View<const std::uint32_t> order) : given_(options) {
+      if (!order.data) return;
+      if (options) own_ = *options;
+      if (!options) dsw_move_options_init(&own_, sizeof own_);
+      own_.order = order.data;
+      own_.order_count = order.count;
+      given_ = &own_;
+    }
+    const dsw_move_options *get() const { return given_; }
+
+   private:
+    dsw_move_options own_;
+    const dsw_move_options *given_;
+  };
+
+  template <class T, class Call>
+  T one(Call call) const {
+    const SceneReading self(*state_);
+    T result = {};
+    check(call(self.handle, id_, &result));
+    return result;
+  }
+  template <class T, class Call>
+  Array<T> list(Call call) const {
+    const SceneReading self(*state_);
+    return copied<T>([&](const T **out, std::size_t *count) { return call(self.handle, id_, out, count); });
+  }
+  template <class T, class Call>
+  Array<T> fill(Call call) const {
+    const SceneReading self(*state_);
+    return filled<T>(
+        [&](T *out, std::size_t capacity, std::size_t *count) { return call(self.handle, id_, out, capacity, count); });
+  }
+  template <class Call, class Id>
+  Array<dsw_body_vertex_id> corners(std::size_t count, Call call, Id id) const {
+    const SceneReading self(*state_);
+    Array<dsw_body_vertex_id> out(count);
+    check(call(self.handle, id_, id, out.data()));
+    return out;
+  }
+  template <class Call>
+  Array<std::uint32_t> all_corners(std::size_t width, Call call) const {
+    const SceneReading self(*state_);
+    std::size_t slots = 0;
+    const dsw_status status = call(self.handle, id_, nullptr, 0, &slots);
+    if (status != DSW_STATUS_BUFFER_TOO_SMALL) check(status);
+    Array<std::uint32_t> out(width * slots);
+    if (slots) check(call(self.handle, id_, out.data(), slots, &slots));
+    return out;
+  }
+  template <class Call, class... Arguments>
+  void change(Call call, Arguments... arguments) {
+    const SceneWriting self(*state_);
+    check(call(self.handle, id_, arguments...));
+  }
+
+  std::shared_ptr<SceneState> state_;
+  dsw_body_id id_;
+};
+
+}  // namespace dartsweep

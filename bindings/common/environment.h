@@ -1,0 +1,461 @@
+// An environment as a host's object: one method for each C function on it, of the same name; see include/dartsweep for what they do.
+#pragma once
+
+#include "common/handles.h"
+#include "common/results.h"
+
+namespace dartsweep {
+
+class Environment {
+ public:
+  // Scalars come from `desc`, arrays as arguments; `regions` and later may be left out.
+  Environment(Points points, Indices connectivity, Indices offsets = {}, View<const std::uint8_t> cell_types = {},
+              View<const std::int32_t> regions = {}, View<const std::uint32_t> tags = {}, Indices faces = {},
+              Indices face_locations = {}, const dsw_environment_desc *desc = nullptr, const Context *context = nullptr)
+      : Environment() {
+    dsw_environment_desc all;
+    if (desc) all = *desc;
+    if (!desc) dsw_environment_desc_init(&all, sizeof all);
+    if (all.flags & DSW_ENVIRONMENT_BORROW_POINTS)
+      throw Error(DSW_STATUS_UNSUPPORTED, "points can be lent by Scene.deform only");
+    all.index_bytes = connectivity.bytes;
+    for (const Indices *other : {&offsets, &faces, &face_locations})
+      if (other->count && other->bytes != connectivity.bytes)
+        throw Error(DSW_STATUS_WRONG_SIZE, "integers of the cells differ in size");
+    all.points = points.data;
+    all.point_count = points.count;
+    all.point_stride_bytes = points.stride_bytes;
+    all.connectivity = connectivity.data;
+    all.connectivity_count = connectivity.count;
+    all.cell_types = cell_types.data;
+    all.cell_count = cell_types.count ? cell_types.count : uniform_count(all.uniform_cell_type, connectivity, offsets);
+    if (offsets.count) same_count("offsets", offsets.count, all.cell_count + 1);
+    all.offsets = offsets.data;
+    same_count("regions", regions.count, all.cell_count, true);
+    same_count("tags", tags.count, all.cell_count, true);
+    if (faces.count) same_count("face_locations", face_locations.count, all.cell_count);
+    all.regions = regions.data;
+    all.tags = tags.data;
+    all.faces = faces.data;
+    all.faces_count = faces.count;
+    all.face_locations = face_locations.data;
+    if (context) state_->context = context->state();
+    report_.struct_size = sizeof report_;
+    check(dsw_environment_create(state_->context.get(), &all, &state_->handle, &report_));
+  }
+
+  static Environment load(View<const std::uint8_t> block, const Context *context = nullptr) {
+    Environment loaded;
+    if (context) loaded.state_->context = context->state();
+    check(dsw_environment_load(loaded.state_->context.get(), block.data, block.count, &loaded.state_->handle));
+    return loaded;
+  }
+
+  Array<std::uint8_t> save() const {
+    const EnvironmentReading self(*state_);
+    return filled<std::uint8_t>([&](void *block, std::size_t capacity, std::size_t *size) {
+      return dsw_environment_save(self.handle, block, capacity, size);
+    });
+  }
+
+  // Volume of the result for each of this environment's volume indices goes to `volume_map`, where that is given.
+  Environment coarsen(const dsw_coarsen_options *options = nullptr, View<std::uint32_t> volume_map = {}) const {
+    const EnvironmentReading self(*state_);
+    Environment result;
+    result.state_->context = state_->context;
+    check(dsw_environment_coarsen(self.handle, options, &result.state_->handle, volume_map.data, volume_map.count,
+                                  nullptr));
+    return result;
+  }
+
+  // May be repeated. Scenes of the environment go on.
+  void close() {
+    const Writing hold(state_->mutex);
+    state_->closed = true;
+    state_->destroy_if_unused();
+  }
+  bool is_closed() const {
+    const Reading hold(state_->mutex);
+    return state_->closed;
+  }
+  const std::shared_ptr<EnvironmentState> &state() const { return state_; }
+
+  // What creation found; zeros where it was loaded.
+  dsw_build_report build_report() const { return report_; }
+
+  dsw_environment_info info() const {
+    const EnvironmentReading self(*state_);
+    dsw_environment_info info = {};
+    info.struct_size = sizeof info;
+    check(dsw_environment_get_info(self.handle, &info));
+    return info;
+  }
+  void check_all() const {
+    const EnvironmentReading self(*state_);
+    check(dsw_environment_check(self.handle, nullptr));
+  }
+
+  // --- cells
+  dsw_volume_id get_volume(std::uint32_t index) const { return one<dsw_volume_id>(dsw_environment_get_volume, index); }
+  dsw_vertex_id get_vertex(std::uint32_t index) const { return one<dsw_vertex_id>(dsw_environment_get_vertex, index); }
+  dsw_vec3 get_position(dsw_vertex_id vertex) const { return point(dsw_environment_get_position, vertex); }
+  dsw_vec3 get_centre(dsw_volume_id volume) const { return point(dsw_environment_get_centre, volume); }
+  VolumeCounts get_volume_counts(dsw_volume_id volume) const {
+    const EnvironmentReading self(*state_);
+    VolumeCounts out = {};
+    check(dsw_environment_get_volume_counts(self.handle, volume, &out.type, &out.vertices, &out.edges, &out.faces));
+    return out;
+  }
+  dsw_face_id get_volume_face(dsw_volume_id volume, std::uint32_t local) const {
+    return one<dsw_face_id>(dsw_environment_get_volume_face, volume, local);
+  }
+  dsw_edge_id get_volume_edge(dsw_volume_id volume, std::uint32_t local) const {
+    return one<dsw_edge_id>(dsw_environment_get_volume_edge, volume, local);
+  }
+  Array<dsw_vertex_id> copy_vertices(dsw_cell cell) const {
+    const EnvironmentReading self(*state_);
+    return filled<dsw_vertex_id>([&](dsw_vertex_id *out, std::size_t capacity, std::size_t *count) {
+      return dsw_environment_copy_vertices(self.handle, cell, out, capacity, count);
+    });
+  }
+  FaceVolumes get_face_volumes(dsw_face_id face) const {
+    const EnvironmentReading self(*state_);
+    FaceVolumes out = {};
+    check(dsw_environment_get_face_volumes(self.handle, face, &out.near_side, &out.far_side));
+    return out;
+  }
+  Neighbour get_neighbour(dsw_volume_id volume, std::uint32_t local) const {
+    const EnvironmentReading self(*state_);
+    Neighbour out = {};
+    int impassable = 0;
+    check(dsw_environment_get_neighbour(self.handle, volume, local, &out.volume, &impassable));
+    out.impassable = impassable != 0;
+    return out;
+  }
+  Array<dsw_face_id> find_faces(View<const std::size_t> offsets, View<const std::uint32_t> indices) const {
+    if (offsets.count == 0 || offsets.data[offsets.count - 1] > indices.count)
+      throw Error(DSW_STATUS_WRONG_SIZE, "offsets end beyond the indices");
+    const EnvironmentReading self(*state_);
+    Array<dsw_face_id> out(offsets.count - 1);
+    check(dsw_environment_find_faces(self.handle, out.size(), offsets.data, indices.data, out.data(), nullptr));
+    return out;
+  }
+  Array<dsw_edge_id> find_edges(View<const std::uint32_t> indices) const {
+    const EnvironmentReading self(*state_);
+    same_count("indices of pairs", indices.count, indices.count / 2 * 2);
+    Array<dsw_edge_id> out(indices.count / 2);
+    check(dsw_environment_find_edges(self.handle, out.size(), indices.data, out.data(), nullptr));
+    return out;
+  }
+  std::int32_t get_region(dsw_volume_id volume) const { return one<std::int32_t>(dsw_environment_get_region, volume); }
+  std::uint32_t get_tag(dsw_volume_id volume) const { return one<std::uint32_t>(dsw_environment_get_tag, volume); }
+  void set_tag(dsw_volume_id volume, std::uint32_t tag) { change(dsw_environment_set_tag, volume, tag); }
+  bool is_valid(dsw_volume_id volume) const { return one<int>(dsw_environment_is_valid, volume) != 0; }
+  Array<double> get_points() const {
+    const EnvironmentReading self(*state_);
+    const double *points = nullptr;
+    std::size_t count = 0;
+    check(dsw_environment_get_points(self.handle, &points, &count));
+    return Array<double>(points, 3 * count);
+  }
+
+  // --- queries
+  Location locate(const dsw_vec3 &point, dsw_volume_id hint = {}) const {
+    const EnvironmentReading self(*state_);
+    Location out = {};
+    check(dsw_environment_locate(self.handle, &point.x, hint, &out.volume, &out.place));
+    return out;
+  }
+  void locate_points(Points points, View<const dsw_volume_id> hints, View<dsw_volume_id> volumes,
+                     View<std::int32_t> places = {}) const {
+    static_assert(sizeof(dsw_place) == sizeof(std::int32_t), "places are written as integers");
+    same_count("hints", hints.count, points.count, true);
+    same_count("volumes", volumes.count, points.count);
+    same_count("places", places.count, points.count, true);
+    const EnvironmentReading self(*state_);
+    check(dsw_environment_locate_points(self.handle, points.data, points.count, points.stride_bytes, hints.data,
+                                        volumes.data, reinterpret_cast<dsw_place *>(places.data)));
+  }
+  dsw_cell classify(const dsw_vec3 &point, dsw_volume_id volume) const {
+    return one<dsw_cell>(dsw_environment_classify, &point.x, volume);
+  }
+  dsw_flight cast(const dsw_vec3 &from, const dsw_vec3 &to, dsw_volume_id start = {},
+                  const dsw_cast_options *options = nullptr) const {
+    return one<dsw_flight>(dsw_environment_cast, start, &from.x, &to.x, options);
+  }
+  void cast_segments(Points from, Points to, View<const dsw_volume_id> starts, const dsw_cast_options *options,
+                     View<dsw_flight> flights) const {
+    same_count("to", to.count, from.count);
+    same_count("starts", starts.count, from.count, true);
+    same_count("flights", flights.count, from.count);
+    const std::size_t stride = common_stride(from, to);
+    const EnvironmentReading self(*state_);
+    check(dsw_environment_cast_segments(self.handle, from.count, starts.data, from.data, to.data, stride, options,
+                                        flights.data));
+  }
+  Array<dsw_crossing> cast_path(const dsw_vec3 &from, const dsw_vec3 &to, dsw_volume_id start = {},
+                                const dsw_cast_options *options = nullptr) const {
+    const EnvironmentReading self(*state_);
+    return filled<dsw_crossing>([&](dsw_crossing *out, std::size_t capacity, std::size_t *count) {
+      return dsw_environment_cast_path(self.handle, start, &from.x, &to.x, options, out, capacity, count, nullptr);
+    });
+  }
+  dsw_nearest find_nearest(const dsw_vec3 &point, double radius, dsw_volume_id volume = {}) const {
+    return one<dsw_nearest>(dsw_environment_find_nearest, &point.x, volume, radius);
+  }
+  void sweep_edges(Points from, Points to, Points fixed, View<const dsw_volume_id> starts,
+                   const dsw_sweep_options *options, View<dsw_sweep> sweeps) const {
+    same_count("to", to.count, from.count);
+    same_count("fixed", fixed.count, from.count);
+    same_count("starts", starts.count, from.count, true);
+    same_count("sweeps", sweeps.count, from.count);
+    common_stride(from, to);
+    const std::size_t stride = common_stride(from, fixed);
+    const EnvironmentReading self(*state_);
+    check(dsw_environment_sweep_edges(self.handle, from.count, starts.data, from.data, to.data, fixed.data, stride,
+                                      options, sweeps.data));
+  }
+  dsw_contact_opinion check_contact(const dsw_contact &contact) const {
+    return one<dsw_contact_opinion>(dsw_contact_check, &contact);
+  }
+
+  // --- marks
+  std::size_t mark_volumes(View<const dsw_volume_id> volumes, dsw_mark mark, std::uint32_t flags = 0) {
+    std::size_t skipped = 0;
+    change(dsw_environment_mark_volumes, volumes.data, volumes.count, mark, flags, &skipped);
+    return skipped;
+  }
+  void mark_faces(View<const dsw_face_id> faces, dsw_mark mark) {
+    change(dsw_environment_mark_faces, faces.data, faces.count, mark);
+  }
+  void mark_edges(View<const dsw_edge_id> edges, dsw_mark mark) {
+    change(dsw_environment_mark_edges, edges.data, edges.count, mark);
+  }
+  void mark_vertices(View<const dsw_vertex_id> vertices, dsw_mark mark) {
+    change(dsw_environment_mark_vertices, vertices.data, vertices.count, mark);
+  }
+  Marked mark_region(std::int32_t region, dsw_mark mark, std::uint32_t flags = 0) {
+    Marked out = {};
+    change(dsw_environment_mark_region, region, mark, flags, &out.marked, &out.skipped);
+    return out;
+  }
+  std::size_t mark_between(std::int32_t a, std::int32_t b, dsw_mark mark) {
+    std::size_t marked = 0;
+    change(dsw_environment_mark_between, a, b, mark, &marked);
+    return marked;
+  }
+  bool is_marked(dsw_cell cell) const { return one<int>(dsw_environment_is_marked, cell) != 0; }
+  bool is_impassable(dsw_cell cell) const { return one<int>(dsw_environment_is_impassable, cell) != 0; }
+  std::size_t get_mark_count(dsw_cell_kind kind) const {
+    return one<std::size_t>(dsw_environment_get_mark_count, kind);
+  }
+
+  // --- changes of the topology (topology.h, surgery.h, carve.h, remesh.h)
+  void sew_faces(View<const dsw_face_id> a, View<const dsw_face_id> b) {
+    same_count("b", b.count, a.count);
+    change(dsw_environment_sew_faces, a.data, b.data, a.count);
+  }
+  void unsew_face(dsw_face_id face) { change(dsw_environment_unsew_face, face); }
+  // New vertices and volumes are those of get_volume_changes, and of the indices that follow.
+  Array<dsw_volume_id> add_volumes(View<const dsw_vertex_id> vertices, Points points, Indices connectivity,
+                                   Indices offsets = {}, View<const std::uint8_t> cell_types = {},
+                                   View<const std::int32_t> regions = {}, View<const std::uint32_t> tags = {},
+                                   View<const dsw_face_id> sew_to = {}, const dsw_volumes_desc *desc = nullptr) {
+    dsw_volumes_desc all;
+    if (desc) all = *desc;
+    if (!desc) dsw_volumes_desc_init(&all, sizeof all);
+    if (offsets.count && offsets.bytes != connectivity.bytes)
+      throw Error(DSW_STATUS_WRONG_SIZE, "integers of the cells differ in size");
+    all.index_bytes = connectivity.bytes;
+    all.vertices = vertices.data;
+    all.vertex_count = vertices.count;
+    all.points = points.data;
+    all.point_count = points.count;
+    all.point_stride_bytes = points.stride_bytes;
+    all.cell_types = cell_types.data;
+    all.cell_count = cell_types.count ? cell_types.count : uniform_count(all.uniform_cell_type, connectivity, offsets);
+    if (offsets.count) same_count("offsets", offsets.count, all.cell_count + 1);
+    same_count("regions", regions.count, all.cell_count, true);
+    same_count("tags", tags.count, all.cell_count, true);
+    all.offsets = offsets.data;
+    all.connectivity = connectivity.data;
+    all.connectivity_count = connectivity.count;
+    all.regions = regions.data;
+    all.tags = tags.data;
+    all.sew_to = sew_to.data;
+    all.sew_count = sew_to.count;
+    Array<dsw_volume_id> volumes(all.cell_count);
+    change(dsw_environment_add_volumes, &all, volumes.data(), static_cast<dsw_vertex_id *>(nullptr));
+    return volumes;
+  }
+  void remove_volumes(View<const dsw_volume_id> volumes) {
+    change(dsw_environment_remove_volumes, volumes.data, volumes.count);
+  }
+  dsw_volume_id merge_volumes(dsw_face_id face) {
+    dsw_volume_id volume = {};
+    change(dsw_environment_merge_volumes, face, &volume);
+    return volume;
+  }
+  VolumeSplit split_volume(dsw_volume_id volume, View<const dsw_vertex_id> loop) {
+    dsw_volume_id parts[2] = {};
+    VolumeSplit out = {};
+    change(dsw_environment_split_volume, volume, loop.data, loop.count, &parts[0], &out.face);
+    out.left = parts[0];
+    out.right = parts[1];
+    return out;
+  }
+  dsw_face_id merge_faces(dsw_edge_id edge) {
+    dsw_face_id face = {};
+    change(dsw_environment_merge_faces, edge, &face);
+    return face;
+  }
+  FaceSplit split_face(dsw_face_id face, dsw_vertex_id a, dsw_vertex_id b) {
+    dsw_face_id parts[2] = {};
+    FaceSplit out = {};
+    change(dsw_environment_split_face, face, a, b, &parts[0], &out.edge);
+    out.left = parts[0];
+    out.right = parts[1];
+    return out;
+  }
+  EdgeSplit split_edge(dsw_edge_id edge, double share) {
+    dsw_edge_id parts[2] = {};
+    EdgeSplit out = {};
+    change(dsw_environment_split_edge, edge, share, &out.vertex, &parts[0]);
+    out.first = parts[0];
+    out.second = parts[1];
+    return out;
+  }
+  dsw_edge_id merge_edges(dsw_edge_id edge, dsw_vertex_id vertex) {
+    dsw_edge_id merged = {};
+    change(dsw_environment_merge_edges, edge, vertex, &merged);
+    return merged;
+  }
+  void collapse_edge(dsw_edge_id edge, dsw_vertex_id vertex) { change(dsw_environment_collapse_edge, edge, vertex); }
+  Array<dsw_volume_change> get_volume_changes() const {
+    return list<dsw_volume_change>(dsw_environment_get_volume_changes);
+  }
+
+  // `blade` has rows * columns points, row by row.
+  dsw_cut_report cut(Points blade, std::uint32_t rows, std::uint32_t columns, const dsw_cut_desc *desc = nullptr) {
+    dsw_cut_desc all;
+    if (desc) all = *desc;
+    if (!desc) dsw_cut_desc_init(&all, sizeof all);
+    same_count("blade", blade.count, std::size_t{rows} * columns);
+    all.points = blade.data;
+    all.point_stride_bytes = blade.stride_bytes;
+    all.rows = rows;
+    all.columns = columns;
+    dsw_cut_report report = {};
+    change(dsw_environment_cut, &all, &report);
+    return report;
+  }
+  std::size_t tear_faces(View<const dsw_face_id> faces, View<const double> loads, double threshold) {
+    same_count("loads", loads.count, faces.count);
+    std::size_t torn = 0;
+    change(dsw_environment_tear_faces, faces.data, loads.data, faces.count, threshold, &torn);
+    return torn;
+  }
+  Array<dsw_cut_vertex> get_cut_vertices() const { return list<dsw_cut_vertex>(dsw_environment_get_cut_vertices); }
+  Array<dsw_cut_face> get_cut_faces() const { return list<dsw_cut_face>(dsw_environment_get_cut_faces); }
+  Array<dsw_volume_id> get_whole_volumes() const { return list<dsw_volume_id>(dsw_environment_get_whole_volumes); }
+  dsw_open_report open(View<const dsw_cut_face> faces, const dsw_open_desc &desc) {
+    dsw_open_desc all = desc;
+    all.faces = faces.data;
+    all.face_count = faces.count;
+    dsw_open_report report = {};
+    change(dsw_environment_open, &all, &report);
+    return report;
+  }
+  dsw_carve_report carve(Points points, View<const std::uint32_t> triangles, const dsw_carve_desc *desc = nullptr) {
+    dsw_carve_desc all;
+    if (desc) all = *desc;
+    if (!desc) dsw_carve_desc_init(&all, sizeof all);
+    same_count("corners of triangles", triangles.count, triangles.count / 3 * 3);
+    all.points = points.data;
+    all.point_count = points.count;
+    all.point_stride_bytes = points.stride_bytes;
+    all.triangles = triangles.data;
+    all.triangle_count = triangles.count / 3;
+    dsw_carve_report report = {};
+    change(dsw_environment_carve, &all, &report);
+    return report;
+  }
+  Array<dsw_volume_id> get_carved_volumes() const { return list<dsw_volume_id>(dsw_environment_get_carved_volumes); }
+  dsw_tie_report tie(Points loop, const dsw_tie_desc *desc = nullptr) {
+    dsw_tie_desc all;
+    if (desc) all = *desc;
+    if (!desc) dsw_tie_desc_init(&all, sizeof all);
+    all.points = loop.data;
+    all.point_count = loop.count;
+    all.point_stride_bytes = loop.stride_bytes;
+    dsw_tie_report report = {};
+    change(dsw_environment_tie, &all, &report);
+    return report;
+  }
+  // `volumes` and `next` may be left out.
+  dsw_remesh_report remesh(View<const dsw_volume_id> volumes, View<const double> next,
+                           const dsw_remesh_desc *desc = nullptr) {
+    dsw_remesh_desc all;
+    if (desc) all = *desc;
+    if (!desc) dsw_remesh_desc_init(&all, sizeof all);
+    all.volumes = volumes.data;
+    all.volume_count = volumes.count;
+    all.next = next.data;
+    all.point_count = next.count / 3;
+    dsw_remesh_report report = {};
+    change(dsw_environment_remesh, &all, &report);
+    return report;
+  }
+  Array<dsw_volume_id> get_unmended_volumes() const {
+    return list<dsw_volume_id>(dsw_environment_get_unmended_volumes);
+  }
+
+ private:
+  Environment() : state_(std::make_shared<EnvironmentState>()) {}
+
+  static std::size_t uniform_count(std::uint32_t type, const Indices &connectivity, const Indices &offsets) {
+    if (offsets.count) return offsets.count - 1;
+    switch (type) {
+      case DSW_CELL_TYPE_TETRA:
+        return connectivity.count / 4;
+      case DSW_CELL_TYPE_PYRAMID:
+        return connectivity.count / 5;
+      case DSW_CELL_TYPE_WEDGE:
+        return connectivity.count / 6;
+      default:
+        return connectivity.count / 8;
+    }
+  }
+
+  // call(environment, arguments..., &result) for readers with one result, and with a point as result.
+  template <class T, class Call, class... Arguments>
+  T one(Call call, Arguments... arguments) const {
+    const EnvironmentReading self(*state_);
+    T result = {};
+    check(call(self.handle, arguments..., &result));
+    return result;
+  }
+  template <class Call, class Id>
+  dsw_vec3 point(Call call, Id id) const {
+    double xyz[3];
+    const EnvironmentReading self(*state_);
+    check(call(self.handle, id, xyz));
+    return {xyz[0], xyz[1], xyz[2]};
+  }
+  template <class T, class Call>
+  Array<T> list(Call call) const {
+    const EnvironmentReading self(*state_);
+    return copied<T>([&](const T **out, std::size_t *count) { return call(self.handle, out, count); });
+  }
+  // call(environment, arguments...) for writers.
+  template <class Call, class... Arguments>
+  void change(Call call, Arguments... arguments) {
+    const EnvironmentWriting self(*state_);
+    check(call(self.handle, arguments...));
+  }
+
+  std::shared_ptr<EnvironmentState> state_;
+  dsw_build_report report_ = {};
+};
+
+}  // namespace dartsweep

@@ -1,0 +1,217 @@
+// A scene, its particles and its bodies as hosts' objects; names and meanings as in environment.h.
+#pragma once
+
+#include "common/environment.h"
+
+namespace dartsweep {
+
+class Scene {
+ public:
+  explicit Scene(Environment &environment, const dsw_scene_desc *desc = nullptr)
+      : Scene(environment, [desc](dsw_environment *in, dsw_scene **out) { return dsw_scene_create(in, desc, out); }) {}
+
+  static Scene load(Environment &environment, View<const std::uint8_t> block) {
+    return Scene(environment, [block](dsw_environment *in, dsw_scene **out) {
+      return dsw_scene_load(in, block.data, block.count, out);
+    });
+  }
+
+  Array<std::uint8_t> save() const {
+    const SceneReading self(*state_);
+    return filled<std::uint8_t>([&](void *block, std::size_t capacity, std::size_t *size) {
+      return dsw_scene_save(self.handle, block, capacity, size);
+    });
+  }
+
+  // May be repeated. Bodies of the scene are closed with it.
+  void close() { state_->close(); }
+  bool is_closed() const {
+    const Reading hold(state_->environment->mutex);
+    return state_->handle == nullptr;
+  }
+  const std::shared_ptr<SceneState> &state() const { return state_; }
+
+  dsw_statistics get_statistics() const {
+    const SceneReading self(*state_);
+    dsw_statistics out = {};
+    out.struct_size = sizeof out;
+    check(dsw_scene_get_statistics(self.handle, &out));
+    return out;
+  }
+  void reset_statistics() {
+    const SceneWriting self(*state_);
+    check(dsw_scene_reset_statistics(self.handle));
+  }
+  std::uint64_t get_memory_bytes() const { return one<std::uint64_t>(dsw_scene_get_memory_bytes); }
+  std::size_t get_particle_count() const { return one<std::size_t>(dsw_scene_get_particle_count); }
+  std::size_t get_body_count() const { return one<std::size_t>(dsw_scene_get_body_count); }
+
+  // --- particles
+  dsw_particle_id create_particle(const dsw_vec3 &position, dsw_volume_id hint = {}) {
+    const SceneWriting self(*state_);
+    dsw_particle_id out = {};
+    check(dsw_particle_create(self.handle, &position.x, hint, &out));
+    return out;
+  }
+  void create_particles(Points positions, View<const dsw_volume_id> hints, View<dsw_particle_id> particles) {
+    same_count("hints", hints.count, positions.count, true);
+    same_count("particles", particles.count, positions.count);
+    const SceneWriting self(*state_);
+    check(dsw_scene_create_particles(self.handle, positions.data, positions.count, positions.stride_bytes, hints.data,
+                                     particles.data, nullptr));
+  }
+  void destroy_particle(dsw_particle_id particle) {
+    const SceneWriting self(*state_);
+    check(dsw_particle_destroy(self.handle, particle));
+  }
+  Particle get_particle(dsw_particle_id particle) const {
+    const SceneReading self(*state_);
+    double xyz[3];
+    Particle out = {};
+    check(dsw_particle_get(self.handle, particle, xyz, &out.volume));
+    out.position = {xyz[0], xyz[1], xyz[2]};
+    return out;
+  }
+  void get_particles(View<const dsw_particle_id> particles, PointsOut positions,
+                     View<dsw_volume_id> volumes = {}) const {
+    same_count("positions", positions.count, particles.count, true);
+    same_count("volumes", volumes.count, particles.count, true);
+    const SceneReading self(*state_);
+    check(dsw_scene_get_particles(self.handle, particles.data, particles.count, positions.data, 24, volumes.data));
+  }
+  dsw_flight move_particle(dsw_particle_id particle, const dsw_vec3 &target,
+                           const dsw_cast_options *options = nullptr) {
+    const SceneWriting self(*state_);
+    dsw_flight out;
+    check(dsw_particle_move(self.handle, particle, &target.x, options, &out));
+    return out;
+  }
+  // `flights` may be left out, here and below.
+  void move_particles(View<const dsw_particle_id> particles, Points targets, const dsw_cast_options *options,
+                      View<dsw_flight> flights) {
+    same_count("targets", targets.count, particles.count);
+    same_count("flights", flights.count, particles.count, true);
+    const SceneWriting self(*state_);
+    check(dsw_scene_move_particles(self.handle, particles.data, particles.count, targets.data, targets.stride_bytes,
+                                   options, flights.data));
+  }
+  void cast_from_particles(View<const dsw_particle_id> particles, Points to, const dsw_cast_options *options,
+                           View<dsw_flight> flights) {
+    same_count("to", to.count, particles.count);
+    same_count("flights", flights.count, particles.count);
+    const SceneWriting self(*state_);
+    check(dsw_scene_cast_from_particles(self.handle, particles.data, particles.count, to.data, to.stride_bytes, options,
+                                        flights.data));
+  }
+  // Crossings of the last move of particles; get_crossing_offsets has where each flight's begin, and the end.
+  Array<dsw_crossing> get_crossings() const {
+    const SceneReading self(*state_);
+    const dsw_crossing *crossings = nullptr;
+    const std::size_t *first = nullptr;
+    std::size_t count = 0;
+    check(dsw_scene_get_crossings(self.handle, &crossings, &first, &count));
+    return Array<dsw_crossing>(crossings, count ? first[count] : 0);
+  }
+  Array<std::size_t> get_crossing_offsets() const {
+    const SceneReading self(*state_);
+    const dsw_crossing *crossings = nullptr;
+    const std::size_t *first = nullptr;
+    std::size_t count = 0;
+    check(dsw_scene_get_crossings(self.handle, &crossings, &first, &count));
+    return count ? Array<std::size_t>(first, count + 1) : Array<std::size_t>();
+  }
+
+  // --- what was in the way, or moved
+  Array<dsw_particle_id> get_occupants() const { return list<dsw_particle_id>(dsw_scene_get_occupants); }
+  Array<dsw_body_id> get_occupant_bodies() const { return list<dsw_body_id>(dsw_scene_get_occupant_bodies); }
+  Array<std::uint32_t> get_offending_edges() const {  // Two indices for each.
+    const SceneReading self(*state_);
+    return copied<std::uint32_t>([&](const std::uint32_t **out, std::size_t *count) {
+      const dsw_status status = dsw_scene_get_offending_edges(self.handle, out, count);
+      *count *= 2;
+      return status;
+    });
+  }
+
+  // --- deformation. `next` stays with the environment until the next deformation that is not refused.
+  dsw_deform_report deform(Lent next, const dsw_deform_options *options = nullptr) {
+    const WholeWriting self(*state_);
+    dsw_deform_report report = {};
+    check(dsw_scene_deform(self.handle, next.data, next.count, options, &report));
+    if (report.outcome != DSW_DEFORM_REFUSED) state_->environment->lent = std::move(next.owner);
+    return report;
+  }
+  Array<dsw_wall_contact> get_wall_contacts() const { return list<dsw_wall_contact>(dsw_scene_get_wall_contacts); }
+  Array<dsw_vertex_id> get_held_vertices() const { return list<dsw_vertex_id>(dsw_scene_get_held_vertices); }
+  Array<dsw_volume_id> get_invalid_volumes() const { return list<dsw_volume_id>(dsw_scene_get_invalid_volumes); }
+
+  // --- pieces that come off
+  Detached detach(const dsw_detach_desc &desc) {
+    const WholeWriting self(*state_);
+    Detached out = {};
+    check(dsw_scene_detach(self.handle, &desc, &out.body, &out.report));
+    return out;
+  }
+  Array<dsw_volume_id> get_detached_volumes() const { return list<dsw_volume_id>(dsw_scene_get_detached_volumes); }
+  Array<dsw_detached_vertex> get_detached_vertices() const {
+    return list<dsw_detached_vertex>(dsw_scene_get_detached_vertices);
+  }
+  Array<dsw_detached_face> get_detached_faces() const { return list<dsw_detached_face>(dsw_scene_get_detached_faces); }
+
+  // --- bodies; class Body has the calls on one
+  dsw_body_id create_body(Points positions, View<const std::uint32_t> edges = {},
+                          View<const std::uint32_t> face_offsets = {}, View<const std::uint32_t> face_corners = {},
+                          View<const dsw_volume_id> hints = {}, const dsw_body_desc *desc = nullptr) {
+    dsw_body_desc all;
+    if (desc) all = *desc;
+    if (!desc) dsw_body_desc_init(&all, sizeof all);
+    same_count("indices of edges", edges.count, edges.count / 2 * 2);
+    same_count("hints", hints.count, positions.count, true);
+    all.positions = positions.data;
+    all.vertex_count = positions.count;
+    all.stride_bytes = positions.stride_bytes;
+    all.hints = hints.data;
+    all.edges = edges.data;
+    all.edge_count = edges.count / 2;
+    all.face_offsets = face_offsets.data;
+    all.face_corners = face_corners.data;
+    all.face_count = face_offsets.count ? face_offsets.count - 1 : 0;
+    all.face_corner_count = face_corners.count;
+    const SceneWriting self(*state_);
+    dsw_body_id out = {};
+    check(dsw_body_create(self.handle, &all, &out));
+    return out;
+  }
+  void move_bodies(View<const dsw_body_id> bodies, Points targets, const dsw_move_options *options,
+                   View<dsw_move_report> reports) {
+    same_count("reports", reports.count, bodies.count, true);
+    const SceneWriting self(*state_);
+    check(dsw_scene_move_bodies(self.handle, bodies.data, bodies.count, targets.data, targets.count,
+                                targets.stride_bytes, options, reports.data));
+  }
+
+ private:
+  template <class Make>
+  Scene(Environment &environment, Make make) : state_(std::make_shared<SceneState>()) {
+    state_->environment = environment.state();
+    const EnvironmentWriting parent(*state_->environment);
+    check(make(parent.handle, &state_->handle));
+    ++state_->environment->scenes;
+  }
+  template <class T, class Call>
+  T one(Call call) const {
+    const SceneReading self(*state_);
+    T result = {};
+    check(call(self.handle, &result));
+    return result;
+  }
+  template <class T, class Call>
+  Array<T> list(Call call) const {
+    const SceneReading self(*state_);
+    return copied<T>([&](const T **out, std::size_t *count) { return call(self.handle, out, count); });
+  }
+
+  std::shared_ptr<SceneState> state_;
+};
+
+}  // namespace dartsweep

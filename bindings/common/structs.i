@@ -1,0 +1,120 @@
+// Structs as hosts see them: what is only for C is left out, descriptions are made with their defaults.
+
+%define DSW_INITIALISED(type, name)
+%extend type {
+  type() {
+    type *made = new type;
+    type##_init(made, sizeof *made);
+    return made;
+  }
+}
+%enddef
+DSW_EACH_DESCRIPTION(DSW_INITIALISED)
+
+%ignore struct_size;
+%ignore reserved;
+
+// Arrays are arguments of methods.
+%define DSW_CELLS_AS_ARGUMENTS(type)
+%ignore type::index_bytes;
+%ignore type::points;
+%ignore type::point_count;
+%ignore type::point_stride_bytes;
+%ignore type::cell_types;
+%ignore type::cell_count;
+%ignore type::offsets;
+%ignore type::connectivity;
+%ignore type::connectivity_count;
+%ignore type::regions;
+%ignore type::tags;
+%enddef
+DSW_CELLS_AS_ARGUMENTS(dsw_environment_desc)
+DSW_CELLS_AS_ARGUMENTS(dsw_volumes_desc)
+%ignore dsw_environment_desc::faces;
+%ignore dsw_environment_desc::faces_count;
+%ignore dsw_environment_desc::face_locations;
+%ignore dsw_volumes_desc::vertices;
+%ignore dsw_volumes_desc::vertex_count;
+%ignore dsw_volumes_desc::sew_to;
+%ignore dsw_volumes_desc::sew_count;
+%ignore dsw_body_desc::positions;
+%ignore dsw_body_desc::vertex_count;
+%ignore dsw_body_desc::stride_bytes;
+%ignore dsw_body_desc::hints;
+%ignore dsw_body_desc::edges;
+%ignore dsw_body_desc::edge_count;
+%ignore dsw_body_desc::face_offsets;
+%ignore dsw_body_desc::face_corners;
+%ignore dsw_body_desc::face_count;
+%ignore dsw_body_desc::face_corner_count;
+%ignore dsw_cut_desc::points;
+%ignore dsw_cut_desc::point_stride_bytes;
+%ignore dsw_cut_desc::rows;
+%ignore dsw_cut_desc::columns;
+%ignore dsw_open_desc::faces;
+%ignore dsw_open_desc::face_count;
+%ignore dsw_carve_desc::points;
+%ignore dsw_carve_desc::point_count;
+%ignore dsw_carve_desc::point_stride_bytes;
+%ignore dsw_carve_desc::triangles;
+%ignore dsw_carve_desc::triangle_count;
+%ignore dsw_tie_desc::points;
+%ignore dsw_tie_desc::point_count;
+%ignore dsw_tie_desc::point_stride_bytes;
+%ignore dsw_remesh_desc::volumes;
+%ignore dsw_remesh_desc::volume_count;
+%ignore dsw_remesh_desc::next;
+%ignore dsw_remesh_desc::point_count;
+%ignore dsw_move_options::order;
+%ignore dsw_move_options::order_count;
+
+// What classes of ours replace.
+%ignore dsw_context_desc;
+%ignore dsw_trace_data;
+%ignore dsw_coarsen_report;
+%ignore dartsweep::NoWait;
+%ignore dartsweep::Reading;
+%ignore dartsweep::Writing;
+%ignore dartsweep::lock;
+%ignore dartsweep::lock_shared;
+%ignore dartsweep::EnvironmentState;
+%ignore dartsweep::SceneState;
+%ignore dartsweep::EnvironmentReading;
+%ignore dartsweep::EnvironmentWriting;
+%ignore dartsweep::SceneReading;
+%ignore dartsweep::SceneWriting;
+%ignore dartsweep::WholeWriting;
+%ignore dartsweep::copied;
+%ignore dartsweep::filled;
+%ignore dartsweep::same_count;
+%ignore dartsweep::common_stride;
+%ignore *::state;
+%ignore dartsweep::Array::data;
+%ignore dartsweep::Array::release;
+%ignore dartsweep::Array::Array(const T *, std::size_t);
+
+// Ids are values.
+%define DSW_ID_OF_TWO(type)
+%extend type {
+  type(uint32_t index, uint32_t generation) { return new type{index, generation}; }
+  bool is_null() const { return $self->generation == 0; }
+}
+%enddef
+DSW_ID_OF_TWO(dsw_vertex_id)
+DSW_ID_OF_TWO(dsw_volume_id)
+DSW_ID_OF_TWO(dsw_particle_id)
+DSW_ID_OF_TWO(dsw_body_id)
+DSW_ID_OF_TWO(dsw_body_vertex_id)
+DSW_ID_OF_TWO(dsw_body_edge_id)
+DSW_ID_OF_TWO(dsw_body_face_id)
+
+%define DSW_ID_OF_THREE(type)
+%extend type {
+  type(uint32_t volume, uint32_t generation, uint32_t local) { return new type{volume, generation, local}; }
+  bool is_null() const { return $self->generation == 0; }
+}
+%enddef
+DSW_ID_OF_THREE(dsw_face_id)
+DSW_ID_OF_THREE(dsw_edge_id)
+
+%feature("director") dartsweep::LogSink;
