@@ -68,6 +68,14 @@ DSW_CELLS_AS_ARGUMENTS(dsw_volumes_desc)
 %ignore dsw_move_options::order;
 %ignore dsw_move_options::order_count;
 
+// Members that are structs are handled as `const type &`: typemaps copy them, since a host may keep them longer than the whole.
+%define DSW_MEMBER(type, name)
+%naturalvar type;
+%enddef
+DSW_EACH_ID(DSW_MEMBER)
+DSW_EACH_RECORD(DSW_MEMBER)
+DSW_EACH_RESULT(DSW_MEMBER)
+
 // What classes of ours replace.
 %ignore dsw_context_desc;
 %ignore dsw_trace_data;
@@ -93,8 +101,9 @@ DSW_CELLS_AS_ARGUMENTS(dsw_volumes_desc)
 %ignore dartsweep::Array::release;
 %ignore dartsweep::Array::Array(const T *, std::size_t);
 
-// Ids are values.
+// Ids are values; C++ has a default constructor for them, whatever constructors hosts have.
 %define DSW_ID_OF_TWO(type)
+%feature("novaluewrapper") type;
 %extend type {
   type(uint32_t index, uint32_t generation) { return new type{index, generation}; }
   bool is_null() const { return $self->generation == 0; }
@@ -109,6 +118,7 @@ DSW_ID_OF_TWO(dsw_body_edge_id)
 DSW_ID_OF_TWO(dsw_body_face_id)
 
 %define DSW_ID_OF_THREE(type)
+%feature("novaluewrapper") type;
 %extend type {
   type(uint32_t volume, uint32_t generation, uint32_t local) { return new type{volume, generation, local}; }
   bool is_null() const { return $self->generation == 0; }

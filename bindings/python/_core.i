@@ -1,0 +1,50 @@
+// The module dartsweep._core: the shared interface, and what the package hands over when it is loaded.
+%module _core
+
+%typemap(in) PyObject * "$1 = $input;"
+
+%include "../dartsweep.i"
+
+%inline %{
+namespace dartsweep_python {
+
+// A dict: status -> class of exceptions; -1 -> that of Closed.
+void set_errors(PyObject *classes) {
+  Py_INCREF(classes);
+  error_classes = classes;
+}
+
+template <class T>
+void set_dtype(PyObject *dtype) {
+  PyObject *size = PyArray_DescrCheck(dtype) ? PyObject_GetAttrString(dtype, "itemsize") : nullptr;
+  const bool fits = size && PyLong_AsSize_t(size) == sizeof(T);
+  Py_XDECREF(size);
+  if (!fits) throw dartsweep::Error(DSW_STATUS_INTERNAL, "a dtype does not have the size of its struct");
+  Py_INCREF(dtype);
+  Type<T>::descr = reinterpret_cast<PyArray_Descr *>(dtype);
+}
+
+// Hands lines of the log to a callable.
+class Log : public dartsweep::LogSink {
+ public:
+  explicit Log(PyObject *callable) : callable_(callable) { Py_INCREF(callable_); }
+  ~Log() override { Py_DECREF(callable_); }
+  void write(int level, const char *text) override {
+    const PyGILState_STATE state = PyGILState_Ensure();
+    PyObject *answer = PyObject_CallFunction(callable_, "is", level, text);
+    if (!answer) PyErr_WriteUnraisable(callable_);
+    Py_XDECREF(answer);
+    PyGILState_Release(state);
+  }
+
+ private:
+  PyObject *callable_;
+};
+
+}  // namespace dartsweep_python
+%}
+%define DSW_DTYPE(type, name)
+%template(set_dtype_##name) dartsweep_python::set_dtype<type>;
+%enddef
+DSW_EACH_ID(DSW_DTYPE)
+DSW_EACH_RECORD(DSW_DTYPE)

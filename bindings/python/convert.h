@@ -1,0 +1,313 @@
+// Python objects as arguments of the shared layer, and its results as Python objects. Arrays of the right type and layout are used
+// in place; others are converted once.
+#pragma once
+
+#define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
+#include <numpy/arrayobject.h>
+#include <numpy/arrayscalars.h>
+
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+#include "common/arrays.h"
+#include "dartsweep/dartsweep.h"
+#include "host.h"
+
+namespace dartsweep_python {
+
+using dartsweep::Array;
+using dartsweep::View;
+
+// NumPy's type of T; that of structs is made in dtypes.py and handed over by set_dtypes.
+template <class T>
+struct Type {
+  static PyArray_Descr *descr;
+};
+template <class T>
+PyArray_Descr *Type<T>::descr = nullptr;
+
+template <class T>
+inline constexpr int kNumber = std::is_same_v<T, double>          ? NPY_DOUBLE
+                               : std::is_same_v<T, std::uint8_t>  ? NPY_UINT8
+                               : std::is_same_v<T, std::int32_t>  ? NPY_INT32
+                               : std::is_same_v<T, std::uint32_t> ? NPY_UINT32
+                               : std::is_same_v<T, std::size_t>   ? NPY_UINTP
+                                                                  : NPY_NOTYPE;
+
+// A new reference.
+template <class T>
+PyArray_Descr *descr_of() {
+  if constexpr (kNumber<T> != NPY_NOTYPE) return PyArray_DescrFromType(kNumber<T>);
+  Py_XINCREF(Type<T>::descr);
+  return Type<T>::descr;
+}
+
+template <class T>
+bool has_type(PyArrayObject *array) {
+  if constexpr (kNumber<T> != NPY_NOTYPE) return PyArray_TYPE(array) == kNumber<T> && PyArray_ISNOTSWAPPED(array);
+  return PyArray_DESCR(array) == Type<T>::descr || PyArray_EquivTypes(PyArray_DESCR(array), Type<T>::descr);
+}
+
+// An argument: what it refers to lives as long as this. set_* answer false with a Python error set.
+struct Argument {
+  PyObject *array = nullptr;
+  Argument() = default;
+  Argument(const Argument &) = delete;
+  Argument &operator=(const Argument &) = delete;
+  ~Argument() { Py_XDECREF(array); }
+
+  bool hold(PyObject *made) {
+    array = made;
+    return made != nullptr;
+  }
+};
+
+// One point, from an array or any sequence of three numbers.
+inline bool set_point(PyObject *object, double *xyz) {
+  if (PyArray_Check(object)) {
+    auto *array = reinterpret_cast<PyArrayObject *>(object);
+    if (PyArray_NDIM(array) == 1 && PyArray_DIM(array, 0) == 3 && has_type<double>(array) && PyArray_ISALIGNED(array)) {
+      for (int i = 0; i < 3; ++i) xyz[i] = *static_cast<double *>(PyArray_GETPTR1(array, i));
+      return true;
+    }
+  }
+  PyObject *items = PySequence_Fast(object, "a point is a sequence of 3 numbers");
+  if (!items) return false;
+  bool good = PySequence_Fast_GET_SIZE(items) == 3;
+  if (!good) PyErr_SetString(PyExc_ValueError, "a point has 3 coordinates");
+  for (Py_ssize_t i = 0; good && i < 3; ++i) {
+    xyz[i] = PyFloat_AsDouble(PySequence_Fast_GET_ITEM(items, i));
+    good = xyz[i] != -1.0 || !PyErr_Occurred();
+  }
+  Py_DECREF(items);
+  return good;
+}
+
+struct PointsArgument : Argument {
+  bool set(PyObject *object, dartsweep::Points &out) {
+    if (object == Py_None) return true;
+    if (PyArray_Check(object)) {
+      auto *given = reinterpret_cast<PyArrayObject *>(object);
+      if (has_type<double>(given) && PyArray_ISALIGNED(given) && PyArray_NDIM(given) == 2 && PyArray_DIM(given, 1) == 3 &&
+          PyArray_STRIDE(given, 1) == 8 && PyArray_STRIDE(given, 0) >= 24) {
+        Py_INCREF(object);
+        hold(object);
+        return point_to(given, out);
+      }
+    }
+    if (!hold(PyArray_FROMANY(object, NPY_DOUBLE, 0, 0, NPY_ARRAY_CARRAY_RO))) return false;
+    auto *made = reinterpret_cast<PyArrayObject *>(array);
+    if (PyArray_NDIM(made) == 2 && PyArray_DIM(made, 1) == 3) return point_to(made, out);
+    PyErr_SetString(PyExc_ValueError, "points are an array of shape (n, 3)");
+    return false;
+  }
+
+ private:
+  static bool point_to(PyArrayObject *from, dartsweep::Points &out) {
+    out.data = static_cast<const double *>(PyArray_DATA(from));
+    out.count = static_cast<std::size_t>(PyArray_DIM(from, 0));
+    out.stride_bytes = out.count > 1 ? static_cast<std::size_t>(PyArray_STRIDE(from, 0)) : 24;
+    return true;
+  }
+};
+
+// An array that is written: no conversion would do.
+inline bool is_writable(PyObject *object, const char *what) {
+  if (PyArray_Check(object) && PyArray_ISCARRAY(reinterpret_cast<PyArrayObject *>(object))) return true;
+  PyErr_Format(PyExc_TypeError, "%s must be a writable, C-contiguous NumPy array", what);
+  return false;
+}
+
+inline bool set_points_out(PyObject *object, double *&data, std::size_t &count) {
+  if (object == Py_None) return true;
+  if (!is_writable(object, "points")) return false;
+  auto *array = reinterpret_cast<PyArrayObject *>(object);
+  if (!has_type<double>(array) || PyArray_NDIM(array) != 2 || PyArray_DIM(array, 1) != 3) {
+    PyErr_SetString(PyExc_TypeError, "points that are written must be float64, of shape (n, 3)");
+    return false;
+  }
+  data = static_cast<double *>(PyArray_DATA(array));
+  count = static_cast<std::size_t>(PyArray_DIM(array, 0));
+  return true;
+}
+
+// The array stays with the library: the reference goes when that lets go, on whatever thread.
+inline bool set_lent(PyObject *object, dartsweep::Lent &out) {
+  if (object == Py_None) {
+    PyErr_SetString(PyExc_TypeError, "positions must be an array");
+    return false;
+  }
+  if (!set_points_out(object, out.data, out.count)) return false;
+  Py_INCREF(object);
+  out.owner = std::shared_ptr<void>(object, [](void *held) {
+    const PyGILState_STATE state = PyGILState_Ensure();
+    Py_DECREF(static_cast<PyObject *>(held));
+    PyGILState_Release(state);
+  });
+  return true;
+}
+
+struct IndicesArgument : Argument {
+  bool set(PyObject *object, dartsweep::Indices &out) {
+    if (object == Py_None) return true;
+    const bool narrow = PyArray_Check(object) && PyArray_TYPE(reinterpret_cast<PyArrayObject *>(object)) == NPY_INT32;
+    if (!hold(PyArray_FROMANY(object, narrow ? NPY_INT32 : NPY_INT64, 0, 0, NPY_ARRAY_CARRAY_RO))) return false;
+    auto *made = reinterpret_cast<PyArrayObject *>(array);
+    out.data = PyArray_DATA(made);
+    out.count = static_cast<std::size_t>(PyArray_SIZE(made));
+    out.bytes = narrow ? 4 : 8;
+    return true;
+  }
+};
+
+// View<const T>. `read_one` converts one element of a sequence of structs; numbers need none.
+template <class T>
+struct ViewArgument : Argument {
+  Array<T> own;
+
+  bool set(PyObject *object, View<const T> &out, bool (*read_one)(PyObject *, T *) = nullptr) {
+    if (object == Py_None) return true;
+    if constexpr (std::is_same_v<T, std::uint8_t>) {
+      if (PyBytes_Check(object)) {
+        out = {reinterpret_cast<const T *>(PyBytes_AS_STRING(object)), static_cast<std::size_t>(PyBytes_GET_SIZE(object))};
+        return true;
+      }
+    }
+    if (PyArray_Check(object)) {
+      auto *given = reinterpret_cast<PyArrayObject *>(object);
+      if (has_type<T>(given) && PyArray_ISCARRAY_RO(given)) {
+        Py_INCREF(object);
+        hold(object);
+        out = {static_cast<const T *>(PyArray_DATA(given)), static_cast<std::size_t>(PyArray_SIZE(given))};
+        return true;
+      }
+    }
+    if constexpr (kNumber<T> == NPY_NOTYPE) {
+      return set_structs(object, out, read_one);
+    } else if constexpr (std::is_same_v<T, double>) {
+      return set_converted(object, NPY_DOUBLE, out);
+    } else {
+      return set_integers(object, out);
+    }
+  }
+
+ private:
+  bool set_converted(PyObject *object, int type, View<const T> &out) {
+    if (!hold(PyArray_FROMANY(object, type, 0, 0, NPY_ARRAY_CARRAY_RO))) return false;
+    auto *made = reinterpret_cast<PyArrayObject *>(array);
+    out = {static_cast<const T *>(PyArray_DATA(made)), static_cast<std::size_t>(PyArray_SIZE(made))};
+    return true;
+  }
+
+  // Integers of another type: each has to fit.
+  bool set_integers(PyObject *object, View<const T> &out) {
+    if (!hold(PyArray_FROMANY(object, NPY_INT64, 0, 0, NPY_ARRAY_CARRAY_RO))) return false;
+    auto *made = reinterpret_cast<PyArrayObject *>(array);
+    const auto *values = static_cast<const std::int64_t *>(PyArray_DATA(made));
+    own = Array<T>(static_cast<std::size_t>(PyArray_SIZE(made)));
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      own.data()[i] = static_cast<T>(values[i]);
+      if (static_cast<std::int64_t>(own.data()[i]) == values[i] && (std::is_signed_v<T> || values[i] >= 0)) continue;
+      PyErr_Format(PyExc_OverflowError, "entry %zu is %lld, which does not fit", i, static_cast<long long>(values[i]));
+      return false;
+    }
+    out = {own.data(), own.size()};
+    return true;
+  }
+
+  bool set_structs(PyObject *object, View<const T> &out, bool (*read_one)(PyObject *, T *)) {
+    if (!read_one) {
+      PyErr_SetString(PyExc_TypeError, "a NumPy array of the type in dartsweep.dtypes is needed");
+      return false;
+    }
+    PyObject *items = PySequence_Fast(object, "a NumPy array or a sequence of ids is needed");
+    if (!items) return false;
+    own = Array<T>(static_cast<std::size_t>(PySequence_Fast_GET_SIZE(items)));
+    bool good = true;
+    for (std::size_t i = 0; good && i < own.size(); ++i)
+      good = read_one(PySequence_Fast_GET_ITEM(items, static_cast<Py_ssize_t>(i)), own.data() + i);
+    Py_DECREF(items);
+    out = {own.data(), own.size()};
+    return good;
+  }
+};
+
+// View<T>: written in place.
+template <class T>
+bool set_view(PyObject *object, View<T> &out) {
+  if (object == Py_None) return true;
+  if (!is_writable(object, "an array that is filled")) return false;
+  auto *array = reinterpret_cast<PyArrayObject *>(object);
+  if (!has_type<T>(array)) {
+    PyErr_SetString(PyExc_TypeError, "an array that is filled has another dtype: see dartsweep.dtypes");
+    return false;
+  }
+  out = {static_cast<T *>(PyArray_DATA(array)), static_cast<std::size_t>(PyArray_SIZE(array))};
+  return true;
+}
+
+// A scalar of a structured array, such as ids[3].
+template <class T>
+bool read_scalar(PyObject *object, T *out) {
+  if (!PyArray_IsScalar(object, Void)) return false;
+  PyArray_Descr *descr = PyArray_DescrFromScalar(object);
+  const bool same = descr == Type<T>::descr || PyArray_EquivTypes(descr, Type<T>::descr);
+  Py_DECREF(descr);
+  if (same) std::memcpy(out, reinterpret_cast<PyVoidScalarObject *>(object)->obval, sizeof *out);
+  return same;
+}
+
+// NumPy takes the memory over.
+template <class T>
+PyObject *to_python(Array<T> array) {
+  npy_intp count = static_cast<npy_intp>(array.size());
+  if (count == 0) return PyArray_NewFromDescr(&PyArray_Type, descr_of<T>(), 1, &count, nullptr, nullptr, 0, nullptr);
+  T *data = array.release();
+  PyObject *owner = PyCapsule_New(data, nullptr, [](PyObject *capsule) { delete[] static_cast<T *>(PyCapsule_GetPointer(capsule, nullptr)); });
+  PyObject *made = PyArray_NewFromDescr(&PyArray_Type, descr_of<T>(), 1, &count, nullptr, data, NPY_ARRAY_CARRAY, nullptr);
+  PyArray_SetBaseObject(reinterpret_cast<PyArrayObject *>(made), owner);
+  return made;
+}
+
+template <class T>
+PyObject *copy_to_python(const T *values, npy_intp count) {
+  PyObject *made = PyArray_NewFromDescr(&PyArray_Type, descr_of<T>(), 1, &count, nullptr, nullptr, 0, nullptr);
+  if (made) std::memcpy(PyArray_DATA(reinterpret_cast<PyArrayObject *>(made)), values, sizeof(T) * static_cast<std::size_t>(count));
+  return made;
+}
+
+// Name(member=value, ...) of a struct; takes the reference over.
+inline PyObject *describe(PyObject *object, const char *name) {
+  if (!object) return nullptr;
+  PyObject *parts = PyList_New(0);
+  for (PyGetSetDef *member = Py_TYPE(object)->tp_getset; parts && member && member->name; ++member) {
+    const std::string text = member->name;
+    if (text == "this" || text == "thisown" || text[0] == '_') continue;
+    PyObject *value = PyObject_GetAttrString(object, member->name);
+    PyObject *part = value ? PyUnicode_FromFormat("%s=%R", member->name, value) : nullptr;
+    if (!part || PyList_Append(parts, part) != 0) Py_CLEAR(parts);
+    Py_XDECREF(part);
+    Py_XDECREF(value);
+  }
+  Py_DECREF(object);
+  if (!parts) return nullptr;
+  PyList_Sort(parts);  // SWIG keeps members in a hash table
+  PyObject *comma = PyUnicode_FromString(", ");
+  PyObject *joined = comma ? PyUnicode_Join(comma, parts) : nullptr;
+  PyObject *made = joined ? PyUnicode_FromFormat("%s(%U)", name, joined) : nullptr;
+  Py_XDECREF(joined);
+  Py_XDECREF(comma);
+  Py_DECREF(parts);
+  return made;
+}
+
+// Of a struct without padding; never -1, which means an error.
+inline long hash(const void *value, std::size_t bytes) {
+  PyObject *text = PyBytes_FromStringAndSize(static_cast<const char *>(value), static_cast<Py_ssize_t>(bytes));
+  const Py_hash_t made = text ? PyObject_Hash(text) : -1;
+  Py_XDECREF(text);
+  return static_cast<long>(made);
+}
+
+}  // namespace dartsweep_python

@@ -1,0 +1,460 @@
+"""Structs of the C interface. Other names of this module belong to the package; its classes are in the files beside this one."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+def __getattr__(name: str) -> Any: ...
+
+class VertexId:
+    def __init__(self, index: int, generation: int) -> None: ...
+    def is_null(self) -> bool: ...
+    def __hash__(self) -> int: ...
+    index: int
+    generation: int
+
+class VolumeId:
+    def __init__(self, index: int, generation: int) -> None: ...
+    def is_null(self) -> bool: ...
+    def __hash__(self) -> int: ...
+    index: int
+    generation: int
+
+class FaceId:
+    def __init__(self, volume: int, generation: int, local: int) -> None: ...
+    def is_null(self) -> bool: ...
+    def __hash__(self) -> int: ...
+    volume: int
+    generation: int
+    local: int
+
+class EdgeId:
+    def __init__(self, volume: int, generation: int, local: int) -> None: ...
+    def is_null(self) -> bool: ...
+    def __hash__(self) -> int: ...
+    volume: int
+    generation: int
+    local: int
+
+class ParticleId:
+    def __init__(self, index: int, generation: int) -> None: ...
+    def is_null(self) -> bool: ...
+    def __hash__(self) -> int: ...
+    index: int
+    generation: int
+
+class BodyId:
+    def __init__(self, index: int, generation: int) -> None: ...
+    def is_null(self) -> bool: ...
+    def __hash__(self) -> int: ...
+    index: int
+    generation: int
+
+class BodyVertexId:
+    def __init__(self, index: int, generation: int) -> None: ...
+    def is_null(self) -> bool: ...
+    def __hash__(self) -> int: ...
+    index: int
+    generation: int
+
+class BodyEdgeId:
+    def __init__(self, index: int, generation: int) -> None: ...
+    def is_null(self) -> bool: ...
+    def __hash__(self) -> int: ...
+    index: int
+    generation: int
+
+class BodyFaceId:
+    def __init__(self, index: int, generation: int) -> None: ...
+    def is_null(self) -> bool: ...
+    def __hash__(self) -> int: ...
+    index: int
+    generation: int
+
+class Flight:
+    position: NDArray[np.float64]
+    time: float
+    normal: NDArray[np.float64]
+    volume: VolumeId
+    face: FaceId
+    behind: VolumeId
+    outcome: int
+    kind: int
+    obstacle: int
+    tag: int
+    cells_visited: int
+
+class Crossing:
+    volume: VolumeId
+    face: FaceId
+    time: float
+
+class Sweep:
+    position: NDArray[np.float64]
+    time: float
+    point: NDArray[np.float64]
+    along: float
+    normal: NDArray[np.float64]
+    volume: VolumeId
+    front: VolumeId
+    face: FaceId
+    edge: EdgeId
+    outcome: int
+    kind: int
+    obstacle: int
+    tag: int
+    cells_visited: int
+
+class Contact:
+    from_: NDArray[np.float64]
+    to: NDArray[np.float64]
+    fixed: NDArray[np.float64]
+    time: float
+    position: NDArray[np.float64]
+    point: NDArray[np.float64]
+    normal: NDArray[np.float64]
+    along: float
+    distance_left: float
+    vertex: BodyVertexId
+    edge: BodyEdgeId
+    face: BodyFaceId
+    obstacle: Cell
+    wall: FaceId
+    front: VolumeId
+    kind: int
+    cause: int
+    tag: int
+    history: int
+
+class ContactPartner:
+    body: BodyId
+    vertex: BodyVertexId
+    edge: BodyEdgeId
+    face: BodyFaceId
+
+class BodyEdit:
+    vertex: BodyVertexId
+    ends: NDArray[np.void]
+    edge: BodyEdgeId
+    rest: BodyEdgeId
+    share: float
+    inserted: int
+
+class MoveReport:
+    fraction: float
+    vertices_moved: int
+    vertices_stopped: int
+    contact_count: int
+    edit_count: int
+    edges_swept: int
+    edges_skipped: int
+    vertices_limited: int
+
+class WallContact:
+    from_: NDArray[np.float64]
+    to: NDArray[np.float64]
+    time: float
+    point: NDArray[np.float64]
+    normal: NDArray[np.float64]
+    along: float
+    moving: VertexId
+    others: NDArray[np.void]
+    wall: FaceId
+    particle: ParticleId
+    body: BodyId
+    vertex: BodyVertexId
+    edge: BodyEdgeId
+    face: BodyFaceId
+    response: int
+    tag: int
+
+class VolumeChange:
+    before: VolumeId
+    after: VolumeId
+
+class CutVertex:
+    vertex: VertexId
+    from_: NDArray[np.void]
+    weights: NDArray[np.float64]
+
+class CutFace:
+    front: FaceId
+    back: FaceId
+
+class DetachedVertex:
+    from_: NDArray[np.void]
+    weights: NDArray[np.float64]
+
+class DetachedFace:
+    face: FaceId
+    volume: VolumeId
+
+class Vec3:
+    x: float
+    y: float
+    z: float
+
+class Cell:
+    kind: int
+    index: int
+    generation: int
+    local: int
+
+class Nearest:
+    distance: float
+    point: NDArray[np.float64]
+    normal: NDArray[np.float64]
+    cell: Cell
+    tag: int
+    cells_visited: int
+
+class ContactOpinion:
+    normal: NDArray[np.float64]
+    depth: float
+    pushed_in: float
+    angle_rad: float
+    opinion: int
+    reason: int
+
+class BuildReport:
+    status: int
+    offender_count: int
+    offenders: NDArray[np.uint32]
+    reoriented_count: int
+    part_count: int
+    unused_point_count: int
+    boundary_face_count: int
+    convex_cell_count: int
+
+class EnvironmentInfo:
+    dimension: int
+    vertex_count: int
+    volume_count: int
+    face_count: int
+    boundary_face_count: int
+    part_count: int
+    scene_count: int
+    memory_bytes: int
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
+    volume_index_count: int
+    vertex_index_count: int
+
+class Statistics:
+    casts: int
+    cells_visited: int
+    orientation_tests: int
+    exact_fallbacks: int
+    ties: int
+    forecast_hits: int
+    contacts: int
+    candidates: int
+    occupants_tested: int
+
+class BodyCounts:
+    vertex_count: int
+    edge_count: int
+    face_count: int
+    vertex_slots: int
+    edge_slots: int
+    face_slots: int
+
+class RigidMotion:
+    rotation: NDArray[np.float64]
+    centre: NDArray[np.float64]
+    translation: NDArray[np.float64]
+
+class DeformReport:
+    fraction: float
+    outcome: int
+    steps: int
+    near_count: int
+    held_count: int
+    contact_count: int
+    invalid_count: int
+    pushed_count: int
+    remeshed_count: int
+
+class DetachReport:
+    distance: float
+    volume_count: int
+    vertex_count: int
+    face_count: int
+    sewn_count: int
+    unsewn_count: int
+
+class RemeshReport:
+    invalid_count: int
+    mended_count: int
+    left_count: int
+    patch_count: int
+    volumes_removed: int
+    volumes_added: int
+    most_faces: int
+
+class CutReport:
+    distance: float
+    volumes_crossed: int
+    volumes_split: int
+    volumes_whole: int
+    volumes_changed: int
+    volumes_visited: int
+    vertex_count: int
+    face_count: int
+
+class OpenReport:
+    smallest_width: float
+    largest_width: float
+    vertices_parted: int
+    vertices_shortened: int
+    faces_opened: int
+    volumes_changed: int
+
+class CarveReport:
+    cut: CutReport
+    volumes_carved: int
+
+class TieReport:
+    cut: CutReport
+    is_closed: int
+
+class EnvironmentDesc:
+    dimension: int
+    flags: int
+    uniform_cell_type: int
+
+class SceneDesc:
+    features: int
+
+class BodyDesc:
+    flags: int
+    level: int
+    motion_share: float
+    category: int
+    mask: int
+
+class VolumesDesc:
+    uniform_cell_type: int
+
+class CutDesc:
+    flags: int
+    start: VolumeId
+    snap: float
+
+class OpenDesc:
+    flags: int
+    width: float
+    region: int
+    tag: int
+
+class CarveDesc:
+    flags: int
+    start: VolumeId
+    snap: float
+
+class TieDesc:
+    flags: int
+    start: VolumeId
+    snap: float
+
+class DetachDesc:
+    flags: int
+    level: int
+    category: int
+    mask: int
+    halvings: int
+    motion_share: float
+    gap: float
+    volume: VolumeId
+    max_volumes: int
+
+class RemeshDesc:
+    flags: int
+    radius: int
+    max_faces: int
+
+class CastOptions:
+    flags: int
+    max_cells: int
+
+class SweepOptions:
+    flags: int
+    level: int
+    max_cells: int
+
+class MoveOptions:
+    flags: int
+    vertex_response: int
+    edge_response: int
+    search: int
+    bisection_depth: int
+    max_cells: int
+    min_part: float
+    min_length: float
+    stand_off: float
+    noise_share: float
+
+class DeformOptions:
+    flags: int
+    method: int
+    response: int
+    invalid: int
+    most_halvings: int
+    min_part: float
+    point_room: int
+    remesh_radius: int
+    remesh_max_faces: int
+
+class CoarsenOptions:
+    max_faces: int
+    max_trials: int
+
+class Location:
+    volume: VolumeId
+    place: int
+
+class VolumeCounts:
+    type: int
+    vertices: int
+    edges: int
+    faces: int
+
+class FaceVolumes:
+    near_side: VolumeId
+    far_side: VolumeId
+
+class Neighbour:
+    volume: VolumeId
+    impassable: bool
+
+class Marked:
+    marked: int
+    skipped: int
+
+class VolumeSplit:
+    left: VolumeId
+    right: VolumeId
+    face: FaceId
+
+class FaceSplit:
+    left: FaceId
+    right: FaceId
+    edge: EdgeId
+
+class EdgeSplit:
+    vertex: VertexId
+    first: EdgeId
+    second: EdgeId
+
+class Particle:
+    position: NDArray[np.float64]
+    volume: VolumeId
+
+class Detached:
+    body: BodyId
+    report: DetachReport
+
+class BodyFilter:
+    category: int
+    mask: int

@@ -1,0 +1,164 @@
+"""Bodies: vertices joined by edges and, where they are surfaces, by triangles."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core, dtypes
+from ._core import BodyCounts, BodyEdgeId, BodyEdit, BodyFaceId, BodyId, BodyVertexId, MoveOptions, MoveReport, RigidMotion
+from .enums import Level
+from .errors import Error
+from .options import options as described
+
+if TYPE_CHECKING:
+    from .environment import Records
+
+
+class Body:
+    """A body of a scene, made by Scene.create_body. It goes with its scene, or with destroy()."""
+
+    __slots__ = ("_core",)
+
+    def __init__(self, scene: Any, body: BodyId) -> None:
+        self._core: Any = _core.Body(scene, body)
+
+    def __repr__(self) -> str:
+        try:
+            counts = self.counts
+        except Error as error:
+            return f"<dartsweep.Body: {error}>"
+        return f"<dartsweep.Body: {counts.vertex_count} vertices, {counts.edge_count} edges, {counts.face_count} faces>"
+
+    @property
+    def id(self) -> BodyId:
+        return self._core.id()  # type: ignore[no-any-return]
+
+    def destroy(self) -> None:
+        """Removes the body; any call then raises StaleId."""
+        self._core.destroy()
+
+    @property
+    def counts(self) -> BodyCounts:
+        return self._core.get_counts()  # type: ignore[no-any-return]
+
+    @property
+    def level(self) -> Level:
+        """How much of what edges sweep is looked at. Raising it raises Occupied where the body is not free there."""
+        return Level(self._core.get_level())
+
+    @level.setter
+    def level(self, level: int) -> None:
+        self._core.set_level(level)
+
+    @property
+    def filter(self) -> tuple[int, int]:
+        """Category and mask: which bodies it meets."""
+        both = self._core.get_filter()
+        return both.category, both.mask
+
+    @filter.setter
+    def filter(self, values: tuple[int, int]) -> None:
+        self._core.set_filter(*values)
+
+    # --- parts
+
+    def positions(self, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+        """Positions by vertex index; free slots have zeros."""
+        positions = np.empty((self.counts.vertex_slots, 3)) if out is None else out
+        self._core.get_positions(positions, None)
+        return positions
+
+    def volumes(self) -> Records:
+        """Volumes that hold the vertices, by index."""
+        slots = self.counts.vertex_slots
+        volumes = np.empty(slots, dtypes.VOLUME_ID)
+        self._core.get_positions(np.empty((slots, 3)), volumes)
+        return volumes
+
+    def vertices(self) -> Records:
+        """Ids of the living vertices."""
+        return self._core.get_vertices()  # type: ignore[no-any-return]
+
+    def edges(self) -> Records:
+        """Ids of the living edges."""
+        return self._core.get_edges()  # type: ignore[no-any-return]
+
+    def faces(self) -> Records:
+        """Ids of the living triangles."""
+        return self._core.get_faces()  # type: ignore[no-any-return]
+
+    def vertex(self, index: int) -> BodyVertexId:
+        return self._core.get_vertex(index)  # type: ignore[no-any-return]
+
+    def edge(self, edge: Any) -> Records:
+        """Ids of the two ends of an edge."""
+        return self._core.get_edge(edge)  # type: ignore[no-any-return]
+
+    def face(self, face: Any) -> Records:
+        """Ids of the three corners of a triangle."""
+        return self._core.get_face(face)  # type: ignore[no-any-return]
+
+    def edge_vertices(self) -> NDArray[np.uint32]:
+        """Indices of the ends of all edges, by index of the edge; 2**32 - 1 in free slots."""
+        return self._core.get_edge_vertices().reshape(-1, 2)  # type: ignore[no-any-return]
+
+    def face_vertices(self) -> NDArray[np.uint32]:
+        """Indices of the corners of all triangles, likewise."""
+        return self._core.get_face_vertices().reshape(-1, 3)  # type: ignore[no-any-return]
+
+    def add_vertex(self, position: ArrayLike, hint: Any = None) -> BodyVertexId:
+        return self._core.add_vertex(position, hint)  # type: ignore[no-any-return]
+
+    def add_edge(self, a: Any, b: Any) -> BodyEdgeId:
+        return self._core.add_edge(a, b)  # type: ignore[no-any-return]
+
+    def add_face(self, a: Any, b: Any, c: Any) -> BodyFaceId:
+        return self._core.add_face(a, b, c)  # type: ignore[no-any-return]
+
+    def remove_vertex(self, vertex: Any) -> None:
+        self._core.remove_vertex(vertex)
+
+    def remove_edge(self, edge: Any) -> None:
+        self._core.remove_edge(edge)
+
+    def remove_face(self, face: Any) -> None:
+        self._core.remove_face(face)
+
+    def split_edge(self, edge: Any, share: float = 0.5) -> BodyEdit:
+        return self._core.split_edge(edge, share)  # type: ignore[no-any-return]
+
+    def collapse_edge(self, edge: Any, vertex: Any) -> BodyEdit:
+        return self._core.collapse_edge(edge, vertex)  # type: ignore[no-any-return]
+
+    # --- moves
+
+    def move(self, targets: ArrayLike, options: MoveOptions | None = None, order: ArrayLike | None = None) -> MoveReport:
+        """Moves vertices to targets (by index), one after the other, each as far as it goes; `order` names those that move."""
+        return self._core.move(targets, options, order)  # type: ignore[no-any-return]
+
+    def move_rigid(
+        self,
+        translation: ArrayLike = (0.0, 0.0, 0.0),
+        rotation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+        centre: ArrayLike = (0.0, 0.0, 0.0),
+        options: MoveOptions | None = None,
+        order: ArrayLike | None = None,
+    ) -> MoveReport:
+        """Moves the whole as far as it goes: rotated (quaternion x, y, z, w) round a centre, then translated."""
+        motion = described(RigidMotion, translation=translation, rotation=rotation, centre=centre)
+        return self._core.move_rigid(motion, options, order)  # type: ignore[no-any-return]
+
+    def contacts(self) -> Records:
+        """Contacts of the last move (dtypes.CONTACT), as they were met."""
+        return self._core.get_contacts()  # type: ignore[no-any-return]
+
+    def contact_partners(self) -> Records:
+        """The other bodies of these contacts, with Feature.BODY_CONTACTS."""
+        return self._core.get_contact_partners()  # type: ignore[no-any-return]
+
+    def edits(self) -> Records:
+        """Vertices that responses inserted and removed in the last move."""
+        return self._core.get_edits()  # type: ignore[no-any-return]

@@ -1,0 +1,148 @@
+"""NumPy's types of arrays of ids, reports and contacts: laid out as the structs of the C interface, so that neither side converts."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from . import _core
+
+F8, U4, I4 = np.dtype(np.float64), np.dtype(np.uint32), np.dtype(np.int32)
+
+
+def _struct(*fields: tuple[Any, ...]) -> np.dtype[np.void]:
+    return np.dtype(list(fields), align=True)
+
+
+VERTEX_ID = _struct(("index", U4), ("generation", U4))
+VOLUME_ID = _struct(("index", U4), ("generation", U4))
+FACE_ID = _struct(("volume", U4), ("generation", U4), ("local", U4))
+EDGE_ID = _struct(("volume", U4), ("generation", U4), ("local", U4))
+PARTICLE_ID = _struct(("index", U4), ("generation", U4))
+BODY_ID = _struct(("index", U4), ("generation", U4))
+BODY_VERTEX_ID = _struct(("index", U4), ("generation", U4))
+BODY_EDGE_ID = _struct(("index", U4), ("generation", U4))
+BODY_FACE_ID = _struct(("index", U4), ("generation", U4))
+CELL = _struct(("kind", I4), ("index", U4), ("generation", U4), ("local", U4))
+FLIGHT = _struct(
+    ("position", F8, 3),
+    ("time", F8),
+    ("normal", F8, 3),
+    ("volume", VOLUME_ID),
+    ("face", FACE_ID),
+    ("behind", VOLUME_ID),
+    ("outcome", I4),
+    ("kind", I4),
+    ("obstacle", I4),
+    ("tag", U4),
+    ("cells_visited", U4),
+    ("reserved", U4, 2),
+)
+CROSSING = _struct(("volume", VOLUME_ID), ("face", FACE_ID), ("time", F8))
+SWEEP = _struct(
+    ("position", F8, 3),
+    ("time", F8),
+    ("point", F8, 3),
+    ("along", F8),
+    ("normal", F8, 3),
+    ("volume", VOLUME_ID),
+    ("front", VOLUME_ID),
+    ("face", FACE_ID),
+    ("edge", EDGE_ID),
+    ("outcome", I4),
+    ("kind", I4),
+    ("obstacle", I4),
+    ("tag", U4),
+    ("cells_visited", U4),
+    ("reserved", U4),
+)
+CONTACT = _struct(
+    ("from", F8, 3),
+    ("to", F8, 3),
+    ("fixed", F8, (2, 3)),
+    ("time", F8),
+    ("position", F8, 3),
+    ("point", F8, 3),
+    ("normal", F8, 3),
+    ("along", F8),
+    ("distance_left", F8),
+    ("vertex", BODY_VERTEX_ID),
+    ("edge", BODY_EDGE_ID),
+    ("face", BODY_FACE_ID),
+    ("obstacle", CELL),
+    ("wall", FACE_ID),
+    ("front", VOLUME_ID),
+    ("kind", I4),
+    ("cause", I4),
+    ("tag", U4),
+    ("history", I4),
+)
+CONTACT_PARTNER = _struct(("body", BODY_ID), ("vertex", BODY_VERTEX_ID), ("edge", BODY_EDGE_ID), ("face", BODY_FACE_ID))
+BODY_EDIT = _struct(
+    ("vertex", BODY_VERTEX_ID),
+    ("ends", BODY_VERTEX_ID, 2),
+    ("edge", BODY_EDGE_ID),
+    ("rest", BODY_EDGE_ID),
+    ("share", F8),
+    ("inserted", U4),
+    ("reserved", U4),
+)
+MOVE_REPORT = _struct(
+    ("fraction", F8),
+    ("vertices_moved", U4),
+    ("vertices_stopped", U4),
+    ("contact_count", U4),
+    ("edit_count", U4),
+    ("edges_swept", U4),
+    ("edges_skipped", U4),
+    ("vertices_limited", U4),
+    ("reserved", U4),
+)
+WALL_CONTACT = _struct(
+    ("from", F8, 3),
+    ("to", F8, 3),
+    ("time", F8),
+    ("point", F8, 3),
+    ("normal", F8, 3),
+    ("along", F8),
+    ("moving", VERTEX_ID),
+    ("others", VERTEX_ID, 2),
+    ("wall", FACE_ID),
+    ("particle", PARTICLE_ID),
+    ("body", BODY_ID),
+    ("vertex", BODY_VERTEX_ID),
+    ("edge", BODY_EDGE_ID),
+    ("face", BODY_FACE_ID),
+    ("response", I4),
+    ("tag", U4),
+    ("reserved", U4),
+)
+VOLUME_CHANGE = _struct(("before", VOLUME_ID), ("after", VOLUME_ID))
+CUT_VERTEX = _struct(("vertex", VERTEX_ID), ("from", VERTEX_ID, 2), ("weights", F8, 2))
+CUT_FACE = _struct(("front", FACE_ID), ("back", FACE_ID))
+DETACHED_VERTEX = _struct(("from", VERTEX_ID, 2), ("weights", F8, 2))
+DETACHED_FACE = _struct(("face", FACE_ID), ("volume", VOLUME_ID))
+
+_core.set_dtype_VertexId(VERTEX_ID)
+_core.set_dtype_VolumeId(VOLUME_ID)
+_core.set_dtype_FaceId(FACE_ID)
+_core.set_dtype_EdgeId(EDGE_ID)
+_core.set_dtype_ParticleId(PARTICLE_ID)
+_core.set_dtype_BodyId(BODY_ID)
+_core.set_dtype_BodyVertexId(BODY_VERTEX_ID)
+_core.set_dtype_BodyEdgeId(BODY_EDGE_ID)
+_core.set_dtype_BodyFaceId(BODY_FACE_ID)
+_core.set_dtype_Flight(FLIGHT)
+_core.set_dtype_Crossing(CROSSING)
+_core.set_dtype_Sweep(SWEEP)
+_core.set_dtype_Contact(CONTACT)
+_core.set_dtype_ContactPartner(CONTACT_PARTNER)
+_core.set_dtype_BodyEdit(BODY_EDIT)
+_core.set_dtype_MoveReport(MOVE_REPORT)
+_core.set_dtype_WallContact(WALL_CONTACT)
+_core.set_dtype_VolumeChange(VOLUME_CHANGE)
+_core.set_dtype_CutVertex(CUT_VERTEX)
+_core.set_dtype_CutFace(CUT_FACE)
+_core.set_dtype_DetachedVertex(DETACHED_VERTEX)
+_core.set_dtype_DetachedFace(DETACHED_FACE)

@@ -1,0 +1,260 @@
+"""Constants of the C interface, named as there without their prefixes."""
+
+from __future__ import annotations
+
+from enum import IntEnum, IntFlag
+
+from . import _core
+
+
+class Status(IntEnum):
+    """What a call answers. Values are stable; new ones are only appended."""
+
+    OK = _core.STATUS_OK
+    NULL_ARGUMENT = _core.STATUS_NULL_ARGUMENT
+    BAD_STRUCT_SIZE = _core.STATUS_BAD_STRUCT_SIZE
+    UNSUPPORTED = _core.STATUS_UNSUPPORTED
+    OUT_OF_RANGE = _core.STATUS_OUT_OF_RANGE
+    NON_FINITE = _core.STATUS_NON_FINITE
+    WRONG_SIZE = _core.STATUS_WRONG_SIZE
+    STALE_ID = _core.STATUS_STALE_ID
+    BUFFER_TOO_SMALL = _core.STATUS_BUFFER_TOO_SMALL
+    OUT_OF_MEMORY = _core.STATUS_OUT_OF_MEMORY
+    TOO_LARGE = _core.STATUS_TOO_LARGE
+    INDEX_OUT_OF_RANGE = _core.STATUS_INDEX_OUT_OF_RANGE
+    BAD_CELL_TYPE = _core.STATUS_BAD_CELL_TYPE
+    BAD_CELL = _core.STATUS_BAD_CELL
+    INVERTED_CELL = _core.STATUS_INVERTED_CELL
+    INVALID_CELL = _core.STATUS_INVALID_CELL
+    DUPLICATE_CELL = _core.STATUS_DUPLICATE_CELL
+    SHARED_FACE = _core.STATUS_SHARED_FACE
+    BOUNDARY_CROSSES = _core.STATUS_BOUNDARY_CROSSES
+    OUTSIDE = _core.STATUS_OUTSIDE
+    IMPASSABLE = _core.STATUS_IMPASSABLE
+    OCCUPIED = _core.STATUS_OCCUPIED
+    IN_USE = _core.STATUS_IN_USE
+    SHARED = _core.STATUS_SHARED
+    DUPLICATE_ID = _core.STATUS_DUPLICATE_ID
+    NOT_FOUND = _core.STATUS_NOT_FOUND
+    TRUNCATED = _core.STATUS_TRUNCATED
+    CORRUPT = _core.STATUS_CORRUPT
+    BAD_VERSION = _core.STATUS_BAD_VERSION
+    NOT_NAMED = _core.STATUS_NOT_NAMED
+    NOT_BUILT = _core.STATUS_NOT_BUILT
+    INTERNAL = _core.STATUS_INTERNAL
+    BAD_TOPOLOGY = _core.STATUS_BAD_TOPOLOGY
+    BORROWED = _core.STATUS_BORROWED
+
+
+class LogLevel(IntEnum):
+    """Weight of a log line."""
+
+    NONE = _core.LOG_NONE
+    ERROR = _core.LOG_ERROR
+    WARNING = _core.LOG_WARNING
+    INFO = _core.LOG_INFO
+
+
+class CellKind(IntEnum):
+    """Dimension of a cell."""
+
+    NONE = _core.CELL_NONE
+    VERTEX = _core.CELL_VERTEX
+    EDGE = _core.CELL_EDGE
+    FACE = _core.CELL_FACE
+    VOLUME = _core.CELL_VOLUME
+
+
+class CellType(IntEnum):
+    """Cell types, numbered as in VTK. Points are ordered as in VTK's manual: - tetra 0 1 2 3: seen from 3, 0 1 2 turn counter-clockwise; - hexahedron: 0 1 2 3 counter-clockwise seen from 4 5 6 7, each of these above its counterpart; - wedge: 0 1 2 counter-clockwise seen from outside, 3 4 5 opposite them; - pyramid: base 0 1 2 3 counter-clockwise seen from the apex 4; - polyhedron: a face stream (count of faces, then for each face count of points and the points, counter-clockwise seen from outside)."""
+
+    NONE = _core.CELL_TYPE_NONE
+    TETRA = _core.CELL_TYPE_TETRA
+    HEXAHEDRON = _core.CELL_TYPE_HEXAHEDRON
+    WEDGE = _core.CELL_TYPE_WEDGE
+    PYRAMID = _core.CELL_TYPE_PYRAMID
+    POLYHEDRON = _core.CELL_TYPE_POLYHEDRON
+
+
+class Outcome(IntEnum):
+    """How a flight ended."""
+
+    NONE = _core.OUTCOME_NONE
+    REACHED = _core.OUTCOME_REACHED
+    CONTACT = _core.OUTCOME_CONTACT
+    WORK_LIMIT = _core.OUTCOME_WORK_LIMIT
+    OUTSIDE = _core.OUTCOME_OUTSIDE
+    IMPASSABLE = _core.OUTCOME_IMPASSABLE
+
+
+class ContactKind(IntEnum):
+    """What of the environment was touched."""
+
+    NONE = _core.CONTACT_NONE
+    PLANE = _core.CONTACT_PLANE
+    EDGE = _core.CONTACT_EDGE
+    VERTEX = _core.CONTACT_VERTEX
+
+
+class ContactHistory(IntEnum):
+    """Whether a body vertex was already stopped by this obstacle in the body's move before."""
+
+    NONE = _core.HISTORY_NONE
+    NEW = _core.HISTORY_NEW
+    LASTING = _core.HISTORY_LASTING
+
+
+class Opinion(IntEnum):
+    """What libccd was asked."""
+
+    NONE = _core.OPINION_NONE
+    PLANE = _core.OPINION_PLANE
+    EDGE = _core.OPINION_EDGE
+    VERTEX = _core.OPINION_VERTEX
+
+
+class NoOpinion(IntEnum):
+    """Why there is no opinion."""
+
+    NONE = _core.NO_OPINION_NONE
+    WIRE = _core.NO_OPINION_WIRE
+    PARALLEL = _core.NO_OPINION_PARALLEL
+    OUTSIDE_CONE = _core.NO_OPINION_OUTSIDE_CONE
+    NOT_CONVERGED = _core.NO_OPINION_NOT_CONVERGED
+    NOT_UNIQUE = _core.NO_OPINION_NOT_UNIQUE
+
+
+class Place(IntEnum):
+    """Answer of a locate."""
+
+    NONE = _core.PLACE_NONE
+    PASSABLE = _core.PLACE_PASSABLE
+    IMPASSABLE = _core.PLACE_IMPASSABLE
+    OUTSIDE = _core.PLACE_OUTSIDE
+
+
+class Level(IntEnum):
+    """How much of what an edge sweeps is looked at when its end p moves to p' while its other end q stays."""
+
+    POINTS = _core.LEVEL_POINTS
+    EDGES = _core.LEVEL_EDGES
+    EDGES_SWEPT = _core.LEVEL_EDGES_SWEPT
+    FACES = _core.LEVEL_FACES
+
+
+class Mark(IntEnum):
+    """The mark of one cell."""
+
+    PASSABLE = _core.MARK_PASSABLE
+    IMPASSABLE = _core.MARK_IMPASSABLE
+
+
+class Search(IntEnum):
+    """How a contact is found."""
+
+    EXACT = _core.SEARCH_EXACT
+    ALL = _core.SEARCH_ALL
+    BISECTION = _core.SEARCH_BISECTION
+
+
+class Response(IntEnum):
+    """What is done about a contact [JCD10] 4.2, figure 5."""
+
+    STOP = _core.RESPONSE_STOP
+    ADAPTIVE_ONE = _core.RESPONSE_ADAPTIVE_ONE
+    ADAPTIVE_MANY = _core.RESPONSE_ADAPTIVE_MANY
+    HYBRID = _core.RESPONSE_HYBRID
+    SLIDE = _core.RESPONSE_SLIDE
+
+
+class DeformMethod(IntEnum):
+    """How what lies in the environment is kept in its place."""
+
+    SWEPT = _core.DEFORM_SWEPT
+    END_STATE = _core.DEFORM_END_STATE
+
+
+class WallResponse(IntEnum):
+    """What is done where a wall meets a body or particle."""
+
+    PUSH = _core.WALL_PUSH
+    INSERT = _core.WALL_INSERT
+    HOLD = _core.WALL_HOLD
+    STOP = _core.WALL_STOP
+
+
+class InvalidResponse(IntEnum):
+    """What is done where a volume that is met would become invalid, also in the smallest steps."""
+
+    HOLD = _core.INVALID_HOLD
+    REFUSE = _core.INVALID_REFUSE
+    REMESH = _core.INVALID_REMESH
+
+
+class DeformOutcome(IntEnum):
+    """How a deformation ended."""
+
+    DONE = _core.DEFORM_DONE
+    HELD = _core.DEFORM_HELD
+    FRACTION = _core.DEFORM_FRACTION
+    REFUSED = _core.DEFORM_REFUSED
+
+
+class EnvironmentFlag(IntFlag):
+    """How an environment is made."""
+
+    REORIENT = _core.ENVIRONMENT_REORIENT
+    LOCATE_GRID = _core.ENVIRONMENT_LOCATE_GRID
+    CHECK_BOUNDARY = _core.ENVIRONMENT_CHECK_BOUNDARY
+
+
+class Feature(IntFlag):
+    """What a scene can do beyond particles and bodies."""
+
+    STATISTICS = _core.FEATURE_STATISTICS
+    CROSSINGS = _core.FEATURE_CROSSINGS
+    DEFORMING = _core.FEATURE_DEFORMING
+    BODY_CONTACTS = _core.FEATURE_BODY_CONTACTS
+    LIVE_CHANGES = _core.FEATURE_LIVE_CHANGES
+
+
+class CastFlag(IntFlag):
+    """Flags of CastOptions."""
+
+    START_KNOWN = _core.CAST_START_KNOWN
+    NO_DETAIL = _core.CAST_NO_DETAIL
+
+
+class SweepFlag(IntFlag):
+    """Flags of SweepOptions."""
+
+    START_KNOWN = _core.SWEEP_START_KNOWN
+    START_FREE = _core.SWEEP_START_FREE
+
+
+class MarkFlag(IntFlag):
+    """Flags of calls that mark."""
+
+    SKIP_OCCUPIED = _core.MARK_SKIP_OCCUPIED
+
+
+class BodyFlag(IntFlag):
+    """Ways of a body to leave out work, and self-contacts."""
+
+    SEQUENCES = _core.BODY_SEQUENCES
+    SKIP_BY_ENVIRONMENT = _core.BODY_SKIP_BY_ENVIRONMENT
+    SKIP_BY_CLEARANCE = _core.BODY_SKIP_BY_CLEARANCE
+    SKIP_BY_MOTION = _core.BODY_SKIP_BY_MOTION
+    SELF_CONTACTS = _core.BODY_SELF_CONTACTS
+
+
+class CutFlag(IntFlag):
+    """Flags of CutDesc."""
+
+    UNSEW = _core.CUT_UNSEW
+
+
+class CarveFlag(IntFlag):
+    """Flags of CarveDesc."""
+
+    WHOLE = _core.CARVE_WHOLE

@@ -1,0 +1,405 @@
+"""Environments: a partition of a bounded part of space into volumes, some of them passable."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from types import TracebackType
+from typing import Any, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core, dtypes
+from ._core import (
+    CarveReport,
+    CastOptions,
+    Cell,
+    CoarsenOptions,
+    CutReport,
+    EdgeId,
+    EnvironmentInfo,
+    FaceId,
+    Flight,
+    Nearest,
+    Neighbour,
+    OpenReport,
+    RemeshReport,
+    SweepOptions,
+    TieReport,
+    VertexId,
+    VolumeCounts,
+    VolumeId,
+)
+from .enums import CellType, Mark, Place
+from .options import options as described
+
+Records = NDArray[np.void]
+Ids = Union[Records, Sequence[Any]]
+
+_TYPE_OF_WIDTH = {4: CellType.TETRA, 5: CellType.PYRAMID, 6: CellType.WEDGE, 8: CellType.HEXAHEDRON}
+
+
+class Environment:
+    """A volume mesh that things move in. Close it, or use it in a `with` statement; scenes of it go on until they are closed, too.
+
+    points: (n, 3) float64. cells: integers of shape (n, 4), (n, 5), (n, 6) or (n, 8), tetrahedra, pyramids, wedges or hexahedra
+    numbered as in VTK; or in one dimension, with `types` (CellType of each) and, but for face streams of polyhedra in `faces`,
+    `offsets` as in VTK's unstructured grids. regions, tags: a label and a host's tag for each cell. flags: EnvironmentFlag.
+    threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
+    """
+
+    __slots__ = ("_core", "_log", "__weakref__")
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        cells: ArrayLike,
+        types: ArrayLike | None = None,
+        offsets: ArrayLike | None = None,
+        *,
+        regions: ArrayLike | None = None,
+        tags: ArrayLike | None = None,
+        faces: ArrayLike | None = None,
+        face_locations: ArrayLike | None = None,
+        flags: int = 0,
+        threads: int = 0,
+        log: Callable[[int, str], object] | None = None,
+    ) -> None:
+        desc = described(_core.EnvironmentDesc, flags=int(flags))
+        cells = np.asarray(cells)
+        if cells.ndim == 2 and types is None:
+            if cells.shape[1] not in _TYPE_OF_WIDTH:
+                raise ValueError(f"cells of {cells.shape[1]} points need `types`")
+            desc.uniform_cell_type = int(_TYPE_OF_WIDTH[cells.shape[1]])
+        self._log = None if log is None else _core.Log(log)
+        context = None if log is None and threads == 0 else _core.Context(threads, self._log)
+        self._core: Any = _core.Environment(
+            points, cells, offsets, types, regions, tags, faces, face_locations, desc, context
+        )
+
+    @classmethod
+    def _of(cls, core: Any) -> Environment:
+        made = cls.__new__(cls)
+        made._core, made._log = core, None
+        return made
+
+    @classmethod
+    def load(cls, block: bytes) -> Environment:
+        """Of a snapshot that `save` made: the same cells, ids and bits."""
+        return cls._of(_core.Environment.load(block))
+
+    def save(self) -> bytes:
+        """A snapshot; what pickle and copy use as well. Threads and log do not go with it."""
+        return self._core.save()  # type: ignore[no-any-return]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Environment.load, (self.save(),)
+
+    def close(self) -> None:
+        """Gives up the environment. Again is fine; any other call then raises Closed."""
+        self._core.close()
+
+    @property
+    def closed(self) -> bool:
+        return self._core.is_closed()  # type: ignore[no-any-return]
+
+    def __enter__(self) -> Environment:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        if self.closed:
+            return "<dartsweep.Environment, closed>"
+        info = self.info
+        return f"<dartsweep.Environment: {info.volume_count} volumes, {info.vertex_count} vertices>"
+
+    @property
+    def info(self) -> EnvironmentInfo:
+        """Counts, bounds and memory."""
+        return self._core.info()  # type: ignore[no-any-return]
+
+    def check(self) -> None:
+        """Proves everything again, and that the outer boundary does not pass through itself; raises what is wrong."""
+        self._core.check_all()
+
+    def coarsen(self, options: CoarsenOptions | None = None) -> tuple[Environment, NDArray[np.uint32]]:
+        """The same obstacles with passable tetrahedra merged; and for each index of a volume here that of its volume there."""
+        volume_map = np.empty(self.info.volume_index_count, np.uint32)
+        return Environment._of(self._core.coarsen(options, volume_map)), volume_map
+
+    # --- cells
+
+    def volume(self, index: int) -> VolumeId:
+        """Id of the volume that was made from cell `index`, or that has this index now."""
+        return self._core.get_volume(index)  # type: ignore[no-any-return]
+
+    def vertex(self, index: int) -> VertexId:
+        """Id of the vertex with an index."""
+        return self._core.get_vertex(index)  # type: ignore[no-any-return]
+
+    def position(self, vertex: Any) -> NDArray[np.float64]:
+        """Where a vertex is."""
+        return self._core.get_position(vertex)  # type: ignore[no-any-return]
+
+    def points(self) -> NDArray[np.float64]:
+        """Positions of all vertices, by index: a copy."""
+        return self._core.get_points().reshape(-1, 3)  # type: ignore[no-any-return]
+
+    def centre(self, volume: Any) -> NDArray[np.float64]:
+        """The mean of a volume's vertices, rounded."""
+        return self._core.get_centre(volume)  # type: ignore[no-any-return]
+
+    def counts(self, volume: Any) -> VolumeCounts:
+        """Type of a volume and numbers of its vertices, edges and faces."""
+        return self._core.get_volume_counts(volume)  # type: ignore[no-any-return]
+
+    def face(self, volume: Any, local: int) -> FaceId:
+        """Canonical id of a face of a volume."""
+        return self._core.get_volume_face(volume, local)  # type: ignore[no-any-return]
+
+    def edge(self, volume: Any, local: int) -> EdgeId:
+        """Canonical id of an edge of a volume."""
+        return self._core.get_volume_edge(volume, local)  # type: ignore[no-any-return]
+
+    def vertices(self, cell: Any) -> Records:
+        """Ids of the vertices of a cell: a Cell, or any id of vertex, edge, face or volume."""
+        return self._core.copy_vertices(_cell(cell))  # type: ignore[no-any-return]
+
+    def face_volumes(self, face: Any) -> tuple[VolumeId, VolumeId]:
+        """The two volumes of a face; the second id is null at the outer boundary."""
+        both = self._core.get_face_volumes(face)
+        return both.near_side, both.far_side
+
+    def neighbour(self, volume: Any, local: int) -> Neighbour:
+        """What lies behind a face of a volume, and whether it can be passed."""
+        return self._core.get_neighbour(volume, local)  # type: ignore[no-any-return]
+
+    def find_faces(self, offsets: ArrayLike, indices: ArrayLike) -> Records:
+        """Ids of faces by their vertices: face i has indices[offsets[i] : offsets[i + 1]]; null ids where there is none."""
+        return self._core.find_faces(offsets, indices)  # type: ignore[no-any-return]
+
+    def find_edges(self, pairs: ArrayLike) -> Records:
+        """Ids of edges by their two vertices."""
+        return self._core.find_edges(pairs)  # type: ignore[no-any-return]
+
+    def region(self, volume: Any) -> int:
+        return self._core.get_region(volume)  # type: ignore[no-any-return]
+
+    def tag(self, volume: Any) -> int:
+        return self._core.get_tag(volume)  # type: ignore[no-any-return]
+
+    def set_tag(self, volume: Any, tag: int) -> None:
+        self._core.set_tag(volume, tag)
+
+    def is_valid(self, volume: Any) -> bool:
+        """Whether a volume is valid where its vertices are now."""
+        return self._core.is_valid(volume)  # type: ignore[no-any-return]
+
+    # --- queries
+
+    def locate(self, point: ArrayLike, hint: Any = None) -> tuple[VolumeId, Place]:
+        """The volume that contains a point, exactly; null outside."""
+        found = self._core.locate(point, hint)
+        return found.volume, Place(found.place)
+
+    def locate_points(self, points: ArrayLike, hints: Ids | None = None) -> tuple[Records, NDArray[np.int32]]:
+        """Ids of the volumes that contain points, and Place of each."""
+        points = np.asarray(points, np.float64)
+        volumes = np.empty(len(points), dtypes.VOLUME_ID)
+        places = np.empty(len(points), np.int32)
+        self._core.locate_points(points, hints, volumes, places)
+        return volumes, places
+
+    def classify(self, point: ArrayLike, volume: Any) -> Cell:
+        """The cell of lowest dimension on which a point of a volume lies."""
+        return self._core.classify(point, volume)  # type: ignore[no-any-return]
+
+    def cast(self, start: ArrayLike, end: ArrayLike, volume: Any = None, options: CastOptions | None = None) -> Flight:
+        """The first impassable face on a segment. `volume`: one near the start, or the one that holds it (CastFlag.START_KNOWN)."""
+        return self._core.cast(start, end, volume, options)  # type: ignore[no-any-return]
+
+    def cast_segments(
+        self,
+        starts: ArrayLike,
+        ends: ArrayLike,
+        volumes: Ids | None = None,
+        options: CastOptions | None = None,
+        out: Records | None = None,
+    ) -> Records:
+        """Flights (dtypes.FLIGHT) of many segments, written to `out` where it is given."""
+        starts = np.asarray(starts, np.float64)
+        flights = np.empty(len(starts), dtypes.FLIGHT) if out is None else out
+        self._core.cast_segments(starts, ends, volumes, options, flights)
+        return flights
+
+    def cast_path(
+        self, start: ArrayLike, end: ArrayLike, volume: Any = None, options: CastOptions | None = None
+    ) -> Records:
+        """Every volume that a segment enters (dtypes.CROSSING), in order."""
+        return self._core.cast_path(start, end, volume, options)  # type: ignore[no-any-return]
+
+    def nearest(self, point: ArrayLike, radius: float = float("inf"), volume: Any = None) -> Nearest:
+        """The nearest impassable thing within a radius that can be seen from a point."""
+        return self._core.find_nearest(point, radius, volume)  # type: ignore[no-any-return]
+
+    def sweep_edges(
+        self,
+        starts: ArrayLike,
+        ends: ArrayLike,
+        fixed: ArrayLike,
+        volumes: Ids | None = None,
+        options: SweepOptions | None = None,
+        out: Records | None = None,
+    ) -> Records:
+        """Reports (dtypes.SWEEP) of edges whose first end moves from `starts` to `ends` while the other stays at `fixed`."""
+        starts = np.asarray(starts, np.float64)
+        sweeps = np.empty(len(starts), dtypes.SWEEP) if out is None else out
+        self._core.sweep_edges(starts, ends, fixed, volumes, options, sweeps)
+        return sweeps
+
+    # --- marks
+
+    def mark_volumes(self, volumes: Ids, mark: int = Mark.IMPASSABLE, flags: int = 0) -> int:
+        """Sets the mark of volumes; answers how many occupied ones were left out (MarkFlag.SKIP_OCCUPIED)."""
+        return self._core.mark_volumes(volumes, mark, flags)  # type: ignore[no-any-return]
+
+    def mark_faces(self, faces: Ids, mark: int = Mark.IMPASSABLE) -> None:
+        self._core.mark_faces(faces, mark)
+
+    def mark_edges(self, edges: Ids, mark: int = Mark.IMPASSABLE) -> None:
+        self._core.mark_edges(edges, mark)
+
+    def mark_vertices(self, vertices: Ids, mark: int = Mark.IMPASSABLE) -> None:
+        self._core.mark_vertices(vertices, mark)
+
+    def mark_region(self, region: int, mark: int = Mark.IMPASSABLE, flags: int = 0) -> tuple[int, int]:
+        """Sets the mark of all volumes of a region; answers how many have it now, and how many were left out."""
+        both = self._core.mark_region(region, mark, flags)
+        return both.marked, both.skipped
+
+    def mark_between(self, a: int, b: int, mark: int = Mark.IMPASSABLE) -> int:
+        """Sets the mark of all faces between two regions; answers how many there are."""
+        return self._core.mark_between(a, b, mark)  # type: ignore[no-any-return]
+
+    def is_marked(self, cell: Any) -> bool:
+        return self._core.is_marked(_cell(cell))  # type: ignore[no-any-return]
+
+    def is_impassable(self, cell: Any) -> bool:
+        return self._core.is_impassable(_cell(cell))  # type: ignore[no-any-return]
+
+    def mark_count(self, kind: int) -> int:
+        return self._core.get_mark_count(kind)  # type: ignore[no-any-return]
+
+    # --- topology and surgery
+
+    def sew_faces(self, a: Ids, b: Ids) -> None:
+        """Two faces on the outer boundary with the same vertices become one, for each pair."""
+        self._core.sew_faces(a, b)
+
+    def unsew_face(self, face: Any) -> None:
+        self._core.unsew_face(face)
+
+    def remove_volumes(self, volumes: Ids) -> None:
+        self._core.remove_volumes(volumes)
+
+    def merge_volumes(self, face: Any) -> VolumeId:
+        """Merges the two volumes of a face."""
+        return self._core.merge_volumes(face)  # type: ignore[no-any-return]
+
+    def split_volume(self, volume: Any, loop: Ids) -> tuple[VolumeId, VolumeId, FaceId]:
+        """Splits a volume along a loop of its vertices: the part to the left, the other, the new face."""
+        parts = self._core.split_volume(volume, loop)
+        return parts.left, parts.right, parts.face
+
+    def merge_faces(self, edge: Any) -> FaceId:
+        return self._core.merge_faces(edge)  # type: ignore[no-any-return]
+
+    def split_face(self, face: Any, a: Any, b: Any) -> tuple[FaceId, FaceId, EdgeId]:
+        """Splits a face between two of its vertices: the part from a to b, the other, the new edge."""
+        parts = self._core.split_face(face, a, b)
+        return parts.left, parts.right, parts.edge
+
+    def split_edge(self, edge: Any, share: float = 0.5) -> tuple[VertexId, EdgeId, EdgeId]:
+        """Splits an edge: the new vertex, and the parts at the first and the second of its vertices."""
+        parts = self._core.split_edge(edge, share)
+        return parts.vertex, parts.first, parts.second
+
+    def merge_edges(self, edge: Any, vertex: Any) -> EdgeId:
+        return self._core.merge_edges(edge, vertex)  # type: ignore[no-any-return]
+
+    def collapse_edge(self, edge: Any, vertex: Any) -> None:
+        self._core.collapse_edge(edge, vertex)
+
+    def add_volumes(
+        self, vertices: Ids, points: ArrayLike, cells: ArrayLike, *, regions: ArrayLike | None = None,
+        tags: ArrayLike | None = None, sew_to: Ids | None = None,
+    ) -> Records:
+        """Adds cells of one type, as in the constructor, of vertices (0 .. len(vertices) - 1) and new points (from there on)."""
+        cells = np.asarray(cells)
+        desc = described(_core.VolumesDesc, uniform_cell_type=int(_TYPE_OF_WIDTH[cells.shape[1]]))
+        return self._core.add_volumes(vertices, points, cells, None, None, regions, tags, sew_to, desc)  # type: ignore[no-any-return]
+
+    def volume_changes(self) -> Records:
+        """What became of the volumes that the last change replaced (dtypes.VOLUME_CHANGE)."""
+        return self._core.get_volume_changes()  # type: ignore[no-any-return]
+
+    def cut(self, blade: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> CutReport:
+        """Cuts along the surface that a blade sweeps: points of shape (rows, columns, 3)."""
+        blade = np.ascontiguousarray(blade, np.float64)
+        if blade.ndim != 3:
+            raise ValueError("a blade has shape (rows, columns, 3)")
+        desc = described(_core.CutDesc, flags=int(flags), snap=snap)
+        if start is not None:
+            desc.start = start
+        return self._core.cut(blade.reshape(-1, 3), blade.shape[0], blade.shape[1], desc)  # type: ignore[no-any-return]
+
+    def tear_faces(self, faces: Ids, loads: ArrayLike, threshold: float) -> int:
+        """Tears faces with a load above the threshold; answers how many."""
+        return self._core.tear_faces(faces, loads, threshold)  # type: ignore[no-any-return]
+
+    def cut_vertices(self) -> Records:
+        return self._core.get_cut_vertices()  # type: ignore[no-any-return]
+
+    def cut_faces(self) -> Records:
+        return self._core.get_cut_faces()  # type: ignore[no-any-return]
+
+    def whole_volumes(self) -> Records:
+        return self._core.get_whole_volumes()  # type: ignore[no-any-return]
+
+    def open(self, faces: Records, width: float, *, region: int = 0, tag: int = 0) -> OpenReport:
+        """Opens a crack (faces as `cut_faces` gives them) by a width."""
+        desc = described(_core.OpenDesc, width=width, region=region, tag=tag)
+        return self._core.open(faces, desc)  # type: ignore[no-any-return]
+
+    def carve(self, points: ArrayLike, triangles: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> CarveReport:
+        """Makes passable what is inside of a closed surface."""
+        desc = described(_core.CarveDesc, flags=int(flags), snap=snap)
+        if start is not None:
+            desc.start = start
+        return self._core.carve(points, triangles, desc)  # type: ignore[no-any-return]
+
+    def carved_volumes(self) -> Records:
+        return self._core.get_carved_volumes()  # type: ignore[no-any-return]
+
+    def tie(self, loop: ArrayLike, *, start: Any = None, snap: float = 0.0) -> TieReport:
+        """Closes what is passable over a closed loop of points."""
+        desc = described(_core.TieDesc, snap=snap)
+        if start is not None:
+            desc.start = start
+        return self._core.tie(loop, desc)  # type: ignore[no-any-return]
+
+    def remesh(
+        self, volumes: Ids | None = None, next: ArrayLike | None = None, *, radius: int = 0, max_faces: int = 0
+    ) -> RemeshReport:
+        """Mends volumes that are invalid, now or with the positions `next`; all of them by default."""
+        desc = described(_core.RemeshDesc, radius=radius, max_faces=max_faces)
+        return self._core.remesh(volumes, next, desc)  # type: ignore[no-any-return]
+
+    def unmended_volumes(self) -> Records:
+        return self._core.get_unmended_volumes()  # type: ignore[no-any-return]
+
+
+def _cell(cell: Any) -> Any:
+    return cell if isinstance(cell, Cell) else _core.cell_of(cell)

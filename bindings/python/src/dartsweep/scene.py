@@ -1,0 +1,229 @@
+"""Scenes: particles and bodies in one environment."""
+
+from __future__ import annotations
+
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core, dtypes
+from ._core import CastOptions, DeformOptions, DeformReport, DetachReport, Flight, MoveOptions, ParticleId, Statistics, VolumeId
+from .body import Body
+from .enums import Level
+from .environment import Environment, Ids, Records
+from .options import options as described
+
+
+class Scene:
+    """Particles and bodies of one environment, which it keeps alive. Close it, or use it in a `with` statement.
+
+    features: Feature, what the scene can do beyond particles and bodies.
+    """
+
+    __slots__ = ("_core", "_environment", "__weakref__")
+
+    def __init__(self, environment: Environment, features: int = 0) -> None:
+        self._environment = environment
+        self._core: Any = _core.Scene(environment._core, described(_core.SceneDesc, features=int(features)))
+
+    @classmethod
+    def load(cls, environment: Environment, block: bytes) -> Scene:
+        """Of a snapshot that `save` made, in the same environment or one loaded from its snapshot."""
+        made = cls.__new__(cls)
+        made._environment, made._core = environment, _core.Scene.load(environment._core, block)
+        return made
+
+    def save(self) -> bytes:
+        """A snapshot without the environment. Pickling takes both."""
+        return self._core.save()  # type: ignore[no-any-return]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Scene.load, (self._environment, self.save())
+
+    @property
+    def environment(self) -> Environment:
+        return self._environment
+
+    def close(self) -> None:
+        """Gives up the scene and its bodies. Again is fine; any other call then raises Closed."""
+        self._core.close()
+
+    @property
+    def closed(self) -> bool:
+        return self._core.is_closed()  # type: ignore[no-any-return]
+
+    def __enter__(self) -> Scene:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        if self.closed:
+            return "<dartsweep.Scene, closed>"
+        return f"<dartsweep.Scene: {self.particle_count} particles, {self.body_count} bodies>"
+
+    @property
+    def particle_count(self) -> int:
+        return self._core.get_particle_count()  # type: ignore[no-any-return]
+
+    @property
+    def body_count(self) -> int:
+        return self._core.get_body_count()  # type: ignore[no-any-return]
+
+    @property
+    def memory_bytes(self) -> int:
+        """Memory that the scene holds, without the environment."""
+        return self._core.get_memory_bytes()  # type: ignore[no-any-return]
+
+    @property
+    def statistics(self) -> Statistics:
+        """Counters, with Feature.STATISTICS."""
+        return self._core.get_statistics()  # type: ignore[no-any-return]
+
+    def reset_statistics(self) -> None:
+        self._core.reset_statistics()
+
+    # --- particles
+
+    def create_particle(self, position: ArrayLike, hint: Any = None) -> ParticleId:
+        return self._core.create_particle(position, hint)  # type: ignore[no-any-return]
+
+    def create_particles(self, positions: ArrayLike, hints: Ids | None = None) -> Records:
+        """Ids (dtypes.PARTICLE_ID) of new particles, all or none."""
+        positions = np.asarray(positions, np.float64)
+        particles = np.empty(len(positions), dtypes.PARTICLE_ID)
+        self._core.create_particles(positions, hints, particles)
+        return particles
+
+    def destroy_particle(self, particle: Any) -> None:
+        self._core.destroy_particle(particle)
+
+    def particle(self, particle: Any) -> tuple[NDArray[np.float64], VolumeId]:
+        """Position and volume of a particle."""
+        both = self._core.get_particle(particle)
+        return both.position, both.volume
+
+    def positions(self, particles: Ids, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
+        """Positions of particles."""
+        positions = np.empty((len(particles), 3)) if out is None else out
+        self._core.get_particles(particles, positions, None)
+        return positions
+
+    def volumes(self, particles: Ids) -> Records:
+        """Volumes of particles."""
+        volumes = np.empty(len(particles), dtypes.VOLUME_ID)
+        self._core.get_particles(particles, None, volumes)
+        return volumes
+
+    def move_particle(self, particle: Any, target: ArrayLike, options: CastOptions | None = None) -> Flight:
+        """Moves a particle towards a target, to it or to the first wall."""
+        return self._core.move_particle(particle, target, options)  # type: ignore[no-any-return]
+
+    def move_particles(
+        self, particles: Ids, targets: ArrayLike, options: CastOptions | None = None, out: Records | None = None
+    ) -> Records:
+        """Moves many; answers their flights (dtypes.FLIGHT), in `out` where it is given."""
+        flights = np.empty(len(particles), dtypes.FLIGHT) if out is None else out
+        self._core.move_particles(particles, targets, options, flights)
+        return flights
+
+    def cast_from_particles(
+        self, particles: Ids, targets: ArrayLike, options: CastOptions | None = None, out: Records | None = None
+    ) -> Records:
+        """Flights as move_particles would make them; nothing moves."""
+        flights = np.empty(len(particles), dtypes.FLIGHT) if out is None else out
+        self._core.cast_from_particles(particles, targets, options, flights)
+        return flights
+
+    def crossings(self) -> tuple[Records, NDArray[np.uintp]]:
+        """Volumes that the last move entered (dtypes.CROSSING), and where each flight's begin; with Feature.CROSSINGS."""
+        return self._core.get_crossings(), self._core.get_crossing_offsets()
+
+    def occupants(self) -> Records:
+        """Particles that were in the way of the last mark or change of the topology."""
+        return self._core.get_occupants()  # type: ignore[no-any-return]
+
+    def occupant_bodies(self) -> Records:
+        """Bodies that were in the way."""
+        return self._core.get_occupant_bodies()  # type: ignore[no-any-return]
+
+    # --- bodies
+
+    def create_body(
+        self,
+        positions: ArrayLike,
+        edges: ArrayLike | None = None,
+        triangles: ArrayLike | None = None,
+        *,
+        level: int = Level.EDGES_SWEPT,
+        flags: int = 0,
+        hints: Ids | None = None,
+        motion_share: float = 0.0,
+        category: int = 0,
+        mask: int = 0,
+    ) -> Body:
+        """A body: edges of shape (n, 2), triangles of shape (n, 3), indices of positions. flags: BodyFlag."""
+        desc = described(
+            _core.BodyDesc, level=int(level), flags=int(flags), motion_share=motion_share, category=category, mask=mask
+        )
+        offsets = None
+        if triangles is not None:
+            triangles = np.asarray(triangles)
+            offsets = np.arange(0, triangles.size + 1, 3)
+        return Body(self._core, self._core.create_body(positions, edges, offsets, triangles, hints, desc))
+
+    def body(self, body: Any) -> Body:
+        """The body with an id."""
+        return Body(self._core, body)
+
+    def move_bodies(self, bodies: Ids, targets: ArrayLike, options: MoveOptions | None = None) -> Records:
+        """Moves many bodies (ids, dtypes.BODY_ID): their targets one after the other; answers a report of each."""
+        reports = np.empty(len(bodies), dtypes.MOVE_REPORT)
+        self._core.move_bodies(bodies, targets, options, reports)
+        return reports
+
+    def offending_edges(self) -> NDArray[np.uint32]:
+        """Pairs of vertices of edges that were not free where a body was created, or changed its level or filter."""
+        return self._core.get_offending_edges().reshape(-1, 2)  # type: ignore[no-any-return]
+
+    def detach(self, volume: Any, max_volumes: int, **values: Any) -> tuple[Body, DetachReport]:
+        """Makes a body of the piece of impassable volumes that hang together with one; `values` are of DetachDesc."""
+        both = self._core.detach(described(_core.DetachDesc, volume=volume, max_volumes=max_volumes, **values))
+        return Body(self._core, both.body), both.report
+
+    def detached_volumes(self) -> Records:
+        return self._core.get_detached_volumes()  # type: ignore[no-any-return]
+
+    def detached_vertices(self) -> Records:
+        return self._core.get_detached_vertices()  # type: ignore[no-any-return]
+
+    def detached_faces(self) -> Records:
+        return self._core.get_detached_faces()  # type: ignore[no-any-return]
+
+    # --- deformation, with Feature.DEFORMING
+
+    def deform(self, positions: NDArray[np.float64], options: DeformOptions | None = None) -> DeformReport:
+        """Takes the environment to new positions of its vertices.
+
+        The array is lent, not copied: float64, C-contiguous, writable, of shape (n, 3), with n the environment's vertex indices. The
+        environment keeps it and reads it until the next deformation; the one before is free again. It is written where a
+        vertex could not go all of its way. More rows are room for vertices that cuts add.
+        """
+        count = self._environment.info.vertex_index_count
+        if len(positions) > count:
+            options = described(DeformOptions) if options is None else options
+            options.point_room = len(positions)
+        return self._core.deform(positions[:count], options)  # type: ignore[no-any-return]
+
+    def wall_contacts(self) -> Records:
+        """Contacts of walls in the last deformation (dtypes.WALL_CONTACT)."""
+        return self._core.get_wall_contacts()  # type: ignore[no-any-return]
+
+    def held_vertices(self) -> Records:
+        return self._core.get_held_vertices()  # type: ignore[no-any-return]
+
+    def invalid_volumes(self) -> Records:
+        return self._core.get_invalid_volumes()  # type: ignore[no-any-return]

@@ -1,0 +1,248 @@
+// How arrays, ids, points and errors look in Python; see bindings/README.md for what belongs here.
+
+%begin %{
+#include "host.h"
+%}
+
+%{
+#include "convert.h"
+#include "errors.h"
+%}
+
+%init %{
+import_array();
+%}
+
+// Arguments that are left out have one function, not one for each number of arguments.
+%feature("compactdefaultargs");
+%rename(from_) from;
+#pragma SWIG nowarn=321
+
+%exception {
+  try {
+    $action
+  } catch (...) {
+    dartsweep_python::raise_current();
+    SWIG_fail;
+  }
+}
+
+// Calls whose time follows the size of arrays or meshes let other threads of Python run; the others are shorter than that would take.
+%define DSW_LONG(method)
+%exception dartsweep::method {
+  try {
+    dartsweep_python::Released released;
+    $action
+  } catch (...) {
+    dartsweep_python::raise_current();
+    SWIG_fail;
+  }
+}
+%enddef
+DSW_LONG(Environment::Environment)
+DSW_LONG(Environment::load)
+DSW_LONG(Environment::save)
+DSW_LONG(Environment::coarsen)
+DSW_LONG(Environment::close)
+DSW_LONG(Environment::check_all)
+DSW_LONG(Environment::info)
+DSW_LONG(Environment::find_faces)
+DSW_LONG(Environment::find_edges)
+DSW_LONG(Environment::get_points)
+DSW_LONG(Environment::locate_points)
+DSW_LONG(Environment::cast_segments)
+DSW_LONG(Environment::cast_path)
+DSW_LONG(Environment::sweep_edges)
+DSW_LONG(Environment::find_nearest)
+DSW_LONG(Environment::mark_volumes)
+DSW_LONG(Environment::mark_faces)
+DSW_LONG(Environment::mark_edges)
+DSW_LONG(Environment::mark_vertices)
+DSW_LONG(Environment::mark_region)
+DSW_LONG(Environment::mark_between)
+DSW_LONG(Environment::sew_faces)
+DSW_LONG(Environment::unsew_face)
+DSW_LONG(Environment::add_volumes)
+DSW_LONG(Environment::remove_volumes)
+DSW_LONG(Environment::merge_volumes)
+DSW_LONG(Environment::split_volume)
+DSW_LONG(Environment::merge_faces)
+DSW_LONG(Environment::split_face)
+DSW_LONG(Environment::split_edge)
+DSW_LONG(Environment::merge_edges)
+DSW_LONG(Environment::collapse_edge)
+DSW_LONG(Environment::cut)
+DSW_LONG(Environment::tear_faces)
+DSW_LONG(Environment::open)
+DSW_LONG(Environment::carve)
+DSW_LONG(Environment::tie)
+DSW_LONG(Environment::remesh)
+DSW_LONG(Scene::Scene)
+DSW_LONG(Scene::load)
+DSW_LONG(Scene::save)
+DSW_LONG(Scene::close)
+DSW_LONG(Scene::create_particles)
+DSW_LONG(Scene::get_particles)
+DSW_LONG(Scene::move_particles)
+DSW_LONG(Scene::cast_from_particles)
+DSW_LONG(Scene::deform)
+DSW_LONG(Scene::detach)
+DSW_LONG(Scene::create_body)
+DSW_LONG(Scene::move_bodies)
+DSW_LONG(Body::destroy)
+DSW_LONG(Body::set_level)
+DSW_LONG(Body::set_filter)
+DSW_LONG(Body::get_positions)
+DSW_LONG(Body::move)
+DSW_LONG(Body::move_rigid)
+DSW_LONG(Trace::add_volumes)
+DSW_LONG(Trace::add_impassable)
+
+// --- points
+%typemap(in) const dsw_vec3 & (dsw_vec3 point) {
+  if (!dartsweep_python::set_point($input, &point.x)) SWIG_fail;
+  $1 = &point;
+}
+%typemap(out) dsw_vec3 {
+  $result = dartsweep_python::copy_to_python(&$1.x, 3);
+}
+%typemap(out) double [ANY] {
+  $result = dartsweep_python::copy_to_python($1, $1_dim0);
+}
+%typemap(out) uint32_t [ANY] {
+  $result = dartsweep_python::copy_to_python($1, $1_dim0);
+}
+%typemap(out) double [ANY][ANY] {
+  npy_intp shape[2] = {$1_dim0, $1_dim1};
+  $result = PyArray_SimpleNew(2, shape, NPY_DOUBLE);
+  if ($result) std::memcpy(PyArray_DATA(reinterpret_cast<PyArrayObject *>($result)), $1, sizeof(double) * $1_dim0 * $1_dim1);
+}
+%typemap(in) double [ANY] (dartsweep_python::ViewArgument<double> holder) {
+  dartsweep::View<const double> view;
+  if (!holder.set($input, view)) SWIG_fail;
+  if (view.count != $1_dim0) SWIG_exception_fail(SWIG_ValueError, "$1_dim0 numbers are needed");
+  $1 = const_cast<double *>(view.data);
+}
+
+%typemap(in) dartsweep::Points (dartsweep_python::PointsArgument holder) {
+  if (!holder.set($input, $1)) SWIG_fail;
+}
+%typemap(in) dartsweep::PointsOut {
+  if (!dartsweep_python::set_points_out($input, $1.data, $1.count)) SWIG_fail;
+}
+%typemap(in) dartsweep::Lent {
+  if (!dartsweep_python::set_lent($input, $1)) SWIG_fail;
+}
+%typemap(in) dartsweep::Indices (dartsweep_python::IndicesArgument holder) {
+  if (!holder.set($input, $1)) SWIG_fail;
+}
+
+// --- arrays
+%define DSW_NUMBERS(type, name)
+%typemap(in) dartsweep::View<const type> (dartsweep_python::ViewArgument<type> holder, dartsweep::View<const type> view) {
+  if (!holder.set($input, view)) SWIG_fail;
+  $1 = view;
+}
+%typemap(in) dartsweep::View<type> (dartsweep::View<type> view) {
+  if (!dartsweep_python::set_view<type>($input, view)) SWIG_fail;
+  $1 = view;
+}
+%typemap(out) dartsweep::Array<type> {
+  $result = dartsweep_python::to_python<type>(std::move($1));
+}
+%enddef
+DSW_EACH_NUMBER(DSW_NUMBERS)
+%typemap(out) dartsweep::Array<std::uint8_t> {
+  $result = PyBytes_FromStringAndSize(reinterpret_cast<const char *>((&$1)->data()), static_cast<Py_ssize_t>((&$1)->size()));
+}
+
+%define DSW_RECORDS(type, name)
+%typemap(in) dartsweep::View<const type> (dartsweep_python::ViewArgument<type> holder, dartsweep::View<const type> view) {
+  if (!holder.set($input, view)) SWIG_fail;
+  $1 = view;
+}
+%typemap(in) dartsweep::View<type> (dartsweep::View<type> view) {
+  if (!dartsweep_python::set_view<type>($input, view)) SWIG_fail;
+  $1 = view;
+}
+%typemap(out) dartsweep::Array<type> {
+  $result = dartsweep_python::to_python<type>(std::move($1));
+}
+%typemap(out) type [ANY] {
+  $result = dartsweep_python::copy_to_python($1, $1_dim0);
+}
+%enddef
+DSW_EACH_RECORD(DSW_RECORDS)
+
+// --- ids: None is the null id; an entry of an array of ids is as good as an id
+%define DSW_IDS(type, name)
+%fragment("read_" #name, "header") {
+  static bool read_##name(PyObject *object, type *out) {
+    void *held = nullptr;
+    if (object == Py_None) {
+      *out = {};
+      return true;
+    }
+    if (dartsweep_python::read_scalar(object, out)) return true;
+    if (SWIG_IsOK(SWIG_ConvertPtr(object, &held, $descriptor(type *), 0)) && held) {
+      *out = *static_cast<type *>(held);
+      return true;
+    }
+    PyErr_SetString(PyExc_TypeError, #name " is needed: an id, an entry of an array of these, or None");
+    return false;
+  }
+}
+DSW_RECORDS(type, name)
+%typemap(in, fragment="read_" #name) type {
+  if (!read_##name($input, &$1)) SWIG_fail;
+}
+%typemap(in, fragment="read_" #name) dartsweep::View<const type> (dartsweep_python::ViewArgument<type> holder, dartsweep::View<const type> view) {
+  if (!holder.set($input, view, read_##name)) SWIG_fail;
+  $1 = view;
+}
+%typemap(in, fragment="read_" #name) const type & (type temporary) {
+  if (!read_##name($input, &temporary)) SWIG_fail;
+  $1 = &temporary;
+}
+%typemap(typecheck, precedence=SWIG_TYPECHECK_POINTER) type {
+  void *held = nullptr;
+  $1 = SWIG_IsOK(SWIG_ConvertPtr($input, &held, $descriptor(type *), 0)) && held;
+}
+%enddef
+DSW_EACH_ID(DSW_IDS)
+
+// --- members that are structs
+%define DSW_COPIED(type, name)
+%typemap(out) const type & {
+  $result = SWIG_NewPointerObj(new type(*$1), $descriptor(type *), SWIG_POINTER_OWN);
+}
+%enddef
+DSW_EACH_ID(DSW_COPIED)
+DSW_EACH_RECORD(DSW_COPIED)
+DSW_EACH_RESULT(DSW_COPIED)
+%typemap(out) const dsw_vec3 & {
+  $result = dartsweep_python::copy_to_python(&$1->x, 3);
+}
+
+// --- values that compare, hash and describe themselves
+%define DSW_DESCRIBED(type, name)
+%feature("python:slot", "tp_repr", functype="reprfunc") type::__repr__;
+%extend type {
+  PyObject *__repr__() { return dartsweep_python::describe(SWIG_InternalNewPointerObj($self, $descriptor(type *), 0), #name); }
+}
+%enddef
+DSW_EACH_ID(DSW_DESCRIBED)
+DSW_EACH_RECORD(DSW_DESCRIBED)
+DSW_EACH_DESCRIPTION(DSW_DESCRIBED)
+DSW_EACH_RESULT(DSW_DESCRIBED)
+
+%define DSW_COMPARED(type, name)
+%feature("python:slot", "tp_hash", functype="hashfunc") type::__hash__;
+%extend type {
+  bool operator==(const type &other) const { return std::memcmp($self, &other, sizeof other) == 0; }
+  bool operator!=(const type &other) const { return std::memcmp($self, &other, sizeof other) != 0; }
+  long __hash__() const { return dartsweep_python::hash($self, sizeof *$self); }
+}
+%enddef
+DSW_EACH_ID(DSW_COMPARED)
+DSW_COMPARED(dsw_cell, Cell)
