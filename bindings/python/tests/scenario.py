@@ -1,0 +1,209 @@
+"""The scenario of bindings/tests/README.md, in Python."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import dartsweep as ds
+
+SHAPE = NX, NY, NZ = 6, 6, 12
+CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+LINKS = 12
+
+
+def pattern(value: Any) -> str:
+    if isinstance(value, (float, np.floating)):
+        return struct.pack(">d", value).hex()
+    return f"{int(value):016x}"
+
+
+class Result(dict[str, list[str]]):
+    """Patterns by stage; say() takes numbers and arrays of them."""
+
+    def stage(self, name: str) -> None:
+        self._now = self.setdefault(name, [])
+
+    def say(self, *values: Any) -> None:
+        for value in values:
+            if np.ndim(value):
+                self.say(*value)
+            else:
+                self._now.append(pattern(value))
+
+
+class Draw:
+    """Random points that every language draws alike."""
+
+    def __init__(self) -> None:
+        self.seed = 1
+
+    def __call__(self, count: int) -> NDArray[np.float64]:
+        drawn = np.empty((count, 3))
+        for out in drawn:
+            for axis in range(3):
+                self.seed = (self.seed * 4093 + 1021) % 65536
+                out[axis] = 1.5 * self.seed / 1024 if axis == 2 else 4 + 0.625 * (self.seed / 1024)
+        return drawn
+
+
+def vessel() -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.int32]]:
+    """Points, cells and regions."""
+
+    def at(i: int, j: int, k: int) -> int:
+        return (k * (NY + 1) + j) * (NX + 1) + i
+
+    points = [
+        (8.0 * i + j * k % 3, 8.0 * j + i * k % 3, 8.0 * k + i * j % 3)
+        for k in range(NZ + 1)
+        for j in range(NY + 1)
+        for i in range(NX + 1)
+    ]
+    places = [(i, j, k) for k in range(NZ) for j in range(NY) for i in range(NX)]
+    cells = [[at(i + a, j + b, k + c) for a, b, c in CORNERS] for i, j, k in places]
+    regions = [1 if 0 < i < NX - 1 and 0 < j < NY - 1 else 2 for i, j, _ in places]
+    return np.array(points), np.array(cells, np.int64), np.array(regions, np.int32)
+
+
+def create() -> ds.Environment:
+    points, cells, regions = vessel()
+    return ds.Environment(points, cells, regions=regions)
+
+
+def create_catheter(scene: ds.Scene) -> ds.Body:
+    positions = [(24.5, 25.25, 8.125 + 2.0 * i) for i in range(LINKS)]
+    return scene.create_body(positions, [(i, i + 1) for i in range(LINKS - 1)])
+
+
+def status_of(call: Callable[[], object]) -> ds.Status:
+    try:
+        call()
+    except ds.Error as error:
+        return error.status
+    return ds.Status.OK
+
+
+def say_moves(result: Result, flights: Iterable[Any]) -> None:
+    for flight in flights:
+        result.say(flight["outcome"], flight["time"], flight["position"])
+
+
+def queries(result: Result, environment: ds.Environment, draw: Draw) -> None:
+    result.stage("locate")
+    start = draw(64)
+    volumes, places = environment.locate_points(start)
+    for place, volume in zip(places, volumes):
+        result.say(place, volume["index"], volume["generation"])
+
+    result.stage("cast")
+    end = draw(64)
+    for flight in environment.cast_segments(start, end):
+        result.say(flight["outcome"], flight["time"], flight["position"], flight["normal"])
+        result.say(flight["face"]["volume"], flight["face"]["local"], flight["cells_visited"])
+
+    result.stage("sweep")
+    for sweep in environment.sweep_edges(start[:16], end[:16], draw(16)):
+        result.say(sweep["outcome"], sweep["time"], sweep["point"], sweep["along"])
+
+    result.stage("nearest")
+    for point, volume, place in zip(start, volumes, places):
+        if place == ds.Place.PASSABLE:
+            nearest = environment.nearest(point, 20.0, volume)
+            result.say(nearest.distance, nearest.cell.kind, nearest.cell.index)
+
+
+def push(result: Result, body: ds.Body) -> None:
+    result.stage("catheter")
+    slide = ds.options(ds.MoveOptions, vertex_response=ds.Response.SLIDE, edge_response=ds.Response.SLIDE)
+    index = np.arange(LINKS)
+    way = np.stack([np.full(LINKS, 1.75), -0.5 * (index % 3), np.full(LINKS, 3.0)], axis=1)
+    for _ in range(10):
+        report = body.move(body.positions() + way, slide)
+        result.say(report.vertices_stopped, report.contact_count, body.positions())
+
+    result.stage("contacts")
+    contacts = body.contacts()
+    result.say(len(contacts))
+    for contact in contacts:
+        result.say(contact["vertex"]["index"], contact["kind"], contact["time"], contact["point"], contact["normal"])
+        result.say(contact["wall"]["volume"])
+
+
+def snapshots(result: Result, scene: ds.Scene, particles: NDArray[np.void], draw: Draw) -> None:
+    result.stage("snapshot")
+    block, scene_block = scene.environment.save(), scene.save()
+    for saved in (block, scene_block):
+        result.say(len(saved), sum(saved))
+    with ds.Environment.load(block) as other, ds.Scene.load(other, scene_block) as copy:
+        say_moves(result, copy.move_particles(particles, draw(len(particles))))
+
+    result.stage("damaged")
+    result.say(status_of(lambda: ds.Environment.load(block[: len(block) // 2])))
+    flipped = bytearray(block)
+    flipped[len(block) // 2] ^= 1
+    result.say(status_of(lambda: ds.Environment.load(bytes(flipped))))
+
+
+def errors(result: Result, scene: ds.Scene, particles: NDArray[np.void]) -> None:
+    environment = scene.environment
+    inside, outside = (24.0, 24.0, 48.0), (-9.0, 0.0, 0.0)
+    stale = ds.VolumeId(3, 7)
+    result.stage("errors")
+    result.say(status_of(lambda: environment.cast((0.0, float("nan"), 0.0), inside)))
+    result.say(status_of(lambda: environment.cast(inside, outside, stale)))
+    result.say(status_of(lambda: environment.volume(NX * NY * NZ)))
+    result.say(status_of(lambda: scene.create_particle(outside)))
+    result.say(status_of(lambda: scene.create_particle((4.0, 4.0, 4.0))))
+    result.say(status_of(lambda: scene.move_particles(particles[[0, 0]], [inside, inside])))
+    particle = scene.create_particle(inside)
+    result.say(status_of(lambda: environment.mark_volumes([scene.particle(particle)[1]])))
+    scene.destroy_particle(particle)
+    result.say(status_of(lambda: scene.destroy_particle(particle)))
+    result.say(status_of(scene.reset_statistics))
+    result.say(status_of(lambda: ds.Environment(vessel()[0], [[0, 1, 7, 7]])))
+
+
+def cut(result: Result, environment: ds.Environment) -> None:
+    result.stage("cut")
+    report = environment.cut([[(x, 3, z) for x in (-5, 60)] for z in (20.5, 60.25)])
+    result.say(report.distance, report.volumes_split, report.face_count, environment.info.volume_count)
+    for vertex in environment.cut_vertices():
+        result.say(vertex["vertex"]["index"], vertex["weights"][0])
+
+
+def deform(result: Result) -> None:
+    result.stage("deform")
+    with create() as environment:
+        environment.mark_region(2)
+        with ds.Scene(environment, ds.Feature.DEFORMING) as scene:
+            body = create_catheter(scene)
+            positions = environment.points()
+            positions[:, 0] += (48 - positions[:, 0]) * 0.4375
+            report = scene.deform(positions)
+            result.say(report.outcome, report.held_count, report.contact_count, report.pushed_count, body.positions())
+
+
+def play() -> Result:
+    result, draw = Result(), Draw()
+    result.stage("vessel")
+    with create() as environment:
+        info = environment.info
+        marked, _ = environment.mark_region(2)
+        result.say(info.vertex_count, info.volume_count, info.face_count, info.boundary_face_count, marked)
+        queries(result, environment, draw)
+        with ds.Scene(environment) as scene:
+            lumen = np.flatnonzero(vessel()[2] == 1)[:50]
+            particles = scene.create_particles([environment.centre(environment.volume(int(i))) for i in lumen])
+            result.stage("particles")
+            for _ in range(4):
+                say_moves(result, scene.move_particles(particles, draw(len(particles))))
+            push(result, create_catheter(scene))
+            snapshots(result, scene, particles, draw)
+            errors(result, scene, particles)
+            cut(result, environment)
+    deform(result)
+    return result
