@@ -64,6 +64,11 @@ inline dsw_cell cell_of(dsw_edge_id id) { return {DSW_CELL_EDGE, id.volume, id.g
 inline dsw_cell cell_of(dsw_face_id id) { return {DSW_CELL_FACE, id.volume, id.generation, id.local}; }
 inline dsw_cell cell_of(dsw_volume_id id) { return {DSW_CELL_VOLUME, id.index, id.generation, 0}; }
 
+// Throws what a call with this status would: for hosts' tests of their exceptions.
+inline void raise_status(dsw_status status) {
+  if (status != DSW_STATUS_OK) throw Error(status, dsw_status_string(status));
+}
+
 // What get(&pointer, &count) lends, copied while the lock is held.
 template <class T, class Get>
 Array<T> copied(Get get) {

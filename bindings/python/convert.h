@@ -63,6 +63,21 @@ struct Argument {
   }
 };
 
+// A new array of integers, or null with an error: numbers with fractions are not cut.
+inline PyObject *to_integers(PyObject *object, int type) {
+  PyObject *any = PyArray_FROM_O(object);
+  if (!any) return nullptr;
+  auto *array = reinterpret_cast<PyArrayObject *>(any);
+  PyObject *made = nullptr;
+  if (PyArray_ISINTEGER(array) || PyArray_SIZE(array) == 0) {
+    made = PyArray_FROMANY(any, type, 0, 0, NPY_ARRAY_CARRAY_RO | NPY_ARRAY_FORCECAST);
+  } else {
+    PyErr_SetString(PyExc_TypeError, "integers are needed");
+  }
+  Py_DECREF(any);
+  return made;
+}
+
 // One point, from an array or any sequence of three numbers.
 inline bool set_point(PyObject *object, double *xyz) {
   if (PyArray_Check(object)) {
@@ -89,8 +104,8 @@ struct PointsArgument : Argument {
     if (object == Py_None) return true;
     if (PyArray_Check(object)) {
       auto *given = reinterpret_cast<PyArrayObject *>(object);
-      if (has_type<double>(given) && PyArray_ISALIGNED(given) && PyArray_NDIM(given) == 2 && PyArray_DIM(given, 1) == 3 &&
-          PyArray_STRIDE(given, 1) == 8 && PyArray_STRIDE(given, 0) >= 24) {
+      if (has_type<double>(given) && PyArray_ISALIGNED(given) && PyArray_NDIM(given) == 2 &&
+          PyArray_DIM(given, 1) == 3 && PyArray_STRIDE(given, 1) == 8 && PyArray_STRIDE(given, 0) >= 24) {
         Py_INCREF(object);
         hold(object);
         return point_to(given, out);
@@ -152,7 +167,7 @@ struct IndicesArgument : Argument {
   bool set(PyObject *object, dartsweep::Indices &out) {
     if (object == Py_None) return true;
     const bool narrow = PyArray_Check(object) && PyArray_TYPE(reinterpret_cast<PyArrayObject *>(object)) == NPY_INT32;
-    if (!hold(PyArray_FROMANY(object, narrow ? NPY_INT32 : NPY_INT64, 0, 0, NPY_ARRAY_CARRAY_RO))) return false;
+    if (!hold(to_integers(object, narrow ? NPY_INT32 : NPY_INT64))) return false;
     auto *made = reinterpret_cast<PyArrayObject *>(array);
     out.data = PyArray_DATA(made);
     out.count = static_cast<std::size_t>(PyArray_SIZE(made));
@@ -170,7 +185,8 @@ struct ViewArgument : Argument {
     if (object == Py_None) return true;
     if constexpr (std::is_same_v<T, std::uint8_t>) {
       if (PyBytes_Check(object)) {
-        out = {reinterpret_cast<const T *>(PyBytes_AS_STRING(object)), static_cast<std::size_t>(PyBytes_GET_SIZE(object))};
+        out = {reinterpret_cast<const T *>(PyBytes_AS_STRING(object)),
+               static_cast<std::size_t>(PyBytes_GET_SIZE(object))};
         return true;
       }
     }
@@ -202,7 +218,7 @@ struct ViewArgument : Argument {
 
   // Integers of another type: each has to fit.
   bool set_integers(PyObject *object, View<const T> &out) {
-    if (!hold(PyArray_FROMANY(object, NPY_INT64, 0, 0, NPY_ARRAY_CARRAY_RO))) return false;
+    if (!hold(to_integers(object, NPY_INT64))) return false;
     auto *made = reinterpret_cast<PyArrayObject *>(array);
     const auto *values = static_cast<const std::int64_t *>(PyArray_DATA(made));
     own = Array<T>(static_cast<std::size_t>(PyArray_SIZE(made)));
@@ -264,8 +280,10 @@ PyObject *to_python(Array<T> array) {
   npy_intp count = static_cast<npy_intp>(array.size());
   if (count == 0) return PyArray_NewFromDescr(&PyArray_Type, descr_of<T>(), 1, &count, nullptr, nullptr, 0, nullptr);
   T *data = array.release();
-  PyObject *owner = PyCapsule_New(data, nullptr, [](PyObject *capsule) { delete[] static_cast<T *>(PyCapsule_GetPointer(capsule, nullptr)); });
-  PyObject *made = PyArray_NewFromDescr(&PyArray_Type, descr_of<T>(), 1, &count, nullptr, data, NPY_ARRAY_CARRAY, nullptr);
+  PyObject *owner = PyCapsule_New(
+      data, nullptr, [](PyObject *capsule) { delete[] static_cast<T *>(PyCapsule_GetPointer(capsule, nullptr)); });
+  PyObject *made =
+      PyArray_NewFromDescr(&PyArray_Type, descr_of<T>(), 1, &count, nullptr, data, NPY_ARRAY_CARRAY, nullptr);
   PyArray_SetBaseObject(reinterpret_cast<PyArrayObject *>(made), owner);
   return made;
 }
@@ -273,7 +291,9 @@ PyObject *to_python(Array<T> array) {
 template <class T>
 PyObject *copy_to_python(const T *values, npy_intp count) {
   PyObject *made = PyArray_NewFromDescr(&PyArray_Type, descr_of<T>(), 1, &count, nullptr, nullptr, 0, nullptr);
-  if (made) std::memcpy(PyArray_DATA(reinterpret_cast<PyArrayObject *>(made)), values, sizeof(T) * static_cast<std::size_t>(count));
+  if (made)
+    std::memcpy(PyArray_DATA(reinterpret_cast<PyArrayObject *>(made)), values,
+                sizeof(T) * static_cast<std::size_t>(count));
   return made;
 }
 

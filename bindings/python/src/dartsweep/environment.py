@@ -229,7 +229,7 @@ class Environment:
         out: Records | None = None,
     ) -> Records:
         """Flights (dtypes.FLIGHT) of many segments, written to `out` where it is given."""
-        starts = np.asarray(starts, np.float64)
+        starts, ends = _contiguous(starts), _contiguous(ends)
         flights = np.empty(len(starts), dtypes.FLIGHT) if out is None else out
         self._core.cast_segments(starts, ends, volumes, options, flights)
         return flights
@@ -254,7 +254,7 @@ class Environment:
         out: Records | None = None,
     ) -> Records:
         """Reports (dtypes.SWEEP) of edges whose first end moves from `starts` to `ends` while the other stays at `fixed`."""
-        starts = np.asarray(starts, np.float64)
+        starts, ends, fixed = _contiguous(starts), _contiguous(ends), _contiguous(fixed)
         sweeps = np.empty(len(starts), dtypes.SWEEP) if out is None else out
         self._core.sweep_edges(starts, ends, fixed, volumes, options, sweeps)
         return sweeps
@@ -399,6 +399,11 @@ class Environment:
 
     def unmended_volumes(self) -> Records:
         return self._core.get_unmended_volumes()  # type: ignore[no-any-return]
+
+
+def _contiguous(points: ArrayLike) -> NDArray[np.float64]:
+    """The library takes one stride for all arrays of a call."""
+    return np.ascontiguousarray(points, np.float64)
 
 
 def _cell(cell: Any) -> Any:
