@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
-# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz format page; none means all
+# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python page format; none means all
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-config python3 binutils abigail-tools
-  libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev)
+  libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev swig python3-dev python3-venv)
 steps=("$@")
-[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz format page)
+[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python page format)
 jobs=$(nproc)
 export CMAKE_GENERATOR=Ninja CTEST_PARALLEL_LEVEL=$jobs CMAKE_BUILD_PARALLEL_LEVEL=$jobs
 
@@ -51,7 +51,7 @@ run_step() {
     tail -n 150 "$log"
   fi
   local lines
-  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^# (pass|fail) [0-9]+' "$log" || true)
+  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^python:|^# (pass|fail) [0-9]+' "$log" || true)
   [ $status -eq 0 ] || lines+=$'\nFAILED, see '$log
   summary+=("$name ($((SECONDS - start)) s)"$'\n'"$lines")
   echo "$lines"
@@ -71,9 +71,30 @@ preset() {
     "${plain_addresses[@]}" ctest --preset "$name" --no-tests=error "${test_arguments[@]}"
 }
 
+# The wheel as users get it, but for the library, which is that of the release preset.
+check_python() {
+  local source=bindings/python out=$PWD/build/python
+  local venv=$out/venv
+  mkdir -p "$out"
+  cmake --preset release && cmake --build --preset release --target dartsweep &&
+    cmake --install build/release --prefix "$out/dartsweep" || return 1
+  cat $source/tests/requirements.txt examples/planning/requirements.txt >"$out/requirements.txt" || return 1
+  if ! cmp -s "$out/requirements.txt" "$venv/installed.txt"; then
+    # Not that of a version manager: python3-dev belongs to this one.
+    /usr/bin/python3 -m venv --clear "$venv" && "$venv/bin/pip" install -q -r "$out/requirements.txt" || return 1
+    cp "$out/requirements.txt" "$venv/installed.txt"
+  fi
+  "$venv/bin/pip" install -q --no-deps --no-build-isolation --force-reinstall ./$source \
+    -C build-dir="$out/build" -C cmake.define.DSW_USE_INSTALLED=ON -C cmake.define.CMAKE_PREFIX_PATH="$out/dartsweep" &&
+    "$venv/bin/python" -m pytest $source --junitxml="$out/tests.xml" || return 1
+  for example in $source/examples/*.py; do "$venv/bin/python" "$example" || return 1; done
+  "$venv/bin/python" -m pytest examples/planning || return 1
+  echo "python: $(grep -o 'tests="[0-9]*"' "$out/tests.xml" | tr -dc 0-9) tests passed, and the examples"
+}
+
 check_format() {
   local files
-  mapfile -t files < <(find src include tests examples -regex '.*\.\(h\|inl\|c\|cpp\)' | sort)
+  mapfile -t files < <(find src include tests examples bindings -regex '.*\.\(h\|inl\|c\|cpp\)' | sort)
   clang-format-14 --dry-run -Werror "${files[@]}" && echo "format: ${#files[@]} files in order"
 }
 
@@ -86,6 +107,7 @@ for step in "${steps[@]}"; do
     tsan) run_step tsan preset tsan -- threads_tests ;;
     abi) run_step abi preset abi -- dartsweep abi_programs ;;
     fuzz) run_step fuzz preset fuzz -- all ;;
+    python) run_step python check_python ;;
     format) run_step format check_format ;;
     page) run_step page examples/insertion/page/test.sh ;;
     *) echo "no step '$step'"; exit 2 ;;
