@@ -63,7 +63,7 @@ fi
 echo "building the library and its Python binding"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 quietly "building the binding" "$venv/bin/pip" install --disable-pip-version-check --no-deps --no-build-isolation \
-  --force-reinstall "$root/bindings/python" -C build-dir="$out/binding"
+  --force-reinstall "$root/bindings/python" --config-settings=build-dir="$out/binding"
 
 OMP_NUM_THREADS=1 "$venv/bin/python" "$source/sweep.py" --out "$out" "$@"
 echo

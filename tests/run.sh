@@ -85,7 +85,7 @@ check_python() {
     cp "$out/requirements.txt" "$venv/installed.txt"
   fi
   "$venv/bin/pip" install -q --no-deps --no-build-isolation --force-reinstall ./$source \
-    -C build-dir="$out/build" -C cmake.define.DSW_USE_INSTALLED=ON -C cmake.define.CMAKE_PREFIX_PATH="$out/dartsweep" &&
+    --config-settings=build-dir="$out/build" --config-settings=cmake.define.DSW_USE_INSTALLED=ON --config-settings=cmake.define.CMAKE_PREFIX_PATH="$out/dartsweep" &&
     "$venv/bin/python" -m pytest $source --junitxml="$out/tests.xml" || return 1
   for example in $source/examples/*.py; do "$venv/bin/python" "$example" || return 1; done
   "$venv/bin/python" -m pytest examples/planning || return 1

@@ -8,10 +8,11 @@ namespace dartsweep {
 class Scene {
  public:
   explicit Scene(Environment &environment, const dsw_scene_desc *desc = nullptr)
-      : Scene(environment, [desc](dsw_environment *in, dsw_scene **out) { return dsw_scene_create(in, desc, out); }) {}
+      : Scene(Made(), environment,
+              [desc](dsw_environment *in, dsw_scene **out) { return dsw_scene_create(in, desc, out); }) {}
 
   static Scene load(Environment &environment, View<const std::uint8_t> block) {
-    return Scene(environment, [block](dsw_environment *in, dsw_scene **out) {
+    return Scene(Made(), environment, [block](dsw_environment *in, dsw_scene **out) {
       return dsw_scene_load(in, block.data, block.count, out);
     });
   }
@@ -191,8 +192,10 @@ class Scene {
   }
 
  private:
+  struct Made {};
+  // make(environment, &scene) creates or loads it.
   template <class Make>
-  Scene(Environment &environment, Make make) : state_(std::make_shared<SceneState>()) {
+  Scene(Made, Environment &environment, Make make) : state_(std::make_shared<SceneState>()) {
     state_->environment = environment.state();
     const EnvironmentWriting parent(*state_->environment);
     check(make(parent.handle, &state_->handle));

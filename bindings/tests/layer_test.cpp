@@ -1,0 +1,117 @@
+// The layer that all languages share: who owns what, and what several threads may do. The sanitizers look on.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "common/body.h"
+#include "common/trace.h"
+
+using namespace dartsweep;
+
+namespace {
+
+const std::vector<double> kPoints = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1};
+const std::vector<std::int64_t> kCube = {0, 1, 2, 3, 4, 5, 6, 7};
+const dsw_vec3 kMiddle = {0.5, 0.5, 0.5}, kNear = {0.25, 0.5, 0.5}, kBeyond = {0.5, 0.5, 2.5};
+
+Environment cube() { return Environment({kPoints.data(), 8}, {kCube.data(), 8, 8}); }
+
+template <class Call>
+dsw_status status_of(Call call) {
+  try {
+    call();
+  } catch (const Error &error) {
+    EXPECT_STRNE(error.what(), "");
+    return error.status();
+  }
+  return DSW_STATUS_OK;
+}
+
+TEST(Layer, ClosesOnceInAnyOrder) {
+  std::optional<Environment> environment(cube());
+  std::optional<Scene> scene(std::in_place, *environment);
+  Body body(*scene, scene->create_body({&kMiddle.x, 1}));
+  environment->close();
+  environment->close();
+  EXPECT_THROW(environment->cast(kMiddle, kBeyond), Closed);
+  environment.reset();
+  EXPECT_EQ(scene->move_particle(scene->create_particle(kMiddle), kBeyond).time, 0.25);
+  scene->close();
+  scene->close();
+  scene.reset();
+  EXPECT_THROW(body.get_counts(), Closed);
+}
+
+TEST(Layer, StatusesAreThrown) {
+  Environment environment = cube();
+  Scene scene(environment);
+  EXPECT_EQ(status_of([&] { environment.get_volume(1); }), DSW_STATUS_OUT_OF_RANGE);
+  EXPECT_EQ(status_of([&] { scene.destroy_particle({9, 1}); }), DSW_STATUS_STALE_ID);
+  EXPECT_EQ(status_of([&] { scene.deform({}); }), DSW_STATUS_NOT_NAMED);
+  EXPECT_EQ(status_of([&] { environment.locate_points({kPoints.data(), 8}, {}, {}); }), DSW_STATUS_WRONG_SIZE);
+  EXPECT_EQ(status_of([&] { Environment::load({}); }), DSW_STATUS_NULL_ARGUMENT);
+}
+
+TEST(Layer, LentPositionsAreHeldUntilTheNext) {
+  Environment environment = cube();
+  dsw_scene_desc desc;
+  dsw_scene_desc_init(&desc, sizeof desc);
+  desc.features = DSW_FEATURE_DEFORMING;
+  Scene scene(environment, &desc);
+  std::vector<std::weak_ptr<void>> lent;
+  for (int i = 0; i < 3; ++i) {
+    auto next = std::make_shared<std::vector<double>>(kPoints);
+    (*next)[0] = -0.25 * i;
+    lent.push_back(next);
+    scene.deform({next->data(), 8, next});
+    EXPECT_EQ(environment.get_points().get(0), -0.25 * i);
+  }
+  EXPECT_TRUE(lent[0].expired() && lent[1].expired() && !lent[2].expired());
+  environment.close();
+  EXPECT_FALSE(lent[2].expired());
+  scene.close();
+  EXPECT_TRUE(lent[2].expired());
+}
+
+TEST(Layer, SnapshotsGoOn) {
+  Environment environment = cube();
+  Scene scene(environment);
+  const dsw_particle_id particle = scene.create_particle(kMiddle);
+  Array<std::uint8_t> block = environment.save(), inside = scene.save();
+  Environment other = Environment::load({block.data(), block.size()});
+  Scene copy = Scene::load(other, {inside.data(), inside.size()});
+  EXPECT_EQ(copy.move_particle(particle, kBeyond).time, scene.move_particle(particle, kBeyond).time);
+}
+
+TEST(Layer, ThreadsMayCallAndCloseAsTheyLike) {
+  for (int round = 0; round < 10; ++round) {
+    Environment environment = cube();
+    Scene scene(environment);
+    const dsw_particle_id particle = scene.create_particle(kMiddle);
+    std::atomic<int> refused{0};
+    std::vector<std::thread> threads;
+    for (int number = 0; number < 8; ++number)
+      threads.emplace_back([&, number] {
+        try {
+          for (int i = 0; i < 200; ++i) {
+            if (number == 0 && i == 150) scene.close();
+            if (number % 2) scene.move_particle(particle, i % 2 ? kMiddle : kNear);
+            if (number == 2) environment.set_tag(environment.get_volume(0), static_cast<std::uint32_t>(i));
+            if (number == 4) Scene another(environment);
+            environment.cast(kMiddle, kBeyond);
+            scene.get_particle(particle);
+          }
+        } catch (const Closed &) {
+          ++refused;
+        }
+      });
+    for (std::thread &thread : threads) thread.join();
+    EXPECT_TRUE(scene.is_closed());
+    EXPECT_GE(refused.load(), 1);
+  }
+}
+
+}  // namespace
