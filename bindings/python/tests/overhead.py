@@ -13,6 +13,7 @@ import tempfile
 import timeit
 
 import numpy as np
+from numpy.typing import NDArray
 
 import dartsweep as ds
 
@@ -30,7 +31,9 @@ def grid() -> ds.Environment:
     return ds.Environment(points, cells, threads=1)
 
 
-def python_times(environment: ds.Environment, first: np.ndarray, second: np.ndarray) -> tuple[float, float]:
+def python_times(
+    environment: ds.Environment, first: NDArray[np.float64], second: NDArray[np.float64]
+) -> tuple[float, float]:
     with ds.Scene(environment) as scene:
         particles = scene.create_particles(first)
         out = np.empty(COUNT, ds.dtypes.FLIGHT)
