@@ -19,7 +19,7 @@ import dartsweep as ds
 from insertion import Outcome, Plan, insert
 from vessel import winding_tube
 
-DEPTH, FED = 30.0, 41.0
+DEPTH, FED = 30.0, 40.0
 
 
 class Snapshot(WorkerPlugin):
@@ -42,7 +42,7 @@ def plans(angles: int, stiffnesses: int, frictions: int) -> list[Plan]:
     return [
         Plan(float(a), float(s), float(f))
         for a, s, f in itertools.product(
-            np.linspace(-40, 40, angles), np.linspace(0.02, 0.35, stiffnesses), np.linspace(0, 0.9, frictions)
+            np.linspace(-40, 40, angles), np.linspace(0.02, 0.25, stiffnesses), np.linspace(0, 0.9, frictions)
         )
     ]
 
