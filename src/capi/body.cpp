@@ -10,7 +10,7 @@ using dsw::fail;
 
 namespace {
 
-dsw_body_desc defaults() noexcept {
+dsw_body_desc default_body() noexcept {
   dsw_body_desc d{};
   d.level = DSW_LEVEL_EDGES_SWEPT;
   return d;
@@ -103,7 +103,7 @@ void check_named(bool named, const char* feature) {
 
 }  // namespace dsw::capi
 
-void dsw_body_desc_init(dsw_body_desc* desc, size_t size) { capi::init_struct(desc, size, defaults()); }
+void dsw_body_desc_init(dsw_body_desc* desc, size_t size) { capi::init_struct(desc, size, default_body()); }
 
 dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body_id* body) {
   return capi::guard("dsw_body_create", [&] {

@@ -57,6 +57,12 @@ inline dsw_cell cell_of_vertex(const Map<3>& map, uint32_t vertex) noexcept {
   return {DSW_CELL_VERTEX, vertex, map.vertex_generation(vertex), 0};
 }
 
+/** Three finite coordinates. */
+inline void check_point(const double* point, const char* name) {
+  require(point, name);
+  check_finite({point, 3}, 1, 3, {name, false});
+}
+
 /** An array of `count` things; null is allowed when there are none. */
 void require_array(const void* array, size_t count, const char* name);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t kMostHalvings = 40;
 
-dsw_detach_desc defaults() noexcept {
+dsw_detach_desc default_detachment() noexcept {
   dsw_detach_desc d{};
   d.level = DSW_LEVEL_EDGES_SWEPT;
   return d;
@@ -66,7 +66,7 @@ uint32_t count_unsewn(const dsw::Map<3>& map, const dsw::Piece& piece) {
 
 }  // namespace
 
-void dsw_detach_desc_init(dsw_detach_desc* desc, size_t size) { capi::init_struct(desc, size, defaults()); }
+void dsw_detach_desc_init(dsw_detach_desc* desc, size_t size) { capi::init_struct(desc, size, default_detachment()); }
 
 dsw_status dsw_scene_detach(dsw_scene* scene, const dsw_detach_desc* desc, dsw_body_id* body,
                             dsw_detach_report* report) {

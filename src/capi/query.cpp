@@ -17,11 +17,6 @@ dsw_place place_of(const dsw::Environment<3>& env, dsw::Cell c) noexcept {
   return !c.valid() ? DSW_PLACE_OUTSIDE : is_closed(env, c) ? DSW_PLACE_IMPASSABLE : DSW_PLACE_PASSABLE;
 }
 
-void check_point(const double* point, const char* name) {
-  capi::require(point, name);
-  dsw::check_finite({point, 3}, 1, 3, {name, false});
-}
-
 /** The public id of what classify and find_nearest name. */
 dsw_cell to_public(const dsw::Environment<3>& env, const dsw::FeatureRef& feature) noexcept {
   const dsw::Map<3>& map = env.map;
@@ -61,7 +56,7 @@ dsw_status dsw_environment_locate(const dsw_environment* environment, const doub
   return capi::guard("dsw_environment_locate", [&] {
     const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
     capi::require(volume, "volume");
-    check_point(point, "point");
+    capi::check_point(point, "point");
     capi::check_hint(env.map, hint, "hint");
     const dsw::Cell c = locate_point(env, point, hint);
     *volume = volume_id(env.map, c);
@@ -90,7 +85,7 @@ dsw_status dsw_environment_classify(const dsw_environment* environment, const do
                                     dsw_cell* cell) {
   return capi::guard("dsw_environment_classify", [&] {
     const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
-    check_point(point, "point");
+    capi::check_point(point, "point");
     const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
     capi::require(cell, "cell");
     bool inside = false;
@@ -107,8 +102,8 @@ dsw_status dsw_environment_cast(const dsw_environment* environment, dsw_volume_i
                                 const double* to, const dsw_cast_options* options, dsw_flight* flight) {
   return capi::guard("dsw_environment_cast", [&] {
     const dsw_environment& handle = capi::check_handle(environment, "environment");
-    check_point(from, "from");
-    check_point(to, "to");
+    capi::check_point(from, "from");
+    capi::check_point(to, "to");
     capi::require(flight, "flight");
     capi::check_hint(handle.engine.map, start, "start");
     cast_segments(handle.engine, handle.parallel, 1, &start, {from, 3}, {to, 3}, capi::to_options(options), flight);
@@ -136,8 +131,8 @@ dsw_status dsw_environment_cast_path(const dsw_environment* environment, dsw_vol
                                      size_t capacity, size_t* count, dsw_flight* flight) {
   return capi::guard("dsw_environment_cast_path", [&] {
     const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
-    check_point(from, "from");
-    check_point(to, "to");
+    capi::check_point(from, "from");
+    capi::check_point(to, "to");
     capi::require_array(crossings, capacity, "crossings");
     capi::require(count, "count");
     capi::check_hint(env.map, start, "start");
@@ -154,7 +149,7 @@ dsw_status dsw_environment_find_nearest(const dsw_environment* environment, cons
                                         double radius, dsw_nearest* nearest) {
   return capi::guard("dsw_environment_find_nearest", [&] {
     const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
-    check_point(point, "point");
+    capi::check_point(point, "point");
     capi::require(nearest, "nearest");
     if (!(radius >= 0)) fail(DSW_STATUS_OUT_OF_RANGE, "radius is %g, must be at least 0", radius);
     capi::check_hint(env.map, volume, "volume");

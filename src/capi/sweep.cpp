@@ -8,7 +8,7 @@ using dsw::fail;
 
 namespace {
 
-dsw_sweep_options defaults() noexcept {
+dsw_sweep_options default_sweep() noexcept {
   dsw_sweep_options o{};
   o.level = DSW_LEVEL_EDGES_SWEPT;
   return o;
@@ -24,7 +24,9 @@ dsw::SweepOptions to_options(const dsw_sweep_options* options) {
 
 }  // namespace
 
-void dsw_sweep_options_init(dsw_sweep_options* options, size_t size) { capi::init_struct(options, size, defaults()); }
+void dsw_sweep_options_init(dsw_sweep_options* options, size_t size) {
+  capi::init_struct(options, size, default_sweep());
+}
 
 dsw_status dsw_environment_sweep_edges(const dsw_environment* environment, size_t count, const dsw_volume_id* starts,
                                        const double* from, const double* to, const double* fixed, size_t stride_bytes,

@@ -25,11 +25,6 @@ void check_length(double normal_length) {
   if (!std::isfinite(normal_length)) fail(DSW_STATUS_NON_FINITE, "normal_length is %g, must be finite", normal_length);
 }
 
-void check_point(const double* point, const char* name) {
-  capi::require(point, name);
-  dsw::check_finite({point, 3}, 1, 3, {name, false});
-}
-
 }  // namespace
 
 dsw_status dsw_trace_create(dsw_context* context, dsw_trace** trace) {
@@ -80,8 +75,8 @@ dsw_status dsw_trace_add_walk(dsw_trace* trace, const dsw_environment* environme
   return capi::guard("dsw_trace_add_walk", [&] {
     dsw::Trace& engine = engine_of(trace);
     const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
-    check_point(from, "from");
-    check_point(to, "to");
+    capi::check_point(from, "from");
+    capi::check_point(to, "to");
     check_length(normal_length);
     capi::check_hint(env.map, start, "start");
     add_walk(engine, env, start, from, to, capi::to_options(options), normal_length, label);
@@ -94,8 +89,8 @@ dsw_status dsw_trace_add_contact(dsw_trace* trace, const dsw_flight* flight, dou
     capi::require(flight, "flight");
     check_length(normal_length);
     if (flight->outcome == DSW_OUTCOME_CONTACT) {
-      check_point(flight->position, "flight->position");
-      check_point(flight->normal, "flight->normal");
+      capi::check_point(flight->position, "flight->position");
+      capi::check_point(flight->normal, "flight->normal");
     }
     add_contact(engine, *flight, normal_length, label);
   });

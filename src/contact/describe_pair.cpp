@@ -35,7 +35,7 @@ Vec face_normal(const double* const* corners, const double* p, const Vec& move) 
 }
 
 /** Where segment a b pierces the swept triangle; not both of its ends are in that plane. */
-void piercing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
+void triangle_piercing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
   const double* const swept[3] = {m.p, m.to, m.q};
   if (orient<3>(swept, b) - orient<3>(swept, a) < 0) std::swap(a, b);
   point_at<3>(a, b, crossing_time<3>(a, b, swept), point);
@@ -61,7 +61,7 @@ void describe_edge(const PairContact& met, const EdgeMotion& m, const Touched& t
   const Vec move = difference(m.to, m.p), edge = difference(m.q, contact.position), other = difference(b, a);
   Vec normal;
   if (met.place == TouchPlace::kInside) {
-    piercing_point(m, a, b, contact.point);
+    triangle_piercing_point(m, a, b, contact.point);
     normal = against(unit(cross(unit(edge), unit(other))), move);
   } else if (met.place == TouchPlace::kVertex) {
     normal = back_across(move, other, are_collinear(m.p, m.to, a) && are_collinear(m.p, m.to, b));

@@ -5,13 +5,14 @@
 namespace dsw {
 namespace {
 
-constexpr uint32_t kEnd = 0xffffffffu;
+constexpr uint32_t kNoQuery = 0xffffffffu;
 
 /** Queries in a chain for each lowest vertex: one pass over the environment answers all. */
 class Queries {
  public:
   Queries(const Environment<3>& env, size_t count)
-      : head_(env.map.vertex_count, kEnd, Allocator<uint32_t>(env.memory)), next_(count, kEnd, head_.get_allocator()) {}
+      : head_(env.map.vertex_count, kNoQuery, Allocator<uint32_t>(env.memory)),
+        next_(count, kNoQuery, head_.get_allocator()) {}
 
   void add(uint32_t query, uint32_t lowest) {
     next_[query] = head_[lowest];
@@ -50,9 +51,9 @@ void find_facets(const Environment<3>& env, size_t count, const size_t* offsets,
         face.push_back(map.vertex(cell, shape.dart_vertex(d)));
       }
       const uint32_t lowest = *std::min_element(face.begin(), face.end());
-      if (queries.first(lowest) == kEnd) continue;
+      if (queries.first(lowest) == kNoQuery) continue;
       std::sort(face.begin(), face.end());
-      for (uint32_t i = queries.first(lowest); i != kEnd; i = queries.next(i)) {
+      for (uint32_t i = queries.first(lowest); i != kNoQuery; i = queries.next(i)) {
         if (out[i].valid() || !std::equal(face.begin(), face.end(), begin(i), begin(i + 1))) continue;
         out[i] = h;
         ++found;
@@ -77,7 +78,7 @@ void find_edges(const Environment<3>& env, size_t count, const uint32_t* indices
       if (shape.dart_beta2(d) < d) continue;
       const uint32_t u = map.vertex(cell, shape.dart_vertex(d)),
                      v = map.vertex(cell, shape.dart_vertex(shape.beta1(d)));
-      for (uint32_t i = queries.first(std::min(u, v)); i != kEnd; i = queries.next(i)) {
+      for (uint32_t i = queries.first(std::min(u, v)); i != kNoQuery; i = queries.next(i)) {
         if (out[i].cell.valid() || std::max(indices[2 * i], indices[2 * i + 1]) != std::max(u, v)) continue;
         out[i] = {cell, d};
         ++found;

@@ -10,8 +10,6 @@
 namespace dsw {
 namespace {
 
-constexpr uint64_t kMostUnits = uint64_t{1} << 28;
-
 uint32_t side_key(uint32_t from, uint32_t to) { return from << 16 | to; }
 
 /** Whether the triangles of facet f fill its loop: they have each of its darts for a side, and every other side twice, once

@@ -25,6 +25,7 @@ namespace dsw {
 constexpr uint32_t kMarkBit = 0x80000000u;
 constexpr uint32_t kNoFacet = 0x7fffffffu;
 constexpr uint32_t kUnitWords = 8;
+constexpr uint64_t kMostUnits = uint64_t{1} << 28;
 constexpr uint32_t kVertexMask = 0x0fffffffu;
 constexpr uint32_t kConvexBit = 0x08000000u;
 constexpr uint32_t kShapeMask = 0x07ffffffu;

@@ -8,8 +8,6 @@
 namespace dsw {
 namespace {
 
-constexpr uint64_t kMostUnits = uint64_t{1} << 28;
-
 /** Makes room for a list of things of this size. */
 void reserve_list(Array<uint32_t>& heads, uint32_t size) {
   if (size >= heads.size()) heads.resize(std::max<size_t>(size + 1, heads.size() * 2), kNoCell);

@@ -40,8 +40,6 @@ void locate_something(const dsw_environment* environment, bool is_partition, Byt
   require(near != DSW_STATUS_OUTSIDE && near != DSW_STATUS_INTERNAL, "nearest from a located point");
 }
 
-bool is_unit(const double* v) { return std::fabs(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1) < 1e-12; }
-
 /** What a report of a swept edge always promises. */
 void check_sweep(const dsw_sweep& s, bool is_limited) {
   require(s.outcome != DSW_OUTCOME_NONE && s.outcome <= DSW_OUTCOME_IMPASSABLE, "a sweep ends somewhere");

@@ -1,6 +1,8 @@
 #pragma once
 // A short life of an environment, driven by bytes: what any host may do with it.
 
+#include <cmath>
+
 #include "bytes.h"
 #include "dartsweep/dartsweep.h"
 
@@ -18,6 +20,10 @@ void use_body(dsw_scene* scene, bool is_partition, Bytes* bytes);
 /** Casts one segment and checks what a report always promises. */
 dsw_flight cast(const dsw_environment* environment, dsw_volume_id start, const double* from, const double* to,
                 dsw_status* status);
+
+inline bool is_unit(const double* v) {
+  return std::fabs(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1) < 1e-12;
+}
 
 /** Snapshots. */
 std::vector<uint8_t> save(const dsw_environment* environment);

@@ -16,8 +16,6 @@ bool all_finite(const double* values, size_t count) {
   return true;
 }
 
-bool is_unit(const double* v) { return std::fabs(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1) < 1e-12; }
-
 /** A body under test, and everything that can be read of it. */
 struct Subject {
   dsw_scene* scene;

@@ -10,7 +10,7 @@ mkdir -p "$work"
 
 if [ "$kind" = static ]; then
   # Debug: this is about packaging, and unoptimized code compiles fastest.
-  cmake -S "$source" -B "$work/build" -DCMAKE_BUILD_TYPE=Debug -DBUILD_SHARED_LIBS=OFF -DDSW_BUILD_TESTS=OFF \
+  cmake -S "$source" -B "$work/build" -DCMAKE_BUILD_TYPE=Debug -DBUILD_SHARED_LIBS=OFF -DDSW_UNITY=ON -DDSW_BUILD_TESTS=OFF \
     -DDSW_BUILD_EXAMPLES=OFF -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" >"$work/configure.log"
   cmake --build "$work/build" >"$work/build.log"
   build=$work/build

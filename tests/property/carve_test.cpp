@@ -1,6 +1,5 @@
 // Shapes carved out of environments of every kind: what is inside, in exact integers, and nothing else.
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -11,11 +10,6 @@
 
 namespace dsw::oracle {
 namespace {
-
-uint64_t wanted_seeds() {
-  const char* const text = std::getenv("DSW_CARVINGS");
-  return text == nullptr ? 6 : std::strtoull(text, nullptr, 10);
-}
 
 /// How often a surface turns round a point: crossings of a ray in a generic direction. The infinitesimal shift of the surface is a number,
 /// too small to matter but where a sign is 0 without it.
@@ -136,7 +130,7 @@ DSW_FOR_ALL_SCENES(CarveTest);
 
 TEST_P(CarveTest, WhatIsInsideIsCarvedAndNothingElse) {
   size_t carved_volumes = 0, split = 0, kept = 0;
-  for (uint64_t seed = 1; seed <= wanted_seeds(); ++seed) {
+  for (uint64_t seed = 1; seed <= wanted_shape_seeds(); ++seed) {
     place_ = make_place(GetParam(), seed);
     if (place_.environment == nullptr) continue;
     Rng rng(seed ^ 0xca47e);

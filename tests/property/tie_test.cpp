@@ -1,6 +1,5 @@
 // Vessels tied in environments of every kind: nothing gets through what the loop spans.
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -13,11 +12,6 @@
 
 namespace dsw::oracle {
 namespace {
-
-uint64_t wanted_seeds() {
-  const char* const text = std::getenv("DSW_CARVINGS");
-  return text == nullptr ? 6 : std::strtoull(text, nullptr, 10);
-}
 
 class TieTest : public SceneTest {
  protected:
@@ -92,7 +86,7 @@ struct Flight {
 
 TEST_P(TieTest, NothingGetsThrough) {
   size_t flights = 0, free_before = 0;
-  for (uint64_t seed = 1; seed <= wanted_seeds(); ++seed) {
+  for (uint64_t seed = 1; seed <= wanted_shape_seeds(); ++seed) {
     place_ = make_place(GetParam(), seed);
     if (place_.environment == nullptr) continue;
     Rng rng(seed ^ 0x71e);
@@ -151,7 +145,7 @@ TEST_P(TieTest, NothingGetsThrough) {
 /// A tube round a line, and a loop round the tube: what hangs together afterwards is on one side, and together again when that is undone.
 TEST_P(TieTest, ATubeIsClosed) {
   size_t closed = 0;
-  for (uint64_t seed = 1; seed <= wanted_seeds(); ++seed) {
+  for (uint64_t seed = 1; seed <= wanted_shape_seeds(); ++seed) {
     place_ = make_place(GetParam(), seed);
     if (place_.environment == nullptr) continue;
     Rng rng(seed ^ 0x7b3);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 
 namespace dsw {
 
@@ -25,6 +26,13 @@ class Random {
  private:
   std::uint64_t state_;
 };
+
+// How many cases of each family a test looks at; DSW_PREDICATE_CASES asks for more or fewer.
+inline std::uint64_t case_count() {
+  const char* text = std::getenv("DSW_PREDICATE_CASES");
+  const std::uint64_t count = text != nullptr ? std::strtoull(text, nullptr, 10) : 0;
+  return count > 0 ? count : 100000;
+}
 
 constexpr int kMaxPoints = 8;
 

@@ -19,12 +19,6 @@
 namespace dsw {
 namespace {
 
-std::uint64_t case_count() {
-  const char* text = std::getenv("DSW_PREDICATE_CASES");
-  const std::uint64_t count = text != nullptr ? std::strtoull(text, nullptr, 10) : 0;
-  return count > 0 ? count : 100000;
-}
-
 double vertical_time(double from, double to, double plane) {
   const double a[] = {0, 0, plane}, b[] = {1, 0, plane}, c[] = {0, 1, plane};
   const double* const triangle[] = {a, b, c};

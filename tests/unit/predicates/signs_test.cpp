@@ -14,12 +14,6 @@
 namespace dsw {
 namespace {
 
-std::uint64_t case_count() {
-  const char* text = std::getenv("DSW_PREDICATE_CASES");
-  const std::uint64_t count = text != nullptr ? std::strtoull(text, nullptr, 10) : 0;
-  return count > 0 ? count : 100000;
-}
-
 constexpr std::uint64_t kSeed = 20100;
 
 void expect_all_right(const PredicateTally& tally, double least_ties) {
