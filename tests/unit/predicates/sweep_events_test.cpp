@@ -119,7 +119,8 @@ TEST(SweepEvents, OrderAndTimesAreThoseOfThePolynomials) {
   Random random(41);
   PointSet<3> s;
   Seen seen[3][3];
-  for (int i = 0; i < 60000; ++i) {
+  const int cases = static_cast<int>(case_count() * 3 / 5);
+  for (int i = 0; i < cases; ++i) {
     draw(random, 8, s);
     // Often something stands twice: an end on an obstacle's vertex, a common end q, two lines with a common point or the same.
     if (random.below(3) == 0) std::copy_n(s.x[random.between(2, 7)], 3, s.x[random.below(3)]);
@@ -134,12 +135,12 @@ TEST(SweepEvents, OrderAndTimesAreThoseOfThePolynomials) {
   }
   for (const auto& row : seen) {
     for (const Seen& each : row) {
-      EXPECT_GT(each.compared, 400);
-      EXPECT_GT(each.ties, 30);
+      EXPECT_GT(each.compared, cases / 150);
+      EXPECT_GT(each.ties, cases / 2000);
     }
   }
-  EXPECT_GT(seen[1][1].vanishing + seen[1][2].vanishing + seen[2][2].vanishing, 50);
-  EXPECT_GT(seen[1][1].deep + seen[1][2].deep + seen[2][2].deep, 15);
+  EXPECT_GT(seen[1][1].vanishing + seen[1][2].vanishing + seen[2][2].vanishing, cases / 1200);
+  EXPECT_GT(seen[1][1].deep + seen[1][2].deep + seen[2][2].deep, cases / 4000);
 }
 
 /** Points of a 3 x 3 x 3 lattice: two in three comparisons are ties, many are decided by high powers of e or by nothing. */
@@ -147,7 +148,8 @@ TEST(SweepEvents, OrderOnASmallLattice) {
   Random random(47);
   double x[8][3];
   Seen seen;
-  for (int i = 0; i < 60000; ++i) {
+  const int cases = static_cast<int>(case_count() * 3 / 5);
+  for (int i = 0; i < cases; ++i) {
     for (auto& point : x) {
       for (double& each : point) each = random.below(3);
     }
@@ -157,11 +159,11 @@ TEST(SweepEvents, OrderOnASmallLattice) {
                  {{x[5], x[6], x[7]}, kAllKinds[random.below(3)]}, seen);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(seen.compared, 10000);
-  EXPECT_GT(seen.ties, 5000);
-  EXPECT_GT(seen.vanishing, 1000);
-  EXPECT_GT(seen.deep, 1000);
-  EXPECT_GT(seen.equal, 300);
+  EXPECT_GT(seen.compared, cases / 6);
+  EXPECT_GT(seen.ties, cases / 12);
+  EXPECT_GT(seen.vanishing, cases / 60);
+  EXPECT_GT(seen.deep, cases / 60);
+  EXPECT_GT(seen.equal, cases / 200);
 }
 
 TEST(SweepEvents, SidesOfTheSweptPlaneAreThoseOfThePolynomials) {
