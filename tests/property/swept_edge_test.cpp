@@ -79,7 +79,7 @@ TEST(SweptEdgeTest, AllContactsInTheirOrder) {
       SweptTruth truth(*env);
       SweepFlood flood(*env);
       Bodies bodies(*env, truth, rng);
-      for (int i = 0; i < 1000; ++i) {
+      for (int i = 0; i < share_of(1000); ++i) {
         Vec x[4];
         bodies.draw(x);
         SCOPED_TRACE(std::string(kind.name) + " " + std::to_string(seed) + " " + std::to_string(i));
@@ -88,10 +88,10 @@ TEST(SweptEdgeTest, AllContactsInTheirOrder) {
       }
     }
   }
-  EXPECT_GT(count.sweeps, 10000);
-  EXPECT_GT(count.many, 2000);
+  EXPECT_GT(count.sweeps, share_of(10000));
+  EXPECT_GT(count.many, share_of(2000));
   EXPECT_GT(count.most, 20);
-  EXPECT_GT(count.full, 300);
+  EXPECT_GT(count.full, share_of(300));
 }
 
 /** What a segment passes, if it reaches its end and passes every facet where `follows` can tell; *known says so. */
@@ -136,7 +136,7 @@ TEST(SweptEdgeTest, ALineBetweenNeighboursPassesOneFacet) {
       mark(*env, rng, {0.05, 0.1, 0, 0});
       SweptTruth truth(*env);
       Bodies bodies(*env, truth, rng);
-      for (int i = 0; i < 3000; ++i) {
+      for (int i = 0; i < share_of(3000); ++i) {
         Vec x[4];
         bodies.draw(x);
         const Cell first = locate(*env, x[0].data(), Cell{}, nullptr).cell;
@@ -151,7 +151,7 @@ TEST(SweptEdgeTest, ALineBetweenNeighboursPassesOneFacet) {
       }
     }
   }
-  EXPECT_GT(passed, 1000);
+  EXPECT_GT(passed, share_of(1000));
   EXPECT_GT(of_neighbours, passed) << "it knows of standard forms only";
 }
 
@@ -167,7 +167,7 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
       SweptTruth truth(*env);
       SweepFlood flood(*env);
       Bodies bodies(*env, truth, rng);
-      for (int i = 0; i < 10000; ++i) {
+      for (int i = 0; i < share_of(10000); ++i) {
         Vec x[4];
         bodies.draw(x);
         const double by = rng.chance(0.5) ? 0.05 : 0.3;
@@ -200,11 +200,11 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
       }
     }
   }
-  EXPECT_GT(settled, 5000);
-  EXPECT_GT(of_many_cells, 500);
-  EXPECT_GT(free_but_open, 500);
-  EXPECT_GT(kept, 500);
-  EXPECT_GT(turned, 50);
+  EXPECT_GT(settled, share_of(5000));
+  EXPECT_GT(of_many_cells, share_of(500));
+  EXPECT_GT(free_but_open, share_of(500));
+  EXPECT_GT(kept, share_of(500));
+  EXPECT_GT(turned, share_of(50));
 }
 
 }  // namespace
