@@ -1,0 +1,116 @@
+#!/usr/bin/env bash
+# Error against run time, stability, what is left out: examples/report.sh [--quick]
+#
+# Installs what is missing (Debian 12, as root), builds a release of the measuring programs, runs them and puts all figures
+# into one page, build/report/report.html, with CSV and SVG of every chart beside it. With DARTSWEEP_DATA naming a folder
+# of meshes, real ones are measured, too. --quick takes some minutes, and times scatter more. Exit code 1: something failed,
+# or a bar of the page is not met; 2: an option can't be used.
+set -euo pipefail
+
+usage() {
+  sed -n '2,7s/^# \{0,1\}//p' "$0"
+  exit "$1"
+}
+fail() {
+  echo "report: $2" >&2
+  exit "$1"
+}
+
+quick=()
+for argument in "$@"; do
+  case $argument in
+    --quick) quick=(--quick) ;;
+    -h | --help) usage 0 ;;
+    *) usage 2 >&2 ;;
+  esac
+done
+
+root=$(cd "$(dirname "$0")/.." && pwd)
+source=$root/examples/report
+venv=$root/build/venv-report
+tree=$root/build/report-release
+out=$root/build/report
+log=$out/log.txt
+mkdir -p "$out"
+: > "$log"
+
+# Runs a command with its output in the log; on failure shows the end of it.
+quietly() {
+  local what=$1
+  shift
+  "$@" >> "$log" 2>&1 < /dev/null || {
+    tail -n 20 "$log" >&2
+    fail 1 "$what failed; all of its output is in $log"
+  }
+}
+
+# Packages: each line is a test that it is there, and what to install if it is not.
+missing=()
+needs_header() {
+  local folder
+  for folder in /usr/include /usr/local/include /usr/include/*-linux-gnu; do
+    [ ! -e "$folder/$1" ] || return 0
+  done
+  missing+=("$2")
+}
+command -v c++ > /dev/null && command -v cc > /dev/null || missing+=(g++)
+command -v cmake > /dev/null || missing+=(cmake)
+command -v make > /dev/null || missing+=(make)
+command -v pkg-config > /dev/null || missing+=(pkg-config)
+python3 -c 'import ensurepip, venv' 2> /dev/null || missing+=(python3-venv)
+needs_header eigen3/Eigen/Core libeigen3-dev
+needs_header gmpxx.h libgmp-dev
+needs_header bullet/btBulletCollisionCommon.h libbullet-dev
+needs_header embree3/rtcore.h libembree-dev
+needs_header CGAL/version.h libcgal-dev
+needs_header CLI/CLI.hpp libcli11-dev
+needs_header nlohmann/json.hpp nlohmann-json3-dev
+if [ ${#missing[@]} -gt 0 ]; then
+  command -v apt-get > /dev/null && [ "$(id -u)" -eq 0 ] ||
+    fail 1 "these packages are missing and only root on Debian can have them installed here: ${missing[*]}"
+  echo "installing ${missing[*]}"
+  export DEBIAN_FRONTEND=noninteractive
+  quietly "updating the package lists" apt-get update -q
+  quietly "installing ${missing[*]}" apt-get install -q -y --no-install-recommends "${missing[@]}"
+fi
+
+quietly "installing Python modules in build/venv-report" "$source/venv.sh"
+skipped=()
+if ! "$venv/bin/python" -m pip install --disable-pip-version-check -r "$source/requirements-peers.txt" >> "$log" 2>&1 < /dev/null; then
+  skipped=(--skipped "The IPC Toolkit could not be installed, so that Tight-Inclusion is absent.")
+  echo "report: the IPC Toolkit can't be installed here: Tight-Inclusion is left out"
+fi
+
+echo "building the library and the measuring programs"
+export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+quietly "configuring" \
+  cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON -DDSW_BUILD_BENCH=ON
+quietly "building" cmake --build "$tree" --target dartsweep_error dartsweep_left_out dartsweep_left_out_core physics_dials physics_stability
+
+# Results of another run are not mixed with these.
+rm -f "$out"/*.csv "$out"/*.svg "$out"/*.json "$out"/*.html
+find "$out" -name '*.txt' ! -name log.txt -delete
+
+# measure WHAT COMMAND...: one of the measuring programs, and how long it took.
+measure() {
+  local what=$1 start=$SECONDS
+  shift
+  echo "measuring $what"
+  quietly "measuring $what" "$@"
+  echo "  $((SECONDS - start)) s"
+}
+measure "detection" "$tree/tests/benchmark/error/dartsweep_error" "${quick[@]}" --out "$out"
+[ ${#skipped[@]} -gt 0 ] ||
+  measure "Tight-Inclusion" "$venv/bin/python" "$root/tests/benchmark/error/tight_inclusion.py" "$out"
+measure "physics" "$tree/examples/physics/dials" "${quick[@]}" --out "$out"
+measure "stability" "$tree/examples/physics/stability" "${quick[@]}" --out "$out"
+measure "what is left out" "$tree/tests/benchmark/dartsweep_left_out" --csv "$out/left_out.csv" --json "$out/left_out.json"
+
+echo "drawing"
+status=0
+"$venv/bin/python" "$source/make_report.py" "$out" --command "examples/report.sh${quick:+ --quick}" "${quick[@]}" "${skipped[@]}" || status=$?
+[ $status -ne 2 ] || exit 1
+echo
+echo "  page     $out/report.html"
+echo "  figures  $out/report.json, and CSV and SVG of every chart"
+exit $status

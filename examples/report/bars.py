@@ -1,0 +1,38 @@
+"""The figures at the top of the page, and what they have to reach."""
+from dataclasses import dataclass
+
+LEAST_CURVES, LEAST_POINTS, LEAST_CURVES_WITH_PEERS, LEAST_STABLE_STIFFNESS = 8, 5, 4, 1e12
+
+
+@dataclass(frozen=True)
+class Bar:
+    key: str
+    about: str
+    value: float
+    bar: str
+    met: bool
+
+
+def check(curves, grid, extremes, summary):
+    """Each figure with its bar. The promises are counted anew from the rows: a summary that says less is not believed."""
+    least_points = min(curve.setting_count for curve in curves)
+    with_peers = sum(bool(curve.peers) for curve in curves)
+    bars = [
+        Bar("report.curves", "curves of error against run time", len(curves), f"at least {LEAST_CURVES}", len(curves) >= LEAST_CURVES),
+        Bar("report.points_least", "measured settings on the curve with the fewest", least_points, f"at least {LEAST_POINTS}",
+            least_points >= LEAST_POINTS),
+        Bar("report.curves_with_peers", "curves with other libraries beside ours", with_peers, f"at least {LEAST_CURVES_WITH_PEERS}",
+            with_peers >= LEAST_CURVES_WITH_PEERS),
+    ]
+    words = {"nonfinite": "steps after which a position or velocity was no number", "not_free": "edges that met something, over all steps",
+             "lost": "vertices outside of their recorded volume, over all steps"}
+    for name, about in words.items():
+        value = max(summary[name], sum(row[name] for row in grid) + sum(row[name] for row in extremes))
+        bars.append(Bar(f"stability.{name}", about, value, "0", value == 0))
+    stiffness = summary["implicit_euler_max_stable_k"]
+    bars.append(Bar("stability.implicit_max_stable_k", "stiffness (m / dt²) up to which implicit Euler is stable at every time step",
+                    stiffness, f"at least {LEAST_STABLE_STIFFNESS:.0e}", stiffness >= LEAST_STABLE_STIFFNESS))
+    going_on = sum(bool(row["goes_on"]) for row in extremes)
+    bars.append(Bar("stability.extremes_going_on", f"extreme cases, of {len(extremes)}, after which the scene goes on", going_on,
+                    f"all {len(extremes)}", going_on == len(extremes)))
+    return bars
