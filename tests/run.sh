@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
-# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python page format; none means all
+# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python page report format; none means all
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-config python3 binutils abigail-tools
   libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev swig python3-dev python3-venv)
 steps=("$@")
-[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python page format)
+[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python page report format)
 jobs=$(nproc)
 export CMAKE_GENERATOR=Ninja CTEST_PARALLEL_LEVEL=$jobs CMAKE_BUILD_PARALLEL_LEVEL=$jobs
 
@@ -51,7 +51,7 @@ run_step() {
     tail -n 150 "$log"
   fi
   local lines
-  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^python:|^# (pass|fail) [0-9]+' "$log" || true)
+  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^python:|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests' "$log" || true)
   [ $status -eq 0 ] || lines+=$'\nFAILED, see '$log
   summary+=("$name ($((SECONDS - start)) s)"$'\n'"$lines")
   echo "$lines"
@@ -110,6 +110,7 @@ for step in "${steps[@]}"; do
     python) run_step python check_python ;;
     format) run_step format check_format ;;
     page) run_step page examples/insertion/page/test.sh ;;
+    report) run_step report examples/report/tests/run.sh ;;
     *) echo "no step '$step'"; exit 2 ;;
   esac
 done
