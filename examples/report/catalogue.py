@@ -11,6 +11,16 @@ def peer_of(method):
     return next((peer for key, peer in PEERS.items() if key in name), "")
 
 
+# What programs write, and how people do.
+WORDS = {"symplectic_euler": "symplectic Euler", "implicit_euler": "implicit Euler", "xpbd": "XPBD", "^2": "²"}
+
+
+def in_words(text):
+    for written, read in WORDS.items():
+        text = text.replace(written, read)
+    return text
+
+
 def is_exact(method):
     """Whether a method of ours approximates nothing: it says so, or it is the level that sees all there is."""
     return "exact" in method.lower().replace("(", " ").replace(")", " ").split() or method == "dartsweep FACES"

@@ -1,14 +1,12 @@
 """Charts of curves: error (up, logarithmic) against run time (across, logarithmic)."""
-import html
-import io
 import math
 import re
 
 from catalogue import PEERS, peer_of
-from style import MARKS, THEME, colour, power, seconds
+from scale import set_axes
+from style import MARKS, colour, power, seconds
 
 import matplotlib.pyplot as plt
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 import labels
 
@@ -17,7 +15,7 @@ def shade_of(name, role, turn):
     """Colour of a series, the so-manieth of its role. A library has the same one in all charts."""
     if role == "peer":
         return colour(f"peer{list(dict.fromkeys(PEERS.values())).index(peer_of(name)) + 1}")
-    return colour("exact" if role == "exact" else f"dial{turn % 4 + 1}")
+    return colour("exact" if role == "exact" else f"dial{turn % 6 + 1}")
 
 
 def looks(panels):
@@ -42,74 +40,36 @@ def line_of(points):
     return (0, (4, 2)) if points[0].role == "peer" else "-"
 
 
-def zero_place(errors):
-    """(lowest tick of the logarithmic part, where an error of exactly 0 is drawn or None)."""
-    above = [error for error in errors if error > 0]
-    lowest = 10.0 ** math.floor(math.log10(min(above))) if above else 1e-3
-    if len(above) == len(errors):
-        return lowest, None
-    highest = max(above, default=1.0)
-    decades = max(1.0, math.log10(highest / lowest))
-    return lowest, lowest / 10 ** (0.16 * decades + 0.2)
-
-
-def set_axes(axes, panel, lowest, zero):
-    above = [point.error for point in panel.points if point.error > 0]
-    highest = max(above, default=1.0)
-    axes.set(xscale="log", yscale="log")
-    decades = max(1.0, math.log10(highest / lowest))
-    times = [point.seconds for point in panel.points]
-    span = math.log10(max(times) / min(times))
-    margin = 10 ** max(0.12, 0.1 * span)
-    axes.set_xlim(min(times) / margin, max(times) * margin * 10 ** (0.06 * span))
-    top = highest * 10 ** min(0.6, 0.1 * decades + 0.1)
-    axes.set_ylim((zero / 10 ** (0.08 * decades + 0.1)) if zero else lowest / 10 ** (0.06 * decades), top)
-    step = max(1, math.ceil(math.log10(top / lowest) / 7))
-    ticks = [lowest * 10.0**k for k in range(0, math.floor(math.log10(top / lowest) + 1e-9) + 1, step)]
-    if len(ticks) < 3:
-        ticks = [lowest * 10.0**k * m for k in range(0, 3) for m in (1, 2, 5) if lowest * 10.0**k * m <= top]
-    names = [power(tick) for tick in ticks]
-    if zero:
-        if not above:
-            ticks, names = [], []
-        ticks, names = [zero, *ticks], ["exactly 0", *names]
-        axes.axhspan(axes.get_ylim()[0], lowest / 10 ** (0.06 * decades), color=colour("band"), lw=0, zorder=0)
-    axes.yaxis.set_major_locator(FixedLocator(ticks))
-    axes.yaxis.set_minor_locator(NullLocator())
-    axes.set_yticklabels(names)
-    left, right = (math.log10(end) for end in axes.get_xlim())
-    axes.xaxis.set_major_locator(LogLocator(10, (1.0,) if right - left > 2.2 else (1.0, 2.0, 5.0)))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: seconds(value)))
-    axes.xaxis.set_minor_formatter(NullFormatter())
-    axes.set_xlabel(f"run time per {panel.item}")
-    unit = f" [{panel.error_unit}]" if panel.error_unit not in ("", "1") else ""
-    axes.set_title(f"error: {panel.error_name}{unit}", pad=8)
-
-
 def draw_panel(axes, panel, look, tips):
-    lowest, zero = zero_place([point.error for point in panel.points])
-    set_axes(axes, panel, lowest, zero)
+    axis = set_axes(axes, panel)
     wanted, lines = [], []
     for name, points in panel.series().items():
         shade, mark = look[name]
         role, line = points[0].role, line_of(points)
-        places = [(point.seconds, point.error or zero) for point in points]
+        places = [(point.seconds, axis.place(point)) for point in points]
         axes.plot(*zip(*places), color=shade, lw=1.8 if role == "dial" else 1.1, ls=line, zorder=3 if role == "dial" else 2)
-        lines += list(zip(places, places[1:]))
+        lines += list(zip(places, places[1:])) if line else []
         for point, place in zip(points, places):
             tip = f"tip{len(tips)}"
             who = f"{point.method}, {point.label}" if point.setting else point.method
             tips[tip] = f"{who}: {seconds(point.seconds)} per {point.item}, {point.error_name} {spoken(point)}"
             if interval(point):
                 least, most = interval(point)
-                axes.vlines(point.seconds, max(least, lowest), most, color=shade, lw=0.9, alpha=0.7, zorder=2)
-            axes.plot(*place, marker=mark, color=shade, gid=tip, ls="", zorder=5,
-                      markersize={"dial": 6, "exact": 9, "peer": 6}[role],
+                axes.vlines(point.seconds, max(least, axis.lowest), most, color=shade, lw=0.9, alpha=0.7, zorder=2)
+            axes.plot(*place, marker=mark, color=shade, gid=tip, ls="", zorder=5, markersize=9 if role == "exact" else 6,
                       markerfacecolor=colour("paper") if point.error == 0 and role == "dial" else shade, markeredgewidth=1.3)
             if point.setting and (len(points) > 1 or role == "dial"):
-                wanted.append((*place, point.setting, shade))
+                wanted.append((*place, short_setting(point.setting), shade))
     axes.figure.canvas.draw()
     labels.place(axes, wanted, lines)
+
+
+def short_setting(setting):
+    """A setting as a label: numbers far from 1 as powers of ten."""
+    if not is_number(setting):
+        return setting
+    value = float(setting)
+    return f"{value:g}" if value == 0 or 1e-3 <= abs(value) < 1e4 else power(value)
 
 
 def interval(point):
@@ -125,53 +85,39 @@ def spoken(point):
     """An error in words; of none in so many a bound that holds in 95 of 100 cases: the rule of three."""
     unit = f" {point.error_unit}" if point.error_unit not in ("", "1") else ""
     if point.error > 0:
-        return f"{point.error:.3g}{unit}"
+        return f"{point.error:.3g}{unit}{' (explodes)' if point.exploded else ''}"
     if point.is_share and point.count >= 30:
         return f"0 of {point.count:,} (below {3 / point.count:.1g} with 95 % confidence)"
     return f"exactly 0 in {point.count:,}"
 
 
+def add_legend(figure, panels, look):
+    """Names of all series above the panels, in as many columns as there is room for; returns its height in inches."""
+    lines = {name: line_of(points) for panel in panels for name, points in panel.series().items()}
+    handles = [plt.Line2D([], [], color=shade, marker=mark, ls=lines[name], label=name) for name, (shade, mark) in look.items()]
+    for columns in (4, 3, 2, 1):
+        legend = figure.legend(handles=handles, loc="upper left", ncols=columns, borderaxespad=0.2, handlelength=2.2, columnspacing=1.8)
+        box = legend.get_window_extent(figure.canvas.get_renderer())
+        if box.width <= figure.bbox.width or columns == 1:
+            return box.height / figure.dpi
+        legend.remove()
+
+
 def draw_curve(curve):
     """The chart of a curve as a figure, and the words that belong to its marks, by their ids."""
-    panels = curve.panels()
+    panels, tips = curve.panels(), {}
     across = min(2, len(panels))
     down = math.ceil(len(panels) / across)
     figure, grid = plt.subplots(down, across, figsize=(7.6 if across == 1 else 10.4, 3.75 * down + 0.55), squeeze=False)
     look = looks(panels)
-    tips = {}
-    rows = math.ceil(len(look) / (3 if across == 1 else 4))
-    figure.tight_layout(rect=(0, 0, 1, 1 - (0.19 * rows + 0.12) / figure.get_figheight()), w_pad=3, h_pad=2.5)
+    top = 1 - (add_legend(figure, panels, look) + 0.02) / figure.get_figheight()
     for axes in grid.flat[len(panels):]:
         axes.set_visible(False)
+    # Labels find their places on axes that are where they will be: that takes their ticks, so the layout is made twice.
     for axes, panel in zip(grid.flat, panels):
+        set_axes(axes, panel)
+    figure.tight_layout(rect=(0, 0, 1, top), w_pad=3, h_pad=2.5)
+    for axes, panel in zip(grid.flat, panels):
+        axes.clear()
         draw_panel(axes, panel, look, tips)
-    figure.tight_layout(rect=(0, 0, 1, 1 - (0.19 * rows + 0.12) / figure.get_figheight()), w_pad=3, h_pad=2.5)
-    lines = {name: line_of(points) for panel in panels for name, points in panel.series().items()}
-    handles = [plt.Line2D([], [], color=shade, marker=mark, ls=lines[name], label=name) for name, (shade, mark) in look.items()]
-    figure.legend(handles=handles, loc="upper left", ncols=3 if across == 1 else 4, borderaxespad=0.2, handlelength=2.2,
-                  columnspacing=1.8)
     return figure, tips
-
-
-def to_svg(figure, tips, title):
-    """A figure as an SVG document on its own; closes it. Marks with words show them under the pointer."""
-    buffer = io.StringIO()
-    figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None, "Title": title})
-    plt.close(figure)
-    svg = buffer.getvalue()
-    for tip, words in tips.items():
-        svg = svg.replace(f'<g id="{tip}">', f'<g id="{tip}">\n    <title>{html.escape(words)}</title>')
-    return svg
-
-
-def inline(svg, name, title):
-    """The same for the page: no prologue, ids of its own, colours by name so that they follow the theme."""
-    svg = svg[svg.index("<svg"):]
-    svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.S)
-    svg = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', svg)
-    svg = re.sub(r'href="#([^"]+)"', rf'href="#{name}-\1"', svg)
-    svg = re.sub(r"url\(#([^)]+)\)", rf"url(#{name}-\1)", svg)
-    for key, (light, _) in THEME.items():
-        svg = svg.replace(light, f"var(--{key})")
-    svg = re.sub(r'<svg [^>]*?(viewBox="[^"]+")[^>]*>', rf'<svg \1 role="img" aria-label="{html.escape(title)}">', svg, count=1, flags=re.S)
-    return svg

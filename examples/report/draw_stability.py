@@ -1,17 +1,13 @@
 """Charts of the stability table: a map of stiffness and time step for each integrator, and what springs and energy do."""
 import math
 
+from catalogue import in_words
 from style import colour, power
 
 import matplotlib.pyplot as plt
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
-NAMES = {"symplectic_euler": "symplectic Euler", "implicit_euler": "implicit Euler", "xpbd": "XPBD"}
 SHADES = {"symplectic_euler": "peer1", "implicit_euler": "dial1", "xpbd": "dial2"}
-
-
-def name_of(integrator):
-    return NAMES.get(integrator, integrator.replace("_", " "))
 
 
 def axis_of(grid, column):
@@ -50,7 +46,7 @@ def draw_map(grid):
         for spine in axes.spines.values():
             spine.set_visible(False)
         count = sum(bool(row["stable"]) for row in rows)
-        axes.set_title(f"{name_of(kind)}: {count} of {len(rows)} stable", pad=7)
+        axes.set_title(f"{in_words(kind)}: {count} of {len(rows)} stable", pad=7)
         axes.annotate(f"not free {promise[0]} · lost {promise[1]} · non-finite {promise[2]}", (0, 0), (1, -46), xycoords="axes fraction",
                       textcoords="offset points", fontsize=8.5, color=colour("dial2" if not any(promise) else "peer2"), fontweight="bold")
     all_axes.flat[0].set_ylabel("stiffness [m / dt²]")
@@ -74,7 +70,7 @@ def draw_lines(grid):
                     continue
                 weight = (turn + 1) / len(steps)
                 axes.plot(*zip(*places), color=colour(SHADES.get(kind, "ink")), lw=0.6 + 1.2 * weight, marker="o", markersize=1.5 + 2.5 * weight,
-                          label=name_of(kind) if turn == len(steps) - 1 else None)
+                          label=in_words(kind) if turn == len(steps) - 1 else None)
         axes.yaxis.set_major_locator(LogLocator(10, numticks=8))
         axes.xaxis.set_major_locator(LogLocator(10, numticks=9))
         axes.xaxis.set_minor_locator(NullLocator())

@@ -35,7 +35,7 @@ def place(axes, wanted, lines, taken=()):
         best, best_cost = None, 60.0
         for rank, (dx, dy, across, up) in enumerate(PLACES):
             label.set(position=(dx, dy), ha=across, va=up)
-            box = label.get_window_extent(renderer)
+            box = label.get_window_extent(renderer).padded(1.5)
             outside = box.width * box.height - overlap(box, frame)
             cost = rank + 8 * outside + 3 * sum(overlap(box, other) for other in taken) + 4 * sum(on_line(box, l) for l in lines)
             if cost < best_cost:

@@ -13,8 +13,9 @@ import catalogue
 import machine
 import page
 import read
-from draw import draw_curve, to_svg
+from draw import draw_curve
 from draw_stability import draw_lines, draw_map
+from svg import to_svg
 
 
 def save(folder, name, svg):

@@ -6,9 +6,9 @@ import jinja2
 from markupsafe import Markup
 
 import catalogue
-from draw import inline, spoken
-from draw_stability import name_of
+from draw import spoken
 from style import THEME, power, seconds
+from svg import inline
 
 
 def data_link(text, kind):
@@ -27,7 +27,7 @@ def describe_curve(curve, svg):
     title = catalogue.title_of(curve.name)
     rows = [{"method": point.method, "role": point.role, "setting": point.label, "time": f"{seconds(point.seconds)} per {point.item}",
              "error": point.error_name, "value": spoken(point), "count": f"{point.count:,}", "note": point.note} for point in curve.points]
-    return {"title": title, "about": catalogue.about(curve.name), "advice": curve.advice, "rows": rows, "points": curve.setting_count,
+    return {"title": title, "about": catalogue.about(curve.name), "advice": catalogue.in_words(curve.advice), "rows": rows, "points": curve.setting_count,
             "errors": [panel.error_name for panel in curve.panels()], "peers": curve.peers, **chart(svg, curve.name, title, curve.csv)}
 
 
@@ -44,7 +44,7 @@ def render(**parts):
     """The page. `parts` are the names that the template uses."""
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(Path(__file__).parent), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    environment.filters.update(short=short, integrator=name_of, words=lambda name: name.replace("_", " "))
+    environment.filters.update(short=short, words=lambda name: name.replace("_", " "))
     light = "".join(f"--{name}:{pair[0]};" for name, pair in THEME.items())
     dark = "".join(f"--{name}:{pair[1]};" for name, pair in THEME.items())
     return environment.get_template("page.html").render(light=Markup(light), dark=Markup(dark), **parts)

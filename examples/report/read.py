@@ -5,7 +5,7 @@ import math
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from catalogue import is_exact, peer_of
+from catalogue import in_words, is_exact, peer_of
 
 CURVE_COLUMNS = ("curve", "method", "setting", "setting_unit", "seconds_per_item", "item", "error_name", "error",
                  "error_unit", "count", "note")
@@ -44,6 +44,11 @@ class Point:
         return self.error_name.startswith("share of ")
 
     @property
+    def exploded(self):
+        """Whether the physics did, so that the error says no more than that."""
+        return self.note.startswith("explodes")
+
+    @property
     def label(self):
         return f"{self.setting} {self.setting_unit}".strip()
 
@@ -61,9 +66,8 @@ class Panel:
         """Points by method and what it sets, in the file's order: the dials first, then the exact methods, then the peers."""
         found = {}
         for point in sorted(self.points, key=lambda point: ("dial", "exact", "peer").index(point.role)):
-            name = point.method.replace("_", " ") if point.role == "dial" and point.method.islower() else point.method
             unit = f" [{point.setting_unit}]" if point.setting and point.setting_unit else ""
-            found.setdefault(name + unit, []).append(point)
+            found.setdefault(point.method + unit, []).append(point)
         return found
 
 
@@ -141,7 +145,7 @@ def read_curve(path):
         if count != int(count):
             raise BadFile(f"{path}:{line}: count must be a whole number, not '{row['count']}'")
         points.append(Point(
-            row["method"].strip(), row["setting"].strip(), row["setting_unit"].strip().removeprefix("setting"),
+            in_words(row["method"].strip()), row["setting"].strip(), in_words(row["setting_unit"].strip().removeprefix("setting")),
             number(path, line, row, "seconds_per_item", above=0), row["item"].strip(), row["error_name"].strip(),
             number(path, line, row, "error", least=0), row["error_unit"].strip(), int(count), row["note"].strip()))
     text = path.with_suffix(".txt")

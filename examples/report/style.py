@@ -14,6 +14,8 @@ THEME = {
     "dial2": ("#2a9d8f", "#4fc9b8"),
     "dial3": ("#7a52a6", "#b493df"),
     "dial4": ("#7c8a2e", "#b9c95c"),
+    "dial5": ("#3d3f9e", "#9294f0"),
+    "dial6": ("#1a7f4b", "#63c78f"),
     "exact": ("#111820", "#f5f7f8"),
     "peer1": ("#d1622b", "#f09a66"),
     "peer2": ("#b3284a", "#ef7590"),
@@ -23,7 +25,7 @@ THEME = {
     "stable": ("#d5e8e3", "#22463f"),
     "unstable": ("#f1c7bb", "#6b2f22"),
 }
-MARKS = {"dial": "osD^", "exact": "P*Xh", "peer": "vs^D<>phd"}
+MARKS = {"dial": "osD^vp", "exact": "P*Xh", "peer": "vs^D<>phd"}
 
 
 def colour(name):
