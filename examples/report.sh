@@ -65,6 +65,8 @@ needs_header embree3/rtcore.h libembree-dev
 needs_header CGAL/version.h libcgal-dev
 needs_header CLI/CLI.hpp libcli11-dev
 needs_header nlohmann/json.hpp nlohmann-json3-dev
+needs_header fcl/fcl.h libfcl-dev
+needs_header ccd/ccd.h libccd-dev
 if [ ${#missing[@]} -gt 0 ]; then
   command -v apt-get > /dev/null && [ "$(id -u)" -eq 0 ] ||
     fail 1 "these packages are missing and only root on Debian can have them installed here: ${missing[*]}"
@@ -83,9 +85,10 @@ fi
 
 echo "building the library and the measuring programs"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
-quietly "configuring" \
-  cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON -DDSW_BUILD_BENCH=ON
-quietly "building" cmake --build "$tree" --target dartsweep_error dartsweep_left_out dartsweep_left_out_core physics_dials physics_stability
+quietly "configuring" cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON \
+  -DDSW_BUILD_BENCH=ON -DDSW_WITH_LIBCCD=ON
+quietly "building" cmake --build "$tree" --target dartsweep_error dartsweep_error_deform dartsweep_left_out dartsweep_left_out_core \
+  physics_dials physics_stability
 
 # Results of another run are not mixed with these.
 rm -f "$out"/*.csv "$out"/*.svg "$out"/*.json "$out"/*.html
@@ -102,9 +105,20 @@ measure() {
 measure "detection" "$tree/tests/benchmark/error/dartsweep_error" "${quick[@]}" --out "$out"
 [ ${#skipped[@]} -gt 0 ] ||
   measure "Tight-Inclusion" "$venv/bin/python" "$root/tests/benchmark/error/tight_inclusion.py" "$out"
+measure "deformations" "$tree/tests/benchmark/error/dartsweep_error_deform" "${quick[@]}" --out "$out"
 measure "physics" "$tree/examples/physics/dials" "${quick[@]}" --out "$out"
 measure "stability" "$tree/examples/physics/stability" "${quick[@]}" --out "$out"
-measure "what is left out" "$tree/tests/benchmark/dartsweep_left_out" --csv "$out/left_out.csv" --json "$out/left_out.json"
+
+# What is left out: all rows in one run, libccd's in one for each build of the library.
+bench=$tree/tests/benchmark
+steps=(--steps "$([ ${#quick[@]} -gt 0 ] && echo 60 || echo 400)")
+measure "what is left out" "$bench/dartsweep_left_out" "${steps[@]}" --csv "$out/left_out.csv" --json "$tree/left_out.json"
+for build in dartsweep_left_out dartsweep_left_out_core; do
+  quietly "measuring $build" "$bench/$build" "${steps[@]}" --libccd-only --csv "$tree/libccd.csv" --json "$tree/libccd.json"
+  tail -n 1 "$tree/libccd.csv" >> "$out/left_out.csv"
+done
+quietly "measuring the library's size" python3 "$root/tests/benchmark/library_size.py" "$out" "$tree/left_out.json" \
+  "not built:$bench/libdartsweep_core.so" "built:$tree/src/libdartsweep.so"
 
 echo "drawing"
 status=0

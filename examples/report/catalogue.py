@@ -58,6 +58,32 @@ CURVES = {
     "missed_spikes": (
         "Levels among spikes",
         "The same where single tetrahedra are impassable: corners that fit through a triangle between its edges."),
+    "sampling_vessel": (
+        "Sampling a catheter, in a vessel",
+        "A catheter of 12 cells is given 5 to 199 vertices; its middle moves. Which share of the contacts of what its two "
+        "straight halves sweep does each level miss?"),
+    "sampling_faces": (
+        "Sampling a catheter, among free-standing faces",
+        "The same where single faces of the lattice are impassable, so that edges pass rims between two vertices."),
+    "elimination": (
+        "Elimination by motion",
+        "Ropes of 16 edges drift and turn; edges whose ends hardly move against each other are left out up to the share "
+        "named, and cast once at the end of the call. What they miss on the way is the error; where they end is free in "
+        "any case."),
+    "stand_off_gap": (
+        "Stand-off: the gap that is kept",
+        "A sheet slides pressed on a wall. How far from the wall do its vertices come to lie?"),
+    "stand_off_fallbacks": (
+        "Stand-off: work for exact arithmetic",
+        "The same runs: the share of orientation tests that floating point leaves open. Not an error, but what the gap is "
+        "for."),
+    "deform_passed": (
+        "End state or swept: what walls go over",
+        "The vertices of a lattice move by ten cell radii, in steps of 0.01 to 10 radii, through a cloud of particles. "
+        "Which share of those that a wall met on its way does the wall go over without touching them?"),
+    "deform_pushed": (
+        "End state or swept: what is pushed for nothing",
+        "The same runs: the share of particles pushed that no wall met."),
     "ccd_vertex_face": (
         "Single pairs: a vertex against a triangle",
         "What every library of continuous collision detection is made of, on pairs of which half touch. Whoever sees "
@@ -75,6 +101,13 @@ CURVES = {
     "degenerate_edge_edge": (
         "Degenerate pairs: an edge against an edge",
         "The same for an edge of which one end moves, against an edge that stands still."),
+    "contact_point": (
+        "Contact point",
+        "Single pairs that touch: how far is the reported point from the exact one? An edge's contact is where it meets "
+        "the other edge, a vertex's where it meets the triangle."),
+    "contact_normal": (
+        "Contact normal",
+        "The same pairs: the angle between the reported normal and the exact one."),
     "cast_time": (
         "Casts through a scene: time of contact",
         "Segments of eight cells from random places in a vessel to beyond its wall. Embree and Bullet hold the walls as "

@@ -27,7 +27,7 @@ def make(folder, command, quick, skipped):
     """Writes the page and what belongs to it; returns the bars."""
     curves = sorted(read.read_curves(folder), key=lambda curve: catalogue.order(curve.name))
     grid, extremes, summary = read.read_stability(folder)
-    left_out = read.read_left_out(folder) if (folder / "left_out.csv").exists() else []
+    left_out, sizes = read.read_left_out(folder)
     found = bars.check(curves, grid, extremes, summary)
 
     described = []
@@ -46,7 +46,7 @@ def make(folder, command, quick, skipped):
     root = Path(__file__).resolve().parents[2]
     html = page.render(curves=described, bars=found, machine=machine.describe(root), command=command, quick=quick, skipped=skipped,
                        date=datetime.date.today().isoformat(), summary=summary, stability_map=maps[0], stability_lines=maps[1], extremes=extremes,
-                       extremes_link=link("extremes.csv"), left_out=left_out, left_out_link=link("left_out.csv"))
+                       extremes_link=link("extremes.csv"), left_out=left_out, sizes=sizes, left_out_link=link("left_out.csv"))
     (folder / "report.html").write_text(html, encoding="utf-8")
     figures = {bar.key: bar.value for bar in found}
     figures.update((f"stability.{name}", value) for name, value in summary.items() if f"stability.{name}" not in figures)

@@ -12,6 +12,7 @@ CURVE_COLUMNS = ("curve", "method", "setting", "setting_unit", "seconds_per_item
 PROMISES = ("nonfinite", "not_free", "lost")
 STABILITY_NUMBERS = ("stiffness", "dt", "stable", "energy_drift", "energy_largest", "largest_stretch", *PROMISES)
 LEFT_OUT_NUMBERS = ("bytes_per_cell", "bytes_per_vertex", "orientation_tests_per_step", "microseconds_per_step")
+SIZE_NUMBERS = ("text_bytes", "data_bytes", "stripped_bytes")
 
 
 class BadFile(Exception):
@@ -160,7 +161,7 @@ def read_curve(path):
 
 def read_curves(folder):
     """All curves of a folder: every CSV file but the tables, and the pairs that peers in other languages read."""
-    tables = {"stability", "extremes", "left_out"}
+    tables = {"stability", "extremes", "left_out", "library_size"}
     paths = [path for path in sorted(Path(folder).glob("*.csv")) if path.stem not in tables and not path.stem.startswith("pairs_")]
     if not paths:
         raise BadFile(f"{folder}: no curves: no CSV file in this folder")
@@ -199,10 +200,13 @@ def read_stability(folder):
 
 
 def read_left_out(folder):
-    path = Path(folder) / "left_out.csv"
-    rows = []
-    for line, row in read_rows(path, ("feature", "setting", *LEFT_OUT_NUMBERS)):
-        for column in LEFT_OUT_NUMBERS:
-            row[column] = number(path, line, row, column, least=0) if row[column] else None
-        rows.append(row)
-    return rows
+    """Rows of left_out.csv and of library_size.csv, each none if there is no such file; empty numbers are None."""
+    found = []
+    for name, words, numbers in (("left_out", ("feature", "setting"), LEFT_OUT_NUMBERS), ("library_size", ("part", "setting"), SIZE_NUMBERS)):
+        path, rows = Path(folder) / f"{name}.csv", []
+        for line, row in read_rows(path, (*words, *numbers)) if path.exists() else ():
+            for column in numbers:
+                row[column] = number(path, line, row, column, least=0) if row[column] else None
+            rows.append(row)
+        found.append(rows)
+    return found
