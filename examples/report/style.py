@@ -51,10 +51,10 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def power(value):
-    """A short number for an axis or a cell: 0.01, 1, 50, 10⁻⁶, 3·10⁷."""
+    """A short number for an axis or a cell: 0.005, 1, 50, 10⁻⁶, 3·10⁷."""
     if value == 0:
         return "0"
-    if 0.01 <= abs(value) < 1000:
+    if 0.001 <= abs(value) < 1000:
         return f"{value:.3g}"
     mantissa, exponent = f"{value:.0e}".split("e")
     exponent = str(int(exponent)).translate(SUPERSCRIPTS)
