@@ -2,7 +2,7 @@
 
 # Longer names first: the first that a method's name contains is its peer.
 PEERS = {"tight-inclusion": "Tight-Inclusion", "ipc": "Tight-Inclusion", "embree": "Embree", "bullet": "Bullet", "fcl": "FCL",
-         "libccd": "libccd"}
+         "libccd": "libccd", "mujoco": "MuJoCo"}
 
 
 def peer_of(method):
@@ -123,8 +123,8 @@ CURVES = {
         "the limit of both orders?"),
     "integrator": (
         "Integrator and time step",
-        "A rope swings with nothing to meet. How far do its points come to lie from a reference solution at a far smaller "
-        "step?"),
+        "A rope swings with nothing to meet. How far do its points come to lie from a reference solution at a far "
+        "smaller step? MuJoCo has the same masses and springs, as slides and tendons."),
     "solver_steps": (
         "Sweeps of XPBD, Newton steps of implicit Euler",
         "Both look for the end of the same implicit step. How far do they stay from it, at three stiffnesses?"),

@@ -43,8 +43,9 @@ def describe(root):
         found = first_line("dpkg-query", "-W", "-f", "${Version}", package)
         if found:
             facts.append((name, found))
-    try:
-        facts.append(("IPC Toolkit (Tight-Inclusion)", metadata.version("ipctk")))
-    except metadata.PackageNotFoundError:
-        pass
+    for name, package in (("IPC Toolkit (Tight-Inclusion)", "ipctk"), ("MuJoCo", "mujoco")):
+        try:
+            facts.append((name, metadata.version(package)))
+        except metadata.PackageNotFoundError:
+            pass
     return [(name, value) for name, value in facts if value]

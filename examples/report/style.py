@@ -22,6 +22,7 @@ THEME = {
     "peer3": ("#a9822a", "#dcb65a"),
     "peer4": ("#8a4b2f", "#cf8d70"),
     "peer5": ("#6d6a1f", "#bdb95a"),
+    "peer6": ("#a0408f", "#dd8ccb"),
     "stable": ("#d5e8e3", "#22463f"),
     "unstable": ("#f1c7bb", "#6b2f22"),
 }
