@@ -163,6 +163,13 @@ class Folder(unittest.TestCase):
         self.assertEqual(run(self.path)[0], 1)
         self.assertIn(">exactly 0</text>", (self.path / "curve_0.svg").read_text(encoding="utf-8"))
 
+    def test_what_explodes_does_not_stretch_the_axis(self):
+        self.edit("curve_0.csv", ",0.3,,20000,\"a,", ",1e19,,20000,\"explodes,")
+        self.assertEqual(run(self.path)[0], 1)
+        svg = (self.path / "curve_0.svg").read_text(encoding="utf-8")
+        self.assertIn(">explodes</text>", svg)
+        self.assertNotIn(">10¹", svg)
+
     def test_a_heading_that_is_not_agreed_on(self):
         self.edit("curve_0.csv", "seconds_per_item", "time")
         self.refused("curve_0.csv:1:", "the heading must be curve,method,")
