@@ -84,6 +84,10 @@ CURVES = {
     "deform_pushed": (
         "End state or swept: what is pushed for nothing",
         "The same runs: the share of particles pushed that no wall met."),
+    "deform_way": (
+        "End state or swept: what holds the walls",
+        "The same lattice moves against bodies with edges, which it must not cut: the share of its way that it did not "
+        "make because they held it."),
     "ccd_vertex_face": (
         "Single pairs: a vertex against a triangle",
         "What every library of continuous collision detection is made of, on pairs of which half touch. Whoever sees "

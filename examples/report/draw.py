@@ -73,8 +73,9 @@ def short_setting(setting):
 
 
 def interval(point):
-    """Where a share of so many cases lies with 95 % confidence (Wilson), or None if the error is no share."""
-    if not point.is_share or not 0 < point.error <= 1:
+    """Where a share of so many cases lies with 95 % confidence (Wilson), or None if the error is no share of cases."""
+    cases = point.error * point.count
+    if not point.is_share or not 0 < point.error <= 1 or abs(cases - round(cases)) > 1e-5 * point.count:
         return None
     z, n, p = 1.96, point.count, point.error
     middle, half = p + z * z / (2 * n), z * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
