@@ -15,6 +15,7 @@ void apply_preset(const CLI::App& app, Options* options) {
     options->slow = true;
     options->vertices = app.count("--vertices") > 0 ? options->vertices : 201;
     options->statistics = app.count("--statistics") > 0 ? options->statistics : false;
+    options->contact_memory = app.count("--contact-memory") > 0 ? options->contact_memory : 8;
     options->inserts = app.count("--response") > 0 ? options->inserts : false;
   }
 }
