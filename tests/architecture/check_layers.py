@@ -76,7 +76,7 @@ def check_public_only(root, rules, allowed):
             if path.suffix not in CODE:
                 continue
             for number, header in includes(path):
-                if header.split("/")[0] in allowed and (root / "src" / header).exists():
+                if "/" in header and header.split("/")[0] in allowed and (root / "src" / header).exists():
                     yield f"{path}:{number}: {folder} sees only include/, not {header}"
 
 
