@@ -82,7 +82,7 @@ fi
 
 # Python modules, pinned, in a folder of their own; again only when the list has changed.
 lists=("$source/requirements.txt" "$insertion/requirements.txt")
-[ ! -f "$insertion/page/requirements.txt" ] || lists+=("$insertion/page/requirements.txt")
+lists+=("$insertion/page/requirements.txt")
 wanted=$(cat "${lists[@]}")
 if [ "$wanted" != "$(cat "$venv/installed.txt" 2> /dev/null)" ]; then
   echo "installing $(grep -v '^#' <<< "$wanted" | tr '\n' ' ')in build/venv"
@@ -126,7 +126,7 @@ echo "200 edges at haptic rate; of these figures:"
 "$insert" --preset haptic "${input[@]}" > "$out/haptic.txt"
 grep -E '^demo\.(steps|exactly_free_steps|lost|realtime_factor|detection_ms|edges|contacts_per_step) ' "$out/haptic.txt"
 "$venv/bin/python" "$insertion/draw.py" "$out/insertion/insertion.json" "$out/insertion.png"
-[ ! -f "$insertion/build_page.py" ] || quietly "making the page" \
+quietly "making the page" \
   "$venv/bin/python" "$insertion/build_page.py" "$out/insertion/insertion.json" "$out/insertion.html"
 
 echo
