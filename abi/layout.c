@@ -534,3 +534,18 @@ SIZE(dsw_invalid_response, 4);
 SIZE(dsw_deform_outcome, 4);
 SIZE(dsw_cut_flag, 4);
 SIZE(dsw_carve_flag, 4);
+
+SIZE(dsw_recording_desc, 32);
+AT(dsw_recording_desc, struct_size, 0);
+AT(dsw_recording_desc, flags, 4);
+AT(dsw_recording_desc, path, 8);
+AT(dsw_recording_desc, write, 16);
+AT(dsw_recording_desc, user, 24);
+
+SIZE(dsw_replay_report, 32);
+AT(dsw_replay_report, call, 0);
+AT(dsw_replay_report, function, 8);
+AT(dsw_replay_report, outcome, 16);
+AT(dsw_replay_report, status, 20);
+AT(dsw_replay_report, has_failed, 24);
+AT(dsw_replay_report, reserved, 28);

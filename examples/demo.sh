@@ -81,8 +81,7 @@ if [ ${#missing[@]} -gt 0 ]; then
 fi
 
 # Python modules, pinned, in a folder of their own; again only when the list has changed.
-lists=("$source/requirements.txt" "$insertion/requirements.txt")
-lists+=("$insertion/page/requirements.txt")
+lists=("$source/requirements.txt" "$insertion/requirements.txt" "$insertion/page/requirements.txt")
 wanted=$(cat "${lists[@]}")
 if [ "$wanted" != "$(cat "$venv/installed.txt" 2> /dev/null)" ]; then
   echo "installing $(grep -v '^#' <<< "$wanted" | tr '\n' ' ')in build/venv"

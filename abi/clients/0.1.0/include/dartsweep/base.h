@@ -75,6 +75,7 @@ typedef enum dsw_status {
   DSW_STATUS_INTERNAL = 31,           /**< A defect of the library; please report the message. */
   DSW_STATUS_BAD_TOPOLOGY = 32,       /**< The cells are not arranged as the change needs them; the message says how. */
   DSW_STATUS_BORROWED = 33,           /**< The points are the host's, without room for another vertex. */
+  DSW_STATUS_WRITE_FAILED = 34,       /**< A recording could not be written. */
   DSW_STATUS_FORCE_INT32 = 0x7fffffff
 } dsw_status;
 

@@ -103,6 +103,10 @@ DSW_API dsw_status dsw_body_destroy(dsw_scene *scene, dsw_body_id body);
 /** How many bodies there are. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_scene_get_body_count(const dsw_scene *scene, size_t *count);
 
+/** Ids of the bodies of a scene, by index. @param bodies [out] `capacity` ids. @param count [out] how many there are.
+ * @return DSW_STATUS_BUFFER_TOO_SMALL. @note O(bodies). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_scene_get_bodies(const dsw_scene *scene, dsw_body_id *bodies, size_t capacity, size_t *count);
+
 /** @param counts [in,out] its struct_size set. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_body_get_counts(const dsw_scene *scene, dsw_body_id body, dsw_body_counts *counts);
 

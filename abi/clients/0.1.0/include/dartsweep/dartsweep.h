@@ -19,6 +19,7 @@
 #include "dartsweep/move.h"
 #include "dartsweep/particle.h"
 #include "dartsweep/query.h"
+#include "dartsweep/record.h"
 #include "dartsweep/remesh.h"
 #include "dartsweep/scene.h"
 #include "dartsweep/snapshot.h"

@@ -36,6 +36,11 @@ DSW_API dsw_status dsw_particle_destroy(dsw_scene *scene, dsw_particle_id partic
 /** How many particles there are. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_scene_get_particle_count(const dsw_scene *scene, size_t *count);
 
+/** Ids of the particles of a scene, by index. @param particles [out] `capacity` ids. @param count [out] how many there are.
+ * @return DSW_STATUS_BUFFER_TOO_SMALL. @note O(particles). Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_scene_get_particle_ids(const dsw_scene *scene, dsw_particle_id *particles, size_t capacity,
+                                              size_t *count);
+
 /** Position and volume of a particle; either may be null. @param position [out] 3 doubles. @note O(1). Thread: reader.
  * @since 0.1 */
 DSW_API dsw_status dsw_particle_get(const dsw_scene *scene, dsw_particle_id particle, double *position,
@@ -49,7 +54,7 @@ DSW_API dsw_status dsw_scene_get_particles(const dsw_scene *scene, const dsw_par
                                            double *positions, size_t stride_bytes, dsw_volume_id *volumes);
 
 /** Moves a particle towards a target.
- * @param target [in] 3 finite doubles; 1e300 is a move that ends at the first wall.
+ * @param target [in] 3 finite doubles; 1e300 is a move that ends next to the first wall, as any other.
  * @param options [in] null: defaults; DSW_CAST_START_KNOWN has no effect. With DSW_CAST_NO_DETAIL the report has no
  * normal and no ids of the hit; position, time and volume are always exact.
  * @param flight [out] may be null.
