@@ -43,14 +43,15 @@ typedef struct dsw_scene_desc {
 typedef struct dsw_statistics {
   uint32_t struct_size; /**< Set by the caller: sizeof(dsw_statistics). */
   uint32_t reserved;
-  uint64_t casts;             /**< Flights, those that verify a stop included. */
-  uint64_t cells_visited;     /**< Volumes entered, the first of each cast included. */
-  uint64_t orientation_tests; /**< Plane and line tests, whatever their form; both comparisons of times. */
-  uint64_t exact_fallbacks;   /**< Of these: decided by exact arithmetic because the filter could not. */
-  uint64_t ties;              /**< Of these: exactly zero, decided by the shift. */
-  uint64_t forecast_hits;     /**< Moves that left their first volume through the face the particle aimed at. */
-  uint64_t contacts;          /**< Flights stopped by something impassable. */
-  uint64_t candidates;        /**< Positions tried when pulling stopped particles back. */
+  uint64_t casts;         /**< Flights, those that verify a stop included. */
+  uint64_t cells_visited; /**< Volumes entered, the first of each cast included, and those that floods looked at. */
+  uint64_t
+      orientation_tests; /**< Plane and line tests of casts, whatever their form; those of floods and kept sequences are not counted. */
+  uint64_t exact_fallbacks; /**< Of these: decided by exact arithmetic because the filter could not. */
+  uint64_t ties;            /**< Of these: exactly zero, decided by the shift. */
+  uint64_t forecast_hits;   /**< Moves that left their first volume through the face the particle aimed at. */
+  uint64_t contacts;        /**< Flights stopped by something impassable. */
+  uint64_t candidates;      /**< Positions tried when pulling stopped particles back. */
   uint64_t
       occupants_tested; /**< Particles, and vertices, edges and faces of bodies, that marking and changes of the topology
                                  have looked at; those of calls that failed are not counted. */

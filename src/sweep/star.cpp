@@ -228,7 +228,7 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
   const auto sweep_edge = [&](uint32_t e) {
     const EdgeMotion m{at.position, to, body.position(body.edges[e].other(v))};
     if (is_boxed(bounds(m.p, m.to, m.q), at.cell)) return true;
-    const SweepResult swept = flood_.sweep(m, at.cell, max_cells);
+    const SweepResult swept = flood(m, at.cell);
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, e, kNone}, first, &any);
     return true;
@@ -250,7 +250,7 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
     const BodyFace& face = body.faces[f];
     const FaceMotion m{at.position, to, body.position(face.after(v)), body.position(face.before(v))};
     if (is_boxed(bounds(m.p, m.to, m.q, m.r), at.cell)) return true;
-    const SweepResult swept = flood_.sweep(m, at.cell, max_cells);
+    const SweepResult swept = flood(m, at.cell);
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, kNone, f}, first, &any);
     return true;

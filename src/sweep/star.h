@@ -97,19 +97,25 @@ class StarSweep {
 
   bool is_triangle_free(const EdgeMotion& m, Cell start) {
     if (is_boxed(bounds(m.p, m.to, m.q), start)) return true;
-    return flood_.sweep(m, start, max_cells).end == SweepEnd::kFree;
+    return flood(m, start).end == SweepEnd::kFree;
   }
   bool is_tetrahedron_free(const FaceMotion& m, Cell start) {
     if (is_boxed(bounds(m.p, m.to, m.q, m.r), start)) return true;
-    return flood_.sweep(m, start, max_cells).end == SweepEnd::kFree;
+    return flood(m, start).end == SweepEnd::kFree;
   }
 
   SweepCounts counts;
-  CastCounters* counters = nullptr;    // of casts; may stay null
+  CastCounters* counters = nullptr;    // of casts, and cells of floods; may stay null
   uint32_t max_cells = 0;              // work limit of each cast and flood; 0: none
   const Partners* partners = nullptr;  // other bodies that the body can meet; null: none
 
  private:
+  template <class Motion>
+  SweepResult flood(const Motion& m, Cell start) {
+    const SweepResult swept = flood_.sweep(m, start, max_cells);
+    if (counters != nullptr) counters->cells_visited += swept.cells_visited;
+    return swept;
+  }
   bool is_seen(const Body& body, const EdgeSweep& sweep) const;
   bool is_seen(const FaceMotion& m, Cell cell) const;
   bool is_free_of_walls(const Body& body, uint32_t v, const double* to, Cell* cell);
