@@ -227,12 +227,13 @@ int run(const Options& options) {
   const physics::Environment environment(create_environment(nullptr, &mesh));
   mark_wall(environment.get(), &mesh);
   demo_flow flow;
-  physics::check(flow_create(environment.get(), &mesh, &flow), "finding the ways through the vessel");
+  physics::check(flow_create(environment.get(), &mesh, 0, &flow), "finding the ways through the vessel");
   mesh_free(&mesh);
+  const physics::Route route(environment.get(), flow);
   physics::World world(environment.get(), DSW_FEATURE_STATISTICS);
-  physics::Catheter catheter(&world, &flow, options.catheter);
+  physics::Catheter catheter(&world, &route, options.catheter);
   physics::Table table;
-  const bool free = push(options, options.length > 0 ? options.length : flow.length, &world, &catheter, &table);
+  const bool free = push(options, options.length > 0 ? options.length : route.length(), &world, &catheter, &table);
   flow_destroy(&flow);
   if (options.csv.empty()) {
     physics::write_csv(table, std::cout);
