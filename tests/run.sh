@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
-# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python page report format; none means all
+# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python java page report format; none means all
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-config python3 binutils abigail-tools
-  libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev swig python3-dev python3-venv)
+  libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev swig python3-dev python3-venv
+  openjdk-17-jdk-headless maven)
 steps=("$@")
-[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python page report format)
+[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python java page report format)
 jobs=$(nproc)
 export CMAKE_GENERATOR=Ninja CTEST_PARALLEL_LEVEL=$jobs CMAKE_BUILD_PARALLEL_LEVEL=$jobs
 
@@ -51,7 +52,7 @@ run_step() {
     tail -n 150 "$log"
   fi
   local lines
-  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^python:|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests' "$log" || true)
+  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^(python|java|csharp):|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests' "$log" || true)
   [ $status -eq 0 ] || lines+=$'\nFAILED, see '$log
   summary+=("$name ($((SECONDS - start)) s)"$'\n'"$lines")
   echo "$lines"
@@ -92,6 +93,24 @@ check_python() {
   echo "python: $(grep -o 'tests="[0-9]*"' "$out/tests.xml" | tr -dc 0-9) tests passed, and the examples"
 }
 
+# The library of the release preset as others find it, in build/dartsweep.
+install_library() {
+  cmake --preset release && cmake --build --preset release --target dartsweep &&
+    cmake --install build/release --prefix build/dartsweep
+}
+
+# The jar, and the example with what it takes from a repository: one of its own, so that no other version is there.
+check_java() {
+  local source=bindings/java out=$PWD/build/java
+  local mvn=(mvn -q -B "-Dmaven.repo.local=$PWD/build/maven")
+  rm -rf "$out/maven/target/surefire-reports"
+  install_library && cmake -S $source -B "$out" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$PWD/build/dartsweep" &&
+    cmake --build "$out" && "${mvn[@]}" -f $source/pom.xml "-Dnative=$out/maven" install &&
+    "${mvn[@]}" -f $source/examples/pom.xml "-Doutput=$out/example" compile exec:exec || return 1
+  if grep -l "WARNING in native method" "$out"/maven/target/surefire-reports/*; then return 1; fi # by -Xcheck:jni
+  printf '\njava: %s tests passed, and the example\n' "$(grep -ho '<testcase ' "$out"/maven/target/surefire-reports/*.xml | wc -l)"
+}
+
 check_format() {
   local files
   mapfile -t files < <(find src include tests examples bindings -regex '.*\.\(h\|inl\|c\|cpp\)' | sort)
@@ -108,6 +127,7 @@ for step in "${steps[@]}"; do
     abi) run_step abi preset abi -- dartsweep abi_programs ;;
     fuzz) run_step fuzz preset fuzz -- all ;;
     python) run_step python check_python ;;
+    java) run_step java check_java ;;
     format) run_step format check_format ;;
     page) run_step page examples/insertion/page/test.sh ;;
     report) run_step report examples/report/tests/run.sh ;;

@@ -81,6 +81,15 @@ class Context {
     check(dsw_context_create(&desc, &context));
     state_.reset(context, [](dsw_context *gone) { dsw_context_destroy(gone); });
   }
+#ifndef SWIG
+  // For languages that cannot keep a sink for as long: the context owns it.
+  Context(std::uint32_t thread_count, std::unique_ptr<LogSink> sink) : Context(thread_count, sink.get()) {
+    state_.reset(state_.get(),
+                 [made = state_, kept = std::shared_ptr<LogSink>(std::move(sink))](dsw_context *) mutable {
+                   made.reset();  // before its sink
+                 });
+  }
+#endif
   const std::shared_ptr<dsw_context> &state() const { return state_; }
 
  private:

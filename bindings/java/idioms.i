@@ -1,0 +1,116 @@
+// What Java's users expect beyond the shared methods: double[] where buffers would do, results made rather than filled.
+
+%typemap(javaimports) dartsweep::Environment, dartsweep::Scene, dartsweep::Body "import java.nio.DoubleBuffer;"
+
+%javamethodmodifiers dartsweep::Scene::create_body "private";
+%rename(createBodyId) dartsweep::Scene::create_body;
+
+%typemap(javacode) dartsweep::Environment %{
+  /** Of cells of one type: points as x, y, z, and the indices of each cell's points as in VTK; a region for each cell, or null. */
+  public Environment(double[] points, int[] cells, CellType type, int[] regions) {
+    this(points, cells, type, regions, null);
+  }
+
+  /** The same with threads and a log of the context's. */
+  public Environment(double[] points, int[] cells, CellType type, int[] regions, Context context) {
+    this(DoubleBuffer.wrap(points), cells, null, null, regions, null, null, null, describe(type), context);
+  }
+
+  private static EnvironmentDesc describe(CellType type) {
+    EnvironmentDesc desc = new EnvironmentDesc();
+    desc.setUniformCellType(type.swigValue());
+    return desc;
+  }
+
+  /** Flights of segments, from points to points (x, y, z). */
+  public FlightArray castSegments(double[] from, double[] to) {
+    FlightArray flights = new FlightArray(from.length / 3);
+    castSegments(DoubleBuffer.wrap(from), DoubleBuffer.wrap(to), null, null, flights);
+    return flights;
+  }
+
+  /** Sweeps of edges: one end of each moves from a point to another, the other end is fixed. */
+  public SweepArray sweepEdges(double[] from, double[] to, double[] fixed) {
+    SweepArray sweeps = new SweepArray(from.length / 3);
+    sweepEdges(DoubleBuffer.wrap(from), DoubleBuffer.wrap(to), DoubleBuffer.wrap(fixed), null, null, sweeps);
+    return sweeps;
+  }
+
+  /** Volumes that contain points (x, y, z); null ids outside. */
+  public VolumeIdArray locatePoints(double[] points) {
+    VolumeIdArray volumes = new VolumeIdArray(points.length / 3);
+    locatePoints(DoubleBuffer.wrap(points), null, volumes);
+    return volumes;
+  }
+
+  /** Cuts along a blade of rows * columns points (x, y, z), row by row. */
+  public CutReport cut(double[] blade, int rows, int columns) {
+    return cut(DoubleBuffer.wrap(blade), rows, columns);
+  }
+%}
+
+%typemap(javacode) dartsweep::Scene %{
+  /** A scene with features, the sum of FEATURE_ constants. */
+  public Scene(Environment environment, int features) {
+    this(environment, describe(features));
+  }
+
+  private static SceneDesc describe(int features) {
+    SceneDesc desc = new SceneDesc();
+    desc.setFeatures(features);
+    return desc;
+  }
+
+  /** New particles at points (x, y, z), all or none. */
+  public ParticleIdArray createParticles(double[] positions) {
+    ParticleIdArray particles = new ParticleIdArray(positions.length / 3);
+    createParticles(DoubleBuffer.wrap(positions), null, particles);
+    return particles;
+  }
+
+  /** Moves particles to targets (x, y, z), each to the first wall in its way. */
+  public FlightArray moveParticles(ParticleIdArray particles, double[] targets) {
+    FlightArray flights = new FlightArray(particles.size());
+    moveParticles(particles, DoubleBuffer.wrap(targets), null, flights);
+    return flights;
+  }
+
+  /** A body of vertices (x, y, z) and edges (pairs of indices). */
+  public Body createBody(double[] positions, int[] edges) {
+    return createBody(DoubleBuffer.wrap(positions), edges, null, null);
+  }
+
+  /** A body: `edges` are pairs of indices, `triangles` threes; what there is none of is null, also `desc`. */
+  public Body createBody(DoubleBuffer positions, int[] edges, int[] triangles, BodyDesc desc) {
+    int[] offsets = null;
+    if (triangles != null) {
+      offsets = new int[triangles.length / 3 + 1];
+      for (int i = 0; i < offsets.length; ++i) offsets[i] = 3 * i;
+    }
+    return body(createBodyId(positions, edges, offsets, triangles, null, desc));
+  }
+
+  /** The body with an id. */
+  public Body body(BodyId id) {
+    return new Body(this, id);
+  }
+
+  /** Takes the environment to positions of its vertices (x, y, z): a copy, which Environment.getPoints reads. */
+  public DeformReport deform(double[] positions) {
+    return deform(DoubleBuffer.wrap(positions));
+  }
+%}
+
+%typemap(javacode) dartsweep::Body %{
+  /** Positions of the vertices by index (x, y, z). */
+  public double[] getPositions() {
+    double[] positions = new double[3 * getCounts().getVertexSlots()];
+    getPositions(DoubleBuffer.wrap(positions));
+    return positions;
+  }
+
+  /** Moves all vertices to targets (x, y, z), one after the other, each as far as it goes; options may be null. */
+  public MoveReport move(double[] targets, MoveOptions options) {
+    return move(DoubleBuffer.wrap(targets), options);
+  }
+%}

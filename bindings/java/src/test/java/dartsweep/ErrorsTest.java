@@ -1,0 +1,72 @@
+package dartsweep;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class ErrorsTest {
+  @ParameterizedTest
+  @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "OK")
+  void everyStatusHasItsException(Status status) {
+    String name = Stream.of(status.name().split("_")).map(part -> part.charAt(0) + part.substring(1).toLowerCase())
+        .collect(Collectors.joining());
+    DartsweepException error = assertThrows(DartsweepException.class, () -> Dartsweep.raiseStatus(status));
+    assertEquals(name, error.getClass().getSimpleName());
+    assertEquals(status, error.status());
+  }
+
+  @Test
+  void theTextIsThatOfTheLibrary() {
+    try (Environment environment = Scenario.create()) {
+      var error = assertThrows(DartsweepException.NonFinite.class, () -> environment.cast(new double[] {0, Double.NaN, 0}, new double[3]));
+      assertTrue(error.getMessage().contains("dsw_environment_cast: from[1] is nan, must be finite"), error.getMessage());
+    }
+  }
+
+  @Test
+  void theFailingCallChangesNothing() {
+    try (Environment environment = Scenario.create();
+        Scene scene = new Scene(environment)) {
+      scene.createParticles(Scenario.INSIDE);
+      byte[] before = scene.save();
+      assertThrows(DartsweepException.Outside.class, () -> scene.createParticles(new double[] {24, 24, 48, -9, 0, 0}));
+      var occupied = VolumeIdArray.of(environment.locate(Scenario.INSIDE).getVolume());
+      assertThrows(DartsweepException.Occupied.class, () -> environment.markVolumes(occupied, Mark.IMPASSABLE));
+      assertArrayEquals(before, scene.save());
+      assertEquals(1, scene.getOccupants().size());
+    }
+  }
+
+  @Test
+  void argumentsOfTheWrongShapeAreRefused() {
+    try (Environment environment = Scenario.create()) {
+      assertThrows(IllegalArgumentException.class, () -> environment.cast(new double[2], new double[3]));
+      assertThrows(IllegalArgumentException.class, () -> environment.castSegments(new double[4], new double[4]));
+      assertThrows(IllegalArgumentException.class, () -> environment.cast(null, new double[3]));
+      assertThrows(DartsweepException.WrongSize.class, () -> environment.castSegments(new double[3], new double[6]));
+    }
+  }
+
+  @Test
+  void listsAreLists() {
+    VolumeId a = new VolumeId(1, 2), b = new VolumeId(3, -1);
+    VolumeIdArray ids = VolumeIdArray.of(a, b);
+    assertEquals(List.of(a, b), ids);
+    assertEquals(b, ids.set(1, null));
+    assertTrue(ids.get(1).isNull());
+    assertEquals(Arrays.asList(a, VolumeId.NULL), ids);
+    assertThrows(IndexOutOfBoundsException.class, () -> ids.get(2));
+    assertThrows(IndexOutOfBoundsException.class, () -> new FlightArray(1).get(-1));
+    assertInstanceOf(List.class, new FlightArray(0));
+  }
+}
