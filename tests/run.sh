@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
-# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python java page report format; none means all
+# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python java csharp page report format; none means all
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-config python3 binutils abigail-tools
   libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev swig python3-dev python3-venv
-  openjdk-17-jdk-headless maven)
+  openjdk-17-jdk-headless maven mono-mcs mono-runtime)
 steps=("$@")
-[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python java page report format)
+[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python java csharp page report format)
 jobs=$(nproc)
 export CMAKE_GENERATOR=Ninja CTEST_PARALLEL_LEVEL=$jobs CMAKE_BUILD_PARALLEL_LEVEL=$jobs
 
@@ -111,6 +111,21 @@ check_java() {
   printf '\njava: %s tests passed, and the example\n' "$(grep -ho '<testcase ' "$out"/maven/target/surefire-reports/*.xml | wc -l)"
 }
 
+# The assembly, then the NuGet package as a program finds it, with nothing else of ours on its way.
+check_csharp() {
+  local source=bindings/csharp out=$PWD/build/csharp
+  local package=$out/package program=$out/example
+  install_library && cmake -S $source -B "$out" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$PWD/build/dartsweep" &&
+    cmake --build "$out" && cp "$package/native"/* "$package" &&
+    mcs -nologo -out:"$package/tests.exe" -r:"$package/Dartsweep.dll" $source/tests/*.cs || return 1
+  mono --debug "$package/tests.exe" bindings/tests/scenario.json | tee "$out/tests.txt" || return 1
+  python3 $source/pack.py $source/Dartsweep.nuspec "$package" "$out" && rm -rf "$program" &&
+    python3 -m zipfile -e "$out"/Dartsweep.*.nupkg "$program" &&
+    cp "$program"/lib/net45/* "$program"/runtimes/linux-x64/native/* "$program" &&
+    mcs -nologo -out:"$program/catheter.exe" -r:"$program/Dartsweep.dll" $source/examples/Catheter.cs && mono "$program/catheter.exe" || return 1
+  echo "csharp: $(tail -n 1 "$out/tests.txt"), and the example"
+}
+
 check_format() {
   local files
   mapfile -t files < <(find src include tests examples bindings -regex '.*\.\(h\|inl\|c\|cpp\)' | sort)
@@ -128,6 +143,7 @@ for step in "${steps[@]}"; do
     fuzz) run_step fuzz preset fuzz -- all ;;
     python) run_step python check_python ;;
     java) run_step java check_java ;;
+    csharp) run_step csharp check_csharp ;;
     format) run_step format check_format ;;
     page) run_step page examples/insertion/page/test.sh ;;
     report) run_step report examples/report/tests/run.sh ;;

@@ -1,0 +1,84 @@
+// What C#'s users expect beyond the shared methods: results made rather than filled, points as x, y, z of each.
+
+namespace Dartsweep
+{
+  public sealed unsafe partial class Environment
+  {
+    /// <summary>Of cells of one type: points (x, y, z), and the indices of each cell's points as in VTK; a region for each cell, or
+    /// null; threads and log in a context, or null.</summary>
+    public Environment(double[] points, int[] cells, CellType type, int[] regions = null, Context context = null)
+      : this(points, cells, null, null, regions, null, null, null, new EnvironmentDesc { UniformCellType = (uint)type }, context)
+    {
+    }
+
+    /// <summary>Flights of segments, from points to points.</summary>
+    public Flight[] CastSegments(double[] from, double[] to)
+    {
+      Flight[] flights = new Flight[from.Length / 3];
+      CastSegments(from, to, null, null, flights);
+      return flights;
+    }
+
+    /// <summary>Sweeps of edges: one end of each moves from a point to another, the other end is fixed.</summary>
+    public Sweep[] SweepEdges(double[] from, double[] to, double[] fixedEnds)
+    {
+      Sweep[] sweeps = new Sweep[from.Length / 3];
+      SweepEdges(from, to, fixedEnds, null, null, sweeps);
+      return sweeps;
+    }
+
+    /// <summary>Volumes that contain points; null ids outside.</summary>
+    public VolumeId[] LocatePoints(double[] points)
+    {
+      VolumeId[] volumes = new VolumeId[points.Length / 3];
+      LocatePoints(points, null, volumes);
+      return volumes;
+    }
+  }
+
+  public sealed unsafe partial class Scene
+  {
+    /// <summary>A scene with features, the sum of Library.FEATURE_ constants.</summary>
+    public Scene(Environment environment, uint features) : this(environment, new SceneDesc { Features = features })
+    {
+    }
+
+    /// <summary>New particles at points, all or none.</summary>
+    public ParticleId[] CreateParticles(double[] positions)
+    {
+      ParticleId[] particles = new ParticleId[positions.Length / 3];
+      CreateParticles(positions, null, particles);
+      return particles;
+    }
+
+    /// <summary>Moves particles to targets, each to the first wall in its way.</summary>
+    public Flight[] MoveParticles(ParticleId[] particles, double[] targets)
+    {
+      Flight[] flights = new Flight[particles.Length];
+      MoveParticles(particles, targets, null, flights);
+      return flights;
+    }
+
+    /// <summary>A body of vertices; edges are pairs of indices, triangles threes, each null where there are none.</summary>
+    public Body CreateBody(double[] positions, uint[] edges, uint[] triangles = null, BodyDesc desc = null)
+    {
+      uint[] offsets = triangles == null ? null : new uint[triangles.Length / 3 + 1];
+      for (uint i = 0; offsets != null && i < offsets.Length; ++i) offsets[i] = 3 * i;
+      return Body(CreateBodyId(positions, edges, offsets, triangles, null, desc));
+    }
+
+    /// <summary>The body with an id.</summary>
+    public Body Body(BodyId id) { return new Body(this, id); }
+  }
+
+  public sealed unsafe partial class Body
+  {
+    /// <summary>Positions of the vertices by index.</summary>
+    public double[] GetPositions()
+    {
+      double[] positions = new double[3 * GetCounts().VertexSlots];
+      GetPositions(positions);
+      return positions;
+    }
+  }
+}

@@ -1,0 +1,331 @@
+// The tests: every public static method of Tests. No framework, so that mono's runtime and compiler are enough. Usage: tests.exe SCENARIO.JSON
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Runtime.InteropServices;
+using System.Threading;
+using Dartsweep;
+using Environment = Dartsweep.Environment;
+
+static class Program
+{
+  public static string ScenarioFile;
+
+  static int Main(string[] arguments)
+  {
+    ScenarioFile = arguments[0];
+    int failed = 0, passed = 0;
+    foreach (MethodInfo test in typeof(Tests).GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.DeclaredOnly))
+    {
+      try
+      {
+        test.Invoke(null, null);
+        ++passed;
+      }
+      catch (TargetInvocationException error)
+      {
+        Console.WriteLine(test.Name + ": " + error.InnerException);
+        ++failed;
+      }
+    }
+    Console.WriteLine(passed + " tests passed" + (failed == 0 ? "" : ", " + failed + " failed"));
+    return failed == 0 ? 0 : 1;
+  }
+}
+
+static class Tests
+{
+  static void True(bool condition, string what = "") { if (!condition) throw new Exception("not true: " + what); }
+  static void Same<T>(T expected, T value) { True(Equals(expected, value), "expected " + expected + ", got " + value); }
+
+  static T Throws<T>(Action call) where T : Exception
+  {
+    try
+    {
+      call();
+    }
+    catch (Exception error)
+    {
+      if (error.GetType() == typeof(T)) return (T)error;
+      throw new Exception("expected " + typeof(T).Name, error);
+    }
+    throw new Exception("expected " + typeof(T).Name + ", nothing was thrown");
+  }
+
+  static readonly Vec3 inside = Scenario.Inside;
+
+  public static void AllBitsAreThoseOfC()
+  {
+    string[] expected = File.ReadAllLines(Program.ScenarioFile), result = Scenario.Play().TrimEnd('\n').Split('\n');
+    Same(expected.Length, result.Length);
+    for (int i = 0; i < expected.Length; ++i) True(expected[i] == result[i], "line " + (i + 1) + " of " + Program.ScenarioFile);
+  }
+
+  public static void StructsAreThoseOfC()
+  {
+    Type[] types = { typeof(Vec3), typeof(Cell), typeof(VertexId), typeof(VolumeId), typeof(FaceId), typeof(EdgeId), typeof(ParticleId),
+      typeof(BodyId), typeof(BodyVertexId), typeof(BodyEdgeId), typeof(BodyFaceId), typeof(Flight), typeof(Crossing), typeof(Sweep),
+      typeof(Contact), typeof(ContactPartner), typeof(BodyEdit), typeof(MoveReport), typeof(WallContact), typeof(VolumeChange),
+      typeof(CutVertex), typeof(CutFace), typeof(DetachedVertex), typeof(DetachedFace) };
+    MethodInfo size = typeof(Environment).Assembly.GetType("Dartsweep.Callbacks").GetMethod("dartsweep_size_of", BindingFlags.Static | BindingFlags.NonPublic);
+    for (int i = 0; i < types.Length; ++i)
+      True((UIntPtr)size.Invoke(null, new object[] { i }) == (UIntPtr)Marshal.SizeOf(types[i]), types[i].Name);
+  }
+
+  public static void EveryStatusHasItsException()
+  {
+    MethodInfo raise = typeof(Library).GetMethod("RaiseStatus", BindingFlags.Static | BindingFlags.NonPublic);
+    foreach (Status status in Enum.GetValues(typeof(Status)))
+    {
+      if (status == Status.Ok) continue;
+      try
+      {
+        raise.Invoke(null, new object[] { status });
+        True(false, status.ToString());
+      }
+      catch (TargetInvocationException error)
+      {
+        Same(status + "Exception", error.InnerException.GetType().Name);
+        Same(status, ((DartsweepException)error.InnerException).Status);
+      }
+    }
+  }
+
+  public static void TheTextIsThatOfTheLibrary()
+  {
+    using (Environment environment = Scenario.Create())
+    {
+      var error = Throws<NonFiniteException>(() => environment.Cast(new Vec3(0, double.NaN, 0), inside));
+      True(error.Message.Contains("dsw_environment_cast: from[1] is nan, must be finite"), error.Message);
+    }
+  }
+
+  public static void TheFailingCallChangesNothing()
+  {
+    using (Environment environment = Scenario.Create())
+    using (Scene scene = new Scene(environment))
+    {
+      scene.CreateParticle(inside);
+      byte[] before = scene.Save();
+      Throws<OutsideException>(() => scene.CreateParticles(new double[] { 24, 24, 48, -9, 0, 0 }));
+      Throws<OccupiedException>(() => environment.MarkVolumes(new[] { environment.Locate(inside).Volume }, Mark.Impassable));
+      True(before.SequenceEqual(scene.Save()));
+      Same(1, scene.GetOccupants().Length);
+    }
+  }
+
+  public static void ArgumentsOfTheWrongShapeAreRefused()
+  {
+    using (Environment environment = Scenario.Create())
+    {
+      Throws<ArgumentException>(() => environment.CastSegments(new double[4], new double[4]));
+      Throws<WrongSizeException>(() => environment.CastSegments(new double[3], new double[6]));
+      Throws<ArgumentException>(() => new RigidMotion().Rotation = new double[3]);
+      Throws<ArgumentException>(() => new Scene(null));
+      using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
+      {
+        Throws<ArgumentNullException>(() => scene.Deform(null));
+        Throws<ArgumentException>(() => scene.Deform(new double[4]));
+      }
+    }
+  }
+
+  public static void ClosingTwiceIsFine()
+  {
+    Environment environment = Scenario.Create();
+    Scene scene = new Scene(environment);
+    scene.Dispose();
+    scene.Dispose();
+    environment.Dispose();
+    environment.Dispose();
+    True(scene.IsClosed() && environment.IsClosed());
+  }
+
+  public static void UseAfterDisposeIsAnException()
+  {
+    Environment environment = Scenario.Create();
+    Scene scene = new Scene(environment);
+    Body body = Scenario.CreateCatheter(scene);
+    ParticleId particle = scene.CreateParticle(inside);
+    scene.Dispose();
+    Action[] calls = { () => body.GetPositions(), () => body.Move(new double[36]), () => scene.Save(),
+      () => scene.MoveParticle(particle, inside), () => scene.CreateParticle(inside) };
+    foreach (Action call in calls) Same("the scene is closed", Throws<ClosedException>(call).Message);
+    environment.Dispose();
+    calls = new Action[] { () => environment.Save(), () => environment.Cast(inside, inside), () => new Scene(environment) };
+    foreach (Action call in calls) Same("the environment is closed", Throws<ClosedException>(call).Message);
+  }
+
+  // Not inlined, and on a thread of its own: mono's collector takes what it finds on the stack for references.
+  static T OnAnotherThread<T>(Func<T> make)
+  {
+    T made = default(T);
+    Thread thread = new Thread(() => made = make());
+    thread.Start();
+    thread.Join();
+    return made;
+  }
+
+  static void Collect()
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      GC.Collect();
+      GC.WaitForPendingFinalizers();
+    }
+  }
+
+  public static void ASceneKeepsItsEnvironment()
+  {
+    Scene scene = OnAnotherThread(() =>
+    {
+      Environment environment = Scenario.Create();
+      Scene made = new Scene(environment);
+      environment.Dispose();
+      return made;
+    });
+    Collect();
+    Same(Outcome.Reached, scene.MoveParticle(scene.CreateParticle(inside), new Vec3(24, 24, 50)).Outcome);
+    scene.Dispose();
+  }
+
+  public static void ABodyKeepsItsSceneAndCanBeDestroyed()
+  {
+    Body body = OnAnotherThread(() => Scenario.CreateCatheter(new Scene(Scenario.Create())));
+    Collect();
+    Same(36, body.GetPositions().Length);
+    body.Destroy();
+    Throws<StaleIdException>(body.Destroy);
+    Throws<StaleIdException>(() => body.GetPositions());
+  }
+
+  public static void WhatIsForgottenIsGivenBack()
+  {
+    using (Environment environment = Scenario.Create())
+    {
+      // Two scenes that are open forbid marks.
+      OnAnotherThread(() =>
+      {
+        Scene[] both = { new Scene(environment), new Scene(environment) };
+        Throws<SharedException>(() => environment.MarkRegion(1, Mark.Impassable));
+        return both[0].IsClosed() || both[1].IsClosed();
+      });
+      Collect();
+      environment.MarkRegion(1, Mark.Impassable);
+    }
+  }
+
+  public static void LentPositionsAreReadInPlace()
+  {
+    using (Environment environment = Scenario.Create())
+    {
+      double[] first = environment.GetPoints(), second = environment.GetPoints();
+      using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
+      {
+        scene.Deform(first);
+        Throws<InUseException>(() => scene.Deform(first));
+        for (int i = 2; i < second.Length; i += 3) second[i] += 0.25;
+        scene.Deform(second);
+        Collect();
+        second[0] = 1.5; // it is read, not copied
+        Same(1.5, environment.GetPoints()[0]);
+      }
+    }
+  }
+
+  public static void LentPositionsAreLetGo()
+  {
+    using (Environment environment = Scenario.Create())
+    using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
+    {
+      WeakReference first = OnAnotherThread(() =>
+      {
+        double[] next = environment.GetPoints();
+        scene.Deform(next);
+        return new WeakReference(next);
+      });
+      Collect();
+      True(first.IsAlive, "held while it is lent");
+      scene.Deform(environment.GetPoints());
+      Collect();
+      True(!first.IsAlive, "let go after the next");
+    }
+  }
+
+  public static void ThreadsMayCallAndCloseAsTheyLike()
+  {
+    double[] start = new double[3 * 500], points = new double[3 * 500];
+    for (int i = 0; i < points.Length; ++i)
+    {
+      points[i] = 10 + i * 7919 % 2800 / 100.0;
+      start[i] = i % 3 == 2 ? 48 : 24;
+    }
+    ConcurrentQueue<Exception> problems = new ConcurrentQueue<Exception>();
+    using (Environment environment = Scenario.Create())
+    {
+      for (int round = 0; round < 3; ++round)
+      {
+        Scene scene = new Scene(environment);
+        ParticleId[] particles = scene.CreateParticles(start);
+        List<Thread> threads = Enumerable.Range(0, 8).Select(number => new Thread(() =>
+        {
+          try
+          {
+            for (int i = 0; i < 30; ++i)
+            {
+              if (number == 0 && i == 20) scene.Dispose();
+              if (number % 2 == 1) scene.MoveParticles(particles, points);
+              else
+              {
+                environment.CastSegments(points, start);
+                scene.GetParticle(particles[i]);
+              }
+            }
+          }
+          catch (ClosedException)
+          {
+            // by thread 0
+          }
+          catch (Exception problem)
+          {
+            problems.Enqueue(problem);
+          }
+        })).ToList();
+        threads.ForEach(thread => thread.Start());
+        threads.ForEach(thread => thread.Join());
+        True(scene.IsClosed());
+      }
+    }
+    True(problems.IsEmpty, string.Join("\n", problems));
+  }
+
+  public static void TheLogIsADelegate()
+  {
+    List<string> lines = new List<string>();
+    double[] points = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+    int[] cell = { 0, 1, 2, 3 };
+    using (new Environment(points, cell, CellType.Tetra, null, new Context(2, (level, text) => lines.Add(level + " " + text))))
+    {
+      Same(1, lines.Count);
+      True(lines[0].StartsWith("Info dsw_environment_create: 1 volumes"), lines[0]);
+    }
+    new Environment(points, cell, CellType.Tetra, null, new Context(1, (level, text) => { throw new Exception("dropped"); })).Dispose();
+    new Environment(points, cell, CellType.Tetra, null, new Context()).Dispose();
+  }
+
+  public static void MembersAreValues()
+  {
+    RigidMotion motion = new RigidMotion { Translation = new double[] { 1, 2, 3 } };
+    Same(2.0, motion.Translation[1]);
+    Same(new VolumeId(3, 4), new VolumeId(3, 4));
+    True(default(FaceId).IsNull && !new FaceId(0, 1, 0).IsNull);
+  }
+
+  public static void VersionIsThatOfTheHeaders()
+  {
+    Same((uint)(1000000 * Library.VERSION_MAJOR + 1000 * Library.VERSION_MINOR + Library.VERSION_PATCH), Library.Version());
+  }
+}
