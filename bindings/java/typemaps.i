@@ -92,13 +92,13 @@ DSW_EACH_RESULT(DSW_COPIED)
 DSW_POINTS(dartsweep::Points, Doubles)
 DSW_POINTS(dartsweep::PointsOut, DoublesOut)
 %typemap(javain) dartsweep::Points "NativeMemory.of($javainput)"
-%typemap(javain, pre="    Object memory$javainput = NativeMemory.of($javainput);",
+%typemap(javain, pre="    Object memory$javainput = NativeMemory.writable($javainput);",
   post="      NativeMemory.copyBack(memory$javainput, $javainput);") dartsweep::PointsOut "memory$javainput"
 
 %typemap(jni) dartsweep::Lent "jobject"
 %typemap(jtype) dartsweep::Lent "Object"
 %typemap(jstype) dartsweep::Lent "java.nio.DoubleBuffer"
-%typemap(javain) dartsweep::Lent "NativeMemory.of($javainput)"
+%typemap(javain) dartsweep::Lent "NativeMemory.writable($javainput)"
 %typemap(in) dartsweep::Lent {
   if (!dartsweep_java::set_lent(jenv, $input, $1)) return $null;
 }

@@ -3,6 +3,7 @@ package dartsweep;
 import java.lang.ref.Cleaner;
 import java.nio.ByteOrder;
 import java.nio.DoubleBuffer;
+import java.nio.ReadOnlyBufferException;
 import java.util.function.LongConsumer;
 
 /** What goes between Java's memory and C's. */
@@ -24,6 +25,12 @@ final class NativeMemory {
     double[] copy = new double[buffer.remaining()];
     buffer.duplicate().get(copy);
     return copy;
+  }
+
+  /** The same for C to write to. */
+  static Object writable(DoubleBuffer buffer) {
+    if (buffer != null && buffer.isReadOnly()) throw new ReadOnlyBufferException();
+    return of(buffer);
   }
 
   /** After a call that wrote to what `of` made: into the buffer, where that was copied. */

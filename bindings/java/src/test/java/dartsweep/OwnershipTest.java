@@ -10,6 +10,7 @@ import java.lang.ref.WeakReference;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.DoubleBuffer;
+import java.nio.ReadOnlyBufferException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -140,6 +141,7 @@ class OwnershipTest {
         DoubleBuffer filled = direct(new double[36]);
         body.getPositions(filled);
         assertEquals(DoubleBuffer.wrap(positions), filled);
+        assertThrows(ReadOnlyBufferException.class, () -> body.getPositions(filled.asReadOnlyBuffer()));
       }
     }
   }
