@@ -76,6 +76,26 @@ TEST(Layer, LentPositionsAreHeldUntilTheNext) {
   EXPECT_TRUE(lent[2].expired());
 }
 
+TEST(Layer, ContextsKeepTheirSink) {
+  struct Counter : LogSink {
+    explicit Counter(int &counter) : lines(counter) {}
+    ~Counter() override { lines = -1; }
+    void write(int, const char *) override { ++lines; }
+    int &lines;
+  };
+  int lines = 0;
+  std::optional<Environment> environment;
+  {
+    const Context context(1, std::make_unique<Counter>(lines));
+    environment.emplace(Points{kPoints.data(), 8}, Indices{kCube.data(), 8, 8}, Indices{}, View<const std::uint8_t>{},
+                        View<const std::int32_t>{}, View<const std::uint32_t>{}, Indices{}, Indices{}, nullptr,
+                        &context);
+  }
+  EXPECT_EQ(lines, 1);
+  environment.reset();
+  EXPECT_EQ(lines, -1);
+}
+
 TEST(Layer, SnapshotsGoOn) {
   Environment environment = cube();
   Scene scene(environment);
