@@ -210,6 +210,15 @@ DSW_NUMBERS(std::size_t, long, jlongArray)
     return new name##Array($jnicall, true);
   }
 %ignore dartsweep::Array<type>::Array();
+%ignore dartsweep::Array<type>::Array(std::size_t);
+%extend dartsweep::Array<type> {
+  Array(int count) {
+    if (count < 0) throw std::out_of_range("fewer than 0 entries");
+    auto *made = new dartsweep::Array<type>(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) made->data()[i] = {};
+    return made;
+  }
+}
 %ignore dartsweep::Array<type>::get;
 %javamethodmodifiers dartsweep::Array<type>::at "private";
 %javamethodmodifiers dartsweep::Array<type>::count "private";

@@ -2,7 +2,6 @@ package dartsweep;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -67,6 +66,9 @@ class ErrorsTest {
     assertEquals(Arrays.asList(a, VolumeId.NULL), ids);
     assertThrows(IndexOutOfBoundsException.class, () -> ids.get(2));
     assertThrows(IndexOutOfBoundsException.class, () -> new FlightArray(1).get(-1));
-    assertInstanceOf(List.class, new FlightArray(0));
+    assertThrows(IndexOutOfBoundsException.class, () -> new FlightArray(-1));
+    assertEquals(List.of(), new FlightArray(0));
+    assertEquals(Outcome.NONE, new FlightArray(3).get(2).getOutcome());
+    assertTrue(new VolumeIdArray(3).get(2).isNull());
   }
 }
