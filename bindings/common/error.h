@@ -41,7 +41,8 @@
   X(NOT_BUILT, NotBuilt)                 \
   X(INTERNAL, Internal)                  \
   X(BAD_TOPOLOGY, BadTopology)           \
-  X(BORROWED, Borrowed)
+  X(BORROWED, Borrowed)                  \
+  X(WRITE_FAILED, WriteFailed)
 
 namespace dartsweep {
 

@@ -47,6 +47,22 @@ class Scene {
   std::size_t get_particle_count() const { return one<std::size_t>(dsw_scene_get_particle_count); }
   std::size_t get_body_count() const { return one<std::size_t>(dsw_scene_get_body_count); }
 
+  Array<dsw_particle_id> get_particle_ids() const { return ids<dsw_particle_id>(dsw_scene_get_particle_ids); }
+  Array<dsw_body_id> get_bodies() const { return ids<dsw_body_id>(dsw_scene_get_bodies); }
+
+  // Into a file; replays are for examples/replay.
+  void start_recording(const char *path) {
+    dsw_recording_desc desc;
+    dsw_recording_desc_init(&desc, sizeof desc);
+    desc.path = path;
+    const WholeWriting self(*state_);
+    check(dsw_scene_start_recording(self.handle, &desc));
+  }
+  void stop_recording() {
+    const WholeWriting self(*state_);
+    check(dsw_scene_stop_recording(self.handle));
+  }
+
   // --- particles
   dsw_particle_id create_particle(const dsw_vec3 &position, dsw_volume_id hint = {}) {
     const SceneWriting self(*state_);
@@ -207,6 +223,12 @@ class Scene {
     T result = {};
     check(call(self.handle, &result));
     return result;
+  }
+  template <class T, class Call>
+  Array<T> ids(Call call) const {
+    const SceneReading self(*state_);
+    return filled<T>(
+        [&](T *out, std::size_t capacity, std::size_t *count) { return call(self.handle, out, capacity, count); });
   }
   template <class T, class Call>
   Array<T> list(Call call) const {

@@ -56,6 +56,7 @@ namespace Dartsweep
         case Status.Internal: return new InternalException(message);
         case Status.BadTopology: return new BadTopologyException(message);
         case Status.Borrowed: return new BorrowedException(message);
+        case Status.WriteFailed: return new WriteFailedException(message);
         default: return new InternalException(message);
       }
     }
@@ -263,5 +264,11 @@ namespace Dartsweep
   public sealed class BorrowedException : DartsweepException
   {
     internal BorrowedException(string message) : base(Status.Borrowed, message) { }
+  }
+
+  /// <summary>A recording could not be written.</summary>
+  public sealed class WriteFailedException : DartsweepException
+  {
+    internal WriteFailedException(string message) : base(Status.WriteFailed, message) { }
   }
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import pathlib
 import sys
 import threading
 from collections.abc import Callable
@@ -165,3 +166,22 @@ def test_the_log_is_a_callable() -> None:
     with pytest.raises(ds.errors.NonFinite):
         ds.Environment(np.full((4, 3), np.nan), [[0, 1, 2, 3]], log=lambda level, text: lines.append((level, text)))
     assert all(level in list(ds.LogLevel) for level, _ in lines)
+
+
+def test_recordings_are_written_as_calls_are_made(environment: ds.Environment, tmp_path: pathlib.Path) -> None:
+    path = tmp_path / "calls.rec"
+    with ds.Scene(environment) as scene:
+        assert len(scene.particle_ids()) == 0 and len(scene.body_ids()) == 0
+        scene.start_recording(str(path))
+        with pytest.raises(ds.errors.InUse):
+            scene.start_recording(str(path))
+        before = path.stat().st_size
+        particle = scene.create_particle(INSIDE)
+        assert path.stat().st_size > before
+        assert scene.particle_ids()[0]["index"] == particle.index
+        scene.stop_recording()
+        after = path.stat().st_size
+        scene.destroy_particle(particle)
+        assert path.stat().st_size == after
+        with pytest.raises(ds.errors.WriteFailed, match="no/such"):
+            scene.start_recording("no/such/folder")

@@ -44,6 +44,7 @@ class Status(IntEnum):
     INTERNAL = _core.STATUS_INTERNAL
     BAD_TOPOLOGY = _core.STATUS_BAD_TOPOLOGY
     BORROWED = _core.STATUS_BORROWED
+    WRITE_FAILED = _core.STATUS_WRITE_FAILED
 
 
 class LogLevel(IntEnum):

@@ -210,6 +210,12 @@ class Borrowed(Error):
     status = Status.BORROWED
 
 
+class WriteFailed(Error):
+    """A recording could not be written."""
+
+    status = Status.WRITE_FAILED
+
+
 class Closed(NullArgument):
     """The object was closed before."""
 

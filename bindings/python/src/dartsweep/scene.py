@@ -73,6 +73,22 @@ class Scene:
     def body_count(self) -> int:
         return self._core.get_body_count()  # type: ignore[no-any-return]
 
+    def particle_ids(self) -> Records:
+        """Ids of all particles, by index."""
+        return self._core.get_particle_ids()  # type: ignore[no-any-return]
+
+    def body_ids(self) -> Records:
+        """Ids of all bodies, by index."""
+        return self._core.get_bodies()  # type: ignore[no-any-return]
+
+    def start_recording(self, path: str) -> None:
+        """Writes every call that changes the scene into a file, before it is made: see record.h of the C interface."""
+        self._core.start_recording(path)
+
+    def stop_recording(self) -> None:
+        """Ends the recording, if there is one."""
+        self._core.stop_recording()
+
     @property
     def memory_bytes(self) -> int:
         """Memory that the scene holds, without the environment."""

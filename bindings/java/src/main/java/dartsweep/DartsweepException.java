@@ -50,6 +50,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
       case INTERNAL -> new Internal(message);
       case BAD_TOPOLOGY -> new BadTopology(message);
       case BORROWED -> new Borrowed(message);
+      case WRITE_FAILED -> new WriteFailed(message);
       case OK -> throw new AssertionError(message);
     };
   }
@@ -289,6 +290,13 @@ public abstract sealed class DartsweepException extends RuntimeException {
   public static final class Borrowed extends DartsweepException {
     private Borrowed(String message) {
       super(Status.BORROWED, message);
+    }
+  }
+
+  /** A recording could not be written. */
+  public static final class WriteFailed extends DartsweepException {
+    private WriteFailed(String message) {
+      super(Status.WRITE_FAILED, message);
     }
   }
 }
