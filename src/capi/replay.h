@@ -1,6 +1,8 @@
 #pragma once
 // A recording that is made again: what replay.cpp and the rows of calls share.
 
+#include <type_traits>
+
 #include "capi/recorded.h"
 
 struct dsw_replay {
@@ -28,12 +30,18 @@ class Arguments {
  public:
   explicit Arguments(const Array<uint64_t>& words) : at_(words.data()), end_(words.data() + words.size()) {}
 
-  /** A plain value. */
+  /** A plain value; of an enum one that it can hold. */
   template <class T>
   T get() {
-    T value;
-    std::memcpy(&value, take(sizeof(T)), sizeof(T));
-    return value;
+    if constexpr (std::is_enum_v<T>) {
+      const auto number = get<uint32_t>();
+      if (number > INT32_MAX) fail(DSW_STATUS_CORRUPT, "the recording is damaged: %u names nothing", number);
+      return static_cast<T>(number);
+    } else {
+      T value;
+      std::memcpy(&value, take(sizeof(T)), sizeof(T));
+      return value;
+    }
   }
   /** A struct that begins with its size, which another version has written. */
   template <class T>

@@ -1,6 +1,6 @@
 // Writes the seeds of all targets: sound meshes of every cell type as fuzz_create reads them, snapshots of the same meshes with marks, also
 // changed and with points that move, the snapshot of a scene, and programs of calls. Made new in every build, so that they follow the formats.
-// usage: make_seeds FOLDER   (writes FOLDER/create, FOLDER/snapshot, FOLDER/scene and FOLDER/calls)
+// usage: make_seeds FOLDER   (writes FOLDER/create, FOLDER/snapshot, FOLDER/scene, FOLDER/calls and FOLDER/replay)
 
 #include <array>
 #include <filesystem>
@@ -256,6 +256,9 @@ int main(int argc, char** argv) {
   write(folder / "scene" / "bodies", dsw_fuzz::save(scene));
   dsw_scene_destroy(scene);
   dsw_environment_destroy(home);
-  for (uint32_t i = 0; i < kPrograms; ++i) write(folder / "calls" / std::to_string(i), some_bytes(i));
+  for (uint32_t i = 0; i < kPrograms; ++i) {
+    write(folder / "calls" / std::to_string(i), some_bytes(i));
+    write(folder / "replay" / std::to_string(i), some_bytes(i));
+  }
   return 0;
 }
