@@ -40,6 +40,7 @@ dsw_status dsw_scene_destroy(dsw_scene* scene) {
   return capi::guard("dsw_scene_destroy", [&] {
     if (scene == nullptr) return;
     const dsw::Memory* const memory = capi::check_handle(scene, "scene").environment->engine.memory;
+    if (scene->watch != nullptr) fail(DSW_STATUS_IN_USE, "the scene belongs to a replay");
     capi::detach(*scene);
     capi::destroy_object(memory, scene);
   });

@@ -129,6 +129,8 @@ static void a_scene_in_other_hands_differs(void) {
   guest = make_scene(dsw_scene_get_environment(again), 0);
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_replay_destroy(replay));
   CHECK_OK(dsw_scene_destroy(guest));
+  CHECK_FAILS(DSW_STATUS_IN_USE, dsw_scene_destroy(again));
+  CHECK_FAILS(DSW_STATUS_IN_USE, dsw_environment_destroy(dsw_scene_get_environment(again)));
   CHECK_OK(dsw_replay_destroy(replay));
   CHECK_OK(dsw_scene_destroy(scene));
   CHECK_OK(dsw_environment_destroy(env));
