@@ -1,6 +1,8 @@
 // A scene, its particles and its bodies as hosts' objects; names and meanings as in environment.h.
 #pragma once
 
+#include <algorithm>
+
 #include "common/environment.h"
 
 namespace dartsweep {
@@ -150,11 +152,22 @@ class Scene {
     });
   }
 
-  // --- deformation. `next` stays with the environment until the next deformation that is not refused.
+  // --- deformation. `next` stays with the environment until the next deformation that is not refused. More points than the
+  // environment has vertices are room for those that operations add, as options->point_room says where there are none too many.
   dsw_deform_report deform(Lent next, const dsw_deform_options *options = nullptr) {
+    dsw_deform_options all;
+    if (options) all = *options;
+    if (!options) dsw_deform_options_init(&all, sizeof all);
+    if (all.point_room > next.count)
+      throw Error(DSW_STATUS_WRONG_SIZE, "point_room is " + std::to_string(all.point_room) + ", there are " +
+                                             std::to_string(next.count) + " points");
     const WholeWriting self(*state_);
+    const double *now = nullptr;
+    std::size_t count = 0;
+    check(dsw_environment_get_points(dsw_scene_get_environment(self.handle), &now, &count));
+    if (next.count > count) all.point_room = next.count;
     dsw_deform_report report = {};
-    check(dsw_scene_deform(self.handle, next.data, next.count, options, &report));
+    check(dsw_scene_deform(self.handle, next.data, std::min(next.count, count), &all, &report));
     if (report.outcome != DSW_DEFORM_REFUSED) state_->environment->lent = std::move(next.owner);
     return report;
   }

@@ -96,6 +96,31 @@ TEST(Layer, ContextsKeepTheirSink) {
   EXPECT_EQ(lines, -1);
 }
 
+TEST(Layer, RoomForPointsIsWhatTheArrayHas) {
+  Environment environment = cube();
+  dsw_scene_desc desc;
+  dsw_scene_desc_init(&desc, sizeof desc);
+  desc.features = DSW_FEATURE_DEFORMING;
+  Scene scene(environment, &desc);
+  dsw_deform_options options;
+  dsw_deform_options_init(&options, sizeof options);
+  const auto lend = [](std::size_t count) {
+    auto next = std::make_shared<std::vector<double>>(kPoints);
+    next->resize(3 * count);
+    return Lent{next->data(), count, next};
+  };
+  const auto split = [&] { environment.split_edge(environment.get_volume_edge(environment.get_volume(0), 0), 0.5); };
+  scene.deform(lend(9), &options);
+  EXPECT_EQ(options.point_room, 0u);
+  split();
+  EXPECT_EQ(status_of(split), DSW_STATUS_BORROWED);
+  scene.deform(lend(9), &options);
+  EXPECT_EQ(status_of(split), DSW_STATUS_BORROWED);
+  options.point_room = 1000;
+  EXPECT_EQ(status_of([&] { scene.deform(lend(9), &options); }), DSW_STATUS_WRONG_SIZE);
+  EXPECT_EQ(status_of([&] { scene.deform(lend(8)); }), DSW_STATUS_WRONG_SIZE);
+}
+
 TEST(Layer, SnapshotsGoOn) {
   Environment environment = cube();
   Scene scene(environment);

@@ -228,11 +228,7 @@ class Scene:
         environment keeps it and reads it until the next deformation; the one before is free again. It is written where a
         vertex could not go all of its way. More rows are room for vertices that cuts add.
         """
-        count = self._environment.info.vertex_index_count
-        if len(positions) > count:
-            options = described(DeformOptions) if options is None else options
-            options.point_room = len(positions)
-        return self._core.deform(positions[:count], options)  # type: ignore[no-any-return]
+        return self._core.deform(positions, options)  # type: ignore[no-any-return]
 
     def wall_contacts(self) -> Records:
         """Contacts of walls in the last deformation (dtypes.WALL_CONTACT)."""
