@@ -1,9 +1,10 @@
 /* Opens a recording (record.h), makes its calls again and tells what they did:
  *
- *   dartsweep_replay FILE [--to N] [--quiet] [--take FILE] [--draw FOLDER]
+ *   dartsweep_replay FILE [--to N [--take FILE]] [--quiet] [--draw FOLDER]
  *
- * Prints a line for each call, and at the end the verdict on what is there then. --to N stops before call N. --take FILE writes that one
- * call, with the scene as it is before it, as a recording of its own: what a bug report needs. --draw FOLDER writes the scene as .vtu files.
+ * Prints a line for each call, and at the end the verdict on what is there then. --to N stops before call N. With it --take FILE makes that
+ * one call and writes it, with the scene as it is before it, as a recording of its own: what a bug report needs. --draw FOLDER writes the
+ * scene as .vtu files.
  * Exit code 1: a call did something else than was recorded, or what is there then is not free; 2: the file or an option can't be used. */
 #include <dartsweep/dartsweep.h>
 #include <getopt.h>
@@ -22,7 +23,7 @@ typedef struct options {
 } options;
 
 static int usage(void) {
-  fprintf(stderr, "usage: dartsweep_replay FILE [--to N] [--quiet] [--take FILE] [--draw FOLDER]\n");
+  fprintf(stderr, "usage: dartsweep_replay FILE [--to N [--take FILE]] [--quiet] [--draw FOLDER]\n");
   return kBadInput;
 }
 
@@ -50,7 +51,7 @@ static int read_options(int argc, char **argv, options *o) {
       return usage();
     }
   }
-  if (optind + 1 != argc) return usage();
+  if (optind + 1 != argc || (o->take != NULL && o->to == UINT64_MAX)) return usage();
   o->file = argv[optind];
   return 0;
 }
@@ -93,20 +94,19 @@ static const char *outcome_name(dsw_replay_outcome outcome) {
                                            : "unfinished: the recording ends in it";
 }
 
-/* One step, told; 0: there is none, or it differs. */
-static int step(dsw_replay *replay, int quiet, int *differs) {
+/* One step, told. */
+static dsw_replay_outcome step(dsw_replay *replay, int quiet) {
   dsw_replay_report report;
   require(dsw_replay_step(replay, &report), "making the next call", kBadInput);
-  if (report.outcome == DSW_REPLAY_END) return 0;
-  *differs = report.outcome == DSW_REPLAY_DIFFERENT;
+  if (report.outcome == DSW_REPLAY_END) return DSW_REPLAY_END;
   if (!quiet || report.outcome != DSW_REPLAY_SAME) {
     printf("%8" PRIu64 "  %-34s %-24s %s\n", report.call, report.function, dsw_status_string(report.status),
            outcome_name(report.outcome));
     if (report.status != DSW_STATUS_OK) printf("          %s\n", dsw_last_error_message());
-    if (*differs)
+    if (report.outcome == DSW_REPLAY_DIFFERENT)
       printf("          the recorded call %s\n", report.has_failed ? "failed" : "did not fail, or had other results");
   }
-  return report.outcome == DSW_REPLAY_SAME;
+  return report.outcome;
 }
 
 /* Exactly: an environment and a scene that are loaded from their snapshots are checked as a whole. Returns 1 if all is well. */
@@ -139,13 +139,15 @@ static int print_verdict(dsw_scene *scene) {
   return is_free == DSW_STATUS_OK;
 }
 
-static void take_call(dsw_replay *replay, dsw_scene *scene, const char *file, int *differs) {
+static dsw_replay_outcome take_call(dsw_replay *replay, dsw_scene *scene, const char *file) {
+  dsw_replay_outcome outcome;
   dsw_recording_desc desc;
   dsw_recording_desc_init(&desc, sizeof desc);
   desc.path = file;
   require(dsw_scene_start_recording(scene, &desc), "writing the call", kBadInput);
-  step(replay, 0, differs);
+  outcome = step(replay, 0);
   require(dsw_scene_stop_recording(scene), "writing the call", kBadInput);
+  return outcome;
 }
 
 /* The edges of a body. */
@@ -195,17 +197,22 @@ int main(int argc, char **argv) {
   dsw_replay *replay = NULL;
   dsw_scene *scene = NULL;
   uint64_t call = 0;
-  int differs = 0, good;
+  dsw_replay_outcome last = DSW_REPLAY_SAME;
+  int good;
   if (read_options(argc, argv, &o) != 0) return kBadInput;
   bytes = read_file(o.file, &size);
   require(dsw_replay_create(NULL, bytes, size, &replay), "opening the recording", kBadInput);
   require(dsw_replay_get_scene(replay, &scene), "opening the recording", kBadInput);
-  while (call < o.to && step(replay, o.quiet, &differs)) ++call;
-  if (o.take != NULL) take_call(replay, scene, o.take, &differs);
+  while (call < o.to && (last = step(replay, o.quiet)) == DSW_REPLAY_SAME) ++call;
+  if (o.take != NULL && call == o.to) last = take_call(replay, scene, o.take);
+  if (o.take != NULL && (call < o.to || last == DSW_REPLAY_END)) {
+    fprintf(stderr, "replay: no call %" PRIu64 " to be taken after calls that did what was recorded\n", o.to);
+    return kBadInput;
+  }
   printf("%" PRIu64 " calls did what was recorded\n", call);
   good = print_verdict(scene);
   if (o.draw != NULL && draw(scene, o.draw) != 0) return kBadInput;
   require(dsw_replay_destroy(replay), "closing", kFailed);
   free(bytes);
-  return differs || !good ? kFailed : 0;
+  return last == DSW_REPLAY_DIFFERENT || !good ? kFailed : 0;
 }
