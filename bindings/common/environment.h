@@ -400,6 +400,7 @@ class Environment {
     if (!desc) dsw_remesh_desc_init(&all, sizeof all);
     all.volumes = volumes.data;
     all.volume_count = volumes.count;
+    same_count("coordinates of next", next.count, next.count / 3 * 3);
     all.next = next.data;
     all.point_count = next.count / 3;
     dsw_remesh_report report = {};

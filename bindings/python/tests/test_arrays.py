@@ -93,6 +93,15 @@ def test_integers_must_fit(scene: ds.Scene) -> None:
         scene.create_body(ends, [(0.5, 1.0)])
 
 
+def test_rows_have_as_many_entries_as_they_should(scene: ds.Scene) -> None:
+    ends = [(24.0, 24.0, 40.0), (24.0, 24.0, 44.0)]
+    for triangles in ([(0, 1)], [(0, 1), (1, 0), (0, 1)]):
+        with pytest.raises(ValueError, match="shape"):
+            scene.create_body(ends, triangles=triangles)
+    with pytest.raises(ds.errors.WrongSize):
+        scene.environment.remesh(next=np.zeros(25))
+
+
 def test_ids_are_values(environment: ds.Environment, scene: ds.Scene) -> None:
     ids = scene.create_particles([(24.0, 24.0, 40.0), (24.0, 24.0, 44.0)])
     second = ds.ParticleId(1, 1)

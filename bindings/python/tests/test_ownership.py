@@ -95,6 +95,17 @@ def test_lent_positions_are_held_until_the_next(environment: ds.Environment) -> 
     assert sys.getrefcount(second) < held
 
 
+def test_room_for_points_is_what_the_array_has(environment: ds.Environment) -> None:
+    options = ds.options(ds.DeformOptions)
+    points = environment.points()
+    with ds.Scene(environment, ds.Feature.DEFORMING) as scene:
+        scene.deform(np.vstack([points, np.zeros((9, 3))]), options)
+        assert options.point_room == 0
+        options.point_room = len(points) + 1
+        with pytest.raises(ds.errors.WrongSize):
+            scene.deform(points.copy(), options)
+
+
 def test_positions_that_are_refused_are_not_held(environment: ds.Environment) -> None:
     array = environment.points().copy()
     before = sys.getrefcount(array)

@@ -188,6 +188,8 @@ class Scene:
         offsets = None
         if triangles is not None:
             triangles = np.asarray(triangles)
+            if triangles.size and triangles.shape[1:] != (3,):
+                raise ValueError("triangles have shape (n, 3)")
             offsets = np.arange(0, triangles.size + 1, 3)
         return Body(self._core, self._core.create_body(positions, edges, offsets, triangles, hints, desc))
 
