@@ -1,7 +1,7 @@
 #pragma once
-// What a recording keeps of the calls that change a scene or its environment: src/record/README.md. A call is written when all of its
-// arguments have been checked and before the engine is asked, so that it is there if the process dies in it; calls that are refused change
-// nothing and are left out.
+// What a recording keeps of the calls that change a scene or its environment: src/record/README.md. A call is written when it can be read
+// from its arguments and before the engine is asked, so that it is there if the process dies in it; calls that are refused until then change
+// nothing and are left out, those that the engine refuses are written as failed.
 
 #include <cstdio>
 #include <cstring>
