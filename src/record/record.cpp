@@ -81,7 +81,7 @@ void RecordWriter::flush() noexcept {
   filled_ = 0;
 }
 
-RecordReader::RecordReader(const uint8_t* bytes, size_t size) : at_(bytes + kHeaderBytes), end_(bytes + size) {
+RecordReader::RecordReader(const uint8_t* bytes, size_t size) : at_(bytes), end_(bytes + size) {
   if (size < kHeaderBytes) {
     fail(DSW_STATUS_TRUNCATED, "the recording has %zu bytes, its header alone needs %zu", size, kHeaderBytes);
   }
@@ -93,6 +93,7 @@ RecordReader::RecordReader(const uint8_t* bytes, size_t size) : at_(bytes + kHea
     fail(DSW_STATUS_BAD_VERSION, "the recording has format %u with pointers of %u bytes, this library reads %u with %u",
          version, pointer_bytes, kVersion, kPointerBytes);
   }
+  at_ += kHeaderBytes;
 }
 
 bool RecordReader::next(Entry* entry) {
