@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <unordered_set>
 #include <vector>
 
@@ -229,12 +230,12 @@ int run(const Options& options) {
   demo_flow flow;
   physics::check(flow_create(environment.get(), &mesh, 0, &flow), "finding the ways through the vessel");
   mesh_free(&mesh);
+  const std::unique_ptr<demo_flow, decltype(&flow_destroy)> owner(&flow, flow_destroy);
   const physics::Route route(environment.get(), flow);
   physics::World world(environment.get(), DSW_FEATURE_STATISTICS);
   physics::Catheter catheter(&world, &route, options.catheter);
   physics::Table table;
   const bool free = push(options, options.length > 0 ? options.length : route.length(), &world, &catheter, &table);
-  flow_destroy(&flow);
   if (options.csv.empty()) {
     physics::write_csv(table, std::cout);
   } else {
