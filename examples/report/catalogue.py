@@ -107,8 +107,8 @@ CURVES = {
         "The same for an edge of which one end moves, against an edge that stands still."),
     "contact_point": (
         "Contact point",
-        "Single pairs that touch: how far is the reported point from the exact one? An edge's contact is where it meets "
-        "the other edge, a vertex's where it meets the triangle."),
+        "A vertex meets a triangle: how far is the reported point from the exact one? Ours is looked for in the whole "
+        "scene, peers get the pair."),
     "contact_normal": (
         "Contact normal",
         "The same pairs: the angle between the reported normal and the exact one."),
@@ -118,8 +118,8 @@ CURVES = {
         "triangles in floats; we walk through the cells of the vessel, whose starts are known."),
     "cast_through": (
         "Casts aimed at edges and corners: what passes closed walls",
-        "The same vessel, casts aimed at corners and at middles of sides of the wall's triangles. A cast that is not "
-        "stopped, or stopped later by more than a thousandth of its way, has passed."),
+        "The same vessel, casts aimed at corners and at middles of sides of the wall's triangles, to targets outside of the "
+        "lumen. A cast that is not stopped has passed."),
     "time_step": (
         "Time step and order of vertices",
         "Vertices move one at a time, so contacts are true for that motion. A rod turns against a post, vertices in "

@@ -8,15 +8,15 @@ import sys
 from pathlib import Path
 
 COLUMNS = "curve,method,setting,setting_unit,seconds_per_item,item,error_name,error,error_unit,count,note".split(",")
-HALF_ULP = 2.0**-53  # of times up to 1: they are rounded down
+ULP = 2.0**-53  # of times below 1: they are rounded down
 ROUNDING = 1e-13  # of places, in cells, coordinates up to 20
 # What the exact method may be off by, by curve.
 EXACT = {
-    "edge_time": ("dartsweep exact", 2 * HALF_ULP), "edge_place": ("dartsweep exact", ROUNDING),
-    "ccd_vertex_face": ("dartsweep exact", 2 * HALF_ULP), "ccd_edge_edge": ("dartsweep exact", 2 * HALF_ULP),
+    "edge_time": ("dartsweep exact", ULP), "edge_place": ("dartsweep exact", ROUNDING),
+    "ccd_vertex_face": ("dartsweep exact", ULP), "ccd_edge_edge": ("dartsweep exact", ULP),
     "degenerate_vertex_face": ("dartsweep exact", 0), "degenerate_edge_edge": ("dartsweep exact", 0),
     "missed_vessel": ("dartsweep FACES", 0), "missed_faces": ("dartsweep FACES", 0), "missed_spikes": ("dartsweep FACES", 0),
-    "contact_point": ("dartsweep exact", ROUNDING), "contact_normal": ("dartsweep exact", 1e-12), "cast_time": ("dartsweep exact", 2 * HALF_ULP), "cast_through": ("dartsweep exact", 0),
+    "contact_point": ("dartsweep exact", ROUNDING), "contact_normal": ("dartsweep exact", 1e-12), "cast_time": ("dartsweep exact", ULP), "cast_through": ("dartsweep exact", 0),
     "elimination": ("dartsweep exact", 0),
     "sampling_vessel": None, "sampling_faces": None, "stand_off_gap": ("dartsweep exact", ROUNDING), "stand_off_fallbacks": None,
 }
