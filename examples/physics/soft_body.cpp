@@ -178,6 +178,7 @@ bool SoftBody::add_vertex(const Vector3& at, std::size_t next, double mass, doub
   const dsw_status status = dsw_body_add_edge(scene_, id_, vertex, end, &edge);
   if (status == DSW_STATUS_OCCUPIED) {
     check(dsw_body_remove_vertex(scene_, id_, vertex), "removing a vertex");
+    points.clear(vertex.index);  // a free slot of the body from now on
     return false;
   }
   check(status, "adding an edge");

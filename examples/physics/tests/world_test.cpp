@@ -61,6 +61,23 @@ TEST(World, AMoveOf1e300EndsAtTheFirstWall) {
   EXPECT_NEAR(body->points.velocity[0].x(), 0, 1e290);
 }
 
+TEST(World, ALinkThatIsNotFreeStaysOutAndTheSceneGoesOn) {
+  const Environment environment = make_post();
+  World world(environment.get());
+  SoftBody* body = add_line(&world, {{1.5, 2.5, 1.5}, {2.5, 2.5, 1.5}}, 100, 0);
+  const Vector3 behind_the_post(6.5, 2.5, 1.5), beside(2.5, 3.5, 1.5);
+  std::size_t added = 0;
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_FALSE(body->add_vertex(behind_the_post, 1, 1, 100, 0, &added));
+    EXPECT_EQ(world.step(0.01), 0u);
+    EXPECT_EQ(body->count(), 2u);
+  }
+  EXPECT_TRUE(body->add_vertex(beside, 1, 1, 100, 0, &added));
+  EXPECT_EQ(world.step(0.01), 0u);
+  EXPECT_EQ(body->count(), 3u);
+  EXPECT_TRUE(verify(world.scene(), body->id()).good());
+}
+
 TEST(World, InsertedVerticesAreRemovedAgain) {
   const Environment environment = make_post();
   World world(environment.get());
