@@ -57,7 +57,7 @@ Channel posts() {
 }
 
 // The larger one; what is no number is the largest.
-double larger(double now, double largest) { return now <= largest ? largest : now; }
+double larger(double now, double largest) { return now <= largest || std::isnan(largest) ? largest : now; }
 
 template <class Drive>
 void run_steps(World* world, double dt, int steps, Outcome* outcome, Drive before_each) {
