@@ -4,7 +4,7 @@
 //
 // The catheter of examples/physics is pushed through the vessel. After each step the casts of [JCD10] 4.1 that its motion asks
 // for are made again, path by path, and the different cells that they enter are counted: no counter of the library has that.
-// Exit code 1: a call failed, or a step was not free; 2: an option can't be used.
+// Exit code 1: a call failed, or a step was not free; 2: an option or a mesh can't be used.
 #include <getopt.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <unordered_set>
 #include <vector>
 
@@ -257,6 +258,9 @@ int main(int argc, char** argv) {
   const int code = read_options(argc, argv, &options);
   try {
     return code != 0 ? code : run(options);
+  } catch (const std::invalid_argument& error) {  // of the route: what was given leads nowhere
+    std::cerr << "catheter_length: " << error.what() << '\n';
+    return 2;
   } catch (const std::exception& error) {
     std::cerr << "catheter_length: " << error.what() << '\n';
     return 1;
