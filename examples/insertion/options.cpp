@@ -1,6 +1,8 @@
 #include "options.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <map>
 
@@ -8,6 +10,7 @@ namespace insertion {
 namespace {
 
 constexpr int kBadInput = 2;
+constexpr double kMost = 1e12;  // of lengths and speeds
 
 // Defaults of a preset; what was given by hand stays.
 void apply_preset(const CLI::App& app, Options* options) {
@@ -29,6 +32,11 @@ int read_options(int argc, char** argv, Options* options) {
                                                          {"xpbd", Integrator::kXpbd}};
   const std::map<std::string, dsw_level> levels = {{"edges", DSW_LEVEL_EDGES}, {"edges_swept", DSW_LEVEL_EDGES_SWEPT}};
   const std::map<std::string, bool> responses = {{"insert", true}, {"slide", false}};
+  const CLI::Validator number(  // ranges let NaN pass
+      [](std::string& text) {
+        return std::isnan(std::strtod(text.c_str(), nullptr)) ? "'" + text + "' is no number" : std::string();
+      },
+      "");
   CLI::App app("Pushes a catheter through a network of vessels and proves after every step that it is free.",
                "dartsweep_insertion");
   app.add_option(
@@ -37,18 +45,22 @@ int read_options(int argc, char** argv, Options* options) {
       ->check(CLI::IsMember({"figure8", "haptic"}));
   app.add_option("--mesh", options->mesh, "arrays that examples/demo/read_mesh.py made of a mesh")
       ->check(CLI::ExistingFile);
-  app.add_option("--spacing", options->spacing, "of the generated vessel, mm")->check(CLI::Range(0.6, 2.5));
+  app.add_option("--spacing", options->spacing, "of the generated vessel, mm")
+      ->check(number)
+      ->check(CLI::Range(0.6, 2.5));
   app.add_option("--source", options->source, "what to call the mesh");
   app.add_option("--unit", options->unit, "unit of length of the mesh; it is only printed");
   app.add_option("--out", options->out, "folder for tables, frames and .vtu files")->check(CLI::ExistingDirectory);
   app.add_option("--steps", options->steps, "time steps")->check(CLI::Range(1, 10000000));
-  app.add_option("--dt", options->dt, "length of a time step, s")->check(CLI::Range(1e-6, 1.0));
+  app.add_option("--dt", options->dt, "length of a time step, s")->check(number)->check(CLI::Range(1e-6, 1.0));
   app.add_option("--vertices", options->vertices, "of the catheter when all of it is in")->check(CLI::Range(2, 5000));
   app.add_option("--link", options->link, "distance of two vertices, units of the mesh; 0: half of the way for all")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number)
+      ->check(CLI::Range(0.0, kMost));
   app.add_option("--speed", options->speed, "of the hand, units a second; 0: to the end of the way in all steps")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--friction", options->friction, "coefficient")->check(CLI::Range(0.0, 100.0));
+      ->check(number)
+      ->check(CLI::Range(0.0, kMost));
+  app.add_option("--friction", options->friction, "coefficient")->check(number)->check(CLI::Range(0.0, 100.0));
   app.add_option("--integrator", options->integrator, "symplectic_euler, implicit_euler or xpbd")
       ->transform(CLI::CheckedTransformer(integrators));
   app.add_option("--level", options->level, "edges or edges_swept")->transform(CLI::CheckedTransformer(levels));

@@ -133,6 +133,9 @@ Record::Record(const Options& options, const Vessel* vessel, const Run* run)
     : options_(options), vessel_(vessel), run_(run), csv_(options.out + "/steps.csv") {
   csv_ << "step,time,vertices,contacts,inserted,removed,cells_visited,orientation_tests,detection_ms,step_ms,reached,"
           "free\n";
+  if (!csv_.flush()) {  // now, not after all steps
+    throw BadInput("cannot write '" + options.out + "/steps.csv'");
+  }
   for (const auto& about : kAbout) {
     series_[about[0]] = Json::array();
   }
@@ -266,7 +269,8 @@ void Record::finish() {
   }
   j["contact_table"] = {{"columns", run_->table().columns()}, {"rows", rows}};
   std::ofstream file(options_.out + "/insertion.json");
-  file << j.dump() << '\n';
+  // A file's name may be no UTF-8.
+  file << j.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
   check_written(&file, options_.out + "/insertion.json");
 }
 

@@ -54,17 +54,21 @@ std::size_t read_corners(const dsw_environment* environment, dsw_volume_id volum
 
 }  // namespace
 
-Vessel::Vessel(const Options& options) {
+Vessel::Vessel(const Options& options)
+    : flow_(new demo_flow(), [](demo_flow* flow) {
+        flow_destroy(flow);
+        delete flow;
+      }) {
   const Mesh mesh(options);
   environment_.reset(create_environment(nullptr, &mesh.mesh));
   mark_wall(environment(), &mesh.mesh);
   tag_regions(environment(), mesh.mesh);
-  check(flow_create(environment(), &mesh.mesh, options.route, &flow_), "finding the ways through the vessel");
-  if (options.route >= flow_.end_count) {
-    throw BadInput("--route " + std::to_string(options.route) + ": the vessel has " + std::to_string(flow_.end_count) +
+  check(flow_create(environment(), &mesh.mesh, options.route, flow_.get()), "finding the ways through the vessel");
+  if (options.route > 0 && options.route >= flow_->end_count) {
+    throw BadInput("--route " + std::to_string(options.route) + ": the vessel has " + std::to_string(flow_->end_count) +
                    " ends, which are numbered from 0");
   }
-  route_.emplace(environment(), flow_);
+  route_.emplace(environment(), *flow_);
   info_.struct_size = sizeof info_;
   check(dsw_environment_get_info(environment(), &info_), "reading the environment");
 }

@@ -2,6 +2,7 @@
 #ifndef DARTSWEEP_INSERTION_VESSEL_H
 #define DARTSWEEP_INSERTION_VESSEL_H
 
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -22,20 +23,17 @@ class Vessel {
   // The host tag of every volume becomes its region, so that contacts tell which tissue was touched. Throws BadInput, LibraryError;
   // ends the program with a message and exit code 2 where cells are no environment.
   explicit Vessel(const Options& options);
-  ~Vessel() { flow_destroy(&flow_); }
-  Vessel(const Vessel&) = delete;
-  Vessel& operator=(const Vessel&) = delete;
 
   dsw_environment* environment() const { return environment_.get(); }
-  const demo_flow& flow() const { return flow_; }
+  const demo_flow& flow() const { return *flow_; }
   const physics::Route& route() const { return *route_; }
   const dsw_environment_info& info() const { return info_; }
   // Of the lumen, as the demo estimates it.
-  double radius() const { return flow_.radius; }
+  double radius() const { return flow_->radius; }
 
  private:
   physics::Environment environment_;
-  demo_flow flow_ = {};
+  std::unique_ptr<demo_flow, void (*)(demo_flow*)> flow_;
   std::optional<physics::Route> route_;
   dsw_environment_info info_ = {};
 };
