@@ -4,7 +4,7 @@
 # FIGURE is 9 (cells tested against the length of a catheter), 11 (time against the size of the scene, with Bullet both ways), 12
 # (what edges cost on a surface of 12,000 vertices, and what eliminations save) or all. Installs what is missing (Debian 12, as
 # root), builds, runs, and prints a table `ours | paper` with a sentence for each figure; CSV, SVG and PNG in build/paper/.
-# MESH is the vessel of figure 9 (.msh, .vtk, .vtu, also gzipped); without it one is made. Figure 12 takes
+# MESH is the vessel of figure 9, in mm (.msh, .vtk, .vtu, also gzipped); without it one is made. Figure 12 takes
 # $DARTSWEEP_DATA/surfaces/hand_12k.obj if there is one, else a ring of 12,000 vertices. --quick: fewer steps and rounds of
 # figures 11 and 12. Exit code 2: a file or an option can't be used; 1: anything else.
 set -euo pipefail

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <unordered_set>
 #include <vector>
@@ -234,9 +235,15 @@ int run(const Options& options) {
   const std::unique_ptr<demo_flow, decltype(&flow_destroy)> owner(&flow, flow_destroy);
   const physics::Route route(environment.get(), flow);
   physics::World world(environment.get(), DSW_FEATURE_STATISTICS);
-  physics::Catheter catheter(&world, &route, options.catheter);
+  std::optional<physics::Catheter> catheter;
+  try {
+    catheter.emplace(&world, &route, options.catheter);
+  } catch (const physics::LibraryError& error) {
+    throw std::invalid_argument("a link of " + std::to_string(options.catheter.link) +
+                                " mm does not fit into the inlet; the mesh has to be in mm (" + error.what() + ")");
+  }
   physics::Table table;
-  const bool free = push(options, options.length > 0 ? options.length : route.length(), &world, &catheter, &table);
+  const bool free = push(options, options.length > 0 ? options.length : route.length(), &world, &*catheter, &table);
   if (options.csv.empty()) {
     physics::write_csv(table, std::cout);
   } else {
@@ -258,7 +265,7 @@ int main(int argc, char** argv) {
   const int code = read_options(argc, argv, &options);
   try {
     return code != 0 ? code : run(options);
-  } catch (const std::invalid_argument& error) {  // of the route: what was given leads nowhere
+  } catch (const std::invalid_argument& error) {  // the mesh leads nowhere, or a link is too long for it
     std::cerr << "catheter_length: " << error.what() << '\n';
     return 2;
   } catch (const std::exception& error) {
