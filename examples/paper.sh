@@ -91,7 +91,7 @@ fi
 
 # Python modules, pinned, in a folder of their own; again only when the list has changed. A mesh file needs its readers.
 lists=("$source/requirements.txt")
-[ -z "$mesh" ] || lists+=("$root/examples/demo/requirements.txt")
+if [ -n "$mesh" ] && wanted 9; then lists+=("$root/examples/demo/requirements.txt"); fi
 if ! cat "${lists[@]}" | cmp -s - "$venv/installed.txt"; then
   echo "installing $(cat "${lists[@]}" | grep -v '^#' | tr '\n' ' ')in build/venv-paper"
   quietly "creating build/venv-paper" python3 -m venv --clear "$venv"

@@ -273,6 +273,10 @@ void deform_curves(const Options& options) {
       point.seconds = with_edges.seconds / static_cast<double>(point.count);
       point.error = std::max(0.0, 1 - with_edges.way);
       point.note = text("%d deformations; %zu edges not free", n, with_edges.not_free);
+      if (bent.lost + with_edges.not_free > 0) {  // the sentences below say that neither happens
+        throw std::runtime_error(text("%s in %d deformations: %zu particles lost, %zu edges not free",
+                                      point.method.c_str(), n, bent.lost, with_edges.not_free));
+      }
       way.points.push_back(point);
     }
   }
