@@ -9,15 +9,16 @@
 namespace insertion {
 namespace {
 
-const char* const kAbout[][2] = {{"time", "s, at the frame"},
-                                 {"reached", "how far along the route the tip is, at the frame"},
-                                 {"vertices", "of the catheter, at the frame"},
-                                 {"contacts", "sum over the steps since the frame before"},
-                                 {"cells_tested_share", "largest of one step: cells tested over all cells of the mesh"},
-                                 {"orientation_tests", "sum over the steps since the frame before"},
-                                 {"detection_ms", "mean of a step: the library's move"},
-                                 {"step_ms", "mean of a step: physics and the library's move, verification left out"},
-                                 {"verified", "1: exactly free after every step since the frame before"}};
+const char* const kAbout[][2] = {
+    {"time", "s, at the frame"},
+    {"reached", "how far along the route the tip is, at the frame"},
+    {"vertices", "of the catheter, at the frame"},
+    {"contacts", "sum over the steps since the frame before"},
+    {"cells_tested_share", "largest of one step: cells tested over all cells of the mesh"},
+    {"orientation_tests", "of casts, those of floods not counted; sum over the steps since the frame before"},
+    {"detection_ms", "mean of a step: the library's move"},
+    {"step_ms", "mean of a step: physics and the library's move, verification left out"},
+    {"verified", "1: exactly free after every step since the frame before"}};
 
 // Seven digits are what a screen can show; all of them would double the file.
 double rounded(double value) {
