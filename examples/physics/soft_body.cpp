@@ -144,6 +144,13 @@ void SoftBody::follow_edits(StepReport* report) {
     const dsw_body_edit& edit = edits[i];
     std::size_t a = edit.ends[0].index, b = edit.ends[1].index, vertex = edit.vertex.index;
     double share = edit.share;
+    // A contact of a vertex that was here before says nothing of this one.
+    known_.erase(std::remove_if(known_.begin(), known_.end(),
+                                [vertex](const Touch& touch) {
+                                  return std::find(touch.point, touch.point + touch.count, vertex) !=
+                                         touch.point + touch.count;
+                                }),
+                 known_.end());
     if (edit.inserted != 0) {
       points.split(a, b, vertex, share, options.omega);
       springs.split(a, b, vertex, share);
