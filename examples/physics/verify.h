@@ -14,8 +14,8 @@ struct Verdict {
   bool good() const { return nonfinite == 0 && not_free == 0 && lost == 0; }
 };
 
-// Casts every edge through the environment alone, and finds every vertex again, without a hint unless walls have folded cells over others. A surface is created once more where it is,
-// which fails unless it is free at its level. Throws LibraryError.
+// Casts every edge through the environment alone, and finds every vertex again: without a hint or, where walls have folded cells over
+// others, from its own cell. A surface is created once more where it is, which fails unless it is free at its level. Throws LibraryError.
 // O(edges + vertices), given an environment with a grid.
 Verdict verify(dsw_scene* scene, dsw_body_id body);
 

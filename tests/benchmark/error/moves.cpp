@@ -118,8 +118,4 @@ std::vector<dsw_contact> Movers::contacts(std::size_t i) const {
   return {contacts, contacts + count};
 }
 
-std::vector<Vec> Movers::positions(std::size_t i) const {
-  return positions_of(scene_.get(), bodies_[i], trips_[i]->targets.size());
-}
-
 }  // namespace dsw::curves

@@ -59,8 +59,6 @@ class Movers {
   void run();
   /** Contacts of body i in the last run. */
   std::vector<dsw_contact> contacts(std::size_t i) const;
-  /** Where its vertices are. */
-  std::vector<Vec> positions(std::size_t i) const;
 
  private:
   void add(const Trip& trip);

@@ -45,7 +45,6 @@ class Place {
   oracle::SweepWorld& exact() { return *exact_; }
   /** The impassable faces, for the peers. */
   const bench::WallMesh& walls() const { return *walls_; }
-  int side() const { return side_; }
 
   /** A random point of a random cell in which something can move. */
   Vec point(Rng& rng);
