@@ -41,7 +41,7 @@ class Run {
   const physics::CatheterOptions& made_of() const { return made_of_; }
   // Of the last step.
   const dsw_contact* contacts(std::size_t* count) const;
-  bool good() const { return totals_.steps == totals_.exactly_free; }
+  bool good() const { return totals_.steps == totals_.exactly_free && totals_.refused == 0; }
 
  private:
   void count_cells(Step* step);
