@@ -88,30 +88,30 @@ bool measure_integrators(const std::string& folder, bool quick) {
 }
 
 bool measure_solvers(const std::string& folder, bool quick) {
-  constexpr double kStep = 1e-2, kTime = 0.5;
+  constexpr double kRopeStep = 1e-2, kRopeTime = 0.5;
   const std::vector<int> sweeps =
       quick ? std::vector<int>{1, 4, 16, 64, 256} : std::vector<int>{1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 4096};
   CurvePanel panel{"steps", "time step", "largest distance to the solved step", "m", {}};
   std::string advice = "For 1 mm";
   for (const double stiffness : {1e1, 1e3, 1e5}) {  // m / dt^2
-    const Swing swing(stiffness * Swing::kMass / (kStep * kStep));
+    const Swing swing(stiffness * Swing::kMass / (kRopeStep * kRopeStep));
     const std::string name = " at k = " + in_words(stiffness) + " m/dt^2";
     std::vector<Positions> solved, trace;
     IntegratorOptions options;
     options.method = Integrator::kImplicitEuler;
     options.newton_steps = 100;
-    run(swing, options, kStep, kTime, &solved);
+    run(swing, options, kRopeStep, kRopeTime, &solved);
     const std::size_t count = Swing::kLinks * solved.size();
     for (const int steps : {1, 2, 4, 8, 16}) {
       options.newton_steps = steps;
-      const double seconds = run(swing, options, kStep, kTime, &trace) * kStep / kTime;
+      const double seconds = run(swing, options, kRopeStep, kRopeTime, &trace) * kRopeStep / kRopeTime;
       panel.points.push_back({"implicit_euler" + name, static_cast<double>(steps), seconds, distance_of(trace, solved),
                               count, "Newton steps"});
     }
     options.method = Integrator::kXpbd;
     for (const int steps : sweeps) {
       options.sweeps = steps;
-      const double seconds = run(swing, options, kStep, kTime, &trace) * kStep / kTime;
+      const double seconds = run(swing, options, kRopeStep, kRopeTime, &trace) * kRopeStep / kRopeTime;
       panel.points.push_back(
           {"xpbd" + name, static_cast<double>(steps), seconds, distance_of(trace, solved), count, "sweeps"});
     }
