@@ -549,3 +549,5 @@ AT(dsw_replay_report, outcome, 16);
 AT(dsw_replay_report, status, 20);
 AT(dsw_replay_report, has_failed, 24);
 AT(dsw_replay_report, reserved, 28);
+
+SIZE(dsw_replay_outcome, 4);

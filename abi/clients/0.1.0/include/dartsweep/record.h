@@ -28,8 +28,8 @@ typedef struct dsw_recording_desc {
 DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
 
 /** Begins to record a scene: writes snapshots of its environment and of what is in it; from now on each call that changes either is
- * written before it is made, and after it what came of it. Calls that are refused for their arguments change nothing and are not
- * written. Of a deformation those points are written that move. To record one call is to begin, call and end.
+ * written before it is made, and after it what came of it. Calls that are refused change nothing: they are not written, or as calls that
+ * failed. Of a deformation those points are written that move. To record one call is to begin, call and end.
  * @param desc [in] with a path or a function.
  * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, UNSUPPORTED (flags; both path and function), IN_USE (it is being recorded), OUT_OF_MEMORY,
  * WRITE_FAILED: nothing is recorded, though something may have been written.

@@ -68,8 +68,8 @@ DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
  * @note O(1); the first with DSW_FEATURE_DEFORMING O(volumes). Thread: writer of the environment. @since 0.1 */
 DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc, dsw_scene **scene);
 
-/** Destroys a scene with all it holds. @param scene [in] null is allowed. @note Thread: writer of the environment.
- * @since 0.1 */
+/** Destroys a scene with all it holds. @param scene [in] null is allowed. @return DSW_STATUS_IN_USE: it belongs to a replay.
+ * @note Thread: writer of the environment. @since 0.1 */
 DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);
 
 /** The environment of a scene. @return null for a null scene. @note Thread: reader. @since 0.1 */
