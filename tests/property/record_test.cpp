@@ -258,7 +258,8 @@ TEST(DamagedRecordingTest, IsFoundOrReplayedUpToWhereItEnds) {
   ASSERT_GT(all, 2u);
   size_t unfinished = 0, ended = 0;
   for (size_t size = beginning; size <= recording.size(); size += 8) {
-    const ReplayPtr replay = open_replay(recording.substr(0, size));
+    const std::string part = recording.substr(0, size);  // the replay reads it as long as it lives
+    const ReplayPtr replay = open_replay(part);
     dsw_replay_report report = {};
     do {
       ASSERT_EQ(dsw_replay_step(replay.get(), &report), DSW_STATUS_OK) << dsw_last_error_message();
