@@ -22,13 +22,15 @@ static int scan(FILE *file, demo_surface *surface, int take) {
   rewind(file);
   while (fgets(line, sizeof line, file) != NULL) {
     if (line[0] == 'v' && line[1] == ' ') {
-      double *p = surface->points + 3 * points++;
+      double *p = take ? surface->points + 3 * points : NULL;
+      ++points;
       if (take && sscanf(line + 2, "%lf %lf %lf", p, p + 1, p + 2) != 3) {
         return 0;
       }
     } else if (line[0] == 'f' && line[1] == ' ') {
-      uint32_t *corners = surface->corners + 3 * triangles++;
+      uint32_t *corners = take ? surface->corners + 3 * triangles : NULL;
       char *at = line + 2;
+      ++triangles;
       for (int k = 0; take && k < 3; ++k) {
         long corner = strtol(at, &at, 10);
         if (corner < 1 || (size_t)corner > surface->point_count) {
