@@ -17,16 +17,15 @@ void check_count(size_t count, size_t least, const char* name) {
 }
 
 template <class Desc>
-dsw::PointArray read_points(const Desc& d) {
-  const dsw::PointArray points = capi::to_points(d.points, d.point_count, d.point_stride_bytes, "desc->points");
-  dsw::check_finite(points, d.point_count, 3, {"desc->points", true});
-  return points;
-}
-
-/** As they were read. */
-template <class Desc>
 capi::Points points_of(const Desc& d) {
   return {capi::to_points(d.points, d.point_count, d.point_stride_bytes, "desc->points"), d.point_count};
+}
+
+template <class Desc>
+dsw::PointArray read_points(const Desc& d) {
+  const dsw::PointArray points = points_of(d).points;
+  dsw::check_finite(points, d.point_count, 3, {"desc->points", true});
+  return points;
 }
 
 dsw::Blade read_shape(const dsw::Memory* memory, const dsw_carve_desc& d) {

@@ -16,9 +16,16 @@ dsw::FlightOptions to_flight_options(const dsw_cast_options* options) {
   return {o.max_cells, o.detail};
 }
 
-/** Options that have been read, as they are written down. */
-dsw_cast_options recorded(const dsw_cast_options* options) {
-  return capi::without(options == nullptr ? dsw_cast_options{} : capi::read_struct(options, "options"));
+/** Options that have been checked; read again only if they are written down. */
+struct Given {
+  const dsw_cast_options* options;
+};
+
+template <class Use>
+void for_each_part(const Given& given, const Use& use) {
+  const dsw_cast_options o =
+      capi::without(given.options == nullptr ? dsw_cast_options{} : capi::read_struct(given.options, "options"));
+  use(&o, sizeof o);
 }
 
 /** Where particles are. */
@@ -121,7 +128,7 @@ dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const d
     capi::require(target, "target");
     const dsw::FlightOptions o = to_flight_options(options);
     check_particle(s, particle);
-    capi::Recorded call(scene, capi::Call::kMoveParticle, particle, capi::Points{{target, 3}, 1}, recorded(options));
+    capi::Recorded call(scene, capi::Call::kMoveParticle, particle, capi::Points{{target, 3}, 1}, Given{options});
     move_particle(s, particle, target, o, flight);
     call.done(s.particles[particle.index].position);
   });
@@ -136,7 +143,7 @@ dsw_status dsw_scene_move_particles(dsw_scene* scene, const dsw_particle_id* par
     const dsw::PointArray points = capi::to_points(targets, count, stride_bytes, "targets");
     const dsw::FlightOptions o = to_flight_options(options);
     capi::Recorded call(scene, capi::Call::kMoveParticles, capi::Items<dsw_particle_id>{particles, count},
-                        capi::Points{points, count}, recorded(options));
+                        capi::Points{points, count}, Given{options});
     move_particles(s, particles, count, points, o, flights);
     call.done(Places{s, particles, count});
   });
@@ -152,7 +159,7 @@ dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id
     capi::require_array(flights, count, "flights");
     const dsw::FlightOptions o = to_flight_options(options);
     capi::Recorded call(scene, capi::Call::kCastFromParticles, capi::Items<dsw_particle_id>{particles, count},
-                        capi::Points{points, count}, recorded(options));
+                        capi::Points{points, count}, Given{options});
     cast_from_particles(s, particles, count, points, o, flights);
     call.done(capi::Items<dsw_flight>{flights, count});
   });

@@ -13,9 +13,7 @@ using dsw::fail;
 
 namespace {
 
-size_t blade_points(const dsw_cut_desc& d) noexcept { return size_t{d.rows} * d.columns; }
-
-dsw::Blade read_blade(const dsw::Memory* memory, const dsw_cut_desc& d) {
+capi::Points read_points(const dsw_cut_desc& d) {
   if (d.rows < 2 || d.columns < 2) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->rows is %u and desc->columns is %u, must be 2 at least", d.rows, d.columns);
   }
@@ -23,10 +21,10 @@ dsw::Blade read_blade(const dsw::Memory* memory, const dsw_cut_desc& d) {
     fail(DSW_STATUS_TOO_LARGE, "desc->rows is %u and desc->columns is %u, together must be below 2^28 points", d.rows,
          d.columns);
   }
-  const size_t count = blade_points(d);
+  const size_t count = size_t{d.rows} * d.columns;
   const dsw::PointArray points = capi::to_points(d.points, count, d.point_stride_bytes, "desc->points");
   dsw::check_finite(points, count, 3, {"desc->points", true});
-  return dsw::Blade::of_grid(memory, points, d.rows, d.columns);
+  return {points, count};
 }
 
 dsw::CutSettings read_settings(const dsw_cut_desc& d) {
@@ -49,10 +47,9 @@ dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc*
     const dsw_cut_desc d = capi::read_struct(desc, "desc");
     const dsw::CutSettings settings = read_settings(d);
     dsw::Environment<3>& env = handle.engine;
-    const dsw::Blade blade = read_blade(env.memory, d);
+    const capi::Points points = read_points(d);
+    const dsw::Blade blade = dsw::Blade::of_grid(env.memory, points.points, d.rows, d.columns);
     capi::check_hint(env.map, d.start, "desc->start");
-    const capi::Points points{capi::to_points(d.points, blade_points(d), d.point_stride_bytes, "desc->points"),
-                              blade_points(d)};
     capi::Recorded call(scene, capi::Call::kCut, capi::without(d, &dsw_cut_desc::points), points);
     uint32_t visited = 0;
     const dsw::Cell hint = dsw::is_null(d.start) ? dsw::Cell{} : env.map.cell(d.start.index);

@@ -266,7 +266,7 @@ void StarSweep::find_all(const Body& body, uint32_t v, const double* to, const S
   if (path.end == CastEnd::kHit) all.push_back({path_contact(env_, path), kNone, kNone});
   if (body.level == SweepLevel::kPoints) return;
   const auto collect = [&](uint32_t e) {
-    flood_.sweep(EdgeMotion{at.position, to, body.position(body.edges[e].other(v))}, at.cell, max_cells, true);
+    flood(EdgeMotion{at.position, to, body.position(body.edges[e].other(v))}, at.cell, true);
     for (const SweepContact& each : flood_.all()) {
       // The diagonal of a flat face is nothing to be met, but where the shift meets it first.
       const bool flat = kind_of(each) == ContactKind::kPlane && env_.map.convex(each.front) &&

@@ -110,9 +110,9 @@ class StarSweep {
   const Partners* partners = nullptr;  // other bodies that the body can meet; null: none
 
  private:
-  template <class Motion>
-  SweepResult flood(const Motion& m, Cell start) {
-    const SweepResult swept = flood_.sweep(m, start, max_cells);
+  template <class Motion, class... Collect>
+  SweepResult flood(const Motion& m, Cell start, Collect... collect) {
+    const SweepResult swept = flood_.sweep(m, start, max_cells, collect...);
     if (counters != nullptr) counters->cells_visited += swept.cells_visited;
     return swept;
   }
