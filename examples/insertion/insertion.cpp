@@ -82,10 +82,10 @@ Step Run::step() {
   std::for_each(all, all + count, [this](const dsw_contact& contact) { table_.add(contact); });
 
   const physics::Verdict verdict = physics::verify(world_.scene(), catheter_->body().id());
-  step.free = verdict.good();
+  step.free = verdict.good() && verdict.from_own == 0;  // nothing bends: no volume lies over another
   step.vertices = verdict.vertices;
   totals_.not_free += verdict.not_free;
-  totals_.lost += verdict.lost;
+  totals_.lost += verdict.lost + verdict.from_own;
   totals_.edges_verified += verdict.edges;
   totals_.vertices_verified += verdict.vertices;
   totals_.refused += report.status == DSW_STATUS_OK ? 0 : 1;

@@ -82,8 +82,11 @@ bool measure_integrators(const std::string& folder, bool quick) {
                                       in_words(1e3 * point->seconds_per_item) + " ms)");
   }
   const double limit = 2 / std::sqrt(4 * kStiffness / Swing::kMass);
+  const auto others = std::count_if(panel.points.begin(), panel.points.end(), [](const CurvePoint& point) {
+    return !point.note.empty() && point.method != name_of(Integrator::kSymplecticEuler);
+  });
   advice += ". All three are of first order; symplectic Euler, the cheapest, explodes beyond dt = " + in_words(limit) +
-            " s here, the others never do.";
+            " s here, the others at " + (others == 0 ? "none" : std::to_string(others)) + " of the steps tried.";
   return write_curve(folder, "integrator", {panel}, advice) && write_swing(folder + "/swing.json", swing, steps, truth);
 }
 

@@ -86,7 +86,9 @@ Verdict verify(dsw_scene* scene, dsw_body_id body) {
     const dsw_volume_id reported = volumes[vertex.index];
     // Where walls have folded cells over, a cell that nobody met may lie over the one that holds the vertex: the walk from that one's own
     // centre decides.
-    verdict.lost += is_in(environment, p, reported, {0, 0}) || is_in(environment, p, reported, reported) ? 0 : 1;
+    if (!is_in(environment, p, reported, {0, 0})) {
+      ++(is_in(environment, p, reported, reported) ? verdict.from_own : verdict.lost);
+    }
   }
   for (const dsw_body_edge_id& edge : edges) {
     dsw_body_vertex_id ends[2];

@@ -10,7 +10,8 @@ struct Verdict {
   std::size_t edges = 0, vertices = 0;  // looked at
   std::size_t nonfinite = 0;            // vertices whose position is no number
   std::size_t not_free = 0;             // edges that meet something impassable; one more for a surface that does
-  std::size_t lost = 0;  // vertices that are not in the volume that the body reports, or not in a passable one
+  std::size_t lost = 0;      // vertices that are not in the volume that the body reports, or not in a passable one
+  std::size_t from_own = 0;  // of the others: found only from that volume, since another one lies over it
   bool good() const { return nonfinite == 0 && not_free == 0 && lost == 0; }
 };
 
