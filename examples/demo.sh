@@ -14,10 +14,8 @@ usage() {
   sed -n '2,11s/^# \{0,1\}//p' "$0"
   exit "$1"
 }
-fail() {
-  echo "demo: $2" >&2
-  exit "$1"
-}
+name=demo
+. "$(dirname "$0")/setup.sh"
 
 [ $# -le 3 ] || usage 2 >&2
 case "${1:-}" in
@@ -50,46 +48,15 @@ log=$out/log.txt
 mkdir -p "$out"
 : > "$log"
 
-# Runs a command with its output in the log; on failure shows the end of it.
-quietly() {
-  local what=$1
-  shift
-  "$@" >> "$log" 2>&1 < /dev/null || {
-    tail -n 20 "$log" >&2
-    fail 1 "$what failed; all of its output is in $log"
-  }
-}
-
-# Packages: each line is a test that it is there, and what to install if it is not.
-missing=()
-command -v c++ > /dev/null && command -v cc > /dev/null || missing+=(g++)
-command -v cmake > /dev/null || missing+=(cmake)
-command -v make > /dev/null || missing+=(make)
-[ -e /usr/include/eigen3/Eigen/Core ] || missing+=(libeigen3-dev)
-[ -e /usr/include/CLI/CLI.hpp ] || missing+=(libcli11-dev)
-[ -e /usr/include/nlohmann/json.hpp ] || missing+=(nlohmann-json3-dev)
-python3 -c 'import ensurepip, venv' 2> /dev/null || missing+=(python3-venv)
+needs_build_tools
+needs_header CLI/CLI.hpp libcli11-dev
+needs_header nlohmann/json.hpp nlohmann-json3-dev
+needs_venv
 ldconfig -p 2> /dev/null | grep -q 'libOSMesa\.so' || /sbin/ldconfig -p | grep -q 'libOSMesa\.so' ||
   missing+=(libosmesa6)
-if [ ${#missing[@]} -gt 0 ]; then
-  command -v apt-get > /dev/null && [ "$(id -u)" -eq 0 ] ||
-    fail 1 "these packages are missing and only root on Debian can have them installed here: ${missing[*]}"
-  echo "installing ${missing[*]}"
-  export DEBIAN_FRONTEND=noninteractive
-  quietly "updating the package lists" apt-get update -q
-  quietly "installing ${missing[*]}" apt-get install -q -y --no-install-recommends "${missing[@]}"
-fi
+install_missing
 
-# Python modules, pinned, in a folder of their own; again only when the list has changed.
-lists=("$source/requirements.txt" "$insertion/requirements.txt" "$insertion/page/requirements.txt")
-wanted=$(cat "${lists[@]}")
-if [ "$wanted" != "$(cat "$venv/installed.txt" 2> /dev/null)" ]; then
-  echo "installing $(grep -v '^#' <<< "$wanted" | tr '\n' ' ')in build/venv"
-  quietly "creating build/venv" python3 -m venv --clear "$venv"
-  quietly "installing Python modules" \
-    "$venv/bin/python" -m pip install --disable-pip-version-check "${lists[@]/#/-r}"
-  echo "$wanted" > "$venv/installed.txt"
-fi
+make_venv "$venv" python3 "$source/requirements.txt" "$insertion/requirements.txt" "$insertion/page/requirements.txt"
 
 echo "building the library and the examples"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}

@@ -13,10 +13,8 @@ usage() {
   sed -n '2,9s/^# \{0,1\}//p' "$0"
   exit "$1"
 }
-fail() {
-  echo "paper: $2" >&2
-  exit "$1"
-}
+name=paper
+. "$(dirname "$0")/setup.sh"
 
 figures=() quick=() mesh=
 for argument in "$@"; do
@@ -47,57 +45,22 @@ log=$out/log.txt
 mkdir -p "$out"
 : > "$log"
 
-# Runs a command with its output in the log; on failure shows the end of it.
-quietly() {
-  local what=$1
-  shift
-  "$@" >> "$log" 2>&1 < /dev/null || {
-    tail -n 20 "$log" >&2
-    fail 1 "$what failed; all of its output is in $log"
-  }
-}
-
-# Packages, each with a test that it is there.
-missing=()
-header() {
-  local folder
-  for folder in /usr/include /usr/local/include /usr/include/*-linux-gnu; do
-    [ ! -e "$folder/$1" ] || return 0
-  done
-  missing+=("$2")
-}
-command -v c++ > /dev/null && command -v cc > /dev/null || missing+=(g++)
-command -v cmake > /dev/null || missing+=(cmake)
-command -v make > /dev/null || missing+=(make)
-header eigen3/Eigen/Core libeigen3-dev
-python3 -c 'import ensurepip, venv' 2> /dev/null || missing+=(python3-venv)
+needs_build_tools
+needs_venv
 if [ -n "$benchmark" ]; then
   command -v pkg-config > /dev/null || missing+=(pkg-config)
-  header embree3/rtcore.h libembree-dev
-  header bullet/btBulletCollisionCommon.h libbullet-dev
-  header CGAL/version.h libcgal-dev
-  header gmpxx.h libgmp-dev
-  header nlohmann/json.hpp nlohmann-json3-dev
-  header CLI/CLI.hpp libcli11-dev
+  needs_header embree3/rtcore.h libembree-dev
+  needs_header bullet/btBulletCollisionCommon.h libbullet-dev
+  needs_header CGAL/version.h libcgal-dev
+  needs_header gmpxx.h libgmp-dev
+  needs_header nlohmann/json.hpp nlohmann-json3-dev
+  needs_header CLI/CLI.hpp libcli11-dev
 fi
-if [ ${#missing[@]} -gt 0 ]; then
-  command -v apt-get > /dev/null && [ "$(id -u)" -eq 0 ] ||
-    fail 1 "these packages are missing and only root on Debian can have them installed here: ${missing[*]}"
-  echo "installing ${missing[*]}"
-  export DEBIAN_FRONTEND=noninteractive
-  quietly "updating the package lists" apt-get update -q
-  quietly "installing ${missing[*]}" apt-get install -q -y --no-install-recommends "${missing[@]}"
-fi
+install_missing
 
-# Python modules, pinned, in a folder of their own; again only when the list has changed. A mesh file needs its readers.
 lists=("$source/requirements.txt")
-if [ -n "$mesh" ] && wanted 9; then lists+=("$root/examples/demo/requirements.txt"); fi
-if ! cat "${lists[@]}" | cmp -s - "$venv/installed.txt"; then
-  echo "installing $(cat "${lists[@]}" | grep -v '^#' | tr '\n' ' ')in build/venv-paper"
-  quietly "creating build/venv-paper" python3 -m venv --clear "$venv"
-  quietly "installing Python modules" "$venv/bin/python" -m pip install --disable-pip-version-check "${lists[@]/#/-r}"
-  cat "${lists[@]}" > "$venv/installed.txt"
-fi
+if [ -n "$mesh" ] && wanted 9; then lists+=("$root/examples/demo/requirements.txt"); fi # readers of meshes
+make_venv "$venv" python3 "${lists[@]}"
 
 echo "building the library and the programs"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}

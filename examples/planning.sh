@@ -10,10 +10,8 @@ usage() {
   sed -n '2,6s/^# \{0,1\}//p' "$0"
   exit "$1"
 }
-fail() {
-  echo "planning: $1" >&2
-  exit 1
-}
+name=planning
+. "$(dirname "$0")/setup.sh"
 case "${1:-}" in -h | --help) usage 0 ;; esac
 
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -24,41 +22,13 @@ log=$out/log.txt
 mkdir -p "$out"
 : > "$log"
 
-# Runs a command with its output in the log; on failure shows the end of it.
-quietly() {
-  local what=$1
-  shift
-  "$@" >> "$log" 2>&1 < /dev/null || {
-    tail -n 20 "$log" >&2
-    fail "$what failed; all of its output is in $log"
-  }
-}
-
-# Packages: each line is a test that it is there, and what to install if it is not.
-missing=()
-command -v c++ > /dev/null && command -v cc > /dev/null || missing+=(g++)
-command -v cmake > /dev/null || missing+=(cmake)
-command -v make > /dev/null || missing+=(make)
-[ -e /usr/include/eigen3/Eigen/Core ] || missing+=(libeigen3-dev)
+needs_build_tools
+needs_venv /usr/bin/python3 # not that of a version manager: python3-dev belongs to this one
 command -v swig > /dev/null || missing+=(swig)
 [ -n "$(find /usr/include -path '/usr/include/python3*/Python.h' -print -quit)" ] || missing+=(python3-dev)
-/usr/bin/python3 -c 'import ensurepip, venv' 2> /dev/null || missing+=(python3-venv)
-if [ ${#missing[@]} -gt 0 ]; then
-  command -v apt-get > /dev/null && [ "$(id -u)" -eq 0 ] ||
-    fail "these packages are missing and only root on Debian can have them installed here: ${missing[*]}"
-  echo "installing ${missing[*]}"
-  export DEBIAN_FRONTEND=noninteractive
-  quietly "updating the package lists" apt-get update -q
-  quietly "installing ${missing[*]}" apt-get install -q -y --no-install-recommends "${missing[@]}"
-fi
+install_missing
 
-# Python modules, pinned, in a folder of their own; again only when the list has changed.
-if ! cmp -s "$source/requirements.txt" "$venv/installed.txt"; then
-  echo "installing Python modules"
-  quietly "creating build/planning/venv" /usr/bin/python3 -m venv --clear "$venv"
-  quietly "installing Python modules" "$venv/bin/pip" install --disable-pip-version-check -r "$source/requirements.txt"
-  cp "$source/requirements.txt" "$venv/installed.txt"
-fi
+make_venv "$venv" /usr/bin/python3 "$source/requirements.txt"
 
 echo "building the library and its Python binding"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}

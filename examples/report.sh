@@ -11,10 +11,8 @@ usage() {
   sed -n '2,7s/^# \{0,1\}//p' "$0"
   exit "$1"
 }
-fail() {
-  echo "report: $2" >&2
-  exit "$1"
-}
+name=report
+. "$(dirname "$0")/setup.sh"
 
 quick=()
 for argument in "$@"; do
@@ -34,31 +32,9 @@ log=$out/log.txt
 mkdir -p "$out"
 : > "$log"
 
-# Runs a command with its output in the log; on failure shows the end of it.
-quietly() {
-  local what=$1
-  shift
-  "$@" >> "$log" 2>&1 < /dev/null || {
-    tail -n 20 "$log" >&2
-    fail 1 "$what failed; all of its output is in $log"
-  }
-}
-
-# Packages: each line is a test that it is there, and what to install if it is not.
-missing=()
-needs_header() {
-  local folder
-  for folder in /usr/include /usr/local/include /usr/include/*-linux-gnu; do
-    [ ! -e "$folder/$1" ] || return 0
-  done
-  missing+=("$2")
-}
-command -v c++ > /dev/null && command -v cc > /dev/null || missing+=(g++)
-command -v cmake > /dev/null || missing+=(cmake)
-command -v make > /dev/null || missing+=(make)
+needs_build_tools
+needs_venv
 command -v pkg-config > /dev/null || missing+=(pkg-config)
-python3 -c 'import ensurepip, venv' 2> /dev/null || missing+=(python3-venv)
-needs_header eigen3/Eigen/Core libeigen3-dev
 needs_header gmpxx.h libgmp-dev
 needs_header bullet/btBulletCollisionCommon.h libbullet-dev
 needs_header embree3/rtcore.h libembree-dev
@@ -67,14 +43,7 @@ needs_header CLI/CLI.hpp libcli11-dev
 needs_header nlohmann/json.hpp nlohmann-json3-dev
 needs_header fcl/fcl.h libfcl-dev
 needs_header ccd/ccd.h libccd-dev
-if [ ${#missing[@]} -gt 0 ]; then
-  command -v apt-get > /dev/null && [ "$(id -u)" -eq 0 ] ||
-    fail 1 "these packages are missing and only root on Debian can have them installed here: ${missing[*]}"
-  echo "installing ${missing[*]}"
-  export DEBIAN_FRONTEND=noninteractive
-  quietly "updating the package lists" apt-get update -q
-  quietly "installing ${missing[*]}" apt-get install -q -y --no-install-recommends "${missing[@]}"
-fi
+install_missing
 
 quietly "installing Python modules in build/venv-report" "$source/venv.sh"
 peers=" " skipped=()
