@@ -23,9 +23,9 @@ typedef struct dsw_coarsen_options {
 
 /** What coarsening did. Pairs are before and after. */
 typedef struct dsw_coarsen_report {
-  uint32_t struct_size; /**< Set by the caller: sizeof(dsw_coarsen_report). */
-  uint32_t complete;    /**< 0: the work limit ended it. */
-  uint32_t volume_count[2];
+  uint32_t struct_size;     /**< Set by the caller: sizeof(dsw_coarsen_report). */
+  uint32_t complete;        /**< 0: the work limit ended it. */
+  uint32_t volume_count[2]; /**< Volumes. */
   uint32_t face_count[2];   /**< A face between two volumes counts once. */
   uint64_t memory_bytes[2]; /**< As in dsw_environment_info. */
   double passable_area

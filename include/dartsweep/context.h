@@ -23,11 +23,11 @@ typedef void (*dsw_release_fn)(void *user, void *memory, size_t size_bytes, size
 
 /** Weight of a log line. */
 typedef enum dsw_log_level {
-  DSW_LOG_NONE = 0,
-  DSW_LOG_ERROR = 1,
-  DSW_LOG_WARNING = 2,
-  DSW_LOG_INFO = 3,
-  DSW_LOG_FORCE_INT32 = 0x7fffffff
+  DSW_LOG_NONE = 0,                /**< No line. */
+  DSW_LOG_ERROR = 1,               /**< Something went wrong. */
+  DSW_LOG_WARNING = 2,             /**< Something that a host may want to change. */
+  DSW_LOG_INFO = 3,                /**< What was done. */
+  DSW_LOG_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_log_level;
 
 /** Receives one line of text, valid during the call, on the thread of the dsw call. No lock is held; it must

@@ -24,13 +24,14 @@ typedef struct dsw_recording_desc {
   void *user;         /**< Handed to `write`. */
 } dsw_recording_desc;
 
-/** Writes the defaults and struct_size into at most `size` bytes. @param desc [out] may be null. @note Thread: any. @since 0.1 */
+/** Writes the defaults and struct_size into at most `size` bytes.
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_recording_desc). @note Thread: any. @since 0.1 */
 DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
 
 /** Begins to record a scene: writes snapshots of its environment and of what is in it; from now on each call that changes either is
  * written before it is made, and after it what came of it. Calls that are refused change nothing: they are not written, or as calls that
  * failed. Of a deformation those points are written that move. To record one call is to begin, call and end.
- * @param desc [in] with a path or a function.
+ * @param scene [in,out] @param desc [in] with a path or a function.
  * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, UNSUPPORTED (flags; both path and function), IN_USE (it is being recorded), OUT_OF_MEMORY,
  * WRITE_FAILED: nothing is recorded, though something may have been written.
  * @note O(environment). Each call then costs the writing of its arguments; a scene that is not recorded pays nothing. Thread: writer of the
@@ -38,6 +39,7 @@ DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
 DSW_API dsw_status dsw_scene_start_recording(dsw_scene *scene, const dsw_recording_desc *desc);
 
 /** Ends it. A scene that is destroyed ends its recording, too.
+ * @param scene [in,out]
  * @return DSW_STATUS_WRITE_FAILED: something could not be written, and nothing was written after it; it has ended all the same. OK also
  * where nothing is recorded. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_scene_stop_recording(dsw_scene *scene);
@@ -53,7 +55,7 @@ typedef enum dsw_replay_outcome {
   DSW_REPLAY_UNFINISHED =
       2,              /**< What came of it was not recorded: the process died in it. It was made here all the same. */
   DSW_REPLAY_END = 3, /**< There is no further call. */
-  DSW_REPLAY_OUTCOME_FORCE_INT32 = 0x7fffffff
+  DSW_REPLAY_OUTCOME_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_replay_outcome;
 
 /** One step of a replay. */
@@ -67,7 +69,8 @@ typedef struct dsw_replay_report {
 } dsw_replay_report;
 
 /** Opens a recording. The bytes are not trusted.
- * @param context [in] as for dsw_environment_create. @param recording [in] any alignment; retained until the replay is destroyed.
+ * @param context [in] as for dsw_environment_create.
+ * @param recording [in] any alignment; retained until the replay is destroyed. @param size_bytes [in] its size.
  * @param replay [out] owned by the caller.
  * @return DSW_STATUS_NULL_ARGUMENT, TRUNCATED (before the first call), BAD_VERSION, CORRUPT, OUT_OF_MEMORY.
  * @note O(environment). Thread: any. @since 0.1 */
@@ -79,11 +82,13 @@ DSW_API dsw_status dsw_replay_create(dsw_context *context, const void *recording
 DSW_API dsw_status dsw_replay_destroy(dsw_replay *replay);
 
 /** The scene as it is after the last step; its environment is that of dsw_scene_get_environment. To look at, to save or to record the
- * next step alone; a replay of what somebody else has changed tells nothing. @param scene [out] owned by the replay. @note Thread: reader.
- * @since 0.1 */
+ * next step alone; a replay of what somebody else has changed tells nothing.
+ * @param replay [in] @param scene [out] owned by the replay.
+ * @return DSW_STATUS_NULL_ARGUMENT. @note Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_replay_get_scene(const dsw_replay *replay, dsw_scene **scene);
 
-/** Makes the next call. @param report [out] what it was, and whether it did the same.
+/** Makes the next call.
+ * @param replay [in,out] @param report [out] what it was, and whether it did the same.
  * @return DSW_STATUS_CORRUPT: the recording is damaged here, or has a call that this version does not know; no call was made. What the call
  * itself answered is in the report. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_replay_step(dsw_replay *replay, dsw_replay_report *report);

@@ -41,8 +41,8 @@ typedef struct dsw_scene_desc {
 
 /** Counters since creation or the last reset; exact and the same for any number of threads. */
 typedef struct dsw_statistics {
-  uint32_t struct_size; /**< Set by the caller: sizeof(dsw_statistics). */
-  uint32_t reserved;
+  uint32_t struct_size;   /**< Set by the caller: sizeof(dsw_statistics). */
+  uint32_t reserved;      /**< 0. */
   uint64_t casts;         /**< Flights, those that verify a stop included. */
   uint64_t cells_visited; /**< Volumes entered, the first of each cast included, and those that floods looked at. */
   uint64_t
@@ -57,7 +57,8 @@ typedef struct dsw_statistics {
                                  have looked at; those of calls that failed are not counted. */
 } dsw_statistics;
 
-/** Writes the defaults and struct_size into at most `size` bytes. @note Thread: any. @since 0.1 */
+/** Writes the defaults and struct_size into at most `size` bytes.
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_scene_desc). @note Thread: any. @since 0.1 */
 DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 
 /** Creates a scene.
@@ -72,18 +73,21 @@ DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scen
  * @note Thread: writer of the environment. @since 0.1 */
 DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);
 
-/** The environment of a scene. @return null for a null scene. @note Thread: reader. @since 0.1 */
+/** The environment of a scene. @param scene [in] @return null for a null scene. @note Thread: reader. @since 0.1 */
 DSW_API dsw_environment *dsw_scene_get_environment(const dsw_scene *scene);
 
-/** Copies the counters. @param statistics [in,out] its struct_size set.
+/** Copies the counters.
+ * @param scene [in] @param statistics [in,out] its struct_size set.
  * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_STATISTICS. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_scene_get_statistics(const dsw_scene *scene, dsw_statistics *statistics);
 
-/** Sets the counters to zero. @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_STATISTICS. @note Thread: writer.
- * @since 0.1 */
+/** Sets the counters to zero.
+ * @param scene [in,out]
+ * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_STATISTICS. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_scene_reset_statistics(dsw_scene *scene);
 
-/** Memory the scene holds, its environment excluded. @note O(1). Thread: reader. @since 0.1 */
+/** Memory the scene holds, its environment excluded.
+ * @param scene [in] @param bytes [out] @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_scene_get_memory_bytes(const dsw_scene *scene, uint64_t *bytes);
 
 #ifdef __cplusplus
