@@ -1,20 +1,21 @@
-# What an installation holds: headers, the library, find_package and pkg-config files.
+# What an installation holds, in two components: what programs need to run, and headers, find_package and pkg-config files.
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME Dartsweep_development)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/dartsweep DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.h")
 install(TARGETS dartsweep EXPORT DartsweepTargets
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT Dartsweep_runtime NAMELINK_COMPONENT Dartsweep_development
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT Dartsweep_runtime)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Dartsweep)
 install(EXPORT DartsweepTargets NAMESPACE Dartsweep:: DESTINATION ${package_dir})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/DartsweepConfig.cmake.in
   ${CMAKE_CURRENT_BINARY_DIR}/DartsweepConfig.cmake INSTALL_DESTINATION ${package_dir})
-# Before 1.0 a new minor version may break its callers.
+# Releases only add to the interface: abi/README.md.
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/DartsweepConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/DartsweepConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/DartsweepConfigVersion.cmake DESTINATION ${package_dir})
 
