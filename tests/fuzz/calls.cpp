@@ -4,8 +4,16 @@
 
 namespace dsw_fuzz {
 
+Calls::Calls(dsw_scene* scene, const World& world, Bytes* bytes)
+    : scene_(scene), environment_(dsw_scene_get_environment(scene)), bytes_(*bytes) {
+  for (int k = 0; k < 3; ++k) size_[k] = world.boxes[k];
+  const dsw_environment_info info = info_of(environment_);
+  most_volumes_ = 2 * info.volume_count + 10;
+  most_vertices_ = info.vertex_count + 8;
+}
+
 dsw_status Calls::make() {
-  const uint32_t which = bytes_.below(56);
+  const uint32_t which = bytes_.below(63);
   if (which < 7) return change_marks(which);
   if (which < 18) return change_topology(which - 7);
   if (which < 26) return cut(which - 18);
@@ -13,12 +21,13 @@ dsw_status Calls::make() {
   if (which < 38) return make_bodies(which - 33);
   if (which < 46) return edit_body(which - 38);
   if (which < 53) return move_bodies(which - 46);
-  return deform();
+  if (which < 56) return deform();
+  return look(which - 56);
 }
 
 dsw_volume_id Calls::volume() {
   dsw_volume_id id = {bytes_.byte(), bytes_.below(4)};
-  if (!wild()) dsw_environment_get_volume(environment_, id.index % 64, &id);
+  if (!wild()) dsw_environment_get_volume(environment_, id.index % most_volumes_, &id);
   return id;
 }
 
@@ -34,7 +43,7 @@ dsw_edge_id Calls::edge() {
 
 dsw_vertex_id Calls::vertex() {
   dsw_vertex_id id = {bytes_.byte(), bytes_.below(4)};
-  if (!wild()) dsw_environment_get_vertex(environment_, id.index % 72, &id);
+  if (!wild()) dsw_environment_get_vertex(environment_, id.index % most_vertices_, &id);
   return id;
 }
 
@@ -81,7 +90,7 @@ void Calls::place(double* xyz) {
     bytes_.point(xyz);
     return;
   }
-  for (int k = 0; k < 3; ++k) xyz[k] = bytes_.byte() / 80.0;
+  for (int k = 0; k < 3; ++k) xyz[k] = bytes_.byte() * size_[k] / 240;  // a little beyond, too
 }
 
 dsw_status Calls::change_marks(uint32_t which) {

@@ -7,9 +7,8 @@ namespace dsw_fuzz {
 
 class Calls {
  public:
-  /** A scene made by make_home(); the object has to outlive its environment, to which it lends points. */
-  Calls(dsw_scene* scene, Bytes* bytes)
-      : scene_(scene), environment_(dsw_scene_get_environment(scene)), bytes_(*bytes) {}
+  /** The object has to outlive the scene's environment, which is of that world, and to which it lends points. */
+  Calls(dsw_scene* scene, const World& world, Bytes* bytes);
 
   /** Makes the next call. */
   dsw_status make();
@@ -22,9 +21,17 @@ class Calls {
   dsw_status make_bodies(uint32_t which);
   dsw_status edit_body(uint32_t which);
   dsw_status move_bodies(uint32_t which);
+  dsw_status look(uint32_t which);
   dsw_status add_volumes();
   dsw_status deform();
   dsw_status remesh();
+  dsw_status look_at_cells();
+  dsw_status look_at_changes();
+  dsw_status look_at_scene();
+  dsw_status look_at_body();
+  dsw_status ask();
+  dsw_status draw();
+  dsw_status make_copies();
 
   /** Mostly something that there is; else anything. */
   dsw_volume_id volume();
@@ -45,6 +52,8 @@ class Calls {
   dsw_scene* scene_;
   dsw_environment* environment_;
   Bytes& bytes_;
+  double size_[3];                         // of the world
+  uint32_t most_volumes_, most_vertices_;  // indices that are tried are below
   std::vector<double> lent_[2];
   std::vector<uint32_t> order_;
 };

@@ -49,7 +49,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   // Not always, it takes most of the time; and not always from the beginning: what has been done before is in its snapshots only.
   const int first_recorded = size % 4 == 0 ? static_cast<int>(size / 4 % 8) : kMostCalls;
   dsw_fuzz::Bytes bytes(data, size);
-  dsw_environment* const home = dsw_fuzz::make_home();
+  const dsw_fuzz::World world = dsw_fuzz::world_of(bytes.byte());
+  dsw_environment* const home = dsw_fuzz::make_world(world);
   dsw_scene_desc desc;
   dsw_scene_desc_init(&desc, sizeof desc);
   desc.features = bytes.byte() & 0x1fu;
@@ -61,7 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   to.write = append;
   to.user = &recording;
   {
-    dsw_fuzz::Calls calls(scene, &bytes);
+    dsw_fuzz::Calls calls(scene, world, &bytes);
     for (int i = 0; i < kMostCalls && !bytes.empty(); ++i) {
       if (i == first_recorded) {
         dsw_fuzz::require(dsw_scene_start_recording(scene, &to) == DSW_STATUS_OK, "a recording");

@@ -45,7 +45,8 @@ int append_to(void* user, const void* bytes, size_t size) {
 Words record(dsw_fuzz::Bytes* bytes) {
   constexpr int kMostCalls = 12;
   Words recording;
-  dsw_environment* const home = dsw_fuzz::make_home();
+  const dsw_fuzz::World world = dsw_fuzz::world_of(bytes->byte());
+  dsw_environment* const home = dsw_fuzz::make_world(world);
   dsw_scene_desc desc;
   dsw_scene_desc_init(&desc, sizeof desc);
   desc.features = bytes->byte() & 0x1fu;
@@ -57,7 +58,7 @@ Words record(dsw_fuzz::Bytes* bytes) {
   to.user = &recording;
   dsw_fuzz::require(dsw_scene_start_recording(scene, &to) == DSW_STATUS_OK, "a recording");
   {
-    dsw_fuzz::Calls calls(scene, bytes);
+    dsw_fuzz::Calls calls(scene, world, bytes);
     for (int i = 0; i < kMostCalls && !bytes->empty(); ++i) calls.make();
     dsw_scene_destroy(scene);
     dsw_environment_destroy(home);

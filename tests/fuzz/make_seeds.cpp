@@ -201,12 +201,12 @@ std::vector<uint8_t> snapshot(const Mesh& mesh, uint32_t flags, bool marked, boo
   return block;
 }
 
-/** A program of calls can be any bytes. */
-constexpr uint32_t kPrograms = 16;
+/** A program of calls can be any bytes. Most are short: many of them are made in the time of a long one. */
+constexpr uint32_t kPrograms = 32;
 std::vector<uint8_t> some_bytes(uint32_t seed) {
   std::vector<uint8_t> bytes = {static_cast<uint8_t>(seed)};
   uint64_t state = seed;
-  for (int i = 0; i < 900; ++i) {
+  for (uint32_t i = 0; i < 16 + seed * seed / 2; ++i) {
     state = state * 6364136223846793005u + 1442695040888963407u;
     bytes.push_back(static_cast<uint8_t>(state >> 56));
   }

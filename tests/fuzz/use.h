@@ -42,7 +42,16 @@ void try_block(const uint8_t* data, size_t size, Run run) {
   }
 }
 
-/** The environment of all saved scenes: warped hexahedra, one of them a wall. */
+/** A block of boxes of unit size, each cut into cells of one type. */
+struct World {
+  uint32_t boxes[3];
+  dsw_cell_type type;
+};
+/** One of a few, by a byte. */
+World world_of(uint8_t byte);
+/** Some of its corners are moved, so that faces are warped; the cell in the middle is a wall. */
+dsw_environment* make_world(const World& world);
+/** The environment of all saved scenes: hexahedra. */
 dsw_environment* make_home();
 /** Bodies at every level and particles in it, moved a little; some are gone again. */
 dsw_scene* make_inhabited(dsw_environment* home);

@@ -5,10 +5,6 @@
 namespace dsw_fuzz {
 namespace {
 
-constexpr int kCells = 3;
-
-uint32_t point(int x, int y, int z) { return static_cast<uint32_t>(x + (kCells + 1) * (y + (kCells + 1) * z)); }
-
 /** A body of four vertices round a place. */
 void add_body(dsw_scene* scene, const double (&at)[3], dsw_level level, uint32_t flags) {
   const double size = 0.3;
@@ -50,38 +46,6 @@ void move_body(dsw_scene* scene, dsw_body_id body, const double (&by)[3]) {
 }
 
 }  // namespace
-
-dsw_environment* make_home() {
-  std::vector<double> points;
-  std::vector<int64_t> cells;
-  for (int z = 0; z <= kCells; ++z) {
-    for (int y = 0; y <= kCells; ++y) {
-      for (int x = 0; x <= kCells; ++x) {
-        const double warp = (x * y * z) % 3 == 1 ? 0.125 : 0;
-        points.insert(points.end(), {x + warp, y - warp, double(z)});
-        if (x == kCells || y == kCells || z == kCells) continue;
-        for (const auto& c :
-             {point(x, y, z), point(x + 1, y, z), point(x + 1, y + 1, z), point(x, y + 1, z), point(x, y, z + 1),
-              point(x + 1, y, z + 1), point(x + 1, y + 1, z + 1), point(x, y + 1, z + 1)}) {
-          cells.push_back(c);
-        }
-      }
-    }
-  }
-  dsw_environment_desc desc;
-  dsw_environment_desc_init(&desc, sizeof desc);
-  desc.points = points.data();
-  desc.point_count = points.size() / 3;
-  desc.uniform_cell_type = DSW_CELL_TYPE_HEXAHEDRON;
-  desc.cell_count = cells.size() / 8;
-  desc.connectivity = cells.data();
-  desc.connectivity_count = cells.size();
-  dsw_environment* home = nullptr;
-  require(dsw_environment_create(nullptr, &desc, &home, nullptr) == DSW_STATUS_OK, "a home");
-  const dsw_volume_id wall = {13, 1};  // in the middle
-  require(dsw_environment_mark_volumes(home, &wall, 1, DSW_MARK_IMPASSABLE, 0, nullptr) == DSW_STATUS_OK, "a wall");
-  return home;
-}
 
 dsw_scene* make_inhabited(dsw_environment* home) {
   dsw_scene_desc desc;
