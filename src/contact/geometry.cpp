@@ -50,7 +50,7 @@ ContactGeometry contact_geometry(const Environment<3>& env, const double* p, con
                                  const SweepContact& contact) {
   const SweepEvent& event = contact.event;
   ContactGeometry g;
-  g.time = event_time(p, to, event);
+  g.time = event_time<3>(p, to, event);
   point_at<3>(p, to, g.time, g.position);
   std::copy_n(g.position, 3, g.point);
   const Vec move = unit(difference(to, p)), wall = wall_normal(env, contact);

@@ -44,7 +44,7 @@ bool same_event(const SweepContact& a, const SweepContact& b) noexcept {
 
 bool comes_before(const Map<3>& map, const double* p, const double* to, const SweepContact& a,
                   const SweepContact& b) noexcept {
-  const int sign = same_event(a, b) || same_plane(map, a, b) ? 0 : compare_events(p, to, a.event, b.event).sign;
+  const int sign = same_event(a, b) || same_plane(map, a, b) ? 0 : compare_events<3>(p, to, a.event, b.event).sign;
   if (sign != 0) return sign < 0;
   if (kind_of(a) != kind_of(b)) return kind_of(a) < kind_of(b);
   return order_of(map, a) < order_of(map, b);

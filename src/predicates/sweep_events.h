@@ -4,6 +4,9 @@
 //   kEdge, edge p(t) q meets the line ab:         N = L(p)         D = L(p) - L(p')   L(x) = orient3(x+s, q+s, a, b)
 //   kFace, face p(t) q r meets point v:           N = L(p)         D = L(p) - L(p')   L(x) = orient3(x+s, q+s, r+s, v)
 // where orient3(x, y, z, w) = (y-x).((z-x) x (w-x)). Of L the shift takes its coefficients from (q-x) x (b-a), or (q-x) x (q-r).
+// In the plane there are two kinds, with n = (y, -x) of a vector:
+//   kVertex, p(t) on the line ab:                 N = n.(a-p-s)    D = n.(p'-p)       n of b-a
+//   kEdge, edge p(t) q meets point v:             N = L(p)         D = L(p) - L(p')   L(x) = n.(v-x-s), n of q-x
 #pragma once
 
 #include <cstdint>
@@ -22,7 +25,7 @@ struct FaceMotion {
 
 enum class EventKind : uint32_t { kVertex, kEdge, kFace };
 
-// What meets what: points are a b c, or q a b, or q r v. They are borrowed, of bodies as of environments.
+// What meets what: points are a b c, or q a b, or q r v; in the plane a b, or q v. They are borrowed, of bodies as of environments.
 struct SweepEvent {
   const double* points[3] = {};
   EventKind kind = EventKind::kVertex;
@@ -36,9 +39,11 @@ ShiftedSign swept_side(const EdgeMotion& m, const double* v) noexcept;
 // Sign of t_a - t_b for two events of one vertex's move, on whatever edges and faces, that take place: each N/D lies in [0,1]
 // and no D is the zero polynomial. tie: the times are equal but for the shift, or the shift alone decides one of them. 0:
 // they are the same in all orders.
+template <int D>
 ShiftedSign compare_events(const double* p, const double* to, const SweepEvent& a, const SweepEvent& b) noexcept;
 
 // Largest double <= the standard part of the time of an event that takes place.
+template <int D>
 double event_time(const double* p, const double* to, const SweepEvent& event) noexcept;
 
 }  // namespace dsw

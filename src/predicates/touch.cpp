@@ -43,7 +43,7 @@ double plane_time(const double* p, const double* to, const double* a, const doub
   event.points[0] = a;
   event.points[1] = b;
   event.points[2] = c;
-  return event_time(p, to, event);
+  return event_time<3>(p, to, event);
 }
 
 // An axis along which the plane of three points is not seen edge-on; -1: they lie in a line.
@@ -101,7 +101,7 @@ EdgeTouch edge_touch_in_plane(const EdgeMotion& m, const double* a, const double
     event.points[0] = m.q;
     event.points[1] = x;
     event.points[2] = beside.at;
-    keep_earlier(first, {event_time(m.p, m.to, event), k == 0 ? TouchPlace::kFirst : TouchPlace::kSecond});
+    keep_earlier(first, {event_time<3>(m.p, m.to, event), k == 0 ? TouchPlace::kFirst : TouchPlace::kSecond});
   }
   return first;
 }
@@ -155,7 +155,7 @@ EdgeTouch edge_touch(const EdgeMotion& m, const double* a, const double* b) noex
   event.points[1] = a;
   event.points[2] = b;
   const TouchPlace place = at_a == 0 ? TouchPlace::kFirst : at_b == 0 ? TouchPlace::kSecond : TouchPlace::kInside;
-  return {event_time(m.p, m.to, event), place};
+  return {event_time<3>(m.p, m.to, event), place};
 }
 
 double face_touch(const FaceMotion& m, const double* v) noexcept {
@@ -171,7 +171,7 @@ double face_touch(const FaceMotion& m, const double* v) noexcept {
   event.points[0] = m.q;
   event.points[1] = m.r;
   event.points[2] = v;
-  return event_time(m.p, m.to, event);
+  return event_time<3>(m.p, m.to, event);
 }
 
 }  // namespace dsw

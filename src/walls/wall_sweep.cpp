@@ -122,7 +122,7 @@ bool WallSweep::meets_point(const double* x, const double* from, const double* t
     const double* const swept[4] = {from, to, q, r};
     if (are_apart(swept, 4, &x, 1) || !is_inside(from, to, q, r, x)) continue;
     const SweepEvent event{{q, r, x}, EventKind::kFace};
-    keep_first({event_time(from, to, event), {}, t.facet, t.q, t.r}, hit, &any);
+    keep_first({event_time<3>(from, to, event), {}, t.facet, t.q, t.r}, hit, &any);
   }
   return any;
 }
@@ -136,7 +136,7 @@ bool WallSweep::meets_edge(const Body& body, uint32_t e, const double* from, con
     const double* const swept[3] = {from, to, q};
     if (are_apart(swept, 3, ends, 2) || !pierces(ends[0], ends[1], swept)) continue;
     const SweepEvent event{{q, ends[0], ends[1]}, EventKind::kEdge};
-    keep_first({event_time(from, to, event), {}, edge.facet, edge.q, kNone}, hit, &any);
+    keep_first({event_time<3>(from, to, event), {}, edge.facet, edge.q, kNone}, hit, &any);
   }
   return any;
 }
@@ -150,7 +150,7 @@ bool WallSweep::meets_face(const Body& body, uint32_t f, const double* from, con
   const SweptTriangle triangle({face[0], face[1], face[2]});
   const int side = triangle.side(to);
   if (side * triangle.side(from) >= 0 || triangle.outside(from, to, side) != 0) return false;
-  *hit = {event_time(from, to, {{face[0], face[1], face[2]}, EventKind::kVertex}), {}, {}, kNone, kNone};
+  *hit = {event_time<3>(from, to, {{face[0], face[1], face[2]}, EventKind::kVertex}), {}, {}, kNone, kNone};
   if (!triangles_.empty()) hit->wall = triangles_.front().facet;
   return true;
 }

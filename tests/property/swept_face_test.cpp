@@ -81,7 +81,7 @@ void check_face(const Environment<3>& env, SweptTruth& truth, SweepFlood& flood,
     const Moment moment = truth.face_moment(face.contact.vertex);
     size_t k = 0;
     while (sgn(moment.denominator.c[k]) == 0) ++k;
-    ASSERT_EQ(event_time(m.p, m.to, face.contact.event),
+    ASSERT_EQ(event_time<3>(m.p, m.to, face.contact.event),
               std::min(1.0, oracle::floor_to_double(moment.numerator.c[k], moment.denominator.c[k])));
     for (const auto& [other, vertex] : met) {
       const Big a = other.numerator.c[k] * first->first.denominator.c[k];
@@ -91,7 +91,7 @@ void check_face(const Environment<3>& env, SweptTruth& truth, SweepFlood& flood,
   const SweepContact* earliest = edge;
   if (first != met.end()) {
     const SweepEvent event{{m.q, m.r, env.point(first->second)}, EventKind::kFace};
-    if (edge == nullptr || compare_events(m.p, m.to, event, edge->event).sign <= 0) {
+    if (edge == nullptr || compare_events<3>(m.p, m.to, event, edge->event).sign <= 0) {
       ASSERT_EQ(face.end, SweepEnd::kContact);
       ASSERT_EQ(face.contact.vertex, first->second);
       earliest = &face.contact;
@@ -106,7 +106,7 @@ void check_face(const Environment<3>& env, SweptTruth& truth, SweepFlood& flood,
   }
   // Nothing is met before, nor ever if there is no contact; where rounding p(t) cannot matter.
   if (!generic) return;
-  const double end = earliest == nullptr ? 1 : event_time(m.p, m.to, earliest->event);
+  const double end = earliest == nullptr ? 1 : event_time<3>(m.p, m.to, earliest->event);
   for (const double by : {0.3, 0.7, 0.99, 0.9999}) {
     Vec now;
     for (size_t k = 0; k < 3; ++k) now[k] = m.p[k] + by * end * (m.to[k] - m.p[k]);

@@ -69,7 +69,7 @@ TEST(SweepFace, ASpikeThroughTheFaceIsFound) {
       << "the lowest passable cell at the vertex that the tetrahedron meets";
   EXPECT_EQ(r.contact.facet, canonical(env.map, env.map.half_facet(lattice.cell(1, 1, 2), 2)))
       << "the side towards -y: of its lowest neighbour";
-  EXPECT_NEAR(event_time(kTilt.p.data(), kTilt.to.data(), r.contact.event), 2 / (4 * (1 - 1 / 4.5)), 1e-14);
+  EXPECT_NEAR(event_time<3>(kTilt.p.data(), kTilt.to.data(), r.contact.event), 2 / (4 * (1 - 1 / 4.5)), 1e-14);
 }
 
 TEST(SweepFace, LoneVerticesAndEndsOfWires) {
@@ -131,7 +131,7 @@ TEST(SweepContact, AtOneTimeVerticesComeBeforeEdgesBeforePlanes) {
   const SweepResult face = sweep_face(env, m), edge = sweep_edge(env, m, m.r);
   ASSERT_EQ(face.end, SweepEnd::kContact);
   ASSERT_EQ(edge.end, SweepEnd::kContact);
-  EXPECT_EQ(compare_events(m.p.data(), m.to.data(), face.contact.event, edge.contact.event).sign, 0);
+  EXPECT_EQ(compare_events<3>(m.p.data(), m.to.data(), face.contact.event, edge.contact.event).sign, 0);
   EXPECT_TRUE(comes_before(env.map, m.p.data(), m.to.data(), face.contact, edge.contact));
   EXPECT_FALSE(comes_before(env.map, m.p.data(), m.to.data(), edge.contact, face.contact));
   EXPECT_FALSE(comes_before(env.map, m.p.data(), m.to.data(), face.contact, face.contact));
