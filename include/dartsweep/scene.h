@@ -69,7 +69,7 @@ DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
  * @note O(1); the first with DSW_FEATURE_DEFORMING O(volumes). Thread: writer of the environment. @since 0.1 */
 DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc, dsw_scene **scene);
 
-/** Destroys a scene with all it holds. @param scene [in] null is allowed. @return DSW_STATUS_IN_USE: it belongs to a replay.
+/** Destroys a scene with all it holds, its recording included: dsw_scene_stop_recording tells whether that is whole. @param scene [in] null is allowed. @return DSW_STATUS_IN_USE: it belongs to a replay.
  * @note Thread: writer of the environment. @since 0.1 */
 DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);
 

@@ -91,7 +91,9 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
     }
     if (next == of.env.points) fail(DSW_STATUS_IN_USE, "next is the array that the environment reads now");
     const dsw::MendSettings mend = capi::to_mend_settings(o.remesh_radius, o.remesh_max_faces);
-    capi::Recorded call(scene, capi::Call::kDeform, capi::without(o), capi::MovedPoints{next, of.env});
+    dsw_deform_options written = capi::without(o);
+    if (scene->watch != nullptr) written.point_room = scene->watch->offered;
+    capi::Recorded call(scene, capi::Call::kDeform, written, capi::MovedPoints{next, of.env});
     uint32_t remeshed = 0;
     if (o.invalid == DSW_INVALID_REMESH) {
       remeshed = mend_and_deform(*scene, next, settings, mend);

@@ -4,6 +4,8 @@
 #include <cstring>
 
 #include "capi/recorded.h"
+#include "capi/replay.h"
+#include "snapshot/bytes.h"
 #include "snapshot/scene_snapshot.h"
 #include "snapshot/snapshot.h"
 
@@ -11,6 +13,8 @@ namespace capi = dsw::capi;
 using dsw::fail;
 
 namespace {
+
+constexpr size_t kLeastKept = size_t{1} << 20;
 
 bool write_to_host(void* user, const void* bytes, size_t size) {
   const auto& recording = *static_cast<capi::Recording*>(user);
@@ -21,15 +25,15 @@ int write_to_file(void* user, const void* bytes, size_t size) {
   return std::fwrite(bytes, 1, size, static_cast<std::FILE*>(user)) == size ? 0 : 1;
 }
 
-/** A file without a buffer, so that what was written is the system's at once. */
-void open_file(capi::Recording& recording, const char* path) {
-  recording.file = std::fopen(path, "wb");
-  if (recording.file == nullptr) {
-    fail(DSW_STATUS_WRITE_FAILED, "desc->path, %.200s, can't be written: %s", path, std::strerror(errno));
+int keep(void* user, const void* bytes, size_t size) {
+  auto& kept = *static_cast<dsw::Array<uint8_t>*>(user);
+  const auto* const from = static_cast<const uint8_t*>(bytes);
+  try {
+    kept.insert(kept.end(), from, from + size);
+    return 0;
+  } catch (...) {
+    return 1;
   }
-  std::setvbuf(recording.file, nullptr, _IONBF, 0);
-  recording.write = write_to_file;
-  recording.user = recording.file;
 }
 
 /** Whether the environment reads points of the host's, and for how many vertices there is room. */
@@ -37,26 +41,89 @@ struct Lending {
   uint64_t is_borrowed, room;
 };
 
+uint64_t room_of(const dsw_scene& scene) {
+  if (scene.watch != nullptr) return scene.watch->room;
+  const dsw::Environment<3>& env = scene.environment->engine;
+  return env.lent == nullptr ? 0 : env.point_room;
+}
+
+template <class Saved>
+dsw::Array<uint8_t> saved_block(const Saved& saved) {
+  dsw::Array<uint8_t> block(snapshot_bytes(saved), 0, dsw::Allocator<uint8_t>(saved.memory));
+  save(saved, block.data());
+  return block;
+}
+
 template <class Saved>
 void write_snapshot(const Saved& saved, dsw::EntryKind kind, const Lending* lending, dsw::RecordWriter& writer) {
-  dsw::Array<uint8_t> block{dsw::Allocator<uint8_t>(saved.memory)};
-  block.resize(snapshot_bytes(saved));
-  save(saved, block.data());
+  const dsw::Array<uint8_t> block = saved_block(saved);
   writer.begin(kind, block.size() + (lending == nullptr ? 0 : sizeof *lending));
   if (lending != nullptr) writer.put(lending, sizeof *lending);
   writer.put(block.data(), block.size());
   writer.end();
 }
 
+void write_beginning(const dsw_scene& scene, capi::Recording& recording) {
+  const dsw::Environment<3>& env = scene.environment->engine;
+  const uint32_t maker[2] = {dsw_version(), recording.flags};
+  const Lending lending{env.owned_points.empty() ? 1u : 0u, room_of(scene)};
+  recording.writer.write_header();
+  recording.writer.begin(dsw::EntryKind::kMaker, sizeof maker);
+  recording.writer.put(maker, sizeof maker);
+  recording.writer.end();
+  write_snapshot(env, dsw::EntryKind::kEnvironment, &lending, recording.writer);
+  write_snapshot(scene.engine, dsw::EntryKind::kScene, nullptr, recording.writer);
+  recording.most_kept = recording.kept.size() + std::max(kLeastKept, 2 * recording.kept.size());
+}
+
+/** Begins a recording in memory anew where it has grown too long, or did not go on for want of memory. */
+void renew_kept(const dsw_scene& scene, capi::Recording& recording) noexcept {
+  if ((recording.flags & DSW_RECORDING_LATEST) == 0) return;
+  if (recording.writer.works() && recording.kept.size() <= recording.most_kept) return;
+  dsw_recording_desc desc{};
+  desc.flags = recording.flags;
+  try {
+    dsw::Owned<capi::Recording> owner(scene.engine.memory);
+    capi::begin_recording(scene, desc, owner);
+    recording.kept.swap(owner.get()->kept);
+    recording.most_kept = owner.get()->most_kept;
+    recording.writer.renew();
+  } catch (...) {  // next time
+  }
+}
+
 }  // namespace
 
 namespace dsw::capi {
 
-Recording::Recording(dsw_write_fn function, void* argument) noexcept
-    : writer({write_to_host, this}), write(function), user(argument) {}
+Recording::Recording(const Memory* memory, const dsw_recording_desc& desc)
+    : writer({write_to_host, this}),
+      flags(desc.flags),
+      write(desc.write),
+      user(desc.user),
+      kept(Allocator<uint8_t>(memory)) {
+  if ((flags & DSW_RECORDING_LATEST) != 0) {
+    write = keep;
+    user = &kept;
+  }
+  if (desc.path == nullptr) return;
+  file = std::fopen(desc.path, "w+b");
+  if (file == nullptr) {
+    fail(DSW_STATUS_WRITE_FAILED, "desc->path, %.200s, can't be written: %s", desc.path, std::strerror(errno));
+  }
+  std::setvbuf(file, nullptr, _IONBF, 0);  // what was written is the system's at once
+  write = write_to_file;
+  user = file;
+}
 
 Recording::~Recording() {
   if (file != nullptr) std::fclose(file);
+}
+
+void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Owned<Recording>& made) {
+  made.make(scene.engine.memory, desc);
+  write_beginning(scene, *made.get());
+  if (!made.get()->writer.works()) fail(DSW_STATUS_WRITE_FAILED, "the beginning could not be written");
 }
 
 bool end_recording(dsw_scene& scene) noexcept {
@@ -68,15 +135,37 @@ bool end_recording(dsw_scene& scene) noexcept {
   return works;
 }
 
+uint64_t state_of(const dsw_scene& scene, bool with_environment) {
+  const Array<uint8_t> block = saved_block(scene.engine);
+  uint64_t sum = checksum(0, block.data(), block.size());
+  if (!with_environment) return sum;
+  const Array<uint8_t> whole = saved_block(scene.environment->engine);
+  return checksum(sum, whole.data(), whole.size());
+}
+
 void Recorded::finish(bool failed, uint64_t digest) noexcept {
   dsw_scene& scene = *std::exchange(scene_, nullptr);
-  if (scene.watch != nullptr) *scene.watch = {digest, true, failed};
+  const bool wants_state = scene.recording != nullptr && (scene.recording->flags & DSW_RECORDING_STATES) != 0;
+  CallResult now;
+  now.made = true;
+  now.failed = failed;
+  now.digest = digest;
+  if (!failed && (wants_state || (scene.watch != nullptr && scene.watch->wants_state))) {
+    try {
+      now.state = state_of(scene, environment_row(call_).function != nullptr);
+      now.has_state = true;
+    } catch (...) {  // no memory: a call that is recorded without
+    }
+  }
+  if (scene.watch != nullptr) scene.watch->last = now;
   if (scene.recording == nullptr) return;
   RecordWriter& writer = scene.recording->writer;
-  const uint64_t result[2] = {failed ? 1u : 0u, digest};
-  writer.begin(EntryKind::kResult, sizeof result);
-  writer.put(result, sizeof result);
+  const uint64_t result[kMostResultWords] = {failed ? 1u : 0u, digest, now.state};
+  const size_t size = (wants_state && now.has_state ? kMostResultWords : kResultWords) * sizeof(uint64_t);
+  writer.begin(EntryKind::kResult, size);
+  writer.put(result, size);
   writer.end();
+  renew_kept(scene, *scene.recording);
 }
 
 }  // namespace dsw::capi
@@ -90,22 +179,15 @@ dsw_status dsw_scene_start_recording(dsw_scene* scene, const dsw_recording_desc*
     dsw_scene& handle = capi::check_handle(scene, "scene");
     capi::require(desc, "desc");
     const dsw_recording_desc d = capi::read_struct(desc, "desc");
-    if (d.flags != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->flags is %u, must be 0", d.flags);
-    if (d.path != nullptr && d.write != nullptr) {
-      fail(DSW_STATUS_UNSUPPORTED, "desc->path and desc->write are both set, one of them must be null");
+    capi::check_flags(d.flags, DSW_RECORDING_STATES | DSW_RECORDING_LATEST, "desc->flags");
+    const bool is_kept = (d.flags & DSW_RECORDING_LATEST) != 0;
+    if ((d.path != nullptr) + (d.write != nullptr) + is_kept > 1) {
+      fail(DSW_STATUS_UNSUPPORTED, "only one of desc->path, desc->write and DSW_RECORDING_LATEST can be set");
     }
-    if (d.path == nullptr) capi::require(reinterpret_cast<const void*>(d.write), "desc->write");
+    if (d.path == nullptr && !is_kept) capi::require(reinterpret_cast<const void*>(d.write), "desc->write");
     if (handle.recording != nullptr) fail(DSW_STATUS_IN_USE, "the scene is being recorded");
-    const dsw::Environment<3>& env = handle.environment->engine;
-    dsw::Owned<capi::Recording> owner(env.memory);
-    owner.make(d.write, d.user);
-    capi::Recording& recording = *owner.get();
-    if (d.path != nullptr) open_file(recording, d.path);
-    const Lending lending{env.owned_points.empty() ? 1u : 0u, env.lent == nullptr ? 0 : env.point_room};
-    recording.writer.write_header();
-    write_snapshot(env, dsw::EntryKind::kEnvironment, &lending, recording.writer);
-    write_snapshot(handle.engine, dsw::EntryKind::kScene, nullptr, recording.writer);
-    if (!recording.writer.works()) fail(DSW_STATUS_WRITE_FAILED, "the beginning could not be written");
+    dsw::Owned<capi::Recording> owner(handle.environment->engine.memory);
+    capi::begin_recording(handle, d, owner);
     handle.recording = owner.release();
   });
 }

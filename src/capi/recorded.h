@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/owned.h"
 #include "base/points.h"
 #include "capi/convert.h"
 #include "dartsweep/record.h"
@@ -135,24 +136,46 @@ void for_each_part(const Body& body, const Use& use) {
 /** A recording of a scene that is being made. */
 struct Recording {
   RecordWriter writer;
+  uint32_t flags;
   dsw_write_fn write;
   void* user;
   std::FILE* file = nullptr;  // ours, if the host has named one
+  Array<uint8_t> kept;        // with DSW_RECORDING_LATEST: all of it
+  size_t most_kept = 0;       // bytes after which it begins anew
 
-  Recording(dsw_write_fn function, void* argument) noexcept;
+  /** Throws WRITE_FAILED where the file can't be written. */
+  Recording(const Memory* memory, const dsw_recording_desc& desc);
   ~Recording();
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
 };
 
+/** Makes a recording with its beginning, which is not the scene's yet. Throws WRITE_FAILED. */
+void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Owned<Recording>& made);
+
+/** Checksum of what is in a scene, and of its environment if asked for, as saved. Throws std::bad_alloc. */
+uint64_t state_of(const dsw_scene& scene, bool with_environment);
+
 /** Ends the recording of a scene, if it has one. False: not all of it was written. */
 bool end_recording(dsw_scene& scene) noexcept;
 
 /** What is told of the last call that changed a scene, to whom replays it. */
-struct CallWatch {
-  uint64_t digest = 0;
-  bool made = false, failed = false;
+struct CallResult {
+  bool made = false, failed = false, has_state = false;
+  uint64_t digest = 0, state = 0;
 };
+
+/** What a replay and its scene tell each other. */
+struct CallWatch {
+  bool wants_state = false;
+  /** For how many vertices the recorded host's points had room, and those of the deformation that is being made; there is memory for as many
+   * as have been needed. */
+  uint64_t room = 0, offered = 0;
+  CallResult last;
+};
+
+/** What is written of the result of a call: whether it failed, the digest of what it answered and, if there is one, the checksum of the state. */
+constexpr size_t kResultWords = 2, kMostResultWords = 3;
 
 /** One call, from before it is made to its end. */
 class Recorded {
@@ -160,7 +183,8 @@ class Recorded {
   /** `scene` may be null: an environment without one. */
   template <class... Arguments>
   Recorded(dsw_scene* scene, Call call, const Arguments&... arguments) noexcept
-      : scene_(scene != nullptr && (scene->recording != nullptr || scene->watch != nullptr) ? scene : nullptr) {
+      : scene_(scene != nullptr && (scene->recording != nullptr || scene->watch != nullptr) ? scene : nullptr),
+        call_(call) {
     if (scene_ == nullptr || scene_->recording == nullptr) return;
     RecordWriter& writer = scene_->recording->writer;
     uint64_t size = sizeof(uint64_t);
@@ -202,6 +226,7 @@ class Recorded {
   void finish(bool failed, uint64_t digest) noexcept;
 
   dsw_scene* scene_;  // null: nobody wants to know
+  Call call_;
 };
 
 }  // namespace dsw::capi

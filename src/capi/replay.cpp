@@ -1,11 +1,13 @@
 #include "capi/replay.h"
 
+#include "capi/judge.h"
 #include "dartsweep/record.h"
 #include "environment/moving.h"
 #include "snapshot/scene_snapshot.h"
 #include "snapshot/snapshot.h"
 
 namespace capi = dsw::capi;
+using capi::made_room;
 using dsw::fail;
 
 namespace {
@@ -17,26 +19,55 @@ dsw::Entry next_entry(dsw_replay& replay, dsw::EntryKind kind, const char* what)
   return entry;
 }
 
-/** As when the host had lent its points: with the same room, since changes depend on it. */
+/** What an entry begins with. */
+template <class T, size_t N>
+void read_words(const dsw::Entry& entry, T (&words)[N], const char* what) {
+  if (entry.size < sizeof words) fail(DSW_STATUS_CORRUPT, "the recording is damaged: %s", what);
+  std::memcpy(words, entry.bytes, sizeof words);
+}
+
+/** The environment reads one of our arrays as if the host had lent it. */
+void lend(dsw_replay& replay, dsw::Array<double>& points) noexcept {
+  dsw::Environment<3>& env = replay.environment->engine;
+  env.points = points.data();
+  env.point_room = made_room(replay, replay.watch.room);
+  env.lent = env.point_room == 0 ? nullptr : points.data();
+}
+
 void lend_points(dsw_replay& replay, uint64_t room) {
   dsw::Environment<3>& env = replay.environment->engine;
   const size_t count = env.map.vertex_count;
-  if (room > dsw::kVertexMask || (room != 0 && room < count))
-    fail(DSW_STATUS_CORRUPT, "the recording is damaged: points");
-  dsw::Array<double>& points = replay.points[0];
-  points.resize(3 * std::max(count, static_cast<size_t>(room)));
-  std::copy_n(env.points, 3 * count, points.data());
-  env.points = points.data();
-  env.lent = room == 0 ? nullptr : points.data();
-  env.point_room = static_cast<size_t>(room);
+  if (room != 0 && room < count) fail(DSW_STATUS_CORRUPT, "the recording is damaged: points");
+  replay.watch.room = room;
+  replay.points[0].resize(3 * std::max(count, made_room(replay, room)));
+  std::copy_n(env.points, 3 * count, replay.points[0].data());
+  lend(replay, replay.points[0]);
   release_owned_points(env);
 }
 
+/** Whether the host's points had more room than ours. */
+bool lacks_room(const dsw_replay& replay) {
+  const uint64_t room = std::max(replay.watch.room, replay.watch.offered);
+  return made_room(replay, room) < room;
+}
+
+void make_room(dsw_replay& replay) {
+  replay.needed_room = 2 * made_room(replay, std::max(replay.watch.room, replay.watch.offered));
+  const dsw::Environment<3>& env = replay.environment->engine;
+  if (env.lent == nullptr) return;
+  dsw::Array<double>& points = replay.points[env.lent == replay.points[0].data() ? 0 : 1];
+  points.resize(3 * made_room(replay, replay.watch.room));
+  lend(replay, points);
+}
+
 void load_beginning(dsw_replay& replay) {
+  uint32_t maker[2];
+  read_words(next_entry(replay, dsw::EntryKind::kMaker, "its maker"), maker, "its maker");
+  replay.version = maker[0];
+  replay.flags = maker[1];
   const dsw::Entry first = next_entry(replay, dsw::EntryKind::kEnvironment, "its environment");
   uint64_t lending[2];
-  if (first.size < sizeof lending) fail(DSW_STATUS_CORRUPT, "the recording is damaged: its environment");
-  std::memcpy(lending, first.bytes, sizeof lending);
+  read_words(first, lending, "its environment");
   capi::EnvironmentOwner environment(replay.context);
   load(environment->engine, first.bytes + sizeof lending, first.size - sizeof lending);
   replay.environment = environment.take();
@@ -48,7 +79,107 @@ void load_beginning(dsw_replay& replay) {
   if (lending[0] != 0) lend_points(replay, lending[1]);
 }
 
+/** What the host has said, at the end of a bundle. */
+const char* read_note(const dsw::Entry& entry) {
+  if (entry.size == 0 || entry.bytes[entry.size - 1] != 0)
+    fail(DSW_STATUS_CORRUPT, "the recording is damaged: its note");
+  return reinterpret_cast<const char*>(entry.bytes);
+}
+
+/** The result of a call, if there is one, and whether the call was then made again with more room. */
+bool read_result(dsw::RecordReader& reader, capi::CallResult* result) {
+  dsw::Entry entry;
+  if (!reader.next(&entry)) return false;
+  const size_t count = entry.size / sizeof(uint64_t);
+  if (entry.kind != dsw::EntryKind::kResult || (count != capi::kResultWords && count != capi::kMostResultWords)) {
+    fail(DSW_STATUS_CORRUPT, "the recording is damaged: no result where it should be");
+  }
+  uint64_t words[capi::kMostResultWords] = {};
+  std::memcpy(words, entry.bytes, entry.size);
+  *result = {true, words[0] != 0, count == capi::kMostResultWords, words[1], words[2]};
+  return true;
+}
+
+/** DSW_DIFFERS_... */
+uint32_t what_differs(const capi::CallResult& recorded, const capi::CallResult& now) {
+  const bool failed = !now.made || now.failed;
+  uint32_t differs = 0;
+  if (failed != recorded.failed) return DSW_DIFFERS_STATUS;
+  if (!failed && now.digest != recorded.digest) differs |= DSW_DIFFERS_RESULTS;
+  if (recorded.has_state && now.has_state && now.state != recorded.state) differs |= DSW_DIFFERS_STATE;
+  return differs;
+}
+
 }  // namespace
+
+namespace dsw::capi {
+
+size_t made_room(const dsw_replay& replay, uint64_t room) noexcept {
+  constexpr size_t kSpare = 1024;
+  const size_t made = std::max(replay.needed_room, 2 * size_t{replay.environment->engine.map.vertex_count} + kSpare);
+  return room < made ? static_cast<size_t>(room) : made;
+}
+
+bool read_next(dsw_replay& replay, std::optional<NextCall>& next) {
+  Entry entry;
+  for (;;) {
+    RecordReader reader = replay.reader;
+    if (!reader.next(&entry)) return false;
+    if (entry.kind == EntryKind::kNote) {
+      replay.note = read_note(entry);
+      replay.reader = reader;
+      continue;
+    }
+    if (entry.kind != EntryKind::kCall)
+      fail(DSW_STATUS_CORRUPT, "the recording is damaged: no call where it should be");
+    const Entry call = entry;
+    CallResult result;
+    const bool is_finished = read_result(reader, &result);
+    RecordReader beyond = reader;
+    if (is_finished && beyond.next(&entry) && entry.kind == EntryKind::kRepeated) {
+      replay.reader = beyond;
+      continue;
+    }
+    replay.words.resize(call.size / sizeof(uint64_t));
+    std::memcpy(replay.words.data(), call.bytes, call.size);
+    Arguments arguments(replay.words);
+    const auto number = arguments.get<uint64_t>();
+    const Call known = number < static_cast<uint64_t>(Call::kCount) ? static_cast<Call>(number) : Call::kCount;
+    ReplayRow row = environment_row(known);
+    if (row.function == nullptr) row = body_row(known);
+    if (row.function == nullptr) {
+      fail(DSW_STATUS_CORRUPT, "the recording has call number %llu, which this version does not know",
+           static_cast<unsigned long long>(number));
+    }
+    next.emplace(NextCall{known, row, arguments, is_finished, result, reader});
+    return true;
+  }
+}
+
+void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* report) {
+  replay.watch.wants_state = next.result.has_state;
+  for (;;) {
+    replay.watch.last = CallResult{};
+    replay.watch.offered = 0;
+    Arguments arguments = next.arguments;
+    report->status = next.row.make(replay, arguments);
+    if (report->status != DSW_STATUS_BORROWED || !lacks_room(replay)) break;
+    if (replay.scene->recording != nullptr) {  // whoever makes that again is to pass over it
+      RecordWriter& writer = replay.scene->recording->writer;
+      writer.begin(EntryKind::kRepeated, 0);
+      writer.end();
+    }
+    make_room(replay);
+  }
+  const uint32_t differs = next.is_finished ? what_differs(next.result, replay.watch.last) : 0;
+  report->has_failed = next.result.failed ? 1u : 0u;
+  report->reserved = differs;
+  report->outcome = !next.is_finished ? DSW_REPLAY_UNFINISHED : differs == 0 ? DSW_REPLAY_SAME : DSW_REPLAY_DIFFERENT;
+  replay.reader = next.after;
+  ++replay.calls;
+}
+
+}  // namespace dsw::capi
 
 dsw_replay::dsw_replay(dsw_context* owner, const uint8_t* bytes, size_t size)
     : context(owner),
@@ -105,6 +236,16 @@ dsw_status dsw_replay_get_scene(const dsw_replay* replay, dsw_scene** scene) {
   });
 }
 
+dsw_status dsw_replay_get_info(const dsw_replay* replay, dsw_replay_info* info) {
+  return capi::guard("dsw_replay_get_info", [&] {
+    const dsw_replay& handle = capi::check_handle(replay, "replay");
+    capi::require(info, "info");
+    capi::check_size(info, "info");
+    capi::write_struct(
+        info, dsw_replay_info{0, handle.flags, handle.version, 0, handle.calls, handle.reader.left(), handle.note});
+  });
+}
+
 dsw_status dsw_replay_step(dsw_replay* replay, dsw_replay_report* report) {
   return capi::guard("dsw_replay_step", [&] {
     dsw_replay& handle = capi::check_handle(replay, "replay");
@@ -112,43 +253,33 @@ dsw_status dsw_replay_step(dsw_replay* replay, dsw_replay_report* report) {
     dsw_replay_report step{};
     step.call = handle.calls;
     step.outcome = DSW_REPLAY_END;
-    dsw::RecordReader reader = handle.reader;
-    dsw::Entry entry;
-    if (!reader.next(&entry)) {
-      *report = step;
-      return;
+    std::optional<capi::NextCall> next;
+    if (read_next(handle, next)) {
+      step.function = next->row.function;
+      make_again(handle, *next, &step);
     }
-    if (entry.kind != dsw::EntryKind::kCall)
-      fail(DSW_STATUS_CORRUPT, "the recording is damaged: no call where it should be");
-    handle.words.resize(entry.size / sizeof(uint64_t));
-    std::memcpy(handle.words.data(), entry.bytes, entry.size);
-    capi::Arguments arguments(handle.words);
-    const auto number = arguments.get<uint64_t>();
-    const capi::Call call =
-        number < static_cast<uint64_t>(capi::Call::kCount) ? static_cast<capi::Call>(number) : capi::Call::kCount;
-    capi::ReplayRow row = capi::environment_row(call);
-    if (row.function == nullptr) row = capi::body_row(call);
-    if (row.function == nullptr)
-      fail(DSW_STATUS_CORRUPT, "the recording has call number %llu, which this version does not know",
-           static_cast<unsigned long long>(number));
-    step.function = row.function;
-    uint64_t result[2] = {};
-    const bool is_finished = reader.next(&entry);
-    if (is_finished) {
-      if (entry.kind != dsw::EntryKind::kResult || entry.size != sizeof result) {
-        fail(DSW_STATUS_CORRUPT, "the recording is damaged: no result where it should be");
-      }
-      std::memcpy(result, entry.bytes, sizeof result);
-    }
-    handle.watch = capi::CallWatch{};
-    step.status = row.make(handle, arguments);
-    const capi::CallWatch& now = handle.watch;
-    const bool failed = !now.made || now.failed;
-    step.has_failed = result[0] != 0 ? 1u : 0u;
-    const bool is_same = failed == (result[0] != 0) && (failed || now.digest == result[1]);
-    step.outcome = !is_finished ? DSW_REPLAY_UNFINISHED : is_same ? DSW_REPLAY_SAME : DSW_REPLAY_DIFFERENT;
-    handle.reader = reader;
-    ++handle.calls;
     *report = step;
+  });
+}
+
+dsw_status dsw_replay_step_judged(dsw_replay* replay, dsw_replay_report* report, dsw_verdict* verdict) {
+  return capi::guard("dsw_replay_step_judged", [&] {
+    dsw_replay& handle = capi::check_handle(replay, "replay");
+    capi::require(report, "report");
+    capi::require(verdict, "verdict");
+    capi::check_size(verdict, "verdict");
+    dsw_replay_report step{};
+    step.call = handle.calls;
+    step.outcome = DSW_REPLAY_END;
+    std::optional<capi::NextCall> next;
+    capi::CallJudge judge(*handle.scene);
+    if (read_next(handle, next)) {
+      step.function = next->row.function;
+      judge.remember(next->call, next->arguments);
+      make_again(handle, *next, &step);
+    }
+    *report = step;
+    const bool was_done = step.function != nullptr && handle.watch.last.made && !handle.watch.last.failed;
+    capi::write_struct(verdict, judge.judge(was_done));
   });
 }

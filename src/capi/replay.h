@@ -1,6 +1,7 @@
 #pragma once
 // A recording that is made again: what replay.cpp and the rows of calls share.
 
+#include <optional>
 #include <type_traits>
 
 #include "capi/recorded.h"
@@ -13,9 +14,12 @@ struct dsw_replay {
   dsw_environment* environment = nullptr;
   dsw_scene* scene = nullptr;
   dsw::capi::CallWatch watch;
-  uint64_t calls = 0;            // made so far
+  uint64_t calls = 0;  // made so far
+  uint32_t version = 0, flags = 0;
+  const char* note = "";
   dsw::Array<uint64_t> words;    // the arguments of a call
   dsw::Array<double> points[2];  // lent to the environment in turn
+  size_t needed_room = 0;        // vertices for which these need memory, as far as is known
 
   dsw_replay(dsw_context* owner, const uint8_t* bytes, size_t size);
   ~dsw_replay();
@@ -97,5 +101,23 @@ struct ReplayRow {
 /** Calls that change the environment, and all others. */
 ReplayRow environment_row(Call call) noexcept;
 ReplayRow body_row(Call call) noexcept;
+
+/** Vertices for which there is memory where the host had room for `room`: recordings are not trusted, so there is as much as calls have
+ * needed. 0: its points were not to be written. */
+size_t made_room(const dsw_replay& replay, uint64_t room) noexcept;
+
+/** A call that is about to be made again. */
+struct NextCall {
+  Call call;
+  ReplayRow row;
+  Arguments arguments;
+  bool is_finished;  // what came of it was recorded
+  CallResult result;
+  RecordReader after;
+};
+/** Reads the next call; false at the end. Throws CORRUPT. */
+bool read_next(dsw_replay& replay, std::optional<NextCall>& next);
+/** Makes it again. */
+void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* report);
 
 }  // namespace dsw::capi

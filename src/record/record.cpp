@@ -11,9 +11,10 @@ namespace {
 
 constexpr char kMagic[9] = "DSWREC\x1a\n";
 constexpr uint32_t kVersion = 1;
-constexpr size_t kHeaderBytes = 16;  // magic, version, size of a pointer
+constexpr size_t kHeaderBytes = 16;  // magic, version, layout
 constexpr size_t kEntryBytes = 16;   // kind, sum of kind and size, size
-constexpr uint32_t kPointerBytes = sizeof(void*);
+/** What structs look like in memory: the size of a pointer, and the order of bytes. */
+constexpr uint32_t kLayout = sizeof(void*) | (kBigEndian ? 0x100u : 0u);
 
 /** Of an entry's kind and size, which have to be right before its bytes are looked at. */
 uint32_t sum_of(uint32_t kind, uint64_t size) noexcept {
@@ -39,7 +40,7 @@ void RecordWriter::write_header() noexcept {
   put(kMagic, 8);
   uint8_t numbers[8];
   store(numbers, &kVersion, 1);
-  store(numbers + 4, &kPointerBytes, 1);
+  store(numbers + 4, &kLayout, 1);
   put(numbers, 8);
   flush();
 }
@@ -86,12 +87,14 @@ RecordReader::RecordReader(const uint8_t* bytes, size_t size) : at_(bytes), end_
     fail(DSW_STATUS_TRUNCATED, "the recording has %zu bytes, its header alone needs %zu", size, kHeaderBytes);
   }
   if (std::memcmp(bytes, kMagic, 8) != 0) fail(DSW_STATUS_CORRUPT, "these bytes do not begin as a recording does");
-  uint32_t version, pointer_bytes;
+  uint32_t version, layout;
   fetch(&version, bytes + 8, 1);
-  fetch(&pointer_bytes, bytes + 12, 1);
-  if (version != kVersion || pointer_bytes != kPointerBytes) {
-    fail(DSW_STATUS_BAD_VERSION, "the recording has format %u with pointers of %u bytes, this library reads %u with %u",
-         version, pointer_bytes, kVersion, kPointerBytes);
+  fetch(&layout, bytes + 12, 1);
+  if (version != kVersion || layout != kLayout) {
+    fail(DSW_STATUS_BAD_VERSION,
+         "the recording has format %u, pointers of %u bytes and %s; this library reads %u, %u, %s", version,
+         layout & 0xffu, layout >> 8 != 0 ? "big endian" : "little endian", kVersion, kLayout & 0xffu,
+         kBigEndian ? "big endian" : "little endian");
   }
   at_ += kHeaderBytes;
 }

@@ -9,7 +9,15 @@
 
 namespace dsw {
 
-enum class EntryKind : uint32_t { kEnvironment = 1, kScene = 2, kCall = 3, kResult = 4 };
+enum class EntryKind : uint32_t {
+  kEnvironment = 1,
+  kScene = 2,
+  kCall = 3,
+  kResult = 4,
+  kRepeated = 5,
+  kMaker = 6,
+  kNote = 7
+};
 
 /** Where bytes go. False: no more. */
 struct ByteSink {
@@ -40,6 +48,8 @@ class RecordWriter {
   void end() noexcept;
 
   bool works() const noexcept { return works_; }
+  /** The sink takes bytes again: what it has is whole. */
+  void renew() noexcept { works_ = true; }
 
  private:
   void flush() noexcept;
@@ -65,6 +75,8 @@ class RecordReader {
 
   /** The next entry; false at the end, which an entry that is not whole is, too. Throws Error: CORRUPT. */
   bool next(Entry* entry);
+  /** Bytes behind the last entry that was read. */
+  size_t left() const noexcept { return static_cast<size_t>(end_ - at_); }
 
  private:
   const uint8_t* at_;

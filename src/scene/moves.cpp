@@ -186,7 +186,6 @@ void check_particles(const Scene<D>& scene, const dsw_particle_id* ids, size_t c
 template <int D>
 void move_particle(Scene<D>& scene, dsw_particle_id id, const double* target, const FlightOptions& options,
                    dsw_flight* flight) {
-  check_particle(scene, id);
   check_finite({target, D}, 1, D, {"target", false});
   move_checked(scene, &id, 1, {target, D}, options, flight);
 }

@@ -137,7 +137,7 @@ void check_particle(const Scene<D>& scene, dsw_particle_id id);
 template <int D>
 void check_particles(const Scene<D>& scene, const dsw_particle_id* ids, size_t count);
 
-/** Moves one particle; allocates nothing unless crossings are recorded. */
+/** Moves one particle that is alive; allocates nothing unless crossings are recorded. */
 template <int D>
 void move_particle(Scene<D>& scene, dsw_particle_id id, const double* target, const FlightOptions& options,
                    dsw_flight* flight);

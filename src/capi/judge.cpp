@@ -1,0 +1,238 @@
+#include "capi/judge.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "dartsweep/move.h"
+#include "dartsweep/particle.h"
+
+namespace dsw::capi {
+namespace {
+
+constexpr uint32_t kNoRank = UINT32_MAX;
+
+template <class T>
+Array<T> array_for(const Scene<3>& scene) {
+  return Array<T>(Allocator<T>(scene.memory));
+}
+
+bool are_equal(const double* a, const double* b) noexcept { return std::equal(a, a + 3, b); }
+
+}  // namespace
+
+CallJudge::CallJudge(const dsw_scene& scene)
+    : scene_(scene.engine),
+      before_(array_for<double>(scene_)),
+      orders_(array_for<uint32_t>(scene_)),
+      particles_(array_for<Mover>(scene_)),
+      bodies_(array_for<Mover>(scene_)),
+      subjects_(array_for<Subject>(scene_)),
+      judge_(scene_.env) {}
+
+void CallJudge::remember(Call call, Arguments a) {
+  if (call == Call::kMoveParticle) {
+    const auto particle = a.get<dsw_particle_id>();
+    const double* const target = a.get_points(1);
+    remember_particle(particle, target, a.get_struct<dsw_cast_options>());
+  } else if (call == Call::kMoveParticles) {
+    const auto all = a.get_items<dsw_particle_id>();
+    const double* const targets = a.get_points(all.count);
+    const auto options = a.get_struct<dsw_cast_options>();
+    for (size_t i = 0; targets != nullptr && i < all.count; ++i) {
+      remember_particle(all.items[i], targets + 3 * i, options);
+    }
+  } else if (call == Call::kMoveBody || call == Call::kMoveRigid) {
+    const auto body = a.get<dsw_body_id>();
+    if (call == Call::kMoveBody) a.get_items<double>();
+    if (call == Call::kMoveRigid) a.get<dsw_rigid_motion>();
+    auto options = a.get_struct<dsw_move_options>();
+    options.order = a.get_items<uint32_t>(options.order_count);
+    remember_body(body, options);
+  } else if (call == Call::kMoveBodies) {
+    const auto all = a.get_items<dsw_body_id>();
+    a.get_items<double>();
+    const auto options = a.get_struct<dsw_move_options>();
+    for (size_t i = 0; i < all.count; ++i) remember_body(all.items[i], options);
+  }
+}
+
+void CallJudge::remember_particle(dsw_particle_id particle, const double* target, const dsw_cast_options& options) {
+  if (target == nullptr || !scene_.slots.alive(particle.index, particle.generation)) return;  // the call will fail
+  particles_.push_back({particle.index, options.max_cells == 0, before_.size(), 0, 0});
+  const auto& from = scene_.particles[particle.index].position;
+  before_.insert(before_.end(), from, from + 3);
+  before_.insert(before_.end(), target, target + 3);
+}
+
+void CallJudge::remember_body(dsw_body_id id, const dsw_move_options& options) {
+  if (!scene_.body_slots.alive(id.index, id.generation)) return;  // the call will fail
+  const Body& body = scene_.bodies[id.index].body;
+  const bool is_exact = options.search == DSW_SEARCH_EXACT && options.max_cells == 0;
+  bodies_.push_back({id.index, is_exact, before_.size(), orders_.size(), body.vertices.size()});
+  for (const BodyVertex& v : body.vertices) before_.insert(before_.end(), v.position, v.position + 3);
+  const bool is_ordered = options.order != nullptr;
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) orders_.push_back(is_ordered ? kNoRank : v);
+  for (uint32_t i = 0; is_ordered && i < options.order_count; ++i) {
+    const uint32_t v = options.order[i];
+    if (v < body.vertices.size()) orders_[orders_.size() - body.vertices.size() + v] = i;
+  }
+}
+
+void CallJudge::note(const char* format, uint32_t one, uint32_t other) {
+  if (verdict_.text[0] == 0) std::snprintf(verdict_.text, sizeof verdict_.text, format, one, other);
+}
+
+uint32_t CallJudge::add_subject(Said said, uint32_t owner, uint32_t part, double time) {
+  subjects_.push_back({said, owner, part, time});
+  return static_cast<uint32_t>(subjects_.size() - 1);
+}
+
+void CallJudge::look_at_places() {
+  const auto is_lost = [&](Cell c, const double* point) {
+    ++verdict_.places;
+    const bool lost = !c.valid() || is_closed(scene_.env, c) || !exactly_contains(scene_.env, c, point);
+    verdict_.lost += lost ? 1 : 0;
+    return lost;
+  };
+  for (uint32_t i = 0; i < scene_.particles.size(); ++i) {
+    const ParticleState<3>& state = scene_.particles[i];
+    if (!scene_.slots.alive(i, scene_.slots.generation(i))) continue;
+    if (is_lost(state.cell, state.position)) note("particle %u is not where it is said to be", i, 0);
+  }
+  for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
+    if (!scene_.body_slots.alive(slot, scene_.body_slots.generation(slot))) continue;
+    const Body& body = scene_.bodies[slot].body;
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (body.has_vertex(v) && is_lost(body.vertices[v].cell, body.position(v))) {
+        note("body %u: vertex %u is not where it is said to be", slot, v);
+      }
+    }
+    look_at_body(slot);
+  }
+}
+
+void CallJudge::look_at_body(uint32_t slot) {
+  const Body& body = scene_.bodies[slot].body;
+  for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
+    if (!body.has_edge(e)) continue;
+    const BodyEdge& edge = body.edges[e];
+    judge_.add(add_subject(Said::kEdgeIsFree, slot, e), body.position(edge.ends[0]), body.position(edge.ends[1]));
+    ++verdict_.edges;
+  }
+  for (uint32_t f = 0; body.level == SweepLevel::kFaces && f < body.faces.size(); ++f) {
+    if (!body.has_face(f)) continue;
+    const BodyFace& face = body.faces[f];
+    judge_.add(add_subject(Said::kFaceIsFree, slot, f), body.position(face.corners[0]), body.position(face.corners[1]),
+               body.position(face.corners[2]));
+    ++verdict_.faces;
+  }
+}
+
+void CallJudge::claim_flight(const Mover& mover) {
+  const double *const from = &before_[mover.first], *const target = from + 3;
+  const auto& now = scene_.particles[mover.slot].position;
+  judge_.add(add_subject(Said::kWayIsFree, mover.slot, kNone), from, now);
+  ++verdict_.ways;
+  if (are_equal(now, target)) return;
+  if (!mover.is_exact) {
+    ++verdict_.not_judged;
+    return;
+  }
+  judge_.add(add_subject(Said::kContactAt, mover.slot, kNone, -1), from, target);
+  ++verdict_.contacts;
+}
+
+void CallJudge::claim_way(const Mover& mover, const Body& body, uint32_t vertex) {
+  const auto at = [&](uint32_t v) { return &before_[mover.first + 3 * size_t{v}]; };
+  const uint32_t* const ranks = &orders_[mover.order_first];
+  const uint32_t subject = add_subject(Said::kWayIsFree, mover.slot, vertex);
+  judge_.add(subject, at(vertex), body.position(vertex));
+  ++verdict_.ways;
+  // Edges whose sweeps are left out by the share of motion are only free where they end.
+  if (body.level < SweepLevel::kEdgesSwept || body.skipping.by_motion) return;
+  for_each_edge(body, vertex, [&](uint32_t e) {
+    const uint32_t q = body.edges[e].other(vertex);
+    judge_.add(subject, at(vertex), body.position(vertex), ranks[q] < ranks[vertex] ? body.position(q) : at(q));
+    return true;
+  });
+}
+
+void CallJudge::claim_contact(const Mover& mover, const dsw_contact& contact) {
+  const bool is_wall = contact.obstacle.kind != DSW_CELL_NONE, is_of_face = contact.face.generation != 0;
+  if (!is_wall || is_of_face || !mover.is_exact) {
+    ++verdict_.not_judged;
+    return;
+  }
+  const uint32_t subject = add_subject(Said::kContactAt, mover.slot, contact.vertex.index, contact.time);
+  judge_.add(subject, contact.from, contact.to);
+  if (contact.edge.generation != 0) judge_.add(subject, contact.from, contact.to, contact.fixed[0]);
+  ++verdict_.contacts;
+}
+
+void CallJudge::claim_move(const Mover& mover) {
+  const BodyRecord& of = scene_.bodies[mover.slot];
+  for (const dsw_contact& contact : of.record.contacts) claim_contact(mover, contact);
+  for (uint32_t v = 0; v < mover.order_count; ++v) {
+    if (!of.record.edits.empty()) {
+      ++verdict_.not_judged;
+      continue;
+    }
+    if (!of.body.has_vertex(v) || are_equal(of.body.position(v), &before_[mover.first + 3 * size_t{v}])) continue;
+    const auto is_its = [v](const dsw_contact& contact) { return contact.vertex.index == v; };
+    if (std::any_of(of.record.contacts.begin(), of.record.contacts.end(), is_its)) continue;
+    claim_way(mover, of.body, v);
+  }
+}
+
+void CallJudge::count(const Subject& s, bool is_met, double time) {
+  switch (s.said) {
+    case Said::kEdgeIsFree:
+      verdict_.crossing += is_met ? 1 : 0;
+      if (is_met) note("body %u: edge %u meets something impassable", s.owner, s.part);
+      return;
+    case Said::kFaceIsFree:
+      verdict_.pierced += is_met ? 1 : 0;
+      if (is_met) note("body %u: face %u meets something impassable", s.owner, s.part);
+      return;
+    case Said::kWayIsFree:
+      verdict_.missed += is_met ? 1 : 0;
+      if (is_met && s.part == kNone) note("particle %u has passed something impassable", s.owner, 0);
+      if (is_met) note("body %u: vertex %u, or an edge of it, has passed something impassable", s.owner, s.part);
+      return;
+    case Said::kContactAt:
+      // Of a particle it is known that there was one, no more.
+      const bool is_wrong = !is_met || (s.part != kNone && s.time != time);
+      verdict_.wrong += is_wrong ? 1 : 0;
+      if (is_wrong && s.part == kNone) note("particle %u stopped, though there is nothing in its way", s.owner, 0);
+      if (is_wrong) note("body %u: a contact of vertex %u is at another time", s.owner, s.part);
+      return;
+  }
+}
+
+dsw_verdict CallJudge::judge(bool was_done) {
+  look_at_places();
+  for (const Mover& mover : particles_) {
+    if (was_done) claim_flight(mover);
+  }
+  for (const Mover& mover : bodies_) {
+    if (was_done) claim_move(mover);
+  }
+  judge_.run();
+  // Claims about one subject follow each other.
+  const Array<Claim>& claims = judge_.claims();
+  for (size_t i = 0; i < claims.size();) {
+    bool is_met = false;
+    double time = 2;
+    const uint32_t subject = claims[i].subject;
+    for (; i < claims.size() && claims[i].subject == subject; ++i) {
+      is_met = is_met || claims[i].is_met;
+      time = std::min(time, claims[i].time);
+    }
+    count(subjects_[subject], is_met, time);
+  }
+  const dsw_verdict& v = verdict_;
+  verdict_.is_right = v.lost + v.crossing + v.pierced + v.missed + v.wrong == 0 ? 1 : 0;
+  return verdict_;
+}
+
+}  // namespace dsw::capi

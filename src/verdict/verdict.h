@@ -1,0 +1,43 @@
+#pragma once
+// What is right, by exact integers alone: README.md. Every claim is held against every obstacle there is; there is no walk, no filter and nothing
+// that the engine remembers.
+
+#include "body/box.h"
+#include "environment/environment.h"
+
+namespace dsw {
+
+/** Whether a body point is in a cell, under the shift. */
+bool exactly_contains(const Environment<3>& env, Cell c, const double* point) noexcept;
+
+/** A segment or a triangle of body points and what of the environment it meets: a segment impassable faces, a triangle edges of these and
+ * wires. Two points that are equal meet nothing. */
+struct Claim {
+  const double* points[3] = {};  // lent; the third is null for a segment
+  uint32_t subject = 0;          // whom it is about
+  bool is_met = false;
+  /** When: a segment is the way of a vertex, a triangle p p' q what edge p q sweeps. The largest double not above the first time. */
+  double time = 2;
+};
+
+class Judge {
+ public:
+  explicit Judge(const Environment<3>& env)
+      : env_(env), claims_(Allocator<Claim>(env.memory)), boxes_(Allocator<Box>(env.memory)) {}
+
+  void add(uint32_t subject, const double* p, const double* q, const double* r = nullptr);
+  /** Holds all claims against all obstacles. O(obstacles * claims), but only boxes where they are apart. */
+  void run();
+  const Array<Claim>& claims() const { return claims_; }
+
+ private:
+  void meet_triangle(const double* const* triangle) noexcept;
+  void meet_line(const double* a, const double* b) noexcept;
+
+  const Environment<3>& env_;
+  Array<Claim> claims_;
+  Array<Box> boxes_;  // of claims
+  Box all_;
+};
+
+}  // namespace dsw
