@@ -107,7 +107,7 @@ void dsw_body_desc_init(dsw_body_desc* desc, size_t size) { capi::init_struct(de
 
 dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body_id* body) {
   return capi::guard("dsw_body_create", [&] {
-    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require(desc, "desc");
     capi::require(body, "body");
     const dsw_body_desc d = capi::read_struct(desc, "desc");
@@ -127,7 +127,7 @@ dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body
 
 dsw_status dsw_scene_get_offending_edges(const dsw_scene* scene, const uint32_t** vertices, size_t* count) {
   return capi::guard("dsw_scene_get_offending_edges", [&] {
-    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require(vertices, "vertices");
     capi::require(count, "count");
     *vertices = s.offending.data();
@@ -137,7 +137,7 @@ dsw_status dsw_scene_get_offending_edges(const dsw_scene* scene, const uint32_t*
 
 dsw_status dsw_scene_get_occupant_bodies(const dsw_scene* scene, const dsw_body_id** bodies, size_t* count) {
   return capi::guard("dsw_scene_get_occupant_bodies", [&] {
-    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require(bodies, "bodies");
     capi::require(count, "count");
     *bodies = s.occupant_bodies.data();
@@ -156,7 +156,7 @@ dsw_status dsw_body_destroy(dsw_scene* scene, dsw_body_id body) {
 
 dsw_status dsw_scene_get_body_count(const dsw_scene* scene, size_t* count) {
   return capi::guard("dsw_scene_get_body_count", [&] {
-    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require(count, "count");
     *count = s.body_slots.alive_count();
   });
@@ -164,7 +164,7 @@ dsw_status dsw_scene_get_body_count(const dsw_scene* scene, size_t* count) {
 
 dsw_status dsw_scene_get_bodies(const dsw_scene* scene, dsw_body_id* bodies, size_t capacity, size_t* count) {
   return capi::guard("dsw_scene_get_bodies", [&] {
-    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::copy_ids(s.bodies.size(), s.body_slots, bodies, capacity, count);
   });
 }

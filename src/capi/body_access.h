@@ -13,7 +13,7 @@ struct BodyAccess {
   Body& body;
 
   BodyAccess(dsw_scene* handle, dsw_body_id id)
-      : scene(check_handle(handle, "scene").engine),
+      : scene(space(check_handle(handle, "scene"))),
         record(check_body(scene, id, {"body", false})),
         body(record.body) {}
   BodyAccess(const dsw_scene* handle, dsw_body_id id) : BodyAccess(const_cast<dsw_scene*>(handle), id) {}

@@ -40,7 +40,7 @@ void get_recording(dsw_scene& scene, Bytes& bytes) {
   }
   dsw_recording_desc desc{};
   desc.flags = DSW_RECORDING_LATEST;
-  dsw::Owned<capi::Recording> now(scene.engine.memory);
+  dsw::Owned<capi::Recording> now(capi::memory_of(*scene.environment));
   capi::begin_recording(scene, desc, now);
   bytes.swap(now.get()->kept);
 }
@@ -97,7 +97,7 @@ dsw_status dsw_scene_write_bundle(dsw_scene* scene, const dsw_bundle_desc* desc,
     if (d.path == nullptr) capi::require(reinterpret_cast<const void*>(d.write), "desc->write");
     if (verdict != nullptr) capi::check_size(verdict, "verdict");
 
-    Bytes recording{dsw::Allocator<uint8_t>(handle.engine.memory)};
+    Bytes recording{dsw::Allocator<uint8_t>(capi::memory_of(*handle.environment))};
     get_recording(handle, recording);
     dsw_replay* made = nullptr;
     check_done(dsw_replay_create(handle.environment->context, recording.data(), recording.size(), &made));
@@ -110,7 +110,7 @@ dsw_status dsw_scene_write_bundle(dsw_scene* scene, const dsw_bundle_desc* desc,
     to.path = d.path;
     to.write = d.write;
     to.user = d.user;
-    dsw::Owned<capi::Recording> owner(handle.engine.memory);
+    dsw::Owned<capi::Recording> owner(capi::memory_of(*handle.environment));
     capi::begin_recording(*made->scene, to, owner);
     made->scene->recording = owner.release();
     dsw_replay_report report;

@@ -80,7 +80,7 @@ dsw_status dsw_environment_carve(dsw_environment* environment, const dsw_carve_d
     dsw::CutSettings settings;
     settings.snap = capi::to_snap(d.snap);
     settings.splits = (d.flags & DSW_CARVE_WHOLE) != 0 ? dsw::Splits::kNothing : dsw::Splits::kImpassable;
-    dsw::Environment<3>& env = handle.engine;
+    dsw::Environment<3>& env = capi::space(handle);
     const dsw::Blade shape = read_shape(env.memory, d);
     capi::check_hint(env.map, d.start, "desc->start");
     capi::Recorded call(scene, capi::Call::kCarve,
@@ -132,7 +132,7 @@ dsw_status dsw_environment_tie(dsw_environment* environment, const dsw_tie_desc*
     settings.snap = capi::to_snap(d.snap);
     settings.splits = dsw::Splits::kPassable;
     settings.unsew = settings.closes = true;
-    dsw::Environment<3>& env = handle.engine;
+    dsw::Environment<3>& env = capi::space(handle);
     const dsw::Array<double> loop = read_loop(env.memory, d);
     const dsw::Blade disc = dsw::Blade::fan(env.memory, {loop.data(), 3}, static_cast<uint32_t>(d.point_count) + 1);
     capi::check_hint(env.map, d.start, "desc->start");

@@ -32,8 +32,8 @@ dsw_coarsen_report to_report(const dsw_environment& source, const dsw_environmen
   report.passable_area[1] = found.area_after;
   const dsw_environment* const both[2] = {&source, &target};
   for (int i = 0; i < 2; ++i) {
-    report.volume_count[i] = both[i]->engine.map.cell_count;
-    report.face_count[i] = both[i]->engine.map.facet_count;
+    report.volume_count[i] = capi::space(*both[i]).map.cell_count;
+    report.face_count[i] = capi::space(*both[i]).map.facet_count;
     report.memory_bytes[i] = capi::memory_bytes(*both[i]);
   }
   return report;
@@ -52,7 +52,7 @@ dsw_status dsw_environment_coarsen(const dsw_environment* source, const dsw_coar
                                    dsw_coarsen_report* report) {
   return capi::guard("dsw_environment_coarsen", [&] {
     const dsw_environment& handle = capi::check_handle(source, "source");
-    const dsw::Environment<3>& from = handle.engine;
+    const dsw::Environment<3>& from = capi::space(handle);
     capi::require(environment, "environment");
     const dsw::CoarsenOptions chosen = to_options(options);
     if (report != nullptr) capi::check_size(report, "report");
@@ -60,10 +60,10 @@ dsw_status dsw_environment_coarsen(const dsw_environment* source, const dsw_coar
       fail(DSW_STATUS_BUFFER_TOO_SMALL, "capacity is %zu, must be at least %u", capacity, from.map.index_count());
     }
     if (from.checked.active()) fail(DSW_STATUS_UNSUPPORTED, "the points of source have moved, or may move");
-    capi::EnvironmentOwner owner(handle.context);
+    capi::EnvironmentOwner owner(handle.context, 3);
     dsw::Array<uint32_t> new_index{dsw::Allocator<uint32_t>(from.memory)};
     dsw::CoarsenReport found;
-    coarsen(from, chosen, owner->engine, new_index, found);
+    coarsen(from, chosen, capi::space(*owner), new_index, found);
     *environment = owner.take();
     if (volume_map != nullptr) std::copy(new_index.begin(), new_index.end(), volume_map);
     if (report != nullptr) capi::write_struct(report, to_report(handle, **environment, found));

@@ -42,7 +42,7 @@ CutResults::CutResults(Edit& edit, const Array<CutFace>& faces, const Array<NewV
 }
 
 void CutResults::give_to(dsw_environment& handle) noexcept {
-  const Map<3>& map = handle.engine.map;
+  const Map<3>& map = space(handle).map;
   append_changes(edit_, changes_);
   handle.changes.swap(changes_);
   for (const CutFace& f : of_faces_) faces_.push_back({face_id(map, f.front), face_id(map, f.back)});

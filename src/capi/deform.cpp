@@ -10,7 +10,7 @@ using dsw::fail;
 namespace {
 
 dsw::Deformation& deformation_of(const dsw_scene* scene) {
-  dsw::Deformation* const of = capi::check_handle(scene, "scene").engine.deformation.get();
+  dsw::Deformation* const of = capi::space(capi::check_handle(scene, "scene")).deformation.get();
   if (of == nullptr) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_DEFORMING");
   return *of;
 }
@@ -46,23 +46,23 @@ dsw::WallSettings read_settings(const dsw_deform_options& o) {
 
 /** Mends volumes that would become invalid, and deforms with that. Returns how many went. */
 uint32_t mend_and_deform(dsw_scene& scene, double* next, const dsw::WallSettings& settings, dsw::MendSettings mend) {
-  dsw::Deformation& of = *scene.engine.deformation.get();
+  dsw::Deformation& of = *capi::space(scene).deformation.get();
   mend.only_valid = true;
   dsw::Mending mending(of.env, next, mend);
-  want_near(scene.engine, mending);
+  want_near(capi::space(scene), mending);
   std::optional<dsw::Edit> edit;
   mending.prepare(edit);
   dsw::Edit* change = edit ? &*edit : nullptr;
   capi::MendResults results(of.env, mending.record(), change);
   auto bend = [&] {
-    deform(scene.engine, next, settings);
+    deform(capi::space(scene), next, settings);
     return of.record.outcome != DSW_DEFORM_REFUSED;
   };
   if (change == nullptr) {
     bend();
   } else {
     const dsw::Meanwhile meanwhile{[](void* user) { return (*static_cast<decltype(bend)*>(user))(); }, &bend};
-    if (!carry_out_prepared(*change, scene.engine, &meanwhile)) change = nullptr;
+    if (!carry_out_prepared(*change, capi::space(scene), &meanwhile)) change = nullptr;
     renew_ids(of);
   }
   results.move_to(*scene.environment, change);
@@ -98,7 +98,7 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
     if (o.invalid == DSW_INVALID_REMESH) {
       remeshed = mend_and_deform(*scene, next, settings, mend);
     } else {
-      deform(scene->engine, next, settings);
+      deform(capi::space(*scene), next, settings);
     }
     const dsw::WallRecord& record = of.record;
     const dsw_deform_report done{record.fraction,
@@ -132,7 +132,7 @@ dsw_status dsw_scene_get_invalid_volumes(const dsw_scene* scene, const dsw_volum
 
 dsw_status dsw_environment_is_valid(const dsw_environment* environment, dsw_volume_id volume, int* valid) {
   return capi::guard("dsw_environment_is_valid", [&] {
-    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
     const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
     capi::require(valid, "valid");
     *valid = admits(env, c) ? 1 : 0;
@@ -141,7 +141,7 @@ dsw_status dsw_environment_is_valid(const dsw_environment* environment, dsw_volu
 
 dsw_status dsw_environment_get_points(const dsw_environment* environment, const double** points, size_t* count) {
   return capi::guard("dsw_environment_get_points", [&] {
-    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
     capi::require(points, "points");
     capi::require(count, "count");
     *points = env.points;

@@ -80,11 +80,11 @@ dsw_status dsw_scene_detach(dsw_scene* scene, const dsw_detach_desc* desc, dsw_b
     check_numbers(d);
     const dsw::SweepLevel level = capi::to_level(d.level, DSW_LEVEL_FACES, "desc->level");
     const dsw::BodyDescription like =
-        capi::to_description(handle.engine, {level, d.flags, d.motion_share, d.category, d.mask});
-    dsw::Environment<3>& env = home.engine;
+        capi::to_description(capi::space(handle), {level, d.flags, d.motion_share, d.category, d.mask});
+    dsw::Environment<3>& env = capi::space(home);
     const dsw::Cell start = capi::to_cell(env.map, d.volume, {"desc->volume", false});
     capi::Recorded call(scene, capi::Call::kDetach, d);
-    dsw::Detachment detachment(env, handle.engine, start, d.max_volumes == 0 ? SIZE_MAX : d.max_volumes);
+    dsw::Detachment detachment(env, capi::space(handle), start, d.max_volumes == 0 ? SIZE_MAX : d.max_volumes);
     Results results(env.memory, detachment);
     const double gap = d.gap == 0 ? 0.01 : d.gap;
     const uint32_t halvings = d.halvings == 0 ? 32 : d.halvings;

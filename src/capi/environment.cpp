@@ -12,7 +12,7 @@ using dsw::fail;
 namespace {
 
 const dsw::Map<3>& map_of(const dsw_environment* environment) {
-  return capi::check_handle(environment, "environment").engine.map;
+  return capi::space(capi::check_handle(environment, "environment")).map;
 }
 
 /** Facet `local` of a volume, or OUT_OF_RANGE. */
@@ -99,7 +99,7 @@ dsw_status dsw_environment_destroy(dsw_environment* environment) {
 dsw_status dsw_environment_get_info(const dsw_environment* environment, dsw_environment_info* info) {
   return capi::guard("dsw_environment_get_info", [&] {
     const dsw_environment& handle = capi::check_handle(environment, "environment");
-    const dsw::Environment<3>& env = handle.engine;
+    const dsw::Environment<3>& env = capi::space(handle);
     capi::require(info, "info");
     capi::check_size(info, "info");
     dsw_environment_info i{};
@@ -159,7 +159,7 @@ dsw_status dsw_environment_get_position(const dsw_environment* environment, dsw_
   return capi::guard("dsw_environment_get_position", [&] {
     const dsw::Map<3>& map = map_of(environment);
     capi::require(xyz, "xyz");
-    const double* const point = environment->engine.point(capi::to_vertex(map, vertex, {"vertex", false}));
+    const double* const point = capi::space(*environment).point(capi::to_vertex(map, vertex, {"vertex", false}));
     std::copy(point, point + 3, xyz);
   });
 }
@@ -196,7 +196,7 @@ dsw_status dsw_environment_get_neighbour(const dsw_environment* environment, dsw
     const dsw::HalfFacet h = facet_of(map, c, local);
     const dsw::HalfFacet o = map.opposite(h);
     if (neighbour != nullptr) *neighbour = volume_id(map, o.valid() ? map.cell_of(o) : dsw::Cell{});
-    if (impassable != nullptr) *impassable = is_impassable(environment->engine, h) ? 1 : 0;
+    if (impassable != nullptr) *impassable = is_impassable(capi::space(*environment), h) ? 1 : 0;
   });
 }
 
@@ -204,7 +204,7 @@ dsw_status dsw_environment_get_centre(const dsw_environment* environment, dsw_vo
   return capi::guard("dsw_environment_get_centre", [&] {
     const dsw::Cell c = capi::to_cell(map_of(environment), volume, {"volume", false});
     capi::require(xyz, "xyz");
-    centre(environment->engine, c, xyz);
+    centre(capi::space(*environment), c, xyz);
   });
 }
 
@@ -263,8 +263,8 @@ dsw_status dsw_environment_find_faces(const dsw_environment* environment, size_t
       }
       capi::require_array(indices, offsets[count] - offsets[0], "indices");
       dsw::Array<dsw::HalfFacet> found(count, dsw::HalfFacet{},
-                                       dsw::Allocator<dsw::HalfFacet>(environment->engine.memory));
-      find_facets(environment->engine, count, offsets, indices, found.data(), &absent);
+                                       dsw::Allocator<dsw::HalfFacet>(capi::space(*environment).memory));
+      find_facets(capi::space(*environment), count, offsets, indices, found.data(), &absent);
       for (size_t i = 0; i < count; ++i) {
         faces[i] = found[i].valid() ? face_id(map, canonical(map, found[i])) : dsw_face_id{0, 0, 0};
       }
@@ -281,8 +281,8 @@ dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t
     if (count != 0) {
       capi::require(indices, "indices");
       capi::require(edges, "edges");
-      dsw::Array<dsw::Dart> found(count, dsw::Dart{}, dsw::Allocator<dsw::Dart>(environment->engine.memory));
-      find_edges(environment->engine, count, indices, found.data(), &absent);
+      dsw::Array<dsw::Dart> found(count, dsw::Dart{}, dsw::Allocator<dsw::Dart>(capi::space(*environment).memory));
+      find_edges(capi::space(*environment), count, indices, found.data(), &absent);
       for (size_t i = 0; i < count; ++i) {
         edges[i] = found[i].cell.valid() ? capi::edge_id(map, found[i]) : dsw_edge_id{0, 0, 0};
       }
@@ -295,7 +295,7 @@ dsw_status dsw_environment_get_region(const dsw_environment* environment, dsw_vo
   return capi::guard("dsw_environment_get_region", [&] {
     const dsw::Map<3>& map = map_of(environment);
     capi::require(region, "region");
-    *region = environment->engine.region(capi::to_cell(map, volume, {"volume", false}));
+    *region = capi::space(*environment).region(capi::to_cell(map, volume, {"volume", false}));
   });
 }
 
@@ -303,13 +303,13 @@ dsw_status dsw_environment_get_tag(const dsw_environment* environment, dsw_volum
   return capi::guard("dsw_environment_get_tag", [&] {
     const dsw::Map<3>& map = map_of(environment);
     capi::require(tag, "tag");
-    *tag = environment->engine.tag(capi::to_cell(map, volume, {"volume", false}));
+    *tag = capi::space(*environment).tag(capi::to_cell(map, volume, {"volume", false}));
   });
 }
 
 dsw_status dsw_environment_set_tag(dsw_environment* environment, dsw_volume_id volume, uint32_t tag) {
   return capi::guard("dsw_environment_set_tag", [&] {
-    dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
     const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
     if (env.tags.empty()) {
       if (tag == 0) return;

@@ -140,8 +140,8 @@ dsw_environment* build_environment(dsw_context* context, const dsw_environment_d
   std::optional<EnvironmentOwner> owner;
   ReportWriter writer(report);
   writer.run([&](BuildReport& found) -> const Environment<3>& {
-    owner.emplace(context);
-    Environment<3>& env = (*owner)->engine;
+    owner.emplace(context, 3);
+    Environment<3>& env = space(**owner);
     build(env, input, found);
     if ((desc.flags & DSW_ENVIRONMENT_LOCATE_GRID) != 0) build_grid(env);
     if ((desc.flags & DSW_ENVIRONMENT_CHECK_BOUNDARY) != 0) check_boundary(env, found.offenders);
@@ -159,14 +159,14 @@ dsw_environment* build_environment(dsw_context* context, const dsw_environment_d
 }
 
 uint64_t memory_bytes(const dsw_environment& environment) {
-  return environment.engine.memory_bytes() + array_bytes(environment.changes) + array_bytes(environment.cut_vertices) +
+  return space(environment).memory_bytes() + array_bytes(environment.changes) + array_bytes(environment.cut_vertices) +
          array_bytes(environment.cut_faces) + array_bytes(environment.whole_volumes) +
          array_bytes(environment.carved_volumes) + array_bytes(environment.unmended_volumes) + sizeof environment -
          sizeof environment.engine;
 }
 
 void check_environment(const dsw_environment& environment, dsw_build_report* report) {
-  const Environment<3>& env = environment.engine;
+  const Environment<3>& env = space(environment);
   ReportWriter(report).run([&](BuildReport& found) -> const Environment<3>& {
     const Map<3>& map = env.map;
     if (const char* const broken = check_integrity(map)) fail(DSW_STATUS_INTERNAL, "the map is broken: %s", broken);

@@ -8,15 +8,16 @@
 #include "capi/recorded.h"
 #include "environment/moving.h"
 
-dsw_environment::dsw_environment(dsw_context* owner)
+dsw_environment::dsw_environment(dsw_context* owner, uint32_t dimension)
     : context(owner),
-      engine(dsw::capi::memory_of(owner)),
+      engine(std::in_place_type<dsw::Environment<3>>, dsw::capi::memory_of(owner)),
       changes(dsw::Allocator<dsw_volume_change>(dsw::capi::memory_of(owner))),
       cut_vertices(dsw::Allocator<dsw_cut_vertex>(dsw::capi::memory_of(owner))),
       cut_faces(dsw::Allocator<dsw_cut_face>(dsw::capi::memory_of(owner))),
       whole_volumes(dsw::Allocator<dsw_volume_id>(dsw::capi::memory_of(owner))),
       carved_volumes(dsw::Allocator<dsw_volume_id>(dsw::capi::memory_of(owner))),
       unmended_volumes(dsw::Allocator<dsw_volume_id>(dsw::capi::memory_of(owner))) {
+  if (dimension == 2) engine.emplace<dsw::Environment<2>>(dsw::capi::memory_of(owner));
   if (owner != nullptr) {
     parallel = owner->parallel;
   } else {
@@ -25,12 +26,13 @@ dsw_environment::dsw_environment(dsw_context* owner)
   }
 }
 
-dsw_scene::dsw_scene(dsw_environment* home, dsw::SceneFeatures features)
+template <int D>
+dsw_scene::dsw_scene(dsw_environment* home, const dsw::Environment<D>& env, dsw::SceneFeatures features)
     : environment(home),
-      engine(home->engine, home->engine.memory, home->parallel, features),
-      detached_volumes(dsw::Allocator<dsw_volume_id>(home->engine.memory)),
-      detached_vertices(dsw::Allocator<dsw_detached_vertex>(home->engine.memory)),
-      detached_faces(dsw::Allocator<dsw_detached_face>(home->engine.memory)) {}
+      engine(std::in_place_type<dsw::Scene<D>>, env, env.memory, home->parallel, features),
+      detached_volumes(dsw::Allocator<dsw_volume_id>(env.memory)),
+      detached_vertices(dsw::Allocator<dsw_detached_vertex>(env.memory)),
+      detached_faces(dsw::Allocator<dsw_detached_face>(env.memory)) {}
 
 dsw_scene::~dsw_scene() { dsw::capi::end_recording(*this); }
 
@@ -44,8 +46,8 @@ void release(dsw_context* context) noexcept {
   if (context != nullptr) context->users.fetch_sub(1, std::memory_order_release);
 }
 
-EnvironmentOwner::EnvironmentOwner(dsw_context* context)
-    : handle_(create_object<dsw_environment>(memory_of(context), context)) {
+EnvironmentOwner::EnvironmentOwner(dsw_context* context, uint32_t dimension)
+    : handle_(create_object<dsw_environment>(memory_of(context), context, dimension)) {
   retain(context);
 }
 
@@ -60,20 +62,20 @@ void destroy_environment(dsw_environment* environment) noexcept {
 }
 
 SceneOwner::SceneOwner(dsw_environment& home, SceneFeatures features)
-    : handle_(create_object<dsw_scene>(home.engine.memory, &home, features)) {}
+    : handle_(
+          visit(home, [&](const auto& env) { return create_object<dsw_scene>(env.memory, &home, env, features); })) {}
 
 SceneOwner::~SceneOwner() {
-  if (handle_ != nullptr) destroy_object(handle_->environment->engine.memory, handle_);
+  if (handle_ != nullptr) destroy_object(memory_of(*handle_->environment), handle_);
 }
 
 dsw_scene* SceneOwner::enter() {
-  Environment<3>& env = handle_->environment->engine;
-  const bool deforming = handle_->engine.features.deforming;
-  if (deforming) handle_->engine.deformation.make(env);
+  const bool deforming = features_of(*handle_).deforming;
+  if (deforming) space(*handle_).deformation.make(space(*handle_->environment));
   attach(*handle_);
   if (deforming) {
     try {
-      let_points_move(env);
+      let_points_move(space(*handle_->environment));
     } catch (...) {
       detach(*handle_);
       throw;
@@ -99,9 +101,9 @@ void attach(dsw_scene& scene) {
   dsw_environment& home = *scene.environment;
   const std::lock_guard<std::mutex> lock(home.scenes_mutex);
   const dsw_scene* const other = home.first_scene;
-  if (other != nullptr && (other->engine.features.deforming || scene.engine.features.deforming)) {
+  if (other != nullptr && (features_of(*other).deforming || features_of(scene).deforming)) {
     fail(DSW_STATUS_IN_USE, "%u scenes use the environment, and %s deforms it", home.scene_count,
-         other->engine.features.deforming ? "one" : "the new one");
+         features_of(*other).deforming ? "one" : "the new one");
   }
   scene.next = home.first_scene;
   if (scene.next != nullptr) scene.next->previous = &scene;

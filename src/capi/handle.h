@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <mutex>
 #include <utility>
+#include <variant>
 
 #include "capi/guard.h"
 #include "dartsweep/carve.h"
@@ -34,7 +35,7 @@ struct dsw_environment {
   uint64_t magic = kMagic;
   dsw_context* context;  // may be null
   dsw::Parallel parallel;
-  dsw::Environment<3> engine;
+  std::variant<dsw::Environment<3>, dsw::Environment<2>> engine;  // see visit and space
   mutable std::mutex scenes_mutex;   // hosts make scenes of a shared environment on several threads
   dsw_scene* first_scene = nullptr;  // a list through dsw_scene::next
   uint32_t scene_count = 0;
@@ -45,7 +46,8 @@ struct dsw_environment {
   dsw::Array<dsw_volume_id> carved_volumes;    // of the last carving
   dsw::Array<dsw_volume_id> unmended_volumes;  // of the last mending
 
-  explicit dsw_environment(dsw_context* owner);
+  /** `dimension`: 2 or 3. */
+  dsw_environment(dsw_context* owner, uint32_t dimension);
 };
 
 struct dsw_scene {
@@ -56,18 +58,35 @@ struct dsw_scene {
   dsw::capi::CallWatch* watch = nullptr;      // of the replay that it belongs to
   dsw_scene* previous = nullptr;              // of the same environment
   dsw_scene* next = nullptr;
-  dsw::Scene<3> engine;
-  dsw::Array<dsw_volume_id> detached_volumes;  // of the last piece that came off, as the next two
+  std::variant<dsw::Scene<3>, dsw::Scene<2>> engine;  // of the dimension of its environment
+  dsw::Array<dsw_volume_id> detached_volumes;         // of the last piece that came off, as the next two
   dsw::Array<dsw_detached_vertex> detached_vertices;
   dsw::Array<dsw_detached_face> detached_faces;
 
-  dsw_scene(dsw_environment* home, dsw::SceneFeatures features);
+  /** `env` is that of `home`. */
+  template <int D>
+  dsw_scene(dsw_environment* home, const dsw::Environment<D>& env, dsw::SceneFeatures features);
   ~dsw_scene();
 };
 
 namespace dsw::capi {
 
 inline const Memory* memory_of(const dsw_context* context) { return context == nullptr ? nullptr : &context->memory; }
+inline const Memory* memory_of(const dsw_environment& environment) { return memory_of(environment.context); }
+
+/** Calls use(engine) with the engine of an environment or a scene, whatever its dimension: for functions that serve space and plane. */
+template <class Handle, class Use>
+decltype(auto) visit(Handle& handle, const Use& use) {
+  return std::visit(use, handle.engine);
+}
+
+/** The engine of an environment or a scene in space; refuses planar ones: for functions that do not serve the plane yet. */
+template <class Handle>
+auto& space(Handle& handle) {
+  auto* const engine = std::get_if<0>(&handle.engine);
+  if (engine == nullptr) fail(DSW_STATUS_UNSUPPORTED, "not available in the plane in this version");
+  return *engine;
+}
 
 /** Refuses null and what is not a live object of this kind; `name` is the parameter's. */
 template <class Handle>
@@ -109,11 +128,12 @@ void release(dsw_context* context) noexcept;
 /** An environment handle that is being made: gone again unless taken. */
 class EnvironmentOwner {
  public:
-  explicit EnvironmentOwner(dsw_context* context);
+  EnvironmentOwner(dsw_context* context, uint32_t dimension);
   ~EnvironmentOwner();
   EnvironmentOwner(const EnvironmentOwner&) = delete;
   EnvironmentOwner& operator=(const EnvironmentOwner&) = delete;
   dsw_environment* operator->() const { return handle_; }
+  dsw_environment& operator*() const { return *handle_; }
   dsw_environment* take() noexcept { return std::exchange(handle_, nullptr); }
 
  private:
@@ -130,7 +150,7 @@ class SceneOwner {
   ~SceneOwner();
   SceneOwner(const SceneOwner&) = delete;
   SceneOwner& operator=(const SceneOwner&) = delete;
-  dsw_scene* operator->() const { return handle_; }
+  dsw_scene& operator*() const { return *handle_; }
   /** The environment knows of it from here on. Throws as `attach` and `let_points_move`. */
   dsw_scene* enter();
 
@@ -148,7 +168,14 @@ void for_each_scene(const dsw_environment& environment, const Use& use) {
   const std::lock_guard<std::mutex> lock(environment.scenes_mutex);
   for (dsw_scene* scene = environment.first_scene; scene != nullptr; scene = scene->next) use(*scene);
 }
-inline Scene<3>* engine_of(dsw_scene* scene) { return scene == nullptr ? nullptr : &scene->engine; }
+/** Null for a null scene, which else has this dimension. */
+template <int D = 3>
+Scene<D>* engine_of(dsw_scene* scene) {
+  return scene == nullptr ? nullptr : &std::get<Scene<D>>(scene->engine);
+}
+inline SceneFeatures features_of(const dsw_scene& scene) {
+  return visit(scene, [](const auto& engine) { return engine.features; });
+}
 /** Throws IN_USE where a scene that deforms the environment would not be its only one. */
 void attach(dsw_scene& scene);
 void detach(dsw_scene& scene);

@@ -21,7 +21,7 @@ bool are_equal(const double* a, const double* b) noexcept { return std::equal(a,
 }  // namespace
 
 CallJudge::CallJudge(const dsw_scene& scene)
-    : scene_(scene.engine),
+    : scene_(space(scene)),
       before_(array_for<double>(scene_)),
       orders_(array_for<uint32_t>(scene_)),
       particles_(array_for<Mover>(scene_)),

@@ -63,7 +63,7 @@ dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_
                                         dsw_mark mark, uint32_t flags, size_t* skipped) {
   return capi::guard("dsw_environment_mark_volumes", [&] {
     dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw::Environment<3>& env = handle.engine;
+    dsw::Environment<3>& env = capi::space(handle);
     capi::require_array(volumes, count, "volumes");
     const bool marked = to_bool(mark);
     capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
@@ -82,7 +82,7 @@ dsw_status dsw_environment_mark_faces(dsw_environment* environment, const dsw_fa
                                       dsw_mark mark) {
   return capi::guard("dsw_environment_mark_faces", [&] {
     dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw::Environment<3>& env = handle.engine;
+    dsw::Environment<3>& env = capi::space(handle);
     capi::require_array(faces, count, "faces");
     const bool marked = to_bool(mark);
     Converted<dsw::HalfFacet> facets(env.memory, count);
@@ -98,7 +98,7 @@ dsw_status dsw_environment_mark_edges(dsw_environment* environment, const dsw_ed
                                       dsw_mark mark) {
   return capi::guard("dsw_environment_mark_edges", [&] {
     dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw::Environment<3>& env = handle.engine;
+    dsw::Environment<3>& env = capi::space(handle);
     capi::require_array(edges, count, "edges");
     const bool marked = to_bool(mark);
     Converted<dsw::Dart> darts(env.memory, count);
@@ -114,7 +114,7 @@ dsw_status dsw_environment_mark_vertices(dsw_environment* environment, const dsw
                                          dsw_mark mark) {
   return capi::guard("dsw_environment_mark_vertices", [&] {
     dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw::Environment<3>& env = handle.engine;
+    dsw::Environment<3>& env = capi::space(handle);
     capi::require_array(vertices, count, "vertices");
     const bool marked = to_bool(mark);
     for (size_t i = 0; i < count; ++i) capi::to_vertex(env.map, vertices[i], {"vertices", true}, i);
@@ -130,7 +130,7 @@ dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t reg
                                        size_t* marked, size_t* skipped) {
   return capi::guard("dsw_environment_mark_region", [&] {
     dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw::Environment<3>& env = handle.engine;
+    dsw::Environment<3>& env = capi::space(handle);
     const bool impassable = to_bool(mark);
     capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
     dsw_scene* const scene = begin_marking(handle);
@@ -151,7 +151,7 @@ dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a,
     const bool impassable = to_bool(mark);
     dsw_scene* const scene = begin_marking(handle);
     capi::Recorded call(scene, capi::Call::kMarkBetween, a, b, mark);
-    const size_t all = mark_between(handle.engine, capi::engine_of(scene), a, b, impassable);
+    const size_t all = mark_between(capi::space(handle), capi::engine_of(scene), a, b, impassable);
     call.done(all);
     if (marked != nullptr) *marked = all;
   });
@@ -159,7 +159,7 @@ dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a,
 
 dsw_status dsw_environment_is_marked(const dsw_environment* environment, dsw_cell cell, int* marked) {
   return capi::guard("dsw_environment_is_marked", [&] {
-    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
     capi::require(marked, "marked");
     *marked = capi::visit_cell(env.map, cell, CellMarked{env}) ? 1 : 0;
   });
@@ -167,7 +167,7 @@ dsw_status dsw_environment_is_marked(const dsw_environment* environment, dsw_cel
 
 dsw_status dsw_environment_is_impassable(const dsw_environment* environment, dsw_cell cell, int* impassable) {
   return capi::guard("dsw_environment_is_impassable", [&] {
-    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
     capi::require(impassable, "impassable");
     *impassable = capi::visit_cell(env.map, cell, CellImpassable{env}) ? 1 : 0;
   });
@@ -175,7 +175,7 @@ dsw_status dsw_environment_is_impassable(const dsw_environment* environment, dsw
 
 dsw_status dsw_environment_get_mark_count(const dsw_environment* environment, dsw_cell_kind kind, size_t* count) {
   return capi::guard("dsw_environment_get_mark_count", [&] {
-    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
     capi::require(count, "count");
     switch (kind) {
       case DSW_CELL_VERTEX:

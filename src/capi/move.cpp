@@ -216,7 +216,7 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
                                  size_t target_count, size_t stride_bytes, const dsw_move_options* options,
                                  dsw_move_report* reports) {
   return capi::guard("dsw_scene_move_bodies", [&] {
-    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require_array(bodies, count, "bodies");
     const dsw_move_options o = read_options(options);
     const dsw::MoveSettings settings = to_settings(o);

@@ -36,7 +36,7 @@ dsw_status dsw_environment_open(dsw_environment* environment, const dsw_open_des
     capi::require(desc, "desc");
     const dsw_open_desc d = capi::read_struct(desc, "desc");
     const dsw::OpenSettings settings = read_settings(d);
-    dsw::Environment<3>& env = handle.engine;
+    dsw::Environment<3>& env = capi::space(handle);
     capi::require_array(d.faces, d.face_count, "desc->faces");
     capi::Recorded call(scene, capi::Call::kOpen, capi::without(d, &dsw_open_desc::faces),
                         capi::Items<dsw_cut_face>{d.faces, d.face_count});

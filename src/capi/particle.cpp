@@ -48,7 +48,7 @@ void for_each_part(const Places& of, const Use& use) {
 dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_volume_id hint,
                                dsw_particle_id* particle) {
   return capi::guard("dsw_particle_create", [&] {
-    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require(position, "position");
     capi::require(particle, "particle");
     capi::Recorded call(scene, capi::Call::kCreateParticle, capi::Points{{position, 3}, 1}, hint);
@@ -60,7 +60,7 @@ dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_vol
 dsw_status dsw_scene_create_particles(dsw_scene* scene, const double* positions, size_t count, size_t stride_bytes,
                                       const dsw_volume_id* hints, dsw_particle_id* particles, size_t* offender) {
   return capi::guard("dsw_scene_create_particles", [&] {
-    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     const dsw::PointArray points = capi::to_points(positions, count, stride_bytes, "positions");
     capi::require_array(particles, count, "particles");
     capi::Recorded call(scene, capi::Call::kCreateParticles, capi::Points{points, count},
@@ -72,7 +72,7 @@ dsw_status dsw_scene_create_particles(dsw_scene* scene, const double* positions,
 
 dsw_status dsw_particle_destroy(dsw_scene* scene, dsw_particle_id particle) {
   return capi::guard("dsw_particle_destroy", [&] {
-    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     check_particle(s, particle);
     capi::Recorded call(scene, capi::Call::kDestroyParticle, particle);
     destroy_particle(s, particle.index);
@@ -82,7 +82,7 @@ dsw_status dsw_particle_destroy(dsw_scene* scene, dsw_particle_id particle) {
 
 dsw_status dsw_scene_get_particle_count(const dsw_scene* scene, size_t* count) {
   return capi::guard("dsw_scene_get_particle_count", [&] {
-    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require(count, "count");
     *count = s.slots.alive_count();
   });
@@ -91,14 +91,14 @@ dsw_status dsw_scene_get_particle_count(const dsw_scene* scene, size_t* count) {
 dsw_status dsw_scene_get_particle_ids(const dsw_scene* scene, dsw_particle_id* particles, size_t capacity,
                                       size_t* count) {
   return capi::guard("dsw_scene_get_particle_ids", [&] {
-    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::copy_ids(s.particles.size(), s.slots, particles, capacity, count);
   });
 }
 
 dsw_status dsw_particle_get(const dsw_scene* scene, dsw_particle_id particle, double* position, dsw_volume_id* volume) {
   return capi::guard("dsw_particle_get", [&] {
-    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     check_particle(s, particle);
     const dsw::ParticleState<3>& state = s.particles[particle.index];
     if (position != nullptr) std::copy(state.position, state.position + 3, position);
@@ -109,7 +109,7 @@ dsw_status dsw_particle_get(const dsw_scene* scene, dsw_particle_id particle, do
 dsw_status dsw_scene_get_particles(const dsw_scene* scene, const dsw_particle_id* particles, size_t count,
                                    double* positions, size_t stride_bytes, dsw_volume_id* volumes) {
   return capi::guard("dsw_scene_get_particles", [&] {
-    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require_array(particles, count, "particles");
     const size_t step = capi::to_step(count, stride_bytes);
     check_particles(s, particles, count);
@@ -124,7 +124,7 @@ dsw_status dsw_scene_get_particles(const dsw_scene* scene, const dsw_particle_id
 dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const double* target,
                              const dsw_cast_options* options, dsw_flight* flight) {
   return capi::guard("dsw_particle_move", [&] {
-    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require(target, "target");
     const dsw::FlightOptions o = to_flight_options(options);
     check_particle(s, particle);
@@ -138,7 +138,7 @@ dsw_status dsw_scene_move_particles(dsw_scene* scene, const dsw_particle_id* par
                                     const double* targets, size_t stride_bytes, const dsw_cast_options* options,
                                     dsw_flight* flights) {
   return capi::guard("dsw_scene_move_particles", [&] {
-    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require_array(particles, count, "particles");
     const dsw::PointArray points = capi::to_points(targets, count, stride_bytes, "targets");
     const dsw::FlightOptions o = to_flight_options(options);
@@ -153,7 +153,7 @@ dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id
                                          const double* to, size_t stride_bytes, const dsw_cast_options* options,
                                          dsw_flight* flights) {
   return capi::guard("dsw_scene_cast_from_particles", [&] {
-    dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require_array(particles, count, "particles");
     const dsw::PointArray points = capi::to_points(to, count, stride_bytes, "to");
     capi::require_array(flights, count, "flights");
@@ -168,7 +168,7 @@ dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id
 dsw_status dsw_scene_get_crossings(const dsw_scene* scene, const dsw_crossing** crossings, const size_t** first,
                                    size_t* flight_count) {
   return capi::guard("dsw_scene_get_crossings", [&] {
-    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require(crossings, "crossings");
     capi::require(first, "first");
     capi::require(flight_count, "flight_count");
@@ -181,7 +181,7 @@ dsw_status dsw_scene_get_crossings(const dsw_scene* scene, const dsw_crossing** 
 
 dsw_status dsw_scene_get_occupants(const dsw_scene* scene, const dsw_particle_id** particles, size_t* count) {
   return capi::guard("dsw_scene_get_occupants", [&] {
-    const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
     capi::require(particles, "particles");
     capi::require(count, "count");
     *particles = s.occupants.data();

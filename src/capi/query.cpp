@@ -54,7 +54,7 @@ void dsw_cast_options_init(dsw_cast_options* options, size_t size) {
 dsw_status dsw_environment_locate(const dsw_environment* environment, const double* point, dsw_volume_id hint,
                                   dsw_volume_id* volume, dsw_place* place) {
   return capi::guard("dsw_environment_locate", [&] {
-    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
     capi::require(volume, "volume");
     capi::check_point(point, "point");
     capi::check_hint(env.map, hint, "hint");
@@ -69,7 +69,7 @@ dsw_status dsw_environment_locate_points(const dsw_environment* environment, con
                                          dsw_place* places) {
   return capi::guard("dsw_environment_locate_points", [&] {
     const dsw_environment& handle = capi::check_handle(environment, "environment");
-    const dsw::Environment<3>& env = handle.engine;
+    const dsw::Environment<3>& env = capi::space(handle);
     const dsw::PointArray array = capi::to_points(points, count, stride_bytes, "points");
     capi::require_array(volumes, count, "volumes");
     check_finite(array, count, 3, {"points", true});
@@ -84,7 +84,7 @@ dsw_status dsw_environment_locate_points(const dsw_environment* environment, con
 dsw_status dsw_environment_classify(const dsw_environment* environment, const double* point, dsw_volume_id volume,
                                     dsw_cell* cell) {
   return capi::guard("dsw_environment_classify", [&] {
-    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
     capi::check_point(point, "point");
     const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
     capi::require(cell, "cell");
@@ -105,8 +105,9 @@ dsw_status dsw_environment_cast(const dsw_environment* environment, dsw_volume_i
     capi::check_point(from, "from");
     capi::check_point(to, "to");
     capi::require(flight, "flight");
-    capi::check_hint(handle.engine.map, start, "start");
-    cast_segments(handle.engine, handle.parallel, 1, &start, {from, 3}, {to, 3}, capi::to_options(options), flight);
+    capi::check_hint(capi::space(handle).map, start, "start");
+    cast_segments(capi::space(handle), handle.parallel, 1, &start, {from, 3}, {to, 3}, capi::to_options(options),
+                  flight);
   });
 }
 
@@ -121,8 +122,8 @@ dsw_status dsw_environment_cast_segments(const dsw_environment* environment, siz
     const dsw::SegmentOptions settings = capi::to_options(options);
     check_finite(first, count, 3, {"from", true});
     check_finite(last, count, 3, {"to", true});
-    capi::check_hints(handle.engine.map, starts, count, "starts");
-    cast_segments(handle.engine, handle.parallel, count, starts, first, last, settings, flights);
+    capi::check_hints(capi::space(handle).map, starts, count, "starts");
+    cast_segments(capi::space(handle), handle.parallel, count, starts, first, last, settings, flights);
   });
 }
 
@@ -130,7 +131,7 @@ dsw_status dsw_environment_cast_path(const dsw_environment* environment, dsw_vol
                                      const double* to, const dsw_cast_options* options, dsw_crossing* crossings,
                                      size_t capacity, size_t* count, dsw_flight* flight) {
   return capi::guard("dsw_environment_cast_path", [&] {
-    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
     capi::check_point(from, "from");
     capi::check_point(to, "to");
     capi::require_array(crossings, capacity, "crossings");
@@ -148,7 +149,7 @@ dsw_status dsw_environment_cast_path(const dsw_environment* environment, dsw_vol
 dsw_status dsw_environment_find_nearest(const dsw_environment* environment, const double* point, dsw_volume_id volume,
                                         double radius, dsw_nearest* nearest) {
   return capi::guard("dsw_environment_find_nearest", [&] {
-    const dsw::Environment<3>& env = capi::check_handle(environment, "environment").engine;
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
     capi::check_point(point, "point");
     capi::require(nearest, "nearest");
     if (!(radius >= 0)) fail(DSW_STATUS_OUT_OF_RANGE, "radius is %g, must be at least 0", radius);

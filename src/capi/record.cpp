@@ -43,7 +43,7 @@ struct Lending {
 
 uint64_t room_of(const dsw_scene& scene) {
   if (scene.watch != nullptr) return scene.watch->room;
-  const dsw::Environment<3>& env = scene.environment->engine;
+  const dsw::Environment<3>& env = capi::space(*scene.environment);
   return env.lent == nullptr ? 0 : env.point_room;
 }
 
@@ -64,7 +64,7 @@ void write_snapshot(const Saved& saved, dsw::EntryKind kind, const Lending* lend
 }
 
 void write_beginning(const dsw_scene& scene, capi::Recording& recording) {
-  const dsw::Environment<3>& env = scene.environment->engine;
+  const dsw::Environment<3>& env = capi::space(*scene.environment);
   const uint32_t maker[2] = {dsw_version(), recording.flags};
   const Lending lending{env.owned_points.empty() ? 1u : 0u, room_of(scene)};
   recording.writer.write_header();
@@ -72,7 +72,7 @@ void write_beginning(const dsw_scene& scene, capi::Recording& recording) {
   recording.writer.put(maker, sizeof maker);
   recording.writer.end();
   write_snapshot(env, dsw::EntryKind::kEnvironment, &lending, recording.writer);
-  write_snapshot(scene.engine, dsw::EntryKind::kScene, nullptr, recording.writer);
+  write_snapshot(capi::space(scene), dsw::EntryKind::kScene, nullptr, recording.writer);
   recording.most_kept = recording.kept.size() + std::max(kLeastKept, 2 * recording.kept.size());
 }
 
@@ -83,7 +83,7 @@ void renew_kept(const dsw_scene& scene, capi::Recording& recording) noexcept {
   dsw_recording_desc desc{};
   desc.flags = recording.flags;
   try {
-    dsw::Owned<capi::Recording> owner(scene.engine.memory);
+    dsw::Owned<capi::Recording> owner(capi::memory_of(*scene.environment));
     capi::begin_recording(scene, desc, owner);
     recording.kept.swap(owner.get()->kept);
     recording.most_kept = owner.get()->most_kept;
@@ -121,7 +121,7 @@ Recording::~Recording() {
 }
 
 void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Owned<Recording>& made) {
-  made.make(scene.engine.memory, desc);
+  made.make(capi::memory_of(*scene.environment), desc);
   write_beginning(scene, *made.get());
   if (!made.get()->writer.works()) fail(DSW_STATUS_WRITE_FAILED, "the beginning could not be written");
 }
@@ -131,15 +131,15 @@ bool end_recording(dsw_scene& scene) noexcept {
   if (recording == nullptr) return true;
   const bool works = recording->writer.works();
   recording->~Recording();
-  release_bytes(scene.environment->engine.memory, recording, sizeof *recording, alignof(Recording));
+  release_bytes(capi::memory_of(*scene.environment), recording, sizeof *recording, alignof(Recording));
   return works;
 }
 
 uint64_t state_of(const dsw_scene& scene, bool with_environment) {
-  const Array<uint8_t> block = saved_block(scene.engine);
+  const Array<uint8_t> block = saved_block(capi::space(scene));
   uint64_t sum = checksum(0, block.data(), block.size());
   if (!with_environment) return sum;
-  const Array<uint8_t> whole = saved_block(scene.environment->engine);
+  const Array<uint8_t> whole = saved_block(capi::space(*scene.environment));
   return checksum(sum, whole.data(), whole.size());
 }
 
@@ -186,7 +186,7 @@ dsw_status dsw_scene_start_recording(dsw_scene* scene, const dsw_recording_desc*
     }
     if (d.path == nullptr && !is_kept) capi::require(reinterpret_cast<const void*>(d.write), "desc->write");
     if (handle.recording != nullptr) fail(DSW_STATUS_IN_USE, "the scene is being recorded");
-    dsw::Owned<capi::Recording> owner(handle.environment->engine.memory);
+    dsw::Owned<capi::Recording> owner(capi::memory_of(*handle.environment));
     capi::begin_recording(handle, d, owner);
     handle.recording = owner.release();
   });

@@ -43,7 +43,7 @@ dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh
     dsw_scene* const scene = capi::only_scene(handle);
     const dsw_remesh_desc d = desc == nullptr ? dsw_remesh_desc{} : capi::read_struct(desc, "desc");
     capi::check_flags(d.flags, 0, "desc->flags");
-    dsw::Environment<3>& env = handle.engine;
+    dsw::Environment<3>& env = capi::space(handle);
     const size_t points = d.next == nullptr ? 0 : env.map.vertex_count;
     if (d.point_count != points) {
       fail(DSW_STATUS_WRONG_SIZE, "desc->point_count is %zu, must be %zu", d.point_count, points);

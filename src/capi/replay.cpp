@@ -28,14 +28,14 @@ void read_words(const dsw::Entry& entry, T (&words)[N], const char* what) {
 
 /** The environment reads one of our arrays as if the host had lent it. */
 void lend(dsw_replay& replay, dsw::Array<double>& points) noexcept {
-  dsw::Environment<3>& env = replay.environment->engine;
+  dsw::Environment<3>& env = capi::space(*replay.environment);
   env.points = points.data();
   env.point_room = made_room(replay, replay.watch.room);
   env.lent = env.point_room == 0 ? nullptr : points.data();
 }
 
 void lend_points(dsw_replay& replay, uint64_t room) {
-  dsw::Environment<3>& env = replay.environment->engine;
+  dsw::Environment<3>& env = capi::space(*replay.environment);
   const size_t count = env.map.vertex_count;
   if (room != 0 && room < count) fail(DSW_STATUS_CORRUPT, "the recording is damaged: points");
   replay.watch.room = room;
@@ -53,7 +53,7 @@ bool lacks_room(const dsw_replay& replay) {
 
 void make_room(dsw_replay& replay) {
   replay.needed_room = 2 * made_room(replay, std::max(replay.watch.room, replay.watch.offered));
-  const dsw::Environment<3>& env = replay.environment->engine;
+  const dsw::Environment<3>& env = capi::space(*replay.environment);
   if (env.lent == nullptr) return;
   dsw::Array<double>& points = replay.points[env.lent == replay.points[0].data() ? 0 : 1];
   points.resize(3 * made_room(replay, replay.watch.room));
@@ -68,12 +68,12 @@ void load_beginning(dsw_replay& replay) {
   const dsw::Entry first = next_entry(replay, dsw::EntryKind::kEnvironment, "its environment");
   uint64_t lending[2];
   read_words(first, lending, "its environment");
-  capi::EnvironmentOwner environment(replay.context);
-  load(environment->engine, first.bytes + sizeof lending, first.size - sizeof lending);
+  capi::EnvironmentOwner environment(replay.context, 3);
+  load(capi::space(*environment), first.bytes + sizeof lending, first.size - sizeof lending);
   replay.environment = environment.take();
   const dsw::Entry second = next_entry(replay, dsw::EntryKind::kScene, "its scene");
   capi::SceneOwner scene(*replay.environment, dsw::saved_features(second.bytes, second.size));
-  load(scene->engine, second.bytes, second.size);
+  load(capi::space(*scene), second.bytes, second.size);
   replay.scene = scene.enter();
   replay.scene->watch = &replay.watch;
   if (lending[0] != 0) lend_points(replay, lending[1]);
@@ -116,7 +116,8 @@ namespace dsw::capi {
 
 size_t made_room(const dsw_replay& replay, uint64_t room) noexcept {
   constexpr size_t kSpare = 1024;
-  const size_t made = std::max(replay.needed_room, 2 * size_t{replay.environment->engine.map.vertex_count} + kSpare);
+  const size_t made =
+      std::max(replay.needed_room, 2 * size_t{capi::space(*replay.environment).map.vertex_count} + kSpare);
   return room < made ? static_cast<size_t>(room) : made;
 }
 
@@ -192,7 +193,7 @@ dsw_replay::dsw_replay(dsw_context* owner, const uint8_t* bytes, size_t size)
 
 dsw_replay::~dsw_replay() {
   if (scene != nullptr) {
-    const dsw::Memory* const memory = environment->engine.memory;
+    const dsw::Memory* const memory = capi::memory_of(*environment);
     capi::detach(*scene);
     capi::destroy_object(memory, scene);
   }

@@ -161,7 +161,7 @@ dsw_status remesh(dsw_replay& r, Arguments& a) {
 /** Into the array that the environment does not read. */
 dsw_status deform(dsw_replay& r, Arguments& a) {
   auto o = a.get_struct<dsw_deform_options>();
-  const Environment<3>& env = r.environment->engine;
+  const Environment<3>& env = space(*r.environment);
   const size_t count = env.map.vertex_count;
   Array<double>& next = r.points[env.points == r.points[0].data() ? 1 : 0];
   r.watch.offered = o.point_room;

@@ -9,7 +9,7 @@ using dsw::fail;
 namespace {
 
 const dsw::Scene<3>& counting_scene(const dsw_scene* scene) {
-  const dsw::Scene<3>& s = capi::check_handle(scene, "scene").engine;
+  const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
   if (!s.features.statistics) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_STATISTICS");
   return s;
 }
@@ -39,7 +39,7 @@ dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* 
 dsw_status dsw_scene_destroy(dsw_scene* scene) {
   return capi::guard("dsw_scene_destroy", [&] {
     if (scene == nullptr) return;
-    const dsw::Memory* const memory = capi::check_handle(scene, "scene").environment->engine.memory;
+    const dsw::Memory* const memory = capi::memory_of(*capi::check_handle(scene, "scene").environment);
     if (scene->watch != nullptr) fail(DSW_STATUS_IN_USE, "the scene belongs to a replay");
     capi::detach(*scene);
     capi::destroy_object(memory, scene);
@@ -77,7 +77,7 @@ dsw_status dsw_scene_reset_statistics(dsw_scene* scene) {
   return capi::guard("dsw_scene_reset_statistics", [&] {
     counting_scene(scene);
     capi::Recorded call(scene, capi::Call::kResetStatistics);
-    scene->engine.statistics = dsw::SceneStatistics{};
+    capi::space(*scene).statistics = dsw::SceneStatistics{};
     call.done();
   });
 }
@@ -86,7 +86,7 @@ dsw_status dsw_scene_get_memory_bytes(const dsw_scene* scene, uint64_t* bytes) {
   return capi::guard("dsw_scene_get_memory_bytes", [&] {
     const dsw_scene& handle = capi::check_handle(scene, "scene");
     capi::require(bytes, "bytes");
-    *bytes = handle.engine.memory_bytes() + array_bytes(handle.detached_volumes) +
+    *bytes = capi::space(handle).memory_bytes() + array_bytes(handle.detached_volumes) +
              array_bytes(handle.detached_vertices) + array_bytes(handle.detached_faces) + sizeof handle -
              sizeof handle.engine;
   });

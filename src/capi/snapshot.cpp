@@ -28,7 +28,7 @@ void save_to(const Saved& saved, void* block, size_t capacity_bytes, size_t* siz
 dsw_status dsw_environment_save(const dsw_environment* environment, void* block, size_t capacity_bytes,
                                 size_t* size_bytes) {
   return capi::guard("dsw_environment_save", [&] {
-    save_to(capi::check_handle(environment, "environment").engine, block, capacity_bytes, size_bytes);
+    save_to(capi::space(capi::check_handle(environment, "environment")), block, capacity_bytes, size_bytes);
   });
 }
 
@@ -38,15 +38,16 @@ dsw_status dsw_environment_load(dsw_context* context, const void* block, size_t 
     capi::check_context(context);
     capi::require(block, "block");
     capi::require(environment, "environment");
-    capi::EnvironmentOwner owner(context);
-    load(owner->engine, static_cast<const uint8_t*>(block), size_bytes);
+    capi::EnvironmentOwner owner(context, 3);
+    load(capi::space(*owner), static_cast<const uint8_t*>(block), size_bytes);
     *environment = owner.take();
   });
 }
 
 dsw_status dsw_scene_save(const dsw_scene* scene, void* block, size_t capacity_bytes, size_t* size_bytes) {
-  return capi::guard("dsw_scene_save",
-                     [&] { save_to(capi::check_handle(scene, "scene").engine, block, capacity_bytes, size_bytes); });
+  return capi::guard("dsw_scene_save", [&] {
+    save_to(capi::space(capi::check_handle(scene, "scene")), block, capacity_bytes, size_bytes);
+  });
 }
 
 dsw_status dsw_scene_load(dsw_environment* environment, const void* block, size_t size_bytes, dsw_scene** scene) {
@@ -56,7 +57,7 @@ dsw_status dsw_scene_load(dsw_environment* environment, const void* block, size_
     capi::require(scene, "scene");
     const auto* const bytes = static_cast<const uint8_t*>(block);
     capi::SceneOwner owner(home, dsw::saved_features(bytes, size_bytes));
-    load(owner->engine, bytes, size_bytes);
+    load(capi::space(*owner), bytes, size_bytes);
     *scene = owner.enter();
   });
 }

@@ -46,7 +46,7 @@ dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc*
     capi::require(desc, "desc");
     const dsw_cut_desc d = capi::read_struct(desc, "desc");
     const dsw::CutSettings settings = read_settings(d);
-    dsw::Environment<3>& env = handle.engine;
+    dsw::Environment<3>& env = capi::space(handle);
     const capi::Points points = read_points(d);
     const dsw::Blade blade = dsw::Blade::of_grid(env.memory, points.points, d.rows, d.columns);
     capi::check_hint(env.map, d.start, "desc->start");
@@ -77,7 +77,7 @@ dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_fa
     capi::require_array(faces, count, "faces");
     capi::require_array(loads, count, "loads");
     if (std::isnan(threshold)) fail(DSW_STATUS_NON_FINITE, "threshold is not a number");
-    dsw::Environment<3>& env = handle.engine;
+    dsw::Environment<3>& env = capi::space(handle);
     capi::Recorded call(scene, capi::Call::kTearFaces, capi::Items<dsw_face_id>{faces, count},
                         capi::Items<double>{loads, count}, threshold);
     dsw::Edit edit(env);

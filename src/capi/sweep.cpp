@@ -41,7 +41,7 @@ dsw_status dsw_environment_sweep_edges(const dsw_environment* environment, size_
     check_finite(first, count, 3, {"from", true});
     check_finite(last, count, 3, {"to", true});
     check_finite(stays, count, 3, {"fixed", true});
-    capi::check_hints(handle.engine.map, starts, count, "starts");
-    sweep_edges(handle.engine, handle.parallel, count, starts, first, last, stays, settings, sweeps);
+    capi::check_hints(capi::space(handle).map, starts, count, "starts");
+    sweep_edges(capi::space(handle), handle.parallel, count, starts, first, last, stays, settings, sweeps);
   });
 }

@@ -18,14 +18,14 @@ class Change {
   explicit Change(dsw_environment* environment)
       : handle_(capi::check_handle(environment, "environment")), scene_(capi::only_scene(handle_)) {}
 
-  const dsw::Map<3>& map() const { return handle_.engine.map; }
-  const dsw::Memory* memory() const { return handle_.engine.memory; }
+  const dsw::Map<3>& map() const { return capi::space(handle_).map; }
+  const dsw::Memory* memory() const { return capi::memory_of(handle_); }
 
   /** Arguments have been checked; what was asked for is written if the scene is recorded. */
   template <class... Arguments>
   dsw::Edit& begin(capi::Call number, const Arguments&... arguments) {
     call_.emplace(scene_, number, arguments...);
-    return edit_.emplace(handle_.engine);
+    return edit_.emplace(capi::space(handle_));
   }
 
   void carry_out() {
