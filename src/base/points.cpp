@@ -46,6 +46,14 @@ ElementName::ElementName(ArgumentName argument, size_t index) noexcept {
   }
 }
 
+PointText::PointText(const double* point, int dimension) noexcept {
+  if (dimension == 2) {
+    std::snprintf(text, sizeof text, "(%g, %g)", point[0], point[1]);
+  } else {
+    std::snprintf(text, sizeof text, "(%g, %g, %g)", point[0], point[1], point[2]);
+  }
+}
+
 size_t find_non_finite(PointArray points, size_t count, int dimension) noexcept {
   const bool dense = points.step == static_cast<size_t>(dimension);
   if (count == 0 || (dense && all_finite(points.data, count * points.step))) return count;

@@ -27,6 +27,12 @@ struct ElementName {
   ElementName(ArgumentName argument, size_t index) noexcept;
 };
 
+/** A point as messages give it: "(1, 2, 3)". */
+struct PointText {
+  char text[80];
+  PointText(const double* point, int dimension) noexcept;
+};
+
 /** Of a point in space. */
 inline bool is_finite(const double* point) noexcept {
   return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);

@@ -2,8 +2,8 @@
 // two such solids round a common line overlap, the boundary crosses itself; nothing else needs a look at pairs (two equally
 // turned triangles of one plane that overlap do so round an edge of one of them as well). If they never do, walking along
 // a connected sheet of the boundary never changes how often the space just inside of it is covered (contacts in single
-// points can be walked round), and one ray for every sheet tells whether that is once. No tolerance, and no shift where
-// contact is judged.
+// points can be walked round), and one ray for every sheet tells whether that is once. In the plane sides take the place of triangles, and
+// solids are compared round common points, which cannot be walked round. No tolerance, and no shift where contact is judged.
 
 #include "environment/boundary_check.h"
 
@@ -15,58 +15,59 @@
 namespace dsw {
 namespace {
 
-class Check {
+/** The solid round a ridge: from `from` on, counter-clockwise (in space right-handed about the line), to `to`; all round if both point the
+ * same way. */
+struct Sector {
+  uint32_t from, to;
+};
+
+/** Whether the direction of x lies in a sector, its start included and its end not. quarter(from, x): how far it is from one to the other,
+ * 0 not at all, 1 less than half a turn, 2 half, 3 more; is_before(x, y): whether y follows x within half a turn. */
+template <class Quarter, class IsBefore>
+bool starts_in(Sector sector, uint32_t x, Quarter quarter, IsBefore is_before) {
+  const int of_x = quarter(sector.from, x), of_end = quarter(sector.from, sector.to);
+  if (of_x == 0 || of_end == 0) return true;
+  if (of_x != of_end) return of_x < of_end;
+  return of_x != 2 && is_before(x, sector.to);
+}
+template <class Quarter, class IsBefore>
+bool sectors_overlap(Sector one, Sector two, Quarter quarter, IsBefore is_before) {
+  return starts_in(one, two.from, quarter, is_before) || starts_in(two, one.from, quarter, is_before);
+}
+
+/** Whether the solids behind two boundary simplices overlap where these meet. */
+template <int D>
+class Overlap;
+
+template <>
+class Overlap<3> {
  public:
-  explicit Check(const Environment<3>& env)
-      : env_(env), surface_(env), tree_(env, surface_), bad_cells_(Allocator<uint32_t>(env.memory)) {
-    std::copy_n(at(surface_.triangles[0].vertex[0]), 3, lower_);
-    std::copy_n(lower_, 3, upper_);
-    for (const Triangle& t : surface_.triangles) {
-      double lower[3], upper[3];
-      box_of(t, lower, upper);
-      for (int k = 0; k < 3; ++k) {
-        lower_[k] = std::min(lower_[k], lower[k]);
-        upper_[k] = std::max(upper_[k], upper[k]);
-      }
+  Overlap(const Environment<3>& env, const BoundarySurface<3>& surface) : env_(env), surface_(surface) {}
+
+  bool operator()(uint32_t i, uint32_t j) const {
+    const Triangle &t = surface_.simplices[i], &s = surface_.simplices[j];
+    int of_t[3], of_s[3];
+    for (int k = 0; k < 3; ++k) of_t[k] = side(s, t.vertex[k]);
+    if (on_one_side(of_t)) return false;
+    for (int k = 0; k < 3; ++k) of_s[k] = side(t, s.vertex[k]);
+    if (on_one_side(of_s)) return false;
+    if (straddles(of_t) && straddles(of_s)) return pierce(t, of_t, s, of_s);
+    for (uint32_t k = 0; k < 3; ++k) {
+      if (of_t[k] == 0 && of_t[(k + 1) % 3] == 0 && edge_against(i, k, j)) return true;
+      if (of_s[k] == 0 && of_s[(k + 1) % 3] == 0 && edge_in_face(j, k, t)) return true;
     }
+    return false;
   }
 
-  bool run(Offenders* offenders) {
-    check_pairs();
-    if (bad_cells_.empty()) check_sheets();
-    if (offenders != nullptr) {
-      std::sort(bad_cells_.begin(), bad_cells_.end());
-      for (const uint32_t cell : bad_cells_) offenders->add(cell);
-    }
-    return !bad_cells_.empty();
+  static bool on_one_side(const int (&of)[3]) { return of[0] != 0 && of[0] == of[1] && of[1] == of[2]; }
+  static bool straddles(const int (&of)[3]) {
+    return std::min({of[0], of[1], of[2]}) < 0 && std::max({of[0], of[1], of[2]}) > 0;
   }
 
  private:
-  using Triangle = BoundaryTriangle;
+  using Triangle = BoundarySimplex<3>;
 
   const double* at(uint32_t v) const { return env_.point(v); }
-
-  void blame(const Triangle& t) { bad_cells_.push_back(env_.map.index(t.cell)); }
-
-  void check_pairs() {
-    for (uint32_t i = 0; i < surface_.triangles.size(); ++i) {
-      double lower[3], upper[3];
-      box_of(surface_.triangles[i], lower, upper);
-      tree_.for_each(lower, upper, [&](uint32_t j) {
-        if (j <= i || !overlap(i, j)) return;
-        blame(surface_.triangles[i]);
-        blame(surface_.triangles[j]);
-      });
-    }
-  }
-
-  void box_of(const Triangle& t, double* lower, double* upper) const {
-    const double *a = at(t.vertex[0]), *b = at(t.vertex[1]), *c = at(t.vertex[2]);
-    for (int k = 0; k < 3; ++k) {
-      lower[k] = std::min({a[k], b[k], c[k]});
-      upper[k] = std::max({a[k], b[k], c[k]});
-    }
-  }
 
   /** orient3(a, b, c, d): positive if d lies where a right-handed turn about a -> b takes c within half a turn. */
   int orient3(uint32_t a, uint32_t b, uint32_t c, uint32_t d) const {
@@ -87,26 +88,6 @@ class Check {
   int turn(const Triangle& t, int axis) const { return turn(t.vertex[0], t.vertex[1], t.vertex[2], axis); }
   /** A coordinate that can be left out without making the triangle flat. */
   int projection(const Triangle& t) const { return turn(t, 0) != 0 ? 0 : turn(t, 1) != 0 ? 1 : 2; }
-
-  bool overlap(uint32_t i, uint32_t j) const {
-    const Triangle &t = surface_.triangles[i], &s = surface_.triangles[j];
-    int of_t[3], of_s[3];
-    for (int k = 0; k < 3; ++k) of_t[k] = side(s, t.vertex[k]);
-    if (on_one_side(of_t)) return false;
-    for (int k = 0; k < 3; ++k) of_s[k] = side(t, s.vertex[k]);
-    if (on_one_side(of_s)) return false;
-    if (straddles(of_t) && straddles(of_s)) return pierce(t, of_t, s, of_s);
-    for (uint32_t k = 0; k < 3; ++k) {
-      if (of_t[k] == 0 && of_t[(k + 1) % 3] == 0 && edge_against(i, k, j)) return true;
-      if (of_s[k] == 0 && of_s[(k + 1) % 3] == 0 && edge_in_face(j, k, t)) return true;
-    }
-    return false;
-  }
-
-  static bool on_one_side(const int (&of)[3]) { return of[0] != 0 && of[0] == of[1] && of[1] == of[2]; }
-  static bool straddles(const int (&of)[3]) {
-    return std::min({of[0], of[1], of[2]}) < 0 && std::max({of[0], of[1], of[2]}) > 0;
-  }
 
   /** Each crosses the other's plane. On the common line the ends of both intervals lie on the two edges at the vertex
    * that is alone on its side, and orient3 of two such edges compares two ends, always in the same sense. */
@@ -129,28 +110,24 @@ class Check {
     return 0;
   }
 
-  /** The solid round a line: from `from` right-handed about the line to `to`; all round if both point the same way. */
-  struct Sector {
-    uint32_t from, to;
-  };
   Sector sector_of(uint32_t triangle, uint32_t edge, bool forward) const {
-    const Triangle& t = surface_.triangles[triangle];
+    const Triangle& t = surface_.simplices[triangle];
     const uint32_t own = t.vertex[(edge + 2) % 3], other = surface_.beyond(t.mate[edge]);
     return forward ? Sector{other, own} : Sector{own, other};
   }
 
   /** Edge k of triangle i, which lies in the plane of triangle j, against that triangle and its edges. */
   bool edge_against(uint32_t i, uint32_t k, uint32_t j) const {
-    const Triangle& s = surface_.triangles[j];
+    const Triangle& s = surface_.simplices[j];
     if (edge_in_face(i, k, s)) return true;
     for (uint32_t m = 0; m < 3; ++m) {
-      if (surface_.triangles[i].mate[k] != 3 * j + m && edges_overlap(i, k, j, m)) return true;
+      if (surface_.simplices[i].mate[k] != 3 * j + m && edges_overlap(i, k, j, m)) return true;
     }
     return false;
   }
 
   bool edge_in_face(uint32_t i, uint32_t k, const Triangle& s) const {
-    const Triangle& t = surface_.triangles[i];
+    const Triangle& t = surface_.simplices[i];
     const uint32_t a = t.vertex[k], b = t.vertex[(k + 1) % 3];
     const int axis = projection(s), sense = turn(s, axis);
     for (uint32_t m = 0; m < 3; ++m) {
@@ -168,7 +145,7 @@ class Check {
   }
 
   bool edges_overlap(uint32_t i, uint32_t k, uint32_t j, uint32_t m) const {
-    const Triangle &t = surface_.triangles[i], &s = surface_.triangles[j];
+    const Triangle &t = surface_.simplices[i], &s = surface_.simplices[j];
     const uint32_t a = t.vertex[k], b = t.vertex[(k + 1) % 3], c = s.vertex[m], d = s.vertex[(m + 1) % 3];
     for (int axis = 0; axis < 3; ++axis) {
       if (turn(a, b, c, axis) != 0 || turn(a, b, d, axis) != 0) return false;
@@ -181,14 +158,9 @@ class Check {
   }
 
   bool overlap(uint32_t a, uint32_t b, Sector one, Sector two) const {
-    return starts_in(a, b, one, two.from) || starts_in(a, b, two, one.from);
-  }
-  /** Whether the direction of x lies in a sector, its start included and its end not. */
-  bool starts_in(uint32_t a, uint32_t b, Sector sector, uint32_t x) const {
-    const int of_x = quarter(a, b, sector.from, x), of_end = quarter(a, b, sector.from, sector.to);
-    if (of_x == 0 || of_end == 0) return true;
-    if (of_x != of_end) return of_x < of_end;
-    return of_x != 2 && orient3(a, b, x, sector.to) > 0;
+    const auto quarter_to = [&](uint32_t from, uint32_t x) { return quarter(a, b, from, x); };
+    const auto is_before = [&](uint32_t x, uint32_t y) { return orient3(a, b, x, y) > 0; };
+    return sectors_overlap(one, two, quarter_to, is_before);
   }
   /** How far from `from` to x about a -> b: 0 not at all, 1 less than half a turn, 2 half, 3 more. */
   int quarter(uint32_t a, uint32_t b, uint32_t from, uint32_t x) const {
@@ -200,41 +172,203 @@ class Check {
     return turn(a, b, from, axis) == turn(a, b, x, axis) ? 0 : 2;
   }
 
-  /** How a segment goes through a triangle: 1 outwards, -1 inwards, 0 not at all. Its ends are shifted. */
-  int pierced(const Triangle& t, const double* p, const double* q) const {
+  const Environment<3>& env_;
+  const BoundarySurface<3>& surface_;
+};
+
+/** Sides cross inside of both, or the solids overlap where one of them ends. */
+template <>
+class Overlap<2> {
+ public:
+  Overlap(const Environment<2>& env, const BoundarySurface<2>& surface) : env_(env), surface_(surface) {}
+
+  bool operator()(uint32_t i, uint32_t j) const {
+    const Side &t = surface_.simplices[i], &s = surface_.simplices[j];
+    int of_t[2], of_s[2];
+    for (int k = 0; k < 2; ++k) of_t[k] = side(s, t.vertex[k]);
+    if (of_t[0] * of_t[1] > 0) return false;
+    for (int k = 0; k < 2; ++k) of_s[k] = side(t, s.vertex[k]);
+    if (of_s[0] * of_s[1] > 0) return false;
+    if (of_t[0] * of_t[1] < 0 && of_s[0] * of_s[1] < 0) return true;
+    for (uint32_t k = 0; k < 2; ++k) {
+      if (of_t[k] == 0 && end_against(i, k, j)) return true;
+      if (of_s[k] == 0 && end_against(j, k, i)) return true;
+    }
+    return false;
+  }
+
+ private:
+  using Side = BoundarySimplex<2>;
+
+  const double* at(uint32_t v) const { return env_.point(v); }
+  bool same(uint32_t v, uint32_t w) const { return std::equal(at(v), at(v) + 2, at(w)); }
+
+  /** Of v against a -> b: positive on the left. */
+  int turn(uint32_t a, uint32_t b, uint32_t v) const {
+    if (v == a || v == b) return 0;
+    const double* edge[2] = {at(a), at(b)};
+    return -orient<2>(edge, at(v));  // orient<2> is positive on the right
+  }
+  int side(const Side& s, uint32_t v) const { return turn(s.vertex[0], s.vertex[1], v); }
+
+  Sector sector_at(uint32_t i, uint32_t k) const {
+    const Side& t = surface_.simplices[i];
+    const uint32_t beyond = surface_.beyond(t.mate[k]);
+    return k == 0 ? Sector{t.vertex[1], beyond} : Sector{beyond, t.vertex[0]};
+  }
+
+  /** End k of side i, which lies in the line of side j, against that side. */
+  bool end_against(uint32_t i, uint32_t k, uint32_t j) const {
+    const uint32_t v = surface_.simplices[i].vertex[k];
+    const Side& s = surface_.simplices[j];
+    for (uint32_t m = 0; m < 2; ++m) {
+      if (!same(v, s.vertex[m])) continue;
+      return surface_.simplices[i].mate[k] != 2 * j + m && overlap(v, sector_at(i, k), sector_at(j, m));
+    }
+    const double *p = at(v), *a = at(s.vertex[0]), *b = at(s.vertex[1]);
+    for (int x = 0; x < 2; ++x) {
+      if (p[x] < std::min(a[x], b[x]) || p[x] > std::max(a[x], b[x])) return false;
+    }
+    return overlap(v, sector_at(i, k), {s.vertex[1], s.vertex[0]});
+  }
+
+  bool overlap(uint32_t v, Sector one, Sector two) const {
+    const auto quarter_to = [&](uint32_t from, uint32_t x) { return quarter(v, from, x); };
+    const auto is_before = [&](uint32_t x, uint32_t y) { return turn(v, x, y) > 0; };
+    return sectors_overlap(one, two, quarter_to, is_before);
+  }
+  /** How far from `from` to x about v, as starts_in has it. */
+  int quarter(uint32_t v, uint32_t from, uint32_t x) const {
+    if (x == from) return 0;
+    const int order = turn(v, from, x);
+    if (order != 0) return order > 0 ? 1 : 3;
+    const int axis = at(from)[0] != at(v)[0] ? 0 : 1;
+    return (at(from)[axis] > at(v)[axis]) == (at(x)[axis] > at(v)[axis]) ? 0 : 2;
+  }
+
+  const Environment<2>& env_;
+  const BoundarySurface<2>& surface_;
+};
+
+/** Where rays are aimed at in a simplex. */
+template <int D>
+struct Weights;
+template <>
+struct Weights<2> {
+  static constexpr double of[5][2] = {{0.52, 0.48}, {0.25, 0.75}, {0.75, 0.25}, {1, 0}, {0, 1}};
+};
+template <>
+struct Weights<3> {
+  static constexpr double of[7][3] = {{0.34, 0.33, 0.33}, {0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5},
+                                      {1, 0, 0},          {0, 1, 0},         {0, 0, 1}};
+};
+
+template <int D>
+class Check {
+ public:
+  explicit Check(const Environment<D>& env)
+      : env_(env),
+        surface_(env),
+        tree_(env, surface_),
+        overlap_(env, surface_),
+        bad_cells_(Allocator<uint32_t>(env.memory)) {
+    std::copy_n(at(surface_.simplices[0].vertex[0]), D, lower_);
+    std::copy_n(lower_, D, upper_);
+    for (const Simplex& t : surface_.simplices) {
+      double lower[D], upper[D];
+      box_of(t, lower, upper);
+      for (int k = 0; k < D; ++k) {
+        lower_[k] = std::min(lower_[k], lower[k]);
+        upper_[k] = std::max(upper_[k], upper[k]);
+      }
+    }
+  }
+
+  bool run(Offenders* offenders) {
+    check_pairs();
+    if (bad_cells_.empty()) check_sheets();
+    if (offenders != nullptr) {
+      std::sort(bad_cells_.begin(), bad_cells_.end());
+      for (const uint32_t cell : bad_cells_) offenders->add(cell);
+    }
+    return !bad_cells_.empty();
+  }
+
+ private:
+  using Simplex = BoundarySimplex<D>;
+
+  const double* at(uint32_t v) const { return env_.point(v); }
+
+  void blame(const Simplex& t) { bad_cells_.push_back(env_.map.index(t.cell)); }
+
+  void check_pairs() {
+    for (uint32_t i = 0; i < surface_.simplices.size(); ++i) {
+      double lower[D], upper[D];
+      box_of(surface_.simplices[i], lower, upper);
+      tree_.for_each(lower, upper, [&](uint32_t j) {
+        if (j <= i || !overlap_(i, j)) return;
+        blame(surface_.simplices[i]);
+        blame(surface_.simplices[j]);
+      });
+    }
+  }
+
+  void box_of(const Simplex& t, double* lower, double* upper) const {
+    std::copy_n(at(t.vertex[0]), D, lower);
+    std::copy_n(lower, D, upper);
+    for (const uint32_t v : t.vertex) {
+      for (int k = 0; k < D; ++k) {
+        lower[k] = std::min(lower[k], at(v)[k]);
+        upper[k] = std::max(upper[k], at(v)[k]);
+      }
+    }
+  }
+
+  /** The points of a simplex. */
+  struct Points {
+    const double* of[D];
+
+    Points(const Check& check, const Simplex& t) {
+      for (int k = 0; k < D; ++k) of[k] = check.at(t.vertex[k]);
+    }
+  };
+
+  /** How a segment goes through a simplex: 1 outwards, -1 inwards, 0 not at all. Its ends are shifted. */
+  int pierced(const Simplex& t, const double* p, const double* q) const {
     NoTally none;
-    const double* points[3] = {at(t.vertex[0]), at(t.vertex[1]), at(t.vertex[2])};
-    const int from = plane_side<3>(points, p, none).sign, to = plane_side<3>(points, q, none).sign;
+    const Points points(*this, t);
+    const int from = plane_side<D>(points.of, p, none).sign, to = plane_side<D>(points.of, q, none).sign;
     if (from * to >= 0) return 0;
-    for (int k = 0; k < 3; ++k) {
-      const double* ridge[2] = {points[k], points[(k + 1) % 3]};
-      if (line_side<3>(p, q, ridge, none).sign != to) return 0;
+    for (int k = 0; k < D; ++k) {
+      if (ridge_side(p, q, points.of, k, none) != to) return 0;
     }
     return to;
   }
 
   void check_sheets() {
-    Array<uint8_t> done(surface_.triangles.size(), 0, Allocator<uint8_t>(env_.memory));
-    for (uint32_t i = 0; i < surface_.triangles.size(); ++i) {
+    Array<uint8_t> done(surface_.simplices.size(), 0, Allocator<uint8_t>(env_.memory));
+    for (uint32_t i = 0; i < surface_.simplices.size(); ++i) {
       if (done[surface_.sheet[i]] != 0) continue;
       int covered = 0;
       if (!count_inside(i, &covered)) continue;
       done[surface_.sheet[i]] = 1;
-      if (covered != 1) blame(surface_.triangles[i]);
+      if (covered != 1) blame(surface_.simplices[i]);
     }
   }
 
-  /** How often the space just inside of a triangle is covered; false if no ray along an axis could be aimed at it, which
-   * takes a triangle a few roundings wide: another one of its sheet will do. */
+  /** How often what is just inside of a simplex is covered; false if no ray along an axis could be aimed at it, which
+   * takes one a few roundings wide: another one of its sheet will do. */
   bool count_inside(uint32_t i, int* covered) const {
-    const Triangle& t = surface_.triangles[i];
-    const double *a = at(t.vertex[0]), *b = at(t.vertex[1]), *c = at(t.vertex[2]);
-    constexpr double kWeights[7][3] = {{0.34, 0.33, 0.33}, {0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5},
-                                       {1, 0, 0},          {0, 1, 0},         {0, 0, 1}};
-    for (const auto& w : kWeights) {
-      for (int axis = 0; axis < 3; ++axis) {
-        double p[3], q[3];
-        for (int k = 0; k < 3; ++k) p[k] = q[k] = (w[0] * a[k] + w[1] * b[k]) + w[2] * c[k];
+    const Simplex& t = surface_.simplices[i];
+    const Points points(*this, t);
+    for (const auto& w : Weights<D>::of) {
+      for (int axis = 0; axis < D; ++axis) {
+        double p[D], q[D];
+        for (int k = 0; k < D; ++k) {
+          p[k] = w[0] * points.of[0][k];
+          for (int j = 1; j < D; ++j) p[k] += w[j] * points.of[j][k];
+          q[k] = p[k];
+        }
         p[axis] = lower_[axis];
         q[axis] = upper_[axis];  // shifted beyond everything
         const int through = pierced(t, p, q);
@@ -246,32 +380,38 @@ class Check {
     return false;
   }
 
-  /** Coverings that a ray leaves less those it enters behind triangle i; a triangle in the same plane counts or not. */
+  /** Coverings that a ray leaves less those it enters behind simplex i; one in the same plane counts or not. */
   int count_behind(uint32_t i, const double* p, const double* q, bool with_same_plane) const {
-    const Triangle& t = surface_.triangles[i];
-    const double* points[3] = {at(t.vertex[0]), at(t.vertex[1]), at(t.vertex[2])};
+    const Simplex& t = surface_.simplices[i];
+    const Points points(*this, t);
     NoTally none;
     int sum = 0;
     tree_.for_each(p, q, [&](uint32_t j) {
-      const Triangle& s = surface_.triangles[j];
+      const Simplex& s = surface_.simplices[j];
       const int through = j == i ? 0 : pierced(s, p, q);
       if (through == 0) return;
-      const double* others[3] = {at(s.vertex[0]), at(s.vertex[1]), at(s.vertex[2])};
-      const int order = compare_times<3>(p, q, points, others, none).sign;
+      const int order = compare_times<D>(p, q, points.of, Points(*this, s).of, none).sign;
       if (order < 0 || (order == 0 && with_same_plane)) sum += through;
     });
     return sum;
   }
 
-  const Environment<3>& env_;
-  BoundarySurface surface_;
-  BoundaryTree tree_;
+  const Environment<D>& env_;
+  BoundarySurface<D> surface_;
+  BoundaryTree<D> tree_;
+  Overlap<D> overlap_;
   Array<uint32_t> bad_cells_;
-  double lower_[3], upper_[3];  // of the surface, which is that of all points that cells use
+  double lower_[D], upper_[D];  // of the surface, which is that of all points that cells use
 };
 
 }  // namespace
 
-bool boundary_crosses(const Environment<3>& env, Offenders* offenders) { return Check(env).run(offenders); }
+template <int D>
+bool boundary_crosses(const Environment<D>& env, Offenders* offenders) {
+  return Check<D>(env).run(offenders);
+}
+
+template bool boundary_crosses(const Environment<2>&, Offenders*);
+template bool boundary_crosses(const Environment<3>&, Offenders*);
 
 }  // namespace dsw

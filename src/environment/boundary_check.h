@@ -9,6 +9,7 @@ namespace dsw {
 /** Whether some point lies in two cells. Exact, decided on the boundary alone. Touching is allowed: points, edges or
  * parts of faces in common, as long as no volume is. `offenders` may be null; it gets the first cells found at fault,
  * ascending. Expected O(n log n) for n boundary triangles of like size. May throw std::bad_alloc. */
-bool boundary_crosses(const Environment<3>& env, Offenders* offenders);
+template <int D>
+bool boundary_crosses(const Environment<D>& env, Offenders* offenders);
 
 }  // namespace dsw

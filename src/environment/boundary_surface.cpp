@@ -8,11 +8,15 @@ namespace {
 
 constexpr uint32_t kLeaf = 4;
 
-/** Triangles of facets, so that a dart finds its triangle again. */
+/** Simplices of facets, so that a dart finds its simplex again. */
 struct FacetStart {
   uint32_t word, first;
   bool operator<(const FacetStart& o) const { return word < o.word; }
 };
+
+uint32_t first_of(const Array<FacetStart>& starts, HalfFacet h) {
+  return std::lower_bound(starts.begin(), starts.end(), FacetStart{h.word, 0})->first;
+}
 
 /** Edge of a facet's triangles that runs from local vertex u to v; the triangle's number in the shape times 3, plus k. */
 uint32_t find_edge(const Shape& shape, uint32_t facet, uint32_t u, uint32_t v) {
@@ -32,79 +36,93 @@ Dart turn(const Map<3>& map, Dart d) {
   return e;
 }
 
+/** Sets the mates of a facet's triangles. */
+void find_mates(const Map<3>& map, const Array<FacetStart>& starts, const FacetStart& start,
+                BoundarySurface<3>& surface) {
+  const Cell c = map.cell_of({start.word});
+  const Shape shape = map.shape(c);
+  const uint32_t f = map.local_of({start.word}, c), first = shape.simplex_first(f);
+  for (uint32_t s = first; s < shape.simplex_first(f + 1); ++s) {
+    const uint16_t* local = shape.simplices() + 3 * s;
+    for (uint32_t k = 0; k < 3; ++k) {
+      const uint32_t u = local[k], v = local[(k + 1) % 3];
+      uint32_t& mate = surface.simplices[start.first + s - first].mate[k];
+      uint32_t d = shape.facet_first(f);
+      while (d < shape.facet_first(f + 1) && (shape.dart_vertex(d) != u || shape.dart_vertex(shape.beta1(d)) != v)) ++d;
+      if (d == shape.facet_first(f + 1)) {  // a cut inside the facet
+        mate = 3 * (start.first - first) + find_edge(shape, f, v, u);
+        continue;
+      }
+      const Dart other = turn(map, {c, d});
+      const Shape other_shape = map.shape(other.cell);
+      const uint32_t g = other_shape.dart_facet(other.local);
+      const uint32_t edge = find_edge(other_shape, g, other_shape.dart_vertex(other.local),
+                                      other_shape.dart_vertex(other_shape.beta1(other.local)));
+      mate = 3 * (first_of(starts, map.half_facet(other.cell, g)) - other_shape.simplex_first(g)) + edge;
+    }
+  }
+}
+
+/** Sets the mate at the end of a side, and at the start of the side that is met by turning about that vertex. */
+void find_mates(const Map<2>& map, const Array<FacetStart>& starts, const FacetStart& start,
+                BoundarySurface<2>& surface) {
+  const Cell c = map.cell_of({start.word});
+  Dart d = beta1(map, {c, map.local_of({start.word}, c)});
+  for (Dart next = cross(map, d); next.cell.valid(); next = cross(map, d)) d = beta1(map, next);
+  const uint32_t other = first_of(starts, half_facet(map, d));
+  surface.simplices[start.first].mate[1] = 2 * other;
+  surface.simplices[other].mate[0] = 2 * start.first + 1;
+}
+
 }  // namespace
 
-BoundarySurface::BoundarySurface(const Environment<3>& env)
-    : triangles(Allocator<BoundaryTriangle>(env.memory)), sheet(Allocator<uint32_t>(env.memory)) {
-  const Map<3>& map = env.map;
+template <int D>
+BoundarySurface<D>::BoundarySurface(const Environment<D>& env)
+    : simplices(Allocator<BoundarySimplex<D>>(env.memory)), sheet(Allocator<uint32_t>(env.memory)) {
+  const Map<D>& map = env.map;
   Array<FacetStart> starts{Allocator<FacetStart>(env.memory)};
   for_each_cell(map, [&](Cell c) {
     const Shape shape = map.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       const HalfFacet h = map.half_facet(c, f);
       if (map.opposite(h).valid()) continue;
-      starts.push_back({h.word, static_cast<uint32_t>(triangles.size())});
+      starts.push_back({h.word, static_cast<uint32_t>(simplices.size())});
       for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
-        const uint16_t* local = shape.simplices() + 3 * s;
-        triangles.push_back({{map.vertex(c, local[0]), map.vertex(c, local[1]), map.vertex(c, local[2])}, {}, c});
+        BoundarySimplex<D> simplex{{}, {}, c};
+        for (uint32_t k = 0; k < D; ++k) simplex.vertex[k] = map.vertex(c, shape.simplices()[D * s + k]);
+        simplices.push_back(simplex);
       }
     }
   });
   std::sort(starts.begin(), starts.end());
-  const auto first_of = [&](HalfFacet h) {
-    return std::lower_bound(starts.begin(), starts.end(), FacetStart{h.word, 0})->first;
-  };
-  for (const FacetStart& start : starts) {
-    const Cell c = map.cell_of({start.word});
-    const Shape shape = map.shape(c);
-    const uint32_t f = map.local_of({start.word}, c), first = shape.simplex_first(f);
-    for (uint32_t s = first; s < shape.simplex_first(f + 1); ++s) {
-      const uint16_t* local = shape.simplices() + 3 * s;
-      for (uint32_t k = 0; k < 3; ++k) {
-        const uint32_t u = local[k], v = local[(k + 1) % 3];
-        uint32_t& mate = triangles[start.first + s - first].mate[k];
-        uint32_t d = shape.facet_first(f);
-        while (d < shape.facet_first(f + 1) && (shape.dart_vertex(d) != u || shape.dart_vertex(shape.beta1(d)) != v))
-          ++d;
-        if (d == shape.facet_first(f + 1)) {  // a cut inside the facet
-          mate = 3 * (start.first - first) + find_edge(shape, f, v, u);
-          continue;
-        }
-        const Dart other = turn(map, {c, d});
-        const Shape other_shape = map.shape(other.cell);
-        const uint32_t g = other_shape.dart_facet(other.local);
-        const uint32_t edge = find_edge(other_shape, g, other_shape.dart_vertex(other.local),
-                                        other_shape.dart_vertex(other_shape.beta1(other.local)));
-        mate = 3 * (first_of(map.half_facet(other.cell, g)) - other_shape.simplex_first(g)) + edge;
-      }
-    }
-  }
-  sheet.resize(triangles.size());
+  for (const FacetStart& start : starts) find_mates(map, starts, start, *this);
+  sheet.resize(simplices.size());
   for (uint32_t i = 0; i < sheet.size(); ++i) sheet[i] = i;
   const auto root = [&](uint32_t i) {
     while (sheet[i] != i) i = sheet[i] = sheet[sheet[i]];
     return i;
   };
   for (uint32_t i = 0; i < sheet.size(); ++i) {
-    for (const uint32_t mate : triangles[i].mate) {
-      const uint32_t a = root(i), b = root(mate / 3);
+    for (const uint32_t mate : simplices[i].mate) {
+      const uint32_t a = root(i), b = root(mate / D);
       sheet[std::max(a, b)] = std::min(a, b);
     }
   }
   for (uint32_t i = 0; i < sheet.size(); ++i) sheet[i] = root(i);
 }
 
-BoundaryTree::BoundaryTree(const Environment<3>& env, const BoundarySurface& surface)
-    : nodes_(Allocator<Node>(env.memory)), order_(surface.triangles.size(), 0, Allocator<uint32_t>(env.memory)) {
+template <int D>
+BoundaryTree<D>::BoundaryTree(const Environment<D>& env, const BoundarySurface<D>& surface)
+    : nodes_(Allocator<Node>(env.memory)), order_(surface.simplices.size(), 0, Allocator<uint32_t>(env.memory)) {
   const uint32_t count = static_cast<uint32_t>(order_.size());
   if (count == 0) return;
   for (uint32_t i = 0; i < count; ++i) order_[i] = i;
   const auto box_of = [&](Node& node) {
     for (uint32_t i = 0; i < node.count; ++i) {
-      for (const uint32_t v : surface.triangles[order_[node.first + i]].vertex) {
+      for (const uint32_t v : surface.simplices[order_[node.first + i]].vertex) {
         const double* p = env.point(v);
-        const bool start = i == 0 && v == surface.triangles[order_[node.first]].vertex[0];
-        for (int k = 0; k < 3; ++k) {
+        const bool start = i == 0 && v == surface.simplices[order_[node.first]].vertex[0];
+        for (int k = 0; k < D; ++k) {
           node.lower[k] = start ? p[k] : std::min(node.lower[k], p[k]);
           node.upper[k] = start ? p[k] : std::max(node.upper[k], p[k]);
         }
@@ -118,7 +136,7 @@ BoundaryTree::BoundaryTree(const Environment<3>& env, const BoundarySurface& sur
     if (node.count <= kLeaf) continue;
     int axis = 0;
     double widest = -1;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < D; ++k) {
       const double width = node.upper[k] / 2 - node.lower[k] / 2;
       if (width > widest) {
         widest = width;
@@ -126,8 +144,9 @@ BoundaryTree::BoundaryTree(const Environment<3>& env, const BoundarySurface& sur
       }
     }
     const auto lowest = [&](uint32_t t) {
-      const uint32_t* v = surface.triangles[t].vertex;
-      return std::min({env.point(v[0])[axis], env.point(v[1])[axis], env.point(v[2])[axis]});
+      double least = env.point(surface.simplices[t].vertex[0])[axis];
+      for (const uint32_t v : surface.simplices[t].vertex) least = std::min(least, env.point(v)[axis]);
+      return least;
     };
     const auto begin = order_.begin() + node.first;
     const uint32_t half = node.count / 2;
@@ -141,5 +160,10 @@ BoundaryTree::BoundaryTree(const Environment<3>& env, const BoundarySurface& sur
     nodes_[at].count = 0;
   }
 }
+
+template struct BoundarySurface<2>;
+template struct BoundarySurface<3>;
+template class BoundaryTree<2>;
+template class BoundaryTree<3>;
 
 }  // namespace dsw

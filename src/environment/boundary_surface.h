@@ -1,36 +1,39 @@
 #pragma once
-// The outer boundary as a surface of triangles, with a tree of boxes over it: what the boundary check works on.
+// The outer boundary as simplices (triangles in space, sides in the plane), with a tree of boxes over it: what the boundary check works on.
 
 #include "environment/environment.h"
 #include "map/dart.h"
 
 namespace dsw {
 
-/** A triangle of a facet with one cell, counter-clockwise seen from outside. */
-struct BoundaryTriangle {
-  uint32_t vertex[3];
-  /** Edge k joins vertex k to the next. Across it lies edge mate[k] % 3 of triangle mate[k] / 3: the one that is met by
-   * turning about the edge through the cells behind. Several sheets may meet in one edge; mates belong together. */
-  uint32_t mate[3];
+/** A simplex of a facet with one cell: a triangle, counter-clockwise seen from outside; in the plane a side, the cell on its left. */
+template <int D>
+struct BoundarySimplex {
+  uint32_t vertex[D];
+  /** Ridge k joins vertex k to the next; in the plane it is vertex k. Across it lies ridge mate[k] % D of simplex mate[k] / D: the one
+   * that is met by turning about the ridge through the cells behind. Several sheets may meet in one ridge; mates belong together. */
+  uint32_t mate[D];
   Cell cell;
 };
 
+template <int D>
 struct BoundarySurface {
-  Array<BoundaryTriangle> triangles;
-  Array<uint32_t> sheet;  // of every triangle: the lowest triangle it is connected with through mates
+  Array<BoundarySimplex<D>> simplices;
+  Array<uint32_t> sheet;  // of every simplex: the lowest simplex it is connected with through mates
 
-  explicit BoundarySurface(const Environment<3>& env);
+  explicit BoundarySurface(const Environment<D>& env);
 
-  /** The vertex of triangle mate / 3 that is not on its edge mate % 3. */
-  uint32_t beyond(uint32_t mate) const { return triangles[mate / 3].vertex[(mate % 3 + 2) % 3]; }
+  /** The vertex of simplex mate / D that is not on its ridge mate % D. */
+  uint32_t beyond(uint32_t mate) const { return simplices[mate / D].vertex[(mate % D + D - 1) % D]; }
 };
 
-/** Boxes of triangles in a balanced binary tree, stored in the order of a heap. */
+/** Boxes of simplices in a balanced binary tree, stored in the order of a heap. */
+template <int D>
 class BoundaryTree {
  public:
-  BoundaryTree(const Environment<3>& env, const BoundarySurface& surface);
+  BoundaryTree(const Environment<D>& env, const BoundarySurface<D>& surface);
 
-  /** Calls visit(triangle) for every triangle whose box meets a closed box. */
+  /** Calls visit(simplex) for every simplex whose box meets a closed box. */
   template <class Visit>
   void for_each(const double* lower, const double* upper, Visit visit) const {
     uint32_t stack[64];
@@ -50,12 +53,12 @@ class BoundaryTree {
 
  private:
   struct Node {
-    double lower[3], upper[3];
-    uint32_t first;  // of `count` triangles; of two nodes if count is 0
+    double lower[D], upper[D];
+    uint32_t first;  // of `count` simplices; of two nodes if count is 0
     uint32_t count;
   };
   static bool meets(const Node& node, const double* lower, const double* upper) {
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < D; ++k) {
       if (node.upper[k] < lower[k] || node.lower[k] > upper[k]) return false;
     }
     return true;

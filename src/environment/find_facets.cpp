@@ -10,9 +10,8 @@ constexpr uint32_t kNoQuery = 0xffffffffu;
 /** Queries in a chain for each lowest vertex: one pass over the environment answers all. */
 class Queries {
  public:
-  Queries(const Environment<3>& env, size_t count)
-      : head_(env.map.vertex_count, kNoQuery, Allocator<uint32_t>(env.memory)),
-        next_(count, kNoQuery, head_.get_allocator()) {}
+  Queries(uint32_t vertex_count, size_t count, const Memory* memory)
+      : head_(vertex_count, kNoQuery, Allocator<uint32_t>(memory)), next_(count, kNoQuery, head_.get_allocator()) {}
 
   void add(uint32_t query, uint32_t lowest) {
     next_[query] = head_[lowest];
@@ -27,12 +26,13 @@ class Queries {
 
 }  // namespace
 
-void find_facets(const Environment<3>& env, size_t count, const size_t* offsets, const uint32_t* indices,
+template <int D>
+void find_facets(const Environment<D>& env, size_t count, const size_t* offsets, const uint32_t* indices,
                  HalfFacet* out, size_t* missing) {
-  const Map<3>& map = env.map;
+  const Map<D>& map = env.map;
   Array<uint32_t> sorted{indices + offsets[0], indices + offsets[count], Allocator<uint32_t>(env.memory)};
   const auto begin = [&](size_t i) { return sorted.begin() + static_cast<ptrdiff_t>(offsets[i] - offsets[0]); };
-  Queries queries(env, count);
+  Queries queries(map.vertex_count, count, env.memory);
   for (size_t i = 0; i < count; ++i) {
     out[i] = {};
     std::sort(begin(i), begin(i + 1));
@@ -47,9 +47,7 @@ void find_facets(const Environment<3>& env, size_t count, const size_t* offsets,
       const HalfFacet h = map.half_facet(cell, f);
       if (canonical(map, h) != h) continue;
       face.clear();
-      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-        face.push_back(map.vertex(cell, shape.dart_vertex(d)));
-      }
+      for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { face.push_back(map.vertex(cell, local)); });
       const uint32_t lowest = *std::min_element(face.begin(), face.end());
       if (queries.first(lowest) == kNoQuery) continue;
       std::sort(face.begin(), face.end());
@@ -63,9 +61,12 @@ void find_facets(const Environment<3>& env, size_t count, const size_t* offsets,
   *missing = count - found;
 }
 
+template void find_facets(const Environment<2>&, size_t, const size_t*, const uint32_t*, HalfFacet*, size_t*);
+template void find_facets(const Environment<3>&, size_t, const size_t*, const uint32_t*, HalfFacet*, size_t*);
+
 void find_edges(const Environment<3>& env, size_t count, const uint32_t* indices, Dart* out, size_t* missing) {
   const Map<3>& map = env.map;
-  Queries queries(env, count);
+  Queries queries(map.vertex_count, count, env.memory);
   for (size_t i = 0; i < count; ++i) {
     out[i] = {};
     const uint32_t a = std::min(indices[2 * i], indices[2 * i + 1]), b = std::max(indices[2 * i], indices[2 * i + 1]);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr uint32_t kMaxVertices = kVertexMask;     // 28 bits
 constexpr uint64_t kMaxUnits = uint64_t{1} << 28;  // a link is a word address below 2^31
+constexpr uint32_t kNoShape = 0xffffffffu;
 
 /** Every quad is cut from its lowest vertex, a rule that gives both sides the same diagonal. */
 uint32_t cuts_of(Form form, const uint32_t* vertices) {
@@ -224,7 +225,8 @@ class Reader {
       bad_cell_.add(i);
       return;
     }
-    write_general(i, table);
+    map_.shape_offsets.push_back(table);
+    write_general(i, static_cast<uint32_t>(map_.shape_offsets.size() - 1));
   }
 
   void read_polygon(uint32_t i) {
@@ -235,21 +237,31 @@ class Reader {
     if (bad_index_.count != offenders) return;
     std::vector<uint32_t> sorted = local_to_point_;
     std::sort(sorted.begin(), sorted.end());
-    const uint32_t table = static_cast<uint32_t>(map_.shape_tables.size());
-    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end() ||
-        append_polygon(static_cast<uint32_t>(n), map_.shape_tables) != ShapeDefect::kNone) {
+    const bool repeats = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+    const uint32_t number = repeats ? kNoShape : polygon_shape(local_to_point_.size());
+    if (number == kNoShape) {
       bad_cell_.add(i);
       return;
     }
-    write_general(i, table);
+    write_general(i, number);
   }
 
-  void write_general(uint32_t i, uint32_t table) {
-    const uint32_t number = static_cast<uint32_t>(map_.shape_offsets.size());
-    map_.shape_offsets.push_back(table);
+  /** The shape that all polygons with so many corners share; kNoShape: there is none. */
+  uint32_t polygon_shape(size_t corners) {
+    if (corners >= polygon_shapes_.size()) polygon_shapes_.resize(corners + 1, kNoShape);
+    uint32_t& number = polygon_shapes_[corners];
+    const uint32_t table = static_cast<uint32_t>(map_.shape_tables.size());
+    if (number == kNoShape && append_polygon(static_cast<uint32_t>(corners), map_.shape_tables) == ShapeDefect::kNone) {
+      number = static_cast<uint32_t>(map_.shape_offsets.size());
+      map_.shape_offsets.push_back(table);
+    }
+    return number;
+  }
+
+  void write_general(uint32_t i, uint32_t number) {
     const Cell c = map_.cell(i);
     uint32_t* w = map_.record(c);
-    const Shape shape(map_.shape_tables.data() + table);
+    const Shape shape(map_.shape_tables.data() + map_.shape_offsets[number]);
     const uint32_t link_units = (shape.facet_count() + 6) / 7, vertices = shape.vertex_count();
     const uint32_t units = link_units + (vertices + 6) / 7;
     w[0] = (static_cast<uint32_t>(Form::kGeneral) << kFormShift) | number;
@@ -269,6 +281,7 @@ class Reader {
   Offenders bad_index_, bad_cell_;
   std::vector<uint16_t> loop_vertices_, loop_first_, base_, local_of_point_;
   std::vector<uint32_t> local_to_point_;
+  std::vector<uint32_t> polygon_shapes_;  // by the number of corners
 };
 
 }  // namespace

@@ -46,14 +46,7 @@ uint32_t count_pierced(uint32_t simplex_count, Read read, const double* from, co
     const double* points[D];
     read(s, points);
     bool pierced = true;
-    for (int k = 0; k < D && pierced; ++k) {
-      if constexpr (D == 3) {
-        const double* ridge[2] = {points[k], points[(k + 1) % 3]};
-        pierced = line_side<3>(from, through, ridge, none).sign > 0;
-      } else {
-        pierced = line_side<2>(from, through, &points[k], none).sign == (k == 0 ? -1 : 1);
-      }
-    }
+    for (int k = 0; k < D && pierced; ++k) pierced = ridge_side(from, through, points, k, none) > 0;
     count += pierced ? 1u : 0u;
   }
   return count;

@@ -67,6 +67,17 @@ class Shape {
   const uint16_t* t_;
 };
 
+/** Calls visit(local vertex) for the vertices of a facet, in its order: in the plane of a side both. */
+template <int D, class Visit>
+void for_each_facet_vertex(const Shape& shape, uint32_t facet, Visit visit) {
+  if constexpr (D == 2) {
+    visit(shape.simplices()[2 * facet]);
+    visit(shape.simplices()[2 * facet + 1]);
+  } else {
+    for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) visit(shape.dart_vertex(d));
+  }
+}
+
 /** Loops of local vertices from which a table is made. */
 struct FacetLoops {
   const uint16_t* vertices;  // all loops, one after the other

@@ -5,16 +5,18 @@
 
 namespace dsw {
 
-/** A cell of any dimension, named by a volume and a number in its shape: vertex, edge, facet; none for the volume. */
+/** A cell of any dimension, named by a cell of full dimension and a number in its shape: vertex, edge (in space), facet; none for the
+ * cell itself. */
 struct FeatureRef {
-  int dimension = 3;
+  int dimension = 0;
   Cell cell;
   uint32_t local = 0;
 };
 
-/** The cell of lowest dimension in the closure of volume c that holds the point. The volume contains the point under the
+/** The cell of lowest dimension in the closure of cell c that holds the point. The cell contains the point under the
  * shift, so what is left to find is zeros. *inside: whether the point lies in the closure, for callers that were told a
- * volume and do not trust it. */
-FeatureRef classify(const Environment<3>& env, const double* point, Cell c, bool* inside) noexcept;
+ * cell and do not trust it. */
+template <int D>
+FeatureRef classify(const Environment<D>& env, const double* point, Cell c, bool* inside) noexcept;
 
 }  // namespace dsw

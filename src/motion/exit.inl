@@ -113,8 +113,10 @@ class ExitFinder {
       if (look.kind == LookKind::kPlanes) return exit_flat(c, look.facets);
       if (look.kind == LookKind::kBox) return exit_box(map_.record(c), look, entry);
       if (look.kind == LookKind::kLines && look.settled && line.pierced != 0) return exit_along(c, line, entry);
+      if (map_.convex(c)) return apart().exit_many_flat(c, forecast);
+    } else {
+      if (map_.convex(c)) return exit_polygon(c, entry, forecast);
     }
-    if (map_.convex(c)) return apart().exit_many_flat(c, forecast);
     return apart().exit_many(c, entry);
   }
 
@@ -166,12 +168,7 @@ class ExitFinder {
 
   /** Whether the segment passes ridge k of a simplex, ridges in order, on the side of the simplex. */
   bool passes_inside(const double* const (&points)[D], int k) noexcept {
-    if constexpr (D == 3) {
-      const double* ridge[2] = {points[k], points[k == 2 ? 0 : k + 1]};
-      return line_side<3>(p_, q_, ridge, tally_).sign > 0;
-    } else {
-      return line_side<2>(p_, q_, &points[k], tally_).sign == (k == 0 ? -1 : 1);
-    }
+    return ridge_side(p_, q_, points, k, tally_) > 0;
   }
 
   bool is_outside(const double* const (&points)[D], const double* x) noexcept {
@@ -201,18 +198,11 @@ class ExitFinder {
   }
 
   bool pierces_facet(Cell c, const Shape& shape, uint32_t f) noexcept {
-    if constexpr (D == 3) {
-      for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-        const double* ridge[2] = {env_.point(c, shape.dart_vertex(d)),
-                                  env_.point(c, shape.dart_vertex(shape.beta1(d)))};
-        if (line_side<3>(p_, q_, ridge, tally_).sign < 0) return false;
-      }
-      return true;
-    } else {
-      const double* points[2];
-      points_of(c, shape.simplices() + 2 * f, points);
-      return passes_inside(points, 0) && passes_inside(points, 1);
+    for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
+      const double* ridge[2] = {env_.point(c, shape.dart_vertex(d)), env_.point(c, shape.dart_vertex(shape.beta1(d)))};
+      if (line_side<3>(p_, q_, ridge, tally_).sign < 0) return false;
     }
+    return true;
   }
 
   DSW_HOT Exit exit_flat(Cell c, uint32_t outside) noexcept {
@@ -255,6 +245,13 @@ class ExitFinder {
       if (f != forecast && leaves_through(f)) return {f, shape.simplex_first(f)};
     }
     return {};
+  }
+
+  /** In the plane, where simplices are numbered as sides. */
+  DSW_HOT Exit exit_polygon(Cell c, const Entry& entry, uint32_t forecast) noexcept {
+    const uint32_t entered = entry.through.valid() ? map_.local_of(entry.through, c) : kNoFacet;
+    const uint32_t side = ConvexPolygon<Tally>(env_, c, p_, q_, tally_).exit(entered, forecast);
+    return {side, side};
   }
 
   // Cells that need not be convex: one plane a simplex. Of a hexahedron the lanes settle nearly all; what they leave open is

@@ -59,9 +59,10 @@ struct Visit {
   bool operator<(const Visit& o) const { return distance != o.distance ? distance > o.distance : index > o.index; }
 };
 
+template <int D>
 class Flood {
  public:
-  Flood(const Environment<3>& env, const double* point, double radius, NearestResult& result)
+  Flood(const Environment<D>& env, const double* point, double radius, NearestResult& result)
       : env_(env),
         map_(env.map),
         point_(point),
@@ -70,7 +71,7 @@ class Flood {
         seen_(64, kNoCell, Allocator<uint32_t>(env.memory)) {
     // One power of two brings all coordinates to where squares neither over- nor underflow.
     double largest = 0;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < D; ++k) {
       largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k]), std::fabs(point[k])});
     }
     int exponent = 0;
@@ -96,7 +97,9 @@ class Flood {
  private:
   Vec relative(Cell c, uint32_t local) const {
     const double* v = env_.point(c, local);
-    return {v[0] * scale_ - point_[0] * scale_, v[1] * scale_ - point_[1] * scale_, v[2] * scale_ - point_[2] * scale_};
+    Vec at{v[0] * scale_ - point_[0] * scale_, v[1] * scale_ - point_[1] * scale_, 0};
+    if constexpr (D == 3) at.z = v[2] * scale_ - point_[2] * scale_;
+    return at;
   }
 
   void visit(Cell c) {
@@ -109,25 +112,34 @@ class Flood {
       if (is_impassable(env_, h)) {
         const HalfFacet first = canonical(map_, h);
         const Cell owner = map_.cell_of(first);
-        offer(distance, at, {2, owner, map_.local_of(first, owner)});
+        offer(distance, at, {D - 1, owner, map_.local_of(first, owner)});
       } else {
         // A cell can stand in the heap once for each of its facets: a nearer way in must not be lost to a farther one.
         heap_.push_back({distance, map_.index(map_.cell_of(map_.opposite(h)))});
         std::push_heap(heap_.begin(), heap_.end());
       }
     }
-    if (env_.marked_edges != 0) visit_wires(c, shape);
+    if constexpr (D == 3) {
+      if (env_.marked_edges != 0) visit_wires(c, shape);
+    }
     if (env_.marked_vertices != 0) visit_vertices(c, shape);
   }
 
   Vec nearest_of_facet(Cell c, const Shape& shape, uint32_t f) const {
     Vec best{};
     for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
-      const uint16_t* local = shape.simplices() + 3 * s;
-      const Vec at = nearest_on(relative(c, local[0]), relative(c, local[1]), relative(c, local[2]));
+      const Vec at = nearest_of_simplex(c, shape.simplices() + static_cast<uint32_t>(D) * s);
       if (s == shape.simplex_first(f) || dot(at, at) < dot(best, best)) best = at;
     }
     return best;
+  }
+
+  Vec nearest_of_simplex(Cell c, const uint16_t* local) const {
+    if constexpr (D == 2) {
+      return nearest_on(relative(c, local[0]), relative(c, local[1]));
+    } else {
+      return nearest_on(relative(c, local[0]), relative(c, local[1]), relative(c, local[2]));
+    }
   }
 
   void visit_wires(Cell c, const Shape& shape) {
@@ -172,7 +184,7 @@ class Flood {
   void finish() {
     result_.distance = best_ / scale_;
     const double* at = &at_.x;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < D; ++k) {
       result_.point[k] = point_[k] + at[k] / scale_;
       result_.normal[k] = best_ > 0 ? -at[k] / best_ : 0;
     }
@@ -200,8 +212,8 @@ class Flood {
     return slot;
   }
 
-  const Environment<3>& env_;
-  const Map<3>& map_;
+  const Environment<D>& env_;
+  const Map<D>& map_;
   const double* point_;
   NearestResult& result_;
   Array<Visit> heap_;
@@ -214,9 +226,13 @@ class Flood {
 
 }  // namespace
 
-bool find_nearest(const Environment<3>& env, const double* point, Cell start, double radius, NearestResult& result) {
+template <int D>
+bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result) {
   result = {};
-  return Flood(env, point, radius, result).run(start);
+  return Flood<D>(env, point, radius, result).run(start);
 }
+
+template bool find_nearest(const Environment<2>&, const double*, Cell, double, NearestResult&);
+template bool find_nearest(const Environment<3>&, const double*, Cell, double, NearestResult&);
 
 }  // namespace dsw

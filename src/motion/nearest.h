@@ -7,14 +7,17 @@ namespace dsw {
 
 struct NearestResult {
   double distance = 0;
-  double point[3] = {}, normal[3] = {};  // of the obstacle; unit, towards the asked point (zero at distance 0)
-  FeatureRef feature;                    // canonical: facet, marked edge or marked vertex
+  double point[3] = {},
+         normal[3] =
+             {};  // of the obstacle; unit, towards the asked point (zero at distance 0); in the plane the third is 0
+  FeatureRef feature;  // canonical: facet, marked edge (in space) or marked vertex
   uint32_t cells_visited = 0;
 };
 
 /** Whether something impassable that can be seen from `point`, in `start`, lies within `radius`. Cells are visited in the
  * order of their distance, so the work is that of the cells nearer than the answer. Equal distances: the lower dimension,
  * then the lower canonical cell. May throw std::bad_alloc. */
-bool find_nearest(const Environment<3>& env, const double* point, Cell start, double radius, NearestResult& result);
+template <int D>
+bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result);
 
 }  // namespace dsw

@@ -12,6 +12,7 @@ constexpr uint32_t kAbreast = 8;  // casts that are looked at together
 #include "motion/boxes.inl"
 #endif
 #include "motion/polyhedron.inl"
+#include "motion/polygon.inl"
 #include "motion/exit.inl"
 // clang-format on
 

@@ -219,6 +219,20 @@ inline ShiftedSign line_side(const double* p, const double* q, const double* con
   return filter::count(exact::line_side<D>(p, q, ridge), true, tally);
 }
 
+// Sign of how body segment p->q passes ridge k of a simplex: +1 on the simplex's side for one that pierces it outwards. In space the ridge
+// is the edge from corner k to the next, in the plane corner k.
+template <int D, class Tally>
+inline int ridge_side(const double* p, const double* q, const double* const (&simplex)[D], int k,
+                      Tally&& tally) noexcept {
+  if constexpr (D == 3) {
+    const double* ridge[2] = {simplex[k], simplex[k == 2 ? 0 : k + 1]};
+    return line_side<3>(p, q, ridge, tally).sign;
+  } else {
+    const int side = line_side<2>(p, q, &simplex[k], tally).sign;
+    return k == 0 ? -side : side;
+  }
+}
+
 template <int D, class Tally>
 inline ShiftedSign compare_times(const double* p, const double* q, const double* const* a, const double* const* b,
                                  Tally&& tally) noexcept {

@@ -125,7 +125,8 @@ void plane_hits(const PlaneFlight<D>* flights, uint32_t count, PlaneHit<D>* hits
     PlaneFlight<D> together[kHitsAbreast];  // repeats the last
     PlaneHit<D> certified[kHitsAbreast];
     for (uint32_t j = 0; j < kHitsAbreast; ++j) together[j] = flights[i + std::min(j, now - 1)];
-    const uint32_t settled = certified_hits(together, certified);
+    uint32_t settled = 0;
+    if constexpr (D == 3) settled = certified_hits(together, certified);
     for (uint32_t j = 0; j < now; ++j) {
       const PlaneFlight<D>& f = together[j];
       hits[i + j] = (settled >> j & 1u) != 0 ? certified[j] : plane_hit<D>(f.p, f.q, f.simplex);
@@ -155,6 +156,7 @@ void unit_normal(const double* const* simplex, double* normal) noexcept {
 
 template PlaneHit<2> plane_hit<2>(const double*, const double*, const double* const*) noexcept;
 template PlaneHit<3> plane_hit<3>(const double*, const double*, const double* const*) noexcept;
+template void plane_hits<2>(const PlaneFlight<2>*, uint32_t, PlaneHit<2>*) noexcept;
 template void plane_hits<3>(const PlaneFlight<3>*, uint32_t, PlaneHit<3>*) noexcept;
 template double crossing_time<2>(const double*, const double*, const double* const*) noexcept;
 template double crossing_time<3>(const double*, const double*, const double* const*) noexcept;

@@ -217,12 +217,16 @@ void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t cou
   });
 }
 
-template void check_particle<3>(const Scene<3>&, dsw_particle_id);
-template void check_particles<3>(const Scene<3>&, const dsw_particle_id*, size_t);
-template void move_particle<3>(Scene<3>&, dsw_particle_id, const double*, const FlightOptions&, dsw_flight*);
-template void move_particles<3>(Scene<3>&, const dsw_particle_id*, size_t, PointArray, const FlightOptions&,
-                                dsw_flight*);
-template void cast_from_particles<3>(Scene<3>&, const dsw_particle_id*, size_t, PointArray, const FlightOptions&,
-                                     dsw_flight*);
+#define DSW_MOVES(D)                                                                                                \
+  template void check_particle<D>(const Scene<D>&, dsw_particle_id);                                                \
+  template void check_particles<D>(const Scene<D>&, const dsw_particle_id*, size_t);                                \
+  template void move_particle<D>(Scene<D>&, dsw_particle_id, const double*, const FlightOptions&, dsw_flight*);     \
+  template void move_particles<D>(Scene<D>&, const dsw_particle_id*, size_t, PointArray, const FlightOptions&,      \
+                                  dsw_flight*);                                                                     \
+  template void cast_from_particles<D>(Scene<D>&, const dsw_particle_id*, size_t, PointArray, const FlightOptions&, \
+                                       dsw_flight*)
+DSW_MOVES(2);
+DSW_MOVES(3);
+#undef DSW_MOVES
 
 }  // namespace dsw

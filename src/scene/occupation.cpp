@@ -12,8 +12,14 @@
 namespace dsw {
 namespace {
 
-bool set_mark(Environment<3>& env, Cell c, bool marked) noexcept { return set_cell_mark(env, c, marked); }
-bool set_mark(Environment<3>& env, HalfFacet h, bool marked) noexcept { return set_facet_mark(env, h, marked); }
+template <int D>
+bool set_mark(Environment<D>& env, Cell c, bool marked) noexcept {
+  return set_cell_mark(env, c, marked);
+}
+template <int D>
+bool set_mark(Environment<D>& env, HalfFacet h, bool marked) noexcept {
+  return set_facet_mark(env, h, marked);
+}
 bool set_mark(Environment<3>& env, Dart d, bool marked) noexcept {
   return set_edge_mark(env, dart_vertex(env.map, d), dart_target(env.map, d), marked);
 }
@@ -80,7 +86,8 @@ class Trial {
 };
 
 /** Takes the marks of occupied cells back: an occupied cell was passable before. Returns how many there were. */
-size_t leave_out_particles(Environment<3>& env, const Scene<3>& scene) noexcept {
+template <int D>
+size_t leave_out_particles(Environment<D>& env, const Scene<D>& scene) noexcept {
   size_t left_out = 0;
   for (const dsw_particle_id id : scene.occupants) {
     left_out += set_cell_mark(env, scene.particles[id.index].cell, false) ? 1u : 0u;
@@ -109,8 +116,8 @@ size_t try_marks(Environment<3>& env, Scene<3>& scene, bool skip_occupied, ForEa
 }
 
 /** Sets marks; find_particles() fills scene->occupants, which is empty. */
-template <class Item, class FindParticles, class ForEach>
-size_t set_marks(Environment<3>& env, Scene<3>* scene, bool marked, bool skip_occupied, FindParticles find_particles,
+template <class Item, int D, class FindParticles, class ForEach>
+size_t set_marks(Environment<D>& env, Scene<D>* scene, bool marked, bool skip_occupied, FindParticles find_particles,
                  ForEach for_each) {
   const auto set_all = [&] { for_each([&](Item item) { set_mark(env, item, marked); }); };
   if (!marked || scene == nullptr) {
@@ -121,7 +128,8 @@ size_t set_marks(Environment<3>& env, Scene<3>* scene, bool marked, bool skip_oc
   try {
     looked_at = find_particles();
     if (scene->body_slots.alive_count() != 0) {
-      left_out = try_marks<Item>(env, *scene, skip_occupied, for_each);
+      // There are none in the plane.
+      if constexpr (D == 3) left_out = try_marks<Item>(env, *scene, skip_occupied, for_each);
     } else {
       if (!scene->occupants.empty() && !skip_occupied) refuse(*scene);
       set_all();
@@ -146,7 +154,8 @@ constexpr auto kNoParticles = [] { return size_t{0}; };
 
 }  // namespace
 
-void refuse(const Scene<3>& scene) {
+template <int D>
+void refuse(const Scene<D>& scene) {
   const size_t particles = scene.occupants.size(), bodies = scene.occupant_bodies.size();
   if (particles == 0) {
     const dsw_body_id first = scene.occupant_bodies[0];
@@ -167,23 +176,27 @@ void find_occupant_bodies(Scene<3>& scene, const NearBodies& near, BodyProbe& pr
   }
 }
 
-void count_looked_at(Scene<3>& scene, uint64_t count) noexcept {
+template <int D>
+void count_looked_at(Scene<D>& scene, uint64_t count) noexcept {
   if (scene.features.statistics) scene.statistics.looked_at += count;
 }
 
-void clear_occupants(Scene<3>* scene) noexcept {
+template <int D>
+void clear_occupants(Scene<D>* scene) noexcept {
   if (scene == nullptr) return;
   scene->occupants.clear();
   scene->occupant_bodies.clear();
 }
 
-size_t mark_cells(Environment<3>& env, Scene<3>* scene, const Cell* cells, size_t count, bool marked,
+template <int D>
+size_t mark_cells(Environment<D>& env, Scene<D>* scene, const Cell* cells, size_t count, bool marked,
                   bool skip_occupied) {
   const auto find = [&] { return find_occupants(*scene, cells, count); };
   return set_marks<Cell>(env, scene, marked, skip_occupied, find, each_of(cells, count));
 }
 
-void mark_facets(Environment<3>& env, Scene<3>* scene, const HalfFacet* facets, size_t count, bool marked) {
+template <int D>
+void mark_facets(Environment<D>& env, Scene<D>* scene, const HalfFacet* facets, size_t count, bool marked) {
   set_marks<HalfFacet>(env, scene, marked, false, kNoParticles, each_of(facets, count));
 }
 
@@ -192,7 +205,8 @@ void mark_edges(Environment<3>& env, Scene<3>* scene, const Dart* edges, size_t 
   set_marks<Dart>(env, scene, marked, false, kNoParticles, each_of(edges, count));
 }
 
-size_t mark_region(Environment<3>& env, Scene<3>* scene, int32_t region, bool marked, bool skip_occupied,
+template <int D>
+size_t mark_region(Environment<D>& env, Scene<D>* scene, int32_t region, bool marked, bool skip_occupied,
                    size_t* left_out) {
   size_t count = 0;
   const auto find = [&] { return find_occupants_of_region(*scene, region); };
@@ -206,7 +220,8 @@ size_t mark_region(Environment<3>& env, Scene<3>* scene, int32_t region, bool ma
   return count;
 }
 
-size_t mark_between(Environment<3>& env, Scene<3>* scene, int32_t a, int32_t b, bool marked) {
+template <int D>
+size_t mark_between(Environment<D>& env, Scene<D>* scene, int32_t a, int32_t b, bool marked) {
   size_t count = 0;
   const auto for_each = [&](auto visit) {
     for_each_facet_between(env, a, b, [&](HalfFacet h) {
@@ -217,5 +232,17 @@ size_t mark_between(Environment<3>& env, Scene<3>* scene, int32_t a, int32_t b, 
   set_marks<HalfFacet>(env, scene, marked, false, kNoParticles, for_each);
   return count;
 }
+
+#define DSW_OCCUPATION(D)                                                                  \
+  template void refuse(const Scene<D>&);                                                   \
+  template void count_looked_at(Scene<D>&, uint64_t) noexcept;                             \
+  template void clear_occupants(Scene<D>*) noexcept;                                       \
+  template size_t mark_cells(Environment<D>&, Scene<D>*, const Cell*, size_t, bool, bool); \
+  template void mark_facets(Environment<D>&, Scene<D>*, const HalfFacet*, size_t, bool);   \
+  template size_t mark_region(Environment<D>&, Scene<D>*, int32_t, bool, bool, size_t*);   \
+  template size_t mark_between(Environment<D>&, Scene<D>*, int32_t, int32_t, bool)
+DSW_OCCUPATION(2);
+DSW_OCCUPATION(3);
+#undef DSW_OCCUPATION
 
 }  // namespace dsw

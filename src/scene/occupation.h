@@ -15,25 +15,32 @@ class NearBodies;
 /** Appends to scene.occupant_bodies those that are not free. Throws std::bad_alloc. */
 void find_occupant_bodies(Scene<3>& scene, const NearBodies& near, BodyProbe& probe);
 /** Particles and parts of bodies that a change which has succeeded has looked at. */
-void count_looked_at(Scene<3>& scene, uint64_t count) noexcept;
+template <int D>
+void count_looked_at(Scene<D>& scene, uint64_t count) noexcept;
 
 /** Forgets who was in the way of the last marking call; comes before each. */
-void clear_occupants(Scene<3>* scene) noexcept;
+template <int D>
+void clear_occupants(Scene<D>* scene) noexcept;
 
 /** Throws OCCUPIED with a message about who is in the way: some are. */
-[[noreturn]] void refuse(const Scene<3>& scene);
+template <int D>
+[[noreturn]] void refuse(const Scene<D>& scene);
 
 /** Sets the marks of cells; returns how many were left out. */
-size_t mark_cells(Environment<3>& env, Scene<3>* scene, const Cell* cells, size_t count, bool marked,
+template <int D>
+size_t mark_cells(Environment<D>& env, Scene<D>* scene, const Cell* cells, size_t count, bool marked,
                   bool skip_occupied);
-void mark_facets(Environment<3>& env, Scene<3>* scene, const HalfFacet* facets, size_t count, bool marked);
+template <int D>
+void mark_facets(Environment<D>& env, Scene<D>* scene, const HalfFacet* facets, size_t count, bool marked);
 /** Edges, each named by one of its darts. */
 void mark_edges(Environment<3>& env, Scene<3>* scene, const Dart* edges, size_t count, bool marked);
 
 /** Marks every cell with a region label; returns how many have it, those left out included. */
-size_t mark_region(Environment<3>& env, Scene<3>* scene, int32_t region, bool marked, bool skip_occupied,
+template <int D>
+size_t mark_region(Environment<D>& env, Scene<D>* scene, int32_t region, bool marked, bool skip_occupied,
                    size_t* left_out);
 /** Marks every facet between a cell of region `a` and one of region `b`; returns how many there are. */
-size_t mark_between(Environment<3>& env, Scene<3>* scene, int32_t a, int32_t b, bool marked);
+template <int D>
+size_t mark_between(Environment<D>& env, Scene<D>* scene, int32_t a, int32_t b, bool marked);
 
 }  // namespace dsw

@@ -50,10 +50,9 @@ void check_places(const Scene<D>& scene, PointArray positions, size_t count, con
     if (inside && !is_closed(scene.env, cells[i])) continue;
     set_offender(offender, i);
     const ElementName name({indexed ? "positions" : "position", indexed}, i);
-    const double* const p = positions[i];
-    const double z = D == 3 ? p[D - 1] : 0;
-    if (!inside) fail(DSW_STATUS_OUTSIDE, "%s (%g, %g, %g) lies in no volume", name.text, p[0], p[1], z);
-    fail(DSW_STATUS_IMPASSABLE, "%s (%g, %g, %g) lies in volume %u, which is impassable", name.text, p[0], p[1], z,
+    const PointText at(positions[i], D);
+    if (!inside) fail(DSW_STATUS_OUTSIDE, "%s %s lies in no volume", name.text, at.text);
+    fail(DSW_STATUS_IMPASSABLE, "%s %s lies in volume %u, which is impassable", name.text, at.text,
          scene.env.map.index(cells[i]));
   }
 }
@@ -167,10 +166,15 @@ size_t find_occupants_of_region(Scene<D>& scene, int32_t region) {
   return scene.particles.size();
 }
 
-template void place_points<3>(const Scene<3>&, PointArray, size_t, const dsw_volume_id*, bool, Cell*, size_t*);
-template void create_particles<3>(Scene<3>&, PointArray, size_t, const dsw_volume_id*, bool, dsw_particle_id*, size_t*);
-template void destroy_particle<3>(Scene<3>&, uint32_t) noexcept;
-template size_t find_occupants<3>(Scene<3>&, const Cell*, size_t);
-template size_t find_occupants_of_region<3>(Scene<3>&, int32_t);
+#define DSW_PARTICLES(D)                                                                                          \
+  template void place_points<D>(const Scene<D>&, PointArray, size_t, const dsw_volume_id*, bool, Cell*, size_t*); \
+  template void create_particles<D>(Scene<D>&, PointArray, size_t, const dsw_volume_id*, bool, dsw_particle_id*,  \
+                                    size_t*);                                                                     \
+  template void destroy_particle<D>(Scene<D>&, uint32_t) noexcept;                                                \
+  template size_t find_occupants<D>(Scene<D>&, const Cell*, size_t);                                              \
+  template size_t find_occupants_of_region<D>(Scene<D>&, int32_t)
+DSW_PARTICLES(2);
+DSW_PARTICLES(3);
+#undef DSW_PARTICLES
 
 }  // namespace dsw

@@ -143,11 +143,16 @@ dsw_crossing report_crossing(const Environment<D>& env, Cell from, uint32_t simp
           crossing_time(env, from, simplex, start, target)};
 }
 
-template void report_cast<3>(const Environment<3>&, const CastRequest&, const CastResult&, bool, dsw_flight*) noexcept;
-template void report_wave<3>(const Environment<3>&, const Wave<3>&, bool, dsw_flight* const*) noexcept;
-template void report_no_start<3>(const Environment<3>&, const double*, Cell, dsw_flight*) noexcept;
-template void report_move<3>(const Environment<3>&, const MoveResult<3>&, bool, dsw_flight*) noexcept;
-template dsw_crossing report_crossing<3>(const Environment<3>&, Cell, uint32_t, Cell, const double*,
-                                         const double*) noexcept;
+#define DSW_REPORT(D)                                                                                     \
+  template void report_cast<D>(const Environment<D>&, const CastRequest&, const CastResult&, bool,        \
+                               dsw_flight*) noexcept;                                                     \
+  template void report_wave<D>(const Environment<D>&, const Wave<D>&, bool, dsw_flight* const*) noexcept; \
+  template void report_no_start<D>(const Environment<D>&, const double*, Cell, dsw_flight*) noexcept;     \
+  template void report_move<D>(const Environment<D>&, const MoveResult<D>&, bool, dsw_flight*) noexcept;  \
+  template dsw_crossing report_crossing<D>(const Environment<D>&, Cell, uint32_t, Cell, const double*,    \
+                                           const double*) noexcept
+DSW_REPORT(2);
+DSW_REPORT(3);
+#undef DSW_REPORT
 
 }  // namespace dsw

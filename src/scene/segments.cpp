@@ -94,12 +94,16 @@ void locate_points(const Environment<D>& env, const Parallel& parallel, PointArr
   share_out(parallel, count, body);
 }
 
-template Cell locate_point<3>(const Environment<3>&, const double*, dsw_volume_id) noexcept;
-template void cast_segments<3>(const Environment<3>&, const Parallel&, size_t, const dsw_volume_id*, PointArray,
-                               PointArray, const SegmentOptions&, dsw_flight*);
-template void cast_path<3>(const Environment<3>&, dsw_volume_id, const double*, const double*, const SegmentOptions&,
-                           dsw_crossing*, size_t, size_t*, dsw_flight*) noexcept;
-template void locate_points<3>(const Environment<3>&, const Parallel&, PointArray, size_t, const dsw_volume_id*,
-                               dsw_volume_id*);
+#define DSW_SEGMENTS(D)                                                                                            \
+  template Cell locate_point<D>(const Environment<D>&, const double*, dsw_volume_id) noexcept;                     \
+  template void cast_segments<D>(const Environment<D>&, const Parallel&, size_t, const dsw_volume_id*, PointArray, \
+                                 PointArray, const SegmentOptions&, dsw_flight*);                                  \
+  template void cast_path<D>(const Environment<D>&, dsw_volume_id, const double*, const double*,                   \
+                             const SegmentOptions&, dsw_crossing*, size_t, size_t*, dsw_flight*) noexcept;         \
+  template void locate_points<D>(const Environment<D>&, const Parallel&, PointArray, size_t, const dsw_volume_id*, \
+                                 dsw_volume_id*)
+DSW_SEGMENTS(2);
+DSW_SEGMENTS(3);
+#undef DSW_SEGMENTS
 
 }  // namespace dsw

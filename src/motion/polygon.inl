@@ -1,0 +1,76 @@
+// Convex cells of the plane. A line sees the vertices on the way round such a cell change from its right to its left where it leaves,
+// and once more where it came in: so the side through which it leaves is found by halving.
+
+/** A convex cell and a segment p q whose part from its entry, or from p, on begins in it. */
+template <class Tally>
+class ConvexPolygon {
+ public:
+  ConvexPolygon(const Environment<2>& env, Cell c, const double* p, const double* q, Tally& tally) noexcept
+      : env_(env), p_(p), q_(q), tally_(tally) {
+    const uint32_t* const w = env.map.record(c);
+    const Form form = form_of(w[0]);
+    is_general_ = form == Form::kGeneral;
+    size_ = is_general_ ? env.map.general_shape(w[0]).vertex_count() : Map<2>::standard_vertex_count(form);
+    const uint32_t link_units = is_general_ ? (size_ + 6u) / 7u : form == Form::kSimplex ? 0u : 1u;
+    vertices_ = w + link_units * kUnitWords;
+  }
+
+  /** The side through which the segment leaves; kNoFacet: it ends in the cell. `entered`: the side through which it came in; kNoFacet: p
+   * lies in the cell, and `forecast` may name a side to ask first. */
+  uint32_t exit(uint32_t entered, uint32_t forecast) noexcept {
+    if (entered != kNoFacet) {
+      const uint32_t f = pierced(next(entered), size_ - 1);
+      return is_outside(f) ? f : kNoFacet;
+    }
+    if (is_general_ && forecast < size_ && is_outside(forecast) && !is_left(forecast) && is_left(next(forecast))) {
+      return forecast;
+    }
+    // Sides with q outside follow each other.
+    uint32_t first = kNoFacet, count = 0;
+    const bool last = is_outside(size_ - 1);
+    bool before = last;
+    for (uint32_t f = 0; f < size_; ++f) {
+      const bool outside = f + 1 == size_ ? last : is_outside(f);
+      first = outside && !before ? f : first;
+      count += outside ? 1u : 0u;
+      before = outside;
+    }
+    return count == 0 ? kNoFacet : pierced(first, count);
+  }
+
+ private:
+  uint32_t next(uint32_t i) const noexcept { return i + 1 == size_ ? 0 : i + 1; }
+  const double* at(uint32_t i) const noexcept {
+    return env_.point((is_general_ ? vertices_[i / 7u * kUnitWords + 1u + i % 7u] : vertices_[i]) & kVertexMask);
+  }
+  bool is_outside(uint32_t f) noexcept {
+    const double* side[2] = {at(f), at(next(f))};
+    return plane_side<2>(side, q_, tally_).sign > 0;
+  }
+  bool is_left(uint32_t i) noexcept {
+    const double* const vertex = at(i);
+    return line_side<2>(p_, q_, &vertex, tally_).sign > 0;
+  }
+
+  /** Of `count` sides in a row, from `first` on, the one that the line leaves through. */
+  uint32_t pierced(uint32_t first, uint32_t count) noexcept {
+    while (count > 1) {
+      const uint32_t half = count / 2, middle = (first + half) % size_;
+      if (is_left(middle)) {
+        count = half;
+      } else {
+        first = middle;
+        count -= half;
+      }
+    }
+    return first;
+  }
+
+  const Environment<2>& env_;
+  const double* p_;
+  const double* q_;
+  Tally& tally_;
+  const uint32_t* vertices_;  // of a general cell by sevens
+  uint32_t size_;
+  bool is_general_;
+};
