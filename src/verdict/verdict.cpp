@@ -104,7 +104,7 @@ void Judge::meet_line(const double* a, const double* b) noexcept {
     if (claim.points[2] == nullptr || !box.overlaps(boxes_[i]) || !is_passed(claim.points, a, b)) continue;
     const SweepEvent event{{claim.points[2], a, b}, EventKind::kEdge};
     claim.is_met = true;
-    claim.time = std::min(claim.time, event_time(claim.points[0], claim.points[1], event));
+    claim.time = std::min(claim.time, event_time<3>(claim.points[0], claim.points[1], event));
   }
 }
 
