@@ -43,11 +43,31 @@ Run::Run(const Options& options, const Vessel* vessel)
     : options_(options),
       made_of_(fit_catheter(options, vessel->radius(), vessel->route().length())),
       world_(vessel->environment(), features_of(options)) {
+  start_recording();
   try {
     catheter_.emplace(&world_, &vessel->route(), made_of_);
   } catch (const physics::LibraryError& error) {
     throw BadInput("a link of " + std::to_string(made_of_.link) +
                    " does not fit into the inlet; try a smaller --link (" + error.what() + ")");
+  }
+}
+
+void Run::start_recording() {
+  if (options_.record.empty()) {
+    return;
+  }
+  dsw_recording_desc desc;
+  dsw_recording_desc_init(&desc, sizeof desc);
+  desc.path = options_.record.c_str();
+  desc.flags = DSW_RECORDING_STATES;
+  if (dsw_scene_start_recording(world_.scene(), &desc) != DSW_STATUS_OK) {
+    throw BadInput(std::string("recording: ") + dsw_last_error_message());
+  }
+}
+
+void Run::stop_recording() {
+  if (dsw_scene_stop_recording(world_.scene()) != DSW_STATUS_OK) {
+    throw BadInput("cannot write all of '" + options_.record + "'");
   }
 }
 

@@ -39,11 +39,14 @@ class Run {
   const ContactTable& table() const { return table_; }
   const physics::Catheter& catheter() const { return *catheter_; }
   const physics::CatheterOptions& made_of() const { return made_of_; }
+  // Throws BadInput where not all of it could be written.
+  void stop_recording();
   // Of the last step.
   const dsw_contact* contacts(std::size_t* count) const;
   bool good() const { return totals_.steps == totals_.exactly_free && totals_.refused == 0; }
 
  private:
+  void start_recording();
   void count_cells(Step* step);
   void add(const Step& step, std::size_t edges);
 

@@ -28,6 +28,7 @@ int insert(const insertion::Options& options) {
     }
     progress.show(i, step.reached / vessel.route().length(), step.contacts);
   }
+  run.stop_recording();
   std::ostringstream text;
   insertion::print(insertion::summary_of(options, vessel, run), run, text);
   std::cout << text.str() << std::flush;

@@ -51,6 +51,7 @@ int read_options(int argc, char** argv, Options* options) {
   app.add_option("--source", options->source, "what to call the mesh");
   app.add_option("--unit", options->unit, "unit of length of the mesh; it is only printed");
   app.add_option("--out", options->out, "folder for tables, frames and .vtu files")->check(CLI::ExistingDirectory);
+  app.add_option("--record", options->record, "file for a recording of every call, which dartsweep_replay makes again");
   app.add_option("--steps", options->steps, "time steps")->check(CLI::Range(1, 10000000));
   app.add_option("--dt", options->dt, "length of a time step, s")->check(number)->check(CLI::Range(1e-6, 1.0));
   app.add_option("--vertices", options->vertices, "of the catheter when all of it is in")->check(CLI::Range(2, 5000));

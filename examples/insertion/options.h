@@ -16,7 +16,8 @@ struct Options {
   double spacing = 1.3;  // of the generated vessel
   std::string source;    // what to call the mesh; empty: the file's name
   std::string unit = "mm";
-  std::string out;  // folder; empty: nothing is written
+  std::string out;     // folder; empty: nothing is written
+  std::string record;  // file; empty: the scene is not recorded
   std::size_t steps = 10000;
   double dt = 1e-3;
   std::size_t vertices = 20;

@@ -1,11 +1,9 @@
 /* Opens a recording (record.h), makes its calls again and tells what they did:
  *
- *   dartsweep_replay FILE [--to N [--take FILE]] [--quiet] [--draw FOLDER]
+ *   dartsweep_replay FILE [--to N [--take FILE]] [--judge] [--quiet] [--draw FOLDER]
  *
- * Prints a line for each call, and at the end the verdict on what is there then. --to N stops before call N. With it --take FILE makes that
- * one call and writes it, with the scene as it is before it, as a recording of its own: what a bug report needs. --draw FOLDER writes the
- * scene as .vtu files.
- * Exit code 1: a call did something else than was recorded, or what is there then is not free; 2: the file or an option can't be used. */
+ * README.md tells what it prints. Exit code 1: a call did something else than was recorded, or the verdict is that something is wrong; 2: the
+ * file or an option can't be used. */
 #include <dartsweep/dartsweep.h>
 #include <getopt.h>
 #include <inttypes.h>
@@ -19,20 +17,18 @@
 typedef struct options {
   const char *file, *take, *draw;
   uint64_t to;
-  int quiet;
+  int quiet, judge;
 } options;
 
 static int usage(void) {
-  fprintf(stderr, "usage: dartsweep_replay FILE [--to N [--take FILE]] [--quiet] [--draw FOLDER]\n");
+  fprintf(stderr, "usage: dartsweep_replay FILE [--to N [--take FILE]] [--judge] [--quiet] [--draw FOLDER]\n");
   return kBadInput;
 }
 
 static int read_options(int argc, char **argv, options *o) {
-  static const struct option known[] = {{"to", required_argument, NULL, 't'},
-                                        {"quiet", no_argument, NULL, 'q'},
-                                        {"take", required_argument, NULL, 'k'},
-                                        {"draw", required_argument, NULL, 'd'},
-                                        {NULL, 0, NULL, 0}};
+  static const struct option known[] = {{"to", required_argument, NULL, 't'},   {"quiet", no_argument, NULL, 'q'},
+                                        {"judge", no_argument, NULL, 'j'},      {"take", required_argument, NULL, 'k'},
+                                        {"draw", required_argument, NULL, 'd'}, {NULL, 0, NULL, 0}};
   int letter;
   memset(o, 0, sizeof *o);
   o->to = UINT64_MAX;
@@ -43,6 +39,8 @@ static int read_options(int argc, char **argv, options *o) {
       if (*optarg < '0' || *optarg > '9' || *end != 0) return usage();
     } else if (letter == 'q') {
       o->quiet = 1;
+    } else if (letter == 'j') {
+      o->judge = 1;
     } else if (letter == 'k') {
       o->take = optarg;
     } else if (letter == 'd') {
@@ -94,23 +92,73 @@ static const char *outcome_name(dsw_replay_outcome outcome) {
                                            : "unfinished: the recording ends in it";
 }
 
-/* One step, told. */
-static dsw_replay_outcome step(dsw_replay *replay, int quiet) {
+static dsw_replay_info info_of(const dsw_replay *replay) {
+  dsw_replay_info info;
+  info.struct_size = sizeof info;
+  require(dsw_replay_get_info(replay, &info), "reading about the recording", kFailed);
+  return info;
+}
+
+static void print_beginning(const dsw_replay *replay, const dsw_scene *scene) {
+  const dsw_replay_info info = info_of(replay);
+  dsw_environment_info environment;
+  size_t particles = 0, bodies = 0;
+  environment.struct_size = sizeof environment;
+  require(dsw_environment_get_info(dsw_scene_get_environment(scene), &environment), "reading the environment", kFailed);
+  require(dsw_scene_get_particle_count(scene, &particles), "counting", kFailed);
+  require(dsw_scene_get_body_count(scene, &bodies), "counting", kFailed);
+  printf("%s made by version %u.%u.%u%s\n", (info.flags & DSW_RECORDING_BUNDLE) ? "bug report" : "recording",
+         info.version / 1000000, info.version / 1000 % 1000, info.version % 1000,
+         (info.flags & DSW_RECORDING_STATES) ? ", with the state after each call" : "");
+  printf("at its beginning %lu volumes, %lu particles, %lu bodies\n", (unsigned long)environment.volume_count,
+         (unsigned long)particles, (unsigned long)bodies);
+}
+
+static void print_step(const dsw_replay_report *report) {
+  printf("%8" PRIu64 "  %-34s %-24s %s\n", report->call, report->function, dsw_status_string(report->status),
+         outcome_name(report->outcome));
+  if (report->status != DSW_STATUS_OK) printf("          %s\n", dsw_last_error_message());
+  if (report->outcome != DSW_REPLAY_DIFFERENT) return;
+  if (report->reserved & DSW_DIFFERS_STATUS)
+    printf("          the recorded call %s\n", report->has_failed ? "failed" : "did not fail");
+  if (report->reserved & DSW_DIFFERS_RESULTS) printf("          it answered something else\n");
+  if (report->reserved & DSW_DIFFERS_STATE) printf("          what is there after it is something else\n");
+}
+
+/* Returns 1 if all is right. */
+static int print_verdict(const dsw_verdict *v) {
+  printf("exact verdict: %s%s\n", v->is_right ? "right" : "WRONG: ", v->text);
+  printf("  in their volumes  %" PRIu64 " particles and vertices, but for %" PRIu64 "\n", v->places, v->lost);
+  printf("  free              %" PRIu64 " edges, but for %" PRIu64 "; %" PRIu64 " faces, but for %" PRIu64 "\n",
+         v->edges, v->crossing, v->faces, v->pierced);
+  if (v->ways + v->contacts + v->not_judged == 0) return v->is_right != 0;
+  printf("  the call          %" PRIu64 " ways that nothing is in, but for %" PRIu64 "; %" PRIu64
+         " contacts at their time, but for %" PRIu64 "; %" PRIu64 " not judged\n",
+         v->ways, v->missed, v->contacts, v->wrong, v->not_judged);
+  return v->is_right != 0;
+}
+
+/* The next step, told. `good` becomes 0 where the verdict is that something is wrong. */
+static dsw_replay_outcome step(dsw_replay *replay, const options *o, int *good) {
   dsw_replay_report report;
-  require(dsw_replay_step(replay, &report), "making the next call", kBadInput);
+  dsw_verdict verdict;
+  const int judge = o->judge || (info_of(replay).flags & DSW_RECORDING_BUNDLE) != 0;
+  verdict.struct_size = sizeof verdict;
+  verdict.is_right = 1;
+  require(judge ? dsw_replay_step_judged(replay, &report, &verdict) : dsw_replay_step(replay, &report),
+          "making the next call", kBadInput);
   if (report.outcome == DSW_REPLAY_END) return DSW_REPLAY_END;
-  if (!quiet || report.outcome != DSW_REPLAY_SAME) {
-    printf("%8" PRIu64 "  %-34s %-24s %s\n", report.call, report.function, dsw_status_string(report.status),
-           outcome_name(report.outcome));
-    if (report.status != DSW_STATUS_OK) printf("          %s\n", dsw_last_error_message());
-    if (report.outcome == DSW_REPLAY_DIFFERENT)
-      printf("          the recorded call %s\n", report.has_failed ? "failed" : "did not fail, or had other results");
+  if (!o->quiet || report.outcome != DSW_REPLAY_SAME || !verdict.is_right) {
+    print_step(&report);
+    if (judge) print_verdict(&verdict);
   }
+  if (!verdict.is_right) *good = 0;
   return report.outcome;
 }
 
-/* Exactly: an environment and a scene that are loaded from their snapshots are checked as a whole. Returns 1 if all is well. */
-static int print_verdict(dsw_scene *scene) {
+/* On what is there: an environment and a scene that are loaded from their snapshots are checked as a whole, bodies against each other included.
+ * Returns 1 if all is well. */
+static int print_end(dsw_scene *scene) {
   dsw_environment *const environment = dsw_scene_get_environment(scene);
   dsw_environment *copy = NULL;
   dsw_scene *again = NULL;
@@ -139,13 +187,14 @@ static int print_verdict(dsw_scene *scene) {
   return is_free == DSW_STATUS_OK;
 }
 
-static dsw_replay_outcome take_call(dsw_replay *replay, dsw_scene *scene, const char *file) {
+static dsw_replay_outcome take_call(dsw_replay *replay, dsw_scene *scene, const options *o, int *good) {
   dsw_replay_outcome outcome;
   dsw_recording_desc desc;
   dsw_recording_desc_init(&desc, sizeof desc);
-  desc.path = file;
+  desc.path = o->take;
+  desc.flags = DSW_RECORDING_STATES;
   require(dsw_scene_start_recording(scene, &desc), "writing the call", kBadInput);
-  outcome = step(replay, 0);
+  outcome = step(replay, o, good);
   require(dsw_scene_stop_recording(scene), "writing the call", kBadInput);
   return outcome;
 }
@@ -198,19 +247,26 @@ int main(int argc, char **argv) {
   dsw_scene *scene = NULL;
   uint64_t call = 0;
   dsw_replay_outcome last = DSW_REPLAY_SAME;
-  int good;
+  dsw_replay_info info;
+  int good = 1;
   if (read_options(argc, argv, &o) != 0) return kBadInput;
   bytes = read_file(o.file, &size);
   require(dsw_replay_create(NULL, bytes, size, &replay), "opening the recording", kBadInput);
   require(dsw_replay_get_scene(replay, &scene), "opening the recording", kBadInput);
-  while (call < o.to && (last = step(replay, o.quiet)) == DSW_REPLAY_SAME) ++call;
-  if (o.take != NULL && call == o.to) last = take_call(replay, scene, o.take);
+  print_beginning(replay, scene);
+  while (call < o.to && (last = step(replay, &o, &good)) == DSW_REPLAY_SAME) ++call;
+  if (o.take != NULL && call == o.to) last = take_call(replay, scene, &o, &good);
   if (o.take != NULL && (call < o.to || last == DSW_REPLAY_END)) {
     fprintf(stderr, "replay: no call %" PRIu64 " to be taken after calls that did what was recorded\n", o.to);
     return kBadInput;
   }
+  info = info_of(replay);
   printf("%" PRIu64 " calls did what was recorded\n", call);
-  good = print_verdict(scene);
+  if (last == DSW_REPLAY_END || last == DSW_REPLAY_UNFINISHED)
+    printf("the recording ends here%s, with %" PRIu64 " bytes of an entry that is not whole\n",
+           last == DSW_REPLAY_UNFINISHED ? " in a call" : "", info.bytes_left);
+  if (*info.note != 0) printf("note: %s\n", info.note);
+  if (!print_end(scene)) good = 0;
   if (o.draw != NULL && draw(scene, o.draw) != 0) return kBadInput;
   require(dsw_replay_destroy(replay), "closing", kFailed);
   free(bytes);

@@ -22,7 +22,9 @@ enum {
   DSW_RECORDING_STATES = 1,
   /** Kept in memory, for dsw_scene_write_bundle: no path and no function. Begun anew, O(environment), whenever its calls take more than 1 MiB
    * and twice the snapshots. */
-  DSW_RECORDING_LATEST = 2
+  DSW_RECORDING_LATEST = 2,
+  /** In dsw_replay_info: it was made by dsw_scene_write_bundle. Not for dsw_recording_desc. */
+  DSW_RECORDING_BUNDLE = 4
 };
 
 /** Describes a recording. */

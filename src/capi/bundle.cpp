@@ -106,7 +106,7 @@ dsw_status dsw_scene_write_bundle(dsw_scene* scene, const dsw_bundle_desc* desc,
 
     dsw_recording_desc to{};
     to.struct_size = sizeof to;
-    to.flags = DSW_RECORDING_STATES;
+    to.flags = DSW_RECORDING_STATES | DSW_RECORDING_BUNDLE;
     to.path = d.path;
     to.write = d.write;
     to.user = d.user;
