@@ -8,7 +8,6 @@ the scene is drawn.
 from __future__ import annotations
 
 import sys
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,12 +26,6 @@ def tube() -> ds.Environment:
     corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
     cells = np.stack([index[a : a + 4, b : b + 4, c : c + 40].ravel() for a, b, c in corners], axis=1)
     return ds.Environment(points, cells)
-
-
-def read(path: str) -> ds.Environment:
-    import meshio  # type: ignore[import-untyped]
-
-    return ds.from_meshio(meshio.read(path))
 
 
 def centres(environment: ds.Environment) -> NDArray[np.float64]:
@@ -55,22 +48,8 @@ def push(scene: ds.Scene, start: NDArray[np.float64], step: float) -> tuple[ds.B
     return body, touched
 
 
-def draw(environment: ds.Environment, body: ds.Body, path: str) -> None:
-    import pyvista  # type: ignore[import-not-found, import-untyped, unused-ignore]
-
-    def polygons(corners: NDArray[Any]) -> NDArray[Any]:
-        return np.insert(corners, 0, corners.shape[1], axis=1).ravel()
-
-    trace = ds.Trace()
-    trace.add_impassable(environment)
-    plotter = pyvista.Plotter(off_screen=True)
-    plotter.add_mesh(pyvista.PolyData(trace.points, polygons(trace.triangles[0])), color="lightcoral", opacity=0.25)
-    plotter.add_mesh(pyvista.PolyData(body.positions(), lines=polygons(body.edge_vertices())), color="black", line_width=4)
-    plotter.screenshot(path)
-
-
 def main() -> None:
-    with read(sys.argv[1]) if len(sys.argv) > 1 else tube() as environment:
+    with ds.meshes.read(sys.argv[1]) if len(sys.argv) > 1 else tube() as environment:
         middle = centres(environment)
         start = middle[np.argsort(middle[:, 2])[len(middle) // 20]]
         step = float(np.ptp(middle[:, 2])) / 40
@@ -79,7 +58,11 @@ def main() -> None:
             print(f"{environment}: the tip went from z = {start[2]:.2f} to {body.positions()[-1, 2]:.2f}")
             print(f"{sum(touched.values())} contacts in {len(touched)} volumes")
             if len(sys.argv) > 2:
-                draw(environment, body, sys.argv[2])
+                import pyvista
+
+                from dartsweep import plot
+
+                plot.draw(scene, pyvista.Plotter(off_screen=True)).screenshot(sys.argv[2])
 
 
 if __name__ == "__main__":

@@ -1,16 +1,15 @@
 from __future__ import annotations
 
 import ast
+import inspect
 import pathlib
+from typing import Any
 
-import meshio  # type: ignore[import-untyped]
 import numpy as np
-import pytest
 from mypy import api
 
 import dartsweep as ds
-from dartsweep import _core
-from scenario import vessel
+from dartsweep import _core, plot
 
 ROOT = pathlib.Path(__file__).parents[3]
 PYTHON = ROOT / "bindings" / "python"
@@ -23,6 +22,7 @@ def test_types_are_complete() -> None:
     for arguments in (["-p", "dartsweep"], sources):
         out, _, status = api.run(["--strict", "--cache-dir", "/dev/null", "--config-file", str(PYTHON / "pyproject.toml"), *arguments])
         assert status == 0, out
+    assert pathlib.Path(ds.__file__).with_name("py.typed").exists()
 
 
 def test_stubs_are_those_of_the_module() -> None:
@@ -35,29 +35,20 @@ def test_stubs_are_those_of_the_module() -> None:
         assert told == members - {"this", "thisown", "is_null"} - OF_SWIG, node.name
 
 
+def test_everything_has_words() -> None:
+    classes = [item for item in vars(ds).values() if inspect.isclass(item) and item.__module__.startswith("dartsweep")]
+    named: dict[str, Any] = {item.__name__: item for item in classes}
+    owners: list[Any] = [*classes, ds, ds.meshes, plot]
+    for owner in owners:
+        for name, value in vars(owner).items():
+            if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, (property, classmethod))):
+                named[f"{owner.__name__}.{name}"] = value
+    assert len(named) > 150 and [name for name, value in named.items() if not value.__doc__] == []
+
+
 def test_version() -> None:
     assert f"project(Dartsweep VERSION {ds.version()} " in (ROOT / "CMakeLists.txt").read_text()
     assert f'version = "{ds.version()}"' in (PYTHON / "pyproject.toml").read_text()
-
-
-def test_meshes_of_meshio() -> None:
-    points, cells, regions = vessel()
-    tetra = [[0, 1, 2, 3]]
-    extra = np.array([[100.0, 0, 0], [101, 0, 0], [100, 1, 0], [100, 0, 1]])
-    mesh = meshio.Mesh(
-        np.concatenate([points, extra]),
-        [("hexahedron", cells), ("triangle", [[0, 1, 2]]), ("tetra", np.array(tetra) + len(points))],
-        cell_data={"region": [regions, np.array([9]), np.array([3])]},
-    )
-    with ds.from_meshio(mesh) as environment:
-        assert environment.info.volume_count == len(cells) + 1 and environment.info.part_count == 2
-        assert environment.region(environment.volume(len(cells))) == 3
-        assert environment.counts(environment.volume(len(cells))).type == ds.CellType.TETRA
-        assert environment.mark_region(2)[0] == int(np.sum(regions == 2))
-    with pytest.raises(ValueError, match="no volume cells"):
-        ds.from_meshio(meshio.Mesh(points, [("triangle", [[0, 1, 2]])]))
-    with pytest.raises(ValueError, match="tetra10"):
-        ds.from_meshio(meshio.Mesh(points, [("tetra10", [list(range(10))])]))
 
 
 def test_coarsening_and_traces() -> None:

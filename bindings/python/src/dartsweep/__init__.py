@@ -7,7 +7,7 @@ fails raises an exception of dartsweep.errors and changes nothing.
 
 from __future__ import annotations
 
-from . import dtypes, errors
+from . import dtypes, errors, meshes
 from ._core import (
     BodyEdgeId,
     BodyFaceId,
@@ -59,7 +59,7 @@ from .enums import (
 )
 from .environment import Environment
 from .errors import Closed, Error
-from .mesh import from_meshio
+from .meshes import from_meshio
 from .options import options, version
 from .scene import Scene
 from .trace import Trace
@@ -120,6 +120,7 @@ __all__ = [
     "dtypes",
     "errors",
     "from_meshio",
+    "meshes",
     "options",
     "version",
 ]

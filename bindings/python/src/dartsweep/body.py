@@ -34,6 +34,7 @@ class Body:
 
     @property
     def id(self) -> BodyId:
+        """Its id in the scene."""
         return self._core.id()  # type: ignore[no-any-return]
 
     def destroy(self) -> None:
@@ -42,6 +43,7 @@ class Body:
 
     @property
     def counts(self) -> BodyCounts:
+        """How many vertices, edges and triangles there are, and below which number their indices are."""
         return self._core.get_counts()  # type: ignore[no-any-return]
 
     @property
@@ -91,6 +93,7 @@ class Body:
         return self._core.get_faces()  # type: ignore[no-any-return]
 
     def vertex(self, index: int) -> BodyVertexId:
+        """Id of the vertex with an index."""
         return self._core.get_vertex(index)  # type: ignore[no-any-return]
 
     def edge(self, edge: Any) -> Records:
@@ -110,27 +113,35 @@ class Body:
         return self._core.get_face_vertices().reshape(-1, 3)  # type: ignore[no-any-return]
 
     def add_vertex(self, position: ArrayLike, hint: Any = None) -> BodyVertexId:
+        """Adds a vertex without edges; `hint` is a volume near it."""
         return self._core.add_vertex(position, hint)  # type: ignore[no-any-return]
 
     def add_edge(self, a: Any, b: Any) -> BodyEdgeId:
+        """Adds an edge between two vertices; raises Occupied where it is not free."""
         return self._core.add_edge(a, b)  # type: ignore[no-any-return]
 
     def add_face(self, a: Any, b: Any, c: Any) -> BodyFaceId:
+        """Adds a triangle, with those of its edges that are missing."""
         return self._core.add_face(a, b, c)  # type: ignore[no-any-return]
 
     def remove_vertex(self, vertex: Any) -> None:
+        """Removes a vertex with its edges and faces."""
         self._core.remove_vertex(vertex)
 
     def remove_edge(self, edge: Any) -> None:
+        """Removes an edge with its faces."""
         self._core.remove_edge(edge)
 
     def remove_face(self, face: Any) -> None:
+        """Removes a triangle; its edges stay."""
         self._core.remove_face(face)
 
     def split_edge(self, edge: Any, share: float = 0.5) -> BodyEdit:
+        """Splits an edge, and its triangles, at a share of its length; answers what came."""
         return self._core.split_edge(edge, share)  # type: ignore[no-any-return]
 
     def collapse_edge(self, edge: Any, vertex: Any) -> BodyEdit:
+        """Moves a vertex to the other end of an edge, swept, and merges it there."""
         return self._core.collapse_edge(edge, vertex)  # type: ignore[no-any-return]
 
     # --- moves

@@ -67,7 +67,15 @@ class CellKind(IntEnum):
 
 
 class CellType(IntEnum):
-    """Cell types, numbered as in VTK. Points are ordered as in VTK's manual: - tetra 0 1 2 3: seen from 3, 0 1 2 turn counter-clockwise; - hexahedron: 0 1 2 3 counter-clockwise seen from 4 5 6 7, each of these above its counterpart; - wedge: 0 1 2 counter-clockwise seen from outside, 3 4 5 opposite them; - pyramid: base 0 1 2 3 counter-clockwise seen from the apex 4; - polyhedron: a face stream (count of faces, then for each face count of points and the points, counter-clockwise seen from outside)."""
+    """Cell types, numbered as in VTK; so are the points of each:
+
+    - tetrahedron 0 1 2 3: seen from 3, 0 1 2 turn counter-clockwise;
+    - hexahedron: 0 1 2 3 counter-clockwise seen from 4 5 6 7, each of these above its counterpart;
+    - wedge: 0 1 2 counter-clockwise seen from outside, 3 4 5 opposite them;
+    - pyramid: base 0 1 2 3 counter-clockwise seen from the apex 4;
+    - polyhedron: a face stream, the count of faces, then for each face the count of its points and the points, counter-clockwise
+      seen from outside.
+    """
 
     NONE = _core.CELL_TYPE_NONE
     TETRA = _core.CELL_TYPE_TETRA

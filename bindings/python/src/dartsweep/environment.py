@@ -101,6 +101,7 @@ class Environment:
 
     @property
     def closed(self) -> bool:
+        """Whether close() has been called."""
         return self._core.is_closed()  # type: ignore[no-any-return]
 
     def __enter__(self) -> Environment:
@@ -185,12 +186,15 @@ class Environment:
         return self._core.find_edges(pairs)  # type: ignore[no-any-return]
 
     def region(self, volume: Any) -> int:
+        """Region label of a volume."""
         return self._core.get_region(volume)  # type: ignore[no-any-return]
 
     def tag(self, volume: Any) -> int:
+        """A host's tag of a volume."""
         return self._core.get_tag(volume)  # type: ignore[no-any-return]
 
     def set_tag(self, volume: Any, tag: int) -> None:
+        """Sets the tag of a volume."""
         self._core.set_tag(volume, tag)
 
     def is_valid(self, volume: Any) -> bool:
@@ -266,12 +270,15 @@ class Environment:
         return self._core.mark_volumes(volumes, mark, flags)  # type: ignore[no-any-return]
 
     def mark_faces(self, faces: Ids, mark: int = Mark.IMPASSABLE) -> None:
+        """Sets the mark of faces."""
         self._core.mark_faces(faces, mark)
 
     def mark_edges(self, edges: Ids, mark: int = Mark.IMPASSABLE) -> None:
+        """Sets the mark of edges: a marked edge is a wire."""
         self._core.mark_edges(edges, mark)
 
     def mark_vertices(self, vertices: Ids, mark: int = Mark.IMPASSABLE) -> None:
+        """Sets the mark of vertices."""
         self._core.mark_vertices(vertices, mark)
 
     def mark_region(self, region: int, mark: int = Mark.IMPASSABLE, flags: int = 0) -> tuple[int, int]:
@@ -284,12 +291,15 @@ class Environment:
         return self._core.mark_between(a, b, mark)  # type: ignore[no-any-return]
 
     def is_marked(self, cell: Any) -> bool:
+        """Whether this very cell carries a mark."""
         return self._core.is_marked(_cell(cell))  # type: ignore[no-any-return]
 
     def is_impassable(self, cell: Any) -> bool:
+        """Whether a cell is impassable, by its own mark or by what follows from others."""
         return self._core.is_impassable(_cell(cell))  # type: ignore[no-any-return]
 
     def mark_count(self, kind: int) -> int:
+        """How many cells of a CellKind carry a mark."""
         return self._core.get_mark_count(kind)  # type: ignore[no-any-return]
 
     # --- topology and surgery
@@ -299,9 +309,11 @@ class Environment:
         self._core.sew_faces(a, b)
 
     def unsew_face(self, face: Any) -> None:
+        """One face between two volumes becomes two on the outer boundary, which nothing passes."""
         self._core.unsew_face(face)
 
     def remove_volumes(self, volumes: Ids) -> None:
+        """Removes volumes; faces that they share with others are on the outer boundary then."""
         self._core.remove_volumes(volumes)
 
     def merge_volumes(self, face: Any) -> VolumeId:
@@ -314,6 +326,7 @@ class Environment:
         return parts.left, parts.right, parts.face
 
     def merge_faces(self, edge: Any) -> FaceId:
+        """Merges the two faces of an edge that has no others."""
         return self._core.merge_faces(edge)  # type: ignore[no-any-return]
 
     def split_face(self, face: Any, a: Any, b: Any) -> tuple[FaceId, FaceId, EdgeId]:
@@ -327,9 +340,11 @@ class Environment:
         return parts.vertex, parts.first, parts.second
 
     def merge_edges(self, edge: Any, vertex: Any) -> EdgeId:
+        """Merges the two edges of a vertex that has no others: the vertex goes."""
         return self._core.merge_edges(edge, vertex)  # type: ignore[no-any-return]
 
     def collapse_edge(self, edge: Any, vertex: Any) -> None:
+        """Merges an end of an edge, `vertex`, into the other."""
         self._core.collapse_edge(edge, vertex)
 
     def add_volumes(
@@ -360,12 +375,15 @@ class Environment:
         return self._core.tear_faces(faces, loads, threshold)  # type: ignore[no-any-return]
 
     def cut_vertices(self) -> Records:
+        """Vertices that the last cut or opening added (dtypes.CUT_VERTEX), with those that each comes from."""
         return self._core.get_cut_vertices()  # type: ignore[no-any-return]
 
     def cut_faces(self) -> Records:
+        """Faces of the last cut or tear (dtypes.CUT_FACE), each named from both of its sides; after an opening its lips."""
         return self._core.get_cut_faces()  # type: ignore[no-any-return]
 
     def whole_volumes(self) -> Records:
+        """Volumes that the blade crossed in the last cut and that stayed whole."""
         return self._core.get_whole_volumes()  # type: ignore[no-any-return]
 
     def open(self, faces: Records, width: float, *, region: int = 0, tag: int = 0) -> OpenReport:
@@ -381,6 +399,7 @@ class Environment:
         return self._core.carve(points, triangles, desc)  # type: ignore[no-any-return]
 
     def carved_volumes(self) -> Records:
+        """Volumes that the last carving made passable."""
         return self._core.get_carved_volumes()  # type: ignore[no-any-return]
 
     def tie(self, loop: ArrayLike, *, start: Any = None, snap: float = 0.0) -> TieReport:
@@ -398,6 +417,7 @@ class Environment:
         return self._core.remesh(volumes, next, desc)  # type: ignore[no-any-return]
 
     def unmended_volumes(self) -> Records:
+        """Volumes that the last mending left invalid."""
         return self._core.get_unmended_volumes()  # type: ignore[no-any-return]
 
 

@@ -44,6 +44,7 @@ class Scene:
 
     @property
     def environment(self) -> Environment:
+        """The environment that it was made with."""
         return self._environment
 
     def close(self) -> None:
@@ -52,6 +53,7 @@ class Scene:
 
     @property
     def closed(self) -> bool:
+        """Whether close() has been called."""
         return self._core.is_closed()  # type: ignore[no-any-return]
 
     def __enter__(self) -> Scene:
@@ -67,10 +69,12 @@ class Scene:
 
     @property
     def particle_count(self) -> int:
+        """How many particles there are."""
         return self._core.get_particle_count()  # type: ignore[no-any-return]
 
     @property
     def body_count(self) -> int:
+        """How many bodies there are."""
         return self._core.get_body_count()  # type: ignore[no-any-return]
 
     def particle_ids(self) -> Records:
@@ -100,11 +104,13 @@ class Scene:
         return self._core.get_statistics()  # type: ignore[no-any-return]
 
     def reset_statistics(self) -> None:
+        """Sets the counters to zero."""
         self._core.reset_statistics()
 
     # --- particles
 
     def create_particle(self, position: ArrayLike, hint: Any = None) -> ParticleId:
+        """A particle at a position; `hint` is a volume near it."""
         return self._core.create_particle(position, hint)  # type: ignore[no-any-return]
 
     def create_particles(self, positions: ArrayLike, hints: Ids | None = None) -> Records:
@@ -115,6 +121,7 @@ class Scene:
         return particles
 
     def destroy_particle(self, particle: Any) -> None:
+        """Removes a particle; its id becomes stale."""
         self._core.destroy_particle(particle)
 
     def particle(self, particle: Any) -> tuple[NDArray[np.float64], VolumeId]:
@@ -213,12 +220,15 @@ class Scene:
         return Body(self._core, both.body), both.report
 
     def detached_volumes(self) -> Records:
+        """Volumes of the last piece that came off."""
         return self._core.get_detached_volumes()  # type: ignore[no-any-return]
 
     def detached_vertices(self) -> Records:
+        """Where the vertices of its body come from (dtypes.DETACHED_VERTEX)."""
         return self._core.get_detached_vertices()  # type: ignore[no-any-return]
 
     def detached_faces(self) -> Records:
+        """Where the faces of its body come from (dtypes.DETACHED_FACE)."""
         return self._core.get_detached_faces()  # type: ignore[no-any-return]
 
     # --- deformation, with Feature.DEFORMING
@@ -237,7 +247,9 @@ class Scene:
         return self._core.get_wall_contacts()  # type: ignore[no-any-return]
 
     def held_vertices(self) -> Records:
+        """Vertices of the environment that the last deformation did not take to their places."""
         return self._core.get_held_vertices()  # type: ignore[no-any-return]
 
     def invalid_volumes(self) -> Records:
+        """Volumes that the last deformation did not let become invalid."""
         return self._core.get_invalid_volumes()  # type: ignore[no-any-return]

@@ -23,6 +23,7 @@ class Trace:
         self._core: Any = _core.Trace()
 
     def clear(self) -> None:
+        """Empties it."""
         self._core.clear()
 
     def add_volumes(self, environment: Environment, volumes: Ids, label: int = 0) -> None:
@@ -38,10 +39,12 @@ class Trace:
         self._core.add_walk(environment._core, start, end, normal_length, label)
 
     def add_contact(self, flight: Flight, normal_length: float, label: int = 0) -> None:
+        """The contact of a flight, and a segment along its normal."""
         self._core.add_contact(flight, normal_length, label)
 
     @property
     def points(self) -> NDArray[np.float64]:
+        """All points."""
         return self._core.get_points().reshape(-1, 3)  # type: ignore[no-any-return]
 
     @property

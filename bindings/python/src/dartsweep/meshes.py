@@ -1,13 +1,23 @@
-"""Environments from mesh files, through meshio (the extra `mesh`)."""
+"""Meshes of other libraries: volumes by meshio (the extra `mesh`), surfaces by trimesh (the extra `trimesh`).
+
+Meshes are taken by their attributes, so that nothing is imported but where a library has to read or to make one.
+"""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._core import CarveReport
+from .body import Body
 from .enums import CellType
 from .environment import Environment
+from .scene import Scene
+from .trace import Trace
+
+if TYPE_CHECKING:
+    import trimesh
 
 _TYPES = {
     "tetra": CellType.TETRA,
@@ -16,6 +26,13 @@ _TYPES = {
     "pyramid": CellType.PYRAMID,
 }
 _REGION_NAMES = ("gmsh:physical", "region", "medit:ref", "cell_tags")
+
+
+def read(path: str, *, regions: str | None = None, **options: Any) -> Environment:
+    """An environment of a file in any format that meshio knows; see from_meshio."""
+    import meshio
+
+    return from_meshio(meshio.read(path), regions=regions, **options)
 
 
 def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Environment:
@@ -46,3 +63,25 @@ def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Env
         regions=np.concatenate(labels) if labels else None,
         **options,
     )
+
+
+def body_from_trimesh(scene: Scene, mesh: Any, **options: Any) -> Body:
+    """A body of a surface with `vertices` and `faces`, in their order; options: as of Scene.create_body."""
+    return scene.create_body(mesh.vertices, triangles=mesh.faces, **options)
+
+
+def carve_trimesh(environment: Environment, mesh: Any, **options: Any) -> CarveReport:
+    """Makes passable what is inside of a closed surface with `vertices` and `faces`; options: as of Environment.carve."""
+    return environment.carve(mesh.vertices, mesh.faces, **options)
+
+
+def to_trimesh(surface: Body | Trace) -> trimesh.Trimesh:
+    """The triangles of a body, where it is now, or of a trace. Vertices keep their indices."""
+    import trimesh
+
+    if isinstance(surface, Body):
+        points, triangles = surface.positions(), surface.face_vertices()
+        triangles = triangles[triangles[:, 0] < len(points)]  # not those of free slots
+    else:
+        points, triangles = surface.points, surface.triangles[0]
+    return trimesh.Trimesh(points, triangles.astype(np.int64), process=False)

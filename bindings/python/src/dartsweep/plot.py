@@ -1,0 +1,93 @@
+"""Pictures by PyVista (the extra `plot`): environments, bodies and contacts as its meshes, and a plot of a scene.
+
+PyVista draws, slices and saves what is made here; without a display too (`off_screen=True`, `screenshot`).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pyvista
+from numpy.typing import NDArray
+
+from .body import Body
+from .enums import CellType
+from .environment import Environment, Records
+from .errors import NotFound
+from .scene import Scene
+from .trace import Trace
+
+
+def grid(environment: Environment) -> pyvista.UnstructuredGrid:
+    """The volumes of an environment where they are now, with `volume` (its index), `region`, `tag` and `impassable` of each.
+
+    For pictures and files: every volume is asked for, one by one.
+    """
+    info = environment.info
+    cells, types, volumes = [], [], []
+    for index in range(info.volume_index_count):
+        try:
+            volume = environment.volume(index)
+        except NotFound:  # removed
+            continue
+        counts = environment.counts(volume)
+        if counts.type == CellType.POLYHEDRON:
+            faces = [environment.vertices(environment.face(volume, i))["index"] for i in range(counts.faces)]
+            cell = np.concatenate([[len(faces)], *(np.insert(face, 0, len(face)) for face in faces)])
+        else:
+            cell = environment.vertices(volume)["index"]
+        cells.append(np.insert(cell.astype(np.int64), 0, len(cell)))
+        types.append(counts.type)
+        volumes.append(volume)
+    made = pyvista.UnstructuredGrid(np.concatenate(cells), np.array(types, np.uint8), environment.points())
+    made.cell_data["volume"] = [volume.index for volume in volumes]
+    made.cell_data["region"] = [environment.region(volume) for volume in volumes]
+    made.cell_data["tag"] = [environment.tag(volume) for volume in volumes]
+    made.cell_data["impassable"] = [environment.is_impassable(volume) for volume in volumes]
+    return made
+
+
+def walls(environment: Environment, with_boundary: bool = True) -> pyvista.PolyData:
+    """Triangles of all walls that border passable volumes."""
+    trace = Trace()
+    trace.add_impassable(environment, with_boundary)
+    return pyvista.PolyData(trace.points, faces=_polygons(trace.triangles[0]))
+
+
+def body(body: Body) -> pyvista.PolyData:
+    """A body where it is now: its triangles, or its edges where it has none. Points keep their indices."""
+    points = body.positions()
+    if body.counts.face_count != 0:
+        return pyvista.PolyData(points, faces=_polygons(body.face_vertices()))
+    return pyvista.PolyData(points, lines=_polygons(body.edge_vertices()))
+
+
+def contacts(contacts: Records) -> pyvista.PolyData:
+    """Points of contact (dtypes.CONTACT, SWEEP or WALL_CONTACT), with `normal` and `time` of each."""
+    made = pyvista.PolyData(np.ascontiguousarray(contacts["point"]))
+    if len(contacts) != 0:  # PyVista has no empty arrays
+        made.point_data["normal"] = contacts["normal"]
+        made.point_data["time"] = contacts["time"]
+    return made
+
+
+def draw(scene: Scene, plotter: pyvista.Plotter | None = None) -> pyvista.Plotter:
+    """Adds the walls of a scene, its bodies and the contacts of their last moves to a plotter, a new one by default."""
+    plotter = pyvista.Plotter() if plotter is None else plotter
+    plotter.add_mesh(walls(scene.environment), color="lightcoral", opacity=0.25)
+    size = float(np.ptp(scene.environment.points(), axis=0).max())
+    for number in scene.body_ids():
+        moved = scene.body(number)
+        plotter.add_mesh(body(moved), color="steelblue" if moved.counts.face_count else "black", line_width=4)
+        met = moved.contacts()
+        if len(met) != 0:
+            plotter.add_mesh(contacts(met), color="gold", point_size=10, render_points_as_spheres=True)
+            plotter.add_arrows(met["point"], met["normal"], mag=0.05 * size, color="gold")
+    return plotter
+
+
+def _polygons(corners: NDArray[np.uint32]) -> NDArray[np.int64]:
+    """VTK's cells: their sizes among the indices; those of free slots left out."""
+    used = corners[corners[:, 0] != np.iinfo(np.uint32).max].astype(np.int64)
+    return np.insert(used, 0, used.shape[1], axis=1).ravel()

@@ -1,0 +1,72 @@
+"""Meshes that PyVista draws, and one picture where there is something to draw with."""
+
+from __future__ import annotations
+
+import pathlib
+
+import numpy as np
+import pytest
+import pyvista
+
+import dartsweep as ds
+from dartsweep import plot
+from scenario import create_catheter, vessel
+
+
+@pytest.fixture
+def catheter(scene: ds.Scene) -> ds.Body:
+    """Pressed against the wall."""
+    made = create_catheter(scene)
+    made.move(made.positions() + (30, 0, 0))
+    assert len(made.contacts()) > 0
+    return made
+
+
+def test_grid_of_an_environment(environment: ds.Environment) -> None:
+    points, cells, regions = vessel()
+    grid = plot.grid(environment)
+    assert np.array_equal(grid.points, points) and np.array_equal(grid.cells_dict[pyvista.CellType.HEXAHEDRON], cells)
+    assert np.array_equal(grid.cell_data["region"], regions) and np.array_equal(grid.cell_data["impassable"], regions == 2)
+    assert np.all(grid.compute_cell_sizes().cell_data["Volume"] > 0)
+
+
+def test_grid_after_a_cut(environment: ds.Environment) -> None:
+    before = plot.grid(environment).volume
+    environment.cut([[(-9.0, -9.0, 21.0), (-9.0, 99.0, 42.0)], [(60.0, -9.0, 60.0), (60.0, 99.0, 81.0)]])
+    grid = plot.grid(environment)
+    assert grid.n_cells == environment.info.volume_count > len(vessel()[1])
+    assert pyvista.CellType.POLYHEDRON in grid.celltypes and ds.CellType.POLYHEDRON == pyvista.CellType.POLYHEDRON
+    assert grid.volume == pytest.approx(before, rel=1e-2)  # VTK cuts warped faces otherwise
+    environment.remove_volumes([environment.volume(int(grid.cell_data["volume"][0]))])
+    assert plot.grid(environment).n_cells == grid.n_cells - 1
+
+
+def test_walls(environment: ds.Environment) -> None:
+    lumen, all_walls = plot.walls(environment, with_boundary=False), plot.walls(environment)
+    assert lumen.is_all_triangles and 0 < lumen.n_cells < all_walls.n_cells
+
+
+def test_contacts_with_normals(catheter: ds.Body) -> None:
+    told = catheter.contacts()
+    points = plot.contacts(told)
+    assert np.array_equal(points.points, told["point"]) and np.array_equal(points.point_data["normal"], told["normal"])
+    assert np.all(points.point_data["time"] < 1)
+    assert plot.contacts(told[:0]).n_points == 0
+
+
+def test_bodies(scene: ds.Scene, catheter: ds.Body) -> None:
+    lines = plot.body(catheter)
+    assert lines.n_lines == 11 and np.array_equal(lines.points, catheter.positions())
+    catheter.remove_edge(catheter.edges()[0])
+    assert plot.body(catheter).n_lines == 10
+    triangle = scene.create_body([(24, 24, 60), (26, 24, 60), (24, 26, 60)], triangles=[(0, 1, 2)])
+    assert plot.body(triangle).n_cells == 1 and plot.body(triangle).is_all_triangles
+
+
+def test_a_picture(scene: ds.Scene, catheter: ds.Body, tmp_path: pathlib.Path) -> None:
+    if not pyvista.system_supports_plotting():
+        pytest.skip("nothing here draws without a display: install libosmesa6")
+    plotter = plot.draw(scene, pyvista.Plotter(off_screen=True, window_size=(200, 200)))
+    assert len(plotter.actors) >= 4  # walls, catheter, contacts, their normals
+    picture = plotter.screenshot(tmp_path / "scene.png", return_img=True)
+    assert picture.shape == (200, 200, 3) and picture.std() > 1
