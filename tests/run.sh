@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
-# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python java csharp page report format; none means all
+# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python docs java csharp page report format; none means all
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-config python3 binutils file dpkg-dev abigail-tools
   libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev swig python3-dev python3-venv
-  openjdk-17-jdk-headless maven mono-mcs mono-runtime)
+  openjdk-17-jdk-headless maven mono-mcs mono-runtime doxygen libosmesa6)
 steps=("$@")
-[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python java csharp page report format)
+[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python docs java csharp page report format)
 jobs=$(nproc)
 export CMAKE_GENERATOR=Ninja CTEST_PARALLEL_LEVEL=$jobs CMAKE_BUILD_PARALLEL_LEVEL=$jobs
 
@@ -52,7 +52,7 @@ run_step() {
     tail -n 150 "$log"
   fi
   local lines
-  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^(python|java|csharp):|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests' "$log" || true)
+  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^(python|docs|java|csharp):|^abi\.|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests' "$log" || true)
   [ $status -eq 0 ] || lines+=$'\nFAILED, see '$log
   summary+=("$name ($((SECONDS - start)) s)"$'\n'"$lines")
   echo "$lines"
@@ -72,26 +72,38 @@ preset() {
     "${plain_addresses[@]}" ctest --preset "$name" --no-tests=error "${test_arguments[@]}"
 }
 
-# The wheel as users get it, but for the library, which is that of the release preset.
-check_python() {
-  local source=bindings/python out=$PWD/build/python
+check_binary_interface() {
+  preset abi -- dartsweep abi_programs && python3 abi/check_abi.py symbols build/abi/src/libdartsweep.so
+}
+
+# The wheel as users get it, but for the library, which is that of the release preset, in build/python/venv with all that is used with it.
+install_python() {
+  local out=$PWD/build/python
   local venv=$out/venv
   mkdir -p "$out"
   cmake --preset release && cmake --build --preset release --target dartsweep &&
     cmake --install build/release --prefix "$out/dartsweep" || return 1
-  cat $source/tests/requirements.txt examples/planning/requirements.txt >"$out/requirements.txt" || return 1
+  cat bindings/{python/tests,docs}/requirements.txt examples/planning/requirements.txt >"$out/requirements.txt" || return 1
   if ! cmp -s "$out/requirements.txt" "$venv/installed.txt"; then
     # Not that of a version manager: python3-dev belongs to this one.
     /usr/bin/python3 -m venv --clear "$venv" && "$venv/bin/pip" install -q -r "$out/requirements.txt" || return 1
     cp "$out/requirements.txt" "$venv/installed.txt"
   fi
-  "$venv/bin/pip" install -q --no-deps --no-build-isolation --force-reinstall ./$source \
-    --config-settings=build-dir="$out/build" --config-settings=cmake.define.DSW_USE_INSTALLED=ON --config-settings=cmake.define.CMAKE_PREFIX_PATH="$out/dartsweep" &&
-    "$venv/bin/python" -m pytest $source --junitxml="$out/tests.xml" || return 1
+  "$venv/bin/pip" install -q --no-deps --no-build-isolation --force-reinstall ./bindings/python \
+    --config-settings=build-dir="$out/build" --config-settings=cmake.define.DSW_USE_INSTALLED=ON --config-settings=cmake.define.CMAKE_PREFIX_PATH="$out/dartsweep"
+}
+
+check_python() {
+  local source=bindings/python out=$PWD/build/python
+  local venv=$out/venv
+  install_python && "$venv/bin/python" -m pytest $source --junitxml="$out/tests.xml" || return 1
   for example in $source/examples/*.py; do "$venv/bin/python" "$example" || return 1; done
   "$venv/bin/python" -m pytest examples/planning || return 1
   echo "python: $(grep -o 'tests="[0-9]*"' "$out/tests.xml" | tr -dc 0-9) tests passed, and the examples"
 }
+
+# The pages, with what the headers and the package say of themselves.
+check_docs() { install_python && bindings/docs/build.sh build/python/venv/bin/python; }
 
 # The library of the release preset as others find it, in build/dartsweep.
 install_library() {
@@ -139,9 +151,10 @@ for step in "${steps[@]}"; do
     clang) run_step clang preset clang -- all ;;
     dev) run_step dev preset dev -- all ;;
     tsan) run_step tsan preset tsan -- threads_tests ;;
-    abi) run_step abi preset abi -- dartsweep abi_programs ;;
+    abi) run_step abi check_binary_interface ;;
     fuzz) run_step fuzz preset fuzz -- all ;;
     python) run_step python check_python ;;
+    docs) run_step docs check_docs ;;
     java) run_step java check_java ;;
     csharp) run_step csharp check_csharp ;;
     format) run_step format check_format ;;
