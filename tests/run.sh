@@ -76,9 +76,10 @@ check_binary_interface() {
   preset abi -- dartsweep abi_programs && python3 abi/check_abi.py symbols build/abi/src/libdartsweep.so
 }
 
-# The wheel as users get it, but for the library, which is that of the release preset, in build/python/venv with all that is used with it.
+# The wheel as users get it, built from the source distribution and with a tag of the systems that it is for; but its library is that of
+# the release preset. In build/python/venv, with all that is used with it.
 install_python() {
-  local out=$PWD/build/python
+  local source=bindings/python out=$PWD/build/python
   local venv=$out/venv
   mkdir -p "$out"
   cmake --preset release && cmake --build --preset release --target dartsweep &&
@@ -89,8 +90,11 @@ install_python() {
     /usr/bin/python3 -m venv --clear "$venv" && "$venv/bin/pip" install -q -r "$out/requirements.txt" || return 1
     cp "$out/requirements.txt" "$venv/installed.txt"
   fi
-  "$venv/bin/pip" install -q --no-deps --no-build-isolation --force-reinstall ./bindings/python \
-    --config-settings=build-dir="$out/build" --config-settings=cmake.define.DSW_USE_INSTALLED=ON --config-settings=cmake.define.CMAKE_PREFIX_PATH="$out/dartsweep"
+  rm -rf "$out/dist"
+  "$venv/bin/python" -m build --no-isolation --skip-dependency-check --outdir "$out/dist" \
+    -Ccmake.define.DSW_USE_INSTALLED=ON -Ccmake.define.CMAKE_PREFIX_PATH="$out/dartsweep" $source &&
+    PATH=$venv/bin:$PATH auditwheel repair --wheel-dir "$out/dist/tagged" "$out"/dist/*.whl &&
+    "$venv/bin/pip" install -q --no-deps --force-reinstall "$out"/dist/tagged/*-manylinux*.whl
 }
 
 check_python() {

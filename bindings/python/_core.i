@@ -3,7 +3,7 @@
 
 %typemap(in) PyObject * "$1 = $input;"
 
-%include "../dartsweep.i"
+%include "dartsweep.i"
 
 %inline %{
 namespace dartsweep_python {
