@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""Checks of the binary interface that need no compiler.
+"""Checks of the binary interface, and what renews its lists. README.md says what each proves.
 
-usage: check_abi.py symbols LIBRARY        exported names = symbols.txt = names declared in the headers
+usage: check_abi.py symbols LIBRARY        exported names = symbols.txt = names declared in the headers, all of the last
+                                           release among them
        check_abi.py needed LIBRARY [NAME]  nothing beyond the C and C++ runtimes, and NAME if the build asked for it,
-                                           is needed; SONAME follows VERSION
+                                           is needed; SONAME and symbol version follow VERSION
+       check_abi.py abidiff LIBRARY        types and signatures (debug information) against the last release
+       check_abi.py source                 the headers declare what those of the last release do, word for word
        check_abi.py layout                 every public struct and member stands in layout.c
-       check_abi.py write-symbols LIBRARY  renews symbols.txt (see README.md before you do)
-       check_abi.py self-test C_COMPILER   small bad libraries must be refused
+       check_abi.py structs                every struct that grows, and function that takes it, is in struct_size_test.c
+       check_abi.py write-symbols LIBRARY  renews symbols.txt
+       check_abi.py next-version RELEASE [break]   renews VERSION and dartsweep.map for a release
 """
 import pathlib
 import re
@@ -17,11 +21,48 @@ import tempfile
 ABI = pathlib.Path(__file__).resolve().parent
 HEADERS = ABI.parent / "include" / "dartsweep"
 SYMBOLS = ABI / "symbols.txt"
+STRUCT_TEST = ABI.parent / "tests" / "capi" / "struct_size_test.c"
 RUNTIMES = re.compile(r"(libc|libm|libgcc_s|libstdc\+\+|libc\+\+|libc\+\+abi|libpthread|ld-linux[\w-]*)\.so(\.\d+)?$")
 
 
 def run(*command):
     return subprocess.run(command, check=True, text=True, capture_output=True).stdout
+
+
+# ---- what there is ---------------------------------------------------------------------------------------------------
+
+
+def releases():
+    """Versions with a folder in clients/, oldest first."""
+    return sorted((path.name for path in (ABI / "clients").iterdir()), key=lambda name: [int(n) for n in name.split(".")])
+
+
+def version_numbers():
+    return {name: int(number)
+            for name, number in re.findall(r"^(current|revision|age) (\d+)$", (ABI / "VERSION").read_text(), flags=re.M)}
+
+
+def major():
+    """The number in the SONAME."""
+    return version_numbers()["current"] - version_numbers()["age"]
+
+
+def baseline(suffix):
+    return ABI / "baseline" / (releases()[-1] + suffix)
+
+
+def headers_of(release):
+    return ABI / "clients" / release / "include" / "dartsweep"
+
+
+def has_new_major():
+    """A library with another SONAME is installed beside the old one: nothing that was linked before will load it."""
+    with baseline(".abi").open() as text:
+        return major() > int(re.search(r"soname='libdartsweep\.so\.(\d+)'", text.readline()).group(1))
+
+
+def listed(path):
+    return [line for line in path.read_text().split("\n") if line and not line.startswith("#")]
 
 
 def exported(library):
@@ -30,43 +71,68 @@ def exported(library):
     return sorted(row[2].split("@")[0] for row in rows if row[1] != "A")
 
 
-def header_text():
-    text = "".join(path.read_text() for path in sorted(HEADERS.glob("*.h")))
+def header_text(folder=HEADERS):
+    text = "".join(path.read_text() for path in sorted(folder.glob("*.h")))
     return re.sub(r"/\*.*?\*/", "", text, flags=re.S)
 
 
-def declared():
-    return sorted(re.findall(r"^DSW_API\b[^;(]*?(\w+)\(", header_text(), flags=re.M))
+def normal(text):
+    """However it is broken into lines, and wherever stars stand."""
+    return re.sub(r" \[", "[", re.sub(r"\s*\*\s*", " *", " ".join(text.split())))
 
 
-def check_symbols(library, symbols=SYMBOLS):
-    listed = [line for line in symbols.read_text().split("\n") if line and not line.startswith("#")]
+def functions(text):
+    return {name: normal(f"{before}{name}{after}")
+            for before, name, after in re.findall(r"^DSW_API\b([^;(]*?)(\w+)(\([^;]*\));", text, flags=re.M)}
+
+
+def structs(text):
+    """Members of each public struct, one declaration each."""
+    found = {}
+    for name, body in re.findall(r"typedef struct (\w+) \{(.*?)\} \1;", text, flags=re.S):
+        found[name] = []
+        for declaration in filter(None, (normal(part) for part in body.split(";"))):
+            kind, first = re.match(r"(.*[ *])(\w[^ ]*)$", declaration.split(",")[0]).groups()
+            found[name] += [kind + member.strip() for member in [first, *declaration.split(",")[1:]]]
+    return found
+
+
+def member_name(declaration):
+    return re.search(r"(\w+)(\[\w+\])*$", declaration).group(1)
+
+
+def growing(text):
+    return [name for name, members in structs(text).items() if members[0] == "uint32_t struct_size"]
+
+
+# ---- checks: each answers a list of problems --------------------------------------------------------------------------
+
+
+def check_symbols(library):
+    names, symbols = exported(library), listed(SYMBOLS)
     problems = []
-    for title, names in (("exported by the library", exported(library)), ("declared in the headers", declared())):
-        problems += [f"{name} is in symbols.txt but not {title}" for name in sorted(set(listed) - set(names))]
-        problems += [f"{name} is {title} but not in symbols.txt" for name in sorted(set(names) - set(listed))]
-    unprefixed = [name for name in exported(library) if not name.startswith("dsw_")]
-    problems += [f"{name} does not begin with dsw_" for name in unprefixed]
-    if problems:
-        problems.append("A name may only be added. To add one: abi/check_abi.py write-symbols LIBRARY, and a line in "
-                        "CHANGELOG.md")
+    for title, others in (("exported by the library", names), ("declared in the headers", functions(header_text()))):
+        problems += [f"{name} is in symbols.txt but not {title}" for name in sorted(set(symbols) - set(others))]
+        problems += [f"{name} is {title} but not in symbols.txt" for name in sorted(set(others) - set(symbols))]
+    unprefixed = [name for name in names if not name.startswith("dsw_")]
     print(f"abi.unprefixed_symbols {len(unprefixed)}")
+    problems += [f"{name} does not begin with dsw_" for name in unprefixed]
+    if not has_new_major():
+        problems += [f"{name} has gone since {releases()[-1]}" for name in listed(baseline(".symbols")) if name not in names]
     return problems
-
-
-def wanted_soname():
-    numbers = dict(re.findall(r"^(current|revision|age) (\d+)$", (ABI / "VERSION").read_text(), flags=re.M))
-    return f"libdartsweep.so.{int(numbers['current']) - int(numbers['age'])}"
 
 
 def check_needed(library, optional=None):
     dynamic = run("readelf", "-d", library)
     needed = re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic)
     problems = [f"the library needs {name}" for name in needed if not RUNTIMES.match(name) and name.split(".so")[0] != optional]
-    wanted = wanted_soname()
+    wanted = f"libdartsweep.so.{major()}"
     soname = re.findall(r"\(SONAME\).*\[(.*)\]", dynamic)
     if soname != [wanted]:
         problems.append(f"SONAME is {soname}, abi/VERSION says {wanted}")
+    nodes = set(re.findall(r"\bA (\w+)", run("nm", "-D", "--defined-only", library)))
+    if nodes != {f"DARTSWEEP_{major()}"}:
+        problems.append(f"symbols have the version {nodes}, abi/VERSION says DARTSWEEP_{major()}")
     if re.search(r"\((RPATH|RUNPATH|TEXTREL)\)", dynamic):
         problems.append("the library carries a run path or text relocations")
     if not problems:
@@ -74,20 +140,72 @@ def check_needed(library, optional=None):
     return problems
 
 
+def check_abidiff(library):
+    with tempfile.NamedTemporaryFile("w", suffix=".ini") as allowed:
+        # Members at the end are what struct_size is for. abidiff then no longer looks at those before: `source` does.
+        allowed.write("[suppress_type]\ntype_kind = struct\nhas_data_member_inserted_at = end\nhas_size_change = yes\n"
+                      f"name_regexp = ^({'|'.join(growing(header_text()))})$\n")
+        allowed.flush()
+        result = subprocess.run(["abidiff", "--no-added-syms", "--drop-private-types", "--suppressions", allowed.name,
+                                 "--headers-dir2", HEADERS.parent, baseline(".abi"), library], text=True, capture_output=True)
+    if result.returncode == 0:
+        return []
+    found = [result.stdout + result.stderr, f"abidiff answers {result.returncode}: not what {releases()[-1]} was"]
+    if result.returncode & 3 == 0 and has_new_major():
+        print("\n".join(found) + ", but the number in the SONAME has grown")
+        return []
+    return found
+
+
+def check_source():
+    return [] if has_new_major() else source_changes(releases()[-1])
+
+
+def source_changes(release):
+    """What the headers of a release declare and today's do not."""
+    old, new = header_text(headers_of(release)), header_text()
+    problems = []
+
+    def compare(what, before, after):
+        problems.extend(f"{what} {name}: was {before[name]}, is {after.get(name, 'gone')}" for name in before
+                        if before[name] != after.get(name))
+
+    compare("function", functions(old), functions(new))
+    # Callbacks, enumerators and macros; the version is meant to change.
+    for pattern in (r"^typedef [^;{]*\(\*(\w+)\)([^;]*);", r"\b(DSW_\w+)\s*=\s*([^,}]+)",
+                    r"^#define (DSW_(?!VERSION_|API)\w+)[ \t]+(.+)$"):
+        compare("value", *({name: normal(value) for name, value in re.findall(pattern, text, flags=re.M)} for text in (old, new)))
+    after = structs(new)
+    for name, members in structs(old).items():
+        now = after.get(name, [])
+        if len(now) > len(members) and name not in growing(old):
+            problems.append(f"struct {name} does not begin with its size, so it can't grow")
+        for k, member in enumerate(members):
+            same_kind = k < len(now) and now[k][: -len(member_name(now[k]))] == member[: -len(member_name(member))]
+            if k >= len(now) or (now[k] != member and not (same_kind and member_name(member).startswith("reserved"))):
+                problems.append(f"struct {name}: was {member}, is {now[k] if k < len(now) else 'gone'}")
+    return problems
+
+
 def check_layout():
     layout = (ABI / "layout.c").read_text()
-    problems = []
-    for body, name in re.findall(r"typedef struct \w+ \{(.*?)\} (\w+);", header_text(), flags=re.S):
-        if f"SIZE({name}, " not in layout:
-            problems.append(f"layout.c: SIZE({name}, ...) is missing")
-        for declaration in filter(None, (part.strip() for part in body.split(";"))):
-            for member in re.findall(r"(\w+)\s*(?:\[[^\]]*\]\s*)*(?:,|$)", declaration):
-                if f"AT({name}, {member}, " not in layout:
-                    problems.append(f"layout.c: AT({name}, {member}, ...) is missing")
-    for name in re.findall(r"typedef enum (\w+)", header_text()):
-        if f"SIZE({name}, 4)" not in layout:
-            problems.append(f"layout.c: SIZE({name}, 4) is missing")
-    return problems
+    wanted = [f"SIZE({name}, 4)" for name in re.findall(r"typedef enum (\w+)", header_text())]
+    for name, members in structs(header_text()).items():
+        wanted += [f"SIZE({name}, "] + [f"AT({name}, {member_name(member)}, " for member in members]
+        if name in growing(header_text()):
+            wanted.append(f"GROWS({name}, {member_name(members[-1])})")
+    return [f"layout.c lacks {text}" for text in wanted if text not in layout]
+
+
+def check_structs():
+    names = "|".join(growing(header_text()))
+    declared = {(function, name) for function, text in functions(header_text()).items() for name in re.findall(rf"\b({names}) \*", text)}
+    tested = set(re.findall(r"^  X\((\w+), (\w+)\)", STRUCT_TEST.read_text(), flags=re.M))
+    return ([f"{STRUCT_TEST.name} lacks X({', '.join(pair)})" for pair in sorted(declared - tested)] +
+            [f"{STRUCT_TEST.name} has X({', '.join(pair)}), which no header declares" for pair in sorted(tested - declared)])
+
+
+# ---- what renews ------------------------------------------------------------------------------------------------------
 
 
 def write_symbols(library):
@@ -98,45 +216,42 @@ def write_symbols(library):
     return []
 
 
-def self_test(compiler):
-    def build(folder, name, source, *options):
-        path = str(pathlib.Path(folder, name))
-        subprocess.run([compiler, "-shared", "-fPIC", "-x", "c", "-", "-o", path, "-Wl,--no-as-needed", *options],
-                       input=source, text=True, check=True)
-        return path
+def next_version(version, kind=None):
+    """By the rules in VERSION. A version that is made again counts from the release before it, too."""
+    last = [name for name in releases() if name != version]
+    if not last:
+        current, revision, age = 1, 0, 0
+    else:
+        first_line = (ABI / "baseline" / f"{last[-1]}.symbols").read_text().split("\n")[0]
+        current, revision, age = (int(re.search(rf"{part} (\d+)", first_line).group(1)) for part in ("current", "revision", "age"))
+        if kind == "break":
+            current, revision, age = current + 1, 0, 0
+        elif source_changes(last[-1]):
+            return source_changes(last[-1])
+        elif len({re.sub(r"#define DSW_VERSION_.*", "", header_text(folder)) for folder in (HEADERS, headers_of(last[-1]))}) == 2:
+            current, revision, age = current + 1, 0, age + 1
+        else:
+            revision += 1
+    path = ABI / "VERSION"
+    head = re.sub(r"^(current|revision|age) \d+\n", "", path.read_text(), flags=re.M)
+    path.write_text(f"{head}current {current}\nrevision {revision}\nage {age}\n")
+    node = ABI / "dartsweep.map"
+    node.write_text(re.sub(r"DARTSWEEP_\d+", f"DARTSWEEP_{current - age}", node.read_text()))
+    print(f"current {current}, revision {revision}, age {age}: libdartsweep.so.{current - age}.{age}.{revision}")
+    return []
 
-    source = "".join(f"int {name};\n" for name in declared())
-    soname = f"-Wl,-soname,{wanted_soname()}"
-    problems = []
-    with tempfile.TemporaryDirectory() as folder:
-        symbols = pathlib.Path(folder, "symbols.txt")
-        symbols.write_text("\n".join(declared()))
-        good = build(folder, "good.so", source, soname)
-        build(folder, "libstranger.so", "int stranger;\n", "-Wl,-soname,libstranger.so")
-        expectations = [
-            (check_symbols(good, symbols), True, "a good library"),
-            (check_symbols(build(folder, "more.so", source + "int leaked;\n"), symbols), False, "a leaked name"),
-            (check_symbols(build(folder, "less.so", "int dsw_version;\n"), symbols), False, "lost names"),
-            (check_needed(good), True, "a library that needs libc"),
-            (check_needed(build(folder, "a.so", source, soname, f"-L{folder}", "-Wl,-l:libstranger.so")), False,
-             "a library that needs a stranger"),
-            (check_needed(pathlib.Path(folder, "a.so"), "libstranger"), True, "a library that may need it"),
-            (check_needed(build(folder, "b.so", source, f"{soname}9")), False, "a wrong SONAME"),
-        ]
-        for found, sound, what in expectations:
-            if bool(found) == sound:
-                problems.append(f"{what} was {'refused' if sound else 'accepted'}: {found}")
-    return problems
+
+COMMANDS = {"symbols": check_symbols, "needed": check_needed, "abidiff": check_abidiff, "source": check_source,
+            "layout": check_layout, "structs": check_structs, "write-symbols": write_symbols, "next-version": next_version}
 
 
 def main():
-    commands = {"symbols": check_symbols, "needed": check_needed, "layout": check_layout,
-                "write-symbols": write_symbols, "self-test": self_test}
-    if len(sys.argv) < 2 or sys.argv[1] not in commands:
+    if len(sys.argv) < 2 or sys.argv[1] not in COMMANDS:
         sys.exit(__doc__)
-    problems = commands[sys.argv[1]](*sys.argv[2:])
+    problems = COMMANDS[sys.argv[1]](*sys.argv[2:])
     print("\n".join(problems) if problems else f"{sys.argv[1]}: in order")
     sys.exit(1 if problems else 0)
 
 
-main()
+if __name__ == "__main__":
+    main()

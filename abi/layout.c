@@ -8,6 +8,10 @@
 #define SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), "size of " #type)
 #define AT(type, member, bytes) _Static_assert(offsetof(type, member) == (bytes), "offset of " #type "." #member)
 
+/* No padding behind the last member: callers leave there what they like, and a new one would be read out of it. */
+#define GROWS(type, last) \
+  _Static_assert(sizeof(type) == offsetof(type, last) + sizeof(((type *)0)->last), "end of " #type)
+
 _Static_assert(sizeof(void *) == 8 && sizeof(size_t) == 8 && sizeof(int) == 4, "numbers below are for LP64");
 
 SIZE(dsw_vec3, 24);
@@ -42,6 +46,7 @@ AT(dsw_context_desc, allocate, 16);
 AT(dsw_context_desc, release, 24);
 AT(dsw_context_desc, log, 32);
 AT(dsw_context_desc, parallel_for, 40);
+GROWS(dsw_context_desc, parallel_for);
 
 SIZE(dsw_environment_desc, 128);
 AT(dsw_environment_desc, struct_size, 0);
@@ -63,6 +68,7 @@ AT(dsw_environment_desc, regions, 104);
 AT(dsw_environment_desc, tags, 112);
 AT(dsw_environment_desc, uniform_cell_type, 120);
 AT(dsw_environment_desc, reserved, 124);
+GROWS(dsw_environment_desc, reserved);
 
 SIZE(dsw_build_report, 64);
 AT(dsw_build_report, struct_size, 0);
@@ -74,6 +80,7 @@ AT(dsw_build_report, part_count, 48);
 AT(dsw_build_report, unused_point_count, 52);
 AT(dsw_build_report, boundary_face_count, 56);
 AT(dsw_build_report, convex_cell_count, 60);
+GROWS(dsw_build_report, convex_cell_count);
 
 SIZE(dsw_environment_info, 96);
 AT(dsw_environment_info, struct_size, 0);
@@ -89,6 +96,7 @@ AT(dsw_environment_info, lower, 40);
 AT(dsw_environment_info, upper, 64);
 AT(dsw_environment_info, volume_index_count, 88);
 AT(dsw_environment_info, vertex_index_count, 92);
+GROWS(dsw_environment_info, vertex_index_count);
 
 SIZE(dsw_vertex_id, 8);
 AT(dsw_vertex_id, index, 0);
@@ -123,6 +131,7 @@ AT(dsw_cast_options, struct_size, 0);
 AT(dsw_cast_options, flags, 4);
 AT(dsw_cast_options, max_cells, 8);
 AT(dsw_cast_options, reserved, 12);
+GROWS(dsw_cast_options, reserved);
 
 SIZE(dsw_nearest, 80);
 AT(dsw_nearest, distance, 0);
@@ -135,6 +144,7 @@ AT(dsw_nearest, cells_visited, 76);
 SIZE(dsw_scene_desc, 8);
 AT(dsw_scene_desc, struct_size, 0);
 AT(dsw_scene_desc, features, 4);
+GROWS(dsw_scene_desc, features);
 
 SIZE(dsw_statistics, 80);
 AT(dsw_statistics, struct_size, 0);
@@ -148,12 +158,14 @@ AT(dsw_statistics, forecast_hits, 48);
 AT(dsw_statistics, contacts, 56);
 AT(dsw_statistics, candidates, 64);
 AT(dsw_statistics, occupants_tested, 72);
+GROWS(dsw_statistics, occupants_tested);
 
 SIZE(dsw_sweep_options, 16);
 AT(dsw_sweep_options, struct_size, 0);
 AT(dsw_sweep_options, flags, 4);
 AT(dsw_sweep_options, level, 8);
 AT(dsw_sweep_options, max_cells, 12);
+GROWS(dsw_sweep_options, max_cells);
 
 SIZE(dsw_sweep, 152);
 AT(dsw_sweep, position, 0);
@@ -195,11 +207,13 @@ AT(dsw_volumes_desc, sew_to, 104);
 AT(dsw_volumes_desc, sew_count, 112);
 AT(dsw_volumes_desc, uniform_cell_type, 120);
 AT(dsw_volumes_desc, reserved, 124);
+GROWS(dsw_volumes_desc, reserved);
 
 SIZE(dsw_coarsen_options, 16);
 AT(dsw_coarsen_options, struct_size, 0);
 AT(dsw_coarsen_options, max_faces, 4);
 AT(dsw_coarsen_options, max_trials, 8);
+GROWS(dsw_coarsen_options, max_trials);
 
 SIZE(dsw_coarsen_report, 64);
 AT(dsw_coarsen_report, struct_size, 0);
@@ -209,6 +223,7 @@ AT(dsw_coarsen_report, face_count, 16);
 AT(dsw_coarsen_report, memory_bytes, 24);
 AT(dsw_coarsen_report, passable_area, 40);
 AT(dsw_coarsen_report, trials, 56);
+GROWS(dsw_coarsen_report, trials);
 
 SIZE(dsw_trace_data, 96);
 AT(dsw_trace_data, struct_size, 0);
@@ -224,6 +239,7 @@ AT(dsw_trace_data, segment_count, 64);
 AT(dsw_trace_data, triangles, 72);
 AT(dsw_trace_data, triangle_labels, 80);
 AT(dsw_trace_data, triangle_count, 88);
+GROWS(dsw_trace_data, triangle_count);
 
 SIZE(dsw_body_desc, 112);
 AT(dsw_body_desc, struct_size, 0);
@@ -243,6 +259,7 @@ AT(dsw_body_desc, face_corner_count, 88);
 AT(dsw_body_desc, motion_share, 96);
 AT(dsw_body_desc, category, 104);
 AT(dsw_body_desc, mask, 108);
+GROWS(dsw_body_desc, mask);
 
 SIZE(dsw_body_counts, 32);
 AT(dsw_body_counts, struct_size, 0);
@@ -253,6 +270,7 @@ AT(dsw_body_counts, vertex_slots, 16);
 AT(dsw_body_counts, edge_slots, 20);
 AT(dsw_body_counts, face_slots, 24);
 AT(dsw_body_counts, reserved, 28);
+GROWS(dsw_body_counts, reserved);
 
 SIZE(dsw_body_edit, 56);
 AT(dsw_body_edit, vertex, 0);
@@ -329,6 +347,7 @@ AT(dsw_move_options, stand_off, 48);
 AT(dsw_move_options, noise_share, 56);
 AT(dsw_move_options, order, 64);
 AT(dsw_move_options, order_count, 72);
+GROWS(dsw_move_options, order_count);
 
 SIZE(dsw_move_report, 40);
 AT(dsw_move_report, fraction, 0);
@@ -355,6 +374,7 @@ AT(dsw_cut_desc, rows, 24);
 AT(dsw_cut_desc, columns, 28);
 AT(dsw_cut_desc, start, 32);
 AT(dsw_cut_desc, snap, 40);
+GROWS(dsw_cut_desc, snap);
 
 SIZE(dsw_cut_report, 40);
 AT(dsw_cut_report, distance, 0);
@@ -386,6 +406,7 @@ AT(dsw_carve_desc, triangles, 32);
 AT(dsw_carve_desc, triangle_count, 40);
 AT(dsw_carve_desc, start, 48);
 AT(dsw_carve_desc, snap, 56);
+GROWS(dsw_carve_desc, snap);
 
 SIZE(dsw_carve_report, 48);
 AT(dsw_carve_report, cut, 0);
@@ -400,6 +421,7 @@ AT(dsw_tie_desc, point_count, 16);
 AT(dsw_tie_desc, point_stride_bytes, 24);
 AT(dsw_tie_desc, start, 32);
 AT(dsw_tie_desc, snap, 40);
+GROWS(dsw_tie_desc, snap);
 
 SIZE(dsw_tie_report, 48);
 AT(dsw_tie_report, cut, 0);
@@ -414,6 +436,7 @@ AT(dsw_open_desc, face_count, 16);
 AT(dsw_open_desc, width, 24);
 AT(dsw_open_desc, region, 32);
 AT(dsw_open_desc, tag, 36);
+GROWS(dsw_open_desc, tag);
 
 SIZE(dsw_open_report, 32);
 AT(dsw_open_report, smallest_width, 0);
@@ -434,6 +457,7 @@ AT(dsw_detach_desc, motion_share, 24);
 AT(dsw_detach_desc, gap, 32);
 AT(dsw_detach_desc, volume, 40);
 AT(dsw_detach_desc, max_volumes, 48);
+GROWS(dsw_detach_desc, max_volumes);
 
 SIZE(dsw_detach_report, 32);
 AT(dsw_detach_report, distance, 0);
@@ -463,6 +487,7 @@ AT(dsw_deform_options, min_part, 24);
 AT(dsw_deform_options, point_room, 32);
 AT(dsw_deform_options, remesh_radius, 40);
 AT(dsw_deform_options, remesh_max_faces, 44);
+GROWS(dsw_deform_options, remesh_max_faces);
 
 SIZE(dsw_remesh_desc, 48);
 AT(dsw_remesh_desc, struct_size, 0);
@@ -473,6 +498,7 @@ AT(dsw_remesh_desc, next, 24);
 AT(dsw_remesh_desc, point_count, 32);
 AT(dsw_remesh_desc, radius, 40);
 AT(dsw_remesh_desc, max_faces, 44);
+GROWS(dsw_remesh_desc, max_faces);
 
 SIZE(dsw_remesh_report, 32);
 AT(dsw_remesh_report, invalid_count, 0);
@@ -541,6 +567,7 @@ AT(dsw_recording_desc, flags, 4);
 AT(dsw_recording_desc, path, 8);
 AT(dsw_recording_desc, write, 16);
 AT(dsw_recording_desc, user, 24);
+GROWS(dsw_recording_desc, user);
 
 SIZE(dsw_replay_report, 32);
 AT(dsw_replay_report, call, 0);

@@ -388,11 +388,18 @@ static void describe(const row *r, any *s, size_t size) {
   memset(s->bytes + size, 0xa5, sizeof *s - size);
 }
 
+/* 0, 4, all from one too few to a few more than there are, and some larger ones. */
+static size_t next_size(const row *r, size_t size) {
+  if (size == 0) return 4;
+  if (size < r->first - 1) return r->first - 1;
+  return size < r->now + 16 ? size + 1 : size + 512;
+}
+
 static void test_input(const row *r) {
   static const size_t extra[] = {1, 4, 8, 64};
   any s, before;
   size_t size, i;
-  for (size = 0; size <= r->now; size == 0 ? size = 4 : ++size) {
+  for (size = 0; size <= r->now; size = next_size(r, size)) {
     const dsw_status wanted = size < r->first ? DSW_STATUS_BAD_STRUCT_SIZE : DSW_STATUS_OK;
     describe(r, &s, size < 4 ? 4 : size);
     s.struct_size = (uint32_t)size;
@@ -417,7 +424,7 @@ static void test_output(const row *r) {
   memset(&full, 0x5a, sizeof full);
   full.struct_size = (uint32_t)r->now;
   check(call(r, &full) == DSW_STATUS_OK, r->function, "today's size", r->now);
-  for (size = 0; size <= LARGEST; size == 0 ? size = 4 : size < r->now + 16 ? ++size : (size += 512)) {
+  for (size = 0; size <= LARGEST; size = next_size(r, size)) {
     const size_t written = size < r->first ? 4 : size, known = written < r->now ? written : r->now;
     const dsw_status wanted = size < r->first ? DSW_STATUS_BAD_STRUCT_SIZE : DSW_STATUS_OK;
     memset(&s, 0x5a, sizeof s);

@@ -1,5 +1,6 @@
-/* A host as it was written for 0.1.0. It is compiled with the headers beside it, never changed, and must run with
- * every later library: one hexahedron, marks, casts, a particle, a snapshot. */
+/* A host as it was written for 1.0.0. It is compiled with the headers beside it, never changed, and must run with
+ * every later library: two hexahedra, marks, casts, a particle, a body, a sweep, a cut, a recording, a snapshot. What
+ * lies behind its structs is watched: a later library knows larger ones. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,13 +17,25 @@ static void expect(int holds, const char *what) {
   }
 }
 
+#define GUARD 64
+static int is_kept(const unsigned char *guard) {
+  int i;
+  for (i = 0; i < GUARD; ++i) {
+    if (guard[i] != 0x5a) return 0;
+  }
+  return 1;
+}
+
 static dsw_environment *create_two_boxes(dsw_context *context) {
   static const double points[12][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1},
                                        {1, 1, 1}, {0, 1, 1}, {0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}};
   static const int32_t cells[16] = {0, 1, 2, 3, 4, 5, 6, 7, 4, 5, 6, 7, 8, 9, 10, 11};
   static const int32_t regions[2] = {1, 2};
   dsw_environment_desc desc;
-  dsw_build_report report;
+  struct {
+    dsw_build_report known;
+    unsigned char guard[GUARD];
+  } report;
   dsw_environment *environment = NULL;
   dsw_environment_desc_init(&desc, sizeof desc);
   desc.index_bytes = 4;
@@ -33,10 +46,12 @@ static dsw_environment *create_two_boxes(dsw_context *context) {
   desc.connectivity = cells;
   desc.connectivity_count = 16;
   desc.regions = regions;
-  memset(&report, 0, sizeof report);
-  report.struct_size = sizeof report;
-  expect(dsw_environment_create(context, &desc, &environment, &report) == DSW_STATUS_OK, "create two hexahedra");
-  expect(report.status == DSW_STATUS_OK && report.part_count == 1 && report.boundary_face_count == 10,
+  memset(&report, 0x5a, sizeof report);
+  report.known.struct_size = sizeof report.known;
+  expect(dsw_environment_create(context, &desc, &environment, &report.known) == DSW_STATUS_OK,
+         "create two hexahedra");
+  expect(report.known.status == DSW_STATUS_OK && report.known.part_count == 1 &&
+             report.known.boundary_face_count == 10 && is_kept(report.guard),
          "one part with ten outer faces");
   return environment;
 }
@@ -80,18 +95,99 @@ static void move_a_particle(dsw_environment *environment) {
   expect(dsw_scene_destroy(scene) == DSW_STATUS_OK, "destroy the scene");
 }
 
+static int write_bytes(void *user, const void *bytes, size_t size_bytes) {
+  (void)bytes;
+  *(size_t *)user += size_bytes;
+  return 0;
+}
+
+/* Between the two boxes lies an impassable face, z = 1. */
+static void move_a_body(dsw_environment *environment) {
+  static const double start[6] = {0.25, 0.5, 0.5, 0.75, 0.5, 0.5}, target[6] = {0.25, 0.5, 1.5, 0.75, 0.5, 0.75};
+  static const uint32_t edge[2] = {0, 1};
+  size_t recorded = 0, count = 0;
+  const dsw_contact *contacts = NULL;
+  dsw_scene_desc desc;
+  dsw_recording_desc recording;
+  dsw_body_desc shape;
+  dsw_move_options options;
+  dsw_move_report report;
+  dsw_body_id body;
+  dsw_scene *scene = NULL;
+  struct {
+    dsw_statistics known;
+    unsigned char guard[GUARD];
+  } statistics;
+  struct {
+    dsw_body_counts known;
+    unsigned char guard[GUARD];
+  } counts;
+  dsw_scene_desc_init(&desc, sizeof desc);
+  desc.features = DSW_FEATURE_STATISTICS;
+  expect(dsw_scene_create(environment, &desc, &scene) == DSW_STATUS_OK, "create a scene that counts");
+  dsw_recording_desc_init(&recording, sizeof recording);
+  recording.write = write_bytes;
+  recording.user = &recorded;
+  expect(dsw_scene_start_recording(scene, &recording) == DSW_STATUS_OK, "record it");
+  dsw_body_desc_init(&shape, sizeof shape);
+  shape.positions = start;
+  shape.vertex_count = 2;
+  shape.edges = edge;
+  shape.edge_count = 1;
+  expect(dsw_body_create(scene, &shape, &body) == DSW_STATUS_OK, "create a body of one edge");
+  memset(&counts, 0x5a, sizeof counts);
+  counts.known.struct_size = sizeof counts.known;
+  expect(dsw_body_get_counts(scene, body, &counts.known) == DSW_STATUS_OK && counts.known.vertex_count == 2 &&
+             counts.known.edge_count == 1 && is_kept(counts.guard),
+         "it has two vertices");
+  dsw_move_options_init(&options, sizeof options);
+  expect(dsw_body_move(scene, body, target, 2, 0, &options, &report) == DSW_STATUS_OK, "move it");
+  expect(dsw_body_get_contacts(scene, body, &contacts, &count) == DSW_STATUS_OK && count == 1 &&
+             contacts[0].time == 0.5 && contacts[0].normal[2] == -1.0,
+         "its first vertex stops at the face");
+  memset(&statistics, 0x5a, sizeof statistics);
+  statistics.known.struct_size = sizeof statistics.known;
+  expect(dsw_scene_get_statistics(scene, &statistics.known) == DSW_STATUS_OK && statistics.known.casts > 0 &&
+             is_kept(statistics.guard),
+         "casts were counted");
+  expect(dsw_scene_stop_recording(scene) == DSW_STATUS_OK && recorded > 0, "something was recorded");
+  expect(dsw_scene_destroy(scene) == DSW_STATUS_OK, "destroy the scene");
+}
+
+static void sweep_and_cut(dsw_environment *environment) {
+  static const double from[3] = {0.25, 0.5, 0.5}, to[3] = {0.25, 0.5, 1.5}, fixed[3] = {0.75, 0.5, 0.5};
+  static const double blade[12] = {0.5, -1, -1, 0.5, 2, -1, 0.5, -1, 3, 0.5, 2, 3};
+  dsw_sweep_options options;
+  dsw_sweep sweep;
+  dsw_cut_desc cut;
+  dsw_cut_report report;
+  dsw_sweep_options_init(&options, sizeof options);
+  expect(dsw_environment_sweep_edges(environment, 1, NULL, from, to, fixed, 0, &options, &sweep) == DSW_STATUS_OK &&
+             sweep.outcome == DSW_OUTCOME_CONTACT && sweep.time == 0.5,
+         "a swept edge meets the face");
+  dsw_cut_desc_init(&cut, sizeof cut);
+  cut.points = blade;
+  cut.rows = cut.columns = 2;
+  expect(dsw_environment_cut(environment, &cut, &report) == DSW_STATUS_OK && report.volumes_split == 2,
+         "a blade cuts both boxes");
+}
+
 static void save_and_load(const dsw_environment *environment) {
   size_t size = 0;
   void *block;
   dsw_environment *copy = NULL;
-  dsw_environment_info info;
+  struct {
+    dsw_environment_info known;
+    unsigned char guard[GUARD];
+  } info;
   expect(dsw_environment_save(environment, NULL, 0, &size) == DSW_STATUS_OK && size > 0, "ask for a snapshot's size");
   block = malloc(size);
   expect(block != NULL && dsw_environment_save(environment, block, size, &size) == DSW_STATUS_OK, "save");
   expect(dsw_environment_load(NULL, block, size, &copy) == DSW_STATUS_OK, "load");
-  memset(&info, 0, sizeof info);
-  info.struct_size = sizeof info;
-  expect(dsw_environment_get_info(copy, &info) == DSW_STATUS_OK && info.volume_count == 2 && info.face_count == 11,
+  memset(&info, 0x5a, sizeof info);
+  info.known.struct_size = sizeof info.known;
+  expect(dsw_environment_get_info(copy, &info.known) == DSW_STATUS_OK && info.known.volume_count == 2 &&
+             info.known.face_count == 11 && is_kept(info.guard),
          "the copy has two volumes and eleven faces");
   dsw_environment_destroy(copy);
   free(block);
@@ -111,7 +207,9 @@ int main(void) {
   expect(dsw_environment_get_volume(environment, 2, &first) == DSW_STATUS_OUT_OF_RANGE, "there is no third volume");
   cast(environment, first);
   move_a_particle(environment);
+  move_a_body(environment);
   save_and_load(environment);
+  sweep_and_cut(environment);
   expect(dsw_environment_destroy(environment) == DSW_STATUS_OK, "destroy the environment");
   expect(dsw_context_destroy(context) == DSW_STATUS_OK, "destroy the context");
   expect(strcmp(dsw_status_string(DSW_STATUS_OUTSIDE), "DSW_STATUS_OUTSIDE") == 0, "statuses keep their names");

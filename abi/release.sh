@@ -1,0 +1,66 @@
+#!/bin/sh
+# usage: abi/release.sh VERSION [break]
+# Makes of this tree the release VERSION, but for the commit and the tag: README.md has the list. Can be run again until it is tagged.
+# "break": something was removed or changed its meaning since the last release, so the number in the SONAME grows.
+set -eu
+cd "$(dirname "$0")/.."
+version=${1:-}
+if ! echo "$version" | grep -Eqx '[0-9]+\.[0-9]+\.[0-9]+' || [ "${2:-break}" != break ]; then
+  sed -n 2,4p abi/release.sh
+  exit 1
+fi
+tagged() { git rev-parse -q --verify "refs/tags/v$1" >/dev/null; }
+if tagged "$version"; then
+  echo "v$version is out: its files do not change"
+  exit 1
+fi
+minor() { echo "${1%.*}"; }
+
+# The product's version, everywhere. What was to come with a version that never came out comes with this one.
+old=$(sed -n 's/^project(Dartsweep VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+set -- $(echo "$version" | tr . ' ') "${2:-}"
+sed -i -E "s/^(#define DSW_VERSION_MAJOR) .*/\1 $1/; s/^(#define DSW_VERSION_MINOR) .*/\1 $2/; s/^(#define DSW_VERSION_PATCH) .*/\1 $3/" \
+  include/dartsweep/base.h
+sed -i "s/^project(Dartsweep VERSION [0-9.]*/project(Dartsweep VERSION $version/" CMakeLists.txt
+if [ "$old" != "$version" ]; then
+  old_pattern=$(echo "$old" | sed 's/\./\\./g')
+  git grep -lwF "$old" -- bindings ':!*lock*' | xargs -r sed -i "s/\b$old_pattern\b/$version/g"
+  sed -i "s/^## \[$old_pattern\] - unreleased/## [$version] - unreleased/" CHANGELOG.md
+  if ! tagged "$old"; then
+    sed -i "s/@since $(minor "$old_pattern")\b/@since $(minor "$version")/" include/dartsweep/*.h
+  fi
+fi
+sed -i "s/^## \[$version\] - unreleased/## [$version] - $(date +%Y-%m-%d)/" CHANGELOG.md
+
+# The interface's version, and the hosts of this release: those of the last one, with the headers of today.
+python3 -B abi/check_abi.py next-version "$version" ${4:+"$4"}
+client=abi/clients/$version
+mkdir -p "$client"
+if [ ! -f "$client/client.c" ]; then
+  last=$(ls abi/clients | grep -Fvx "$version" | sort -V | tail -n 1)
+  cp "abi/clients/$last"/client.c "abi/clients/$last"/extension.* "$client"
+fi
+rm -rf "$client/include"
+mkdir -p "$client/include/dartsweep"
+cp include/dartsweep/*.h "$client/include/dartsweep"
+
+# The baseline. Where a type is defined tells public from private, so file names stay, without this machine's folders.
+cmake --preset abi
+cmake --build --preset abi --target dartsweep
+library=build/abi/src/libdartsweep.so
+python3 -B abi/check_abi.py write-symbols "$library"
+baseline=abi/baseline/$version
+{
+  echo "# What $version exports: $(grep -E '^(current|revision|age)' abi/VERSION | tr '\n' ' ')"
+  grep -v '^#' abi/symbols.txt
+} >"$baseline.symbols"
+abidw --headers-dir include --exported-interfaces-only --drop-private-types --no-corpus-path --no-comp-dir-path \
+  --no-parameter-names --out-file build/abi/libdartsweep.abi "$library"
+sed "s#$PWD/##g" build/abi/libdartsweep.abi >"$baseline.abi"
+
+cmake --preset abi
+cmake --build --preset abi --target abi_programs
+ctest --preset abi
+echo
+echo "$version is ready: README.md has what is left. Still $old, perhaps rightly:"
+git grep -nwF "$old" -- . ":!abi/clients" ":!abi/baseline" ":!CHANGELOG.md" || echo "nothing"

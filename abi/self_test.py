@@ -1,0 +1,201 @@
+#!/usr/bin/env python3
+"""The checks are tested: what breaks callers is done on purpose, in copies, and each check must refuse what it is there for.
+
+usage: self_test.py checks C++_COMPILER            edits of headers and lists, with a library of empty functions
+       self_test.py programs C_COMPILER PROGRAM [ARGUMENT...] [-- PROGRAM [ARGUMENT...]]...   programs run with functions that do something else
+"""
+import collections
+import importlib.util
+import itertools
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+CHECKS = ["symbols", "needed", "abidiff", "source", "layout", "offsets", "structs"]
+
+# An edit is a file, what is found there, and what stands there then. `code` joins the library, `link` its link.
+Case = collections.namedtuple("Case", "what caught_by edits code link", defaults=("", ()))
+
+
+def header(name):
+    return f"include/dartsweep/{name}.h"
+
+
+STRING = (header("base"), r"DSW_API const char \*dsw_status_string\(dsw_status status\);")
+REMOVED = (*STRING, "")
+UNLISTED = ("abi/symbols.txt", r"\ndsw_status_string\n", "\n")
+RETYPED = (*STRING, "DSW_API const char *dsw_status_string(uint64_t status);")
+ADDED = (header("base"), r"\n(DSW_API uint32_t dsw_version)", r"\nDSW_API uint32_t dsw_more(void);\n\1")
+GROWN = [(header("scene"), r"\n} dsw_statistics;", r"\n  uint64_t more;\n} dsw_statistics;"),
+         ("abi/layout.c", r"SIZE\(dsw_statistics, 80\)", "SIZE(dsw_statistics, 88); AT(dsw_statistics, more, 80); GROWS(dsw_statistics, more)"),
+         ("abi/layout.c", r"\nGROWS\(dsw_statistics, (?!more)\w+\);", "")]
+NEW_MAJOR = [("abi/VERSION", r"\ncurrent (\d+)", r"\ncurrent 1\1"), ("abi/dartsweep.map", r"DARTSWEEP_(\d+)", r"DARTSWEEP_1\1")]
+CASES = [
+    Case("nothing", "", []),
+    # breaks
+    Case("a function is removed", "symbols abidiff source", [REMOVED]),
+    Case("a function is removed from symbols.txt as well", "symbols abidiff source", [REMOVED, UNLISTED]),
+    Case("a parameter gets another type", "abidiff source", [RETYPED]),
+    Case("a parameter is added", "abidiff source", [(*STRING, "DSW_API const char *dsw_status_string(dsw_status status, int language);")]),
+    Case("members of one type change places", "source layout offsets",
+         [(header("body"), r"\n  uint32_t category;", "\n  uint32_t mask;"), (header("body"), r"\n  uint32_t mask; /", "\n  uint32_t category; /")]),
+    Case("members of two types change places", "abidiff source offsets",
+         [(header("contact"), r"\n  dsw_outcome outcome;\n  dsw_contact_kind kind;", "\n  dsw_contact_kind kind;\n  dsw_outcome outcome;")]),
+    Case("a member is inserted in the middle", "abidiff source layout offsets",
+         [(header("contact"), r"\n(  dsw_outcome outcome;)", r"\n  double more;\n\1")]),
+    Case("a struct without a size grows", "abidiff source layout offsets",
+         [(header("contact"), r"\n} dsw_flight;", r"\n  double more;\n} dsw_flight;")]),
+    Case("a struct with a size grows and a member gets another type", "source",
+         [*GROWN, (header("scene"), r"uint64_t casts;", "double casts;")]),
+    Case("a struct ends in padding", "layout offsets", [(header("scene"), r"\n} dsw_statistics;", r"\n  uint32_t more;\n} dsw_statistics;")]),
+    Case("a struct is missing in layout.c", "layout", [("abi/layout.c", r"\nSIZE\(dsw_vec3, 24\);", "")]),
+    Case("a function is missing in the test of structs", "structs",
+         [("tests/capi/struct_size_test.c", r"  X\(dsw_trace_get, dsw_trace_data\)", "")]),
+    Case("an enumerator gets another value", "abidiff source", [(header("base"), r"DSW_STATUS_OUTSIDE = 19", "DSW_STATUS_OUTSIDE = 119")]),
+    Case("an enumerator is removed", "abidiff source", [(header("base"), r"\n  DSW_STATUS_OUTSIDE = 19,", "")]),
+    Case("a flag gets another value", "source", [(header("scene"), r"DSW_FEATURE_CROSSINGS = 0x2", "DSW_FEATURE_CROSSINGS = 0x200")]),
+    Case("a name without dsw_ is exported", "symbols", [("abi/dartsweep.map", r"dsw_\*;", "dsw_*; leaked;")],
+         'extern "C" int leaked() { return 0; }'),
+    Case("a C++ name is exported", "symbols", [("abi/dartsweep.map", r"dsw_\*;", "dsw_*; _ZN3dsw*;")], "namespace dsw { int leaked() { return 0; } }"),
+    Case("a function is added that symbols.txt lacks", "symbols", [ADDED]),
+    Case("another library is needed", "needed", [], link=("-Wl,--no-as-needed,-l:libstranger.so",)),
+    Case("a run path", "needed", [], link=("-Wl,-rpath,/nowhere",)),
+    Case("another SONAME", "needed abidiff", [], link=("-Wl,-soname,libdartsweep.so.77",)),
+    Case("another version of the symbols", "needed abidiff", [("abi/dartsweep.map", r"DARTSWEEP_\d+", "DARTSWEEP_77")]),
+    # additions
+    Case("a function is added", "", [ADDED, ("abi/symbols.txt", r"\n(dsw_move_options_init)", r"\ndsw_more\n\1")]),
+    Case("a struct with a size grows", "", GROWN),
+    Case("an enumerator is added", "", [(header("base"), r"\n  DSW_STATUS_FORCE", "\n  DSW_STATUS_MORE = 77,\n  DSW_STATUS_FORCE")]),
+    Case("what was reserved is put to use", "", [(header("scene"), r"\n  uint32_t reserved;", "\n  uint32_t more;"),
+                                                ("abi/layout.c", r"AT\(dsw_statistics, reserved,", "AT(dsw_statistics, more,")]),
+    # breaks with another SONAME
+    Case("a function is removed, with a new major", "", [REMOVED, UNLISTED, *NEW_MAJOR]),
+    Case("a parameter gets another type, with a new major", "", [RETYPED, *NEW_MAJOR]),
+]
+
+# Programs must notice each of these functions in place of the library's. `real` calls that.
+REPLACEMENTS = {
+    "dsw_version": ("uint32_t dsw_version(void)", "return 77;"),
+    "writes more than struct_size": (
+        "dsw_status dsw_environment_get_info(const dsw_environment *environment, dsw_environment_info *info)",
+        "dsw_status status = real(environment, info);"
+        "if (info != NULL) ((unsigned char *)info)[info->struct_size] = 0; return status;"),
+    "refuses the struct_size of the release": (
+        "dsw_status dsw_environment_create(dsw_context *context, const dsw_environment_desc *desc, dsw_environment **environment,"
+        " dsw_build_report *report)",
+        "if (desc != NULL && desc->struct_size <= sizeof *desc) return DSW_STATUS_BAD_STRUCT_SIZE;"
+        "return real(context, desc, environment, report);"),
+    "does not look at what it does not know": (
+        "dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc, dsw_scene **scene)",
+        "dsw_scene_desc known; if (desc == NULL || desc->struct_size <= sizeof known) return real(environment, desc, scene);"
+        "known = *desc; known.struct_size = sizeof known; return real(environment, &known, scene);"),
+}
+
+
+class Copy:
+    """What the checks read, in a folder where it can be broken."""
+
+    def __init__(self, folder, compiler):
+        self.folder, self.compiler = pathlib.Path(folder), compiler
+        shutil.copytree(ROOT / "include", self.folder / "include")
+        shutil.copytree(ROOT / "abi", self.folder / "abi", ignore=shutil.ignore_patterns("__pycache__"))
+        (self.folder / "tests/capi").mkdir(parents=True)
+        shutil.copy(ROOT / "tests/capi/struct_size_test.c", self.folder / "tests/capi")
+        spec = importlib.util.spec_from_file_location("check_abi", self.folder / "abi/check_abi.py")
+        self.checks = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(self.checks)
+
+    def edit(self, path, pattern, replacement):
+        text, count = re.subn(pattern, replacement, (self.folder / path).read_text(), count=1)
+        if count == 0:
+            sys.exit(f"{path} has no {pattern!r}: the test of the checks must follow it")
+        (self.folder / path).write_text(text)
+
+    def build(self, case):
+        """A library with the functions that the headers declare."""
+        functions = self.checks.functions(self.checks.header_text())
+        lines = ['#include "dartsweep/dartsweep.h"', case.code]
+        lines += [f"{text} {{{'' if text.startswith('void dsw') else ' return {}; '}}}" for text in functions.values()]
+        if case.link:
+            self.compile("libstranger.so", "", "-Wl,-soname,libstranger.so")
+        return self.compile("libdartsweep.so", "\n".join(lines), f"-Wl,-soname,libdartsweep.so.{self.checks.major()}",
+                            f"-Wl,--version-script={self.folder}/abi/dartsweep.map", *case.link)
+
+    def compile(self, name, source, *options):
+        path = self.folder / name
+        subprocess.run([self.compiler, "-x", "c++", "-", "-g", "-shared", "-fPIC", f"-I{self.folder}/include", f"-L{self.folder}", "-o", path,
+                        *options], input=source, text=True, check=True)
+        return path
+
+    def refused_by(self, case):
+        for edit in case.edits:
+            self.edit(*edit)
+        library = self.build(case)
+        found = {name: getattr(self.checks, f"check_{name}")() for name in ("source", "layout", "structs")}
+        found.update((name, getattr(self.checks, f"check_{name}")(library)) for name in ("symbols", "needed"))
+        if shutil.which("abidiff"):
+            found["abidiff"] = self.checks.check_abidiff(library)
+        offsets = subprocess.run([self.compiler, "-fsyntax-only", "-x", "c++", "-std=c++11", "-Wno-invalid-offsetof",
+                                  "-D_Static_assert=static_assert", f"-I{self.folder}/include", self.folder / "abi/layout.c"], capture_output=True)
+        found["offsets"] = offsets.returncode != 0
+        return {name for name in found if found[name]}, set(found)
+
+
+def test_checks(compiler):
+    problems, used = [], set()
+    for case in CASES:
+        with tempfile.TemporaryDirectory() as folder, open(os.devnull, "w") as nowhere:
+            out, sys.stdout = sys.stdout, nowhere
+            try:
+                refused, ran = Copy(folder, compiler).refused_by(case)
+            finally:
+                sys.stdout = out
+        wanted = set(case.caught_by.split()) & ran
+        used |= refused
+        print(f"{case.what}: {', '.join(sorted(refused)) or 'accepted'}")
+        if refused != wanted:
+            problems.append(f"{case.what} should be refused by {sorted(wanted)}, is refused by {sorted(refused)}")
+    problems += [f"{name} has refused nothing" for name in CHECKS if name in ran - used]
+    return problems
+
+
+def test_programs(compiler, arguments):
+    """Each program runs as it is; each notices a replacement, and each replacement is noticed."""
+    programs = [list(group) for is_end, group in itertools.groupby(arguments, lambda argument: argument == "--") if not is_end]
+    problems, noticed = [], {name: [] for name in REPLACEMENTS}
+    with tempfile.TemporaryDirectory() as folder:
+        for program in programs:
+            if subprocess.run(program, capture_output=True).returncode != 0:
+                problems.append(f"{program} fails as it is")
+        for name, (declaration, body) in REPLACEMENTS.items():
+            function = re.search(r"(\w+)\(", declaration).group(1)
+            library = pathlib.Path(folder, "replacement.so")
+            source = (f'#include <dlfcn.h>\n#include "dartsweep/dartsweep.h"\n{declaration} {{\n'
+                      f'__typeof__(&{function}) real = (__typeof__(&{function}))dlsym(RTLD_NEXT, "{function}"); (void)real;\n{body}\n}}\n')
+            subprocess.run([compiler, "-D_GNU_SOURCE", "-x", "c", "-", "-shared", "-fPIC", f"-I{ROOT}/include", "-o", library], input=source,
+                           text=True, check=True)
+            for program in programs:
+                status = subprocess.run(program, capture_output=True, env={**os.environ, "LD_PRELOAD": str(library)}).returncode
+                if status != 0:
+                    noticed[name].append(pathlib.Path(program[-1]).name)
+            print(f"{function}, {name}: noticed by {', '.join(noticed[name]) or 'nobody'}")
+    problems += [f"{name}: nobody noticed" for name in noticed if not noticed[name]]
+    every = {pathlib.Path(program[-1]).name for program in programs}
+    problems += [f"{name} noticed nothing" for name in sorted(every - set(sum(noticed.values(), [])))]
+    return problems
+
+
+def main():
+    if len(sys.argv) < 3 or sys.argv[1] not in ("checks", "programs"):
+        sys.exit(__doc__)
+    problems = test_checks(sys.argv[2]) if sys.argv[1] == "checks" else test_programs(sys.argv[2], sys.argv[3:])
+    print("\n".join(problems) if problems else "each check refuses what it is there for, and accepts the rest")
+    sys.exit(1 if problems else 0)
+
+
+main()
