@@ -14,7 +14,8 @@ if tagged "$version"; then
   echo "v$version is out: its files do not change"
   exit 1
 fi
-minor() { echo "${1%.*}"; }
+# escape TEXT: for sed.
+escape() { echo "$1" | sed 's/\./\\./g'; }
 
 # The product's version, everywhere. What was to come with a version that never came out comes with this one.
 old=$(sed -n 's/^project(Dartsweep VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
@@ -23,11 +24,11 @@ sed -i -E "s/^(#define DSW_VERSION_MAJOR) .*/\1 $1/; s/^(#define DSW_VERSION_MIN
   include/dartsweep/base.h
 sed -i "s/^project(Dartsweep VERSION [0-9.]*/project(Dartsweep VERSION $version/" CMakeLists.txt
 if [ "$old" != "$version" ]; then
-  old_pattern=$(echo "$old" | sed 's/\./\\./g')
+  old_pattern=$(escape "$old")
   git grep -lwF "$old" -- bindings ':!*lock*' | xargs -r sed -i "s/\b$old_pattern\b/$version/g"
   sed -i "s/^## \[$old_pattern\] - unreleased/## [$version] - unreleased/" CHANGELOG.md
   if ! tagged "$old"; then
-    sed -i "s/@since $(minor "$old_pattern")\b/@since $(minor "$version")/" include/dartsweep/*.h
+    sed -i "s/@since $(escape "${old%.*}")\b/@since ${version%.*}/" include/dartsweep/*.h
   fi
 fi
 sed -i "s/^## \[$version\] - unreleased/## [$version] - $(date +%Y-%m-%d)/" CHANGELOG.md
@@ -63,4 +64,5 @@ cmake --build --preset abi --target abi_programs
 ctest --preset abi
 echo
 echo "$version is ready: README.md has what is left. Still $old, perhaps rightly:"
-git grep -nwF "$old" -- . ":!abi/clients" ":!abi/baseline" ":!CHANGELOG.md" || echo "nothing"
+git grep -nwF "$old" -- . ":!abi/clients" ":!abi/baseline" ":!CHANGELOG.md" || echo "no text"
+git ls-files -- . ":!abi" | grep -F "$old" || echo "no name of a file"
