@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
-# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python docs java csharp page report format; none means all
+# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python docs java csharp node page report format; none means all
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,7 +9,7 @@ packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-con
   libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev swig python3-dev python3-venv
   openjdk-17-jdk-headless maven mono-mcs mono-runtime doxygen libosmesa6)
 steps=("$@")
-[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python docs java csharp page report format)
+[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python docs java csharp node page report format)
 jobs=$(nproc)
 export CMAKE_GENERATOR=Ninja CTEST_PARALLEL_LEVEL=$jobs CMAKE_BUILD_PARALLEL_LEVEL=$jobs
 
@@ -52,7 +52,7 @@ run_step() {
     tail -n 150 "$log"
   fi
   local lines
-  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^(python|docs|java|csharp):|^abi\.|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests' "$log" || true)
+  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^(python|docs|java|csharp|node):|^abi\.|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests' "$log" || true)
   [ $status -eq 0 ] || lines+=$'\nFAILED, see '$log
   summary+=("$name ($((SECONDS - start)) s)"$'\n'"$lines")
   echo "$lines"
@@ -142,6 +142,11 @@ check_csharp() {
   echo "csharp: $(tail -n 1 "$out/tests.txt"), and the example"
 }
 
+# The npm package, as one installs it.
+check_node() {
+  install_library && bindings/node/test.sh build/dartsweep
+}
+
 check_format() {
   local files
   mapfile -t files < <(find src include tests examples bindings -regex '.*\.\(h\|inl\|c\|cpp\)' | sort)
@@ -161,6 +166,7 @@ for step in "${steps[@]}"; do
     docs) run_step docs check_docs ;;
     java) run_step java check_java ;;
     csharp) run_step csharp check_csharp ;;
+    node) run_step node check_node ;;
     format) run_step format check_format ;;
     page) run_step page examples/insertion/page/test.sh ;;
     report) run_step report examples/report/tests/run.sh ;;

@@ -1,0 +1,272 @@
+// Values of JavaScript as arguments of the shared layer, its results as values, and its exceptions as JavaScript's. What concerns
+// structs and errors is done by functions of src/native.js, the hooks: one set for each environment of Node, that is for each thread.
+#pragma once
+
+#include <napi.h>
+
+#include <cstring>
+#include <memory>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "common/arrays.h"
+#include "common/handles.h"
+#include "structs.h"
+
+namespace dartsweep_node {
+
+struct Hooks {
+  Napi::FunctionReference error;     // (status, closed, message): the Error
+  Napi::FunctionReference encode;    // (kind, value, memory): writes a struct over its defaults
+  Napi::FunctionReference readable;  // (kind, value): Uint8Array of the structs in a list or an array
+  Napi::FunctionReference writable;  // (kind, value): the same of a list
+  Napi::FunctionReference decode;    // (kind, memory): the value of a struct
+  Napi::FunctionReference list;      // (kind, memory): a list that has this memory
+  // Lines of the log wait here while a call lasts: JavaScript must not run in it.
+  struct Line {
+    std::shared_ptr<Napi::FunctionReference> log;
+    int level;
+    std::string text;
+  };
+  std::mutex mutex;
+  std::vector<Line> lines;
+};
+
+inline std::unordered_map<napi_env, std::shared_ptr<Hooks>> &all_hooks() {
+  thread_local std::unordered_map<napi_env, std::shared_ptr<Hooks>> all;
+  return all;
+}
+
+inline const std::shared_ptr<Hooks> &hooks_of(napi_env env) {
+  std::shared_ptr<Hooks> &hooks = all_hooks()[env];
+  if (!hooks) {
+    hooks = std::make_shared<Hooks>();
+    napi_add_env_cleanup_hook(
+        env, [](void *gone) { all_hooks().erase(static_cast<napi_env>(gone)); }, env);
+  }
+  return hooks;
+}
+
+// setHooks({ error, encode, ... })
+inline void set_hooks(const Napi::Value &value) {
+  const auto given = value.As<Napi::Object>();
+  Hooks &hooks = *hooks_of(value.Env());
+  const std::pair<const char *, Napi::FunctionReference *> all[] = {
+      {"error", &hooks.error},       {"encode", &hooks.encode}, {"readable", &hooks.readable},
+      {"writable", &hooks.writable}, {"decode", &hooks.decode}, {"list", &hooks.list}};
+  for (const auto &[name, hook] : all) *hook = Napi::Persistent(given.Get(name).As<Napi::Function>());
+}
+
+inline bool is_nothing(const Napi::Value &value) { return value.IsUndefined() || value.IsNull(); }
+
+[[noreturn]] inline void refuse(napi_env env, const std::string &message) { throw Napi::TypeError::New(env, message); }
+
+// --- arrays of numbers
+template <class T>
+constexpr napi_typedarray_type array_type_of() {
+  if (std::is_same_v<T, double>) return napi_float64_array;
+  if (std::is_same_v<T, std::uint8_t>) return napi_uint8_array;
+  if (std::is_same_v<T, std::int32_t>) return napi_int32_array;
+  if (std::is_same_v<T, std::size_t>) return napi_biguint64_array;
+  return napi_uint32_array;
+}
+
+template <class T>
+T number(const Napi::Value &value) {
+  if (!value.IsNumber()) refuse(value.Env(), "a number is needed");
+  const double given = value.As<Napi::Number>().DoubleValue();
+  if constexpr (std::is_integral_v<T>) {
+    // The upper limit as a double is the next power of two where T has 64 bits.
+    constexpr double end = static_cast<double>(std::numeric_limits<T>::max() / 2 + 1) * 2;
+    if (!(given >= static_cast<double>(std::numeric_limits<T>::min()) && given < end) || std::trunc(given) != given)
+      throw Napi::RangeError::New(value.Env(), "a number is not a whole one of " + std::to_string(8 * sizeof(T)) + " bits");
+  }
+  return static_cast<T>(given);
+}
+
+// Numbers for the time of a call: the host's memory where it is a typed array of T, or a copy of a plain array's.
+template <class T>
+class Numbers {
+ public:
+  // For calls that write: typed arrays only.
+  T *set_typed(const Napi::Value &value) {
+    if (is_nothing(value)) return nullptr;
+    if (!value.IsTypedArray()) refuse(value.Env(), needed("a typed array"));
+    const auto array = value.As<Napi::TypedArray>();
+    if (array.TypedArrayType() != array_type_of<T>()) refuse(value.Env(), needed("a typed array"));
+    count = array.ElementLength();
+    void *data = nullptr;
+    napi_get_typedarray_info(value.Env(), value, nullptr, nullptr, &data, nullptr, nullptr);
+    return static_cast<T *>(data);
+  }
+  const T *set(const Napi::Value &value) {
+    if (!value.IsArray()) return set_typed(value);
+    const auto array = value.As<Napi::Array>();
+    count = array.Length();
+    copy_.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) copy_[i] = number<T>(array.Get(i));
+    return copy_.data();
+  }
+
+  std::size_t count = 0;
+
+ private:
+  static std::string needed(const char *what) {
+    const char *type = std::is_same_v<T, double>         ? "Float64Array"
+                       : std::is_same_v<T, std::uint8_t> ? "Uint8Array"
+                       : std::is_same_v<T, std::int32_t> ? "Int32Array"
+                                                         : "Uint32Array";
+    return std::string(what) + " is needed: " + type;
+  }
+  std::vector<T> copy_;
+};
+
+inline std::size_t whole_points(napi_env env, std::size_t numbers) {
+  if (numbers % 3 != 0) refuse(env, "a point has 3 coordinates");
+  return numbers / 3;
+}
+
+// Indices of 4 bytes, or of 8 as BigInt64Array.
+class IndexNumbers {
+ public:
+  dartsweep::Indices set(const Napi::Value &value) {
+    if (value.IsTypedArray()) {
+      const auto array = value.As<Napi::TypedArray>();
+      const auto type = array.TypedArrayType();
+      if (type != napi_int32_array && type != napi_uint32_array && type != napi_bigint64_array)
+        refuse(value.Env(), "indices are an Int32Array, Uint32Array or BigInt64Array");
+      dartsweep::Indices out;
+      void *data = nullptr;
+      napi_get_typedarray_info(value.Env(), value, nullptr, nullptr, &data, nullptr, nullptr);
+      out.data = data;
+      out.count = array.ElementLength();
+      out.bytes = static_cast<std::uint32_t>(array.ElementSize());
+      return out;
+    }
+    dartsweep::Indices out;
+    out.data = copy_.set(value);
+    out.count = copy_.count;
+    out.bytes = 4;
+    return out;
+  }
+
+ private:
+  Numbers<std::int32_t> copy_;
+};
+
+// One point: an array of 3 numbers.
+inline dsw_vec3 to_point(const Napi::Value &value) {
+  Numbers<double> numbers;
+  const double *xyz = numbers.set(value);
+  if (numbers.count != 3) refuse(value.Env(), "a point is an array of 3 numbers");
+  return {xyz[0], xyz[1], xyz[2]};
+}
+
+// A typed array of its own with these numbers.
+template <class T>
+Napi::Value from_numbers(Napi::Env env, const T *data, std::size_t count) {
+  auto array = Napi::TypedArrayOf<T>::New(env, count, array_type_of<T>());
+  if (count) std::memcpy(array.Data(), data, count * sizeof(T));
+  return array;
+}
+inline Napi::Value from_numbers(Napi::Env env, const std::size_t *data, std::size_t count) {
+  auto array = Napi::Array::New(env, count);
+  for (std::size_t i = 0; i < count; ++i) array.Set(static_cast<std::uint32_t>(i), static_cast<double>(data[i]));
+  return array;
+}
+
+// --- structs
+template <class T>
+Napi::ArrayBuffer memory_of(Napi::Env env, const T *data, std::size_t count) {
+  auto memory = Napi::ArrayBuffer::New(env, count * sizeof(T));
+  if (count) std::memcpy(memory.Data(), data, count * sizeof(T));
+  return memory;
+}
+
+template <class T>
+Napi::Value from_struct(Napi::Env env, const T &value) {
+  return hooks_of(env)->decode.Call({Napi::Number::New(env, kind_of<T>), memory_of(env, &value, 1)});
+}
+
+template <class T>
+Napi::Value from_structs(Napi::Env env, const T *data, std::size_t count) {
+  return hooks_of(env)->list.Call({Napi::Number::New(env, kind_of<T>), memory_of(env, data, count)});
+}
+
+// What is left out of `value` stays as it is in `out`.
+template <class T>
+void set_struct(const Napi::Value &value, T &out) {
+  Napi::Env env = value.Env();
+  auto memory = memory_of(env, &out, 1);
+  hooks_of(env)->encode.Call({Napi::Number::New(env, kind_of<T>), value, memory});
+  std::memcpy(&out, memory.Data(), sizeof out);
+}
+
+template <class T>
+dartsweep::View<T> to_view(const Napi::Value &value) {
+  if (is_nothing(value)) return {};
+  Napi::Env env = value.Env();
+  Hooks &hooks = *hooks_of(env);
+  const Napi::FunctionReference &hook = std::is_const_v<T> ? hooks.readable : hooks.writable;
+  const Napi::Value memory = hook.Call({Napi::Number::New(env, kind_of<std::remove_const_t<T>>), value});
+  Numbers<std::uint8_t> bytes;
+  auto *data = bytes.set_typed(memory);
+  return {reinterpret_cast<T *>(data), bytes.count / sizeof(T)};
+}
+
+// --- the log: lines go to the function after the call in which they came
+class Log : public dartsweep::LogSink {
+ public:
+  explicit Log(const Napi::Value &function)
+      : hooks_(hooks_of(function.Env())),
+        function_(std::make_shared<Napi::FunctionReference>(Napi::Persistent(function.As<Napi::Function>()))) {}
+  void write(int level, const char *text) override {
+    const std::lock_guard<std::mutex> hold(hooks_->mutex);
+    hooks_->lines.push_back({function_, level, text});
+  }
+
+ private:
+  std::shared_ptr<Hooks> hooks_;
+  std::shared_ptr<Napi::FunctionReference> function_;
+};
+
+inline void deliver_log(Napi::Env env) {
+  Hooks &hooks = *hooks_of(env);
+  std::vector<Hooks::Line> lines;
+  {
+    const std::lock_guard<std::mutex> hold(hooks.mutex);
+    lines.swap(hooks.lines);
+  }
+  for (const Hooks::Line &line : lines) {
+    try {
+      line.log->Call({Napi::Number::New(env, line.level), Napi::String::New(env, line.text)});
+    } catch (const Napi::Error &) {  // a log that throws is not the caller's fault
+    }
+  }
+}
+
+// --- exceptions. To be called in a handler: throws the Error that this one stands for.
+[[noreturn]] inline void raise_current(Napi::Env env) {
+  const auto raise = [env](int status, bool closed, const char *message) {
+    const Napi::Value error = hooks_of(env)->error.Call(
+        {Napi::Number::New(env, status), Napi::Boolean::New(env, closed), Napi::String::New(env, message)});
+    throw Napi::Error(env, error);
+  };
+  deliver_log(env);
+  try {
+    throw;
+  } catch (const dartsweep::Closed &error) {
+    raise(error.status(), true, error.what());
+  } catch (const dartsweep::Error &error) {
+    raise(error.status(), false, error.what());
+  } catch (const std::bad_alloc &) {
+    raise(DSW_STATUS_OUT_OF_MEMORY, false, "out of memory");
+  } catch (const std::exception &error) {
+    raise(DSW_STATUS_INTERNAL, false, error.what());
+  }
+  std::terminate();  // nothing else is thrown
+}
+
+}  // namespace dartsweep_node

@@ -1,0 +1,88 @@
+// Environments and their context: what SWIG made, with options by name and results made rather than filled.
+'use strict';
+const { arrays } = require('./memory.js');
+const native = require('./native.js');
+
+class Context extends native.Context {
+  constructor({ threads = 0, log } = {}) {
+    if (log !== undefined && typeof log !== 'function') throw new TypeError('log must be a function');
+    super(threads, log);
+  }
+}
+
+class Environment extends native.Environment {
+  constructor(points, cells, { type, types, offsets, regions, tags, faces, faceLocations, context = null, ...desc } = {}) {
+    if (type !== undefined) desc.uniformCellType = type;
+    super(points, cells, offsets, types, regions, tags, faces, faceLocations, desc, context);
+  }
+
+  static load(block, context = null) {
+    return Object.setPrototypeOf(super.load(block, context), this.prototype);
+  }
+
+  coarsen(options, volumeMap) {
+    return Object.setPrototypeOf(super.coarsen(options, volumeMap), Environment.prototype);
+  }
+
+  locatePoints(points, hints) {
+    const volumes = new arrays.VolumeIdArray(Math.trunc(points.length / 3));
+    const places = new Int32Array(volumes.length);
+    super.locatePoints(points, hints, volumes, places);
+    return { volumes, places };
+  }
+
+  cast(from, to, { start = null, ...options } = {}) {
+    return super.cast(from, to, start, options);
+  }
+
+  castPath(from, to, { start = null, ...options } = {}) {
+    return super.castPath(from, to, start, options);
+  }
+
+  castSegments(from, to, { starts, flights = new arrays.FlightArray(Math.trunc(from.length / 3)), ...options } = {}) {
+    super.castSegments(from, to, starts, options, flights);
+    return flights;
+  }
+
+  sweepEdges(from, to, fixed, { starts, sweeps = new arrays.SweepArray(Math.trunc(from.length / 3)), ...options } = {}) {
+    super.sweepEdges(from, to, fixed, starts, options, sweeps);
+    return sweeps;
+  }
+
+  markVolumes(volumes, mark, flags = 0) {
+    return super.markVolumes(volumes, mark, flags);
+  }
+
+  markRegion(region, mark, flags = 0) {
+    return super.markRegion(region, mark, flags);
+  }
+
+  addVolumes(points, cells, { type, types, vertices, offsets, regions, tags, sewTo, ...desc } = {}) {
+    if (type !== undefined) desc.uniformCellType = type;
+    return super.addVolumes(vertices, points, cells, offsets, types, regions, tags, sewTo, desc);
+  }
+
+  remesh({ volumes, next, ...desc } = {}) {
+    return super.remesh(volumes, next, desc);
+  }
+}
+
+class Trace extends native.Trace {
+  addVolumes(environment, volumes, label = 0) {
+    super.addVolumes(environment, volumes, label);
+  }
+
+  addImpassable(environment, withBoundary = false, label = 0) {
+    super.addImpassable(environment, withBoundary, label);
+  }
+
+  addWalk(environment, from, to, { normalLength = 0, label = 0, start = null, ...options } = {}) {
+    super.addWalk(environment, from, to, normalLength, label, start, options);
+  }
+
+  addContact(flight, normalLength = 0, label = 0) {
+    super.addContact(flight, normalLength, label);
+  }
+}
+
+module.exports = { Context, Environment, Trace };

@@ -1,0 +1,42 @@
+// An Error for each status of C.
+'use strict';
+const { enums, statuses } = require('./structs.js');
+
+class DartsweepError extends Error {
+  constructor(message, status, code) {
+    super(message);
+    this.status = status;
+    this.code = code;
+  }
+}
+
+const classes = { DartsweepError };
+const ofStatus = new Map();
+
+function define(name, base, status, code) {
+  const type = {
+    [name]: class extends base {
+      constructor(message) {
+        super(message, status, code);
+      }
+    },
+  }[name];
+  Object.defineProperty(type.prototype, 'name', { value: name, writable: true, configurable: true });
+  classes[name] = type;
+  return type;
+}
+
+for (const [status, name] of statuses) {
+  const value = enums.Status[name];
+  ofStatus.set(value, define(`${name}Error`, DartsweepError, value, `DSW_${status}`));
+}
+define('ClosedError', DartsweepError, enums.Status.NullArgument, 'DSW_CLOSED');
+
+function errorOf(status, closed, message) {
+  const type = closed ? classes.ClosedError : ofStatus.get(status);
+  const error = type ? new type(message) : new DartsweepError(message, status, `DSW_${status}`);
+  Error.captureStackTrace(error, errorOf);
+  return error;
+}
+
+module.exports = { classes, errorOf };

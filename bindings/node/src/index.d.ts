@@ -1,0 +1,270 @@
+/// <reference lib="esnext.disposable" />
+// Types of the package dartsweep. What a call does and guarantees is told by the C headers; structs and enumerators, and their comments,
+// are in structs.d.ts.
+import type {
+  BodyCounts, BodyDesc, BodyEdgeId, BodyFaceId, BodyFilter, BodyId, BodyIdArray, BodyVertexId, BodyVertexIdArray, BodyEdit,
+  BodyEdgeIdArray, BodyEditArray, BodyFaceIdArray, BuildReport, CarveDesc, CarveReport, CastOptions, Cell, CellKind, CellType,
+  CoarsenOptions, Contact, ContactArray, ContactOpinion, ContactPartnerArray, CrossingArray, CutDesc, CutFace, CutFaceArray, CutReport,
+  CutVertexArray, DeformOptions, DeformReport, Detached, DetachDesc, DetachedFaceArray, DetachedVertexArray, EdgeId, EdgeIdArray,
+  EdgeSplit, EnvironmentDesc, EnvironmentInfo, FaceId, FaceIdArray, FaceSplit, FaceVolumes, Flight, FlightArray, Level, Location,
+  LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, Neighbour, OpenDesc, OpenReport, Particle, ParticleId,
+  ParticleIdArray, RemeshDesc, RemeshReport, RigidMotion, SceneDesc, Statistics, Status, SweepArray, SweepOptions, TieDesc, TieReport,
+  Vec3, VertexId, VertexIdArray, VolumeChangeArray, VolumeCounts, VolumeId, VolumeIdArray, VolumeSplit, VolumesDesc, WallContactArray,
+} from './structs.js';
+
+export * from './structs.js';
+
+/** Points, x, y, z of each: a Float64Array is read where it is, an array is copied. */
+export type Points = Float64Array | readonly number[];
+/** One point. */
+export type Point = Points | Readonly<Vec3>;
+/** Indices: typed arrays are read where they are. */
+export type Indices = Int32Array | Uint32Array | BigInt64Array | readonly number[];
+/** Not below 0, of 32 bits: a Uint32Array is read where it is. */
+export type Numbers = Uint32Array | readonly number[];
+/** Structs: a list of them is read where it is, an array is copied. */
+export type Structs<T> = StructArray<T> | readonly T[];
+
+/** The base of VolumeIdArray, FlightArray and so on: structs as C has them in `buffer`, which calls read and fill in place. */
+export class StructArray<T> implements Iterable<T> {
+  /** Of a number of entries, of memory that another one had (also on another thread), or of values. */
+  constructor(source: number | ArrayBuffer | SharedArrayBuffer | Iterable<T>);
+  readonly buffer: ArrayBuffer | SharedArrayBuffer;
+  readonly length: number;
+  /** A copy; negative indices count from the end. */
+  at(index: number): T | undefined;
+  set(index: number, value: T): void;
+  [Symbol.iterator](): IterableIterator<T>;
+  toArray(): T[];
+}
+
+/** The base of the errors, one for each status of C. A call that throws one has changed nothing. */
+export class DartsweepError extends Error {
+  readonly status: Status;
+  /** The status by name, as DSW_STALE_ID. */
+  readonly code: string;
+}
+/** A call on an object after close(). */
+export class ClosedError extends DartsweepError {}
+
+/** Threads for calls that use several, 0 as many as there are processors; and the log, called after the call that wrote it. */
+export class Context {
+  constructor(options?: { threads?: number; log?: (level: LogLevel, text: string) => void });
+}
+
+export interface Cells {
+  /** The type of all cells, or with `types` that of each. */
+  type?: CellType;
+  types?: Uint8Array | readonly number[];
+  /** Where each cell's indices begin, and the end; not needed where all are of one type. */
+  offsets?: Indices;
+  /** A label for each cell. */
+  regions?: Int32Array | readonly number[];
+  /** A number of the host's for each cell. */
+  tags?: Numbers;
+}
+
+export class Environment {
+  /** `points` are copied; `cells` are the indices of each cell's points, in VTK's order. */
+  constructor(points: Points, cells: Indices,
+    options?: Cells & { faces?: Indices; faceLocations?: Indices; context?: Context } & Omit<EnvironmentDesc, 'uniformCellType'>);
+  static load(block: Uint8Array, context?: Context): Environment;
+  save(): Uint8Array;
+  coarsen(options?: CoarsenOptions, volumeMap?: Uint32Array): Environment;
+  /** May be repeated. Scenes of the environment go on. */
+  close(): void;
+  [Symbol.dispose](): void;
+  isClosed(): boolean;
+  buildReport(): BuildReport;
+  info(): EnvironmentInfo;
+  /** Throws BoundaryCrossesError where the boundary does. */
+  checkAll(): void;
+
+  getVolume(index: number): VolumeId;
+  getVertex(index: number): VertexId;
+  getPosition(vertex: VertexId): Vec3;
+  getCentre(volume: VolumeId): Vec3;
+  getVolumeCounts(volume: VolumeId): VolumeCounts;
+  getVolumeFace(volume: VolumeId, local: number): FaceId;
+  getVolumeEdge(volume: VolumeId, local: number): EdgeId;
+  copyVertices(cell: Cell): VertexIdArray;
+  getFaceVolumes(face: FaceId): FaceVolumes;
+  getNeighbour(volume: VolumeId, local: number): Neighbour;
+  /** Of faces by their vertices, one after the other; `offsets` says where each begins, and the end. */
+  findFaces(offsets: BigUint64Array | readonly number[], indices: Numbers): FaceIdArray;
+  findEdges(pairs: Numbers): EdgeIdArray;
+  getRegion(volume: VolumeId): number;
+  getTag(volume: VolumeId): number;
+  setTag(volume: VolumeId, tag: number): void;
+  isValid(volume: VolumeId): boolean;
+  /** A copy. */
+  getPoints(): Float64Array;
+
+  locate(point: Point, hint?: VolumeId | null): Location;
+  /** `places` are of type Place. */
+  locatePoints(points: Points, hints?: Structs<VolumeId>): { volumes: VolumeIdArray; places: Int32Array };
+  classify(point: Point, volume: VolumeId): Cell;
+  cast(from: Point, to: Point, options?: CastOptions & { start?: VolumeId | null }): Flight;
+  castPath(from: Point, to: Point, options?: CastOptions & { start?: VolumeId | null }): CrossingArray;
+  /** `flights` is filled where it is given. */
+  castSegments(from: Points, to: Points, options?: CastOptions & { starts?: Structs<VolumeId>; flights?: FlightArray }): FlightArray;
+  findNearest(point: Point, radius: number, volume?: VolumeId | null): Nearest;
+  /** One end of each edge moves, the other is `fixed`. */
+  sweepEdges(from: Points, to: Points, fixed: Points,
+    options?: SweepOptions & { starts?: Structs<VolumeId>; sweeps?: SweepArray }): SweepArray;
+  checkContact(contact: Contact): ContactOpinion;
+
+  /** How many were skipped. */
+  markVolumes(volumes: Structs<VolumeId>, mark: Mark, flags?: number): number;
+  markFaces(faces: Structs<FaceId>, mark: Mark): void;
+  markEdges(edges: Structs<EdgeId>, mark: Mark): void;
+  markVertices(vertices: Structs<VertexId>, mark: Mark): void;
+  markRegion(region: number, mark: Mark, flags?: number): Marked;
+  markBetween(a: number, b: number, mark: Mark): number;
+  isMarked(cell: Cell): boolean;
+  isImpassable(cell: Cell): boolean;
+  getMarkCount(kind: CellKind): number;
+
+  sewFaces(a: Structs<FaceId>, b: Structs<FaceId>): void;
+  unsewFace(face: FaceId): void;
+  addVolumes(points: Points, cells: Indices,
+    options?: Cells & { vertices?: Structs<VertexId>; sewTo?: Structs<FaceId> } & Omit<VolumesDesc, 'uniformCellType'>): VolumeIdArray;
+  removeVolumes(volumes: Structs<VolumeId>): void;
+  mergeVolumes(face: FaceId): VolumeId;
+  splitVolume(volume: VolumeId, loop: Structs<VertexId>): VolumeSplit;
+  mergeFaces(edge: EdgeId): FaceId;
+  splitFace(face: FaceId, a: VertexId, b: VertexId): FaceSplit;
+  splitEdge(edge: EdgeId, share: number): EdgeSplit;
+  mergeEdges(edge: EdgeId, vertex: VertexId): EdgeId;
+  collapseEdge(edge: EdgeId, vertex: VertexId): void;
+  getVolumeChanges(): VolumeChangeArray;
+
+  /** `blade` has rows * columns points, row by row. */
+  cut(blade: Points, rows: number, columns: number, options?: CutDesc): CutReport;
+  tearFaces(faces: Structs<FaceId>, loads: Points, threshold: number): number;
+  getCutVertices(): CutVertexArray;
+  getCutFaces(): CutFaceArray;
+  getWholeVolumes(): VolumeIdArray;
+  open(faces: Structs<CutFace>, options: OpenDesc): OpenReport;
+  carve(points: Points, triangles: Numbers, options?: CarveDesc): CarveReport;
+  getCarvedVolumes(): VolumeIdArray;
+  tie(loop: Points, options?: TieDesc): TieReport;
+  remesh(options?: RemeshDesc & { volumes?: Structs<VolumeId>; next?: Points }): RemeshReport;
+  getUnmendedVolumes(): VolumeIdArray;
+}
+
+/** It keeps its environment. */
+export class Scene {
+  constructor(environment: Environment, options?: SceneDesc);
+  static load(environment: Environment, block: Uint8Array): Scene;
+  save(): Uint8Array;
+  /** May be repeated. Bodies of the scene are closed with it. */
+  close(): void;
+  [Symbol.dispose](): void;
+  isClosed(): boolean;
+  getStatistics(): Statistics;
+  resetStatistics(): void;
+  getMemoryBytes(): number;
+  getParticleCount(): number;
+  getBodyCount(): number;
+  getParticleIds(): ParticleIdArray;
+  getBodies(): BodyIdArray;
+  startRecording(path: string): void;
+  stopRecording(): void;
+
+  createParticle(position: Point, hint?: VolumeId | null): ParticleId;
+  /** All or none. */
+  createParticles(positions: Points, options?: { hints?: Structs<VolumeId>; particles?: ParticleIdArray }): ParticleIdArray;
+  destroyParticle(particle: ParticleId): void;
+  getParticle(particle: ParticleId): Particle;
+  getParticles(particles: Structs<ParticleId>): { positions: Float64Array; volumes: VolumeIdArray };
+  moveParticle(particle: ParticleId, target: Point, options?: CastOptions): Flight;
+  /** Each to the first wall in its way; `flights` is filled where it is given. */
+  moveParticles(particles: Structs<ParticleId>, targets: Points, options?: CastOptions & { flights?: FlightArray }): FlightArray;
+  castFromParticles(particles: Structs<ParticleId>, to: Points, options?: CastOptions & { flights?: FlightArray }): FlightArray;
+  getCrossings(): CrossingArray;
+  getCrossingOffsets(): number[];
+
+  getOccupants(): ParticleIdArray;
+  getOccupantBodies(): BodyIdArray;
+  /** Two indices for each. */
+  getOffendingEdges(): Uint32Array;
+
+  /** Takes the environment to positions of its vertices: a copy, which Environment.getPoints reads. */
+  deform(positions: Points, options?: DeformOptions): DeformReport;
+  getWallContacts(): WallContactArray;
+  getHeldVertices(): VertexIdArray;
+  getInvalidVolumes(): VolumeIdArray;
+  detach(options: DetachDesc): Detached;
+  getDetachedVolumes(): VolumeIdArray;
+  getDetachedVertices(): DetachedVertexArray;
+  getDetachedFaces(): DetachedFaceArray;
+
+  /** `edges` are pairs of indices of vertices, `triangles` threes. */
+  createBody(positions: Points, edges?: Numbers, options?: BodyDesc & { triangles?: Numbers; hints?: Structs<VolumeId> }): Body;
+  body(id: BodyId): Body;
+  /** `targets` of all vertices of one body after the other. */
+  moveBodies(bodies: Structs<BodyId> | readonly Body[], targets: Points, options?: MoveOptions & { reports?: MoveReportArray }): MoveReportArray;
+}
+
+/** A body in a scene, which it keeps; the body goes with destroy(). */
+export class Body {
+  constructor(scene: Scene, id: BodyId);
+  id(): BodyId;
+  destroy(): void;
+  getCounts(): BodyCounts;
+  getLevel(): Level;
+  setLevel(level: Level): void;
+  getFilter(): BodyFilter;
+  setFilter(category: number, mask: number): void;
+
+  /** Of all vertices by index; the arrays are filled where they are given. */
+  getPositions(positions?: Float64Array, volumes?: VolumeIdArray): Float64Array;
+  getVertices(): BodyVertexIdArray;
+  getEdges(): BodyEdgeIdArray;
+  getFaces(): BodyFaceIdArray;
+  getEdge(edge: BodyEdgeId): BodyVertexIdArray;
+  getFace(face: BodyFaceId): BodyVertexIdArray;
+  getEdgeVertices(): Uint32Array;
+  getFaceVertices(): Uint32Array;
+  getVertex(index: number): BodyVertexId;
+  addVertex(position: Point, hint?: VolumeId | null): BodyVertexId;
+  addEdge(a: BodyVertexId, b: BodyVertexId): BodyEdgeId;
+  addFace(a: BodyVertexId, b: BodyVertexId, c: BodyVertexId): BodyFaceId;
+  removeFace(face: BodyFaceId): void;
+  removeEdge(edge: BodyEdgeId): void;
+  removeVertex(vertex: BodyVertexId): void;
+  splitEdge(edge: BodyEdgeId, share: number): BodyEdit;
+  collapseEdge(edge: BodyEdgeId, vertex: BodyVertexId): BodyEdit;
+
+  /** Vertices go to their targets, in `order` (all, by index, where that is left out), each as far as it goes. */
+  move(targets: Points, options?: MoveOptions & { order?: Numbers }): MoveReport;
+  moveRigid(motion: RigidMotion, options?: MoveOptions & { order?: Numbers }): MoveReport;
+  getContacts(): ContactArray;
+  getContactPartners(): ContactPartnerArray;
+  getEdits(): BodyEditArray;
+}
+
+/** Geometry for viewers. */
+export class Trace {
+  constructor();
+  clear(): void;
+  addVolumes(environment: Environment, volumes: Structs<VolumeId>, label?: number): void;
+  addImpassable(environment: Environment, withBoundary?: boolean, label?: number): void;
+  addWalk(environment: Environment, from: Point, to: Point,
+    options?: CastOptions & { normalLength?: number; label?: number; start?: VolumeId | null }): void;
+  addContact(flight: Flight, normalLength?: number, label?: number): void;
+  getPoints(): Float64Array;
+  getVertices(): Uint32Array;
+  getVertexLabels(): Uint32Array;
+  getSegments(): Uint32Array;
+  getSegmentLabels(): Uint32Array;
+  getTriangles(): Uint32Array;
+  getTriangleLabels(): Uint32Array;
+}
+
+/** The cell that an id names. */
+export function cellOf(id: VertexId | EdgeId | FaceId | VolumeId): Cell;
+/** Of the library that is loaded: 1000000 major + 1000 minor + patch. */
+export function version(): number;
+export function statusString(status: Status): string;

@@ -1,0 +1,65 @@
+// Scenes and their bodies, as in environment.js.
+'use strict';
+const { arrays } = require('./memory.js');
+const native = require('./native.js');
+
+class Body extends native.Body {
+  // The positions of all vertices by index, in an array of their own unless one is given to be filled.
+  getPositions(positions = new Float64Array(3 * this.getCounts().vertexSlots), volumes) {
+    super.getPositions(positions, volumes);
+    return positions;
+  }
+
+  move(targets, { order, ...options } = {}) {
+    return super.move(targets, options, order);
+  }
+
+  moveRigid(motion, { order, ...options } = {}) {
+    return super.moveRigid(motion, options, order);
+  }
+}
+
+class Scene extends native.Scene {
+  static load(environment, block) {
+    return Object.setPrototypeOf(super.load(environment, block), this.prototype);
+  }
+
+  createParticles(positions, { hints, particles = new arrays.ParticleIdArray(Math.trunc(positions.length / 3)) } = {}) {
+    super.createParticles(positions, hints, particles);
+    return particles;
+  }
+
+  getParticles(particles) {
+    const positions = new Float64Array(3 * particles.length);
+    const volumes = new arrays.VolumeIdArray(particles.length);
+    super.getParticles(particles, positions, volumes);
+    return { positions, volumes };
+  }
+
+  moveParticles(particles, targets, { flights = new arrays.FlightArray(particles.length), ...options } = {}) {
+    super.moveParticles(particles, targets, options, flights);
+    return flights;
+  }
+
+  castFromParticles(particles, to, { flights = new arrays.FlightArray(particles.length), ...options } = {}) {
+    super.castFromParticles(particles, to, options, flights);
+    return flights;
+  }
+
+  createBody(positions, edges, { triangles, hints, ...desc } = {}) {
+    const offsets = triangles && Uint32Array.from({ length: triangles.length / 3 + 1 }, (_, i) => 3 * i);
+    return this.body(super.createBodyId(positions, edges, offsets, triangles, hints, desc));
+  }
+
+  body(id) {
+    return new Body(this, id);
+  }
+
+  moveBodies(bodies, targets, { reports = new arrays.MoveReportArray(bodies.length), ...options } = {}) {
+    const ids = Array.isArray(bodies) ? bodies.map((body) => (body instanceof Body ? body.id() : body)) : bodies;
+    super.moveBodies(ids, targets, options, reports);
+    return reports;
+  }
+}
+
+module.exports = { Body, Scene };

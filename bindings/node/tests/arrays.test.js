@@ -1,0 +1,103 @@
+'use strict';
+const assert = require('node:assert/strict');
+const { test } = require('node:test');
+const { Worker } = require('node:worker_threads');
+const dsw = require('dartsweep');
+const { createCatheter, createEnvironment, inside } = require('./scenario.js');
+
+const target = [24, 24, 50];
+
+test('arrays that are given are filled in place', () => {
+  const scene = new dsw.Scene(createEnvironment());
+  const body = createCatheter(scene);
+  const memory = new Float64Array(40);
+  const positions = memory.subarray(2, 38);
+  assert.equal(body.getPositions(positions), positions);
+  assert.deepEqual(memory.subarray(2, 38), body.getPositions());
+  assert.deepEqual([...memory.subarray(0, 2), ...memory.subarray(38)], [0, 0, 0, 0]);
+
+  const particles = scene.createParticles([...inside, ...inside]);
+  const flights = new dsw.FlightArray(2);
+  assert.equal(scene.moveParticles(particles, [...target, ...target], { flights }), flights);
+  assert.equal(flights.at(-1).outcome, dsw.Outcome.Reached);
+  assert.deepEqual(flights.at(0).position, target);
+});
+
+test('memory that is shared between threads is read in place', async () => {
+  const environment = createEnvironment();
+  const points = new Float64Array(new SharedArrayBuffer(48));
+  points.set([...inside, ...target]);
+  const flights = environment.castSegments(points.subarray(0, 3), points.subarray(3), {
+    flights: new dsw.FlightArray(new SharedArrayBuffer(new dsw.FlightArray(1).buffer.byteLength)),
+  });
+  assert.ok(flights.buffer instanceof SharedArrayBuffer);
+  const worker = new Worker(
+    `const { FlightArray } = require('dartsweep');
+     const { parentPort, workerData } = require('node:worker_threads');
+     parentPort.postMessage(new FlightArray(workerData).at(0));`,
+    { eval: true, workerData: flights.buffer },
+  );
+  const flight = await new Promise((resolve, reject) => worker.once('message', resolve).once('error', reject));
+  assert.deepEqual(flight.position, target);
+  // What was sent has lost its class, and is an id all the same.
+  assert.ok(environment.isValid(flight.volume));
+});
+
+test('lists of structs are lists', () => {
+  const id = new dsw.VolumeId(3, 4);
+  const list = new dsw.VolumeIdArray([id, new dsw.VolumeId(5, 6), null]);
+  assert.equal(list.length, 3);
+  assert.deepEqual([...list], [id, new dsw.VolumeId(5, 6), new dsw.VolumeId()]);
+  assert.deepEqual(list.toArray(), [...list]);
+  assert.ok(list.at(0).equals(id) && !list.at(1).equals(id) && list.at(2).isNull && list.at(3) === undefined);
+  assert.ok(!id.equals(new dsw.VertexId(3, 4)));
+  list.set(1, id);
+  assert.deepEqual(list.at(1), id);
+  assert.equal(new dsw.VolumeIdArray(0).length, 0);
+  assert.throws(() => new dsw.VolumeIdArray(new ArrayBuffer(9)), RangeError);
+});
+
+test('results are plain objects, which go back in', () => {
+  const environment = createEnvironment();
+  environment.markRegion(2, dsw.Mark.Impassable);
+  const scene = new dsw.Scene(environment, { features: dsw.FEATURE_CROSSINGS });
+  const body = createCatheter(scene);
+  body.move(body.getPositions().map((x, i) => (i % 3 === 0 ? x + 30 : x)));
+  const contact = body.getContacts().at(0);
+  assert.equal(contact.kind, dsw.ContactKind.Plane);
+  assert.equal(contact.fixed.length, 2);
+  assert.deepEqual(structuredClone(contact).point, contact.point);
+  const flight = environment.cast(inside, [90, 24, 50]);
+  const trace = new dsw.Trace();
+  trace.addContact(flight, 2);
+  trace.addWalk(environment, inside, [90, 24, 50], { label: 7 });
+  assert.ok(trace.getPoints().length > 0 && trace.getSegments() instanceof Uint32Array);
+
+  scene.moveParticles(scene.createParticles([...inside, ...inside]), [...target, ...inside]);
+  const offsets = scene.getCrossingOffsets();
+  assert.equal(offsets[0], 0);
+  assert.equal(offsets.at(-1), scene.getCrossings().length);
+
+  const moved = body.moveRigid({ rotation: [0, 0, 0, 1], translation: [0, 0, 0.5] });
+  assert.equal(typeof moved.fraction, 'number');
+  assert.deepEqual(dsw.cellOf(flight.face), { kind: dsw.CellKind.Face, index: flight.face.volume, generation: flight.face.generation, local: flight.face.local });
+});
+
+test('cells of several types, of 8 bytes an index', () => {
+  const points = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 1, 0.5, 0.5, -1];
+  const environment = new dsw.Environment(points, BigInt64Array.from([0, 1, 2, 3, 4, 0, 1, 3, 5].map(BigInt)), {
+    types: [dsw.CellType.Pyramid, dsw.CellType.Tetra],
+    offsets: BigInt64Array.from([0n, 5n, 9n]),
+    tags: [8, 9],
+    flags: dsw.ENVIRONMENT_REORIENT,
+  });
+  assert.equal(environment.info().volumeCount, 2);
+  assert.equal(environment.getTag(environment.getVolume(1)), 9);
+  assert.equal(environment.buildReport().reorientedCount, 1);
+  assert.ok(!environment.findFaces([0, 4], [0, 1, 2, 3]).at(0).isNull);
+});
+
+test('enumerators have names', () => {
+  assert.equal(dsw.Outcome[dsw.Outcome.Reached], 'Reached');
+  assert.throws(() => { dsw.Outcome.Reached = 5; }, TypeError);
+});

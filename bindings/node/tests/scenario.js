@@ -1,0 +1,225 @@
+// The scenario of bindings/tests/README.md, in JavaScript. Its result is text, as in scenario.json.
+'use strict';
+const {
+  CellType, Environment, Mark, Place, Response, Scene, DartsweepError, FEATURE_DEFORMING, Status, VolumeId,
+} = require('dartsweep');
+
+const LINKS = 12, PARTICLES = 50, NX = 6, NY = 6, NZ = 12;
+const CORNERS = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]];
+const inside = [24, 24, 48], outside = [-9, 0, 0];
+
+const at = (i, j, k) => (k * (NY + 1) + j) * (NX + 1) + i;
+
+function meshPoints() {
+  const points = new Float64Array(3 * (NX + 1) * (NY + 1) * (NZ + 1));
+  for (let k = 0; k <= NZ; ++k)
+    for (let j = 0; j <= NY; ++j)
+      for (let i = 0; i <= NX; ++i)
+        points.set([8 * i + ((j * k) % 3), 8 * j + ((i * k) % 3), 8 * k + ((i * j) % 3)], 3 * at(i, j, k));
+  return points;
+}
+
+function regionsOfCells() {
+  return Int32Array.from({ length: NX * NY * NZ }, (_, cell) => {
+    const i = cell % NX, j = Math.trunc(cell / NX) % NY;
+    return i > 0 && i < NX - 1 && j > 0 && j < NY - 1 ? 1 : 2;
+  });
+}
+
+function createEnvironment(options = {}) {
+  const cells = new Int32Array(8 * NX * NY * NZ);
+  for (let c = 0; c < cells.length; ++c) {
+    const cell = Math.trunc(c / 8), [i, j, k] = CORNERS[c % 8];
+    cells[c] = at((cell % NX) + i, (Math.trunc(cell / NX) % NY) + j, Math.trunc(cell / (NX * NY)) + k);
+  }
+  return new Environment(meshPoints(), cells, { type: CellType.Hexahedron, regions: regionsOfCells(), ...options });
+}
+
+function createCatheter(scene) {
+  const positions = new Float64Array(3 * LINKS);
+  for (let i = 0; i < LINKS; ++i) positions.set([24.5, 25.25, 8.125 + 2 * i], 3 * i);
+  return scene.createBody(positions, Uint32Array.from({ length: 2 * (LINKS - 1) }, (_, i) => Math.trunc(i / 2) + (i % 2)));
+}
+
+class Scenario {
+  stages = [];
+  seed = 1;
+
+  // --- the result
+  stage(name) {
+    this.stages.push([name, []]);
+  }
+
+  #say(bits) {
+    this.stages.at(-1)[1].push(bits.toString(16).padStart(16, '0'));
+  }
+
+  integers(...values) {
+    for (const value of values) this.#say(BigInt.asUintN(64, BigInt(value)));
+  }
+
+  doubles(...values) {
+    for (const bits of new BigUint64Array(Float64Array.from(values).buffer)) this.#say(bits);
+  }
+
+  text() {
+    return `{\n${this.stages.map(([name, bits]) => `  "${name}": ["${bits.join('", "')}"]`).join(',\n')}\n}\n`;
+  }
+
+  // --- what it is played with
+  draw(count) {
+    return Float64Array.from({ length: 3 * count }, (_, i) => {
+      this.seed = (this.seed * 4093 + 1021) % 65536;
+      return i % 3 === 2 ? 1.5 * (this.seed / 1024) : 4 + 0.625 * (this.seed / 1024);
+    });
+  }
+
+  // --- stages, in the order of README.md
+  play() {
+    this.stage('vessel');
+    const environment = createEnvironment();
+    const info = environment.info();
+    const { marked } = environment.markRegion(2, Mark.Impassable);
+    this.integers(info.vertexCount, info.volumeCount, info.faceCount, info.boundaryFaceCount, marked);
+    this.queries(environment);
+    const scene = new Scene(environment);
+    const centres = [...regionsOfCells().keys()].filter((cell) => regionsOfCells()[cell] === 1).slice(0, PARTICLES)
+      .flatMap((cell) => environment.getCentre(environment.getVolume(cell)));
+    const particles = scene.createParticles(centres);
+    this.stage('particles');
+    for (let i = 0; i < 4; ++i) this.move(scene, particles);
+    this.push(createCatheter(scene));
+    this.snapshots(environment, scene, particles);
+    this.mistakes(environment, scene, particles);
+    this.cut(environment);
+    scene.close();
+    environment.close();
+    this.deform();
+    return this.text();
+  }
+
+  queries(environment) {
+    this.stage('locate');
+    const from = this.draw(64);
+    const { volumes, places } = environment.locatePoints(from);
+    places.forEach((place, i) => this.integers(place, volumes.at(i).index, volumes.at(i).generation));
+
+    this.stage('cast');
+    const to = this.draw(64);
+    for (const { outcome, time, position, normal, face, cellsVisited } of environment.castSegments(from, to)) {
+      this.integers(outcome);
+      this.doubles(time, ...position, ...normal);
+      this.integers(face.volume, face.local, cellsVisited);
+    }
+
+    this.stage('sweep');
+    for (const { outcome, time, point, along } of environment.sweepEdges(from.subarray(0, 48), to.subarray(0, 48), this.draw(16))) {
+      this.integers(outcome);
+      this.doubles(time, ...point, along);
+    }
+
+    this.stage('nearest');
+    places.forEach((place, i) => {
+      if (place !== Place.Passable) return;
+      const { distance, cell } = environment.findNearest(from.subarray(3 * i, 3 * i + 3), 20, volumes.at(i));
+      this.doubles(distance);
+      this.integers(cell.kind, cell.index);
+    });
+  }
+
+  move(scene, particles) {
+    for (const { outcome, time, position } of scene.moveParticles(particles, this.draw(PARTICLES))) {
+      this.integers(outcome);
+      this.doubles(time, ...position);
+    }
+  }
+
+  push(body) {
+    this.stage('catheter');
+    for (let step = 0; step < 10; ++step) {
+      const targets = body.getPositions().map((x, i) => x + [1.75, -0.5 * (Math.trunc(i / 3) % 3), 3][i % 3]);
+      const report = body.move(targets, { vertexResponse: Response.Slide, edgeResponse: Response.Slide });
+      this.integers(report.verticesStopped, report.contactCount);
+      this.doubles(...body.getPositions());
+    }
+
+    this.stage('contacts');
+    const contacts = body.getContacts();
+    this.integers(contacts.length);
+    for (const { vertex, kind, time, point, normal, wall } of contacts) {
+      this.integers(vertex.index, kind);
+      this.doubles(time, ...point, ...normal);
+      this.integers(wall.volume);
+    }
+  }
+
+  snapshots(environment, scene, particles) {
+    this.stage('snapshot');
+    const block = environment.save(), sceneBlock = scene.save();
+    for (const saved of [block, sceneBlock]) this.integers(saved.length, saved.reduce((sum, byte) => sum + byte, 0));
+    const other = Environment.load(block);
+    const copy = Scene.load(other, sceneBlock);
+    this.move(copy, particles);
+    copy.close();
+    other.close();
+
+    this.stage('damaged');
+    this.status(() => Environment.load(block.subarray(0, Math.trunc(block.length / 2))));
+    const flipped = block.slice();
+    flipped[Math.trunc(block.length / 2)] ^= 1;
+    this.status(() => Environment.load(flipped));
+  }
+
+  status(call) {
+    try {
+      call();
+      this.integers(Status.Ok);
+    } catch (error) {
+      if (!(error instanceof DartsweepError)) throw error;
+      this.integers(error.status);
+    }
+  }
+
+  mistakes(environment, scene, particles) {
+    this.stage('errors');
+    this.status(() => environment.cast([0, NaN, 0], inside));
+    this.status(() => environment.cast(inside, outside, { start: new VolumeId(3, 7) }));
+    this.status(() => environment.getVolume(NX * NY * NZ));
+    this.status(() => scene.createParticle(outside));
+    this.status(() => scene.createParticle([4, 4, 4]));
+    this.status(() => scene.moveParticles([particles.at(0), particles.at(0)], [...inside, ...inside]));
+    const particle = scene.createParticle(inside);
+    this.status(() => environment.markVolumes([scene.getParticle(particle).volume], Mark.Impassable));
+    scene.destroyParticle(particle);
+    this.status(() => scene.destroyParticle(particle));
+    this.status(() => scene.resetStatistics());
+    this.status(() => new Environment(meshPoints(), [0, 1, 7, 7], { type: CellType.Tetra }));
+  }
+
+  cut(environment) {
+    this.stage('cut');
+    const report = environment.cut([-5, 3, 20.5, 60, 3, 20.5, -5, 3, 60.25, 60, 3, 60.25], 2, 2);
+    this.doubles(report.distance);
+    this.integers(report.volumesSplit, report.faceCount, environment.info().volumeCount);
+    for (const { vertex, weights } of environment.getCutVertices()) {
+      this.integers(vertex.index);
+      this.doubles(weights[0]);
+    }
+  }
+
+  deform() {
+    this.stage('deform');
+    const environment = createEnvironment();
+    environment.markRegion(2, Mark.Impassable);
+    const scene = new Scene(environment, { features: FEATURE_DEFORMING });
+    const body = createCatheter(scene);
+    const next = environment.getPoints().map((x, i) => (i % 3 === 0 ? x + (48 - x) * 0.4375 : x));
+    const report = scene.deform(next);
+    this.integers(report.outcome, report.heldCount, report.contactCount, report.pushedCount);
+    this.doubles(...body.getPositions());
+    scene.close();
+    environment.close();
+  }
+}
+
+module.exports = { createCatheter, createEnvironment, inside, outside, play: () => new Scenario().play() };
