@@ -37,6 +37,7 @@
 %include "dartsweep/deform.h"
 %include "dartsweep/detach.h"
 %include "dartsweep/snapshot.h"
+%include "dartsweep/record.h"
 %include "dartsweep/trace.h"
 
 %include "common/arrays.h"

@@ -75,6 +75,7 @@ X(dsw_cut_report, CutReport)
 X(dsw_open_report, OpenReport)
 X(dsw_carve_report, CarveReport)
 X(dsw_tie_report, TieReport)
+X(dsw_verdict, Verdict)
 %enddef
 
 %define DSW_EACH_ENUM(X)

@@ -52,17 +52,30 @@ class Scene {
   Array<dsw_particle_id> get_particle_ids() const { return ids<dsw_particle_id>(dsw_scene_get_particle_ids); }
   Array<dsw_body_id> get_bodies() const { return ids<dsw_body_id>(dsw_scene_get_bodies); }
 
-  // Into a file; replays are for examples/replay.
-  void start_recording(const char *path) {
+  // Into a file, or with DSW_RECORDING_LATEST and a null path kept for write_bundle; replays are for examples/replay.
+  void start_recording(const char *path, std::uint32_t flags = 0) {
     dsw_recording_desc desc;
     dsw_recording_desc_init(&desc, sizeof desc);
     desc.path = path;
+    desc.flags = flags;
     const WholeWriting self(*state_);
     check(dsw_scene_start_recording(self.handle, &desc));
   }
   void stop_recording() {
     const WholeWriting self(*state_);
     check(dsw_scene_stop_recording(self.handle));
+  }
+  // A bug report of the last recorded call into a file.
+  dsw_verdict write_bundle(const char *path, const char *note = nullptr) {
+    dsw_bundle_desc desc;
+    dsw_bundle_desc_init(&desc, sizeof desc);
+    desc.path = path;
+    desc.note = note;
+    dsw_verdict out = {};
+    out.struct_size = sizeof out;
+    const WholeWriting self(*state_);
+    check(dsw_scene_write_bundle(self.handle, &desc, &out));
+    return out;
   }
 
   // --- particles

@@ -80,6 +80,11 @@ DSW_EACH_RESULT(DSW_MEMBER)
 %ignore dsw_context_desc;
 %ignore dsw_trace_data;
 %ignore dsw_coarsen_report;
+%ignore dsw_recording_desc;
+%ignore dsw_bundle_desc;
+%ignore dsw_replay_info;
+%ignore dsw_replay_report;
+%ignore dsw_replay_outcome;
 %ignore dartsweep::NoWait;
 %ignore dartsweep::Reading;
 %ignore dartsweep::Writing;

@@ -186,7 +186,7 @@ static void bad_arguments(void) {
   desc.path = NULL;
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_start_recording(scene, &desc));
   desc = to_tape(&one);
-  desc.flags = 1;
+  desc.flags = 1u << 30;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_start_recording(scene, &desc));
   desc = to_tape(&one);
   desc.struct_size = 8;
@@ -203,8 +203,75 @@ static void bad_arguments(void) {
   one.bytes[8] = 99; /* format */
   CHECK_FAILS(DSW_STATUS_BAD_VERSION, dsw_replay_create(NULL, one.bytes, one.size, &replay));
   one.bytes[8] = 1;
+  one.bytes[13] ^= 1; /* order of bytes */
+  CHECK_FAILS(DSW_STATUS_BAD_VERSION, dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  CHECK_MESSAGE("endian");
+  one.bytes[13] ^= 1;
   CHECK_FAILS(DSW_STATUS_TRUNCATED, dsw_replay_create(NULL, one.bytes, one.size - 8, &replay));
   CHECK(replay == NULL);
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+}
+
+static void bundles_take_bad_arguments_and_full_disks(void) {
+  dsw_environment *const env = make_environment(NULL, 2, 1, 1);
+  dsw_scene *const scene = make_scene(env, 0);
+  const double from[3] = {0.5, 0.5, 0.5}, to[3] = {1.5, 0.5, 0.25};
+  dsw_recording_desc latest;
+  dsw_bundle_desc desc;
+  dsw_verdict verdict;
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  dsw_replay_info info;
+  dsw_particle_id particle;
+  size_t writes, refuse;
+  dsw_recording_desc_init(&latest, sizeof latest);
+  latest.flags = DSW_RECORDING_LATEST;
+  CHECK_OK(dsw_scene_start_recording(scene, &latest));
+  CHECK_OK(dsw_particle_create(scene, from, no_volume, &particle));
+  CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
+  dsw_bundle_desc_init(&desc, sizeof desc);
+  verdict.struct_size = sizeof verdict;
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bundle(NULL, &desc, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bundle(scene, NULL, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bundle(scene, &desc, &verdict));
+  memset(&one, 0, sizeof one);
+  desc.write = write_tape;
+  desc.user = &one;
+  desc.path = "x";
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_write_bundle(scene, &desc, &verdict));
+  desc.path = NULL;
+  desc.flags = 1;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_write_bundle(scene, &desc, &verdict));
+  desc.flags = 0;
+  verdict.struct_size = 8;
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_scene_write_bundle(scene, &desc, &verdict));
+  verdict.struct_size = sizeof verdict;
+  desc.note = "strange";
+  CHECK_OK(dsw_scene_write_bundle(scene, &desc, &verdict));
+  CHECK(verdict.is_right == 1 && verdict.places == 1 && verdict.ways == 1 && verdict.text[0] == 0);
+  writes = one.writes;
+  for (refuse = 1; refuse <= writes; ++refuse) {
+    memset(&other, 0, sizeof other);
+    other.refuse = refuse;
+    desc.user = &other;
+    CHECK_FAILS(DSW_STATUS_WRITE_FAILED, dsw_scene_write_bundle(scene, &desc, NULL));
+  }
+  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_judged(replay, &report, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_judged(replay, NULL, &verdict));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_judged(NULL, &report, &verdict));
+  CHECK_OK(dsw_replay_step_judged(replay, &report, &verdict));
+  CHECK(report.outcome == DSW_REPLAY_SAME && strcmp(report.function, "dsw_particle_move") == 0 && verdict.ways == 1);
+  CHECK_OK(dsw_replay_step(replay, &report));
+  info.struct_size = 4;
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_replay_get_info(replay, &info));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_get_info(replay, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_get_info(NULL, &info));
+  info.struct_size = sizeof info;
+  CHECK_OK(dsw_replay_get_info(replay, &info));
+  CHECK(info.calls == 1 && info.version == dsw_version() && info.bytes_left == 0 && strcmp(info.note, "strange") == 0);
+  CHECK_OK(dsw_replay_destroy(replay));
   CHECK_OK(dsw_scene_destroy(scene));
   CHECK_OK(dsw_environment_destroy(env));
 }
@@ -256,6 +323,7 @@ int main(void) {
   a_scene_in_other_hands_differs();
   writing_may_fail();
   bad_arguments();
+  bundles_take_bad_arguments_and_full_disks();
   memory_may_run_out();
   return check_result();
 }

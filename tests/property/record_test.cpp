@@ -1,49 +1,12 @@
-// Recordings: every call that changes a scene, made again with the same bits; also what a process left that was killed.
-#include <csignal>
+// Recordings: every call that changes a scene, made again with the same bits, or damaged.
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <set>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include "capi/recorded.h"
-#include "random_edits.h"
+#include "record_support.h"
 
 namespace dsw::oracle {
 namespace {
-
-int append(void* user, const void* bytes, size_t size) {
-  static_cast<std::string*>(user)->append(static_cast<const char*>(bytes), size);
-  return 0;
-}
-
-dsw_status start(dsw_scene* scene, std::string* recording) {
-  dsw_recording_desc desc;
-  dsw_recording_desc_init(&desc, sizeof desc);
-  desc.write = append;
-  desc.user = recording;
-  return dsw_scene_start_recording(scene, &desc);
-}
-
-struct DestroyReplay {
-  void operator()(dsw_replay* replay) const { dsw_replay_destroy(replay); }
-};
-using ReplayPtr = std::unique_ptr<dsw_replay, DestroyReplay>;
-
-ReplayPtr open_replay(const std::string& recording) {
-  dsw_replay* replay = nullptr;
-  EXPECT_EQ(dsw_replay_create(nullptr, recording.data(), recording.size(), &replay), DSW_STATUS_OK)
-      << dsw_last_error_message();
-  return ReplayPtr(replay);
-}
-
-dsw_scene* scene_of(const ReplayPtr& replay) {
-  dsw_scene* scene = nullptr;
-  EXPECT_EQ(dsw_replay_get_scene(replay.get(), &scene), DSW_STATUS_OK);
-  return scene;
-}
 
 /// Environment and scene as their snapshots.
 std::string saved(const dsw_scene* scene) {
@@ -55,20 +18,6 @@ std::string saved(const dsw_scene* scene) {
   EXPECT_EQ(dsw_environment_save(environment, &blocks[0], sizes[0], &sizes[0]), DSW_STATUS_OK);
   EXPECT_EQ(dsw_scene_save(scene, &blocks[sizes[0]], sizes[1], &sizes[1]), DSW_STATUS_OK);
   return blocks;
-}
-
-/// Makes all calls again; how many there were. Adds names of functions that did what they should.
-size_t replay_all(const ReplayPtr& replay, std::set<std::string>* functions = nullptr) {
-  for (size_t calls = 0;; ++calls) {
-    dsw_replay_report report = {};
-    EXPECT_EQ(dsw_replay_step(replay.get(), &report), DSW_STATUS_OK) << dsw_last_error_message();
-    EXPECT_EQ(report.call, calls);
-    if (report.outcome != DSW_REPLAY_SAME) {
-      EXPECT_EQ(report.outcome, DSW_REPLAY_END) << report.function << ": " << dsw_last_error_message();
-      return calls;
-    }
-    if (functions != nullptr && report.status == DSW_STATUS_OK) functions->insert(report.function);
-  }
 }
 
 class RecordTest : public SceneTest {};
@@ -217,6 +166,12 @@ void call_the_others(dsw_scene* scene) {
   ok(dsw_body_destroy(scene, body));
 }
 
+// The first of each kind is kept in the folder DSW_KEEP_RECORDINGS, if there is one: so are those of tests/record made.
+void keep_recording(const std::string& kind, const std::string& recording) {
+  const char* const folder = std::getenv("DSW_KEEP_RECORDINGS");
+  if (folder != nullptr) std::ofstream(std::string(folder) + "/" + kind + ".dswrec", std::ios::binary) << recording;
+}
+
 TEST(RecordedCallsTest, EveryCallIsMadeAgain) {
   std::set<std::string> functions;
   for (const char* kind : {"hex", "tet_kuhn", "polyhedra"}) {
@@ -235,6 +190,7 @@ TEST(RecordedCallsTest, EveryCallIsMadeAgain) {
         }
       }
       ASSERT_EQ(dsw_scene_stop_recording(edits.handle()), DSW_STATUS_OK);
+      if (seed == 1) keep_recording(kind, recording);
       const ReplayPtr replay = open_replay(recording);
       replay_all(replay, &functions);
       ASSERT_TRUE(saved(scene_of(replay)) == edits.saved()) << kind << " " << seed;
@@ -286,33 +242,6 @@ TEST(DamagedRecordingTest, IsFoundOrReplayedUpToWhereItEnds) {
     EXPECT_TRUE(status == DSW_STATUS_CORRUPT || (at < 16 && status == DSW_STATUS_BAD_VERSION)) << "byte " << at;
     ASSERT_LT(same, all) << "byte " << at;
   }
-}
-
-TEST(KilledProcessTest, LeavesARecordingOfAllItHasDone) {
-  const std::string path = ::testing::TempDir() + "dartsweep_killed_" + std::to_string(getpid()) + ".rec";
-  constexpr int kCalls = 12;
-  const pid_t child = fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    RandomEdits edits("prisms", 2);
-    dsw_recording_desc desc;
-    dsw_recording_desc_init(&desc, sizeof desc);
-    desc.path = path.c_str();
-    if (dsw_scene_start_recording(edits.handle(), &desc) != DSW_STATUS_OK) _exit(1);
-    for (int i = 0; i < kCalls; ++i) edits.mark();
-    kill(getpid(), SIGKILL);
-  }
-  int state = 0;
-  ASSERT_EQ(waitpid(child, &state, 0), child);
-  ASSERT_TRUE(WIFSIGNALED(state));
-  std::ifstream file(path, std::ios::binary);
-  const std::string recording((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  std::remove(path.c_str());
-  RandomEdits edits("prisms", 2);
-  for (int i = 0; i < kCalls; ++i) edits.mark();
-  const ReplayPtr replay = open_replay(recording);
-  EXPECT_GT(replay_all(replay), 0u);
-  EXPECT_TRUE(saved(scene_of(replay)) == edits.saved());
 }
 
 }  // namespace

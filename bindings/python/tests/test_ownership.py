@@ -196,3 +196,18 @@ def test_recordings_are_written_as_calls_are_made(environment: ds.Environment, t
         assert path.stat().st_size == after
         with pytest.raises(ds.errors.WriteFailed, match="no/such"):
             scene.start_recording("no/such/folder")
+
+
+def test_a_bug_report_is_one_call(environment: ds.Environment, tmp_path: pathlib.Path) -> None:
+    path = tmp_path / "report.dswrec"
+    with ds.Scene(environment) as scene:
+        with scene.recording():
+            particle = scene.create_particle(INSIDE)
+            scene.move_particle(particle, INSIDE)
+            verdict = scene.write_bundle(str(path), "it did not move")
+        assert verdict.is_right == 1 and verdict.places == 1 and verdict.lost == 0 and verdict.text == ""
+        assert path.read_bytes().startswith(b"DSWREC") and b"it did not move" in path.read_bytes()
+        with scene.recording(str(tmp_path / "calls.dswrec"), ds.RecordingFlag.STATES):
+            scene.destroy_particle(particle)
+        scene.start_recording()
+        scene.stop_recording()

@@ -319,6 +319,21 @@ class TieReport:
     cut: CutReport
     is_closed: int
 
+class Verdict:
+    is_right: int
+    places: int
+    lost: int
+    edges: int
+    crossing: int
+    faces: int
+    pierced: int
+    ways: int
+    missed: int
+    contacts: int
+    wrong: int
+    not_judged: int
+    text: str
+
 class EnvironmentDesc:
     dimension: int
     flags: int

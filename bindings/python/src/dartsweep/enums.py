@@ -267,3 +267,10 @@ class CarveFlag(IntFlag):
     """Flags of CarveDesc."""
 
     WHOLE = _core.CARVE_WHOLE
+
+
+class RecordingFlag(IntFlag):
+    """Flags of recordings."""
+
+    STATES = _core.RECORDING_STATES
+    LATEST = _core.RECORDING_LATEST

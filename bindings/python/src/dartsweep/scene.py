@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from types import TracebackType
 from typing import Any
 
@@ -9,9 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, dtypes
-from ._core import CastOptions, DeformOptions, DeformReport, DetachReport, Flight, MoveOptions, ParticleId, Statistics, VolumeId
+from ._core import CastOptions, DeformOptions, DeformReport, DetachReport, Flight, MoveOptions, ParticleId, Statistics, Verdict, VolumeId
 from .body import Body
-from .enums import Level
+from .enums import Level, RecordingFlag
 from .environment import Environment, Ids, Records
 from .options import options as described
 
@@ -85,13 +87,28 @@ class Scene:
         """Ids of all bodies, by index."""
         return self._core.get_bodies()  # type: ignore[no-any-return]
 
-    def start_recording(self, path: str) -> None:
-        """Writes every call that changes the scene into a file, before it is made: see record.h of the C interface."""
-        self._core.start_recording(path)
+    def start_recording(self, path: str | None = None, flags: int = 0) -> None:
+        """Writes every call that changes the scene into a file, before it is made: see record.h of the C interface. Without a path the latest
+        calls are kept in memory, for write_bundle. flags: RecordingFlag."""
+        self._core.start_recording(path, int(flags) | (RecordingFlag.LATEST if path is None else 0))
 
     def stop_recording(self) -> None:
         """Ends the recording, if there is one."""
         self._core.stop_recording()
+
+    @contextmanager
+    def recording(self, path: str | None = None, flags: int = 0) -> Iterator[None]:
+        """A recording of what is called in a `with` statement. Raises WriteFailed at its end where not all could be written."""
+        self.start_recording(path, flags)
+        try:
+            yield
+        finally:
+            self.stop_recording()
+
+    def write_bundle(self, path: str, note: str = "") -> Verdict:
+        """A bug report in one call: the scene before its last recorded call, that call and the exact verdict on what it did. examples/replay of
+        the C library prints and draws it."""
+        return self._core.write_bundle(path, note)  # type: ignore[no-any-return]
 
     @property
     def memory_bytes(self) -> int:

@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+"""Fails unless every function that may change a scene or an environment is recorded, or stands below with the reason why not.
+
+usage: check_recorded.py ROOT
+"""
+import pathlib
+import re
+import sys
+
+NOT_RECORDED = {
+    "dsw_environment_destroy": "ends what is recorded",
+    "dsw_scene_destroy": "ends the recording",
+    "dsw_scene_create": "makes another scene; the recorded one is in the beginning of its recording",
+    "dsw_scene_load": "likewise",
+    "dsw_scene_start_recording": "the recording itself",
+    "dsw_scene_stop_recording": "the recording itself",
+    "dsw_scene_write_bundle": "leaves the scene as it is",
+}
+
+root = pathlib.Path(sys.argv[1])
+exported = set(re.findall(r"^dsw_\w+", (root / "abi/symbols.txt").read_text(), re.M))
+headers = "\n".join(path.read_text() for path in sorted((root / "include/dartsweep").glob("*.h")))
+# With a scene or an environment that is not const as its first argument.
+changing = set(re.findall(r"^DSW_API\s+\w+\s+(dsw_\w+)\s*\(\s*(?:dsw_scene|dsw_environment)\s*\*", headers, re.M))
+rows = "\n".join(path.read_text() for path in sorted((root / "src/capi").glob("replay_*.cpp")))
+recorded = set(re.findall(r'\{"(dsw_\w+)", \w+\}', rows))
+
+wrong = []
+for name in sorted(changing - recorded - set(NOT_RECORDED)):
+    wrong.append(f"{name} takes a scene or an environment that it may change, and is not recorded")
+for name in sorted(recorded & set(NOT_RECORDED)):
+    wrong.append(f"{name} is recorded and listed as not recorded")
+for name in sorted((recorded | set(NOT_RECORDED)) - changing):
+    wrong.append(f"{name} is no function that changes anything")
+for name in sorted(recorded - exported):
+    wrong.append(f"{name} is not in abi/symbols.txt")
+if wrong:
+    sys.exit("\n".join(wrong))
+print(f"{len(recorded)} functions are recorded, {len(NOT_RECORDED)} need not be")

@@ -1,0 +1,134 @@
+// Bug reports in one call: what is in them, and whether the verdict sees what is wrong.
+#include <cstdio>
+#include <cstring>
+
+#include <unistd.h>
+
+#include "record_support.h"
+
+namespace dsw::oracle {
+namespace {
+
+dsw_status write_bundle(dsw_scene* scene, std::string* report, dsw_verdict* verdict, const char* note = nullptr) {
+  dsw_bundle_desc desc;
+  dsw_bundle_desc_init(&desc, sizeof desc);
+  desc.write = append_bytes;
+  desc.user = report;
+  desc.note = note;
+  *verdict = {};
+  verdict->struct_size = sizeof *verdict;
+  return dsw_scene_write_bundle(scene, &desc, verdict);
+}
+
+/// Opens a report; it must hold `calls` calls and come to the same verdict.
+void check_report(const std::string& report, size_t calls, const dsw_verdict& said, const char* note) {
+  const ReplayPtr replay = open_replay(report);
+  ASSERT_NE(replay, nullptr);
+  EXPECT_EQ(info_of(replay).flags, uint32_t{DSW_RECORDING_STATES} | DSW_RECORDING_BUNDLE);
+  dsw_verdict verdict = {};
+  verdict.struct_size = sizeof verdict;
+  dsw_replay_report step = {};
+  ASSERT_EQ(dsw_replay_step_judged(replay.get(), &step, &verdict), DSW_STATUS_OK) << dsw_last_error_message();
+  EXPECT_EQ(std::memcmp(&verdict, &said, sizeof verdict), 0) << verdict.text;
+  EXPECT_EQ(step.outcome, calls == 0 ? DSW_REPLAY_END : DSW_REPLAY_SAME);
+  ASSERT_EQ(dsw_replay_step(replay.get(), &step), DSW_STATUS_OK);
+  EXPECT_EQ(step.outcome, DSW_REPLAY_END);
+  EXPECT_EQ(step.call, calls);
+  EXPECT_STREQ(info_of(replay).note, note);
+}
+
+class ReportTest : public SceneTest {};
+DSW_FOR_ALL_SCENES(ReportTest);
+
+TEST_P(ReportTest, TheLastCallIsJudged) {
+  const std::string path = ::testing::TempDir() + "dartsweep_report_" + std::to_string(getpid()) + ".dswrec";
+  for (uint64_t seed = 1; seed <= 2; ++seed) {
+    RandomEdits edits(GetParam(), seed);
+    if (edits.environment() == nullptr) continue;
+    dsw_recording_desc desc;
+    dsw_recording_desc_init(&desc, sizeof desc);
+    if (seed == 1) desc.path = path.c_str();
+    if (seed == 2) desc.flags = DSW_RECORDING_LATEST;
+    ASSERT_EQ(dsw_scene_start_recording(edits.handle(), &desc), DSW_STATUS_OK);
+    for (int i = 0; i < 3; ++i) {
+      ASSERT_EQ(edits.step(), "");
+      ASSERT_EQ(edits.move_all(), "");
+      const std::string before = edits.saved();
+      std::string report;
+      dsw_verdict verdict;
+      ASSERT_EQ(write_bundle(edits.handle(), &report, &verdict, "look"), DSW_STATUS_OK) << dsw_last_error_message();
+      EXPECT_EQ(verdict.is_right, 1u) << verdict.text;
+      EXPECT_EQ(edits.saved(), before);
+      check_report(report, 1, verdict, "look");
+    }
+    ASSERT_EQ(dsw_scene_stop_recording(edits.handle()), DSW_STATUS_OK);
+  }
+  std::remove(path.c_str());
+}
+
+TEST(BundleTest, OfASceneThatIsNotRecordedIsWhatIsThere) {
+  RandomEdits edits("hex", 1);
+  std::string report;
+  dsw_verdict verdict;
+  ASSERT_EQ(write_bundle(edits.handle(), &report, &verdict), DSW_STATUS_OK) << dsw_last_error_message();
+  EXPECT_GT(verdict.places, 0u);
+  check_report(report, 0, verdict, "");
+}
+
+// A recording in memory begins anew before it gets long.
+TEST(BundleTest, OnlyTheLatestCallsAreKept) {
+  RandomEdits edits("hex", 4);
+  dsw_recording_desc desc;
+  dsw_recording_desc_init(&desc, sizeof desc);
+  desc.flags = DSW_RECORDING_LATEST;
+  ASSERT_EQ(dsw_scene_start_recording(edits.handle(), &desc), DSW_STATUS_OK);
+  const capi::Recording& recording = *edits.handle()->recording;
+  const size_t most = recording.most_kept;
+  size_t longest = 0;
+  bool began_anew = false;
+  for (int i = 0; i < 4000 && !began_anew; ++i) {
+    const size_t before = recording.kept.size();
+    ASSERT_EQ(edits.move_all(), "");
+    began_anew = recording.kept.size() < before;
+    longest = std::max(longest, recording.kept.size());
+  }
+  EXPECT_TRUE(began_anew);
+  EXPECT_LT(longest, most + 100000);
+  std::string report;
+  dsw_verdict verdict;
+  ASSERT_EQ(edits.move_all(), "");
+  ASSERT_EQ(write_bundle(edits.handle(), &report, &verdict), DSW_STATUS_OK) << dsw_last_error_message();
+  check_report(report, 1, verdict, "");
+}
+
+// A vertex that something has put behind a wall: the scene is not what its calls have made, and the verdict names what is wrong.
+TEST(BundleTest, WhatIsWrongIsNamed) {
+  RandomEdits edits("hex", 2);
+  dsw_scene& scene = *edits.handle();
+  std::string report;
+  ASSERT_EQ(start(&scene, &report), DSW_STATUS_OK);
+  ASSERT_EQ(dsw_scene_stop_recording(&scene), DSW_STATUS_OK);
+  const ReplayPtr replay = open_replay(report);
+  uint32_t v = 0;
+  BodyVertex* vertex = nullptr;
+  for (BodyRecord& each : scene_of(replay)->engine.bodies) {
+    if (vertex != nullptr || each.body.edge_slots.alive_count() == 0) continue;
+    while (!each.body.has_vertex(v)) ++v;
+    vertex = &each.body.vertices[v];
+  }
+  ASSERT_NE(vertex, nullptr);
+  const BodyVertex kept = *vertex;
+  vertex->position[0] += 1e6;
+  dsw_verdict verdict = {};
+  verdict.struct_size = sizeof verdict;
+  dsw_replay_report step = {};
+  ASSERT_EQ(dsw_replay_step_judged(replay.get(), &step, &verdict), DSW_STATUS_OK);
+  EXPECT_EQ(verdict.is_right, 0u);
+  EXPECT_EQ(verdict.lost, 1u);
+  EXPECT_GT(verdict.crossing, 0u);
+  EXPECT_NE(std::string(verdict.text).find("vertex " + std::to_string(v)), std::string::npos) << verdict.text;
+  *vertex = kept;
+}
+
+}  // namespace
+}  // namespace dsw::oracle
