@@ -4,6 +4,11 @@
  * of its centre (the mean of its vertices, rounded) over its boundary triangles, so faces may be warped and
  * volumes need not be convex. A face with more than three vertices is cut into triangles once, at creation, the
  * same way for both of its volumes.
+ *
+ * An environment in the plane (dimension 2) is a partition into polygons: triangles, or stars of their centre over their sides. ids.h
+ * says how ids are read there. All positions that a function takes or writes have as many doubles as the dimension, so strides are
+ * 8 * dimension bytes by default; of three doubles in a struct the third is 0 in the plane. What serves environments and scenes in space
+ * only answers DSW_STATUS_UNSUPPORTED: bodies, sweeps, deformation, changes of the topology, recordings, traces.
  */
 #ifndef DARTSWEEP_ENVIRONMENT_H
 #define DARTSWEEP_ENVIRONMENT_H
@@ -25,9 +30,13 @@ typedef struct dsw_environment dsw_environment;
  *  - wedge: 0 1 2 counter-clockwise seen from outside, 3 4 5 opposite them;
  *  - pyramid: base 0 1 2 3 counter-clockwise seen from the apex 4;
  *  - polyhedron: a face stream (count of faces, then for each face count of points and the points,
- *    counter-clockwise seen from outside). */
+ *    counter-clockwise seen from outside).
+ * In the plane triangle, quad and polygon, their points counter-clockwise. */
 typedef enum dsw_cell_type {
   DSW_CELL_TYPE_NONE = 0,                /**< No type. */
+  DSW_CELL_TYPE_TRIANGLE = 5,            /**< 3 vertices, in the plane. */
+  DSW_CELL_TYPE_POLYGON = 7,             /**< Any other cell of the plane. */
+  DSW_CELL_TYPE_QUAD = 9,                /**< 4 vertices, in the plane. */
   DSW_CELL_TYPE_TETRA = 10,              /**< 4 vertices. */
   DSW_CELL_TYPE_HEXAHEDRON = 12,         /**< 8 vertices. */
   DSW_CELL_TYPE_WEDGE = 13,              /**< 6 vertices. */
@@ -39,7 +48,7 @@ typedef enum dsw_cell_type {
 /** Flags of dsw_environment_desc. */
 enum {
   /** points is retained instead of copied: it must stay, unchanged, until the environment is destroyed or deformed (deform.h);
-   * point_stride_bytes must be 0 or 24. */
+   * point_stride_bytes must be 0 or 8 * dimension. */
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
   /** Volumes that are turned inside out are mirrored instead of refused (meshes differ in their wedges). */
   DSW_ENVIRONMENT_REORIENT = 0x2,
@@ -54,13 +63,13 @@ enum {
 /** Describes an environment. All arrays are read in place, once; nothing is retained unless flags say so. */
 typedef struct dsw_environment_desc {
   uint32_t struct_size; /**< sizeof(dsw_environment_desc). */
-  uint32_t dimension;   /**< 3, or 0 which means 3. */
+  uint32_t dimension;   /**< 3, or 0 which means 3; 2: in the plane. */
   uint32_t flags;       /**< DSW_ENVIRONMENT_... */
   uint32_t index_bytes; /**< Size of the signed integers in offsets, connectivity, faces and face_locations: 4 or 8;
                              0 means 8, as in VTK. */
-  const double *points; /**< 3 doubles a point, finite. */
+  const double *points; /**< As many doubles a point as there are dimensions, finite. */
   size_t point_count;   /**< 1 .. 2^28-1. Unused points are allowed. */
-  size_t point_stride_bytes; /**< Distance of two points; 0 means 24. */
+  size_t point_stride_bytes; /**< Distance of two points; 0 means 8 * dimension. */
   const uint8_t *cell_types; /**< dsw_cell_type of each cell; null: all are uniform_cell_type. */
   size_t cell_count;         /**< At least 1. */
   const void *offsets; /**< cell_count + 1 integers: cell i's points are connectivity[offsets[i] .. offsets[i+1]-1].
@@ -93,7 +102,7 @@ typedef struct dsw_build_report {
 /** Numbers about an environment. */
 typedef struct dsw_environment_info {
   uint32_t struct_size;         /**< Set by the caller: sizeof(dsw_environment_info). */
-  uint32_t dimension;           /**< Always 3. */
+  uint32_t dimension;           /**< 3, or 2 in the plane. */
   uint32_t vertex_count;        /**< Unused points included. */
   uint32_t volume_count;        /**< Volumes that there are. */
   uint32_t face_count;          /**< A face between two volumes counts once. */
@@ -159,11 +168,11 @@ DSW_API dsw_status dsw_environment_get_vertex(const dsw_environment *environment
                                               dsw_vertex_id *vertex);
 
 /** Position of a vertex.
- * @param environment, vertex [in] @param xyz [out] 3 doubles.
+ * @param environment, vertex [in] @param xyz [out] as many doubles as there are dimensions.
  * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_position(const dsw_environment *environment, dsw_vertex_id vertex, double *xyz);
 
-/** Type of a volume and how many vertices, edges and faces it has; each out-argument may be null.
+/** Type of a volume and how many vertices, edges (in the plane 0) and faces it has; each out-argument may be null.
  * @param environment, volume [in] @param type, vertices, edges, faces [out]
  * @return DSW_STATUS_STALE_ID.
  * @note O(vertices of the volume). Thread: reader. @since 0.1 */
@@ -211,7 +220,7 @@ DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environm
 
 /** A point strictly inside a volume: the mean of its vertices, rounded, which is the apex of its star. (That of a
  * tetrahedron thinner than the rounding of its coordinates can come to lie outside.)
- * @param environment, volume [in] @param xyz [out] 3 doubles.
+ * @param environment, volume [in] @param xyz [out] as many doubles as there are dimensions.
  * @return DSW_STATUS_STALE_ID. @note O(vertices of the volume). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment, dsw_volume_id volume, double *xyz);
 
@@ -226,7 +235,8 @@ DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment
 DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment, size_t count, const size_t *offsets,
                                               const uint32_t *indices, dsw_face_id *faces, size_t *missing);
 
-/** Finds edges by their two vertices, in bulk: edge i joins points indices[2 i] and indices[2 i + 1].
+/** Finds edges by their two vertices, in bulk: edge i joins points indices[2 i] and indices[2 i + 1]. Not in the
+ * plane, where faces are found by two vertices.
  * @param environment, count [in] @param indices [in] 2 * `count` indices of vertices.
  * @param edges [out] count canonical ids; null ids where there is no such edge. @param missing [out] may be null.
  * @return DSW_STATUS_OUT_OF_MEMORY.

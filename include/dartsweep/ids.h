@@ -2,6 +2,10 @@
  * Ids are small values: an index and a generation. {0,0} is null, since generations start at 1. An id stays
  * valid until the thing it names is removed; from then on it answers DSW_STATUS_STALE_ID. Ids do not name
  * their environment or scene: pass the one that gave them. Stands alone.
+ *
+ * In the plane ids are read by codimension. A volume id names a cell of full dimension, a polygon; a face id what lies between two of
+ * them, a side, face number i running from the polygon's vertex i to the next; a vertex id a vertex. There are no edges: what takes an edge
+ * id, or DSW_CELL_EDGE, answers DSW_STATUS_UNSUPPORTED. Words in these headers are to be read alike.
  */
 #ifndef DARTSWEEP_IDS_H
 #define DARTSWEEP_IDS_H

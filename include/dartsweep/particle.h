@@ -15,7 +15,7 @@ extern "C" {
 #endif
 
 /** Creates a particle.
- * @param scene [in,out] @param position [in] 3 finite doubles. @param hint [in] a volume near it, or null id.
+ * @param scene [in,out] @param position [in] as many finite doubles as there are dimensions. @param hint [in] a volume near it, or null id.
  * @param particle [out] its id.
  * @return DSW_STATUS_NON_FINITE, DSW_STATUS_STALE_ID (hint), DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE,
  * DSW_STATUS_OUT_OF_MEMORY.
@@ -24,7 +24,7 @@ DSW_API dsw_status dsw_particle_create(dsw_scene *scene, const double *position,
                                        dsw_particle_id *particle);
 
 /** Creates many particles, or none.
- * @param scene [in,out] @param positions [in] `count` points, stride_bytes apart (0 means 24).
+ * @param scene [in,out] @param positions [in] `count` points, stride_bytes apart (0 means 8 * dimension).
  * @param count, stride_bytes [in] @param hints [in] null, or `count` ids of which any may be null.
  * @param particles [out] `count` ids.
  * @param offender [out] may be null: on DSW_STATUS_OUTSIDE, IMPASSABLE, NON_FINITE and STALE_ID the first position at
@@ -50,14 +50,14 @@ DSW_API dsw_status dsw_scene_get_particle_ids(const dsw_scene *scene, dsw_partic
                                               size_t *count);
 
 /** Position and volume of a particle; either may be null.
- * @param scene, particle [in] @param position [out] 3 doubles. @param volume [out]
+ * @param scene, particle [in] @param position [out] as many doubles as there are dimensions. @param volume [out]
  * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_particle_get(const dsw_scene *scene, dsw_particle_id particle, double *position,
                                     dsw_volume_id *volume);
 
 /** Positions and volumes of many particles.
  * @param scene [in] @param particles [in] `count` live ids; an id may stand many times. @param count [in]
- * @param positions [out] null, or `count` points, stride_bytes apart (0 means 24). @param stride_bytes [in]
+ * @param positions [out] null, or `count` points, stride_bytes apart (0 means 8 * dimension). @param stride_bytes [in]
  * @param volumes [out] null, or `count` ids.
  * @return DSW_STATUS_STALE_ID (the message names the position), DSW_STATUS_WRONG_SIZE (stride): nothing was written.
  * @note O(count). Thread: reader. @since 0.1 */
@@ -66,7 +66,7 @@ DSW_API dsw_status dsw_scene_get_particles(const dsw_scene *scene, const dsw_par
 
 /** Moves a particle towards a target.
  * @param scene [in,out] @param particle [in]
- * @param target [in] 3 finite doubles; 1e300 is a move that ends next to the first wall, as any other.
+ * @param target [in] as many finite doubles as there are dimensions; 1e300 is a move that ends next to the first wall, as any other.
  * @param options [in] null: defaults; DSW_CAST_START_KNOWN has no effect. With DSW_CAST_NO_DETAIL the report has no
  * normal and no ids of the hit; position, time and volume are always exact. @param flight [out] may be null.
  * @return DSW_STATUS_OK also when something stopped the move. DSW_STATUS_STALE_ID, DSW_STATUS_NON_FINITE.
@@ -78,7 +78,7 @@ DSW_API dsw_status dsw_particle_move(dsw_scene *scene, dsw_particle_id particle,
 
 /** Moves many particles, each to its own target, independently of each other.
  * @param scene [in,out] @param particles [in] `count` distinct live ids. @param count [in]
- * @param targets [in] `count` points, stride_bytes apart (0 means 24). @param stride_bytes [in]
+ * @param targets [in] `count` points, stride_bytes apart (0 means 8 * dimension). @param stride_bytes [in]
  * @param options [in] may be null. @param flights [out] null, or `count` reports.
  * @return DSW_STATUS_STALE_ID, DSW_STATUS_DUPLICATE_ID, DSW_STATUS_NON_FINITE (the message names the position),
  * DSW_STATUS_OUT_OF_MEMORY: nothing has moved.

@@ -48,7 +48,7 @@ typedef struct dsw_cast_options {
 DSW_API void dsw_cast_options_init(dsw_cast_options *options, size_t size);
 
 /** Finds the volume that contains a point, exactly.
- * @param environment [in] @param point [in] 3 doubles, finite.
+ * @param environment [in] @param point [in] as many finite doubles as there are dimensions.
  * @param hint [in] a live volume to walk from, or null id. @param volume [out] null id when outside.
  * @param place [out] may be null.
  * @return DSW_STATUS_NON_FINITE, DSW_STATUS_STALE_ID.
@@ -59,7 +59,7 @@ DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, co
 
 /** Locates many points.
  * @param environment [in] @param points [in] `count` points, finite. @param count [in]
- * @param stride_bytes [in] distance of two points; 0 means 24.
+ * @param stride_bytes [in] distance of two points; 0 means 8 * dimension.
  * @param hints [in] null, or `count` ids of which any may be null. @param volumes [out] `count` ids.
  * @param places [out] null, or `count` values.
  * @return as dsw_environment_locate; DSW_STATUS_WRONG_SIZE (stride_bytes).
@@ -79,7 +79,7 @@ DSW_API dsw_status dsw_environment_classify(const dsw_environment *environment, 
 
 /** Casts one segment without a particle.
  * @param environment [in] @param start [in] null id: located without hint; else a hint, see DSW_CAST_START_KNOWN.
- * @param from, to [in] 3 finite doubles each. @param options [in] may be null. @param flight [out] the report.
+ * @param from, to [in] as many finite doubles as there are dimensions. @param options [in] may be null. @param flight [out] the report.
  * @return DSW_STATUS_NON_FINITE, DSW_STATUS_STALE_ID, DSW_STATUS_UNSUPPORTED (flags).
  * @note O(volumes crossed). Thread: reader. Certain: the first impassable face, exactly. Source: [JCD10] 3.3.
  * @since 0.1 */
@@ -88,7 +88,7 @@ DSW_API dsw_status dsw_environment_cast(const dsw_environment *environment, dsw_
 
 /** Casts many segments.
  * @param environment, count [in] @param starts [in] null, or `count` ids.
- * @param from, to [in] `count` points each, spaced by stride_bytes (0 means 24). @param stride_bytes [in]
+ * @param from, to [in] `count` points each, spaced by stride_bytes (0 means 8 * dimension). @param stride_bytes [in]
  * @param options [in] may be null. @param flights [out] `count` reports.
  * @return as dsw_environment_cast; DSW_STATUS_WRONG_SIZE (stride_bytes).
  * @note Thread: reader; uses the parallel-for. @since 0.1 */
@@ -120,7 +120,7 @@ typedef struct dsw_nearest {
 
 /** Finds the nearest impassable face, wire or vertex within a radius that can be seen through passable volumes.
  * Ties: the lower canonical cell.
- * @param environment [in] @param point [in] 3 finite doubles.
+ * @param environment [in] @param point [in] as many finite doubles as there are dimensions.
  * @param volume [in] the volume that contains it, or null id (located).
  * @param radius [in] at least 0, scene units; infinity is allowed. @param nearest [out] the answer.
  * @return DSW_STATUS_NON_FINITE, DSW_STATUS_OUT_OF_RANGE (radius), DSW_STATUS_STALE_ID, DSW_STATUS_OUTSIDE,

@@ -47,7 +47,7 @@ dsw::HalfFacet to_wall_at_vertex(const dsw::Map<3>& map, const dsw_contact& cont
 }
 
 void require_obstacle(const dsw_contact& contact, dsw_cell_kind kind) {
-  if (contact.obstacle.kind != kind) capi::fail_kind("contact->obstacle.kind", contact.obstacle.kind);
+  if (contact.obstacle.kind != kind) capi::fail_kind("contact->obstacle.kind", contact.obstacle.kind, 3);
 }
 
 bool has_wall(const dsw_contact& contact) {

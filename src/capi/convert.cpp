@@ -9,8 +9,8 @@ template <class Id>
        ElementName(argument, index).text, id.volume, id.generation, id.local, what, count - 1);
 }
 
-template <class Id>
-Cell owner_of(const Map<3>& map, const Id& id, ArgumentName argument, size_t index) {
+template <int D, class Id>
+Cell owner_of(const Map<D>& map, const Id& id, ArgumentName argument, size_t index) {
   if (!is_alive(map, dsw_volume_id{id.volume, id.generation})) {
     fail(DSW_STATUS_STALE_ID, "%s {volume %u, generation %u, local %u} names no volume that is alive; there are %u",
          ElementName(argument, index).text, id.volume, id.generation, id.local, map.cell_count);
@@ -18,19 +18,22 @@ Cell owner_of(const Map<3>& map, const Id& id, ArgumentName argument, size_t ind
   return map.cell(id.volume);
 }
 
-[[noreturn]] void fail_volume(const Map<3>& map, dsw_volume_id id, ArgumentName argument, size_t index) {
+template <int D>
+[[noreturn]] void fail_volume(const Map<D>& map, dsw_volume_id id, ArgumentName argument, size_t index) {
   fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no volume that is alive; there are %u",
        ElementName(argument, index).text, id.index, id.generation, map.cell_count);
 }
 
 }  // namespace
 
-Cell to_cell(const Map<3>& map, dsw_volume_id id, ArgumentName argument, size_t index) {
+template <int D>
+Cell to_cell(const Map<D>& map, dsw_volume_id id, ArgumentName argument, size_t index) {
   if (!is_alive(map, id)) fail_volume(map, id, argument, index);
   return map.cell(id.index);
 }
 
-HalfFacet to_half_facet(const Map<3>& map, dsw_face_id id, ArgumentName argument, size_t index) {
+template <int D>
+HalfFacet to_half_facet(const Map<D>& map, dsw_face_id id, ArgumentName argument, size_t index) {
   const Cell c = owner_of(map, id, argument, index);
   const uint32_t facets = map.facets_of(c);
   if (id.local >= facets) fail_local(id, facets, "faces", argument, index);
@@ -44,7 +47,8 @@ Dart to_dart(const Map<3>& map, dsw_edge_id id, ArgumentName argument, size_t in
   return dart_of_edge(map, c, id.local);
 }
 
-uint32_t to_vertex(const Map<3>& map, dsw_vertex_id id, ArgumentName argument, size_t index) {
+template <int D>
+uint32_t to_vertex(const Map<D>& map, dsw_vertex_id id, ArgumentName argument, size_t index) {
   if (!map.is_vertex_alive(id.index, id.generation)) {
     fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no vertex that is alive; there are %u",
          ElementName(argument, index).text, id.index, id.generation, map.vertex_count);
@@ -52,15 +56,18 @@ uint32_t to_vertex(const Map<3>& map, dsw_vertex_id id, ArgumentName argument, s
   return id.index;
 }
 
-void fail_kind(const char* name, dsw_cell_kind kind) {
-  fail(DSW_STATUS_UNSUPPORTED, "%s is %d, must be a vertex, edge, face or volume", name, static_cast<int>(kind));
+void fail_kind(const char* name, dsw_cell_kind kind, int dimension) {
+  fail(DSW_STATUS_UNSUPPORTED, "%s is %d, must be a vertex, %sface or volume", name, static_cast<int>(kind),
+       dimension == 2 ? "" : "edge, ");
 }
 
-void check_hint(const Map<3>& map, dsw_volume_id id, const char* name) {
+template <int D>
+void check_hint(const Map<D>& map, dsw_volume_id id, const char* name) {
   if (!is_null(id) && !is_alive(map, id)) fail_volume(map, id, {name, false}, 0);
 }
 
-void check_hints(const Map<3>& map, const dsw_volume_id* ids, size_t count, const char* name) {
+template <int D>
+void check_hints(const Map<D>& map, const dsw_volume_id* ids, size_t count, const char* name) {
   if (ids == nullptr) return;
   if (!map.has_changed()) {
     const uint32_t cell_count = map.cell_count;
@@ -81,8 +88,9 @@ void require_array(const void* array, size_t count, const char* name) {
   if (count != 0) require(array, name);
 }
 
+template <int D>
 size_t to_step(size_t count, size_t stride_bytes) {
-  constexpr size_t kPoint = 3 * sizeof(double);
+  constexpr size_t kPoint = D * sizeof(double);
   if (stride_bytes == 0) stride_bytes = kPoint;
   if (stride_bytes < kPoint || stride_bytes % sizeof(double) != 0 || (count != 0 && stride_bytes > SIZE_MAX / count)) {
     fail(DSW_STATUS_WRONG_SIZE, "stride_bytes is %zu, must be 0 or a multiple of %zu from %zu on", stride_bytes,
@@ -91,8 +99,9 @@ size_t to_step(size_t count, size_t stride_bytes) {
   return stride_bytes / sizeof(double);
 }
 
+template <int D>
 PointArray to_points(const double* points, size_t count, size_t stride_bytes, const char* name) {
-  const size_t step = to_step(count, stride_bytes);
+  const size_t step = to_step<D>(count, stride_bytes);
   require_array(points, count, name);
   return {points, step};
 }
@@ -138,5 +147,17 @@ void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* 
   require_array(buffer, needed, "buffer");
   *count = needed;
 }
+
+#define DSW_CONVERT(D)                                                                 \
+  template Cell to_cell(const Map<D>&, dsw_volume_id, ArgumentName, size_t);           \
+  template HalfFacet to_half_facet(const Map<D>&, dsw_face_id, ArgumentName, size_t);  \
+  template uint32_t to_vertex(const Map<D>&, dsw_vertex_id, ArgumentName, size_t);     \
+  template void check_hint(const Map<D>&, dsw_volume_id, const char*);                 \
+  template void check_hints(const Map<D>&, const dsw_volume_id*, size_t, const char*); \
+  template size_t to_step<D>(size_t, size_t);                                          \
+  template PointArray to_points<D>(const double*, size_t, size_t, const char*)
+DSW_CONVERT(2);
+DSW_CONVERT(3);
+#undef DSW_CONVERT
 
 }  // namespace dsw::capi

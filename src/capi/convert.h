@@ -15,61 +15,74 @@
 
 namespace dsw::capi {
 
-Cell to_cell(const Map<3>& map, dsw_volume_id id, ArgumentName argument, size_t index = 0);
-HalfFacet to_half_facet(const Map<3>& map, dsw_face_id id, ArgumentName argument, size_t index = 0);
+template <int D>
+Cell to_cell(const Map<D>& map, dsw_volume_id id, ArgumentName argument, size_t index = 0);
+template <int D>
+HalfFacet to_half_facet(const Map<D>& map, dsw_face_id id, ArgumentName argument, size_t index = 0);
 /** One dart of the edge. */
 Dart to_dart(const Map<3>& map, dsw_edge_id id, ArgumentName argument, size_t index = 0);
-uint32_t to_vertex(const Map<3>& map, dsw_vertex_id id, ArgumentName argument, size_t index = 0);
+template <int D>
+uint32_t to_vertex(const Map<D>& map, dsw_vertex_id id, ArgumentName argument, size_t index = 0);
 
 /** A hint or start: alive or null. */
-void check_hint(const Map<3>& map, dsw_volume_id id, const char* name);
+template <int D>
+void check_hint(const Map<D>& map, dsw_volume_id id, const char* name);
 /** `ids` may be null. */
-void check_hints(const Map<3>& map, const dsw_volume_id* ids, size_t count, const char* name);
+template <int D>
+void check_hints(const Map<D>& map, const dsw_volume_id* ids, size_t count, const char* name);
 
-[[noreturn]] void fail_kind(const char* name, dsw_cell_kind kind);
+/** `dimension`: of the environment, which says what there is. */
+[[noreturn]] void fail_kind(const char* name, dsw_cell_kind kind, int dimension);
 
-/** Calls the function of `visitor` that suits the kind of a cell: vertex(uint32_t), edge(Dart), face(HalfFacet) or
+/** Calls the function of `visitor` that suits the kind of a cell: vertex(uint32_t), edge(Dart) in space, face(HalfFacet) or
  * volume(Cell). */
-template <class Visitor>
-auto visit_cell(const Map<3>& map, dsw_cell cell, const Visitor& visitor) {
+template <int D, class Visitor>
+auto visit_cell(const Map<D>& map, dsw_cell cell, const Visitor& visitor) {
   const ArgumentName name{"cell", false};
   switch (cell.kind) {
     case DSW_CELL_VERTEX:
       return visitor.vertex(to_vertex(map, {cell.index, cell.generation}, name));
     case DSW_CELL_EDGE:
-      return visitor.edge(to_dart(map, {cell.index, cell.generation, cell.local}, name));
+      if constexpr (D == 3) return visitor.edge(to_dart(map, {cell.index, cell.generation, cell.local}, name));
+      break;
     case DSW_CELL_FACE:
       return visitor.face(to_half_facet(map, {cell.index, cell.generation, cell.local}, name));
     case DSW_CELL_VOLUME:
       return visitor.volume(to_cell(map, {cell.index, cell.generation}, name));
     default:
-      fail_kind("cell.kind", cell.kind);
+      break;
   }
+  fail_kind("cell.kind", cell.kind, D);
 }
 
 using dsw::edge_id;
-inline dsw_vertex_id vertex_id(const Map<3>& map, uint32_t vertex) noexcept {
+template <int D>
+dsw_vertex_id vertex_id(const Map<D>& map, uint32_t vertex) noexcept {
   return {vertex, map.vertex_generation(vertex)};
 }
 inline dsw_cell cell_of_face(dsw_face_id id) noexcept { return {DSW_CELL_FACE, id.volume, id.generation, id.local}; }
 inline dsw_cell cell_of_edge(dsw_edge_id id) noexcept { return {DSW_CELL_EDGE, id.volume, id.generation, id.local}; }
-inline dsw_cell cell_of_vertex(const Map<3>& map, uint32_t vertex) noexcept {
+template <int D>
+dsw_cell cell_of_vertex(const Map<D>& map, uint32_t vertex) noexcept {
   return {DSW_CELL_VERTEX, vertex, map.vertex_generation(vertex), 0};
 }
 
-/** Three finite coordinates. */
-inline void check_point(const double* point, const char* name) {
+/** As many finite coordinates as there are dimensions. */
+template <int D = 3>
+void check_point(const double* point, const char* name) {
   require(point, name);
-  check_finite({point, 3}, 1, 3, {name, false});
+  check_finite({point, D}, 1, D, {name, false});
 }
 
 /** An array of `count` things; null is allowed when there are none. */
 void require_array(const void* array, size_t count, const char* name);
 
 /** The host's stride in doubles. */
+template <int D = 3>
 size_t to_step(size_t count, size_t stride_bytes);
 
 /** An array of points with the host's stride, not yet checked to be finite. */
+template <int D = 3>
 PointArray to_points(const double* points, size_t count, size_t stride_bytes, const char* name);
 
 /** Options of a flight; null: defaults. */

@@ -11,36 +11,33 @@ using dsw::fail;
 
 namespace {
 
-const dsw::Map<3>& map_of(const dsw_environment* environment) {
-  return capi::space(capi::check_handle(environment, "environment")).map;
-}
-
 /** Facet `local` of a volume, or OUT_OF_RANGE. */
-dsw::HalfFacet facet_of(const dsw::Map<3>& map, dsw::Cell c, uint32_t local) {
+template <int D>
+dsw::HalfFacet facet_of(const dsw::Map<D>& map, dsw::Cell c, uint32_t local) {
   const uint32_t count = map.facets_of(c);
   if (local >= count) dsw::fail(DSW_STATUS_OUT_OF_RANGE, "local is %u, must be 0 .. %u", local, count - 1);
   return map.half_facet(c, local);
 }
 
-dsw_cell_type type_of(dsw::Form form) {
+dsw_cell_type type_of(dsw::Form form, int dimension) {
   switch (form) {
     case dsw::Form::kSimplex:
-      return DSW_CELL_TYPE_TETRA;
+      return dimension == 2 ? DSW_CELL_TYPE_TRIANGLE : DSW_CELL_TYPE_TETRA;
     case dsw::Form::kPyramid:
       return DSW_CELL_TYPE_PYRAMID;
     case dsw::Form::kPrism:
       return DSW_CELL_TYPE_WEDGE;
     case dsw::Form::kBox:
-      return DSW_CELL_TYPE_HEXAHEDRON;
+      return dimension == 2 ? DSW_CELL_TYPE_QUAD : DSW_CELL_TYPE_HEXAHEDRON;
     default:
-      return DSW_CELL_TYPE_POLYHEDRON;
+      return dimension == 2 ? DSW_CELL_TYPE_POLYGON : DSW_CELL_TYPE_POLYHEDRON;
   }
 }
 
 /** Calls visit(vertex) for the vertices of a cell in their documented order. */
-template <class Visit>
+template <int D, class Visit>
 struct VertexVisitor {
-  const dsw::Map<3>& map;
+  const dsw::Map<D>& map;
   const Visit& visit;
 
   void vertex(uint32_t v) const { visit(v); }
@@ -51,19 +48,16 @@ struct VertexVisitor {
   void face(dsw::HalfFacet h) const {
     const dsw::Cell c = map.cell_of(h);
     const dsw::Shape shape = map.shape(c);
-    const uint32_t local = map.local_of(h, c);
-    for (uint32_t d = shape.facet_first(local); d < shape.facet_first(local + 1); ++d) {
-      visit(map.vertex(c, shape.dart_vertex(d)));
-    }
+    dsw::for_each_facet_vertex<D>(shape, map.local_of(h, c), [&](uint32_t local) { visit(map.vertex(c, local)); });
   }
   void volume(dsw::Cell c) const {
     for (uint32_t i = 0, n = map.shape(c).vertex_count(); i < n; ++i) visit(map.vertex(c, i));
   }
 };
 
-template <class Visit>
-void for_each_vertex(const dsw::Map<3>& map, dsw_cell cell, const Visit& visit) {
-  capi::visit_cell(map, cell, VertexVisitor<Visit>{map, visit});
+template <int D, class Visit>
+void for_each_vertex(const dsw::Map<D>& map, dsw_cell cell, const Visit& visit) {
+  capi::visit_cell(map, cell, VertexVisitor<D, Visit>{map, visit});
 }
 
 }  // namespace
@@ -97,22 +91,21 @@ dsw_status dsw_environment_destroy(dsw_environment* environment) {
 }
 
 dsw_status dsw_environment_get_info(const dsw_environment* environment, dsw_environment_info* info) {
-  return capi::guard("dsw_environment_get_info", [&] {
-    const dsw_environment& handle = capi::check_handle(environment, "environment");
-    const dsw::Environment<3>& env = capi::space(handle);
+  return capi::guarded_visit("dsw_environment_get_info", environment, "environment", [&](const auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
     capi::require(info, "info");
     capi::check_size(info, "info");
     dsw_environment_info i{};
-    i.dimension = 3;
+    i.dimension = D;
     i.vertex_count =
         env.map.has_changed() ? static_cast<uint32_t>(env.map.vertex_slots.alive_count()) : env.map.vertex_count;
     i.volume_count = env.map.cell_count;
     i.face_count = env.map.facet_count;
     i.boundary_face_count = env.map.boundary_facet_count;
     i.part_count = env.map.has_changed() ? count_parts(env) : env.part_count;
-    i.scene_count = capi::scene_count(handle);
-    i.memory_bytes = capi::memory_bytes(handle);
-    for (int k = 0; k < 3; ++k) {
+    i.scene_count = capi::scene_count(*environment);
+    i.memory_bytes = capi::memory_bytes(*environment);
+    for (int k = 0; k < D; ++k) {
       i.lower[k] = env.lower[k];
       i.upper[k] = env.upper[k];
     }
@@ -131,8 +124,8 @@ dsw_status dsw_environment_check(const dsw_environment* environment, dsw_build_r
 }
 
 dsw_status dsw_environment_get_volume(const dsw_environment* environment, uint32_t index, dsw_volume_id* volume) {
-  return capi::guard("dsw_environment_get_volume", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+  return capi::guarded_visit("dsw_environment_get_volume", environment, "environment", [&](const auto& env) {
+    const auto& map = env.map;
     capi::require(volume, "volume");
     if (index >= map.index_count()) {
       fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.index_count() - 1);
@@ -143,8 +136,8 @@ dsw_status dsw_environment_get_volume(const dsw_environment* environment, uint32
 }
 
 dsw_status dsw_environment_get_vertex(const dsw_environment* environment, uint32_t index, dsw_vertex_id* vertex) {
-  return capi::guard("dsw_environment_get_vertex", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+  return capi::guarded_visit("dsw_environment_get_vertex", environment, "environment", [&](const auto& env) {
+    const auto& map = env.map;
     capi::require(vertex, "vertex");
     if (index >= map.vertex_count) {
       fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.vertex_count - 1);
@@ -156,32 +149,32 @@ dsw_status dsw_environment_get_vertex(const dsw_environment* environment, uint32
 }
 
 dsw_status dsw_environment_get_position(const dsw_environment* environment, dsw_vertex_id vertex, double* xyz) {
-  return capi::guard("dsw_environment_get_position", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+  return capi::guarded_visit("dsw_environment_get_position", environment, "environment", [&](const auto& env) {
+    const auto& map = env.map;
     capi::require(xyz, "xyz");
-    const double* const point = capi::space(*environment).point(capi::to_vertex(map, vertex, {"vertex", false}));
-    std::copy(point, point + 3, xyz);
+    const double* const point = env.point(capi::to_vertex(map, vertex, {"vertex", false}));
+    std::copy(point, point + capi::kDimension<decltype(env)>, xyz);
   });
 }
 
 dsw_status dsw_environment_get_volume_counts(const dsw_environment* environment, dsw_volume_id volume,
                                              dsw_cell_type* type, uint32_t* vertices, uint32_t* edges,
                                              uint32_t* faces) {
-  return capi::guard("dsw_environment_get_volume_counts", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+  return capi::guarded_visit("dsw_environment_get_volume_counts", environment, "environment", [&](const auto& env) {
+    const auto& map = env.map;
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
     const dsw::Shape shape = map.shape(c);
-    if (type != nullptr) *type = type_of(map.form(c));
+    if (type != nullptr) *type = type_of(map.form(c), capi::kDimension<decltype(env)>);
     if (vertices != nullptr) *vertices = shape.vertex_count();
-    if (edges != nullptr) *edges = shape.edge_count();
+    if (edges != nullptr) *edges = capi::kDimension<decltype(env)> == 2 ? 0 : shape.edge_count();
     if (faces != nullptr) *faces = shape.facet_count();
   });
 }
 
 dsw_status dsw_environment_get_volume_face(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
                                            dsw_face_id* face) {
-  return capi::guard("dsw_environment_get_volume_face", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+  return capi::guarded_visit("dsw_environment_get_volume_face", environment, "environment", [&](const auto& env) {
+    const auto& map = env.map;
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
     capi::require(face, "face");
     *face = face_id(map, canonical(map, facet_of(map, c, local)));
@@ -190,28 +183,29 @@ dsw_status dsw_environment_get_volume_face(const dsw_environment* environment, d
 
 dsw_status dsw_environment_get_neighbour(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
                                          dsw_volume_id* neighbour, int* impassable) {
-  return capi::guard("dsw_environment_get_neighbour", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+  return capi::guarded_visit("dsw_environment_get_neighbour", environment, "environment", [&](const auto& env) {
+    const auto& map = env.map;
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
     const dsw::HalfFacet h = facet_of(map, c, local);
     const dsw::HalfFacet o = map.opposite(h);
     if (neighbour != nullptr) *neighbour = volume_id(map, o.valid() ? map.cell_of(o) : dsw::Cell{});
-    if (impassable != nullptr) *impassable = is_impassable(capi::space(*environment), h) ? 1 : 0;
+    if (impassable != nullptr) *impassable = is_impassable(env, h) ? 1 : 0;
   });
 }
 
 dsw_status dsw_environment_get_centre(const dsw_environment* environment, dsw_volume_id volume, double* xyz) {
-  return capi::guard("dsw_environment_get_centre", [&] {
-    const dsw::Cell c = capi::to_cell(map_of(environment), volume, {"volume", false});
+  return capi::guarded_visit("dsw_environment_get_centre", environment, "environment", [&](const auto& env) {
+    const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
     capi::require(xyz, "xyz");
-    centre(capi::space(*environment), c, xyz);
+    centre(env, c, xyz);
   });
 }
 
 dsw_status dsw_environment_get_volume_edge(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
                                            dsw_edge_id* edge) {
   return capi::guard("dsw_environment_get_volume_edge", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+    const dsw::Map<3>& map = env.map;
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
     capi::require(edge, "edge");
     const uint32_t count = map.shape(c).edge_count();
@@ -222,8 +216,8 @@ dsw_status dsw_environment_get_volume_edge(const dsw_environment* environment, d
 
 dsw_status dsw_environment_copy_vertices(const dsw_environment* environment, dsw_cell cell, dsw_vertex_id* vertices,
                                          size_t capacity, size_t* count) {
-  return capi::guard("dsw_environment_copy_vertices", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+  return capi::guarded_visit("dsw_environment_copy_vertices", environment, "environment", [&](const auto& env) {
+    const auto& map = env.map;
     capi::require(count, "count");
     capi::require_array(vertices, capacity, "vertices");
     size_t needed = 0;
@@ -239,8 +233,8 @@ dsw_status dsw_environment_copy_vertices(const dsw_environment* environment, dsw
 
 dsw_status dsw_environment_get_face_volumes(const dsw_environment* environment, dsw_face_id face,
                                             dsw_volume_id* near_side, dsw_volume_id* far_side) {
-  return capi::guard("dsw_environment_get_face_volumes", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+  return capi::guarded_visit("dsw_environment_get_face_volumes", environment, "environment", [&](const auto& env) {
+    const auto& map = env.map;
     const dsw::HalfFacet h = capi::to_half_facet(map, face, {"face", false}), o = map.opposite(h);
     if (near_side != nullptr) *near_side = volume_id(map, map.cell_of(h));
     if (far_side != nullptr) *far_side = volume_id(map, o.valid() ? map.cell_of(o) : dsw::Cell{});
@@ -249,8 +243,8 @@ dsw_status dsw_environment_get_face_volumes(const dsw_environment* environment, 
 
 dsw_status dsw_environment_find_faces(const dsw_environment* environment, size_t count, const size_t* offsets,
                                       const uint32_t* indices, dsw_face_id* faces, size_t* missing) {
-  return capi::guard("dsw_environment_find_faces", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+  return capi::guarded_visit("dsw_environment_find_faces", environment, "environment", [&](const auto& env) {
+    const auto& map = env.map;
     size_t absent = 0;
     if (count != 0) {
       capi::require(offsets, "offsets");
@@ -262,9 +256,8 @@ dsw_status dsw_environment_find_faces(const dsw_environment* environment, size_t
         }
       }
       capi::require_array(indices, offsets[count] - offsets[0], "indices");
-      dsw::Array<dsw::HalfFacet> found(count, dsw::HalfFacet{},
-                                       dsw::Allocator<dsw::HalfFacet>(capi::space(*environment).memory));
-      find_facets(capi::space(*environment), count, offsets, indices, found.data(), &absent);
+      dsw::Array<dsw::HalfFacet> found(count, dsw::HalfFacet{}, dsw::Allocator<dsw::HalfFacet>(env.memory));
+      find_facets(env, count, offsets, indices, found.data(), &absent);
       for (size_t i = 0; i < count; ++i) {
         faces[i] = found[i].valid() ? face_id(map, canonical(map, found[i])) : dsw_face_id{0, 0, 0};
       }
@@ -276,13 +269,14 @@ dsw_status dsw_environment_find_faces(const dsw_environment* environment, size_t
 dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t count, const uint32_t* indices,
                                       dsw_edge_id* edges, size_t* missing) {
   return capi::guard("dsw_environment_find_edges", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+    const dsw::Map<3>& map = env.map;
     size_t absent = 0;
     if (count != 0) {
       capi::require(indices, "indices");
       capi::require(edges, "edges");
-      dsw::Array<dsw::Dart> found(count, dsw::Dart{}, dsw::Allocator<dsw::Dart>(capi::space(*environment).memory));
-      find_edges(capi::space(*environment), count, indices, found.data(), &absent);
+      dsw::Array<dsw::Dart> found(count, dsw::Dart{}, dsw::Allocator<dsw::Dart>(env.memory));
+      find_edges(env, count, indices, found.data(), &absent);
       for (size_t i = 0; i < count; ++i) {
         edges[i] = found[i].cell.valid() ? capi::edge_id(map, found[i]) : dsw_edge_id{0, 0, 0};
       }
@@ -292,24 +286,23 @@ dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t
 }
 
 dsw_status dsw_environment_get_region(const dsw_environment* environment, dsw_volume_id volume, int32_t* region) {
-  return capi::guard("dsw_environment_get_region", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+  return capi::guarded_visit("dsw_environment_get_region", environment, "environment", [&](const auto& env) {
+    const auto& map = env.map;
     capi::require(region, "region");
-    *region = capi::space(*environment).region(capi::to_cell(map, volume, {"volume", false}));
+    *region = env.region(capi::to_cell(map, volume, {"volume", false}));
   });
 }
 
 dsw_status dsw_environment_get_tag(const dsw_environment* environment, dsw_volume_id volume, uint32_t* tag) {
-  return capi::guard("dsw_environment_get_tag", [&] {
-    const dsw::Map<3>& map = map_of(environment);
+  return capi::guarded_visit("dsw_environment_get_tag", environment, "environment", [&](const auto& env) {
+    const auto& map = env.map;
     capi::require(tag, "tag");
-    *tag = capi::space(*environment).tag(capi::to_cell(map, volume, {"volume", false}));
+    *tag = env.tag(capi::to_cell(map, volume, {"volume", false}));
   });
 }
 
 dsw_status dsw_environment_set_tag(dsw_environment* environment, dsw_volume_id volume, uint32_t tag) {
-  return capi::guard("dsw_environment_set_tag", [&] {
-    dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+  return capi::guarded_visit("dsw_environment_set_tag", environment, "environment", [&](auto& env) {
     const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
     if (env.tags.empty()) {
       if (tag == 0) return;

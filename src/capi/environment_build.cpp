@@ -7,6 +7,7 @@
 #include "capi/convert.h"
 #include "environment/boundary_check.h"
 #include "environment/builder.h"
+#include "environment/mesh_reader.h"
 #include "environment/validity.h"
 #include "map/integrity.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr size_t kMostPoints = kVertexMask;
 
+template <int D>
 void check_cells(const dsw_environment_desc& d) {
   if (d.cell_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->cell_count is 0, must be at least 1");
   if (d.cell_count > kMostPoints) {
@@ -24,11 +26,9 @@ void check_cells(const dsw_environment_desc& d) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->index_bytes is %u, must be 0, 4 or 8", d.index_bytes);
   }
   if (d.cell_types == nullptr) {
-    const uint32_t type = d.uniform_cell_type;
-    if (type != DSW_CELL_TYPE_TETRA && type != DSW_CELL_TYPE_HEXAHEDRON && type != DSW_CELL_TYPE_WEDGE &&
-        type != DSW_CELL_TYPE_PYRAMID) {
-      fail(DSW_STATUS_BAD_CELL_TYPE, "desc->uniform_cell_type is %u, must be 10, 12, 13 or 14 without desc->cell_types",
-           type);
+    if (cell_type<D>(d.uniform_cell_type).vertex_count == 0) {
+      fail(DSW_STATUS_BAD_CELL_TYPE, "desc->uniform_cell_type is %u, must be %s without desc->cell_types",
+           d.uniform_cell_type, D == 2 ? "5 or 9" : "10, 12, 13 or 14");
     }
   } else if (d.offsets == nullptr) {
     fail(DSW_STATUS_NULL_ARGUMENT, "desc->offsets is null, which needs a uniform cell type");
@@ -40,36 +40,39 @@ void check_cells(const dsw_environment_desc& d) {
   }
 }
 
+template <int D>
 void check_points(const dsw_environment_desc& d) {
   if (d.point_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->point_count is 0, must be at least 1");
   if (d.point_count > kMostPoints) {
     fail(DSW_STATUS_TOO_LARGE, "desc->point_count is %zu, must be at most %zu", d.point_count, kMostPoints);
   }
-  to_points(d.points, d.point_count, d.point_stride_bytes, "desc->points");
-  if ((d.flags & DSW_ENVIRONMENT_BORROW_POINTS) != 0 && d.point_stride_bytes > 3 * sizeof(double)) {
-    fail(DSW_STATUS_WRONG_SIZE, "desc->point_stride_bytes is %zu, must be 0 or 24 for borrowed points",
-         d.point_stride_bytes);
+  to_points<D>(d.points, d.point_count, d.point_stride_bytes, "desc->points");
+  if ((d.flags & DSW_ENVIRONMENT_BORROW_POINTS) != 0 && d.point_stride_bytes > D * sizeof(double)) {
+    fail(DSW_STATUS_WRONG_SIZE, "desc->point_stride_bytes is %zu, must be 0 or %zu for borrowed points",
+         d.point_stride_bytes, D * sizeof(double));
   }
 }
 
+bool is_planar(const dsw_environment_desc& d) {
+  if (d.dimension != 0 && d.dimension != 2 && d.dimension != 3) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->dimension is %u, must be 2 or 3", d.dimension);
+  }
+  return d.dimension == 2;
+}
+
+template <int D>
 MeshInput read_input(const dsw_environment_desc& d) {
-  if (d.dimension == 2) {
-    fail(DSW_STATUS_UNSUPPORTED, "desc->dimension is 2: environments in the plane are not available in this version");
-  }
-  if (d.dimension != 0 && d.dimension != 3) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "desc->dimension is %u, must be 3", d.dimension);
-  }
   check_flags(d.flags,
               DSW_ENVIRONMENT_BORROW_POINTS | DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_GRID |
                   DSW_ENVIRONMENT_CHECK_BOUNDARY,
               "desc->flags");
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
-  check_points(d);
-  check_cells(d);
+  check_points<D>(d);
+  check_cells<D>(d);
   MeshInput input;
   input.points = d.points;
   input.point_count = d.point_count;
-  input.point_stride_bytes = d.point_stride_bytes == 0 ? 3 * sizeof(double) : d.point_stride_bytes;
+  input.point_stride_bytes = d.point_stride_bytes == 0 ? D * sizeof(double) : d.point_stride_bytes;
   input.borrow_points = (d.flags & DSW_ENVIRONMENT_BORROW_POINTS) != 0;
   input.reorient = (d.flags & DSW_ENVIRONMENT_REORIENT) != 0;
   input.cell_types = d.cell_types;
@@ -96,18 +99,19 @@ class ReportWriter {
   template <class Body>
   void run(Body body) {
     try {
-      write(DSW_STATUS_OK, &body(report_));
+      const auto& env = body(report_);
+      write(DSW_STATUS_OK, env.part_count, env.map.boundary_facet_count);
     } catch (const Error& error) {
-      write(error.status(), nullptr);
+      write(error.status(), 0, 0);
       throw;
     } catch (const std::bad_alloc&) {
-      write(DSW_STATUS_OUT_OF_MEMORY, nullptr);
+      write(DSW_STATUS_OUT_OF_MEMORY, 0, 0);
       throw;
     }
   }
 
  private:
-  void write(dsw_status status, const Environment<3>* env) {
+  void write(dsw_status status, uint32_t part_count, uint32_t boundary_face_count) {
     if (out_ == nullptr) return;
     dsw_build_report r{};
     r.status = status;
@@ -116,10 +120,8 @@ class ReportWriter {
     r.reoriented_count = report_.reoriented_count;
     r.unused_point_count = report_.unused_point_count;
     r.convex_cell_count = report_.convex_cell_count;
-    if (env != nullptr) {
-      r.part_count = env->part_count;
-      r.boundary_face_count = env->map.boundary_facet_count;
-    }
+    r.part_count = part_count;
+    r.boundary_face_count = boundary_face_count;
     write_struct(out_, r);
   }
 
@@ -127,21 +129,22 @@ class ReportWriter {
   BuildReport report_;
 };
 
-void check_boundary(const Environment<3>& env, Offenders& offenders) {
+template <int D>
+void check_boundary(const Environment<D>& env, Offenders& offenders) {
   if (!boundary_crosses(env, &offenders)) return;
   fail(DSW_STATUS_BOUNDARY_CROSSES, "the outer boundary passes through itself; first cell %u",
        offenders.count == 0 ? 0 : offenders.index[0]);
 }
 
-}  // namespace
-
-dsw_environment* build_environment(dsw_context* context, const dsw_environment_desc& desc, dsw_build_report* report) {
-  const MeshInput input = read_input(desc);
+/** As build_environment. */
+template <int D>
+dsw_environment* build_in(dsw_context* context, const dsw_environment_desc& desc, dsw_build_report* report) {
+  const MeshInput input = read_input<D>(desc);
   std::optional<EnvironmentOwner> owner;
   ReportWriter writer(report);
-  writer.run([&](BuildReport& found) -> const Environment<3>& {
-    owner.emplace(context, 3);
-    Environment<3>& env = space(**owner);
+  writer.run([&](BuildReport& found) -> const Environment<D>& {
+    owner.emplace(context, D);
+    Environment<D>& env = std::get<Environment<D>>((*owner)->engine);
     build(env, input, found);
     if ((desc.flags & DSW_ENVIRONMENT_LOCATE_GRID) != 0) build_grid(env);
     if ((desc.flags & DSW_ENVIRONMENT_CHECK_BOUNDARY) != 0) check_boundary(env, found.offenders);
@@ -158,17 +161,11 @@ dsw_environment* build_environment(dsw_context* context, const dsw_environment_d
   return owner->take();
 }
 
-uint64_t memory_bytes(const dsw_environment& environment) {
-  return space(environment).memory_bytes() + array_bytes(environment.changes) + array_bytes(environment.cut_vertices) +
-         array_bytes(environment.cut_faces) + array_bytes(environment.whole_volumes) +
-         array_bytes(environment.carved_volumes) + array_bytes(environment.unmended_volumes) + sizeof environment -
-         sizeof environment.engine;
-}
-
-void check_environment(const dsw_environment& environment, dsw_build_report* report) {
-  const Environment<3>& env = space(environment);
-  ReportWriter(report).run([&](BuildReport& found) -> const Environment<3>& {
-    const Map<3>& map = env.map;
+/** As check_environment. */
+template <int D>
+void check(const Environment<D>& env, dsw_build_report* report) {
+  ReportWriter(report).run([&](BuildReport& found) -> const Environment<D>& {
+    const Map<D>& map = env.map;
     if (const char* const broken = check_integrity(map)) fail(DSW_STATUS_INTERNAL, "the map is broken: %s", broken);
     for_each_cell(map, [&](Cell c) {
       const CellState state = check_cell(env, c);
@@ -181,6 +178,23 @@ void check_environment(const dsw_environment& environment, dsw_build_report* rep
     check_boundary(env, found.offenders);
     return env;
   });
+}
+
+}  // namespace
+
+dsw_environment* build_environment(dsw_context* context, const dsw_environment_desc& desc, dsw_build_report* report) {
+  return is_planar(desc) ? build_in<2>(context, desc, report) : build_in<3>(context, desc, report);
+}
+
+uint64_t memory_bytes(const dsw_environment& environment) {
+  const uint64_t of_engine = visit(environment, [](const auto& env) { return env.memory_bytes() - sizeof env; });
+  return of_engine + array_bytes(environment.changes) + array_bytes(environment.cut_vertices) +
+         array_bytes(environment.cut_faces) + array_bytes(environment.whole_volumes) +
+         array_bytes(environment.carved_volumes) + array_bytes(environment.unmended_volumes) + sizeof environment;
+}
+
+void check_environment(const dsw_environment& environment, dsw_build_report* report) {
+  visit(environment, [&](const auto& env) { check(env, report); });
 }
 
 }  // namespace dsw::capi

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -95,6 +96,16 @@ Handle& check_handle(Handle* handle, const char* name) {
   if (handle->magic != Handle::kMagic) fail(DSW_STATUS_STALE_ID, "%s is not a live object of its type", name);
   return *handle;
 }
+
+/** Runs the body of the entry point named `function` with the engine of a handle, whatever its dimension. */
+template <class Handle, class Body>
+dsw_status guarded_visit(const char* function, Handle* handle, const char* name, const Body& body) noexcept {
+  return guard(function, [&] { visit(check_handle(handle, name), body); });
+}
+
+/** Of an engine as visit gives it. */
+template <class Engine>
+constexpr int kDimension = std::decay_t<Engine>::kDimension;
 
 /** A context is optional: null passes. */
 inline dsw_context* check_context(dsw_context* context) {

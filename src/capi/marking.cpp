@@ -20,7 +20,7 @@ bool to_bool(dsw_mark mark) {
 /** Refuses a shared environment and begins a marking call: what the last one said about occupants is over. */
 dsw_scene* begin_marking(dsw_environment& environment) {
   dsw_scene* const scene = capi::only_scene(environment);
-  dsw::clear_occupants(capi::engine_of(scene));
+  if (scene != nullptr) capi::visit(*scene, [](auto& s) { dsw::clear_occupants(&s); });
   return scene;
 }
 
@@ -41,16 +41,18 @@ class Converted {
   dsw::Array<T> many_;
 };
 
+template <int D>
 struct CellMarked {
-  const dsw::Environment<3>& env;
+  const dsw::Environment<D>& env;
   bool vertex(uint32_t v) const { return vertex_marked(env, v); }
   bool edge(dsw::Dart d) const { return edge_marked(env, dart_vertex(env.map, d), dart_target(env.map, d)); }
   bool face(dsw::HalfFacet h) const { return env.map.facet_marked(h); }
   bool volume(dsw::Cell c) const { return env.map.marked(c); }
 };
 
+template <int D>
 struct CellImpassable {
-  const dsw::Environment<3>& env;
+  const dsw::Environment<D>& env;
   bool vertex(uint32_t v) const { return vertex_impassable(env, v); }
   bool edge(dsw::Dart d) const { return edge_impassable(env, d); }
   bool face(dsw::HalfFacet h) const { return is_impassable(env, h); }
@@ -61,18 +63,17 @@ struct CellImpassable {
 
 dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_volume_id* volumes, size_t count,
                                         dsw_mark mark, uint32_t flags, size_t* skipped) {
-  return capi::guard("dsw_environment_mark_volumes", [&] {
-    dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw::Environment<3>& env = capi::space(handle);
+  return capi::guarded_visit("dsw_environment_mark_volumes", environment, "environment", [&](auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
     capi::require_array(volumes, count, "volumes");
     const bool marked = to_bool(mark);
     capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
     Converted<dsw::Cell> cells(env.memory, count);
     for (size_t i = 0; i < count; ++i) cells.data()[i] = capi::to_cell(env.map, volumes[i], {"volumes", true}, i);
-    dsw_scene* const scene = begin_marking(handle);
+    dsw_scene* const scene = begin_marking(*environment);
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
     capi::Recorded call(scene, capi::Call::kMarkVolumes, capi::Items<dsw_volume_id>{volumes, count}, mark, flags);
-    const size_t left_out = mark_cells(env, capi::engine_of(scene), cells.data(), count, marked, skip);
+    const size_t left_out = mark_cells(env, capi::engine_of<D>(scene), cells.data(), count, marked, skip);
     call.done(left_out);
     if (skipped != nullptr) *skipped = left_out;
   });
@@ -80,16 +81,15 @@ dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_
 
 dsw_status dsw_environment_mark_faces(dsw_environment* environment, const dsw_face_id* faces, size_t count,
                                       dsw_mark mark) {
-  return capi::guard("dsw_environment_mark_faces", [&] {
-    dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw::Environment<3>& env = capi::space(handle);
+  return capi::guarded_visit("dsw_environment_mark_faces", environment, "environment", [&](auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
     capi::require_array(faces, count, "faces");
     const bool marked = to_bool(mark);
     Converted<dsw::HalfFacet> facets(env.memory, count);
     for (size_t i = 0; i < count; ++i) facets.data()[i] = capi::to_half_facet(env.map, faces[i], {"faces", true}, i);
-    dsw_scene* const scene = begin_marking(handle);
+    dsw_scene* const scene = begin_marking(*environment);
     capi::Recorded call(scene, capi::Call::kMarkFaces, capi::Items<dsw_face_id>{faces, count}, mark);
-    mark_facets(env, capi::engine_of(scene), facets.data(), count, marked);
+    mark_facets(env, capi::engine_of<D>(scene), facets.data(), count, marked);
     call.done();
   });
 }
@@ -112,13 +112,11 @@ dsw_status dsw_environment_mark_edges(dsw_environment* environment, const dsw_ed
 
 dsw_status dsw_environment_mark_vertices(dsw_environment* environment, const dsw_vertex_id* vertices, size_t count,
                                          dsw_mark mark) {
-  return capi::guard("dsw_environment_mark_vertices", [&] {
-    dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw::Environment<3>& env = capi::space(handle);
+  return capi::guarded_visit("dsw_environment_mark_vertices", environment, "environment", [&](auto& env) {
     capi::require_array(vertices, count, "vertices");
     const bool marked = to_bool(mark);
     for (size_t i = 0; i < count; ++i) capi::to_vertex(env.map, vertices[i], {"vertices", true}, i);
-    dsw_scene* const scene = begin_marking(handle);
+    dsw_scene* const scene = begin_marking(*environment);
     capi::Recorded call(scene, capi::Call::kMarkVertices, capi::Items<dsw_vertex_id>{vertices, count}, mark);
     if (marked && count != 0) reserve_vertex_marks(env);
     for (size_t i = 0; i < count; ++i) set_vertex_mark(env, vertices[i].index, marked);
@@ -128,16 +126,15 @@ dsw_status dsw_environment_mark_vertices(dsw_environment* environment, const dsw
 
 dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t region, dsw_mark mark, uint32_t flags,
                                        size_t* marked, size_t* skipped) {
-  return capi::guard("dsw_environment_mark_region", [&] {
-    dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw::Environment<3>& env = capi::space(handle);
+  return capi::guarded_visit("dsw_environment_mark_region", environment, "environment", [&](auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
     const bool impassable = to_bool(mark);
     capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
-    dsw_scene* const scene = begin_marking(handle);
+    dsw_scene* const scene = begin_marking(*environment);
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
     size_t left_out = 0;
     capi::Recorded call(scene, capi::Call::kMarkRegion, region, mark, flags);
-    const size_t all = mark_region(env, capi::engine_of(scene), region, impassable, skip, &left_out);
+    const size_t all = mark_region(env, capi::engine_of<D>(scene), region, impassable, skip, &left_out);
     call.done(all, left_out);
     if (marked != nullptr) *marked = all - left_out;
     if (skipped != nullptr) *skipped = left_out;
@@ -146,42 +143,43 @@ dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t reg
 
 dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a, int32_t b, dsw_mark mark,
                                         size_t* marked) {
-  return capi::guard("dsw_environment_mark_between", [&] {
-    dsw_environment& handle = capi::check_handle(environment, "environment");
+  return capi::guarded_visit("dsw_environment_mark_between", environment, "environment", [&](auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
     const bool impassable = to_bool(mark);
-    dsw_scene* const scene = begin_marking(handle);
+    dsw_scene* const scene = begin_marking(*environment);
     capi::Recorded call(scene, capi::Call::kMarkBetween, a, b, mark);
-    const size_t all = mark_between(capi::space(handle), capi::engine_of(scene), a, b, impassable);
+    const size_t all = mark_between(env, capi::engine_of<D>(scene), a, b, impassable);
     call.done(all);
     if (marked != nullptr) *marked = all;
   });
 }
 
 dsw_status dsw_environment_is_marked(const dsw_environment* environment, dsw_cell cell, int* marked) {
-  return capi::guard("dsw_environment_is_marked", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+  return capi::guarded_visit("dsw_environment_is_marked", environment, "environment", [&](const auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
     capi::require(marked, "marked");
-    *marked = capi::visit_cell(env.map, cell, CellMarked{env}) ? 1 : 0;
+    *marked = capi::visit_cell(env.map, cell, CellMarked<D>{env}) ? 1 : 0;
   });
 }
 
 dsw_status dsw_environment_is_impassable(const dsw_environment* environment, dsw_cell cell, int* impassable) {
-  return capi::guard("dsw_environment_is_impassable", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+  return capi::guarded_visit("dsw_environment_is_impassable", environment, "environment", [&](const auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
     capi::require(impassable, "impassable");
-    *impassable = capi::visit_cell(env.map, cell, CellImpassable{env}) ? 1 : 0;
+    *impassable = capi::visit_cell(env.map, cell, CellImpassable<D>{env}) ? 1 : 0;
   });
 }
 
 dsw_status dsw_environment_get_mark_count(const dsw_environment* environment, dsw_cell_kind kind, size_t* count) {
-  return capi::guard("dsw_environment_get_mark_count", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+  return capi::guarded_visit("dsw_environment_get_mark_count", environment, "environment", [&](const auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
     capi::require(count, "count");
     switch (kind) {
       case DSW_CELL_VERTEX:
         *count = env.marked_vertices;
         return;
       case DSW_CELL_EDGE:
+        if (D == 2) break;
         *count = env.marked_edges;
         return;
       case DSW_CELL_FACE:
@@ -191,7 +189,8 @@ dsw_status dsw_environment_get_mark_count(const dsw_environment* environment, ds
         *count = env.marked_cells;
         return;
       default:
-        capi::fail_kind("kind", kind);
+        break;
     }
+    capi::fail_kind("kind", kind, D);
   });
 }

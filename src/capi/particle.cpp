@@ -29,14 +29,15 @@ void for_each_part(const Given& given, const Use& use) {
 }
 
 /** Where particles are. */
+template <int D>
 struct Places {
-  const dsw::Scene<3>& scene;
+  const dsw::Scene<D>& scene;
   const dsw_particle_id* particles;
   size_t count;
 };
 
-template <class Use>
-void for_each_part(const Places& of, const Use& use) {
+template <int D, class Use>
+void for_each_part(const Places<D>& of, const Use& use) {
   for (size_t i = 0; i < of.count; ++i) {
     const auto& position = of.scene.particles[of.particles[i].index].position;
     use(position, sizeof position);
@@ -47,23 +48,23 @@ void for_each_part(const Places& of, const Use& use) {
 
 dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_volume_id hint,
                                dsw_particle_id* particle) {
-  return capi::guard("dsw_particle_create", [&] {
-    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_particle_create", scene, "scene", [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
     capi::require(position, "position");
     capi::require(particle, "particle");
-    capi::Recorded call(scene, capi::Call::kCreateParticle, capi::Points{{position, 3}, 1}, hint);
-    create_particles(s, {position, 3}, 1, &hint, false, particle, nullptr);
+    capi::Recorded call(scene, capi::Call::kCreateParticle, capi::Points{{position, D}, 1, D}, hint);
+    create_particles(s, {position, D}, 1, &hint, false, particle, nullptr);
     call.done(*particle);
   });
 }
 
 dsw_status dsw_scene_create_particles(dsw_scene* scene, const double* positions, size_t count, size_t stride_bytes,
                                       const dsw_volume_id* hints, dsw_particle_id* particles, size_t* offender) {
-  return capi::guard("dsw_scene_create_particles", [&] {
-    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
-    const dsw::PointArray points = capi::to_points(positions, count, stride_bytes, "positions");
+  return capi::guarded_visit("dsw_scene_create_particles", scene, "scene", [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
+    const dsw::PointArray points = capi::to_points<D>(positions, count, stride_bytes, "positions");
     capi::require_array(particles, count, "particles");
-    capi::Recorded call(scene, capi::Call::kCreateParticles, capi::Points{points, count},
+    capi::Recorded call(scene, capi::Call::kCreateParticles, capi::Points{points, count, D},
                         capi::Items<dsw_volume_id>{hints, count});
     create_particles(s, points, count, hints, true, particles, offender);
     call.done(capi::Items<dsw_particle_id>{particles, count});
@@ -71,8 +72,7 @@ dsw_status dsw_scene_create_particles(dsw_scene* scene, const double* positions,
 }
 
 dsw_status dsw_particle_destroy(dsw_scene* scene, dsw_particle_id particle) {
-  return capi::guard("dsw_particle_destroy", [&] {
-    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_particle_destroy", scene, "scene", [&](auto& s) {
     check_particle(s, particle);
     capi::Recorded call(scene, capi::Call::kDestroyParticle, particle);
     destroy_particle(s, particle.index);
@@ -81,8 +81,7 @@ dsw_status dsw_particle_destroy(dsw_scene* scene, dsw_particle_id particle) {
 }
 
 dsw_status dsw_scene_get_particle_count(const dsw_scene* scene, size_t* count) {
-  return capi::guard("dsw_scene_get_particle_count", [&] {
-    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_scene_get_particle_count", scene, "scene", [&](auto& s) {
     capi::require(count, "count");
     *count = s.slots.alive_count();
   });
@@ -90,32 +89,30 @@ dsw_status dsw_scene_get_particle_count(const dsw_scene* scene, size_t* count) {
 
 dsw_status dsw_scene_get_particle_ids(const dsw_scene* scene, dsw_particle_id* particles, size_t capacity,
                                       size_t* count) {
-  return capi::guard("dsw_scene_get_particle_ids", [&] {
-    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
-    capi::copy_ids(s.particles.size(), s.slots, particles, capacity, count);
-  });
+  return capi::guarded_visit("dsw_scene_get_particle_ids", scene, "scene",
+                             [&](auto& s) { capi::copy_ids(s.particles.size(), s.slots, particles, capacity, count); });
 }
 
 dsw_status dsw_particle_get(const dsw_scene* scene, dsw_particle_id particle, double* position, dsw_volume_id* volume) {
-  return capi::guard("dsw_particle_get", [&] {
-    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_particle_get", scene, "scene", [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
     check_particle(s, particle);
-    const dsw::ParticleState<3>& state = s.particles[particle.index];
-    if (position != nullptr) std::copy(state.position, state.position + 3, position);
+    const auto& state = s.particles[particle.index];
+    if (position != nullptr) std::copy(state.position, state.position + D, position);
     if (volume != nullptr) *volume = volume_id(s.env.map, state.cell);
   });
 }
 
 dsw_status dsw_scene_get_particles(const dsw_scene* scene, const dsw_particle_id* particles, size_t count,
                                    double* positions, size_t stride_bytes, dsw_volume_id* volumes) {
-  return capi::guard("dsw_scene_get_particles", [&] {
-    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_scene_get_particles", scene, "scene", [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
     capi::require_array(particles, count, "particles");
-    const size_t step = capi::to_step(count, stride_bytes);
+    const size_t step = capi::to_step<D>(count, stride_bytes);
     check_particles(s, particles, count);
     for (size_t i = 0; i < count; ++i) {
-      const dsw::ParticleState<3>& state = s.particles[particles[i].index];
-      if (positions != nullptr) std::copy(state.position, state.position + 3, positions + i * step);
+      const auto& state = s.particles[particles[i].index];
+      if (positions != nullptr) std::copy(state.position, state.position + D, positions + i * step);
       if (volumes != nullptr) volumes[i] = volume_id(s.env.map, state.cell);
     }
   });
@@ -123,12 +120,12 @@ dsw_status dsw_scene_get_particles(const dsw_scene* scene, const dsw_particle_id
 
 dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const double* target,
                              const dsw_cast_options* options, dsw_flight* flight) {
-  return capi::guard("dsw_particle_move", [&] {
-    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_particle_move", scene, "scene", [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
     capi::require(target, "target");
     const dsw::FlightOptions o = to_flight_options(options);
     check_particle(s, particle);
-    capi::Recorded call(scene, capi::Call::kMoveParticle, particle, capi::Points{{target, 3}, 1}, Given{options});
+    capi::Recorded call(scene, capi::Call::kMoveParticle, particle, capi::Points{{target, D}, 1, D}, Given{options});
     move_particle(s, particle, target, o, flight);
     call.done(s.particles[particle.index].position);
   });
@@ -137,29 +134,29 @@ dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const d
 dsw_status dsw_scene_move_particles(dsw_scene* scene, const dsw_particle_id* particles, size_t count,
                                     const double* targets, size_t stride_bytes, const dsw_cast_options* options,
                                     dsw_flight* flights) {
-  return capi::guard("dsw_scene_move_particles", [&] {
-    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_scene_move_particles", scene, "scene", [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
     capi::require_array(particles, count, "particles");
-    const dsw::PointArray points = capi::to_points(targets, count, stride_bytes, "targets");
+    const dsw::PointArray points = capi::to_points<D>(targets, count, stride_bytes, "targets");
     const dsw::FlightOptions o = to_flight_options(options);
     capi::Recorded call(scene, capi::Call::kMoveParticles, capi::Items<dsw_particle_id>{particles, count},
-                        capi::Points{points, count}, Given{options});
+                        capi::Points{points, count, D}, Given{options});
     move_particles(s, particles, count, points, o, flights);
-    call.done(Places{s, particles, count});
+    call.done(Places<D>{s, particles, count});
   });
 }
 
 dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id* particles, size_t count,
                                          const double* to, size_t stride_bytes, const dsw_cast_options* options,
                                          dsw_flight* flights) {
-  return capi::guard("dsw_scene_cast_from_particles", [&] {
-    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_scene_cast_from_particles", scene, "scene", [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
     capi::require_array(particles, count, "particles");
-    const dsw::PointArray points = capi::to_points(to, count, stride_bytes, "to");
+    const dsw::PointArray points = capi::to_points<D>(to, count, stride_bytes, "to");
     capi::require_array(flights, count, "flights");
     const dsw::FlightOptions o = to_flight_options(options);
     capi::Recorded call(scene, capi::Call::kCastFromParticles, capi::Items<dsw_particle_id>{particles, count},
-                        capi::Points{points, count}, Given{options});
+                        capi::Points{points, count, D}, Given{options});
     cast_from_particles(s, particles, count, points, o, flights);
     call.done(capi::Items<dsw_flight>{flights, count});
   });
@@ -167,8 +164,7 @@ dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id
 
 dsw_status dsw_scene_get_crossings(const dsw_scene* scene, const dsw_crossing** crossings, const size_t** first,
                                    size_t* flight_count) {
-  return capi::guard("dsw_scene_get_crossings", [&] {
-    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_scene_get_crossings", scene, "scene", [&](auto& s) {
     capi::require(crossings, "crossings");
     capi::require(first, "first");
     capi::require(flight_count, "flight_count");
@@ -180,8 +176,7 @@ dsw_status dsw_scene_get_crossings(const dsw_scene* scene, const dsw_crossing** 
 }
 
 dsw_status dsw_scene_get_occupants(const dsw_scene* scene, const dsw_particle_id** particles, size_t* count) {
-  return capi::guard("dsw_scene_get_occupants", [&] {
-    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_scene_get_occupants", scene, "scene", [&](auto& s) {
     capi::require(particles, "particles");
     capi::require(count, "count");
     *particles = s.occupants.data();

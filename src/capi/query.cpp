@@ -13,35 +13,37 @@ using dsw::fail;
 
 namespace {
 
-dsw_place place_of(const dsw::Environment<3>& env, dsw::Cell c) noexcept {
+template <int D>
+dsw_place place_of(const dsw::Environment<D>& env, dsw::Cell c) noexcept {
   return !c.valid() ? DSW_PLACE_OUTSIDE : is_closed(env, c) ? DSW_PLACE_IMPASSABLE : DSW_PLACE_PASSABLE;
 }
 
 /** The public id of what classify and find_nearest name. */
-dsw_cell to_public(const dsw::Environment<3>& env, const dsw::FeatureRef& feature) noexcept {
-  const dsw::Map<3>& map = env.map;
-  switch (feature.dimension) {
-    case 0:
-      return capi::cell_of_vertex(map, map.vertex(feature.cell, feature.local));
-    case 1:
+template <int D>
+dsw_cell to_public(const dsw::Environment<D>& env, const dsw::FeatureRef& feature) noexcept {
+  const dsw::Map<D>& map = env.map;
+  if (feature.dimension == 0) return capi::cell_of_vertex(map, map.vertex(feature.cell, feature.local));
+  if constexpr (D == 3) {
+    if (feature.dimension == 1)
       return capi::cell_of_edge(capi::edge_id(map, dart_of_edge(map, feature.cell, feature.local)));
-    case 2:
-      return capi::cell_of_face(face_id(map, canonical(map, map.half_facet(feature.cell, feature.local))));
-    default:
-      return {DSW_CELL_VOLUME, map.index(feature.cell), map.generation(feature.cell), 0};
   }
+  if (feature.dimension == D - 1) {
+    return capi::cell_of_face(face_id(map, canonical(map, map.half_facet(feature.cell, feature.local))));
+  }
+  return {DSW_CELL_VOLUME, map.index(feature.cell), map.generation(feature.cell), 0};
 }
 
 /** The side of a facet that a viewer in the direction of `normal` sees. Behind a marked cell there is no viewer. */
-dsw::HalfFacet seen_side(const dsw::Environment<3>& env, const dsw::FeatureRef& facet, const double* normal) noexcept {
+template <int D>
+dsw::HalfFacet seen_side(const dsw::Environment<D>& env, const dsw::FeatureRef& facet, const double* normal) noexcept {
   const dsw::HalfFacet h = env.map.half_facet(facet.cell, facet.local), o = env.map.opposite(h);
   if (!o.valid() || is_closed(env, env.map.cell_of(o))) return h;
   if (is_closed(env, facet.cell)) return o;
   const dsw::Shape shape = env.map.shape(facet.cell);
-  const double* simplex[3];
+  const double* simplex[D];
   simplex_points(env, facet.cell, shape, shape.simplex_first(facet.local), simplex);
-  double outward[3];
-  dsw::unit_normal<3>(simplex, outward);
+  double outward[3] = {};
+  dsw::unit_normal<D>(simplex, outward);
   return outward[0] * normal[0] + outward[1] * normal[1] + outward[2] * normal[2] > 0 ? o : h;
 }
 
@@ -53,10 +55,10 @@ void dsw_cast_options_init(dsw_cast_options* options, size_t size) {
 
 dsw_status dsw_environment_locate(const dsw_environment* environment, const double* point, dsw_volume_id hint,
                                   dsw_volume_id* volume, dsw_place* place) {
-  return capi::guard("dsw_environment_locate", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+  return capi::guarded_visit("dsw_environment_locate", environment, "environment", [&](const auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
     capi::require(volume, "volume");
-    capi::check_point(point, "point");
+    capi::check_point<D>(point, "point");
     capi::check_hint(env.map, hint, "hint");
     const dsw::Cell c = locate_point(env, point, hint);
     *volume = volume_id(env.map, c);
@@ -67,14 +69,13 @@ dsw_status dsw_environment_locate(const dsw_environment* environment, const doub
 dsw_status dsw_environment_locate_points(const dsw_environment* environment, const double* points, size_t count,
                                          size_t stride_bytes, const dsw_volume_id* hints, dsw_volume_id* volumes,
                                          dsw_place* places) {
-  return capi::guard("dsw_environment_locate_points", [&] {
-    const dsw_environment& handle = capi::check_handle(environment, "environment");
-    const dsw::Environment<3>& env = capi::space(handle);
-    const dsw::PointArray array = capi::to_points(points, count, stride_bytes, "points");
+  return capi::guarded_visit("dsw_environment_locate_points", environment, "environment", [&](const auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
+    const dsw::PointArray array = capi::to_points<D>(points, count, stride_bytes, "points");
     capi::require_array(volumes, count, "volumes");
-    check_finite(array, count, 3, {"points", true});
+    check_finite(array, count, D, {"points", true});
     capi::check_hints(env.map, hints, count, "hints");
-    locate_points(env, handle.parallel, array, count, hints, volumes);
+    locate_points(env, environment->parallel, array, count, hints, volumes);
     for (size_t i = 0; places != nullptr && i < count; ++i) {
       places[i] = place_of(env, dsw::is_null(volumes[i]) ? dsw::Cell{} : env.map.cell(volumes[i].index));
     }
@@ -83,15 +84,15 @@ dsw_status dsw_environment_locate_points(const dsw_environment* environment, con
 
 dsw_status dsw_environment_classify(const dsw_environment* environment, const double* point, dsw_volume_id volume,
                                     dsw_cell* cell) {
-  return capi::guard("dsw_environment_classify", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
-    capi::check_point(point, "point");
+  return capi::guarded_visit("dsw_environment_classify", environment, "environment", [&](const auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
+    capi::check_point<D>(point, "point");
     const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
     capi::require(cell, "cell");
     bool inside = false;
     const dsw::FeatureRef feature = classify(env, point, c, &inside);
     if (!inside) {
-      fail(DSW_STATUS_OUTSIDE, "point (%g, %g, %g) is not in the closure of volume %u", point[0], point[1], point[2],
+      fail(DSW_STATUS_OUTSIDE, "point %s is not in the closure of volume %u", dsw::PointText(point, D).text,
            volume.index);
     }
     *cell = to_public(env, feature);
@@ -100,40 +101,39 @@ dsw_status dsw_environment_classify(const dsw_environment* environment, const do
 
 dsw_status dsw_environment_cast(const dsw_environment* environment, dsw_volume_id start, const double* from,
                                 const double* to, const dsw_cast_options* options, dsw_flight* flight) {
-  return capi::guard("dsw_environment_cast", [&] {
-    const dsw_environment& handle = capi::check_handle(environment, "environment");
-    capi::check_point(from, "from");
-    capi::check_point(to, "to");
+  return capi::guarded_visit("dsw_environment_cast", environment, "environment", [&](const auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
+    capi::check_point<D>(from, "from");
+    capi::check_point<D>(to, "to");
     capi::require(flight, "flight");
-    capi::check_hint(capi::space(handle).map, start, "start");
-    cast_segments(capi::space(handle), handle.parallel, 1, &start, {from, 3}, {to, 3}, capi::to_options(options),
-                  flight);
+    capi::check_hint(env.map, start, "start");
+    cast_segments(env, environment->parallel, 1, &start, {from, D}, {to, D}, capi::to_options(options), flight);
   });
 }
 
 dsw_status dsw_environment_cast_segments(const dsw_environment* environment, size_t count, const dsw_volume_id* starts,
                                          const double* from, const double* to, size_t stride_bytes,
                                          const dsw_cast_options* options, dsw_flight* flights) {
-  return capi::guard("dsw_environment_cast_segments", [&] {
-    const dsw_environment& handle = capi::check_handle(environment, "environment");
-    const dsw::PointArray first = capi::to_points(from, count, stride_bytes, "from");
-    const dsw::PointArray last = capi::to_points(to, count, stride_bytes, "to");
+  return capi::guarded_visit("dsw_environment_cast_segments", environment, "environment", [&](const auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
+    const dsw::PointArray first = capi::to_points<D>(from, count, stride_bytes, "from");
+    const dsw::PointArray last = capi::to_points<D>(to, count, stride_bytes, "to");
     capi::require_array(flights, count, "flights");
     const dsw::SegmentOptions settings = capi::to_options(options);
-    check_finite(first, count, 3, {"from", true});
-    check_finite(last, count, 3, {"to", true});
-    capi::check_hints(capi::space(handle).map, starts, count, "starts");
-    cast_segments(capi::space(handle), handle.parallel, count, starts, first, last, settings, flights);
+    check_finite(first, count, D, {"from", true});
+    check_finite(last, count, D, {"to", true});
+    capi::check_hints(env.map, starts, count, "starts");
+    cast_segments(env, environment->parallel, count, starts, first, last, settings, flights);
   });
 }
 
 dsw_status dsw_environment_cast_path(const dsw_environment* environment, dsw_volume_id start, const double* from,
                                      const double* to, const dsw_cast_options* options, dsw_crossing* crossings,
                                      size_t capacity, size_t* count, dsw_flight* flight) {
-  return capi::guard("dsw_environment_cast_path", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
-    capi::check_point(from, "from");
-    capi::check_point(to, "to");
+  return capi::guarded_visit("dsw_environment_cast_path", environment, "environment", [&](const auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
+    capi::check_point<D>(from, "from");
+    capi::check_point<D>(to, "to");
     capi::require_array(crossings, capacity, "crossings");
     capi::require(count, "count");
     capi::check_hint(env.map, start, "start");
@@ -148,17 +148,17 @@ dsw_status dsw_environment_cast_path(const dsw_environment* environment, dsw_vol
 
 dsw_status dsw_environment_find_nearest(const dsw_environment* environment, const double* point, dsw_volume_id volume,
                                         double radius, dsw_nearest* nearest) {
-  return capi::guard("dsw_environment_find_nearest", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
-    capi::check_point(point, "point");
+  return capi::guarded_visit("dsw_environment_find_nearest", environment, "environment", [&](const auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
+    capi::check_point<D>(point, "point");
     capi::require(nearest, "nearest");
     if (!(radius >= 0)) fail(DSW_STATUS_OUT_OF_RANGE, "radius is %g, must be at least 0", radius);
     capi::check_hint(env.map, volume, "volume");
     const dsw::Cell c = dsw::is_null(volume) ? locate_point(env, point, volume) : env.map.cell(volume.index);
-    if (!c.valid()) fail(DSW_STATUS_OUTSIDE, "point (%g, %g, %g) lies in no volume", point[0], point[1], point[2]);
+    if (!c.valid()) fail(DSW_STATUS_OUTSIDE, "point %s lies in no volume", dsw::PointText(point, D).text);
     if (is_closed(env, c)) {
-      fail(DSW_STATUS_IMPASSABLE, "point (%g, %g, %g) lies in volume %u, which is impassable", point[0], point[1],
-           point[2], env.map.index(c));
+      fail(DSW_STATUS_IMPASSABLE, "point %s lies in volume %u, which is impassable", dsw::PointText(point, D).text,
+           env.map.index(c));
     }
     dsw::NearestResult found;
     dsw_nearest answer{};
@@ -167,7 +167,7 @@ dsw_status dsw_environment_find_nearest(const dsw_environment* environment, cons
       std::copy(found.point, found.point + 3, answer.point);
       std::copy(found.normal, found.normal + 3, answer.normal);
       answer.cell = to_public(env, found.feature);
-      if (found.feature.dimension == 2) {
+      if (found.feature.dimension == D - 1) {
         const dsw::HalfFacet seen = seen_side(env, found.feature, found.normal);
         answer.tag = obstacle_tag(env, seen, env.map.cell_of(seen));
       }

@@ -81,6 +81,7 @@ Items<T> items_of(const Array<T>& array) noexcept {
 struct Points {
   PointArray points;
   size_t count;
+  uint32_t dimension = 3;
 };
 
 /** The points of a deformation: those that are elsewhere than where the environment has them. */
@@ -112,9 +113,11 @@ void for_each_part(const Items<T>& array, const Use& use) {
 }
 template <class Use>
 void for_each_part(const Points& array, const Use& use) {
-  const uint64_t count = array.points.data == nullptr ? kNullArray : 3 * uint64_t{array.count};
+  const uint64_t count = array.points.data == nullptr ? kNullArray : array.dimension * uint64_t{array.count};
   use(&count, sizeof count);
-  for (size_t i = 0; count != kNullArray && i < array.count; ++i) use(array.points[i], 3 * sizeof(double));
+  for (size_t i = 0; count != kNullArray && i < array.count; ++i) {
+    use(array.points[i], array.dimension * sizeof(double));
+  }
 }
 template <class Use>
 void for_each_part(const MovedPoints& of, const Use& use) {

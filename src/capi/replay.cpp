@@ -72,7 +72,7 @@ void load_beginning(dsw_replay& replay) {
   load(capi::space(*environment), first.bytes + sizeof lending, first.size - sizeof lending);
   replay.environment = environment.take();
   const dsw::Entry second = next_entry(replay, dsw::EntryKind::kScene, "its scene");
-  capi::SceneOwner scene(*replay.environment, dsw::saved_features(second.bytes, second.size));
+  capi::SceneOwner scene(*replay.environment, dsw::saved_features<3>(second.bytes, second.size));
   load(capi::space(*scene), second.bytes, second.size);
   replay.scene = scene.enter();
   replay.scene->watch = &replay.watch;

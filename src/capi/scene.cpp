@@ -8,10 +8,9 @@ using dsw::fail;
 
 namespace {
 
-const dsw::Scene<3>& counting_scene(const dsw_scene* scene) {
-  const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
-  if (!s.features.statistics) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_STATISTICS");
-  return s;
+template <int D>
+void require_statistics(const dsw::Scene<D>& scene) {
+  if (!scene.features.statistics) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_STATISTICS");
 }
 
 }  // namespace
@@ -31,6 +30,7 @@ dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* 
         (d.features & DSW_FEATURE_STATISTICS) != 0, (d.features & DSW_FEATURE_CROSSINGS) != 0,
         (d.features & DSW_FEATURE_DEFORMING) != 0, (d.features & DSW_FEATURE_BODY_CONTACTS) != 0,
         (d.features & DSW_FEATURE_LIVE_CHANGES) != 0};
+    if (features.deforming || features.contacts) capi::space(home);
     capi::SceneOwner owner(home, features);
     *scene = owner.enter();
   });
@@ -55,8 +55,9 @@ dsw_environment* dsw_scene_get_environment(const dsw_scene* scene) {
 }
 
 dsw_status dsw_scene_get_statistics(const dsw_scene* scene, dsw_statistics* statistics) {
-  return capi::guard("dsw_scene_get_statistics", [&] {
-    const dsw::SceneStatistics& from = counting_scene(scene).statistics;
+  return capi::guarded_visit("dsw_scene_get_statistics", scene, "scene", [&](const auto& engine) {
+    require_statistics(engine);
+    const dsw::SceneStatistics& from = engine.statistics;
     capi::require(statistics, "statistics");
     capi::check_size(statistics, "statistics");
     dsw_statistics s{};
@@ -74,20 +75,18 @@ dsw_status dsw_scene_get_statistics(const dsw_scene* scene, dsw_statistics* stat
 }
 
 dsw_status dsw_scene_reset_statistics(dsw_scene* scene) {
-  return capi::guard("dsw_scene_reset_statistics", [&] {
-    counting_scene(scene);
+  return capi::guarded_visit("dsw_scene_reset_statistics", scene, "scene", [&](auto& engine) {
+    require_statistics(engine);
     capi::Recorded call(scene, capi::Call::kResetStatistics);
-    capi::space(*scene).statistics = dsw::SceneStatistics{};
+    engine.statistics = dsw::SceneStatistics{};
     call.done();
   });
 }
 
 dsw_status dsw_scene_get_memory_bytes(const dsw_scene* scene, uint64_t* bytes) {
-  return capi::guard("dsw_scene_get_memory_bytes", [&] {
-    const dsw_scene& handle = capi::check_handle(scene, "scene");
+  return capi::guarded_visit("dsw_scene_get_memory_bytes", scene, "scene", [&](const auto& engine) {
     capi::require(bytes, "bytes");
-    *bytes = capi::space(handle).memory_bytes() + array_bytes(handle.detached_volumes) +
-             array_bytes(handle.detached_vertices) + array_bytes(handle.detached_faces) + sizeof handle -
-             sizeof handle.engine;
+    *bytes = engine.memory_bytes() + array_bytes(scene->detached_volumes) + array_bytes(scene->detached_vertices) +
+             array_bytes(scene->detached_faces) + sizeof *scene - sizeof engine;
   });
 }

@@ -1,6 +1,7 @@
 #include "dartsweep/snapshot.h"
 
 #include "capi/handle.h"
+#include "snapshot/block.h"
 #include "snapshot/scene_snapshot.h"
 #include "snapshot/snapshot.h"
 
@@ -27,9 +28,8 @@ void save_to(const Saved& saved, void* block, size_t capacity_bytes, size_t* siz
 
 dsw_status dsw_environment_save(const dsw_environment* environment, void* block, size_t capacity_bytes,
                                 size_t* size_bytes) {
-  return capi::guard("dsw_environment_save", [&] {
-    save_to(capi::space(capi::check_handle(environment, "environment")), block, capacity_bytes, size_bytes);
-  });
+  return capi::guarded_visit("dsw_environment_save", environment, "environment",
+                             [&](const auto& env) { save_to(env, block, capacity_bytes, size_bytes); });
 }
 
 dsw_status dsw_environment_load(dsw_context* context, const void* block, size_t size_bytes,
@@ -38,16 +38,16 @@ dsw_status dsw_environment_load(dsw_context* context, const void* block, size_t 
     capi::check_context(context);
     capi::require(block, "block");
     capi::require(environment, "environment");
-    capi::EnvironmentOwner owner(context, 3);
-    load(capi::space(*owner), static_cast<const uint8_t*>(block), size_bytes);
+    const auto* const bytes = static_cast<const uint8_t*>(block);
+    capi::EnvironmentOwner owner(context, dsw::saved_dimension(bytes, size_bytes));
+    capi::visit(*owner, [&](auto& env) { load(env, bytes, size_bytes); });
     *environment = owner.take();
   });
 }
 
 dsw_status dsw_scene_save(const dsw_scene* scene, void* block, size_t capacity_bytes, size_t* size_bytes) {
-  return capi::guard("dsw_scene_save", [&] {
-    save_to(capi::space(capi::check_handle(scene, "scene")), block, capacity_bytes, size_bytes);
-  });
+  return capi::guarded_visit("dsw_scene_save", scene, "scene",
+                             [&](const auto& engine) { save_to(engine, block, capacity_bytes, size_bytes); });
 }
 
 dsw_status dsw_scene_load(dsw_environment* environment, const void* block, size_t size_bytes, dsw_scene** scene) {
@@ -56,8 +56,10 @@ dsw_status dsw_scene_load(dsw_environment* environment, const void* block, size_
     capi::require(block, "block");
     capi::require(scene, "scene");
     const auto* const bytes = static_cast<const uint8_t*>(block);
-    capi::SceneOwner owner(home, dsw::saved_features(bytes, size_bytes));
-    load(capi::space(*owner), bytes, size_bytes);
+    const dsw::SceneFeatures features = capi::visit(
+        home, [&](const auto& env) { return dsw::saved_features<capi::kDimension<decltype(env)>>(bytes, size_bytes); });
+    capi::SceneOwner owner(home, features);
+    capi::visit(*owner, [&](auto& engine) { load(engine, bytes, size_bytes); });
     *scene = owner.enter();
   });
 }

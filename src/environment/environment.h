@@ -15,6 +15,8 @@ namespace dsw {
 
 template <int D>
 struct Environment {
+  static constexpr int kDimension = D;
+
   const Memory* memory;
   Map<D> map;
   Array<double> owned_points;      // D doubles a vertex; empty when borrowed

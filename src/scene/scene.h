@@ -49,6 +49,8 @@ struct LiveRegister {
 
 template <int D>
 struct Scene {
+  static constexpr int kDimension = D;
+
   const Environment<D>& env;
   const Memory* memory;
   Parallel parallel;

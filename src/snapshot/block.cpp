@@ -52,6 +52,12 @@ void BlockWriter::finish() noexcept {
   store(out_ + kAtChecksum, &sum, 1);
 }
 
+uint32_t saved_dimension(const uint8_t* block, size_t size) noexcept {
+  uint32_t dimension = 3;
+  if (size >= kAtSections) fetch(&dimension, block + kAtDimension, 1);
+  return dimension == 2 ? 2 : 3;
+}
+
 BlockReader::BlockReader(const BlockKind& kind, uint32_t dimension, const uint8_t* block, size_t size)
     : at_(block + header_bytes(kind)) {
   // Blocks of another version may have a shorter header.

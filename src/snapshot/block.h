@@ -55,6 +55,9 @@ class BlockWriter {
   uint8_t *out_, *at_;
 };
 
+/** What a block says of its dimension, not to be trusted: 2, or else 3. */
+uint32_t saved_dimension(const uint8_t* block, size_t size) noexcept;
+
 /** Reads a block that is not trusted. Whatever is wrong throws Error: TRUNCATED, BAD_VERSION or CORRUPT. */
 class BlockReader {
  public:

@@ -111,10 +111,13 @@ void append_sequence(const Map<3>& map, const EdgeSequence& sequence, Array<uint
 
 }  // namespace
 
-bool can_be_at(const Environment<3>& env, Cell cell, const double* point) noexcept {
+template <int D>
+bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexcept {
   const bool finite = std::all_of(point, point + 3, [](double x) { return std::isfinite(x); });
   return finite && cell.valid() && !is_closed(env, cell) && contains(env, cell, point);
 }
+template bool can_be_at(const Environment<2>&, Cell, const double*) noexcept;
+template bool can_be_at(const Environment<3>&, Cell, const double*) noexcept;
 
 void append(const Scene<3>& scene, const BodyRecord& of, SceneImage& image) {
   const Environment<3>& env = scene.env;

@@ -33,7 +33,7 @@ struct SceneImage {
 
   explicit SceneImage(const Memory* memory);
 
-  static constexpr uint32_t kSections = 25;
+  static constexpr uint32_t kSections = 25, kFirstOfBodies = 5;
 
   /** Calls visit(array) for all arrays in the order of their sections. */
   template <class Visit>
@@ -55,12 +55,19 @@ struct SceneImage {
 constexpr uint32_t kNoIndex = 0xffffffffu;  // for a slot without a cell
 
 /** Public index of a cell, or kNoIndex. */
-inline uint32_t to_index(const Map<3>& map, Cell c) { return c.valid() ? map.index(c) : kNoIndex; }
+template <int D>
+uint32_t to_index(const Map<D>& map, Cell c) {
+  return c.valid() ? map.index(c) : kNoIndex;
+}
 /** The way back; invalid also for an index without a cell. */
-inline Cell to_cell(const Map<3>& map, uint32_t index) { return index < map.index_count() ? map.cell(index) : Cell{}; }
+template <int D>
+Cell to_cell(const Map<D>& map, uint32_t index) {
+  return index < map.index_count() ? map.cell(index) : Cell{};
+}
 
 /** Whether something can be at a point in a cell: that is passable and contains it. */
-bool can_be_at(const Environment<3>& env, Cell cell, const double* point) noexcept;
+template <int D>
+bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexcept;
 
 /** Appends a body, or a slot without one. Throws std::bad_alloc. */
 void append(const Scene<3>& scene, const BodyRecord& of, SceneImage& image);

@@ -33,21 +33,23 @@ void get_counters(const SceneStatistics& s, uint64_t* out) {
 SceneStatistics to_statistics(const uint64_t* n) { return {{n[0], n[1], n[2], n[3], n[4]}, n[5], n[6], n[7], n[8]}; }
 
 /** What two environments of which one is not the other's copy hardly share. */
-void get_extents(const Map<3>& map, uint64_t* out) {
+template <int D>
+void get_extents(const Map<D>& map, uint64_t* out) {
   out[0] = map.cell_count;
   out[1] = map.index_count();
   out[2] = map.vertex_count;
 }
 
-SceneImage image_of(const Scene<3>& scene) {
+template <int D>
+SceneImage image_of(const Scene<D>& scene) {
   SceneImage image(scene.memory);
   image.numbers.resize(kCounters + kExtents);
   get_counters(scene.statistics, image.numbers.data());
   get_extents(scene.env.map, image.numbers.data() + kCounters);
-  image.particle_places.reserve(3 * scene.particles.size());
+  image.particle_places.reserve(D * scene.particles.size());
   image.particles.reserve(2 * scene.particles.size());
-  for (const ParticleState<3>& each : scene.particles) {
-    image.particle_places.insert(image.particle_places.end(), each.position, each.position + 3);
+  for (const ParticleState<D>& each : scene.particles) {
+    image.particle_places.insert(image.particle_places.end(), each.position, each.position + D);
     image.particles.push_back(to_index(scene.env.map, each.cell));
     image.particles.push_back(each.forecast);
   }
@@ -55,11 +57,14 @@ SceneImage image_of(const Scene<3>& scene) {
   image.free_particles = scene.slots.free_slots();
   image.body_slots = scene.body_slots.words();
   image.free_bodies = scene.body_slots.free_slots();
-  for (const BodyRecord& each : scene.bodies) append(scene, each, image);
+  if constexpr (D == 3) {
+    for (const BodyRecord& each : scene.bodies) append(scene, each, image);
+  }
   return image;
 }
 
-BlockHeader header_of(const Scene<3>& scene, SceneImage& image) {
+template <int D>
+BlockHeader header_of(const Scene<D>& scene, SceneImage& image) {
   BlockHeader h;
   h.flags = (scene.features.statistics ? kStatistics : 0) | (scene.features.crossings ? kCrossings : 0) |
             (scene.features.deforming ? kDeforming : 0) | (scene.features.contacts ? kContacts : 0) |
@@ -74,16 +79,17 @@ void restore(SlotPool& slots, Array<uint32_t>& words, Array<uint32_t>& free) {
   slots.reserve(0);  // releasing must not fail
 }
 
-void load_particles(Scene<3>& scene, SceneImage& image) {
+template <int D>
+void load_particles(Scene<D>& scene, SceneImage& image) {
   restore(scene.slots, image.particle_slots, image.free_particles);
   const size_t count = scene.slots.slot_count();
-  if (image.particle_places.size() != 3 * count || image.particles.size() != 2 * count) fail_corrupt("particles: size");
+  if (image.particle_places.size() != D * count || image.particles.size() != 2 * count) fail_corrupt("particles: size");
   scene.particles.resize(count);
   if (scene.features.live) scene.live.get()->particles.reserve(count);
   for (uint32_t slot = 0; slot < count; ++slot) {
-    ParticleState<3>& state = scene.particles[slot];
+    ParticleState<D>& state = scene.particles[slot];
     const uint32_t cell = image.particles[2 * size_t{slot}];
-    std::copy_n(&image.particle_places[3 * size_t{slot}], 3, state.position);
+    std::copy_n(&image.particle_places[D * size_t{slot}], D, state.position);
     state.cell = to_cell(scene.env.map, cell);
     state.forecast = image.particles[2 * size_t{slot} + 1];
     const bool alive = scene.slots.alive(slot, scene.slots.generation(slot));
@@ -144,14 +150,16 @@ SceneImage::SceneImage(const Memory* memory) {
   });
 }
 
-size_t snapshot_bytes(const Scene<3>& scene) {
+template <int D>
+size_t snapshot_bytes(const Scene<D>& scene) {
   SceneImage image = image_of(scene);
   return block_bytes(kKind, header_of(scene, image));
 }
 
-void save(const Scene<3>& scene, uint8_t* out) {
+template <int D>
+void save(const Scene<D>& scene, uint8_t* out) {
   SceneImage image = image_of(scene);
-  BlockWriter writer(kKind, header_of(scene, image), 3, out);
+  BlockWriter writer(kKind, header_of(scene, image), D, out);
   image.for_each([&](const auto& array) {
     writer.write(array);
     writer.end_section();
@@ -159,10 +167,12 @@ void save(const Scene<3>& scene, uint8_t* out) {
   writer.finish();
 }
 
+template <int D>
 SceneFeatures saved_features(const uint8_t* block, size_t size) {
-  const BlockReader reader(kKind, 3, block, size);
+  const BlockReader reader(kKind, D, block, size);
   const uint32_t flags = reader.header().flags;
   if (flags > kAllFeatures) fail_corrupt("it has unknown flags");
+  if (D == 2 && (flags & (kDeforming | kContacts)) != 0) fail_corrupt("flags that scenes in the plane don't have");
   SceneFeatures features;
   features.statistics = (flags & kStatistics) != 0;
   features.crossings = (flags & kCrossings) != 0;
@@ -172,8 +182,9 @@ SceneFeatures saved_features(const uint8_t* block, size_t size) {
   return features;
 }
 
-void load(Scene<3>& scene, const uint8_t* block, size_t size) {
-  BlockReader reader(kKind, 3, block, size);
+template <int D>
+void load(Scene<D>& scene, const uint8_t* block, size_t size) {
+  BlockReader reader(kKind, D, block, size);
   if (reader.header().counts[0] != 0 || reader.header().counts[1] != 0) fail_corrupt("its header");
   SceneImage image(scene.memory);
   image.for_each([&](auto& array) { reader.read(array); });
@@ -185,7 +196,22 @@ void load(Scene<3>& scene, const uint8_t* block, size_t size) {
   }
   scene.statistics = to_statistics(image.numbers.data());
   load_particles(scene, image);
-  load_bodies(scene, image);
+  if constexpr (D == 3) {
+    load_bodies(scene, image);
+  } else {
+    for (uint32_t s = SceneImage::kFirstOfBodies; s < SceneImage::kSections; ++s) {
+      if (reader.header().bytes[s] != 0) fail_corrupt("bodies in the plane");
+    }
+  }
 }
+
+#define DSW_SCENE_SNAPSHOT(D)                                       \
+  template size_t snapshot_bytes(const Scene<D>&);                  \
+  template void save(const Scene<D>&, uint8_t*);                    \
+  template SceneFeatures saved_features<D>(const uint8_t*, size_t); \
+  template void load(Scene<D>&, const uint8_t*, size_t)
+DSW_SCENE_SNAPSHOT(2);
+DSW_SCENE_SNAPSHOT(3);
+#undef DSW_SCENE_SNAPSHOT
 
 }  // namespace dsw

@@ -83,7 +83,8 @@ void check_sizes(const BlockHeader& h) {
   const uint64_t units = h.bytes[kWords] / (kUnitWords * sizeof(uint32_t));
   const uint64_t vertices = h.counts[0], cells = h.counts[1];
   if ((h.flags & ~(kHasGrid | kHasChanged | kPointsMove)) != 0) fail_corrupt("it has unknown flags");
-  if ((changed && D != 3) || (moving && (h.flags & kHasGrid) != 0)) fail_corrupt("flags that do not go together");
+  if (((changed || moving) && D != 3) || (moving && (h.flags & kHasGrid) != 0))
+    fail_corrupt("flags that do not go together");
   if (vertices > kVertexMask) fail_corrupt("it has too many vertices");
   if (h.bytes[kWords] % (kUnitWords * sizeof(uint32_t)) != 0 || units >= kMostUnits) fail_corrupt("records: size");
   if (cells == 0 || cells > units) fail_corrupt("number of cells");

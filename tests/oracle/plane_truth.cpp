@@ -1,0 +1,191 @@
+#include "plane_truth.h"
+
+#include <algorithm>
+#include <map>
+
+namespace dsw::oracle::plane {
+namespace {
+
+/// A value in e: c[0] + c[1] e + c[2] e^2.
+struct Shifted {
+  Big c[3];
+
+  int sign() const {
+    for (const Big& each : c) {
+      if (each != 0) return sgn(each);
+    }
+    return 0;
+  }
+  bool tie() const { return c[0] == 0; }
+};
+
+struct Point {
+  Big x, y;
+};
+
+/// Coordinates as integers over one power of two that suits all of them.
+class Numbers {
+ public:
+  Numbers(const World& world, const Vec& p, const Vec& q) {
+    int lowest = 0;
+    const auto see = [&](const Vec& v) { lowest = std::min({lowest, lowest_exponent(v[0]), lowest_exponent(v[1])}); };
+    for (const Vec& v : world.points) see(v);
+    see(p), see(q);
+    const auto to_point = [&](const Vec& v) { return Point{to_big(v[0], -lowest), to_big(v[1], -lowest)}; };
+    for (const Vec& v : world.points) at.push_back(to_point(v));
+    from = to_point(p);
+    to = to_point(q);
+  }
+  const Point& operator[](int v) const { return at[static_cast<size_t>(v)]; }
+
+  std::vector<Point> at;
+  Point from, to;
+};
+
+Big cross(const Big& ax, const Big& ay, const Big& bx, const Big& by) { return ax * by - ay * bx; }
+
+/// Positive if body point x is on the right of a -> b.
+Shifted right_of(const Point& a, const Point& b, const Point& x) {
+  const Big dx = b.x - a.x, dy = b.y - a.y;
+  return {{-cross(dx, dy, x.x - a.x, x.y - a.y), dy, -dx}};
+}
+
+/// Positive if a is on the left of the body's way p -> q.
+Shifted left_of(const Point& p, const Point& q, const Point& a) {
+  const Big ux = q.x - p.x, uy = q.y - p.y;
+  return {{cross(ux, uy, a.x - p.x, a.y - p.y), uy, -ux}};
+}
+
+/// Whether a polygon encloses the shifted point: how often a ray to the right leaves it.
+bool contains(const World& world, const Numbers& n, size_t cell) {
+  bool inside = false;
+  const std::vector<int>& loop = world.cells[cell];
+  for (size_t i = 0; i < loop.size(); ++i) {
+    const Point &a = n[loop[i]], &b = n[loop[(i + 1) % loop.size()]];
+    const bool a_above = a.y > n.from.y, b_above = b.y > n.from.y;  // one as high as the point lies below its shift
+    if (a_above == b_above) continue;
+    const int side = right_of(a, b, n.from).sign();
+    if ((b_above ? -side : side) > 0) inside = !inside;
+  }
+  return inside;
+}
+
+struct Hit {
+  int side, toward;  // +1: out of cell[0]
+  Shifted numerator;
+  Big denominator;  // positive
+
+  bool operator<(const Hit& o) const {
+    for (int k = 0; k < 3; ++k) {
+      const Big one = numerator.c[k] * o.denominator, other = o.numerator.c[k] * denominator;
+      if (one != other) return one < other;
+    }
+    return false;
+  }
+};
+
+double floor_time(const Hit& hit) {
+  const Big& top = hit.numerator.c[0];
+  if (top <= 0) return 0;
+  return top >= hit.denominator ? 1 : floor_to_double(top, hit.denominator);
+}
+
+}  // namespace
+
+void World::link() {
+  std::map<std::pair<int, int>, size_t> open;
+  sides.clear();
+  for (size_t c = 0; c < cells.size(); ++c) {
+    for (size_t i = 0; i < cells[c].size(); ++i) {
+      const int a = cells[c][i], b = cells[c][(i + 1) % cells[c].size()];
+      const auto found = open.find({b, a});
+      if (found != open.end()) {
+        sides[found->second].cell[1] = static_cast<int>(c);
+        sides[found->second].local[1] = static_cast<int>(i);
+      } else {
+        open[{a, b}] = sides.size();
+        sides.push_back({a, b, {static_cast<int>(c), -1}, {static_cast<int>(i), -1}});
+      }
+    }
+  }
+  cell_marked.assign(cells.size(), 0);
+}
+
+bool World::impassable(const Side& s) const {
+  return s.marked || s.cell[1] < 0 || cell_marked[static_cast<size_t>(s.cell[0])] != 0 ||
+         cell_marked[static_cast<size_t>(s.cell[1])] != 0;
+}
+
+int locate(const World& world, const Vec& p) {
+  const Numbers n(world, p, p);
+  int found = -1;
+  for (size_t c = 0; c < world.cells.size(); ++c) {
+    if (!contains(world, n, c)) continue;
+    if (found >= 0) return -2;
+    found = static_cast<int>(c);
+  }
+  return found;
+}
+
+Flight cast(const World& world, int start, const Vec& p, const Vec& q) {
+  Flight flight;
+  flight.cells.push_back(start);
+  flight.times.push_back(0);
+  if (p == q) return flight;
+  const Numbers n(world, p, q);
+  std::vector<int> left(world.points.size());
+  for (size_t v = 0; v < left.size(); ++v) {
+    const Shifted value = left_of(n.from, n.to, n.at[v]);
+    left[v] = value.sign();
+    flight.tie = flight.tie || value.tie();
+  }
+  std::vector<Hit> hits;
+  for (size_t s = 0; s < world.sides.size(); ++s) {
+    const Side& side = world.sides[s];
+    if (left[static_cast<size_t>(side.a)] == left[static_cast<size_t>(side.b)]) continue;
+    const Point &a = n[side.a], &b = n[side.b];
+    Shifted before = right_of(a, b, n.from);
+    const Shifted after = right_of(a, b, n.to);
+    if (before.sign() == after.sign()) continue;
+    const int toward = after.sign();
+    Hit hit{static_cast<int>(s), toward, {}, (after.c[0] - before.c[0]) * toward};
+    for (int k = 0; k < 3; ++k) hit.numerator.c[k] = before.c[k] * -toward;
+    hits.push_back(hit);
+  }
+  std::sort(hits.begin(), hits.end());
+  for (const Hit& hit : hits) {
+    const Side& side = world.sides[static_cast<size_t>(hit.side)];
+    const int out = side.cell[hit.toward > 0 ? 0 : 1], in = side.cell[hit.toward > 0 ? 1 : 0];
+    if (out != flight.cells.back()) {
+      flight.outcome = Flight::kBroken;
+      return flight;
+    }
+    if (world.impassable(side)) {
+      flight.outcome = Flight::kContact;
+      flight.side = hit.side;
+      flight.time = floor_time(hit);
+      return flight;
+    }
+    flight.cells.push_back(in);
+    flight.times.push_back(floor_time(hit));
+  }
+  return flight;
+}
+
+bool is_star(const std::vector<Vec>& points, const std::vector<int>& cell) {
+  const double count = static_cast<double>(cell.size());
+  double x = 0, y = 0, size = 0;
+  for (const int v : cell) {
+    const Vec& p = points[static_cast<size_t>(v)];
+    x += p[0], y += p[1];
+    size = std::max({size, std::fabs(p[0]), std::fabs(p[1])});
+  }
+  for (size_t i = 0; i < cell.size(); ++i) {
+    const Vec &a = points[static_cast<size_t>(cell[i])], &b = points[static_cast<size_t>(cell[(i + 1) % cell.size()])];
+    const double area = (a[0] - x / count) * (b[1] - y / count) - (a[1] - y / count) * (b[0] - x / count);
+    if (!(area > 1e-9 * size * size)) return false;
+  }
+  return true;
+}
+
+}  // namespace dsw::oracle::plane
