@@ -113,7 +113,7 @@ void append_sequence(const Map<3>& map, const EdgeSequence& sequence, Array<uint
 
 template <int D>
 bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexcept {
-  const bool finite = std::all_of(point, point + 3, [](double x) { return std::isfinite(x); });
+  const bool finite = std::all_of(point, point + D, [](double x) { return std::isfinite(x); });
   return finite && cell.valid() && !is_closed(env, cell) && contains(env, cell, point);
 }
 template bool can_be_at(const Environment<2>&, Cell, const double*) noexcept;
