@@ -127,18 +127,23 @@ check_java() {
   printf '\njava: %s tests passed, and the example\n' "$(grep -ho '<testcase ' "$out"/maven/target/surefire-reports/*.xml | wc -l)"
 }
 
-# The assembly, then the NuGet package as a program finds it, with nothing else of ours on its way.
+# The assembly with a module that has the library in it, then the NuGet package as a program finds it, with nothing else of ours on its way,
+# and the sources of the one for Unity, which compiles them itself.
 check_csharp() {
-  local source=bindings/csharp out=$PWD/build/csharp
-  local package=$out/package program=$out/example
-  install_library && cmake -S $source -B "$out" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$PWD/build/dartsweep" &&
-    cmake --build "$out" && cp "$package/native"/* "$package" &&
+  local source=bindings/csharp out=$PWD/build/csharp library=$PWD/build/dartsweep-static
+  local package=$out/package program=$out/example unity=$out/unity
+  cmake --preset release && cmake --build --preset release --target dartsweep_internal &&
+    CC=cc CXX=c++ tests/package/package_test.sh static "$PWD/build/release" "$library" &&
+    cmake -S $source -B "$out" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$library/prefix" && cmake --build "$out" &&
+    ! readelf -d "$package"/native/*.so | grep NEEDED | grep -Ev '\[(lib(c|m|gcc_s|stdc\+\+)|ld-linux)' && cp "$package/native"/* "$package" &&
     mcs -nologo -out:"$package/tests.exe" -r:"$package/Dartsweep.dll" $source/tests/*.cs || return 1
   mono --debug "$package/tests.exe" bindings/tests/scenario.json | tee "$out/tests.txt" || return 1
   python3 $source/pack.py $source/Dartsweep.nuspec "$package" "$out" && rm -rf "$program" &&
     python3 -m zipfile -e "$out"/Dartsweep.*.nupkg "$program" &&
     cp "$program"/lib/net45/* "$program"/runtimes/linux-x64/native/* "$program" &&
-    mcs -nologo -out:"$program/catheter.exe" -r:"$program/Dartsweep.dll" $source/examples/Catheter.cs && mono "$program/catheter.exe" || return 1
+    mcs -nologo -out:"$program/catheter.exe" -r:"$program/Dartsweep.dll" $source/examples/Catheter.cs && mono "$program/catheter.exe" &&
+    mcs -nologo -unsafe -nowarn:1591 -out:"$unity/Plugins/x86_64/catheter.exe" $source/examples/Catheter.cs "$unity"/Runtime/*.cs &&
+    mono "$unity/Plugins/x86_64/catheter.exe" || return 1
   echo "csharp: $(tail -n 1 "$out/tests.txt"), and the example"
 }
 

@@ -324,6 +324,12 @@ static class Tests
     True(default(FaceId).IsNull && !new FaceId(0, 1, 0).IsNull);
   }
 
+  public static void TheBaseLibraryIsAllItNeeds()
+  {
+    foreach (AssemblyName needed in typeof(Environment).Assembly.GetReferencedAssemblies())
+      True(needed.Name == "mscorlib" || needed.Name == "System" || needed.Name == "System.Core", needed.Name);
+  }
+
   public static void VersionIsThatOfTheHeaders()
   {
     Same((uint)(1000000 * Library.VERSION_MAJOR + 1000 * Library.VERSION_MINOR + Library.VERSION_PATCH), Library.Version());
