@@ -33,17 +33,7 @@ if [ "$old" != "$version" ]; then
 fi
 sed -i "s/^## \[$version\] - unreleased/## [$version] - $(date +%Y-%m-%d)/" CHANGELOG.md
 
-# The interface's version, and the hosts of this release: those of the last one, with the headers of today.
 python3 -B abi/check_abi.py next-version "$version" ${4:+"$4"}
-client=abi/clients/$version
-mkdir -p "$client"
-if [ ! -f "$client/client.c" ]; then
-  last=$(ls abi/clients | grep -Fvx "$version" | sort -V | tail -n 1)
-  cp "abi/clients/$last"/client.c "abi/clients/$last"/extension.* "$client"
-fi
-rm -rf "$client/include"
-mkdir -p "$client/include/dartsweep"
-cp include/dartsweep/*.h "$client/include/dartsweep"
 
 # The baseline. Where a type is defined tells public from private, so file names stay, without this machine's folders.
 cmake --preset abi
@@ -58,6 +48,17 @@ baseline=abi/baseline/$version
 abidw --headers-dir include --exported-interfaces-only --drop-private-types --no-corpus-path --no-comp-dir-path \
   --no-parameter-names --out-file build/abi/libdartsweep.abi "$library"
 sed "s#$PWD/##g" build/abi/libdartsweep.abi >"$baseline.abi"
+
+# Hosts of this release: those of the last one, with the headers of today.
+client=abi/clients/$version
+mkdir -p "$client"
+if [ ! -f "$client/client.c" ]; then
+  last=$(ls abi/clients | grep -Fvx "$version" | sort -V | tail -n 1)
+  cp "abi/clients/$last"/client.c "abi/clients/$last"/extension.* "$client"
+fi
+rm -rf "$client/include"
+mkdir -p "$client/include/dartsweep"
+cp include/dartsweep/*.h "$client/include/dartsweep"
 
 cmake --preset abi
 cmake --build --preset abi --target abi_programs

@@ -30,10 +30,11 @@ STRING = (header("base"), r"DSW_API const char \*dsw_status_string\(dsw_status s
 REMOVED = (*STRING, "")
 UNLISTED = ("abi/symbols.txt", r"\ndsw_status_string\n", "\n")
 RETYPED = (*STRING, "DSW_API const char *dsw_status_string(uint64_t status);")
-ADDED = (header("base"), r"\n(DSW_API uint32_t dsw_version)", r"\nDSW_API uint32_t dsw_more(void);\n\1")
+ADDED = (header("base"), r"\n(DSW_API uint32_t dsw_version)", r"\nDSW_API uint32_t dsw_version_self_test(void);\n\1")
 GROWN = [(header("scene"), r"\n} dsw_statistics;", r"\n  uint64_t more;\n} dsw_statistics;"),
-         ("abi/layout.c", r"SIZE\(dsw_statistics, 80\)", "SIZE(dsw_statistics, 88); AT(dsw_statistics, more, 80); GROWS(dsw_statistics, more)"),
-         ("abi/layout.c", r"\nGROWS\(dsw_statistics, (?!more)\w+\);", "")]
+         ("abi/layout.c", r"\nGROWS\(dsw_statistics, \w+\);", "\nGROWS(dsw_statistics, more);"),
+         ("abi/layout.c", r"SIZE\(dsw_statistics, (\d+)\)",
+          lambda size: f"AT(dsw_statistics, more, {size[1]}); SIZE(dsw_statistics, {int(size[1]) + 8})")]
 NEW_MAJOR = [("abi/VERSION", r"\ncurrent (\d+)", r"\ncurrent 1\1"), ("abi/dartsweep.map", r"DARTSWEEP_(\d+)", r"DARTSWEEP_1\1")]
 CASES = [
     Case("nothing", "", []),
@@ -68,7 +69,7 @@ CASES = [
     Case("another SONAME", "needed abidiff", [], link=("-Wl,-soname,libdartsweep.so.77",)),
     Case("another version of the symbols", "needed abidiff", [("abi/dartsweep.map", r"DARTSWEEP_\d+", "DARTSWEEP_77")]),
     # additions
-    Case("a function is added", "", [ADDED, ("abi/symbols.txt", r"\n(dsw_move_options_init)", r"\ndsw_more\n\1")]),
+    Case("a function is added", "", [ADDED, ("abi/symbols.txt", r"\n(dsw_version)\n", r"\n\1\ndsw_version_self_test\n")]),
     Case("a struct with a size grows", "", GROWN),
     Case("an enumerator is added", "", [(header("base"), r"\n  DSW_STATUS_FORCE", "\n  DSW_STATUS_MORE = 77,\n  DSW_STATUS_FORCE")]),
     Case("what was reserved is put to use", "", [(header("scene"), r"\n  uint32_t reserved;", "\n  uint32_t more;"),

@@ -11,6 +11,9 @@
  *  - Pointers are borrowed for the call unless a parameter says "retained".
  *  - "Thread: reader" may run beside other readers of the same object; "Thread: writer" may not run
  *    beside anything else that uses the object.
+ *  - A struct that begins with struct_size, set by the caller or by its _init function, is taken at any size from that of its first release
+ *    on, so that programs and library need not be of one age. What a shorter one lacks counts as 0. Of a longer one, a description
+ *    must be 0 where it is unknown (else DSW_STATUS_UNSUPPORTED), and a report is set to 0 there; no byte beyond is touched.
  */
 #ifndef DARTSWEEP_BASE_H
 #define DARTSWEEP_BASE_H
@@ -88,7 +91,7 @@ typedef struct dsw_vec3 {
   double z; /**< Third. */
 } dsw_vec3;
 
-/** Version of the loaded library.
+/** Version of the loaded library. It suits this header if it has its major and is not less.
  * @return major * 1000000 + minor * 1000 + patch. @note Thread: any. @since 0.1 */
 DSW_API uint32_t dsw_version(void);
 
