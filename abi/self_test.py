@@ -46,7 +46,7 @@ CASES = [
     Case("members of one type change places", "source layout offsets",
          [(header("body"), r"\n  uint32_t category;", "\n  uint32_t mask;"), (header("body"), r"\n  uint32_t mask; /", "\n  uint32_t category; /")]),
     Case("members of two types change places", "abidiff source offsets",
-         [(header("contact"), r"\n  dsw_outcome outcome;\n  dsw_contact_kind kind;", "\n  dsw_contact_kind kind;\n  dsw_outcome outcome;")]),
+         [(header("contact"), r"\n(  dsw_outcome outcome;.*)\n(  dsw_contact_kind kind;.*)", r"\n\2\n\1")]),
     Case("a member is inserted in the middle", "abidiff source layout offsets",
          [(header("contact"), r"\n(  dsw_outcome outcome;)", r"\n  double more;\n\1")]),
     Case("a struct without a size grows", "abidiff source layout offsets",
@@ -161,6 +161,8 @@ def test_checks(compiler):
         print(f"{case.what}: {', '.join(sorted(refused)) or 'accepted'}")
         if refused != wanted:
             problems.append(f"{case.what} should be refused by {sorted(wanted)}, is refused by {sorted(refused)}")
+            if not case.edits and not case.link:
+                return problems  # the rest would say the same
     problems += [f"{name} has refused nothing" for name in CHECKS if name in ran - used]
     return problems
 
