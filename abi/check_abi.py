@@ -101,6 +101,16 @@ def member_name(declaration):
     return re.search(r"(\w+)(\[\w+\])*$", declaration).group(1)
 
 
+def callbacks(text):
+    return {name: normal(before + after) for before, name, after in re.findall(r"^typedef ([^;{]*)\(\*(\w+)\)([^;]*);", text, flags=re.M)}
+
+
+def constants(text):
+    """Enumerators and macros; the version is meant to change."""
+    return {name: normal(value) for pattern in (r"\b(DSW_\w+)\s*=\s*([^,}]+)", r"^#define (DSW_(?!VERSION_|API)\w+)[ \t]+(.+)$")
+            for name, value in re.findall(pattern, text, flags=re.M)}
+
+
 def growing(text):
     return [name for name, members in structs(text).items() if members[0] == "uint32_t struct_size"]
 
@@ -171,10 +181,8 @@ def source_changes(release):
                         if before[name] != after.get(name))
 
     compare("function", functions(old), functions(new))
-    # Callbacks, enumerators and macros; the version is meant to change.
-    for pattern in (r"^typedef [^;{]*\(\*(\w+)\)([^;]*);", r"\b(DSW_\w+)\s*=\s*([^,}]+)",
-                    r"^#define (DSW_(?!VERSION_|API)\w+)[ \t]+(.+)$"):
-        compare("value", *({name: normal(value) for name, value in re.findall(pattern, text, flags=re.M)} for text in (old, new)))
+    compare("callback", callbacks(old), callbacks(new))
+    compare("value", constants(old), constants(new))
     after = structs(new)
     for name, members in structs(old).items():
         now = after.get(name, [])

@@ -43,6 +43,8 @@ CASES = [
     Case("a function is removed from symbols.txt as well", "symbols abidiff source", [REMOVED, UNLISTED]),
     Case("a parameter gets another type", "abidiff source", [RETYPED]),
     Case("a parameter is added", "abidiff source", [(*STRING, "DSW_API const char *dsw_status_string(dsw_status status, int language);")]),
+    Case("a callback gets another parameter", "abidiff source",
+         [(header("context"), r"\(\*dsw_log_fn\)\(void \*user,", "(*dsw_log_fn)(void *user, int line,")]),
     Case("members of one type change places", "source layout offsets",
          [(header("body"), r"\n  uint32_t category;", "\n  uint32_t mask;"), (header("body"), r"\n  uint32_t mask; /", "\n  uint32_t category; /")]),
     Case("members of two types change places", "abidiff source offsets",
