@@ -74,7 +74,7 @@ void check_point(const double* point, const char* name) {
   check_finite({point, D}, 1, D, {name, false});
 }
 
-/** An array of `count` things; null is allowed when there are none. */
+/** An array of `count` things; null is allowed when there are none. A count that no array can have is WRONG_SIZE. */
 void require_array(const void* array, size_t count, const char* name);
 
 /** The host's stride in doubles. */

@@ -219,7 +219,7 @@ dsw_status dsw_environment_copy_vertices(const dsw_environment* environment, dsw
   return capi::guarded_visit("dsw_environment_copy_vertices", environment, "environment", [&](const auto& env) {
     const auto& map = env.map;
     capi::require(count, "count");
-    capi::require_array(vertices, capacity, "vertices");
+    if (capacity != 0) capi::require(vertices, "vertices");
     size_t needed = 0;
     for_each_vertex(map, cell, [&](uint32_t) { ++needed; });
     *count = needed;
@@ -247,7 +247,7 @@ dsw_status dsw_environment_find_faces(const dsw_environment* environment, size_t
     const auto& map = env.map;
     size_t absent = 0;
     if (count != 0) {
-      capi::require(offsets, "offsets");
+      capi::require_array(offsets, count, "offsets");
       capi::require(faces, "faces");
       for (size_t i = 0; i < count; ++i) {
         if (offsets[i] > offsets[i + 1]) {
@@ -273,7 +273,7 @@ dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t
     const dsw::Map<3>& map = env.map;
     size_t absent = 0;
     if (count != 0) {
-      capi::require(indices, "indices");
+      capi::require_array(indices, count, "indices");
       capi::require(edges, "edges");
       dsw::Array<dsw::Dart> found(count, dsw::Dart{}, dsw::Allocator<dsw::Dart>(env.memory));
       find_edges(env, count, indices, found.data(), &absent);
