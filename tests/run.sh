@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
-# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python docs java csharp node page report format; none means all
+# usage: tests/run.sh [STEP...]    steps: release clang dev tsan abi fuzz python docs java csharp lua node page report format; none means all
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(g++ clang clang-format-14 libclang-rt-14-dev cmake ninja-build pkg-config python3 binutils file dpkg-dev abigail-tools
   libccd-dev libeigen3-dev libgtest-dev libgmp-dev libcli11-dev nlohmann-json3-dev swig python3-dev python3-venv
-  openjdk-17-jdk-headless maven mono-mcs mono-runtime doxygen libosmesa6)
+  openjdk-17-jdk-headless maven mono-mcs mono-runtime doxygen libosmesa6
+  lua5.4 liblua5.4-dev lua-unit luarocks)
 steps=("$@")
-[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python docs java csharp node page report format)
+[ ${#steps[@]} -gt 0 ] || steps=(release clang dev tsan abi fuzz python docs java csharp lua node page report format)
 jobs=$(nproc)
 export CMAKE_GENERATOR=Ninja CTEST_PARALLEL_LEVEL=$jobs CMAKE_BUILD_PARALLEL_LEVEL=$jobs
 
@@ -52,7 +53,7 @@ run_step() {
     tail -n 150 "$log"
   fi
   local lines
-  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^(python|docs|java|csharp|node):|^abi\.|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests' "$log" || true)
+  lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^(python|docs|java|csharp|lua|node):|^abi\.|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests' "$log" || true)
   [ $status -eq 0 ] || lines+=$'\nFAILED, see '$log
   summary+=("$name ($((SECONDS - start)) s)"$'\n'"$lines")
   echo "$lines"
@@ -152,6 +153,19 @@ check_node() {
   install_library && bindings/node/test.sh build/dartsweep
 }
 
+# The rock in a tree of its own, and what uses it from there. LuaRocks builds beside the sources: in a copy of them.
+check_lua() {
+  local source=bindings/lua out=$PWD/build/lua
+  local rocks=$out/rocks dartsweep=$PWD/build/dartsweep
+  local -x LUA_PATH="$rocks/share/lua/5.4/?.lua;$source/tests/?.lua;;" LUA_CPATH="$rocks/lib/lua/5.4/?.so;;"
+  mkdir -p "$out/source" && install_library && cp -a bindings include "$out/source" &&
+    (cd "$out/source/$source" && luarocks --lua-version=5.4 --tree="$rocks" make "DARTSWEEP_DIR=$dartsweep") || return 1
+  lua5.4 $source/tests/tests.lua bindings/tests/scenario.json | tee "$out/tests.txt" || return 1
+  cc $source/tests/threads.c -o "$out/threads" -pthread $(pkg-config --cflags --libs lua5.4) &&
+    "$out/threads" bindings/tests/scenario.json && lua5.4 $source/examples/catheter.lua || return 1
+  echo "lua: $(sed -n 's/^Ran \([0-9]*\) tests.*/\1/p' "$out/tests.txt") tests passed, and the example"
+}
+
 check_format() {
   local files
   mapfile -t files < <(find src include tests examples bindings -regex '.*\.\(h\|inl\|c\|cpp\)' | sort)
@@ -172,6 +186,9 @@ for step in "${steps[@]}"; do
     java) run_step java check_java ;;
     csharp) run_step csharp check_csharp ;;
     node) run_step node check_node ;;
+}
+
+    lua) run_step lua check_lua ;;
     format) run_step format check_format ;;
     page) run_step page examples/insertion/page/test.sh ;;
     report) run_step report examples/report/tests/run.sh ;;

@@ -1,0 +1,209 @@
+-- Dartsweep for Lua: dartsweep.core with Lua's habits on top. README.md tells how arguments and results look.
+
+local core = require "dartsweep.core"
+
+-- Metatable and methods of a class's objects.
+local function parts_of(class)
+  local meta = getmetatable(class)[".instance"]
+  return meta, meta[".fn"]
+end
+local environment_meta, Environment = parts_of(core.Environment)
+local scene_meta, Scene = parts_of(core.Scene)
+local body_meta, Body = parts_of(core.Body)
+local _, Log = parts_of(core.Log)
+
+local version = core.version()
+core._VERSION = ("Dartsweep %d.%d.%d"):format(math.floor(version / 1000000), math.floor(version / 1000) % 1000, version % 1000)
+
+-- --- what all objects can do
+
+local function same_members(a, b)
+  local meta = getmetatable(a)
+  if meta ~= getmetatable(b) then return false end
+  for name in pairs(meta[".get"]) do
+    if a[name] ~= b[name] then return false end
+  end
+  return true
+end
+
+local function text_of(value)
+  if type(value) ~= "table" then return tostring(value) end
+  local texts = {}
+  for i, each in ipairs(value) do texts[i] = text_of(each) end
+  return "{" .. table.concat(texts, ", ") .. "}"
+end
+
+for name, class in pairs(core) do
+  if type(class) == "table" and getmetatable(class) then
+    local meta, methods = parts_of(class)
+    methods.__disown = nil -- SWIG's, of no use here
+    meta.__eq = (name:find("Id$") or name == "Cell") and same_members or nil
+    local members = {}
+    for member in pairs(meta[".get"]) do members[#members + 1] = member end
+    table.sort(members)
+    meta.__tostring = function(self)
+      local texts = {}
+      for i, member in ipairs(members) do texts[i] = member .. " = " .. text_of(self[member]) end
+      return name .. " {" .. table.concat(texts, ", ") .. "}"
+    end
+  end
+end
+
+function core.Error:__tostring() return self.where .. self.message end
+
+function environment_meta:__tostring()
+  if self:is_closed() then return "Environment, closed" end
+  return ("Environment of %d volumes"):format(self:info().volume_count)
+end
+
+function scene_meta:__tostring()
+  if self:is_closed() then return "Scene, closed" end
+  return ("Scene of %d particles and %d bodies"):format(self:get_particle_count(), self:get_body_count())
+end
+
+function body_meta:__tostring() return "Body " .. self:id().index end
+
+environment_meta.__close = function(self) self:close() end
+scene_meta.__close = environment_meta.__close
+
+-- For loops: level and text of each line that has not been read.
+function Log:lines()
+  return function() return self:read() end
+end
+
+-- --- calls with named arguments: what is not an array is a member of the description
+
+local function copied(given)
+  local copy = {}
+  for name, value in pairs(given) do copy[name] = value end
+  return copy
+end
+
+local function take(given, name)
+  local value = given[name]
+  given[name] = nil
+  return value
+end
+
+local type_of_row = {
+  [4] = core.CELL_TYPE_TETRA, [5] = core.CELL_TYPE_PYRAMID, [6] = core.CELL_TYPE_WEDGE, [8] = core.CELL_TYPE_HEXAHEDRON,
+}
+
+-- Takes the arrays of cells; rows of indices say their type themselves.
+local function take_cells(given)
+  local cells, types = take(given, "cells"), take(given, "types")
+  if type(cells) == "table" and type(cells[1]) == "table" and not types and not given.uniform_cell_type then
+    given.uniform_cell_type = type_of_row[#cells[1]]
+  end
+  return cells, take(given, "offsets"), types, take(given, "regions"), take(given, "tags")
+end
+
+local make_environment = getmetatable(core.Environment).__call
+getmetatable(core.Environment).__call = function(class, given)
+  local desc = copied(given)
+  local points, threads, log = take(desc, "points"), take(desc, "threads"), take(desc, "log")
+  local faces, face_locations = take(desc, "faces"), take(desc, "face_locations")
+  local cells, offsets, types, regions, tags = take_cells(desc)
+  local context = (threads or log) and core.Context(threads, log) or nil
+  return make_environment(class, points, cells, offsets, types, regions, tags, faces, face_locations, desc, context)
+end
+
+local add_volumes = Environment.add_volumes
+function Environment:add_volumes(given)
+  local desc = copied(given)
+  local vertices, points, sew_to = take(desc, "vertices"), take(desc, "points"), take(desc, "sew_to")
+  local cells, offsets, types, regions, tags = take_cells(desc)
+  return add_volumes(self, vertices, points, cells, offsets, types, regions, tags, sew_to, desc)
+end
+
+local create_body = Scene.create_body
+function Scene:create_body(given)
+  local desc = copied(given)
+  local positions, edges, hints = take(desc, "positions"), take(desc, "edges"), take(desc, "hints")
+  local triangles, offsets = take(desc, "triangles"), nil
+  if triangles then
+    if type(triangles) == "table" then triangles = core.UIntArray(triangles) end
+    offsets = core.UIntArray(#triangles / 3 + 1)
+    for i = 1, #offsets do offsets[i] = 3 * (i - 1) end
+  end
+  return self:body(create_body(self, positions, edges, offsets, triangles, hints, desc))
+end
+
+function Scene:body(id) return core.Body(self, id) end
+
+-- --- calls that fill arrays: new ones, where none are given
+
+local coarsen = Environment.coarsen
+function Environment:coarsen(options)
+  local volume_map = core.UIntArray(self:info().volume_index_count)
+  return coarsen(self, options, volume_map), volume_map
+end
+
+local locate_points = Environment.locate_points
+function Environment:locate_points(points, hints, volumes, places)
+  points = core.points(points)
+  volumes, places = volumes or core.VolumeIdArray(#points / 3), places or core.IntArray(#points / 3)
+  locate_points(self, points, hints, volumes, places)
+  return volumes, places
+end
+
+local cast_segments = Environment.cast_segments
+function Environment:cast_segments(from, to, starts, options, flights)
+  from = core.points(from)
+  flights = flights or core.FlightArray(#from / 3)
+  cast_segments(self, from, to, starts, options, flights)
+  return flights
+end
+
+local sweep_edges = Environment.sweep_edges
+function Environment:sweep_edges(from, to, fixed, starts, options, sweeps)
+  from = core.points(from)
+  sweeps = sweeps or core.SweepArray(#from / 3)
+  sweep_edges(self, from, to, fixed, starts, options, sweeps)
+  return sweeps
+end
+
+local create_particles = Scene.create_particles
+function Scene:create_particles(positions, hints, particles)
+  positions = core.points(positions)
+  particles = particles or core.ParticleIdArray(#positions / 3)
+  create_particles(self, positions, hints, particles)
+  return particles
+end
+
+local get_particles = Scene.get_particles
+function Scene:get_particles(particles, positions, volumes)
+  positions, volumes = positions or core.DoubleArray(3 * #particles), volumes or core.VolumeIdArray(#particles)
+  get_particles(self, particles, positions, volumes)
+  return positions, volumes
+end
+
+local move_particles = Scene.move_particles
+function Scene:move_particles(particles, targets, options, flights)
+  flights = flights or core.FlightArray(#particles)
+  move_particles(self, particles, targets, options, flights)
+  return flights
+end
+
+local cast_from_particles = Scene.cast_from_particles
+function Scene:cast_from_particles(particles, to, options, flights)
+  flights = flights or core.FlightArray(#particles)
+  cast_from_particles(self, particles, to, options, flights)
+  return flights
+end
+
+local move_bodies = Scene.move_bodies
+function Scene:move_bodies(bodies, targets, options, reports)
+  reports = reports or core.MoveReportArray(#bodies)
+  move_bodies(self, bodies, targets, options, reports)
+  return reports
+end
+
+local get_positions = Body.get_positions
+function Body:get_positions(positions, volumes)
+  positions = positions or core.DoubleArray(3 * self:get_counts().vertex_slots)
+  get_positions(self, positions, volumes)
+  return positions
+end
+
+return core

@@ -1,0 +1,251 @@
+-- The scenario of bindings/tests/README.md, in Lua. Its result is text, as in scenario.json.
+local dsw = require "dartsweep"
+
+local NX, NY, NZ, LINKS, PARTICLES = 6, 6, 12, 12, 50
+local INSIDE, OUTSIDE = {24, 24, 48}, {-9, 0, 0}
+
+local scenario = {INSIDE = INSIDE, OUTSIDE = OUTSIDE, LINKS = LINKS}
+
+local function index_of(i, j, k) return (k * (NY + 1) + j) * (NX + 1) + i end
+
+function scenario.points()
+  local points = {}
+  for k = 0, NZ do
+    for j = 0, NY do
+      for i = 0, NX do points[#points + 1] = {8 * i + j * k % 3, 8 * j + i * k % 3, 8 * k + i * j % 3} end
+    end
+  end
+  return points
+end
+
+local function cells_and_regions()
+  local corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}
+  local cells, regions = {}, {}
+  for k = 0, NZ - 1 do
+    for j = 0, NY - 1 do
+      for i = 0, NX - 1 do
+        local cell = {}
+        for c, corner in ipairs(corners) do cell[c] = index_of(i + corner[1], j + corner[2], k + corner[3]) end
+        cells[#cells + 1] = cell
+        regions[#regions + 1] = i > 0 and i < NX - 1 and j > 0 and j < NY - 1 and 1 or 2
+      end
+    end
+  end
+  return cells, regions
+end
+
+function scenario.create()
+  local cells, regions = cells_and_regions()
+  return dsw.Environment {points = scenario.points(), cells = cells, regions = regions}
+end
+
+function scenario.create_catheter(scene)
+  local positions, edges = {}, {}
+  for i = 0, LINKS - 1 do positions[i + 1] = {24.5, 25.25, 8.125 + 2.0 * i} end
+  for i = 1, LINKS - 1 do edges[i] = {i - 1, i} end
+  return scene:create_body {positions = positions, edges = edges}
+end
+
+-- --- the result
+
+local Result = {}
+Result.__index = Result
+
+function Result:stage(name)
+  self:end_stage()
+  self.name, self.now = name, {}
+end
+
+function Result:end_stage()
+  if self.name then
+    self.stages[#self.stages + 1] = ('  "%s": ["%s"]'):format(self.name, table.concat(self.now, '", "'))
+  end
+end
+
+function Result:integers(...)
+  for _, value in ipairs {...} do self.now[#self.now + 1] = ("%016x"):format(value) end
+end
+
+-- Doubles, or points.
+function Result:numbers(...)
+  for _, value in ipairs {...} do
+    if type(value) == "table" then
+      self:numbers(table.unpack(value))
+    else
+      self:integers((string.unpack("<i8", string.pack("<d", value))))
+    end
+  end
+end
+
+-- --- stages, in the order of README.md
+
+local function queries(result, environment, draw)
+  result:stage "locate"
+  local from = draw(64)
+  local volumes, places = environment:locate_points(from)
+  for i, volume in ipairs(volumes) do result:integers(places[i], volume.index, volume.generation) end
+
+  result:stage "cast"
+  local to = draw(64)
+  for _, flight in ipairs(environment:cast_segments(from, to)) do
+    result:integers(flight.outcome)
+    result:numbers(flight.time, flight.position, flight.normal)
+    result:integers(flight.face.volume, flight.face.local_index, flight.cells_visited)
+  end
+
+  result:stage "sweep"
+  local first = {table.unpack(from, 1, 16)}
+  for _, sweep in ipairs(environment:sweep_edges(first, {table.unpack(to, 1, 16)}, draw(16))) do
+    result:integers(sweep.outcome)
+    result:numbers(sweep.time, sweep.point, sweep.along)
+  end
+
+  result:stage "nearest"
+  for i, point in ipairs(from) do
+    if places[i] == dsw.PLACE_PASSABLE then
+      local nearest = environment:find_nearest(point, 20, volumes[i])
+      result:numbers(nearest.distance)
+      result:integers(nearest.cell.kind, nearest.cell.index)
+    end
+  end
+end
+
+local function say_moves(result, flights)
+  for _, flight in ipairs(flights) do
+    result:integers(flight.outcome)
+    result:numbers(flight.time, flight.position)
+  end
+end
+
+local function push(result, body)
+  result:stage "catheter"
+  local slide = {vertex_response = dsw.RESPONSE_SLIDE, edge_response = dsw.RESPONSE_SLIDE}
+  for _ = 1, 10 do
+    local positions = body:get_positions()
+    for i = 1, LINKS do
+      local x, y, z = positions:point(i)
+      positions:set_point(i, x + 1.75, y - 0.5 * ((i - 1) % 3), z + 3)
+    end
+    local report = body:move(positions, slide)
+    result:integers(report.vertices_stopped, report.contact_count)
+    result:numbers(body:get_positions():totable())
+  end
+
+  result:stage "contacts"
+  local contacts = body:get_contacts()
+  result:integers(#contacts)
+  for _, contact in ipairs(contacts) do
+    result:integers(contact.vertex.index, contact.kind)
+    result:numbers(contact.time, contact.point, contact.normal)
+    result:integers(contact.wall.volume)
+  end
+end
+
+local function status_of(call, ...)
+  local good, problem = pcall(call, ...)
+  return good and dsw.STATUS_OK or problem.status
+end
+
+local function snapshots(result, scene, environment, particles, draw)
+  result:stage "snapshot"
+  local block, scene_block = environment:save(), scene:save()
+  for _, bytes in ipairs {block, scene_block} do
+    local sum = 0
+    for i = 1, #bytes do sum = sum + bytes:byte(i) end
+    result:integers(#bytes, sum)
+  end
+  do
+    local other <close> = dsw.Environment.load(block)
+    local copy <close> = dsw.Scene.load(other, scene_block)
+    say_moves(result, copy:move_particles(particles, draw(#particles)))
+  end
+
+  result:stage "damaged"
+  local half = #block // 2
+  result:integers(status_of(dsw.Environment.load, block:sub(1, half)))
+  local flipped = block:sub(1, half) .. string.char(block:byte(half + 1) ~ 1) .. block:sub(half + 2)
+  result:integers(status_of(dsw.Environment.load, flipped))
+end
+
+local function errors(result, scene, environment, particles)
+  result:stage "errors"
+  local first = particles[1]
+  result:integers(status_of(environment.cast, environment, {0, 0 / 0, 0}, INSIDE))
+  result:integers(status_of(environment.cast, environment, INSIDE, OUTSIDE, dsw.VolumeId(3, 7)))
+  result:integers(status_of(environment.get_volume, environment, NX * NY * NZ))
+  result:integers(status_of(scene.create_particle, scene, OUTSIDE))
+  result:integers(status_of(scene.create_particle, scene, {4, 4, 4}))
+  result:integers(status_of(scene.move_particles, scene, {first, first}, {INSIDE, INSIDE}))
+  local particle = scene:create_particle(INSIDE)
+  local _, volume = scene:get_particle(particle)
+  result:integers(status_of(environment.mark_volumes, environment, {volume}))
+  scene:destroy_particle(particle)
+  result:integers(status_of(scene.destroy_particle, scene, particle))
+  result:integers(status_of(scene.reset_statistics, scene))
+  result:integers(status_of(dsw.Environment, {points = scenario.points(), cells = {{0, 1, 7, 7}}}))
+end
+
+local function cut(result, environment)
+  result:stage "cut"
+  local report = environment:cut({{-5, 3, 20.5}, {60, 3, 20.5}, {-5, 3, 60.25}, {60, 3, 60.25}}, 2, 2)
+  result:numbers(report.distance)
+  result:integers(report.volumes_split, report.face_count, environment:info().volume_count)
+  for _, vertex in ipairs(environment:get_cut_vertices()) do
+    result:integers(vertex.vertex.index)
+    result:numbers(vertex.weights[1])
+  end
+end
+
+local function deform(result)
+  result:stage "deform"
+  local environment <close> = scenario.create()
+  environment:mark_region(2)
+  local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
+  local body = scenario.create_catheter(scene)
+  local positions = environment:get_points()
+  for i = 1, #positions, 3 do positions[i] = positions[i] + (48 - positions[i]) * 0.4375 end
+  local report = scene:deform(positions)
+  result:integers(report.outcome, report.held_count, report.contact_count, report.pushed_count)
+  result:numbers(body:get_positions():totable())
+end
+
+function scenario.play()
+  local seed = 1
+  local function draw(count)
+    local function drawn()
+      seed = (seed * 4093 + 1021) % 65536
+      return seed / 1024
+    end
+    local points = {}
+    for i = 1, count do points[i] = {4 + 0.625 * drawn(), 4 + 0.625 * drawn(), 1.5 * drawn()} end
+    return points
+  end
+
+  local result = setmetatable({stages = {}}, Result)
+  result:stage "vessel"
+  local environment <close> = scenario.create()
+  local info, marked = environment:info(), environment:mark_region(2)
+  result:integers(info.vertex_count, info.volume_count, info.face_count, info.boundary_face_count, marked)
+  queries(result, environment, draw)
+
+  local scene <close> = dsw.Scene(environment)
+  local _, regions = cells_and_regions()
+  local centres = {}
+  for cell, region in ipairs(regions) do
+    if region == 1 and #centres < PARTICLES then
+      centres[#centres + 1] = environment:get_centre(environment:get_volume(cell - 1))
+    end
+  end
+  local particles = scene:create_particles(centres)
+  result:stage "particles"
+  for _ = 1, 4 do say_moves(result, scene:move_particles(particles, draw(#particles))) end
+  push(result, scenario.create_catheter(scene))
+  snapshots(result, scene, environment, particles, draw)
+  errors(result, scene, environment, particles)
+  cut(result, environment)
+  deform(result)
+  result:end_stage()
+  return "{\n" .. table.concat(result.stages, ",\n") .. "\n}\n"
+end
+
+return scenario

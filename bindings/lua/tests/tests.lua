@@ -1,0 +1,305 @@
+-- What the scenario has no bits for, and the scenario. Usage: lua tests.lua SCENARIO.JSON [ARGUMENT OF LUAUNIT...]
+local dsw = require "dartsweep"
+local lu = require "luaunit"
+local scenario = require "scenario"
+
+local scenario_file = table.remove(arg, 1)
+local INSIDE, OUTSIDE = scenario.INSIDE, scenario.OUTSIDE
+
+-- The error object of a call that must fail.
+local function problem_of(call, ...)
+  local good, problem = pcall(call, ...)
+  lu.assertFalse(good)
+  lu.assertEquals(getmetatable(problem), dsw.Error, tostring(problem))
+  return problem
+end
+
+local function collect()
+  for _ = 1, 3 do collectgarbage() end
+end
+
+TestScenario = {}
+
+function TestScenario:test_all_bits_are_those_of_c()
+  local file <close> = assert(io.open(scenario_file))
+  for line in scenario.play():gmatch "[^\n]+" do lu.assertEquals(line, file:read "l") end
+  lu.assertNil(file:read "l")
+end
+
+TestErrors = {}
+
+function TestErrors:test_every_status_has_its_name()
+  for constant, status in pairs(dsw) do
+    if constant:find "^STATUS_" and status ~= dsw.STATUS_OK then
+      local problem = problem_of(dsw.raise_status, status)
+      local words = constant:sub(#"STATUS_" + 1):lower():gsub("_?(%a)(%a*)", function(first, rest) return first:upper() .. rest end)
+      lu.assertEquals(problem.name, words)
+      lu.assertEquals(problem.status, status)
+    end
+  end
+end
+
+function TestErrors:test_the_text_is_that_of_the_library_and_says_where()
+  local environment <close> = scenario.create()
+  local problem = problem_of(function() environment:cast({0, 0 / 0, 0}, INSIDE) end)
+  lu.assertEquals(problem.message, "dsw_environment_cast: from[1] is nan, must be finite")
+  lu.assertStrMatches(tostring(problem), ".*tests.lua:%d+: dsw_environment_cast: from%[1%] is nan, must be finite")
+  -- Also through the package's own Lua.
+  problem = problem_of(function() environment:cast_segments({0, 0 / 0, 0}, INSIDE) end)
+  lu.assertStrContains(problem.where, "tests.lua")
+end
+
+function TestErrors:test_the_failing_call_changes_nothing()
+  local environment <close> = scenario.create()
+  local scene <close> = dsw.Scene(environment)
+  scene:create_particle(INSIDE)
+  local before = scene:save()
+  lu.assertEquals(problem_of(scene.create_particles, scene, {INSIDE, OUTSIDE}).name, "Outside")
+  lu.assertEquals(problem_of(environment.mark_volumes, environment, {(environment:locate(INSIDE))}).name, "Occupied")
+  lu.assertEquals(scene:save(), before)
+  lu.assertEquals(#scene:get_occupants(), 1)
+end
+
+function TestErrors:test_arguments_of_other_types_are_refused()
+  local environment <close> = scenario.create()
+  local cast, cast_segments = environment.cast, environment.cast_segments
+  local face = environment:get_volume_face(environment:get_volume(0), 0)
+  local function refused(text, ...) lu.assertErrorMsgContains(text, ...) end
+  refused("'from' (a point, {x, y, z}, expected, got number)", cast, environment, 24, INSIDE)
+  refused("'from' (a point, {x, y, z}, expected, got table)", cast, environment, {1, 2}, INSIDE)
+  refused("'start' (VolumeId expected, got FaceId)", cast, environment, INSIDE, INSIDE, face)
+  refused("'self' (Environment expected, got nil)", cast, nil, INSIDE, INSIDE)
+  refused("'self' (Environment expected, got userdata)", cast, io.stdout, INSIDE, INSIDE)
+  refused("'self' (Environment expected, got userdata)", cast, dsw.DoubleArray(4), INSIDE, INSIDE)
+  refused("'environment' (Environment expected, got nil)", dsw.Scene, nil)
+  refused("'index' (an integer of 32 bits expected, got number)", environment.get_volume, environment, 0.5)
+  refused("'index' (an integer of 32 bits expected, got number)", environment.get_volume, environment, -1)
+  refused("'points' (DoubleArray expected, got table)", cast_segments, environment, {{1, 2}, {3, 4}, {5, 6}}, INSIDE)
+  refused("'points' (3 numbers for each point expected", cast_segments, environment, {1, 2, 3, 4}, INSIDE)
+  refused("'flights' (FlightArray expected, got SweepArray)", cast_segments, environment, INSIDE, INSIDE, nil, nil, dsw.SweepArray(1))
+  refused("'volumes' (VolumeIdArray expected, got table)", environment.mark_volumes, environment, {face})
+  lu.assertEquals(problem_of(cast_segments, environment, {INSIDE}, {INSIDE, INSIDE}).name, "WrongSize")
+  refused("SceneDesc has no member 'feature'", dsw.Scene, environment, {feature = dsw.FEATURE_DEFORMING})
+  refused("'features' (an integer of 32 bits expected, got string)", dsw.Scene, environment, {features = "all"})
+  refused("'rotation' (4 numbers expected, got table)", function() dsw.RigidMotion().rotation = {1} end)
+  refused("has no member 'cell'", dsw.Environment, {points = {INSIDE}, cell = {}})
+end
+
+TestOwnership = {}
+
+function TestOwnership:test_closing_twice_is_fine()
+  local environment = scenario.create()
+  local scene = dsw.Scene(environment)
+  for _, each in ipairs {scene, scene, environment, environment} do each:close() end
+  lu.assertTrue(scene:is_closed() and environment:is_closed())
+  lu.assertEquals({tostring(environment), tostring(scene)}, {"Environment, closed", "Scene, closed"})
+end
+
+function TestOwnership:test_use_after_closing_is_an_error()
+  local environment = scenario.create()
+  local scene = dsw.Scene(environment)
+  local body, particle = scenario.create_catheter(scene), scene:create_particle(INSIDE)
+  scene:close()
+  for _, call in ipairs {
+    function() body:get_positions() end, function() body:move(dsw.DoubleArray(36)) end, function() scene:save() end,
+    function() scene:move_particle(particle, INSIDE) end, function() scene:create_particle(INSIDE) end,
+  } do
+    local problem = problem_of(call)
+    lu.assertEquals({problem.name, problem.message}, {"Closed", "the scene is closed"})
+  end
+  environment:close()
+  for _, call in ipairs {
+    function() environment:save() end, function() environment:cast(INSIDE, INSIDE) end, function() dsw.Scene(environment) end,
+  } do
+    local problem = problem_of(call)
+    lu.assertEquals({problem.name, problem.message}, {"Closed", "the environment is closed"})
+  end
+end
+
+function TestOwnership:test_variables_that_close_do()
+  local environment, scene
+  pcall(function()
+    local first <close> = scenario.create()
+    local second <close> = dsw.Scene(first)
+    environment, scene = first, second
+    error "on the way"
+  end)
+  lu.assertTrue(environment:is_closed() and scene:is_closed())
+end
+
+function TestOwnership:test_a_scene_keeps_its_environment()
+  local environment = scenario.create()
+  local scene <close> = dsw.Scene(environment)
+  environment:close()
+  environment = nil
+  collect()
+  lu.assertEquals(scene:move_particle(scene:create_particle(INSIDE), {24, 24, 50}).outcome, dsw.OUTCOME_REACHED)
+end
+
+function TestOwnership:test_a_body_keeps_its_scene_and_can_be_destroyed()
+  local body = scenario.create_catheter(dsw.Scene(scenario.create()))
+  collect()
+  lu.assertEquals(#body:get_positions(), 3 * scenario.LINKS)
+  body:destroy()
+  lu.assertEquals(problem_of(body.destroy, body).name, "StaleId")
+  lu.assertEquals(problem_of(body.get_positions, body).name, "StaleId")
+end
+
+function TestOwnership:test_what_is_forgotten_is_given_back()
+  local environment <close> = scenario.create()
+  do
+    local both = {dsw.Scene(environment), dsw.Scene(environment)}
+    lu.assertEquals(problem_of(environment.mark_region, environment, 1).name, "Shared") -- as long as there are two scenes
+    lu.assertFalse(both[1]:is_closed())
+  end
+  collect()
+  lu.assertEquals(environment:mark_region(1), 192)
+end
+
+function TestOwnership:test_lent_positions_are_read_in_place()
+  local environment <close> = scenario.create()
+  local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
+  local first, second = environment:get_points(), environment:get_points()
+  scene:deform(first)
+  lu.assertEquals(problem_of(scene.deform, scene, first).name, "InUse")
+  for i = 3, #second, 3 do second[i] = second[i] + 0.25 end
+  scene:deform(second)
+  second[1] = 1.5
+  lu.assertEquals(environment:get_points()[1], 1.5)
+end
+
+function TestOwnership:test_lent_positions_are_held_and_let_go()
+  local environment = scenario.create()
+  local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
+  local held = setmetatable({}, {__mode = "k"})
+  local function lend()
+    local positions = environment:get_points()
+    held[positions] = true
+    scene:deform(positions)
+  end
+  local function count()
+    collect()
+    local number = 0
+    for _ in pairs(held) do number = number + 1 end
+    return number
+  end
+  coroutine.wrap(lend)() -- a coroutine that is gone afterwards
+  lu.assertEquals(count(), 1)
+  lend()
+  lu.assertEquals(count(), 1)
+  problem_of(scene.deform, scene, dsw.DoubleArray(6)) -- what is refused is not held
+  lu.assertEquals(count(), 1)
+  scene:close()
+  environment:close()
+  lu.assertEquals(count(), 0)
+end
+
+TestValues = {}
+
+function TestValues:test_arrays_are_indexed_like_tables()
+  local array = dsw.DoubleArray {{1, 2, 3}, {4, 5, 6}}
+  lu.assertEquals({#array, array[1], array[6], array[7], array[0], array.x}, {6, 1.0, 6.0})
+  array[2] = 7.5
+  lu.assertEquals(array:totable(), {1, 7.5, 3, 4, 5, 6})
+  lu.assertEquals({array:point(2)}, {4, 5, 6})
+  array:set_point(1, 8, 9, 10)
+  local sum = 0
+  for _, value in ipairs(array) do sum = sum + value end
+  lu.assertEquals(sum, 42)
+  lu.assertEquals(tostring(array), "DoubleArray of 6")
+  lu.assertErrorMsgContains("6 elements, from 1", function() array[7] = 1 end)
+  lu.assertErrorMsgContains("cannot be a string", function() array[1] = "1" end)
+  lu.assertErrorMsgContains("there is no such point", array.point, array, 3)
+  lu.assertErrorMsgContains("is made of", dsw.DoubleArray, -1)
+  lu.assertErrorMsgContains("is made of", dsw.UIntArray, {1, -1})
+  lu.assertError(dsw.DoubleArray, 1e15)
+end
+
+function TestValues:test_arrays_go_through_bytes()
+  local numbers = {0.1, -0.0, 1e300, 5e-324}
+  local array = dsw.DoubleArray(string.pack("<dddd", table.unpack(numbers)))
+  lu.assertEquals({string.unpack("<dddd", array:bytes())}, {0.1, -0.0, 1e300, 5e-324, 33})
+  local ids = dsw.VolumeIdArray {dsw.VolumeId(3, 1), dsw.VolumeId(4, 2)}
+  lu.assertEquals(ids:bytes(), string.pack("<I4I4I4I4", 3, 1, 4, 2))
+  lu.assertEquals(dsw.VolumeIdArray(ids:bytes())[2], dsw.VolumeId(4, 2))
+  lu.assertErrorMsgContains("whole elements", dsw.DoubleArray, "123")
+end
+
+function TestValues:test_arrays_are_filled_again()
+  local environment <close> = scenario.create()
+  local from, to = dsw.points {INSIDE, INSIDE}, dsw.points {{24, 24, 50}, {90, 24, 48}}
+  local flights = dsw.FlightArray(2)
+  lu.assertTrue(rawequal(environment:cast_segments(from, to, nil, nil, flights), flights))
+  lu.assertEquals(flights[1].outcome, dsw.OUTCOME_REACHED)
+  to:set_point(1, 24, 90, 48)
+  environment:cast_segments(from, to, nil, nil, flights)
+  lu.assertEquals(flights[1].outcome, dsw.OUTCOME_CONTACT)
+end
+
+function TestValues:test_ids_are_values()
+  lu.assertTrue(dsw.VolumeId(3, 4) == dsw.VolumeId(3, 4))
+  lu.assertFalse(dsw.VolumeId(3, 4) == dsw.VolumeId(3, 5))
+  lu.assertFalse(dsw.VolumeId(3, 4) == dsw.VertexId(3, 4))
+  lu.assertTrue(dsw.FaceId(0, 0, 0):is_null() and not dsw.FaceId(0, 1, 0):is_null())
+  lu.assertEquals(tostring(dsw.VolumeId(3, 4)), "VolumeId {generation = 4, index = 3}")
+end
+
+function TestValues:test_members_are_copies()
+  local environment <close> = scenario.create()
+  local position = environment:cast(INSIDE, {90, 24, 48}).position
+  collect()
+  lu.assertEquals({position[2], position[3]}, {24, 48})
+  local motion = dsw.RigidMotion()
+  motion.translation = {1, 2, 3}
+  lu.assertEquals(motion.translation, {1, 2, 3})
+end
+
+function TestValues:test_options_are_tables_or_objects()
+  local environment <close> = scenario.create()
+  local scene <close> = dsw.Scene(environment)
+  local body = scenario.create_catheter(scene)
+  local options = dsw.MoveOptions()
+  options.vertex_response = dsw.RESPONSE_SLIDE
+  local motion = {rotation = {0, 0, 0, 1}, translation = {0, 0, 1}}
+  lu.assertEquals(body:move_rigid(motion, options).vertices_stopped, 0)
+  lu.assertEquals(body:move_rigid(motion, {vertex_response = dsw.RESPONSE_SLIDE}).vertices_stopped, 0)
+  lu.assertEquals({body:get_positions():point(1)}, {24.5, 25.25, 10.125})
+end
+
+function TestValues:test_surfaces_are_made_of_triangles()
+  local environment <close> = scenario.create()
+  local scene <close> = dsw.Scene(environment)
+  local positions = {{24, 24, 48}, {25, 24, 48}, {24, 25, 48}, {24, 24, 49}}
+  local body = scene:create_body {positions = positions, triangles = {{0, 1, 2}, {0, 3, 1}}, level = dsw.LEVEL_FACES}
+  lu.assertEquals(#body:get_faces(), 2)
+  lu.assertEquals(body:get_level(), dsw.LEVEL_FACES)
+  lu.assertEquals(scene:body(body:id()):get_face_vertices():totable(), {0, 1, 2, 0, 3, 1})
+end
+
+function TestValues:test_calls_have_several_results()
+  local environment <close> = scenario.create()
+  local volume, place = environment:locate(INSIDE)
+  lu.assertEquals({place, volume:is_null()}, {dsw.PLACE_PASSABLE, false})
+  lu.assertEquals({environment:get_volume_counts(volume)}, {dsw.CELL_TYPE_HEXAHEDRON, 8, 12, 6})
+  local other, volume_map = environment:coarsen()
+  other:close()
+  lu.assertEquals(#volume_map, 432)
+end
+
+function TestValues:test_the_log_is_read()
+  local log = dsw.Log()
+  local tetrahedron = {points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, cells = {{0, 1, 2, 3}}, threads = 2, log = log}
+  dsw.Environment(tetrahedron):close()
+  local lines = {}
+  for level, text in log:lines() do lines[#lines + 1] = level .. " " .. text end
+  lu.assertEquals(#lines, 1)
+  lu.assertStrContains(lines[1], dsw.LOG_INFO .. " dsw_environment_create: 1 volumes")
+end
+
+function TestValues:test_versions_agree()
+  lu.assertEquals(dsw.version(), 1000000 * dsw.VERSION_MAJOR + 1000 * dsw.VERSION_MINOR + dsw.VERSION_PATCH)
+  lu.assertEquals(dsw._VERSION, ("Dartsweep %d.%d.%d"):format(dsw.VERSION_MAJOR, dsw.VERSION_MINOR, dsw.VERSION_PATCH))
+  lu.assertNil(swig_type) -- nothing is left among the globals
+end
+
+os.exit(lu.LuaUnit.run(), true)
