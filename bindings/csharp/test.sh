@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# The tests of the assembly, then of the NuGet package and of that for Unity as a program finds them, with nothing else of ours on its way:
+# bindings/csharp/test.sh FOLDER, where Dartsweep is installed as a static library.
+set -euo pipefail
+library=$(cd "$1" && pwd)
+cd "$(dirname "$0")/../.."
+source=bindings/csharp
+out=$PWD/build/csharp
+package=$out/package
+program=$out/example
+plugins=$out/unity/Plugins/x86_64
+
+cmake -S $source -B "$out" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$library"
+cmake --build "$out"
+if readelf -d "$package"/native/*.so | grep NEEDED | grep -Ev '\[(lib(c|m|gcc_s|stdc\+\+)|ld-linux)'; then exit 1; fi
+cp "$package/native"/* "$package"
+mcs -nologo -out:"$package/tests.exe" -r:"$package/Dartsweep.dll" $source/tests/*.cs
+mono --debug "$package/tests.exe" bindings/tests/scenario.json | tee "$out/tests.txt"
+
+python3 $source/pack.py $source/Dartsweep.nuspec "$package" "$out"
+rm -rf "$program"
+python3 -m zipfile -e "$out"/Dartsweep.*.nupkg "$program"
+cp "$program"/lib/net45/* "$program"/runtimes/linux-x64/native/* "$program"
+mcs -nologo -out:"$program/catheter.exe" -r:"$program/Dartsweep.dll" $source/examples/Catheter.cs
+mono "$program/catheter.exe"
+mcs -nologo -unsafe -nowarn:1591 -out:"$plugins/catheter.exe" $source/examples/Catheter.cs "$out"/unity/Runtime/*.cs
+mono "$plugins/catheter.exe"
+echo "csharp: $(tail -n 1 "$out/tests.txt"), and the example"

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# build/python/venv, with the wheel as users get it and all that is used with it: bindings/python/install.sh FOLDER, where Dartsweep is
+# installed. The wheel is built from the source distribution and has a tag of the systems that it is for; but its library is that of FOLDER.
+set -euo pipefail
+library=$(cd "$1" && pwd)
+cd "$(dirname "$0")/../.."
+out=$PWD/build/python
+venv=$out/venv
+mkdir -p "$out"
+
+cat bindings/{python/tests,docs}/requirements.txt examples/planning/requirements.txt >"$out/requirements.txt"
+if ! cmp -s "$out/requirements.txt" "$venv/installed.txt"; then
+  /usr/bin/python3 -m venv --clear "$venv" # not that of a version manager: python3-dev belongs to this one
+  "$venv/bin/pip" install -q -r "$out/requirements.txt"
+  cp "$out/requirements.txt" "$venv/installed.txt"
+fi
+rm -rf "$out/dist"
+"$venv/bin/python" -m build --no-isolation --skip-dependency-check --outdir "$out/dist" \
+  -Ccmake.define.DSW_USE_INSTALLED=ON -Ccmake.define.CMAKE_PREFIX_PATH="$library" bindings/python
+PATH=$venv/bin:$PATH auditwheel repair --wheel-dir "$out/dist/tagged" "$out"/dist/*.whl
+"$venv/bin/pip" install -q --no-deps --force-reinstall "$out"/dist/tagged/*-manylinux*.whl

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# The tests of the wheel, the examples and the planning that stands on it: bindings/python/test.sh FOLDER, where Dartsweep is installed.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+"$here/install.sh" "$1"
+cd "$here/../.."
+python=$PWD/build/python/venv/bin/python
+tests=$PWD/build/python/tests.xml
+
+"$python" -m pytest bindings/python --junitxml="$tests"
+for example in bindings/python/examples/*.py; do "$python" "$example"; done
+"$python" -m pytest examples/planning
+echo "python: $(grep -o 'tests="[0-9]*"' "$tests" | tr -dc 0-9) tests passed, and the examples"
