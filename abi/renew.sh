@@ -15,7 +15,7 @@ import datetime, pathlib, sys
 path = pathlib.Path("CHANGELOG.md")
 head, mark, tail = path.read_text().partition("### ABI baseline\n")
 line = f"- {datetime.date.today().isoformat()}: {sys.argv[1]}\n"
-if not mark:
+if not mark or "] - unreleased" not in head:
     sys.exit("CHANGELOG.md has no section '### ABI baseline' in the version in work")
 path.write_text(head + mark + line + tail)
 PY

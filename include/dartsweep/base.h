@@ -91,7 +91,7 @@ typedef struct dsw_vec3 {
   double z; /**< Third. */
 } dsw_vec3;
 
-/** Version of the loaded library. It suits this header if it has its major and is not less.
+/** Version of the loaded library.
  * @return major * 1000000 + minor * 1000 + patch. @note Thread: any. @since 0.1 */
 DSW_API uint32_t dsw_version(void);
 
