@@ -578,3 +578,39 @@ AT(dsw_replay_report, has_failed, 24);
 AT(dsw_replay_report, reserved, 28);
 
 SIZE(dsw_replay_outcome, 4);
+
+SIZE(dsw_replay_info, 40);
+AT(dsw_replay_info, struct_size, 0);
+AT(dsw_replay_info, flags, 4);
+AT(dsw_replay_info, version, 8);
+AT(dsw_replay_info, reserved, 12);
+AT(dsw_replay_info, calls, 16);
+AT(dsw_replay_info, bytes_left, 24);
+AT(dsw_replay_info, note, 32);
+GROWS(dsw_replay_info, note);
+
+SIZE(dsw_verdict, 224);
+AT(dsw_verdict, struct_size, 0);
+AT(dsw_verdict, is_right, 4);
+AT(dsw_verdict, places, 8);
+AT(dsw_verdict, lost, 16);
+AT(dsw_verdict, edges, 24);
+AT(dsw_verdict, crossing, 32);
+AT(dsw_verdict, faces, 40);
+AT(dsw_verdict, pierced, 48);
+AT(dsw_verdict, ways, 56);
+AT(dsw_verdict, missed, 64);
+AT(dsw_verdict, contacts, 72);
+AT(dsw_verdict, wrong, 80);
+AT(dsw_verdict, not_judged, 88);
+AT(dsw_verdict, text, 96);
+GROWS(dsw_verdict, text);
+
+SIZE(dsw_bundle_desc, 40);
+AT(dsw_bundle_desc, struct_size, 0);
+AT(dsw_bundle_desc, flags, 4);
+AT(dsw_bundle_desc, path, 8);
+AT(dsw_bundle_desc, write, 16);
+AT(dsw_bundle_desc, user, 24);
+AT(dsw_bundle_desc, note, 32);
+GROWS(dsw_bundle_desc, note);

@@ -62,6 +62,9 @@ cp include/dartsweep/*.h "$client/include/dartsweep"
 
 cmake --preset abi
 cmake --build --preset abi --target abi_programs
+mkdir -p "$client/kept"
+"build/abi/abi/abi_client_$version" write "$client/kept" >/dev/null
+cmake --preset abi
 ctest --preset abi
 echo
 echo "$version is ready: README.md has what is left. Still $old, perhaps rightly:"

@@ -45,7 +45,7 @@ CASES = [
     Case("a parameter is added", "abidiff source", [(*STRING, "DSW_API const char *dsw_status_string(dsw_status status, int language);")]),
     Case("a callback gets another parameter", "abidiff source",
          [(header("context"), r"\(\*dsw_log_fn\)\(void \*user,", "(*dsw_log_fn)(void *user, int line,")]),
-    Case("members of one type change places", "source layout offsets",
+    Case("members of one type change places", "abidiff source layout offsets",
          [(header("body"), r"\n  uint32_t category;", "\n  uint32_t mask;"), (header("body"), r"\n  uint32_t mask; /", "\n  uint32_t category; /")]),
     Case("members of two types change places", "abidiff source offsets",
          [(header("contact"), r"\n(  dsw_outcome outcome;.*)\n(  dsw_contact_kind kind;.*)", r"\n\2\n\1")]),
@@ -93,6 +93,9 @@ REPLACEMENTS = {
         " dsw_build_report *report)",
         "if (desc != NULL && desc->struct_size <= sizeof *desc) return DSW_STATUS_BAD_STRUCT_SIZE;"
         "return real(context, desc, environment, report);"),
+    "refuses what an earlier version has saved": (
+        "dsw_status dsw_environment_load(dsw_context *context, const void *block, size_t size_bytes, dsw_environment **environment)",
+        "(void)context, (void)block, (void)size_bytes, (void)environment; return DSW_STATUS_BAD_VERSION;"),
     "does not look at what it does not know": (
         "dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc, dsw_scene **scene)",
         "dsw_scene_desc known; if (desc == NULL || desc->struct_size <= sizeof known) return real(environment, desc, scene);"

@@ -12,6 +12,7 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_body_counts reserved
 #define LAST_dsw_body_desc motion_share
 #define LAST_dsw_build_report convex_cell_count
+#define LAST_dsw_bundle_desc note
 #define LAST_dsw_carve_desc snap
 #define LAST_dsw_cast_options reserved
 #define LAST_dsw_coarsen_options max_trials
@@ -26,11 +27,13 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_open_desc tag
 #define LAST_dsw_recording_desc user
 #define LAST_dsw_remesh_desc max_faces
+#define LAST_dsw_replay_info note
 #define LAST_dsw_scene_desc features
 #define LAST_dsw_statistics candidates
 #define LAST_dsw_sweep_options max_cells
 #define LAST_dsw_tie_desc snap
 #define LAST_dsw_trace_data triangle_count
+#define LAST_dsw_verdict text
 #define LAST_dsw_volumes_desc reserved
 
 /* ---- calls that succeed with what is described ---------------------------------------------------------------------- */
@@ -199,6 +202,56 @@ RUN(dsw_scene_detach, dsw_detach_desc) {
 }
 RUN(dsw_scene_start_recording, dsw_recording_desc) { return dsw_scene_start_recording(g_scene, s); }
 
+static struct tape {
+  unsigned char bytes[1 << 16];
+  size_t size;
+} g_tape;
+
+static int write_tape(void *user, const void *bytes, size_t size_bytes) {
+  struct tape *const t = (struct tape *)user;
+  if (t->size + size_bytes > sizeof t->bytes) return 1;
+  memcpy(t->bytes + t->size, bytes, size_bytes);
+  t->size += size_bytes;
+  return 0;
+}
+
+/* Of a particle that is created. */
+static dsw_replay *replay(void) {
+  dsw_recording_desc desc;
+  dsw_replay *r = NULL;
+  dsw_recording_desc_init(&desc, sizeof desc);
+  desc.write = write_tape;
+  desc.user = &g_tape;
+  g_tape.size = 0;
+  CHECK_OK(dsw_scene_start_recording(g_scene, &desc));
+  particle();
+  CHECK_OK(dsw_scene_stop_recording(g_scene));
+  CHECK_OK(dsw_replay_create(NULL, g_tape.bytes, g_tape.size, &r));
+  return r;
+}
+RUN(dsw_replay_get_info, dsw_replay_info) {
+  dsw_replay *const r = replay();
+  const dsw_status status = dsw_replay_get_info(r, s);
+  CHECK_OK(dsw_replay_destroy(r));
+  return status;
+}
+RUN(dsw_replay_step_judged, dsw_verdict) {
+  dsw_replay *const r = replay();
+  dsw_replay_report report;
+  const dsw_status status = dsw_replay_step_judged(r, &report, s);
+  CHECK_OK(dsw_replay_destroy(r));
+  return status;
+}
+RUN(dsw_scene_write_bundle, dsw_bundle_desc) { return dsw_scene_write_bundle(g_scene, s, NULL); }
+RUN(dsw_scene_write_bundle, dsw_verdict) {
+  dsw_bundle_desc desc;
+  dsw_bundle_desc_init(&desc, sizeof desc);
+  desc.write = write_tape;
+  desc.user = &g_tape;
+  g_tape.size = 0;
+  return dsw_scene_write_bundle(g_scene, &desc, s);
+}
+
 /* ---- what is described: the members without a default --------------------------------------------------------------- */
 static const double g_square[12] = {1.25, -1, -1, 1.25, 5, -1, 1.25, -1, 5, 1.25, 5, 5};
 static const double g_loop[12] = {1.25, 0.5, 0.5, 1.25, 3.5, 0.5, 1.25, 3.5, 3.5, 1.25, 0.5, 3.5};
@@ -256,6 +309,7 @@ FILL(dsw_open_desc) {
 }
 FILL(dsw_detach_desc) { s->volume = volume_at(CUBE); }
 FILL(dsw_recording_desc) { s->write = write_nowhere; }
+FILL(dsw_bundle_desc) { s->write = write_nowhere; }
 
 /* ---- the tables ------------------------------------------------------------------------------------------------------ */
 typedef union any { /* aligned for each of them */
@@ -305,6 +359,7 @@ typedef struct init_row {
   X(dsw_scene_move_bodies, dsw_move_options)         \
   X(dsw_scene_move_particles, dsw_cast_options)      \
   X(dsw_scene_start_recording, dsw_recording_desc)   \
+  X(dsw_scene_write_bundle, dsw_bundle_desc)         \
   X(dsw_trace_add_walk, dsw_cast_options)
 #define EACH_OUTPUT(X)                              \
   X(dsw_body_get_counts, dsw_body_counts)           \
@@ -312,10 +367,14 @@ typedef struct init_row {
   X(dsw_environment_coarsen, dsw_coarsen_report)    \
   X(dsw_environment_create, dsw_build_report)       \
   X(dsw_environment_get_info, dsw_environment_info) \
+  X(dsw_replay_get_info, dsw_replay_info)           \
+  X(dsw_replay_step_judged, dsw_verdict)            \
   X(dsw_scene_get_statistics, dsw_statistics)       \
+  X(dsw_scene_write_bundle, dsw_verdict)            \
   X(dsw_trace_get, dsw_trace_data)
 #define EACH_INIT(X)                                 \
   X(dsw_body_desc_init, dsw_body_desc)               \
+  X(dsw_bundle_desc_init, dsw_bundle_desc)           \
   X(dsw_carve_desc_init, dsw_carve_desc)             \
   X(dsw_cast_options_init, dsw_cast_options)         \
   X(dsw_coarsen_options_init, dsw_coarsen_options)   \

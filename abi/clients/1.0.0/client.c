@@ -1,8 +1,10 @@
 /* A host as it was written for 1.0.0. It is compiled with the headers beside it, never changed, and must run with
- * every later library: two hexahedra, marks, casts, a particle, a body, a sweep, a cut, a recording, a snapshot. What
- * lies behind its structs is watched: a later library knows larger ones. */
+ * every later library: two hexahedra, marks, casts, a particle, a body, a sweep, a cut, a recording, snapshots. What
+ * lies behind its structs is watched: a later library knows larger ones.
+ * usage: client               does all this
+ *        client write FOLDER  and keeps what the library of its day has saved and recorded
+ *        client read FOLDER   and opens that */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "dartsweep/dartsweep.h"
@@ -18,7 +20,7 @@ static void expect(int holds, const char *what) {
 }
 
 #define GUARD 64
-static int is_kept(const unsigned char *guard) {
+static int is_untouched(const unsigned char *guard) {
   int i;
   for (i = 0; i < GUARD; ++i) {
     if (guard[i] != 0x5a) return 0;
@@ -51,7 +53,7 @@ static dsw_environment *create_two_boxes(dsw_context *context) {
   expect(dsw_environment_create(context, &desc, &environment, &report.known) == DSW_STATUS_OK,
          "create two hexahedra");
   expect(report.known.status == DSW_STATUS_OK && report.known.part_count == 1 &&
-             report.known.boundary_face_count == 10 && is_kept(report.guard),
+             report.known.boundary_face_count == 10 && is_untouched(report.guard),
          "one part with ten outer faces");
   return environment;
 }
@@ -95,9 +97,25 @@ static void move_a_particle(dsw_environment *environment) {
   expect(dsw_scene_destroy(scene) == DSW_STATUS_OK, "destroy the scene");
 }
 
-static int write_bytes(void *user, const void *bytes, size_t size_bytes) {
-  (void)bytes;
-  *(size_t *)user += size_bytes;
+/* What is kept: snapshots of the environment and of a scene, and that scene's recording. */
+enum { ENVIRONMENT, SCENE, RECORDING, KEPT };
+static const char *const names[KEPT] = {"environment.snapshot", "scene.snapshot", "scene.recording"};
+static struct block {
+  unsigned char bytes[1 << 16];
+  size_t size;
+} kept[KEPT];
+
+static FILE *open_kept(const char *folder, int what, const char *mode) {
+  char path[4096];
+  snprintf(path, sizeof path, "%s/%s", folder, names[what]);
+  return fopen(path, mode);
+}
+
+static int append(void *user, const void *bytes, size_t size_bytes) {
+  struct block *const block = (struct block *)user;
+  if (block->size + size_bytes > sizeof block->bytes) return 1;
+  memcpy(block->bytes + block->size, bytes, size_bytes);
+  block->size += size_bytes;
   return 0;
 }
 
@@ -105,7 +123,7 @@ static int write_bytes(void *user, const void *bytes, size_t size_bytes) {
 static void move_a_body(dsw_environment *environment) {
   static const double start[6] = {0.25, 0.5, 0.5, 0.75, 0.5, 0.5}, target[6] = {0.25, 0.5, 1.5, 0.75, 0.5, 0.75};
   static const uint32_t edge[2] = {0, 1};
-  size_t recorded = 0, count = 0;
+  size_t count = 0;
   const dsw_contact *contacts = NULL;
   dsw_scene_desc desc;
   dsw_recording_desc recording;
@@ -126,8 +144,8 @@ static void move_a_body(dsw_environment *environment) {
   desc.features = DSW_FEATURE_STATISTICS;
   expect(dsw_scene_create(environment, &desc, &scene) == DSW_STATUS_OK, "create a scene that counts");
   dsw_recording_desc_init(&recording, sizeof recording);
-  recording.write = write_bytes;
-  recording.user = &recorded;
+  recording.write = append;
+  recording.user = &kept[RECORDING];
   expect(dsw_scene_start_recording(scene, &recording) == DSW_STATUS_OK, "record it");
   dsw_body_desc_init(&shape, sizeof shape);
   shape.positions = start;
@@ -138,7 +156,7 @@ static void move_a_body(dsw_environment *environment) {
   memset(&counts, 0x5a, sizeof counts);
   counts.known.struct_size = sizeof counts.known;
   expect(dsw_body_get_counts(scene, body, &counts.known) == DSW_STATUS_OK && counts.known.vertex_count == 2 &&
-             counts.known.edge_count == 1 && is_kept(counts.guard),
+             counts.known.edge_count == 1 && is_untouched(counts.guard),
          "it has two vertices");
   dsw_move_options_init(&options, sizeof options);
   expect(dsw_body_move(scene, body, target, 2, 0, &options, &report) == DSW_STATUS_OK, "move it");
@@ -148,9 +166,11 @@ static void move_a_body(dsw_environment *environment) {
   memset(&statistics, 0x5a, sizeof statistics);
   statistics.known.struct_size = sizeof statistics.known;
   expect(dsw_scene_get_statistics(scene, &statistics.known) == DSW_STATUS_OK && statistics.known.casts > 0 &&
-             is_kept(statistics.guard),
+             is_untouched(statistics.guard),
          "casts were counted");
-  expect(dsw_scene_stop_recording(scene) == DSW_STATUS_OK && recorded > 0, "something was recorded");
+  expect(dsw_scene_stop_recording(scene) == DSW_STATUS_OK && kept[RECORDING].size > 0, "something was recorded");
+  expect(dsw_scene_save(scene, kept[SCENE].bytes, sizeof kept[SCENE].bytes, &kept[SCENE].size) == DSW_STATUS_OK,
+         "save the scene");
   expect(dsw_scene_destroy(scene) == DSW_STATUS_OK, "destroy the scene");
 }
 
@@ -172,28 +192,73 @@ static void sweep_and_cut(dsw_environment *environment) {
          "a blade cuts both boxes");
 }
 
-static void save_and_load(const dsw_environment *environment) {
-  size_t size = 0;
-  void *block;
+static dsw_environment *load_environment(const struct block *block) {
   dsw_environment *copy = NULL;
   struct {
     dsw_environment_info known;
     unsigned char guard[GUARD];
   } info;
-  expect(dsw_environment_save(environment, NULL, 0, &size) == DSW_STATUS_OK && size > 0, "ask for a snapshot's size");
-  block = malloc(size);
-  expect(block != NULL && dsw_environment_save(environment, block, size, &size) == DSW_STATUS_OK, "save");
-  expect(dsw_environment_load(NULL, block, size, &copy) == DSW_STATUS_OK, "load");
+  expect(dsw_environment_load(NULL, block->bytes, block->size, &copy) == DSW_STATUS_OK, "load an environment");
   memset(&info, 0x5a, sizeof info);
   info.known.struct_size = sizeof info.known;
   expect(dsw_environment_get_info(copy, &info.known) == DSW_STATUS_OK && info.known.volume_count == 2 &&
-             info.known.face_count == 11 && is_kept(info.guard),
-         "the copy has two volumes and eleven faces");
-  dsw_environment_destroy(copy);
-  free(block);
+             info.known.face_count == 11 && is_untouched(info.guard),
+         "it has two volumes and eleven faces");
+  return copy;
 }
 
-int main(void) {
+static void check_scene(const struct block *block, dsw_environment *environment) {
+  dsw_scene *scene = NULL;
+  size_t count = 0;
+  expect(dsw_scene_load(environment, block->bytes, block->size, &scene) == DSW_STATUS_OK, "load a scene");
+  expect(dsw_scene_get_body_count(scene, &count) == DSW_STATUS_OK && count == 1, "it has a body");
+  expect(dsw_scene_destroy(scene) == DSW_STATUS_OK, "destroy the scene");
+}
+
+/* A later library may do the same in another way: that is told, and no failure. */
+static void check_recording(const struct block *block) {
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  int calls = 0;
+  expect(dsw_replay_create(NULL, block->bytes, block->size, &replay) == DSW_STATUS_OK, "open a recording");
+  while (dsw_replay_step(replay, &report) == DSW_STATUS_OK && report.outcome != DSW_REPLAY_END) {
+    expect(report.status == DSW_STATUS_OK && report.outcome != DSW_REPLAY_UNFINISHED, report.function);
+    ++calls;
+  }
+  expect(calls == 2 && report.outcome == DSW_REPLAY_END, "a body was created and moved");
+  expect(dsw_replay_destroy(replay) == DSW_STATUS_OK, "close it");
+}
+
+static void check_all(const struct block *blocks) {
+  dsw_environment *const environment = load_environment(&blocks[ENVIRONMENT]);
+  check_scene(&blocks[SCENE], environment);
+  expect(dsw_environment_destroy(environment) == DSW_STATUS_OK, "destroy the environment");
+  check_recording(&blocks[RECORDING]);
+}
+
+static void write_all(const char *folder) {
+  int i;
+  for (i = 0; i < KEPT; ++i) {
+    FILE *const file = open_kept(folder, i, "wb");
+    expect(file != NULL && fwrite(kept[i].bytes, 1, kept[i].size, file) == kept[i].size, names[i]);
+    if (file != NULL) expect(fclose(file) == 0, names[i]);
+  }
+}
+
+static void read_all(const char *folder) {
+  static struct block old[KEPT];
+  int i;
+  for (i = 0; i < KEPT; ++i) {
+    FILE *const file = open_kept(folder, i, "rb");
+    expect(file != NULL, names[i]);
+    if (file == NULL) return;
+    old[i].size = fread(old[i].bytes, 1, sizeof old[i].bytes, file);
+    fclose(file);
+  }
+  check_all(old);
+}
+
+int main(int argument_count, char **arguments) {
   dsw_context *context = NULL;
   dsw_context_desc desc;
   dsw_environment *environment;
@@ -208,7 +273,12 @@ int main(void) {
   cast(environment, first);
   move_a_particle(environment);
   move_a_body(environment);
-  save_and_load(environment);
+  expect(dsw_environment_save(environment, kept[ENVIRONMENT].bytes, sizeof kept[ENVIRONMENT].bytes,
+                              &kept[ENVIRONMENT].size) == DSW_STATUS_OK,
+         "save the environment");
+  check_all(kept);
+  if (argument_count == 3 && strcmp(arguments[1], "write") == 0) write_all(arguments[2]);
+  if (argument_count == 3 && strcmp(arguments[1], "read") == 0) read_all(arguments[2]);
   sweep_and_cut(environment);
   expect(dsw_environment_destroy(environment) == DSW_STATUS_OK, "destroy the environment");
   expect(dsw_context_destroy(context) == DSW_STATUS_OK, "destroy the context");
