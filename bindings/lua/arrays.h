@@ -162,16 +162,15 @@ inline bool to_points(lua_State *L, int index, const char *argument, dartsweep::
 }
 
 inline bool to_indices(lua_State *L, int index, const char *argument, dartsweep::Indices &out) {
-  const PackedArray *array = find_array(L, index);
   out.bytes = 4;
-  if (array && array->kind == &kKind<std::uint32_t>) {
-    std::uint32_t *data = nullptr;
-    to_array(L, index, argument, data, out.count);
-    out.data = data;
-    return true;
-  }
+  PackedArray *array = find_array(L, index);
   std::int32_t *data = nullptr;
-  if (!to_array(L, index, argument, data, out.count)) return false;
+  if (array && array->kind == &kKind<std::uint32_t>) {
+    data = array->data<std::int32_t>();
+    out.count = array->count;
+  } else if (!to_array(L, index, argument, data, out.count)) {
+    return false;
+  }
   out.data = data;
   return true;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string_view>
@@ -13,16 +14,19 @@ namespace dartsweep_lua {
 
 inline constexpr char kErrorClass[] = "dartsweep.Error";
 
+inline bool is_own(std::string_view source) {
+  constexpr std::string_view file = "dartsweep.lua";
+  const std::size_t at = source.rfind(file);
+  return at != source.npos && at + file.size() == source.size() && at > 0 && std::strchr("@/\\", source[at - 1]);
+}
+
 // "file:line: " of the innermost call that is not the package's own.
 inline void push_where(lua_State *L) {
-  constexpr std::string_view own = "dartsweep.lua";
-  lua_Debug at;
+  lua_Debug call;
   int level = 1;
-  for (; lua_getstack(L, level, &at); ++level) {
-    lua_getinfo(L, "Sl", &at);
-    const std::string_view source = at.source;
-    const bool is_own = source.size() > own.size() && source.substr(source.size() - own.size()) == own;
-    if (at.currentline > 0 && !is_own) break;
+  for (; lua_getstack(L, level, &call); ++level) {
+    lua_getinfo(L, "Sl", &call);
+    if (call.currentline > 0 && !is_own(call.source)) break;
   }
   luaL_where(L, level);
 }
