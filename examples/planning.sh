@@ -24,14 +24,13 @@ mkdir -p "$out"
 
 needs_build_tools
 needs_venv /usr/bin/python3 # not that of a version manager: python3-dev belongs to this one
-command -v swig > /dev/null || missing+=(swig)
 [ -n "$(find /usr/include -path '/usr/include/python3*/Python.h' -print -quit)" ] || missing+=(python3-dev)
 install_missing
 
 make_venv "$venv" /usr/bin/python3 "$source/requirements.txt"
 
 echo "building the library and its Python binding"
-export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)} PATH=$venv/bin:$PATH # SWIG
 quietly "building the binding" "$venv/bin/pip" install --disable-pip-version-check --no-deps --no-build-isolation \
   --force-reinstall "$root/bindings/python" --config-settings=build-dir="$out/binding"
 

@@ -78,6 +78,12 @@ install_static_library() {
     CC=cc CXX=c++ tests/package/package_test.sh static "$PWD/build/release" "$PWD/build/dartsweep-static"
 }
 
+# The wheel, once for all steps.
+install_python() {
+  [ -z "${python_is_installed:-}" ] || return 0
+  install_library && bindings/python/install.sh build/dartsweep && python_is_installed=1
+}
+
 # step_NAME: all of a step.
 step_release() { preset release all; }
 step_clang() { preset clang all; }
@@ -85,8 +91,8 @@ step_dev() { preset dev all; }
 step_tsan() { preset tsan threads_tests; }
 step_abi() { preset abi dartsweep abi_programs && python3 -B abi/check_abi.py symbols build/abi/src/libdartsweep.so; }
 step_fuzz() { preset fuzz all; }
-step_python() { install_library && bindings/python/test.sh build/dartsweep; }
-step_docs() { install_library && bindings/python/install.sh build/dartsweep && bindings/docs/build.sh build/python/venv/bin/python; }
+step_python() { install_python && bindings/python/test.sh; }
+step_docs() { install_python && bindings/docs/build.sh build/python/venv/bin/python; }
 step_java() { install_library && bindings/java/test.sh build/dartsweep; }
 step_csharp() { install_static_library && bindings/csharp/test.sh build/dartsweep-static/prefix; }
 step_lua() { install_library && bindings/lua/test.sh build/dartsweep; }

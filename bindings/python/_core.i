@@ -30,11 +30,10 @@ class Log : public dartsweep::LogSink {
   explicit Log(PyObject *callable) : callable_(callable) { Py_INCREF(callable_); }
   ~Log() override { Py_DECREF(callable_); }
   void write(int level, const char *text) override {
-    const PyGILState_STATE state = PyGILState_Ensure();
+    const Held lock;
     PyObject *answer = PyObject_CallFunction(callable_, "is", level, text);
     if (!answer) PyErr_WriteUnraisable(callable_);
     Py_XDECREF(answer);
-    PyGILState_Release(state);
   }
 
  private:

@@ -78,6 +78,13 @@ inline PyObject *to_integers(PyObject *object, int type) {
   return made;
 }
 
+// A new tuple of what a sequence has; the limited interface of Python has no quicker way.
+inline PyObject *to_tuple(PyObject *object, const char *what) {
+  PyObject *items = PySequence_Tuple(object);
+  if (!items && PyErr_ExceptionMatches(PyExc_TypeError)) PyErr_SetString(PyExc_TypeError, what);
+  return items;
+}
+
 // One point, from an array or any sequence of three numbers.
 inline bool set_point(PyObject *object, double *xyz) {
   if (PyArray_Check(object)) {
@@ -87,12 +94,12 @@ inline bool set_point(PyObject *object, double *xyz) {
       return true;
     }
   }
-  PyObject *items = PySequence_Fast(object, "a point is a sequence of 3 numbers");
+  PyObject *items = to_tuple(object, "a point is a sequence of 3 numbers");
   if (!items) return false;
-  bool good = PySequence_Fast_GET_SIZE(items) == 3;
+  bool good = PyTuple_Size(items) == 3;
   if (!good) PyErr_SetString(PyExc_ValueError, "a point has 3 coordinates");
   for (Py_ssize_t i = 0; good && i < 3; ++i) {
-    xyz[i] = PyFloat_AsDouble(PySequence_Fast_GET_ITEM(items, i));
+    xyz[i] = PyFloat_AsDouble(PyTuple_GetItem(items, i));
     good = xyz[i] != -1.0 || !PyErr_Occurred();
   }
   Py_DECREF(items);
@@ -156,9 +163,8 @@ inline bool set_lent(PyObject *object, dartsweep::Lent &out) {
   if (!set_points_out(object, out.data, out.count)) return false;
   Py_INCREF(object);
   out.owner = std::shared_ptr<void>(object, [](void *held) {
-    const PyGILState_STATE state = PyGILState_Ensure();
+    const Held lock;
     Py_DECREF(static_cast<PyObject *>(held));
-    PyGILState_Release(state);
   });
   return true;
 }
@@ -185,8 +191,7 @@ struct ViewArgument : Argument {
     if (object == Py_None) return true;
     if constexpr (std::is_same_v<T, std::uint8_t>) {
       if (PyBytes_Check(object)) {
-        out = {reinterpret_cast<const T *>(PyBytes_AS_STRING(object)),
-               static_cast<std::size_t>(PyBytes_GET_SIZE(object))};
+        out = {reinterpret_cast<const T *>(PyBytes_AsString(object)), static_cast<std::size_t>(PyBytes_Size(object))};
         return true;
       }
     }
@@ -237,12 +242,12 @@ struct ViewArgument : Argument {
       PyErr_SetString(PyExc_TypeError, "a NumPy array of the type in dartsweep.dtypes is needed");
       return false;
     }
-    PyObject *items = PySequence_Fast(object, "a NumPy array or a sequence of ids is needed");
+    PyObject *items = to_tuple(object, "a NumPy array or a sequence of ids is needed");
     if (!items) return false;
-    own = Array<T>(static_cast<std::size_t>(PySequence_Fast_GET_SIZE(items)));
+    own = Array<T>(static_cast<std::size_t>(PyTuple_Size(items)));
     bool good = true;
     for (std::size_t i = 0; good && i < own.size(); ++i)
-      good = read_one(PySequence_Fast_GET_ITEM(items, static_cast<Py_ssize_t>(i)), own.data() + i);
+      good = read_one(PyTuple_GetItem(items, static_cast<Py_ssize_t>(i)), own.data() + i);
     Py_DECREF(items);
     out = {own.data(), own.size()};
     return good;
@@ -294,31 +299,6 @@ PyObject *copy_to_python(const T *values, npy_intp count) {
   if (made)
     std::memcpy(PyArray_DATA(reinterpret_cast<PyArrayObject *>(made)), values,
                 sizeof(T) * static_cast<std::size_t>(count));
-  return made;
-}
-
-// Name(member=value, ...) of a struct; takes the reference over.
-inline PyObject *describe(PyObject *object, const char *name) {
-  if (!object) return nullptr;
-  PyObject *parts = PyList_New(0);
-  for (PyGetSetDef *member = Py_TYPE(object)->tp_getset; parts && member && member->name; ++member) {
-    const std::string text = member->name;
-    if (text == "this" || text == "thisown" || text[0] == '_') continue;
-    PyObject *value = PyObject_GetAttrString(object, member->name);
-    PyObject *part = value ? PyUnicode_FromFormat("%s=%R", member->name, value) : nullptr;
-    if (!part || PyList_Append(parts, part) != 0) Py_CLEAR(parts);
-    Py_XDECREF(part);
-    Py_XDECREF(value);
-  }
-  Py_DECREF(object);
-  if (!parts) return nullptr;
-  PyList_Sort(parts);  // SWIG keeps members in a hash table
-  PyObject *comma = PyUnicode_FromString(", ");
-  PyObject *joined = comma ? PyUnicode_Join(comma, parts) : nullptr;
-  PyObject *made = joined ? PyUnicode_FromFormat("%s(%U)", name, joined) : nullptr;
-  Py_XDECREF(joined);
-  Py_XDECREF(comma);
-  Py_DECREF(parts);
   return made;
 }
 

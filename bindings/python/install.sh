@@ -11,11 +11,12 @@ mkdir -p "$out"
 cat bindings/{python/tests,docs}/requirements.txt examples/planning/requirements.txt >"$out/requirements.txt"
 if ! cmp -s "$out/requirements.txt" "$venv/installed.txt"; then
   /usr/bin/python3 -m venv --clear "$venv" # not that of a version manager: python3-dev belongs to this one
-  "$venv/bin/pip" install -q -r "$out/requirements.txt"
+  "$venv/bin/pip" install -q --no-compile -r "$out/requirements.txt"
   cp "$out/requirements.txt" "$venv/installed.txt"
 fi
+export PATH=$venv/bin:$PATH # its SWIG rather than Debian's
 rm -rf "$out/dist"
-"$venv/bin/python" -m build --no-isolation --skip-dependency-check --outdir "$out/dist" \
+python -m build --no-isolation --outdir "$out/dist" \
   -Ccmake.define.DSW_USE_INSTALLED=ON -Ccmake.define.CMAKE_PREFIX_PATH="$library" bindings/python
-PATH=$venv/bin:$PATH auditwheel repair --wheel-dir "$out/dist/tagged" "$out"/dist/*.whl
-"$venv/bin/pip" install -q --no-deps --force-reinstall "$out"/dist/tagged/*-manylinux*.whl
+auditwheel repair --wheel-dir "$out/dist/tagged" "$out"/dist/*.whl
+pip install -q --no-deps --force-reinstall "$out"/dist/tagged/*-manylinux*.whl

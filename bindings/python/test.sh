@@ -1,9 +1,7 @@
 #!/usr/bin/env bash
-# The tests of the wheel, the examples and the planning that stands on it: bindings/python/test.sh FOLDER, where Dartsweep is installed.
+# The tests of the wheel that install.sh has installed, the examples, and the planning that stands on it.
 set -euo pipefail
-here=$(cd "$(dirname "$0")" && pwd)
-"$here/install.sh" "$1"
-cd "$here/../.."
+cd "$(dirname "$0")/../.."
 python=$PWD/build/python/venv/bin/python
 tests=$PWD/build/python/tests.xml
 

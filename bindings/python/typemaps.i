@@ -225,10 +225,16 @@ DSW_EACH_RESULT(DSW_COPIED)
 }
 
 // --- values that compare, hash and describe themselves
+%pythonbegin %{
+def _describe(self):
+    """Name(member=value, ...)"""
+    kind = type(self)
+    members = [name for name in dir(kind) if name != "thisown" and isinstance(getattr(kind, name), property)]
+    return f"{kind.__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in members)})"
+%}
 %define DSW_DESCRIBED(type, name)
-%feature("python:slot", "tp_repr", functype="reprfunc") type::__repr__;
 %extend type {
-  PyObject *__repr__() { return dartsweep_python::describe(SWIG_InternalNewPointerObj($self, $descriptor(type *), 0), #name); }
+%pythoncode %{__repr__ = _describe%}
 }
 %enddef
 DSW_EACH_ID(DSW_DESCRIBED)
@@ -237,7 +243,6 @@ DSW_EACH_DESCRIPTION(DSW_DESCRIBED)
 DSW_EACH_RESULT(DSW_DESCRIBED)
 
 %define DSW_COMPARED(type, name)
-%feature("python:slot", "tp_hash", functype="hashfunc") type::__hash__;
 %extend type {
   bool operator==(const type &other) const { return std::memcmp($self, &other, sizeof other) == 0; }
   bool operator!=(const type &other) const { return std::memcmp($self, &other, sizeof other) != 0; }
