@@ -23,13 +23,17 @@ install_and_move() {
 
 # same EXPECTED VALUE
 same() {
-  [ "$1" = "$2" ] || { echo "expected '$1', got '$2'" && exit 1; }
+  if [ "$1" != "$2" ]; then
+    echo "expected '$1', got '$2'" >&2
+    exit 1
+  fi
 }
 
 # What of the packages an installation does not show: names, dependencies, and that the runtime's has the library alone.
 check_packages() {
   soname=$(objdump -p "$build/src/libdartsweep.so" | sed -n 's/.*SONAME *//p')
-  major=${soname#libdartsweep.so.} name=libdartsweep${soname#libdartsweep.so.} version=$(dpkg-deb -f "$2" Version)
+  major=${soname##*.} version=$(dpkg-deb -f "$2" Version)
+  name=libdartsweep$major
   same "$name" "$(dpkg-deb -f "$1" Package)"
   same "$name (= $version)" "$(dpkg-deb -f "$2" Depends)"
   dpkg-deb -f "$1" Depends | grep 'libc6 .*libstdc++6 '
