@@ -11,7 +11,7 @@ project = "Dartsweep"
 version = release = dartsweep.__version__
 root_doc = "bindings/docs/index"
 include_patterns = ["bindings/docs/*.md", "CHANGELOG.md", "README.md", "*/README.md", "*/**/README.md"]
-exclude_patterns = ["build*", "out", "**/.*", "**/node_modules", "tests/fuzz/corpus"]
+exclude_patterns = ["build*", "out", ".*", "**/.*", "**/node_modules", "tests/fuzz/corpus"]
 extensions = ["myst_parser", "sphinx.ext.autodoc"]
 html_theme = "furo"
 html_title = f"Dartsweep {version}"
@@ -35,8 +35,9 @@ def name_pages_of_folders(app, docname, source):
         folder = (here / target).resolve()
         if not folder.is_dir():
             return link[0]
-        if (folder / "README.md").exists():
-            return f"[{words}]({target.rstrip('/')}/README.md)"
+        for page in ("README.md", "index.md"):
+            if (folder / page).exists():
+                return f"[{words}]({target.rstrip('/')}/{page})"
         page = {"include/dartsweep": "c", "examples/c": "c_examples"}.get(str(folder.relative_to(ROOT)))
         return f"[{words}](/bindings/docs/{page}.md)" if page else words
 
