@@ -99,7 +99,7 @@ static dsw_replay_info info_of(const dsw_replay *replay) {
   return info;
 }
 
-static void print_beginning(const dsw_replay *replay, const dsw_scene *scene) {
+static void print_beginning(const dsw_replay *replay, const dsw_scene *scene, size_t size) {
   const dsw_replay_info info = info_of(replay);
   dsw_environment_info environment;
   size_t particles = 0, bodies = 0;
@@ -112,6 +112,7 @@ static void print_beginning(const dsw_replay *replay, const dsw_scene *scene) {
          (info.flags & DSW_RECORDING_STATES) ? ", with the state after each call" : "");
   printf("at its beginning %lu volumes, %lu particles, %lu bodies\n", (unsigned long)environment.volume_count,
          (unsigned long)particles, (unsigned long)bodies);
+  printf("its beginning takes %" PRIu64 " bytes\n", (uint64_t)size - info.bytes_left);
 }
 
 static void print_step(const dsw_replay_report *report) {
@@ -138,20 +139,33 @@ static int print_verdict(const dsw_verdict *v) {
   return v->is_right != 0;
 }
 
+/* Arguments of the next call; the caller frees them. */
+static char *describe_next(dsw_replay *replay) {
+  size_t size = 0;
+  char *text;
+  require(dsw_replay_describe_next(replay, NULL, 0, &size), "reading a call", kBadInput);
+  text = (char *)room_for(size, 1);
+  require(dsw_replay_describe_next(replay, text, size, &size), "reading a call", kBadInput);
+  return text;
+}
+
 /* The next step, told. `good` becomes 0 where the verdict is that something is wrong. */
 static dsw_replay_outcome step(dsw_replay *replay, const options *o, int *good) {
   dsw_replay_report report;
   dsw_verdict verdict;
+  char *arguments = NULL;
   const int judge = o->judge || (info_of(replay).flags & DSW_RECORDING_BUNDLE) != 0;
   verdict.struct_size = sizeof verdict;
   verdict.is_right = 1;
+  if (judge) arguments = describe_next(replay);
   require(judge ? dsw_replay_step_judged(replay, &report, &verdict) : dsw_replay_step(replay, &report),
           "making the next call", kBadInput);
-  if (report.outcome == DSW_REPLAY_END) return DSW_REPLAY_END;
-  if (!o->quiet || report.outcome != DSW_REPLAY_SAME || !verdict.is_right) {
+  if (report.outcome != DSW_REPLAY_END && (!o->quiet || report.outcome != DSW_REPLAY_SAME || !verdict.is_right)) {
     print_step(&report);
+    if (judge) printf("          %s\n", arguments);
     if (judge) print_verdict(&verdict);
   }
+  free(arguments);
   if (!verdict.is_right) *good = 0;
   return report.outcome;
 }
@@ -199,10 +213,11 @@ static dsw_replay_outcome take_call(dsw_replay *replay, dsw_scene *scene, const 
   return outcome;
 }
 
-/* The edges of a body. */
-static int draw_body(const dsw_scene *scene, dsw_body_id body, const char *folder) {
+/* The edges of a body, and what it touched in its last move. */
+static int draw_body(const dsw_scene *scene, dsw_body_id body, const char *folder, const char *when) {
   dsw_body_counts counts;
-  double *positions;
+  const dsw_contact *contacts = NULL;
+  double *positions, *touches;
   uint32_t *ends;
   size_t got = 0, i, count = 0;
   char name[64];
@@ -220,21 +235,49 @@ static int draw_body(const dsw_scene *scene, dsw_body_id body, const char *folde
     ends[2 * count + 1] = ends[2 * i + 1];
     ++count;
   }
-  snprintf(name, sizeof name, "body_%u.vtu", body.index);
+  snprintf(name, sizeof name, "%sbody_%u.vtu", when, body.index);
   code = vtu_write(folder, name, positions, counts.vertex_slots, ends, 2, count, NULL, 0);
   free(positions);
   free(ends);
+  require(dsw_body_get_contacts(scene, body, &contacts, &count), "reading contacts", kFailed);
+  touches = (double *)room_for(6 * count, sizeof *touches);
+  for (i = 0; i < count; ++i) {
+    memcpy(touches + 3 * i, contacts[i].point, sizeof contacts[i].point);
+    memcpy(touches + 3 * (count + i), contacts[i].normal, sizeof contacts[i].normal);
+  }
+  snprintf(name, sizeof name, "%scontacts_%u.vtu", when, body.index);
+  if (code == 0 && count != 0) code = write_touches(folder, name, touches, touches + 3 * count, count);
+  free(touches);
   return code;
 }
 
-static int draw(const dsw_scene *scene, const char *folder) {
+static int draw_particles(const dsw_scene *scene, const char *folder, const char *when) {
+  size_t count = 0;
+  dsw_particle_id *particles;
+  double *positions;
+  char name[64];
+  int code = 0;
+  require(dsw_scene_get_particle_count(scene, &count), "counting", kFailed);
+  particles = (dsw_particle_id *)room_for(count, sizeof *particles);
+  positions = (double *)room_for(3 * count, sizeof *positions);
+  require(dsw_scene_get_particle_ids(scene, particles, count, &count), "reading particles", kFailed);
+  require(dsw_scene_get_particles(scene, particles, count, positions, 0, NULL), "reading particles", kFailed);
+  snprintf(name, sizeof name, "%sparticles.vtu", when);
+  if (count != 0) code = vtu_write(folder, name, positions, count, NULL, 0, 0, NULL, 0);
+  free(particles);
+  free(positions);
+  return code;
+}
+
+/* What is in the scene; names begin with `when`. */
+static int draw(const dsw_scene *scene, const char *folder, const char *when) {
   size_t count = 0, i;
   dsw_body_id *bodies;
-  int code = write_trace(dsw_scene_get_environment(scene), folder, "walls.vtu", 1);
+  int code = draw_particles(scene, folder, when);
   require(dsw_scene_get_body_count(scene, &count), "counting", kFailed);
   bodies = (dsw_body_id *)room_for(count, sizeof *bodies);
   require(dsw_scene_get_bodies(scene, bodies, count, &count), "reading bodies", kFailed);
-  for (i = 0; i < count && code == 0; ++i) code = draw_body(scene, bodies[i], folder);
+  for (i = 0; i < count && code == 0; ++i) code = draw_body(scene, bodies[i], folder, when);
   free(bodies);
   return code;
 }
@@ -253,7 +296,8 @@ int main(int argc, char **argv) {
   bytes = read_file(o.file, &size);
   require(dsw_replay_create(NULL, bytes, size, &replay), "opening the recording", kBadInput);
   require(dsw_replay_get_scene(replay, &scene), "opening the recording", kBadInput);
-  print_beginning(replay, scene);
+  print_beginning(replay, scene, size);
+  if (o.draw != NULL && draw(scene, o.draw, "before_") != 0) return kBadInput;
   while (call < o.to && (last = step(replay, &o, &good)) == DSW_REPLAY_SAME) ++call;
   if (o.take != NULL && call == o.to) last = take_call(replay, scene, &o, &good);
   if (o.take != NULL && (call < o.to || last == DSW_REPLAY_END)) {
@@ -267,7 +311,9 @@ int main(int argc, char **argv) {
            last == DSW_REPLAY_UNFINISHED ? " in a call" : "", info.bytes_left);
   if (*info.note != 0) printf("note: %s\n", info.note);
   if (!print_end(scene)) good = 0;
-  if (o.draw != NULL && draw(scene, o.draw) != 0) return kBadInput;
+  if (o.draw != NULL &&
+      (draw(scene, o.draw, "") != 0 || write_trace(dsw_scene_get_environment(scene), o.draw, "walls.vtu", 1) != 0))
+    return kBadInput;
   require(dsw_replay_destroy(replay), "closing", kFailed);
   free(bytes);
   return last == DSW_REPLAY_DIFFERENT || !good ? kFailed : 0;

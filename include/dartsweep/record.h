@@ -131,6 +131,11 @@ typedef struct dsw_replay_info {
 /** What is known of it now. @param info [out] struct_size set. @return NULL_ARGUMENT, BAD_STRUCT_SIZE. @note Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_replay_get_info(const dsw_replay *replay, dsw_replay_info *info);
 
+/** Arguments of the next call as text, for people: names and values, of long arrays the first ones, of options their words beyond struct_size in
+ * hexadecimal. Empty at the end. @param text [out] ends with 0 and is cut to `capacity`; may be null if that is 0. @param size [out] bytes of all of it with
+ * its 0. @return DSW_STATUS_NULL_ARGUMENT, CORRUPT. @note Thread: writer. @since 0.1 */
+DSW_API dsw_status dsw_replay_describe_next(dsw_replay *replay, char *text, size_t capacity, size_t *size);
+
 /** Whether what a call did was right, by exact integers alone and against every obstacle: no filter, no walk, nothing remembered. */
 typedef struct dsw_verdict {
   uint32_t struct_size; /**< [in] sizeof(dsw_verdict). */

@@ -55,6 +55,13 @@ class Arguments {
     std::memcpy(&size, at_, sizeof size);
     return read_struct(static_cast<const T*>(take(size)), "a recorded struct");
   }
+  /** The words of a struct that begins with its size. */
+  Items<uint32_t> get_sized() {
+    need(1);
+    uint32_t size;
+    std::memcpy(&size, at_, sizeof size);
+    return {static_cast<const uint32_t*>(take(size)), size / sizeof size};
+  }
   /** As many as are expected, or null. */
   template <class T>
   const T* get_items(size_t count) {

@@ -78,6 +78,7 @@ TEST(BundleTest, OfASceneThatIsNotRecordedIsWhatIsThere) {
 // A recording in memory begins anew before it gets long.
 TEST(BundleTest, OnlyTheLatestCallsAreKept) {
   RandomEdits edits("hex", 4);
+  ASSERT_EQ(edits.step(), "");
   dsw_recording_desc desc;
   dsw_recording_desc_init(&desc, sizeof desc);
   desc.flags = DSW_RECORDING_LATEST;
