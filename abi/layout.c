@@ -579,7 +579,7 @@ AT(dsw_replay_report, reserved, 28);
 
 SIZE(dsw_replay_outcome, 4);
 
-SIZE(dsw_replay_info, 40);
+SIZE(dsw_replay_info, 48);
 AT(dsw_replay_info, struct_size, 0);
 AT(dsw_replay_info, flags, 4);
 AT(dsw_replay_info, version, 8);
@@ -587,7 +587,8 @@ AT(dsw_replay_info, reserved, 12);
 AT(dsw_replay_info, calls, 16);
 AT(dsw_replay_info, bytes_left, 24);
 AT(dsw_replay_info, note, 32);
-GROWS(dsw_replay_info, note);
+AT(dsw_replay_info, verdict, 40);
+GROWS(dsw_replay_info, verdict);
 
 SIZE(dsw_verdict, 224);
 AT(dsw_verdict, struct_size, 0);

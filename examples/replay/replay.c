@@ -310,6 +310,8 @@ int main(int argc, char **argv) {
     printf("the recording ends here%s, with %" PRIu64 " bytes of an entry that is not whole\n",
            last == DSW_REPLAY_UNFINISHED ? " in a call" : "", info.bytes_left);
   if (*info.note != 0) printf("note: %s\n", info.note);
+  if (info.verdict != NULL)
+    printf("verdict when it was written: %s%s\n", info.verdict->is_right ? "right" : "WRONG: ", info.verdict->text);
   if (!print_end(scene)) good = 0;
   if (o.draw != NULL &&
       (draw(scene, o.draw, "") != 0 || write_trace(dsw_scene_get_environment(scene), o.draw, "walls.vtu", 1) != 0))

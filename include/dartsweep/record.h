@@ -115,22 +115,6 @@ DSW_API dsw_status dsw_replay_get_scene(const dsw_replay *replay, dsw_scene **sc
  * itself answered is in the report. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_replay_step(dsw_replay *replay, dsw_replay_report *report);
 
-/** What is known of a recording that is made again. */
-typedef struct dsw_replay_info {
-  uint32_t struct_size; /**< [in] sizeof(dsw_replay_info). */
-  uint32_t flags;       /**< Of the recording. */
-  uint32_t version;     /**< dsw_version() of the library that made it. */
-  uint32_t reserved;    /**< 0. */
-  uint64_t calls;       /**< Made so far. */
-  /** Of the recording, not read yet. At its end: of an entry that is not whole, the torn tail of what a dead process was writing. */
-  uint64_t bytes_left;
-  const char *
-      note; /**< What the host has said in a bundle, known at the end; empty if nothing. Valid as long as the replay. */
-} dsw_replay_info;
-
-/** What is known of it now. @param info [out] struct_size set. @return NULL_ARGUMENT, BAD_STRUCT_SIZE. @note Thread: reader. @since 0.1 */
-DSW_API dsw_status dsw_replay_get_info(const dsw_replay *replay, dsw_replay_info *info);
-
 /** Arguments of the next call as text, for people: names and values, of long arrays the first ones, of options their words beyond struct_size in
  * hexadecimal. Empty at the end. @param text [out] ends with 0 and is cut to `capacity`; may be null if that is 0. @param size [out] bytes of all of it with
  * its 0. @return DSW_STATUS_NULL_ARGUMENT, CORRUPT. @note Thread: writer. @since 0.1 */
@@ -156,6 +140,24 @@ typedef struct dsw_verdict {
   uint64_t not_judged;
   char text[128]; /**< What was found wrong first; empty if nothing. */
 } dsw_verdict;
+
+/** What is known of a recording that is made again. */
+typedef struct dsw_replay_info {
+  uint32_t struct_size; /**< [in] sizeof(dsw_replay_info). */
+  uint32_t flags;       /**< Of the recording. */
+  uint32_t version;     /**< dsw_version() of the library that made it. */
+  uint32_t reserved;    /**< 0. */
+  uint64_t calls;       /**< Made so far. */
+  /** Of the recording, not read yet. At its end: of an entry that is not whole, the torn tail of what a dead process was writing. */
+  uint64_t bytes_left;
+  /** Of a bug report, known at its end: what the host has said, empty if nothing, and the verdict as it was then, null if there is none. Valid
+   * as long as the replay. */
+  const char *note;
+  const dsw_verdict *verdict;
+} dsw_replay_info;
+
+/** What is known of it now. @param info [out] struct_size set. @return NULL_ARGUMENT, BAD_STRUCT_SIZE. @note Thread: reader. @since 0.1 */
+DSW_API dsw_status dsw_replay_get_info(const dsw_replay *replay, dsw_replay_info *info);
 
 /** Makes the next call as dsw_replay_step does, and judges what it did and what is there then; at the end what is there.
  * @param verdict [out] struct_size set.

@@ -118,7 +118,12 @@ dsw_status dsw_scene_write_bundle(dsw_scene* scene, const dsw_bundle_desc* desc,
     judged.struct_size = sizeof judged;
     check_done(dsw_replay_step_judged(made, &report, &judged));
     is_same = is_same && report.outcome != DSW_REPLAY_DIFFERENT;
-    write_note(made->scene->recording->writer, d.note == nullptr ? "" : d.note);
+    dsw::RecordWriter& writer = made->scene->recording->writer;
+    write_note(writer, d.note == nullptr ? "" : d.note);
+    judged.struct_size = sizeof judged;
+    writer.begin(dsw::EntryKind::kVerdict, sizeof judged);
+    writer.put(&judged, sizeof judged);
+    writer.end();
     if (!capi::end_recording(*made->scene)) fail(DSW_STATUS_WRITE_FAILED, "the report could not be written");
     if (verdict != nullptr) capi::write_struct(verdict, judged);
     if (!is_same || capi::state_of(handle, true) != capi::state_of(*made->scene, true)) {

@@ -39,7 +39,7 @@ DSW_FIRST_SIZE(dsw_remesh_desc, max_faces);
 DSW_FIRST_SIZE(dsw_coarsen_options, max_trials);
 DSW_FIRST_SIZE(dsw_coarsen_report, trials);
 DSW_FIRST_SIZE(dsw_recording_desc, user);
-DSW_FIRST_SIZE(dsw_replay_info, note);
+DSW_FIRST_SIZE(dsw_replay_info, verdict);
 DSW_FIRST_SIZE(dsw_verdict, text);
 DSW_FIRST_SIZE(dsw_bundle_desc, note);
 DSW_FIRST_SIZE(dsw_trace_data, triangle_count);

@@ -86,6 +86,17 @@ const char* read_note(const dsw::Entry& entry) {
   return reinterpret_cast<const char*>(entry.bytes);
 }
 
+void read_end_of_bundle(dsw_replay& replay, const dsw::Entry& entry) {
+  if (entry.kind == dsw::EntryKind::kNote) {
+    replay.note = read_note(entry);
+    return;
+  }
+  replay.words.resize(entry.size / sizeof(uint64_t));
+  std::memcpy(replay.words.data(), entry.bytes, entry.size);
+  replay.verdict = capi::Arguments(replay.words).get_struct<dsw_verdict>();
+  replay.verdict->text[sizeof replay.verdict->text - 1] = 0;
+}
+
 /** The result of a call, if there is one, and whether the call was then made again with more room. */
 bool read_result(dsw::RecordReader& reader, capi::CallResult* result) {
   dsw::Entry entry;
@@ -126,8 +137,8 @@ bool read_next(dsw_replay& replay, std::optional<NextCall>& next) {
   for (;;) {
     RecordReader reader = replay.reader;
     if (!reader.next(&entry)) return false;
-    if (entry.kind == EntryKind::kNote) {
-      replay.note = read_note(entry);
+    if (entry.kind == EntryKind::kNote || entry.kind == EntryKind::kVerdict) {
+      read_end_of_bundle(replay, entry);
       replay.reader = reader;
       continue;
     }

@@ -17,6 +17,7 @@ struct dsw_replay {
   uint64_t calls = 0;  // made so far
   uint32_t version = 0, flags = 0;
   const char* note = "";
+  std::optional<dsw_verdict> verdict;
   dsw::Array<uint64_t> words;    // the arguments of a call
   dsw::Array<double> points[2];  // lent to the environment in turn
   size_t needed_room = 0;        // vertices for which these need memory, as far as is known

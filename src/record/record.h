@@ -16,7 +16,8 @@ enum class EntryKind : uint32_t {
   kResult = 4,
   kRepeated = 5,
   kMaker = 6,
-  kNote = 7
+  kNote = 7,
+  kVerdict = 8
 };
 
 /** Where bytes go. False: no more. */

@@ -35,6 +35,8 @@ void check_report(const std::string& report, size_t calls, const dsw_verdict& sa
   EXPECT_EQ(step.outcome, DSW_REPLAY_END);
   EXPECT_EQ(step.call, calls);
   EXPECT_STREQ(info_of(replay).note, note);
+  ASSERT_NE(info_of(replay).verdict, nullptr);
+  EXPECT_EQ(std::memcmp(info_of(replay).verdict, &said, sizeof said), 0);
 }
 
 class ReportTest : public SceneTest {};
