@@ -253,8 +253,8 @@ dsw_status dsw_replay_get_info(const dsw_replay* replay, dsw_replay_info* info) 
     const dsw_replay& handle = capi::check_handle(replay, "replay");
     capi::require(info, "info");
     capi::check_size(info, "info");
-    capi::write_struct(
-        info, dsw_replay_info{0, handle.flags, handle.version, 0, handle.calls, handle.reader.left(), handle.note});
+    capi::write_struct(info, dsw_replay_info{0, handle.flags, handle.version, 0, handle.calls, handle.reader.left(),
+                                             handle.note, handle.verdict ? &*handle.verdict : nullptr});
   });
 }
 

@@ -8,10 +8,7 @@
 namespace {
 
 // As src/record/README.md and capi/recorded.h have them. The host is taken to be little endian, as all are that fuzz.
-constexpr uint32_t kCall = 3;     // a kind of entry
-constexpr uint64_t kDeform = 26;  // a call,
-constexpr size_t kPointRoom =
-    1 + offsetof(dsw_deform_options, point_room) / 8;  // and its word for which memory is taken
+constexpr uint32_t kCall = 3;  // a kind of entry
 constexpr size_t kHeaderWords = 2, kHeadWords = 2;
 
 using Words = std::vector<uint64_t>;
@@ -103,7 +100,6 @@ Words damaged(const Words& recording, dsw_fuzz::Bytes* bytes) {
         word = odd_word(word, which, bytes->byte());
       }
       if (bytes->below(8) == 7) words.resize(1 + bytes->byte() % (2 * words.size()));
-      if (words[0] == kDeform && words.size() > kPointRoom) words[kPointRoom] %= 1024;
     }
     append_entry(kind, words, &made);
   }
@@ -122,12 +118,19 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
                     "a recording opens");
   dsw_replay_report report;
   dsw_status status;
+  dsw_verdict verdict;
+  verdict.struct_size = sizeof verdict;
   do {
-    status = dsw_replay_step(replay, &report);
+    char text[64];
+    size_t text_size = 0;
+    status = dsw_replay_describe_next(replay, text, sizeof text, &text_size);
+    dsw_fuzz::require(status == DSW_STATUS_OK || status == DSW_STATUS_CORRUPT, dsw_last_error_message());
+    status = dsw_replay_step_judged(replay, &report, &verdict);
     dsw_fuzz::require(status == DSW_STATUS_OK || status == DSW_STATUS_CORRUPT || status == DSW_STATUS_UNSUPPORTED ||
                           status == DSW_STATUS_BAD_STRUCT_SIZE,
                       dsw_last_error_message());
     dsw_fuzz::require(status != DSW_STATUS_OK || report.status != DSW_STATUS_INTERNAL, dsw_last_error_message());
+    dsw_fuzz::require(status != DSW_STATUS_OK || verdict.is_right == 1, verdict.text);
   } while (status == DSW_STATUS_OK && report.outcome != DSW_REPLAY_END);
   dsw_scene* scene = nullptr;
   dsw_fuzz::require(dsw_replay_get_scene(replay, &scene) == DSW_STATUS_OK, "a replay has a scene");
