@@ -62,7 +62,7 @@ echo "building the library and the examples"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 quietly "configuring" \
   cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON
-quietly "building" cmake --build "$tree" --target dartsweep_insertion example_demo
+quietly "building" cmake --build "$tree" --target dartsweep_insertion example_demo example_replay
 
 rm -rf "$out"/*.png "$out"/*.vtu "$out"/*.csv "$out"/*.html "$out"/summary.txt "$out/insertion" "$out/haptic.txt"
 mkdir "$out/insertion"
@@ -86,7 +86,9 @@ fi
 echo
 echo "a catheter in $title, 10,000 steps of 1 ms:"
 insert=$tree/examples/insertion/dartsweep_insertion
-"$insert" "${input[@]}" "${source_name[@]}" --out "$out/insertion"
+"$insert" "${input[@]}" "${source_name[@]}" --out "$out/insertion" --record "$out/insertion/calls.dswrec"
+quietly "making the recording again" "$tree/examples/dartsweep_replay" "$out/insertion/calls.dswrec" --quiet
+echo "replay.bit_identical 1"
 echo
 echo "200 edges at haptic rate; of these figures:"
 "$insert" --preset haptic "${input[@]}" > "$out/haptic.txt"
@@ -113,6 +115,7 @@ echo "the main job, a catheter:"
 echo "  page     $out/insertion.html (any browser, without a network)"
 echo "  picture  $out/insertion.png"
 echo "  tables   $out/insertion/summary.txt, steps.csv (every step), insertion.json (every figure); $out/haptic.txt"
+echo "  replay   $out/insertion/calls.dswrec (every call, for dartsweep_replay)"
 echo "  ParaView $out/insertion/catheter.vtu, contacts.vtu, wall.vtu"
 echo "the other scenes:"
 echo "  tables   $out/summary.txt, steps.csv (every step of the bodies)"
