@@ -317,6 +317,53 @@ static void memory_may_run_out(void) {
   CHECK_OK(dsw_environment_destroy(env));
 }
 
+/* Every allocation of a recording in memory and of a report refused in turn: calls are made all the same, the report is written or not. */
+static void reports_may_run_out_of_memory(void) {
+  const double from[3] = {0.5, 0.5, 0.5}, to[3] = {1.5, 0.5, 0.25};
+  size_t refuse, reports = 0;
+  int done = 0;
+  for (refuse = 1; !done && refuse < 2000; ++refuse) {
+    host h;
+    dsw_context *context;
+    dsw_environment *env;
+    dsw_scene *scene;
+    dsw_recording_desc latest;
+    dsw_bundle_desc desc;
+    dsw_particle_id particle;
+    dsw_status status;
+    double position[3];
+    memset(&h, 0, sizeof h);
+    context = make_context(&h);
+    env = make_environment(context, 2, 1, 1);
+    scene = make_scene(env, 0);
+    CHECK_OK(dsw_particle_create(scene, from, no_volume, &particle));
+    CHECK_OK(dsw_particle_move(scene, particle, from, NULL, NULL)); /* what moves need is there */
+    dsw_recording_desc_init(&latest, sizeof latest);
+    latest.flags = DSW_RECORDING_LATEST | DSW_RECORDING_STATES;
+    dsw_bundle_desc_init(&desc, sizeof desc);
+    memset(&one, 0, sizeof one);
+    desc.write = write_tape;
+    desc.user = &one;
+    h.calls = 0;
+    h.refuse = refuse;
+    status = dsw_scene_start_recording(scene, &latest);
+    CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY || status == DSW_STATUS_WRITE_FAILED);
+    CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
+    status = dsw_scene_write_bundle(scene, &desc, NULL);
+    CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY || status == DSW_STATUS_WRITE_FAILED);
+    reports += status == DSW_STATUS_OK ? 1u : 0u;
+    done = h.calls < refuse;
+    h.refuse = 0;
+    CHECK_OK(dsw_particle_get(scene, particle, position, NULL));
+    CHECK(memcmp(position, to, sizeof to) == 0);
+    CHECK_OK(dsw_scene_destroy(scene));
+    CHECK_OK(dsw_environment_destroy(env));
+    CHECK_OK(dsw_context_destroy(context));
+    CHECK(h.alive == 0 && h.broken == 0);
+  }
+  CHECK(done && reports > 1);
+}
+
 int main(void) {
   calls_are_made_again_by_name();
   one_call_can_be_taken_out();
@@ -325,5 +372,6 @@ int main(void) {
   bad_arguments();
   bundles_take_bad_arguments_and_full_disks();
   memory_may_run_out();
+  reports_may_run_out_of_memory();
   return check_result();
 }
