@@ -81,12 +81,17 @@ decltype(auto) visit(Handle& handle, const Use& use) {
   return std::visit(use, handle.engine);
 }
 
+/** Whether an environment or a scene is of the plane. */
+template <class Handle>
+bool is_planar(const Handle& handle) {
+  return handle.engine.index() != 0;
+}
+
 /** The engine of an environment or a scene in space; refuses planar ones: for functions that do not serve the plane yet. */
 template <class Handle>
 auto& space(Handle& handle) {
-  auto* const engine = std::get_if<0>(&handle.engine);
-  if (engine == nullptr) fail(DSW_STATUS_UNSUPPORTED, "not available in the plane in this version");
-  return *engine;
+  if (is_planar(handle)) fail(DSW_STATUS_UNSUPPORTED, "this function is not available in the plane");
+  return std::get<0>(handle.engine);
 }
 
 /** Refuses null and what is not a live object of this kind; `name` is the parameter's. */

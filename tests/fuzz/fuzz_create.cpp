@@ -14,8 +14,17 @@ constexpr uint8_t kTypes[] = {DSW_CELL_TYPE_HEXAHEDRON,
                               0,
                               255};
 
-uint32_t points_of(uint8_t type) {
+constexpr uint8_t kPlaneTypes[] = {DSW_CELL_TYPE_QUAD, DSW_CELL_TYPE_TRIANGLE, DSW_CELL_TYPE_POLYGON,
+                                   DSW_CELL_TYPE_TETRA, 0};
+
+uint32_t points_of(uint8_t type, Bytes* bytes) {
   switch (type) {
+    case DSW_CELL_TYPE_TRIANGLE:
+      return 3;
+    case DSW_CELL_TYPE_QUAD:
+      return 4;
+    case DSW_CELL_TYPE_POLYGON:
+      return bytes->below(12);
     case DSW_CELL_TYPE_HEXAHEDRON:
       return 8;
     case DSW_CELL_TYPE_TETRA:
@@ -47,20 +56,21 @@ void read_stream(Bytes* bytes, std::vector<int64_t>* stream) {
   }
 }
 
-Mesh read_mesh(Bytes* bytes, bool faces_apart) {
+Mesh read_mesh(Bytes* bytes, bool faces_apart, bool is_planar) {
   Mesh mesh;
   const uint32_t point_count = bytes->below(48), cell_count = bytes->below(12);
   mesh.points.resize(3 * size_t{point_count});
   for (double& coordinate : mesh.points) coordinate = bytes->number();
   mesh.offsets.push_back(0);
   for (uint32_t c = 0; c < cell_count; ++c) {
-    const uint8_t type = kTypes[bytes->below(sizeof kTypes)];
+    const uint8_t type =
+        is_planar ? kPlaneTypes[bytes->below(sizeof kPlaneTypes)] : kTypes[bytes->below(sizeof kTypes)];
     mesh.types.push_back(type);
     mesh.face_locations.push_back(static_cast<int64_t>(mesh.faces.size()));
     if (type == DSW_CELL_TYPE_POLYHEDRON) {
       read_stream(bytes, faces_apart ? &mesh.faces : &mesh.connectivity);
     } else {
-      for (uint32_t i = 0; i < points_of(type); ++i) mesh.connectivity.push_back(bytes->byte());
+      for (uint32_t n = points_of(type, bytes); n > 0; --n) mesh.connectivity.push_back(bytes->byte());
     }
     mesh.offsets.push_back(static_cast<int64_t>(mesh.connectivity.size()));
     mesh.regions.push_back(static_cast<int32_t>(bytes->below(3)));
@@ -89,9 +99,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const uint8_t layout = bytes.byte();
   const bool uniform = (layout & 1) != 0, faces_apart = (layout & 2) != 0, is_narrow = (layout & 4) != 0;
   const bool no_offsets = (layout & 8) != 0, labelled = (layout & 16) != 0, damaged = (layout & 32) != 0;
+  const bool is_planar = (layout & 64) != 0;
   const uint32_t flags = bytes.byte();
 
-  Mesh mesh = read_mesh(&bytes, faces_apart);
+  Mesh mesh = read_mesh(&bytes, faces_apart, is_planar);
   if (damaged) {
     for (auto* values : {&mesh.offsets, &mesh.connectivity, &mesh.faces, &mesh.face_locations}) damage(values, &bytes);
   }
@@ -105,6 +116,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   dsw_environment_desc_init(&desc, sizeof desc);
   desc.flags = flags & 0x1f;  // one bit more than there are flags
   desc.index_bytes = is_narrow ? 4 : 8;
+  if (is_planar) {
+    desc.dimension = 2;
+    desc.point_stride_bytes = 3 * sizeof(double);
+  }
   desc.points = mesh.points.data();
   desc.point_count = mesh.points.size() / 3;
   desc.cell_count = mesh.types.size();

@@ -13,20 +13,31 @@ namespace {
 
 // As in fuzz_create.
 enum Type : uint8_t { kHexahedron = 0, kTetra = 1, kWedge = 2, kPyramid = 3, kPolyhedron = 4 };
-enum Layout : uint8_t { kUniform = 1, kFacesApart = 2, kNarrow = 4, kNoOffsets = 8, kLabelled = 16, kDamaged = 32 };
+enum PlaneType : uint8_t { kQuad = 0, kTriangle = 1, kPolygon = 2 };
+enum Layout : uint8_t {
+  kUniform = 1,
+  kFacesApart = 2,
+  kNarrow = 4,
+  kNoOffsets = 8,
+  kLabelled = 16,
+  kDamaged = 32,
+  kPlanar = 64
+};
 
 struct Cell {
-  Type type;
+  uint8_t type;  // a Type, or a PlaneType
   std::vector<uint8_t> stream;
 };
 
 struct Mesh {
   std::vector<std::array<uint8_t, 3>> points;  // quarters of a unit
   std::vector<Cell> cells;
+  bool is_planar = false;
 };
 
 constexpr dsw_cell_type kVtkType[] = {DSW_CELL_TYPE_HEXAHEDRON, DSW_CELL_TYPE_TETRA, DSW_CELL_TYPE_WEDGE,
                                       DSW_CELL_TYPE_PYRAMID, DSW_CELL_TYPE_POLYHEDRON};
+constexpr dsw_cell_type kVtkPlaneType[] = {DSW_CELL_TYPE_QUAD, DSW_CELL_TYPE_TRIANGLE, DSW_CELL_TYPE_POLYGON};
 
 /** A row of two boxes of unit size, x fastest: the lattice every mesh below is cut from. */
 std::vector<std::array<uint8_t, 3>> lattice() {
@@ -102,12 +113,24 @@ Mesh tetrahedra() {
   return mesh;
 }
 
+/** A quad, two triangles beside it and a polygon over them that is not convex. */
+Mesh plane() {
+  Mesh mesh = {lattice(), {}, true};
+  mesh.points.push_back({1, 9, 0});
+  mesh.points.push_back({4, 7, 0});
+  mesh.points.push_back({8, 9, 0});
+  mesh.cells = {
+      {kQuad, {0, 1, 4, 3}}, {kTriangle, {1, 2, 4}}, {kTriangle, {2, 5, 4}}, {kPolygon, {3, 4, 5, 14, 13, 12}}};
+  return mesh;
+}
+
 std::vector<uint8_t> encode(const Mesh& mesh, uint8_t layout, uint8_t flags) {
   std::vector<uint8_t> seed = {layout, flags, uint8_t(mesh.points.size()), uint8_t(mesh.cells.size())};
   for (const auto& point : mesh.points) seed.insert(seed.end(), point.begin(), point.end());
   uint8_t region = 0;
   for (const Cell& cell : mesh.cells) {
     seed.push_back(cell.type);
+    if (mesh.is_planar && cell.type == kPolygon) seed.push_back(uint8_t(cell.stream.size()));
     seed.insert(seed.end(), cell.stream.begin(), cell.stream.end());
     seed.push_back(region++ % 2);
     seed.push_back(7);
@@ -161,7 +184,7 @@ std::vector<uint8_t> snapshot(const Mesh& mesh, uint32_t flags, bool marked, boo
   std::vector<int32_t> regions;
   std::vector<uint32_t> tags;
   for (const Cell& cell : mesh.cells) {
-    types.push_back(static_cast<uint8_t>(kVtkType[cell.type]));
+    types.push_back(static_cast<uint8_t>(mesh.is_planar ? kVtkPlaneType[cell.type] : kVtkType[cell.type]));
     connectivity.insert(connectivity.end(), cell.stream.begin(), cell.stream.end());
     offsets.push_back(static_cast<int64_t>(connectivity.size()));
     regions.push_back(static_cast<int32_t>(regions.size() % 2));
@@ -170,6 +193,10 @@ std::vector<uint8_t> snapshot(const Mesh& mesh, uint32_t flags, bool marked, boo
   dsw_environment_desc desc;
   dsw_environment_desc_init(&desc, sizeof desc);
   desc.flags = flags;
+  if (mesh.is_planar) {
+    desc.dimension = 2;
+    desc.point_stride_bytes = 3 * sizeof(double);
+  }
   desc.points = points.data();
   desc.point_count = mesh.points.size();
   desc.cell_types = types.data();
@@ -195,7 +222,7 @@ std::vector<uint8_t> snapshot(const Mesh& mesh, uint32_t flags, bool marked, boo
     dsw_environment_mark_vertices(environment, &vertex, 1, DSW_MARK_IMPASSABLE);
     dsw_environment_mark_volumes(environment, &volume, 1, DSW_MARK_IMPASSABLE, 0, nullptr);
   }
-  if (changed) change(environment);
+  if (changed && !mesh.is_planar) change(environment);
   const std::vector<uint8_t> block = dsw_fuzz::save(environment);
   dsw_environment_destroy(environment);
   return block;
@@ -242,6 +269,7 @@ int main(int argc, char** argv) {
       {"mixed", mixed(), kLabelled, 0},
       {"tetrahedra", tetrahedra(), kUniform | kNoOffsets, 0},
       {"damaged_tetrahedra", tetrahedra(), kDamaged, 0},
+      {"plane", plane(), kPlanar | kLabelled, DSW_ENVIRONMENT_LOCATE_GRID | DSW_ENVIRONMENT_CHECK_BOUNDARY},
       {"reoriented_wedges", mixed(), kLabelled, DSW_ENVIRONMENT_REORIENT},
   };
   for (const auto& seed : seeds) {

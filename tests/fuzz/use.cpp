@@ -17,9 +17,15 @@ dsw_volume_id pick_volume(const dsw_environment* environment, Bytes* bytes) {
   return id;
 }
 
+/** In the plane a point has two coordinates. */
+void read_point(const dsw_environment* environment, Bytes* bytes, double* xyz) {
+  bytes->point(xyz);
+  if (info_of(environment).dimension == 2) xyz[2] = 0;
+}
+
 void locate_something(const dsw_environment* environment, bool is_partition, Bytes* bytes) {
   double point[3];
-  bytes->point(point);
+  read_point(environment, bytes, point);
   dsw_volume_id volume = {0, 0}, hinted = {0, 0};
   const dsw_volume_id hint = pick_volume(environment, bytes), none = {0, 0};
   dsw_place place = DSW_PLACE_NONE;
@@ -90,11 +96,11 @@ void sweep_something(const dsw_environment* environment, bool is_partition, Byte
 void move_particle(dsw_scene* scene, bool is_partition, Bytes* bytes) {
   const dsw_environment* environment = dsw_scene_get_environment(scene);
   double position[3], target[3];
-  bytes->point(position);
+  read_point(environment, bytes, position);
   dsw_particle_id particle;
   if (dsw_particle_create(scene, position, pick_volume(environment, bytes), &particle) != DSW_STATUS_OK) return;
   for (int step = 0; step < 3 && !bytes->empty(); ++step) {
-    bytes->point(target);
+    read_point(environment, bytes, target);
     dsw_cast_options options;
     dsw_cast_options_init(&options, sizeof options);
     options.max_cells = bytes->below(4);
@@ -168,13 +174,14 @@ void mark_something(dsw_environment* environment, Bytes* bytes) {
 void use_environment(dsw_environment* environment, bool is_partition, Bytes* bytes) {
   dsw_scene* scene = nullptr;
   require(dsw_scene_create(environment, nullptr, &scene) == DSW_STATUS_OK, "a scene");
+  const bool is_planar = info_of(environment).dimension == 2;
   for (int step = 0; step < 24 && !bytes->empty(); ++step) {
     const uint8_t choice = bytes->byte();
-    if (choice >= kSweep) {
+    if (choice >= kSweep && !is_planar) {
       sweep_something(environment, is_partition, bytes);
       continue;
     }
-    if (choice >= kBody) {
+    if (choice >= kBody && !is_planar) {
       use_body(scene, is_partition, bytes);
       continue;
     }
@@ -187,8 +194,8 @@ void use_environment(dsw_environment* environment, bool is_partition, Bytes* byt
         break;
       case 2: {
         double from[3], to[3];
-        bytes->point(from);
-        bytes->point(to);
+        read_point(environment, bytes, from);
+        read_point(environment, bytes, to);
         dsw_status status;
         cast(environment, pick_volume(environment, bytes), from, to, &status);
         break;

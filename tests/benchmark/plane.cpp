@@ -1,0 +1,170 @@
+// Particles in Delaunay triangulations of the plane: a short move of ours, which finds what is in the way and is verified, beside CGAL's
+// walk from triangle to triangle, which only finds where the target is.
+#include "parts.h"
+
+#include "timing.h"
+
+#include "dartsweep/dartsweep.h"
+#include "scenes/random.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace dsw::bench {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Storage = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<std::int32_t, Kernel>,
+                                                     CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel>>;
+using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, Storage>;
+
+void check(dsw_status status) {
+  if (status != DSW_STATUS_OK) throw std::runtime_error(dsw_last_error_message());
+}
+
+/** The same triangles for both. */
+struct Triangles {
+  Delaunay delaunay;
+  dsw_environment* environment = nullptr;
+
+  explicit Triangles(std::size_t count) {
+    scenes::Random random(11);
+    std::vector<double> points;
+    std::vector<std::pair<Kernel::Point_2, std::int32_t>> numbered;
+    for (std::size_t i = 0; i < count / 2; ++i) {
+      const double x = random.uniform(), y = random.uniform();
+      points.insert(points.end(), {x, y});
+      numbered.emplace_back(Kernel::Point_2(x, y), static_cast<std::int32_t>(i));
+    }
+    delaunay.insert(numbered.begin(), numbered.end());
+    std::vector<std::int32_t> corners;
+    for (const auto& face : delaunay.finite_face_handles()) {
+      face->info() = static_cast<std::uint32_t>(corners.size() / 3);
+      for (int k = 0; k < 3; ++k) corners.push_back(face->vertex(k)->info());
+    }
+    dsw_environment_desc desc;
+    dsw_environment_desc_init(&desc, sizeof desc);
+    desc.dimension = 2;
+    desc.points = points.data();
+    desc.point_count = points.size() / 2;
+    desc.uniform_cell_type = DSW_CELL_TYPE_TRIANGLE;
+    desc.cell_count = corners.size() / 3;
+    desc.index_bytes = 4;
+    desc.connectivity = corners.data();
+    desc.connectivity_count = corners.size();
+    check(dsw_environment_create(nullptr, &desc, &environment, nullptr));
+  }
+  ~Triangles() { dsw_environment_destroy(environment); }
+  Triangles(const Triangles&) = delete;
+  Triangles& operator=(const Triangles&) = delete;
+};
+
+/** Points that step about in the middle of the square, the same for all. */
+class Steps {
+ public:
+  Steps(std::size_t count, double length) : length_(length) {
+    for (std::size_t i = 0; i < 2 * count; ++i) at_.push_back(random_.uniform(0.1, 0.9));
+  }
+  const std::vector<double>& at() const { return at_; }
+  void next() {
+    for (std::size_t i = 0; i < at_.size(); i += 2) {
+      const double angle = random_.uniform(0, 6.283185307179586);
+      at_[i] = inside(at_[i] + length_ * std::cos(angle));
+      at_[i + 1] = inside(at_[i + 1] + length_ * std::sin(angle));
+    }
+  }
+
+ private:
+  static double inside(double x) { return std::min(std::max(x, 0.1), 0.9); }
+
+  scenes::Random random_{5};
+  double length_;
+  std::vector<double> at_;
+};
+
+/** Particles of a scene with some features. */
+struct Crowd {
+  dsw_scene* scene = nullptr;
+  std::vector<dsw_particle_id> particles;
+
+  Crowd(dsw_environment* environment, std::uint32_t features, const std::vector<double>& at)
+      : particles(at.size() / 2) {
+    dsw_scene_desc desc;
+    dsw_scene_desc_init(&desc, sizeof desc);
+    desc.features = features;
+    check(dsw_scene_create(environment, &desc, &scene));
+    check(dsw_scene_create_particles(scene, at.data(), particles.size(), 0, nullptr, particles.data(), nullptr));
+  }
+  ~Crowd() { dsw_scene_destroy(scene); }
+  Crowd(const Crowd&) = delete;
+  Crowd& operator=(const Crowd&) = delete;
+
+  void move(const std::vector<double>& to) {
+    check(dsw_scene_move_particles(scene, particles.data(), particles.size(), to.data(), 0, nullptr, nullptr));
+  }
+};
+
+/** `step`: in edges of triangles that were all alike. */
+void run_size(const std::string& key, std::size_t count, double step, bool quick, Report& report) {
+  constexpr std::size_t kParticles = 1000;  // fewer than are worth threads
+  const Triangles triangles(count);
+  const double edge = std::sqrt(4 / (std::sqrt(3.0) * static_cast<double>(count)));
+  Steps steps(kParticles, step * edge);
+  Crowd ours(triangles.environment, 0, steps.at());
+  Crowd counted(triangles.environment, DSW_FEATURE_STATISTICS, steps.at());
+  std::vector<Delaunay::Face_handle> faces;
+  for (std::size_t i = 0; i < kParticles; ++i) {
+    faces.push_back(triangles.delaunay.locate(Kernel::Point_2(steps.at()[2 * i], steps.at()[2 * i + 1])));
+  }
+  std::vector<double> our_ns, cgal_ns;
+  double differences = 0;
+  for (int round = 0; round < (quick ? 20 : 100); ++round) {
+    steps.next();
+    const std::vector<double>& to = steps.at();
+    our_ns.push_back(time_ns([&] { ours.move(to); }) / kParticles);
+    cgal_ns.push_back(time_ns([&] {
+                        for (std::size_t i = 0; i < kParticles; ++i) {
+                          faces[i] = triangles.delaunay.locate(Kernel::Point_2(to[2 * i], to[2 * i + 1]), faces[i]);
+                        }
+                      }) /
+                      kParticles);
+    counted.move(to);
+    std::vector<dsw_volume_id> volumes(kParticles);
+    check(dsw_scene_get_particles(ours.scene, ours.particles.data(), kParticles, nullptr, 0, volumes.data()));
+    for (std::size_t i = 0; i < kParticles; ++i) differences += volumes[i].index != faces[i]->info() ? 1 : 0;
+  }
+  dsw_statistics s{};
+  s.struct_size = sizeof s;
+  check(dsw_scene_get_statistics(counted.scene, &s));
+  dsw_environment_info info{};
+  info.struct_size = sizeof info;
+  check(dsw_environment_get_info(triangles.environment, &info));
+  const double casts = static_cast<double>(s.casts);
+  report.set("plane." + key + ".ns_per_move", median(our_ns));
+  report.set("plane." + key + ".cgal_ns_per_locate", median(cgal_ns));
+  report.set("plane." + key + ".vs_cgal", median_ratio(our_ns, cgal_ns));
+  report.set("plane." + key + ".differences", differences);
+  report.set("plane." + key + ".cells_per_cast", static_cast<double>(s.cells_visited) / casts);
+  report.set("plane." + key + ".orientation_tests_per_cast", static_cast<double>(s.orientation_tests) / casts);
+  report.set("plane." + key + ".bytes_per_triangle", static_cast<double>(info.memory_bytes) / info.volume_count);
+}
+
+}  // namespace
+
+void run_plane(const Options& options, Report& report) {
+  run_size("1e3", 1000, 0.1, options.quick, report);
+  run_size("1e4", 10000, 0.1, options.quick, report);
+  run_size("1e5", 100000, 0.1, options.quick, report);
+  run_size("1e6", 1000000, 0.1, options.quick, report);
+  run_size("1e5.farther", 100000, 0.3, options.quick, report);
+  run_size("1e5.far", 100000, 3, options.quick, report);
+}
+
+}  // namespace dsw::bench
