@@ -57,7 +57,7 @@ DSW_API dsw_status dsw_environment_mark_volumes(dsw_environment *environment, co
 DSW_API dsw_status dsw_environment_mark_faces(dsw_environment *environment, const dsw_face_id *faces, size_t count,
                                               dsw_mark mark);
 
-/** Sets the mark of edges.
+/** Sets the mark of edges; in the plane there are none.
  * @param environment [in,out] @param edges [in] `count` live ids. @param count, mark [in]
  * @return as dsw_environment_mark_volumes.
  * @note O(count), expected, and the scene's bodies; a marked edge costs about 16 bytes. Errors and thread as
