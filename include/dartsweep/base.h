@@ -52,7 +52,7 @@ typedef enum dsw_status {
   DSW_STATUS_UNSUPPORTED = 3,         /**< A value, flag or non-zero unknown member this library does not know. */
   DSW_STATUS_OUT_OF_RANGE = 4,        /**< An index or number lies outside the documented range. */
   DSW_STATUS_NON_FINITE = 5,          /**< A coordinate is NaN or infinite. */
-  DSW_STATUS_WRONG_SIZE = 6,          /**< Sizes, strides or offsets of arrays contradict each other. */
+  DSW_STATUS_WRONG_SIZE = 6,          /**< Sizes, strides or offsets contradict each other, or no array is so long. */
   DSW_STATUS_STALE_ID = 7,            /**< The id names nothing that is alive, or was never given out. */
   DSW_STATUS_BUFFER_TOO_SMALL = 8,    /**< The count argument was set to the capacity that is needed. */
   DSW_STATUS_OUT_OF_MEMORY = 9,       /**< The allocator returned null. */

@@ -224,7 +224,8 @@ void describe(dsw_volumes_desc& d) {
 
 /** Across the third cube. */
 void describe(dsw_cut_desc& d) {
-  static const double points[] = {2.5, -1, -1, 2.5, 2, -1, 2.5, -1, 2, 2.5, 2, 2};
+  static const double points[3 * 256] = {2.5, -1, -1, 2.5, 2, -1,
+                                         2.5, -1, 2,  2.5, 2, 2};  // room for more rows than two
   d.points = points;
   d.rows = d.columns = 2;
 }

@@ -13,7 +13,9 @@ Calls::Calls(dsw_scene* scene, const World& world, Bytes* bytes)
 }
 
 dsw_status Calls::make() {
-  const uint32_t which = bytes_.below(63);
+  constexpr uint32_t kChanges = 56;
+  const uint32_t choice = bytes_.byte(), which = choice % kChanges;
+  if (choice >= 4 * kChanges) return look(which % 7);
   if (which < 7) return change_marks(which);
   if (which < 18) return change_topology(which - 7);
   if (which < 26) return cut(which - 18);
@@ -21,8 +23,7 @@ dsw_status Calls::make() {
   if (which < 38) return make_bodies(which - 33);
   if (which < 46) return edit_body(which - 38);
   if (which < 53) return move_bodies(which - 46);
-  if (which < 56) return deform();
-  return look(which - 56);
+  return deform();
 }
 
 dsw_volume_id Calls::volume() {
