@@ -25,9 +25,10 @@ struct PackedArray {
   std::size_t count;
 
   char *at(std::size_t i) { return reinterpret_cast<char *>(this + 1) + i * kind->size; }
+  // Null where it is empty, which to calls means that it is left out.
   template <class T>
   T *data() {
-    return reinterpret_cast<T *>(at(0));
+    return count ? reinterpret_cast<T *>(at(0)) : nullptr;
   }
 };
 static_assert(sizeof(PackedArray) % alignof(double) == 0, "elements follow");
@@ -137,7 +138,8 @@ template <class T>
 bool to_view(lua_State *L, int index, const char *argument, dartsweep::View<const T> &out) {
   T *data = nullptr;
   if (std::is_same_v<T, std::uint8_t> && lua_type(L, index) == LUA_TSTRING) {
-    out.data = reinterpret_cast<const T *>(lua_tolstring(L, index, &out.count));
+    const char *bytes = lua_tolstring(L, index, &out.count);
+    out.data = out.count ? reinterpret_cast<const T *>(bytes) : nullptr;
     return true;
   }
   if (!to_array(L, index, argument, data, out.count)) return false;

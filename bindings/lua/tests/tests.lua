@@ -236,6 +236,20 @@ function TestValues:test_arrays_are_filled_again()
   lu.assertEquals(flights[1].outcome, dsw.OUTCOME_CONTACT)
 end
 
+function TestValues:test_empty_arrays_are_left_out()
+  local environment <close> = dsw.Environment {
+    points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, cells = {0, 1, 2, 3}, uniform_cell_type = dsw.CELL_TYPE_TETRA,
+    types = "", offsets = {}, regions = {}, tags = dsw.UIntArray(0),
+  }
+  lu.assertEquals(environment:get_region(environment:get_volume(0)), 0)
+  local volumes = environment:locate_points({{0.25, 0.25, 0.25}}, {}, nil, dsw.IntArray(0))
+  lu.assertFalse(volumes[1]:is_null())
+  local scene <close> = dsw.Scene(environment)
+  lu.assertEquals(#scene:create_particles {}, 0)
+  lu.assertEquals(#scene:move_particles({}, {}), 0)
+  scene:move_particles(scene:create_particles {0.25, 0.25, 0.25}, {0.5, 0.25, 0.125}, nil, dsw.FlightArray(0))
+end
+
 function TestValues:test_ids_are_values()
   lu.assertTrue(dsw.VolumeId(3, 4) == dsw.VolumeId(3, 4))
   lu.assertFalse(dsw.VolumeId(3, 4) == dsw.VolumeId(3, 5))
