@@ -4,8 +4,12 @@
 
 #include <napi.h>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
+#include <mutex>
+#include <string>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -81,7 +85,8 @@ T number(const Napi::Value &value) {
     // The upper limit as a double is the next power of two where T has 64 bits.
     constexpr double end = static_cast<double>(std::numeric_limits<T>::max() / 2 + 1) * 2;
     if (!(given >= static_cast<double>(std::numeric_limits<T>::min()) && given < end) || std::trunc(given) != given)
-      throw Napi::RangeError::New(value.Env(), "a number is not a whole one of " + std::to_string(8 * sizeof(T)) + " bits");
+      throw Napi::RangeError::New(value.Env(),
+                                  "a number is not a whole one of " + std::to_string(8 * sizeof(T)) + " bits");
   }
   return static_cast<T>(given);
 }

@@ -2,8 +2,6 @@
 // objects and classes of src/, laid out by structs.js; SWIG makes classes of handles only.
 
 %{
-#include <cmath>
-#include <limits>
 #include "convert.h"
 %}
 
