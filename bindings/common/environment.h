@@ -48,6 +48,7 @@ class Environment {
     Environment loaded;
     if (context) loaded.state_->context = context->state();
     check(dsw_environment_load(loaded.state_->context.get(), block.data, block.count, &loaded.state_->handle));
+    if (loaded.info().dimension != 3) throw Error(DSW_STATUS_UNSUPPORTED, "environments in the plane are for C in this version");
     return loaded;
   }
 

@@ -47,8 +47,8 @@ DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
  * written before it is made, and after it what came of it. Calls that are refused change nothing: they are not written, or as calls that
  * failed. Of a deformation those points are written that move. To record one call is to begin, call and end.
  * @param scene [in,out] @param desc [in] with a path or a function, or DSW_RECORDING_LATEST.
- * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, UNSUPPORTED (flags; more than one of path, function and LATEST), IN_USE (it is being recorded), OUT_OF_MEMORY,
- * WRITE_FAILED: nothing is recorded, though something may have been written.
+ * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, UNSUPPORTED (flags; more than one of path, function and LATEST; the plane), IN_USE (it
+ * is being recorded), OUT_OF_MEMORY, WRITE_FAILED: nothing is recorded, though something may have been written.
  * @note O(environment). Each call then costs the writing of its arguments; a scene that is not recorded pays nothing. Thread: writer of the
  * environment. @since 0.1 */
 DSW_API dsw_status dsw_scene_start_recording(dsw_scene *scene, const dsw_recording_desc *desc);
@@ -115,9 +115,11 @@ DSW_API dsw_status dsw_replay_get_scene(const dsw_replay *replay, dsw_scene **sc
  * itself answered is in the report. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_replay_step(dsw_replay *replay, dsw_replay_report *report);
 
-/** Arguments of the next call as text, for people: names and values, of long arrays the first ones, of options their words beyond struct_size in
- * hexadecimal. Empty at the end. @param text [out] ends with 0 and is cut to `capacity`; may be null if that is 0. @param size [out] bytes of all of it with
- * its 0. @return DSW_STATUS_NULL_ARGUMENT, CORRUPT. @note Thread: writer. @since 0.1 */
+/** Arguments of the next call as text, for people: names and values, of long arrays the first ones, of options their words beyond
+ * struct_size in hexadecimal. Empty at the end.
+ * @param replay [in,out] stays before that call. @param text [out] ends with 0 and is cut to `capacity`; may be null if that is 0.
+ * @param capacity [in] bytes. @param size [out] bytes of all of it with its 0.
+ * @return DSW_STATUS_NULL_ARGUMENT, CORRUPT. @note Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_replay_describe_next(dsw_replay *replay, char *text, size_t capacity, size_t *size);
 
 /** Whether what a call did was right, by exact integers alone and against every obstacle: no filter, no walk, nothing remembered. */
@@ -150,17 +152,18 @@ typedef struct dsw_replay_info {
   uint64_t calls;       /**< Made so far. */
   /** Of the recording, not read yet. At its end: of an entry that is not whole, the torn tail of what a dead process was writing. */
   uint64_t bytes_left;
-  /** Of a bug report, known at its end: what the host has said, empty if nothing, and the verdict as it was then, null if there is none. Valid
-   * as long as the replay. */
-  const char *note;
-  const dsw_verdict *verdict;
+  const char *note; /**< Of a bug report, known at its end: what the host has said, empty if nothing. */
+  const dsw_verdict *
+      verdict; /**< Likewise the verdict as it was then, null if there is none. Both are valid as long as the replay. */
 } dsw_replay_info;
 
-/** What is known of it now. @param info [out] struct_size set. @return NULL_ARGUMENT, BAD_STRUCT_SIZE. @note Thread: reader. @since 0.1 */
+/** What is known of it now.
+ * @param replay [in] @param info [out] struct_size set.
+ * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE. @note Thread: reader. @since 0.1 */
 DSW_API dsw_status dsw_replay_get_info(const dsw_replay *replay, dsw_replay_info *info);
 
 /** Makes the next call as dsw_replay_step does, and judges what it did and what is there then; at the end what is there.
- * @param verdict [out] struct_size set.
+ * @param replay, report [in,out] as for dsw_replay_step. @param verdict [out] struct_size set.
  * @return as dsw_replay_step; BAD_STRUCT_SIZE; OUT_OF_MEMORY: where `report->function` was set the call has been made all the same.
  * @note O(obstacles * what is judged), all but boxes near to each other passed over quickly. Thread: writer. @since 0.1 */
 DSW_API dsw_status dsw_replay_step_judged(dsw_replay *replay, dsw_replay_report *report, dsw_verdict *verdict);
@@ -175,18 +178,19 @@ typedef struct dsw_bundle_desc {
   const char *note;     /**< What is strange, in the host's words; may be null. */
 } dsw_bundle_desc;
 
-/** Writes the defaults and struct_size into at most `size` bytes. @param desc [out] may be null. @note Thread: any. @since 0.1 */
+/** Writes the defaults and struct_size into at most `size` bytes.
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_bundle_desc). @note Thread: any. @since 0.1 */
 DSW_API void dsw_bundle_desc_init(dsw_bundle_desc *desc, size_t size);
 
-/** A bug report in one call: the scene as it was before its last recorded call, that call with its arguments and what came of it, the host's note, and
- * the exact verdict. It is a recording of one call: dsw_replay_create opens it, dsw_replay_step_judged comes to the same verdict, and
- * examples/replay prints and draws it. The scene has to be recorded, into a file that is still there or with DSW_RECORDING_LATEST: what was recorded is made again up to that
- * call. Of a scene that is not, or is recorded by a function of the host's, the report is of what is there now, without a call.
- * The scene stays as it is, and its recording goes on.
- * @param verdict [out] struct_size set; may be null.
- * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, UNSUPPORTED (flags; both path and function), OUT_OF_MEMORY, WRITE_FAILED, NOT_FOUND (the recording
- * can't be read again), CORRUPT: it is damaged, or made again it ends in another state than the scene's: memory was written over, the environment
- * was changed behind the scene's back, or a defect. The report is written then all the same, as far as it went.
+/** A bug report in one call: the scene as it was before its last recorded call, that call with its arguments and what came of it, the
+ * host's note, and the exact verdict. It is a recording of one call: dsw_replay_create opens it, dsw_replay_step_judged comes to the same
+ * verdict, and examples/replay prints and draws it. The scene has to be recorded, into a file that is still there or with
+ * DSW_RECORDING_LATEST: what was recorded is made again up to that call. Of a scene that is not, or is recorded by a function of the host's,
+ * the report is of what is there now, without a call. The scene stays as it is, and its recording goes on.
+ * @param scene [in] @param desc [in] with a path or a function. @param verdict [out] struct_size set; may be null.
+ * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, UNSUPPORTED (flags; both path and function), OUT_OF_MEMORY, WRITE_FAILED, NOT_FOUND
+ * (the recording can't be read again), CORRUPT: it is damaged, or made again it ends in another state than the scene's: memory was written
+ * over, the environment was changed behind the scene's back, or a defect. The report is written then all the same, as far as it went.
  * @note O(environment + recorded calls). Thread: writer of the environment. @since 0.1 */
 DSW_API dsw_status dsw_scene_write_bundle(dsw_scene *scene, const dsw_bundle_desc *desc, dsw_verdict *verdict);
 
