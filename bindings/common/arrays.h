@@ -66,11 +66,24 @@ class Array {
   std::size_t count_ = 0;
 };
 
-// Arrays that belong together must be of one length; one that is left out passes where `may_be_left_out`.
-inline void same_count(const char *name, std::size_t count, std::size_t expected, bool may_be_left_out = false) {
-  if (count == expected || (may_be_left_out && count == 0)) return;
+// Arrays that belong together must be of one length.
+inline void same_count(const char *name, std::size_t count, std::size_t expected) {
+  if (count == expected) return;
   throw Error(DSW_STATUS_WRONG_SIZE,
               std::string(name) + " has " + std::to_string(count) + " entries, not " + std::to_string(expected));
+}
+
+// An empty array may have an address, which C would take for one that is there: it is left out.
+template <class... Arrays>
+void leave_out_empty(Arrays &...arrays) {
+  ((arrays.data = arrays.count != 0 ? arrays.data : nullptr), ...);
+}
+
+// Of one length with the others, or left out.
+template <class Elements>
+void optional_count(const char *name, Elements &array, std::size_t expected) {
+  leave_out_empty(array);
+  if (array.count != 0) same_count(name, array.count, expected);
 }
 
 inline std::size_t common_stride(const Points &a, const Points &b) {

@@ -31,7 +31,7 @@ class Body {
 
   // --- parts
   void get_positions(PointsOut positions, View<dsw_volume_id> volumes = {}) const {
-    same_count("volumes", volumes.count, positions.count, true);
+    optional_count("volumes", volumes, positions.count);
     const SceneReading self(*state_);
     std::size_t count = 0;
     check(dsw_body_get_positions(self.handle, id_, positions.data, positions.count, 24, volumes.data, &count));

@@ -18,6 +18,7 @@ class Environment {
     if (!desc) dsw_environment_desc_init(&all, sizeof all);
     if (all.flags & DSW_ENVIRONMENT_BORROW_POINTS)
       throw Error(DSW_STATUS_UNSUPPORTED, "points can be lent by Scene.deform only");
+    leave_out_empty(cell_types, faces, face_locations);
     all.index_bytes = connectivity.bytes;
     for (const Indices *other : {&offsets, &faces, &face_locations})
       if (other->count && other->bytes != connectivity.bytes)
@@ -29,10 +30,10 @@ class Environment {
     all.connectivity_count = connectivity.count;
     all.cell_types = cell_types.data;
     all.cell_count = cell_types.count ? cell_types.count : uniform_count(all.uniform_cell_type, connectivity, offsets);
-    if (offsets.count) same_count("offsets", offsets.count, all.cell_count + 1);
+    optional_count("offsets", offsets, all.cell_count + 1);
     all.offsets = offsets.data;
-    same_count("regions", regions.count, all.cell_count, true);
-    same_count("tags", tags.count, all.cell_count, true);
+    optional_count("regions", regions, all.cell_count);
+    optional_count("tags", tags, all.cell_count);
     if (faces.count) same_count("face_locations", face_locations.count, all.cell_count);
     all.regions = regions.data;
     all.tags = tags.data;
@@ -170,9 +171,9 @@ class Environment {
   void locate_points(Points points, View<const dsw_volume_id> hints, View<dsw_volume_id> volumes,
                      View<std::int32_t> places = {}) const {
     static_assert(sizeof(dsw_place) == sizeof(std::int32_t), "places are written as integers");
-    same_count("hints", hints.count, points.count, true);
+    optional_count("hints", hints, points.count);
     same_count("volumes", volumes.count, points.count);
-    same_count("places", places.count, points.count, true);
+    optional_count("places", places, points.count);
     const EnvironmentReading self(*state_);
     check(dsw_environment_locate_points(self.handle, points.data, points.count, points.stride_bytes, hints.data,
                                         volumes.data, reinterpret_cast<dsw_place *>(places.data)));
@@ -187,7 +188,7 @@ class Environment {
   void cast_segments(Points from, Points to, View<const dsw_volume_id> starts, const dsw_cast_options *options,
                      View<dsw_flight> flights) const {
     same_count("to", to.count, from.count);
-    same_count("starts", starts.count, from.count, true);
+    optional_count("starts", starts, from.count);
     same_count("flights", flights.count, from.count);
     const std::size_t stride = common_stride(from, to);
     const EnvironmentReading self(*state_);
@@ -208,7 +209,7 @@ class Environment {
                    const dsw_sweep_options *options, View<dsw_sweep> sweeps) const {
     same_count("to", to.count, from.count);
     same_count("fixed", fixed.count, from.count);
-    same_count("starts", starts.count, from.count, true);
+    optional_count("starts", starts, from.count);
     same_count("sweeps", sweeps.count, from.count);
     common_stride(from, to);
     const std::size_t stride = common_stride(from, fixed);
@@ -267,6 +268,7 @@ class Environment {
     if (!desc) dsw_volumes_desc_init(&all, sizeof all);
     if (offsets.count && offsets.bytes != connectivity.bytes)
       throw Error(DSW_STATUS_WRONG_SIZE, "integers of the cells differ in size");
+    leave_out_empty(cell_types);
     all.index_bytes = connectivity.bytes;
     all.vertices = vertices.data;
     all.vertex_count = vertices.count;
@@ -275,9 +277,9 @@ class Environment {
     all.point_stride_bytes = points.stride_bytes;
     all.cell_types = cell_types.data;
     all.cell_count = cell_types.count ? cell_types.count : uniform_count(all.uniform_cell_type, connectivity, offsets);
-    if (offsets.count) same_count("offsets", offsets.count, all.cell_count + 1);
-    same_count("regions", regions.count, all.cell_count, true);
-    same_count("tags", tags.count, all.cell_count, true);
+    optional_count("offsets", offsets, all.cell_count + 1);
+    optional_count("regions", regions, all.cell_count);
+    optional_count("tags", tags, all.cell_count);
     all.offsets = offsets.data;
     all.connectivity = connectivity.data;
     all.connectivity_count = connectivity.count;

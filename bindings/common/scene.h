@@ -86,7 +86,7 @@ class Scene {
     return out;
   }
   void create_particles(Points positions, View<const dsw_volume_id> hints, View<dsw_particle_id> particles) {
-    same_count("hints", hints.count, positions.count, true);
+    optional_count("hints", hints, positions.count);
     same_count("particles", particles.count, positions.count);
     const SceneWriting self(*state_);
     check(dsw_scene_create_particles(self.handle, positions.data, positions.count, positions.stride_bytes, hints.data,
@@ -106,8 +106,8 @@ class Scene {
   }
   void get_particles(View<const dsw_particle_id> particles, PointsOut positions,
                      View<dsw_volume_id> volumes = {}) const {
-    same_count("positions", positions.count, particles.count, true);
-    same_count("volumes", volumes.count, particles.count, true);
+    optional_count("positions", positions, particles.count);
+    optional_count("volumes", volumes, particles.count);
     const SceneReading self(*state_);
     check(dsw_scene_get_particles(self.handle, particles.data, particles.count, positions.data, 24, volumes.data));
   }
@@ -122,7 +122,7 @@ class Scene {
   void move_particles(View<const dsw_particle_id> particles, Points targets, const dsw_cast_options *options,
                       View<dsw_flight> flights) {
     same_count("targets", targets.count, particles.count);
-    same_count("flights", flights.count, particles.count, true);
+    optional_count("flights", flights, particles.count);
     const SceneWriting self(*state_);
     check(dsw_scene_move_particles(self.handle, particles.data, particles.count, targets.data, targets.stride_bytes,
                                    options, flights.data));
@@ -209,7 +209,7 @@ class Scene {
     if (desc) all = *desc;
     if (!desc) dsw_body_desc_init(&all, sizeof all);
     same_count("indices of edges", edges.count, edges.count / 2 * 2);
-    same_count("hints", hints.count, positions.count, true);
+    optional_count("hints", hints, positions.count);
     all.positions = positions.data;
     all.vertex_count = positions.count;
     all.stride_bytes = positions.stride_bytes;
@@ -227,7 +227,7 @@ class Scene {
   }
   void move_bodies(View<const dsw_body_id> bodies, Points targets, const dsw_move_options *options,
                    View<dsw_move_report> reports) {
-    same_count("reports", reports.count, bodies.count, true);
+    optional_count("reports", reports, bodies.count);
     const SceneWriting self(*state_);
     check(dsw_scene_move_bodies(self.handle, bodies.data, bodies.count, targets.data, targets.count,
                                 targets.stride_bytes, options, reports.data));

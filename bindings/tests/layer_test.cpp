@@ -55,6 +55,20 @@ TEST(Layer, StatusesAreThrown) {
   EXPECT_EQ(status_of([&] { Environment::load({}); }), DSW_STATUS_NULL_ARGUMENT);
 }
 
+TEST(Layer, EmptyArraysAreLeftOutWhereverTheyLie) {
+  const std::vector<std::uint8_t> bytes(1);
+  const std::vector<std::int32_t> numbers(1);
+  const std::vector<dsw_volume_id> ids(1);
+  std::vector<std::int32_t> places(1, 7);
+  const std::int32_t *const end = numbers.data() + 1;
+  Environment environment({kPoints.data(), 8}, {kCube.data(), 8, 8}, {end, 0, 8}, {bytes.data() + 1, 0}, {end, 0}, {},
+                          {end, 0, 8}, {end, 0, 8});
+  EXPECT_EQ(environment.info().volume_count, 1u);
+  std::vector<dsw_volume_id> found(1);
+  environment.locate_points({&kMiddle.x, 1}, {ids.data() + 1, 0}, {found.data(), 1}, {places.data() + 1, 0});
+  EXPECT_EQ(found[0].generation, 1u);
+}
+
 TEST(Layer, LentPositionsAreHeldUntilTheNext) {
   Environment environment = cube();
   dsw_scene_desc desc;
