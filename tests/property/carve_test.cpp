@@ -88,7 +88,7 @@ class Turns {
 
 class CarveTest : public SceneTest {
  protected:
-  const Environment<3>& env() const { return place_.get()->engine; }
+  const Environment<3>& env() const { return dsw::capi::space(*place_.get()); }
 
   void mark_most(Rng& rng) {
     for_each_cell(env().map, [&](dsw::Cell c) {

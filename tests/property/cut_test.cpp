@@ -14,7 +14,7 @@ class CutTest : public SceneTest {
  protected:
   /// A plane far beyond the environment, through a point near its middle.
   void make_blade(Rng& rng) {
-    const Environment<3>& e = place_.get()->engine;
+    const Environment<3>& e = dsw::capi::space(*place_.get());
     double u[3], v[3];
     for (int k = 0; k < 3; ++k) {
       u[k] = rng.range(-1, 1);
@@ -38,7 +38,7 @@ class CutTest : public SceneTest {
     if (place_.environment == nullptr) return;
     Rng rng(seed);
     make_blade(rng);
-    desc_.start = volume_id(place_.get()->engine.map, place_.get()->engine.map.cell(0));
+    desc_.start = volume_id(dsw::capi::space(*place_.get()).map, dsw::capi::space(*place_.get()).map.cell(0));
     ASSERT_EQ(dsw_environment_cut(place_.get(), &desc_, &report_), DSW_STATUS_OK) << dsw_last_error_message();
   }
   std::vector<dsw_cut_face> faces() const {
@@ -66,12 +66,12 @@ class CutTest : public SceneTest {
     EXPECT_EQ(count, report_.volumes_whole);
     for (size_t i = 0; i < count; ++i) {
       is_whole.insert(ids[i].index);
-      EXPECT_TRUE(place_.get()->engine.map.is_alive(ids[i].index, ids[i].generation));
+      EXPECT_TRUE(dsw::capi::space(*place_.get()).map.is_alive(ids[i].index, ids[i].generation));
     }
   }
   /// Volumes with vertices farther from the plane than `slack` on both of its sides, but for those known to be whole.
   std::vector<dsw::Cell> crossed(double slack, const std::set<uint32_t>& is_whole) const {
-    const Environment<3>& e = place_.get()->engine;
+    const Environment<3>& e = dsw::capi::space(*place_.get());
     std::vector<dsw::Cell> cells;
     for_each_cell(e.map, [&](dsw::Cell c) {
       bool before = false, behind = false;
@@ -85,7 +85,7 @@ class CutTest : public SceneTest {
   }
   /// The faces of the last cut lie between volumes on its two sides.
   void check_faces() const {
-    const Environment<3>& e = place_.get()->engine;
+    const Environment<3>& e = dsw::capi::space(*place_.get());
     for (const dsw_cut_face& f : faces()) {
       const dsw::Cell front = e.map.cell(f.front.volume), back = e.map.cell(f.back.volume);
       ASSERT_TRUE(e.map.is_alive(f.front.volume, f.front.generation) &&
@@ -111,7 +111,7 @@ TEST_P(CutTest, NothingIsOnBothSidesOfThePlaneButWhatStayedWhole) {
     cut(seed);
     if (place_.environment == nullptr) continue;
     ASSERT_FALSE(HasFatalFailure());
-    const Environment<3>& e = place_.get()->engine;
+    const Environment<3>& e = dsw::capi::space(*place_.get());
     std::set<uint32_t> is_whole;
     double slack = 1e-12 * place_.world->size;
     std::vector<dsw::Cell> left;

@@ -39,7 +39,7 @@ Mesh block_of_tets(int n, Rng& rng) {
 
 class OpenTissueTest : public testing::Test {
  protected:
-  const Environment<3>& env() const { return place_.get()->engine; }
+  const Environment<3>& env() const { return dsw::capi::space(*place_.get()); }
 
   /// What lies below a plane through the middle is tissue.
   void mark_tissue(Rng& rng) {

@@ -50,7 +50,7 @@ RandomEdits::RandomEdits(const std::string& scene, uint64_t seed, FailingMemory*
   scene_ = make_scene(place_.get(), features | (seed % 2 == 0 ? 0u : uint32_t{DSW_FEATURE_DEFORMING}));
   add_particles();
   add_bodies();
-  first_bodies_ = scene_->engine.bodies.size();
+  first_bodies_ = dsw::capi::space(*scene_).bodies.size();
 }
 
 void RandomEdits::mark_some() {
@@ -317,7 +317,8 @@ dsw_status RandomEdits::remesh() {
   dsw_environment_get_volume_changes(place_.get(), &changes, &count);
   for (size_t i = 0; i < count; ++i) {
     if (changes[i].after.generation == 0) continue;
-    if (!is_valid_with(place_.get()->engine, next.data(), map.cell(changes[i].after.index))) return DSW_STATUS_INTERNAL;
+    if (!is_valid_with(dsw::capi::space(*place_.get()), next.data(), map.cell(changes[i].after.index)))
+      return DSW_STATUS_INTERNAL;
   }
   return report.volumes_added <= report.volumes_removed ? DSW_STATUS_OK : DSW_STATUS_INTERNAL;
 }

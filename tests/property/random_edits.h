@@ -70,8 +70,8 @@ class RandomEdits {
   EditTally tallies[static_cast<size_t>(Operation::kCount)];
 
  private:
-  const Environment<3>& env() const { return place_.get()->engine; }
-  const Scene<3>& scene() const { return scene_->engine; }
+  const Environment<3>& env() const { return dsw::capi::space(*place_.get()); }
+  const Scene<3>& scene() const { return dsw::capi::space(*scene_); }
 
   std::string bend();
   std::string bend_to(const double* from, uint32_t vertex, double by);

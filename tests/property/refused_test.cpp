@@ -21,9 +21,9 @@ TEST_F(RefusedChangeTest, RefusedChangesLeaveWhatBodiesKnow) {
     }
   };
   const auto known = [&] {
-    const Array<Clearance>& balls = scene()->engine.bodies[body.index].body.clearances;
+    const Array<Clearance>& balls = dsw::capi::space(*scene()).bodies[body.index].body.clearances;
     return std::count_if(balls.begin(), balls.end(), [&](const Clearance& ball) {
-      return ball.radius > 0 && ball.version == place_.get()->engine.obstacle_version;
+      return ball.radius > 0 && ball.version == dsw::capi::space(*place_.get()).obstacle_version;
     });
   };
   ASSERT_EQ(dsw_environment_unsew_face(place_.get(), face_between(2, 2, 2)), DSW_STATUS_OK);  // tables are made

@@ -73,7 +73,7 @@ class RemeshTest : public SceneTest {
     place_.environment.reset();  // before what it reads
   }
 
-  Environment<3>& env() { return place_.get()->engine; }
+  Environment<3>& env() { return dsw::capi::space(*place_.get()); }
   double edge_length() {
     double sum = 0;
     size_t count = 0;
@@ -94,7 +94,7 @@ class RemeshTest : public SceneTest {
   /// Links, seats, bodies.
   void check_all() {
     ASSERT_STREQ(check_integrity(env().map), nullptr);
-    const Scene<3>& s = scene_->engine;
+    const Scene<3>& s = dsw::capi::space(*scene_);
     for (const ParticleState<3>& p : s.particles) {
       ASSERT_TRUE(!p.cell.valid() || (contains(env(), p.cell, p.position) && !is_closed(env(), p.cell)));
     }
@@ -198,7 +198,7 @@ TEST_F(RemeshMemoryTest, DeformingWithIt) {
   // Once it has moved it knows the facets that its edges pass.
   const double targets[12] = {0.7, 1.5, 1.25, 1.8, 1.5, 1.25, 0.7, 2.6, 1.25, 0.7, 1.5, 2.35};
   ASSERT_EQ(dsw_body_move(scene(), body, targets, 4, 0, nullptr, nullptr), DSW_STATUS_OK);
-  const Array<EdgeSequence>& sequences = scene()->engine.bodies[body.index].body.sequences;
+  const Array<EdgeSequence>& sequences = dsw::capi::space(*scene()).bodies[body.index].body.sequences;
   ASSERT_TRUE(std::any_of(sequences.begin(), sequences.end(),
                           [](const EdgeSequence& s) { return s.known() && !s.facets.empty(); }));
   dsw_deform_options options;

@@ -114,7 +114,7 @@ TEST(BundleTest, WhatIsWrongIsNamed) {
   const ReplayPtr replay = open_replay(report);
   uint32_t v = 0;
   BodyVertex* vertex = nullptr;
-  for (BodyRecord& each : scene_of(replay)->engine.bodies) {
+  for (BodyRecord& each : dsw::capi::space(*scene_of(replay)).bodies) {
     if (vertex != nullptr || each.body.edge_slots.alive_count() == 0) continue;
     while (!each.body.has_vertex(v)) ++v;
     vertex = &each.body.vertices[v];

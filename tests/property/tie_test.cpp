@@ -15,7 +15,7 @@ namespace {
 
 class TieTest : public SceneTest {
  protected:
-  const Environment<3>& env() const { return place_.get()->engine; }
+  const Environment<3>& env() const { return dsw::capi::space(*place_.get()); }
 
   /// Passable if `keeps(centre)`.
   template <class Keeps>

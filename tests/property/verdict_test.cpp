@@ -17,7 +17,7 @@ double first_time(const Environment<3>& env, SweptTruth& truth, const double* co
   }
   if (first == nullptr) return 2;
   const SweepEvent event{{points[2], env.point((*first)[0]), env.point((*first)[1])}, EventKind::kEdge};
-  return event_time(points[0], points[1], event);
+  return event_time<3>(points[0], points[1], event);
 }
 
 struct Seen {
