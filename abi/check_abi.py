@@ -199,7 +199,7 @@ def source_changes(release):
 
 
 def check_layout():
-    layout = (ABI / "layout.c").read_text()
+    layout = "".join(path.read_text() for path in sorted(ABI.glob("layout*.[ch]")))
     wanted = [f"SIZE({name}, 4)" for name in re.findall(r"typedef enum (\w+)", header_text())]
     for name, members in structs(header_text()).items():
         wanted += [f"SIZE({name}, "] + [f"AT({name}, {member_name(member)}, " for member in members]

@@ -49,7 +49,8 @@ class Environment {
     Environment loaded;
     if (context) loaded.state_->context = context->state();
     check(dsw_environment_load(loaded.state_->context.get(), block.data, block.count, &loaded.state_->handle));
-    if (loaded.info().dimension != 3) throw Error(DSW_STATUS_UNSUPPORTED, "environments in the plane are for C in this version");
+    if (loaded.info().dimension != 3)
+      throw Error(DSW_STATUS_UNSUPPORTED, "environments in the plane are for C in this version");
     return loaded;
   }
 

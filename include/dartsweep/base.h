@@ -36,8 +36,8 @@
 #define DSW_API
 #endif
 
-#define DSW_VERSION_MAJOR 0 /**< Version of this header. dsw_version() tells that of the library at run time. */
-#define DSW_VERSION_MINOR 1 /**< Grows with additions. */
+#define DSW_VERSION_MAJOR 1 /**< Version of this header. dsw_version() tells that of the library at run time. */
+#define DSW_VERSION_MINOR 0 /**< Grows with additions. */
 #define DSW_VERSION_PATCH 0 /**< Grows with corrections. */
 
 #ifdef __cplusplus
@@ -92,19 +92,19 @@ typedef struct dsw_vec3 {
 } dsw_vec3;
 
 /** Version of the loaded library.
- * @return major * 1000000 + minor * 1000 + patch. @note Thread: any. @since 0.1 */
+ * @return major * 1000000 + minor * 1000 + patch. @note Thread: any. @since 1.0 */
 DSW_API uint32_t dsw_version(void);
 
 /** Name of a status, for example "DSW_STATUS_OUTSIDE".
  * @param status [in] any value; unknown ones give "unknown status".
- * @return static text, never null. @note Thread: any. @since 0.1 */
+ * @return static text, never null. @note Thread: any. @since 1.0 */
 DSW_API const char *dsw_status_string(dsw_status status);
 
 /** What went wrong in the last call on this thread that did not return DSW_STATUS_OK: function, argument,
  * index, value received, range accepted.
  * @return text owned by the library, valid until the next dsw call on this thread that fails; empty if
  * none has failed yet. Never null.
- * @note Thread: each thread has its own message. @since 0.1 */
+ * @note Thread: each thread has its own message. @since 1.0 */
 DSW_API const char *dsw_last_error_message(void);
 
 #ifdef __cplusplus

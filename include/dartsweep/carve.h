@@ -50,7 +50,7 @@ typedef struct dsw_carve_report {
 } dsw_carve_report;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_carve_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_carve_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
 
 /** Makes volumes passable that are inside of a shape. First impassable volumes that its surface crosses are split along it, as
@@ -64,7 +64,7 @@ DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
  * points are the host's); BAD_TOPOLOGY: the surface is not closed, or a triangle names a point twice. INVALID_CELL and BAD_CELL do not
  * occur: such volumes stay whole. OCCUPIED: a wall would move by a rounding into a body or over a particle.
  * @note O(volumes that are crossed or inside), with a search in a tree of the triangles for each of these and of those beside them; without
- * `start` one for every volume in the surface's box, and O(volumes). @since 0.1 */
+ * `start` one for every volume in the surface's box, and O(volumes). @since 1.0 */
 DSW_API dsw_status dsw_environment_carve(dsw_environment *environment, const dsw_carve_desc *desc,
                                          dsw_carve_report *report);
 
@@ -72,7 +72,7 @@ DSW_API dsw_status dsw_environment_carve(dsw_environment *environment, const dsw
  * among them.
  * @param environment [in] @param volumes [out] owned by the environment, valid until its next carving.
  * @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_carved_volumes(const dsw_environment *environment, const dsw_volume_id **volumes,
                                                       size_t *count);
 
@@ -101,7 +101,7 @@ typedef struct dsw_tie_report {
 } dsw_tie_report;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_tie_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_tie_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_tie_desc_init(dsw_tie_desc *desc, size_t size);
 
 /** Closes what is passable over a loop. Passable volumes that the surface crosses are split along it and the faces of the cut are unsewn, as
@@ -116,7 +116,7 @@ DSW_API void dsw_tie_desc_init(dsw_tie_desc *desc, size_t size);
  * @return besides those of topology.h: DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED (flags), OUT_OF_RANGE (point_count, snap), WRONG_SIZE
  * (point_stride_bytes), NON_FINITE, STALE_ID (start), BORROWED. INVALID_CELL and BAD_CELL do not occur. OCCUPIED: a particle or a body
  * is in a volume that would become impassable, or a body crosses the cut.
- * @note Cost as that of dsw_environment_cut; without `start` a search in a tree of the triangles for every volume. @since 0.1 */
+ * @note Cost as that of dsw_environment_cut; without `start` a search in a tree of the triangles for every volume. @since 1.0 */
 DSW_API dsw_status dsw_environment_tie(dsw_environment *environment, const dsw_tie_desc *desc, dsw_tie_report *report);
 
 #ifdef __cplusplus

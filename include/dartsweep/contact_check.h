@@ -53,7 +53,7 @@ typedef struct dsw_contact_opinion {
  * @param opinion [out]
  * @return DSW_STATUS_OK also without an opinion. DSW_STATUS_NOT_BUILT without libccd, STALE_ID, NON_FINITE, NOT_FOUND (`front` is not
  * at `wall`, as it is but for DSW_CONTACT_VERTEX), OUT_OF_RANGE (the normal is not unit), UNSUPPORTED (kinds).
- * @note O(vertices of the volume, or volumes round the edge). libccd's own memory is the C runtime's. Thread: reader. @since 0.1 */
+ * @note O(vertices of the volume, or volumes round the edge). libccd's own memory is the C runtime's. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_contact_check(const dsw_environment *environment, const dsw_contact *contact,
                                      dsw_contact_opinion *opinion);
 

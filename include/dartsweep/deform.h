@@ -116,7 +116,7 @@ typedef struct dsw_wall_contact {
 } dsw_wall_contact;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param options [out] may be null. @param size [in] sizeof(dsw_deform_options). @note Thread: any. @since 0.1 */
+ * @param options [out] may be null. @param size [in] sizeof(dsw_deform_options). @note Thread: any. @since 1.0 */
 DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
 
 /** Takes the environment of a scene, made with DSW_FEATURE_DEFORMING, to new positions. Bodies and particles keep theirs, but for those that
@@ -132,38 +132,38 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
  * outcome REFUSED.
  * @note O(bodies, particles, volumes they meet); STOP, once something is met, O(vertices of the environment). Thread: writer of the
  * environment. Certain: what the levels cover is free, nothing is lost from its cell, and with SWEPT no wall passed anything. Source: [JCD10]
- * 5.1. @since 0.1 */
+ * 5.1. @since 1.0 */
 DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point_count,
                                     const dsw_deform_options *options, dsw_deform_report *report);
 
 /** Contacts of walls in the last deformation, in the order in which they were met.
  * @param scene [in] @param contacts [out] owned by the scene, valid until its next deformation.
  * @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_wall_contacts(const dsw_scene *scene, const dsw_wall_contact **contacts,
                                                size_t *count);
 
 /** Vertices of the environment that the last deformation did not take to their places, by index.
  * @param scene [in] @param vertices [out] as above. @param count [out] how many there are.
  * @return DSW_STATUS_NULL_ARGUMENT.
- * @note O(1). Thread: reader. @since 0.1 */
+ * @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_held_vertices(const dsw_scene *scene, const dsw_vertex_id **vertices, size_t *count);
 
 /** Volumes that the last deformation did not let become invalid, by index.
  * @param scene [in] @param volumes [out] as above. @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_invalid_volumes(const dsw_scene *scene, const dsw_volume_id **volumes, size_t *count);
 
 /** Whether a volume is valid in the present geometry.
  * @param environment, volume [in] @param valid [out] 0 or 1.
- * @return DSW_STATUS_STALE_ID. @note O(its faces), O(1) where it is known. Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID. @note O(its faces), O(1) where it is known. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_is_valid(const dsw_environment *environment, dsw_volume_id volume, int *valid);
 
 /** The positions that an environment reads: 3 doubles for each vertex.
  * @param environment [in]
  * @param points [out] owned by the environment, or what the host has lent; valid until its next deformation or change.
  * @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_points(const dsw_environment *environment, const double **points, size_t *count);
 
 #ifdef __cplusplus

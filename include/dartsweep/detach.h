@@ -55,7 +55,7 @@ typedef struct dsw_detached_face {
 } dsw_detached_face;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_detach_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_detach_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_detach_desc_init(dsw_detach_desc *desc, size_t size);
 
 /** Detaches a piece: impassable volumes that hang together through faces, and with no other impassable one but across cracks (of
@@ -82,25 +82,25 @@ DSW_API void dsw_detach_desc_init(dsw_detach_desc *desc, size_t size);
  * that no place near that sees all faces at it; the message names vertices), OUT_OF_MEMORY: nothing has changed.
  * @note O(size of the piece and of what touches it + particles and size of the bodies), expected; once tables as topology.h says; and
  * O(volumes) where the other side of a crack can't be reached round its rim, as of a piece cut out all round. Points may be
- * borrowed. Thread: writer of the environment and of its scene. Certain: what the level covers is free. @since 0.1 */
+ * borrowed. Thread: writer of the environment and of its scene. Certain: what the level covers is free. @since 1.0 */
 DSW_API dsw_status dsw_scene_detach(dsw_scene *scene, const dsw_detach_desc *desc, dsw_body_id *body,
                                     dsw_detach_report *report);
 
 /** Volumes of the last piece that came off. Ids are those from right after it.
  * @param scene [in] @param volumes [out] owned by the scene, valid until its next successful dsw_scene_detach.
  * @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_detached_volumes(const dsw_scene *scene, const dsw_volume_id **volumes, size_t *count);
 
 /** Where the vertices of its body come from, by index.
  * @param scene [in] @param vertices [out] as above. @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_detached_vertices(const dsw_scene *scene, const dsw_detached_vertex **vertices,
                                                    size_t *count);
 
 /** Where the faces of its body come from, by index.
  * @param scene [in] @param faces [out] as above. @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_detached_faces(const dsw_scene *scene, const dsw_detached_face **faces, size_t *count);
 
 #ifdef __cplusplus

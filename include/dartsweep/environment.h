@@ -118,7 +118,7 @@ typedef struct dsw_environment_info {
 } dsw_environment_info;
 
 /** Writes the defaults (3-dimensional, hexahedra, 8-byte indices) into at most `size` bytes and sets struct_size.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_environment_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_environment_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
 
 /** Creates an environment and proves that every cell is valid: all tetrahedra of its star have positive volume
@@ -131,64 +131,64 @@ DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
  * INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL, INVERTED_CELL, INVALID_CELL, DUPLICATE_CELL, SHARED_FACE,
  * BOUNDARY_CROSSES (on request), OUT_OF_MEMORY. The message and the report name the first offending cells.
  * @note Expected time linear in cells and points. Thread: any. Certain: signs are exact for every finite double.
- * Source: [JCD10] 3.1, 3.2. @since 0.1 */
+ * Source: [JCD10] 3.1, 3.2. @since 1.0 */
 DSW_API dsw_status dsw_environment_create(dsw_context *context, const dsw_environment_desc *desc,
                                           dsw_environment **environment, dsw_build_report *report);
 
 /** Destroys an environment.
  * @param environment [in] null is allowed.
- * @return DSW_STATUS_IN_USE, and nothing happens, while scenes use it. @note Thread: writer. @since 0.1 */
+ * @return DSW_STATUS_IN_USE, and nothing happens, while scenes use it. @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_destroy(dsw_environment *environment);
 
 /** Fills `info`.
  * @param environment [in] @param info [in,out] its struct_size set.
  * @return DSW_STATUS_BAD_STRUCT_SIZE.
- * @note O(1); once the topology has changed (topology.h) O(n), to count parts. Thread: reader. @since 0.1 */
+ * @note O(1); once the topology has changed (topology.h) O(n), to count parts. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_info(const dsw_environment *environment, dsw_environment_info *info);
 
 /** Proves everything again: links, every cell's validity, and that the outer boundary does not pass through
  * itself (touching itself is allowed), so that the cells are a partition of space.
  * @param environment [in] @param report [in,out] may be null; as for creation.
  * @return DSW_STATUS_INVALID_CELL, DSW_STATUS_BOUNDARY_CROSSES, DSW_STATUS_INTERNAL (links), DSW_STATUS_OUT_OF_MEMORY.
- * @note O(n log n) expected. Thread: reader. @since 0.1 */
+ * @note O(n log n) expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_check(const dsw_environment *environment, dsw_build_report *report);
 
 /** Id of the volume with an index: at first that made from cell `index`.
  * @param environment, index [in] @param volume [out]
  * @return DSW_STATUS_OUT_OF_RANGE from volume_index_count on, DSW_STATUS_NOT_FOUND where the volume has been removed.
- * @note O(1). Thread: reader. @since 0.1 */
+ * @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume(const dsw_environment *environment, uint32_t index,
                                               dsw_volume_id *volume);
 
 /** Id of the vertex with an index: at first that made from point `index`.
  * @param environment, index [in] @param vertex [out]
  * @return DSW_STATUS_OUT_OF_RANGE from vertex_index_count on, DSW_STATUS_NOT_FOUND where the vertex has been removed.
- * @note O(1). Thread: reader. @since 0.1 */
+ * @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_vertex(const dsw_environment *environment, uint32_t index,
                                               dsw_vertex_id *vertex);
 
 /** Position of a vertex.
  * @param environment, vertex [in] @param xyz [out] as many doubles as there are dimensions.
- * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_position(const dsw_environment *environment, dsw_vertex_id vertex, double *xyz);
 
 /** Type of a volume and how many vertices, edges (in the plane 0) and faces it has; each out-argument may be null.
  * @param environment, volume [in] @param type, vertices, edges, faces [out]
  * @return DSW_STATUS_STALE_ID.
- * @note O(vertices of the volume). Thread: reader. @since 0.1 */
+ * @note O(vertices of the volume). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_counts(const dsw_environment *environment, dsw_volume_id volume,
                                                      dsw_cell_type *type, uint32_t *vertices, uint32_t *edges,
                                                      uint32_t *faces);
 
 /** Canonical id of face `local` of a volume.
  * @param environment, volume, local [in] @param face [out]
- * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (local). @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (local). @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_face(const dsw_environment *environment, dsw_volume_id volume,
                                                    uint32_t local, dsw_face_id *face);
 
 /** Canonical id of edge `local` of a volume.
  * @param environment, volume, local [in] @param edge [out]
- * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (local). @note O(volumes round the edge). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (local). @note O(volumes round the edge). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_edge(const dsw_environment *environment, dsw_volume_id volume,
                                                    uint32_t local, dsw_edge_id *edge);
 
@@ -197,14 +197,14 @@ DSW_API dsw_status dsw_environment_get_volume_edge(const dsw_environment *enviro
  * @param environment [in] @param cell [in] any kind. @param vertices [out] null if capacity is 0.
  * @param capacity [in] its entries. @param count [out] how many there are.
  * @return DSW_STATUS_BUFFER_TOO_SMALL if capacity is smaller than *count, unless capacity is 0 (a query).
- * @note O(vertices of the volume). Thread: reader. @since 0.1 */
+ * @note O(vertices of the volume). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_copy_vertices(const dsw_environment *environment, dsw_cell cell,
                                                  dsw_vertex_id *vertices, size_t capacity, size_t *count);
 
 /** The two volumes of a face: `near_side` is the one its id names, `far_side` is null at the outer boundary. Each may
  * be null.
  * @param environment, face [in] @param near_side, far_side [out]
- * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *environment, dsw_face_id face,
                                                     dsw_volume_id *near_side, dsw_volume_id *far_side);
 
@@ -214,14 +214,14 @@ DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *envir
  * @param impassable [out] 0 or 1: the face counts as impassable (its own mark, that of a volume on either side, or the
  * outer boundary); may be null.
  * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (local).
- * @note O(1). Thread: reader. @since 0.1 */
+ * @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environment, dsw_volume_id volume,
                                                  uint32_t local, dsw_volume_id *neighbour, int *impassable);
 
 /** A point strictly inside a volume: the mean of its vertices, rounded, which is the apex of its star. (That of a
  * tetrahedron thinner than the rounding of its coordinates can come to lie outside.)
  * @param environment, volume [in] @param xyz [out] as many doubles as there are dimensions.
- * @return DSW_STATUS_STALE_ID. @note O(vertices of the volume). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID. @note O(vertices of the volume). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment, dsw_volume_id volume, double *xyz);
 
 /** Finds faces by their vertices, in bulk: face i has the points indices[offsets[i] .. offsets[i+1]-1], in any
@@ -231,7 +231,7 @@ DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment
  * @param faces [out] count canonical ids; null ids where no face has these vertices.
  * @param missing [out] may be null: how many were not found.
  * @return DSW_STATUS_WRONG_SIZE for offsets that descend, DSW_STATUS_OUT_OF_MEMORY.
- * @note O(faces of the environment + vertices given), expected. Thread: reader. @since 0.1 */
+ * @note O(faces of the environment + vertices given), expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment, size_t count, const size_t *offsets,
                                               const uint32_t *indices, dsw_face_id *faces, size_t *missing);
 
@@ -240,25 +240,25 @@ DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment
  * @param environment, count [in] @param indices [in] 2 * `count` indices of vertices.
  * @param edges [out] count canonical ids; null ids where there is no such edge. @param missing [out] may be null.
  * @return DSW_STATUS_OUT_OF_MEMORY.
- * @note O(edges of the environment + count), expected. Thread: reader. @since 0.1 */
+ * @note O(edges of the environment + count), expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_edges(const dsw_environment *environment, size_t count, const uint32_t *indices,
                                               dsw_edge_id *edges, size_t *missing);
 
 /** Region label of a volume (0 if none were given).
  * @param environment, volume [in] @param region [out]
- * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_region(const dsw_environment *environment, dsw_volume_id volume,
                                               int32_t *region);
 
 /** Host tag of a volume (0 if none were given).
  * @param environment, volume [in] @param tag [out]
- * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_tag(const dsw_environment *environment, dsw_volume_id volume, uint32_t *tag);
 
 /** Sets the host tag of a volume; the first tag costs 4 bytes a volume. Tags change no result, so this is allowed
  * while scenes use the environment.
  * @param environment [in,out] @param volume, tag [in]
- * @return DSW_STATUS_STALE_ID, OUT_OF_MEMORY. @note O(1) amortised. Thread: writer. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID, OUT_OF_MEMORY. @note O(1) amortised. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_set_tag(dsw_environment *environment, dsw_volume_id volume, uint32_t tag);
 
 #ifdef __cplusplus

@@ -76,7 +76,7 @@ typedef struct dsw_move_report {
 } dsw_move_report;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param options [out] may be null. @param size [in] sizeof(dsw_move_options). @note Thread: any. @since 0.1 */
+ * @param options [out] may be null. @param size [in] sizeof(dsw_move_options). @note Thread: any. @since 1.0 */
 DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
 /** Moves the vertices of a body to their targets, one after the other.
@@ -87,7 +87,7 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
  * @return DSW_STATUS_OK also when contacts stopped it. DSW_STATUS_STALE_ID, WRONG_SIZE, NON_FINITE, OUT_OF_RANGE, DUPLICATE_ID (order),
  * UNSUPPORTED, OUT_OF_MEMORY: nothing has moved.
  * @note O(volumes met, and parts of bodies near the way), independent of the size of the environment. Thread: writer. Certain: what the
- * level covers is free, and nothing the level sees was passed. Source: [JCD10] 4. @since 0.1 */
+ * level covers is free, and nothing the level sees was passed. Source: [JCD10] 4. @since 1.0 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets, size_t target_count,
                                  size_t stride_bytes, const dsw_move_options *options, dsw_move_report *report);
 
@@ -98,7 +98,7 @@ DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const doubl
  * slots. @param target_count, stride_bytes [in] @param options [in] for all; its `order` must be null.
  * @param reports [out] null, or `count` reports.
  * @return as dsw_body_move.
- * @note Thread: writer; uses the parallel-for; the same bits for any number of threads. @since 0.1 */
+ * @note Thread: writer; uses the parallel-for; the same bits for any number of threads. @since 1.0 */
 DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
                                          const double *targets, size_t target_count, size_t stride_bytes,
                                          const dsw_move_options *options, dsw_move_report *reports);
@@ -117,14 +117,14 @@ typedef struct dsw_rigid_motion {
  * @param scene [in,out] @param body [in] @param motion [in] see dsw_rigid_motion.
  * @param options [in] may be null; of it only `order` is used, which must name all vertices.
  * @param report [out] may be null.
- * @return as dsw_body_move; OUT_OF_RANGE (a zero quaternion). @note Thread: writer. @since 0.1 */
+ * @return as dsw_body_move; OUT_OF_RANGE (a zero quaternion). @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body, const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);
 
 /** Contacts of the last move of a body, in the order in which they were met.
  * @param scene, body [in] @param contacts [out] owned by the body, valid until it next moves or is edited.
  * @param count [out] how many there are.
- * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body, const dsw_contact **contacts,
                                          size_t *count);
 
@@ -132,7 +132,7 @@ DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id bod
  * the earliest stops the vertex, of equal times that with the environment. DSW_SEARCH_ALL adds no later contacts with bodies.
  * @param scene, body [in] @param partners [out] owned by the body, valid as long as the contacts.
  * @param count [out] how many there are.
- * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_BODY_CONTACTS. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_BODY_CONTACTS. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_body_id body,
                                                  const dsw_contact_partner **partners, size_t *count);
 
@@ -140,7 +140,7 @@ DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_bod
  * @param scene, body [in]
  * @param edits [out] owned by the body, valid until it next moves or is edited, or the environment is deformed.
  * @param count [out] how many there are.
- * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body, const dsw_body_edit **edits,
                                       size_t *count);
 

@@ -44,7 +44,7 @@ typedef struct dsw_cast_options {
 } dsw_cast_options;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param options [out] may be null. @param size [in] sizeof(dsw_cast_options). @note Thread: any. @since 0.1 */
+ * @param options [out] may be null. @param size [in] sizeof(dsw_cast_options). @note Thread: any. @since 1.0 */
 DSW_API void dsw_cast_options_init(dsw_cast_options *options, size_t size);
 
 /** Finds the volume that contains a point, exactly.
@@ -53,7 +53,7 @@ DSW_API void dsw_cast_options_init(dsw_cast_options *options, size_t size);
  * @param place [out] may be null.
  * @return DSW_STATUS_NON_FINITE, DSW_STATUS_STALE_ID.
  * @note With a hint: O(volumes between). Without, or when the walk leaves the environment: the grid (expected O(1)
- * where cells are of like size) or a scan, O(volumes). Thread: reader. @since 0.1 */
+ * where cells are of like size) or a scan, O(volumes). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, const double *point, dsw_volume_id hint,
                                           dsw_volume_id *volume, dsw_place *place);
 
@@ -63,7 +63,7 @@ DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, co
  * @param hints [in] null, or `count` ids of which any may be null. @param volumes [out] `count` ids.
  * @param places [out] null, or `count` values.
  * @return as dsw_environment_locate; DSW_STATUS_WRONG_SIZE (stride_bytes).
- * @note Thread: reader; uses the parallel-for. @since 0.1 */
+ * @note Thread: reader; uses the parallel-for. @since 1.0 */
 DSW_API dsw_status dsw_environment_locate_points(const dsw_environment *environment, const double *points, size_t count,
                                                  size_t stride_bytes, const dsw_volume_id *hints,
                                                  dsw_volume_id *volumes, dsw_place *places);
@@ -73,7 +73,7 @@ DSW_API dsw_status dsw_environment_locate_points(const dsw_environment *environm
  * @param volume [in] the volume that contains the point, as dsw_environment_locate gave it.
  * @param cell [out] canonical id of the cell of lowest dimension that holds the point.
  * @return DSW_STATUS_OUTSIDE if the point is not in the closure of `volume`. @note O(faces of the volume).
- * Thread: reader. @since 0.1 */
+ * Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_classify(const dsw_environment *environment, const double *point,
                                             dsw_volume_id volume, dsw_cell *cell);
 
@@ -82,7 +82,7 @@ DSW_API dsw_status dsw_environment_classify(const dsw_environment *environment, 
  * @param from, to [in] as many finite doubles as there are dimensions. @param options [in] may be null. @param flight [out] the report.
  * @return DSW_STATUS_NON_FINITE, DSW_STATUS_STALE_ID, DSW_STATUS_UNSUPPORTED (flags).
  * @note O(volumes crossed). Thread: reader. Certain: the first impassable face, exactly. Source: [JCD10] 3.3.
- * @since 0.1 */
+ * @since 1.0 */
 DSW_API dsw_status dsw_environment_cast(const dsw_environment *environment, dsw_volume_id start, const double *from,
                                         const double *to, const dsw_cast_options *options, dsw_flight *flight);
 
@@ -91,7 +91,7 @@ DSW_API dsw_status dsw_environment_cast(const dsw_environment *environment, dsw_
  * @param from, to [in] `count` points each, spaced by stride_bytes (0 means 8 * dimension). @param stride_bytes [in]
  * @param options [in] may be null. @param flights [out] `count` reports.
  * @return as dsw_environment_cast; DSW_STATUS_WRONG_SIZE (stride_bytes).
- * @note Thread: reader; uses the parallel-for. @since 0.1 */
+ * @note Thread: reader; uses the parallel-for. @since 1.0 */
 DSW_API dsw_status dsw_environment_cast_segments(const dsw_environment *environment, size_t count,
                                                  const dsw_volume_id *starts, const double *from, const double *to,
                                                  size_t stride_bytes, const dsw_cast_options *options,
@@ -102,7 +102,7 @@ DSW_API dsw_status dsw_environment_cast_segments(const dsw_environment *environm
  * @param crossings [out] null if capacity is 0. @param capacity [in] entries of `crossings`.
  * @param count [out] how many there are. @param flight [out] may be null.
  * @return as dsw_environment_cast, and DSW_STATUS_BUFFER_TOO_SMALL when 0 < capacity < *count.
- * @note Thread: reader. @since 0.1 */
+ * @note Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_cast_path(const dsw_environment *environment, dsw_volume_id start,
                                              const double *from, const double *to, const dsw_cast_options *options,
                                              dsw_crossing *crossings, size_t capacity, size_t *count,
@@ -126,7 +126,7 @@ typedef struct dsw_nearest {
  * @return DSW_STATUS_NON_FINITE, DSW_STATUS_OUT_OF_RANGE (radius), DSW_STATUS_STALE_ID, DSW_STATUS_OUTSIDE,
  * DSW_STATUS_IMPASSABLE, DSW_STATUS_OUT_OF_MEMORY.
  * @note O(volumes within the distance). Distances carry rounding error of a few units in the last place. Thread:
- * reader. @since 0.1 */
+ * reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environment, const double *point,
                                                 dsw_volume_id volume, double radius, dsw_nearest *nearest);
 

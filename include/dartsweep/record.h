@@ -40,7 +40,7 @@ typedef struct dsw_recording_desc {
 } dsw_recording_desc;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_recording_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_recording_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
 
 /** Begins to record a scene: writes snapshots of its environment and of what is in it; from now on each call that changes either is
@@ -50,13 +50,13 @@ DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
  * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, UNSUPPORTED (flags; more than one of path, function and LATEST; the plane), IN_USE (it
  * is being recorded), OUT_OF_MEMORY, WRITE_FAILED: nothing is recorded, though something may have been written.
  * @note O(environment). Each call then costs the writing of its arguments; a scene that is not recorded pays nothing. Thread: writer of the
- * environment. @since 0.1 */
+ * environment. @since 1.0 */
 DSW_API dsw_status dsw_scene_start_recording(dsw_scene *scene, const dsw_recording_desc *desc);
 
 /** Ends it. A scene that is destroyed ends its recording, too, but its end has no status for what could not be written.
  * @param scene [in,out]
  * @return DSW_STATUS_WRITE_FAILED: something could not be written, and nothing was written after it; it has ended all the same. OK also
- * where nothing is recorded. @note Thread: writer. @since 0.1 */
+ * where nothing is recorded. @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_scene_stop_recording(dsw_scene *scene);
 
 /** Opaque. A recording that is made again, with an environment and a scene of its own. Owned by the caller from dsw_replay_create to
@@ -95,31 +95,31 @@ enum {
  * @param recording [in] any alignment; retained until the replay is destroyed. @param size_bytes [in] its size.
  * @param replay [out] owned by the caller.
  * @return DSW_STATUS_NULL_ARGUMENT, TRUNCATED (before the first call), BAD_VERSION, CORRUPT, OUT_OF_MEMORY.
- * @note O(environment). Thread: any. @since 0.1 */
+ * @note O(environment). Thread: any. @since 1.0 */
 DSW_API dsw_status dsw_replay_create(dsw_context *context, const void *recording, size_t size_bytes,
                                      dsw_replay **replay);
 
 /** Destroys a replay with its scene and environment. @param replay [in] null is allowed. @return IN_USE: other scenes use the
- * environment. @note Thread: writer. @since 0.1 */
+ * environment. @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_replay_destroy(dsw_replay *replay);
 
 /** The scene as it is after the last step; its environment is that of dsw_scene_get_environment. To look at, to save or to record the
  * next step alone; a replay of what somebody else has changed tells nothing.
  * @param replay [in] @param scene [out] owned by the replay.
- * @return DSW_STATUS_NULL_ARGUMENT. @note Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_replay_get_scene(const dsw_replay *replay, dsw_scene **scene);
 
 /** Makes the next call.
  * @param replay [in,out] @param report [out] what it was, and whether it did the same.
  * @return DSW_STATUS_CORRUPT: the recording is damaged here, or has a call that this version does not know; no call was made. What the call
- * itself answered is in the report. @note Thread: writer. @since 0.1 */
+ * itself answered is in the report. @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_replay_step(dsw_replay *replay, dsw_replay_report *report);
 
 /** Arguments of the next call as text, for people: names and values, of long arrays the first ones, of options their words beyond
  * struct_size in hexadecimal. Empty at the end.
  * @param replay [in,out] stays before that call. @param text [out] ends with 0 and is cut to `capacity`; may be null if that is 0.
  * @param capacity [in] bytes. @param size [out] bytes of all of it with its 0.
- * @return DSW_STATUS_NULL_ARGUMENT, CORRUPT. @note Thread: writer. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT, CORRUPT. @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_replay_describe_next(dsw_replay *replay, char *text, size_t capacity, size_t *size);
 
 /** Whether what a call did was right, by exact integers alone and against every obstacle: no filter, no walk, nothing remembered. */
@@ -159,13 +159,13 @@ typedef struct dsw_replay_info {
 
 /** What is known of it now.
  * @param replay [in] @param info [out] struct_size set.
- * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE. @note Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE. @note Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_replay_get_info(const dsw_replay *replay, dsw_replay_info *info);
 
 /** Makes the next call as dsw_replay_step does, and judges what it did and what is there then; at the end what is there.
  * @param replay, report [in,out] as for dsw_replay_step. @param verdict [out] struct_size set.
  * @return as dsw_replay_step; BAD_STRUCT_SIZE; OUT_OF_MEMORY: where `report->function` was set the call has been made all the same.
- * @note O(obstacles * what is judged), all but boxes near to each other passed over quickly. Thread: writer. @since 0.1 */
+ * @note O(obstacles * what is judged), all but boxes near to each other passed over quickly. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_replay_step_judged(dsw_replay *replay, dsw_replay_report *report, dsw_verdict *verdict);
 
 /** Describes a bug report. */
@@ -179,7 +179,7 @@ typedef struct dsw_bundle_desc {
 } dsw_bundle_desc;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_bundle_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_bundle_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_bundle_desc_init(dsw_bundle_desc *desc, size_t size);
 
 /** A bug report in one call: the scene as it was before its last recorded call, that call with its arguments and what came of it, the
@@ -191,7 +191,7 @@ DSW_API void dsw_bundle_desc_init(dsw_bundle_desc *desc, size_t size);
  * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, UNSUPPORTED (flags; both path and function), OUT_OF_MEMORY, WRITE_FAILED, NOT_FOUND
  * (the recording can't be read again), CORRUPT: it is damaged, or made again it ends in another state than the scene's: memory was written
  * over, the environment was changed behind the scene's back, or a defect. The report is written then all the same, as far as it went.
- * @note O(environment + recorded calls). Thread: writer of the environment. @since 0.1 */
+ * @note O(environment + recorded calls). Thread: writer of the environment. @since 1.0 */
 DSW_API dsw_status dsw_scene_write_bundle(dsw_scene *scene, const dsw_bundle_desc *desc, dsw_verdict *verdict);
 
 #ifdef __cplusplus

@@ -52,7 +52,7 @@ typedef struct dsw_remesh_report {
 } dsw_remesh_report;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_remesh_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_remesh_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_remesh_desc_init(dsw_remesh_desc *desc, size_t size);
 
 /** Mends invalid volumes.
@@ -63,7 +63,7 @@ DSW_API void dsw_remesh_desc_init(dsw_remesh_desc *desc, size_t size);
  * to overlap, and would be in none; before a deformation, with `next`, that cannot happen. A volume with a vertex that is
  * not finite is left.
  * @note O(volumes in patches and in the rings round invalid ones), with `volumes` null O(volumes of the environment); and as topology.h
- * says. Certain: what comes is valid, exactly. Source: [JCD10] 5.2. @since 0.1 */
+ * says. Certain: what comes is valid, exactly. Source: [JCD10] 5.2. @since 1.0 */
 DSW_API dsw_status dsw_environment_remesh(dsw_environment *environment, const dsw_remesh_desc *desc,
                                           dsw_remesh_report *report);
 
@@ -71,7 +71,7 @@ DSW_API dsw_status dsw_environment_remesh(dsw_environment *environment, const ds
  * it.
  * @param environment [in] @param volumes [out] owned by the environment, valid until its next mending.
  * @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_unmended_volumes(const dsw_environment *environment,
                                                         const dsw_volume_id **volumes, size_t *count);
 

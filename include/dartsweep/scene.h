@@ -58,7 +58,7 @@ typedef struct dsw_statistics {
 } dsw_statistics;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_scene_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_scene_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 
 /** Creates a scene.
@@ -67,28 +67,28 @@ DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
  * @param desc [in] null: no features. @param scene [out] owned by the caller.
  * @return DSW_STATUS_NULL_ARGUMENT, DSW_STATUS_BAD_STRUCT_SIZE, DSW_STATUS_UNSUPPORTED, DSW_STATUS_OUT_OF_MEMORY,
  * DSW_STATUS_IN_USE: one of two scenes of an environment is to deform it.
- * @note O(1); the first with DSW_FEATURE_DEFORMING O(volumes). Thread: writer of the environment. @since 0.1 */
+ * @note O(1); the first with DSW_FEATURE_DEFORMING O(volumes). Thread: writer of the environment. @since 1.0 */
 DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc, dsw_scene **scene);
 
 /** Destroys a scene with all it holds, its recording included: dsw_scene_stop_recording tells whether that is whole. @param scene [in] null is allowed. @return DSW_STATUS_IN_USE: it belongs to a replay.
- * @note Thread: writer of the environment. @since 0.1 */
+ * @note Thread: writer of the environment. @since 1.0 */
 DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);
 
-/** The environment of a scene. @param scene [in] @return null for a null scene. @note Thread: reader. @since 0.1 */
+/** The environment of a scene. @param scene [in] @return null for a null scene. @note Thread: reader. @since 1.0 */
 DSW_API dsw_environment *dsw_scene_get_environment(const dsw_scene *scene);
 
 /** Copies the counters.
  * @param scene [in] @param statistics [in,out] its struct_size set.
- * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_STATISTICS. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_STATISTICS. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_statistics(const dsw_scene *scene, dsw_statistics *statistics);
 
 /** Sets the counters to zero.
  * @param scene [in,out]
- * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_STATISTICS. @note Thread: writer. @since 0.1 */
+ * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_STATISTICS. @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_scene_reset_statistics(dsw_scene *scene);
 
 /** Memory the scene holds, its environment excluded.
- * @param scene [in] @param bytes [out] @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @param scene [in] @param bytes [out] @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_memory_bytes(const dsw_scene *scene, uint64_t *bytes);
 
 #ifdef __cplusplus

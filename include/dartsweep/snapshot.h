@@ -16,7 +16,7 @@ extern "C" {
  * @param environment [in] @param block [out] null if capacity is 0. @param capacity_bytes [in] its size.
  * @param size_bytes [out] size needed.
  * @return DSW_STATUS_BUFFER_TOO_SMALL when 0 < capacity_bytes < *size_bytes; capacity 0 is a query.
- * @note O(n). Thread: reader. Borrowed and lent points are written too. @since 0.1 */
+ * @note O(n). Thread: reader. Borrowed and lent points are written too. @since 1.0 */
 DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void *block, size_t capacity_bytes,
                                         size_t *size_bytes);
 
@@ -26,7 +26,7 @@ DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void
  * @param context [in] as for dsw_environment_create. @param block [in] any alignment. @param size_bytes [in] its size.
  * @param environment [out] owned by the caller.
  * @return DSW_STATUS_TRUNCATED, DSW_STATUS_BAD_VERSION, DSW_STATUS_CORRUPT, DSW_STATUS_OUT_OF_MEMORY.
- * @note O(n). Thread: any. @since 0.1 */
+ * @note O(n). Thread: any. @since 1.0 */
 DSW_API dsw_status dsw_environment_load(dsw_context *context, const void *block, size_t size_bytes,
                                         dsw_environment **environment);
 
@@ -35,7 +35,7 @@ DSW_API dsw_status dsw_environment_load(dsw_context *context, const void *block,
  * environment, which has a snapshot of its own.
  * @param scene [in] @param block [out] null if capacity is 0. @param capacity_bytes [in] its size.
  * @param size_bytes [out] size needed.
- * @return As dsw_environment_save; DSW_STATUS_OUT_OF_MEMORY. @note O(what is in the scene). Thread: reader. @since 0.1 */
+ * @return As dsw_environment_save; DSW_STATUS_OUT_OF_MEMORY. @note O(what is in the scene). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t capacity_bytes, size_t *size_bytes);
 
 /** Reads a snapshot of a scene into an environment: the one it was saved in, unchanged since, or one loaded from a snapshot of that. Ids are
@@ -45,7 +45,7 @@ DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t ca
  * @param scene [out] owned by the caller.
  * @return As dsw_environment_load; DSW_STATUS_CORRUPT also if it was saved in another environment. DSW_STATUS_IN_USE as dsw_scene_create.
  * @note O(what is in the scene); each clearance (DSW_BODY_SKIP_BY_CLEARANCE) is measured again. Thread: writer of the environment.
- * @since 0.1 */
+ * @since 1.0 */
 DSW_API dsw_status dsw_scene_load(dsw_environment *environment, const void *block, size_t size_bytes,
                                   dsw_scene **scene);
 

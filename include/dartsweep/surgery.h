@@ -80,7 +80,7 @@ typedef struct dsw_cut_face {
 } dsw_cut_face;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_cut_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_cut_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 
 /** Cuts an environment along a blade. The part before the blade keeps the index of a volume that is split.
@@ -89,7 +89,7 @@ DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
  * @return besides those of topology.h: DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED (flags), OUT_OF_RANGE (rows, columns, snap), WRONG_SIZE
  * (point_stride_bytes), NON_FINITE, STALE_ID (start), BORROWED (vertices have to be added, and the points are the host's without room for them, see dsw_deform_options). INVALID_CELL and BAD_CELL do not occur: such volumes stay whole.
  * OCCUPIED: with DSW_CUT_UNSEW an edge or face of a body crosses the cut, or the outer boundary would move by a rounding into a body.
- * @since 0.1 */
+ * @since 1.0 */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc, dsw_cut_report *report);
 
 /** Tears faces: those with a load above a threshold, each between two volumes, are unsewn at once. A crack without width is left, which
@@ -98,7 +98,7 @@ DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_c
  * @param loads [in] as many numbers, in the host's unit. @param count [in] @param threshold [in] in that unit.
  * @param torn [out] how many faces were torn; may be null.
  * @return besides those of topology.h: DSW_STATUS_NON_FINITE (a load or the threshold is not a number; infinite ones are).
- * @note O(count), and as topology.h says. @since 0.1 */
+ * @note O(count), and as topology.h says. @since 1.0 */
 DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment, const dsw_face_id *faces,
                                               const double *loads, size_t count, double threshold, size_t *torn);
 
@@ -106,19 +106,19 @@ DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment, cons
  * @param environment [in] @param vertices [out] owned by the environment, valid until the next of these.
  * @param count [out] how many there are.
  * @return DSW_STATUS_NULL_ARGUMENT.
- * @note O(1). Thread: reader. @since 0.1 */
+ * @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_cut_vertices(const dsw_environment *environment, const dsw_cut_vertex **vertices,
                                                     size_t *count);
 
 /** Faces of the last successful cut or tear, lips of the last opening. Ids are those from right after it.
  * @param environment [in] @param faces [out] as above. @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_cut_faces(const dsw_environment *environment, const dsw_cut_face **faces,
                                                  size_t *count);
 
 /** Volumes that the blade crossed in the last successful cut and that stayed whole. Ids are those from right after it.
  * @param environment [in] @param volumes [out] as above. @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_whole_volumes(const dsw_environment *environment, const dsw_volume_id **volumes,
                                                      size_t *count);
 
@@ -146,7 +146,7 @@ typedef struct dsw_open_report {
 } dsw_open_report;
 
 /** Writes the defaults and struct_size into at most `size` bytes; there is none for `width`.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_open_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_open_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
 
 /** Opens a crack, so that something can enter: its lips move apart, and the gap is filled with passable volumes, one for each face that opens,
@@ -172,7 +172,7 @@ DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
  * @return besides those of topology.h: DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED (flags), NON_FINITE and OUT_OF_RANGE (width), DUPLICATE_ID (a face
  * stands twice), BAD_TOPOLOGY (two faces that do not lie on each other, or are of one volume, or of which one is not on the outer
  * boundary), BORROWED (vertices have to be added, and the points are the host's). OCCUPIED: a wall would move over a particle or a body.
- * @note O(volumes at the vertices of the crack) each time that ways are halved, and as topology.h says. @since 0.1 */
+ * @note O(volumes at the vertices of the crack) each time that ways are halved, and as topology.h says. @since 1.0 */
 DSW_API dsw_status dsw_environment_open(dsw_environment *environment, const dsw_open_desc *desc,
                                         dsw_open_report *report);
 

@@ -46,7 +46,7 @@ typedef struct dsw_sweep_options {
 } dsw_sweep_options;
 
 /** Writes the defaults and struct_size into at most `size` bytes.
- * @param options [out] may be null. @param size [in] sizeof(dsw_sweep_options). @note Thread: any. @since 0.1 */
+ * @param options [out] may be null. @param size [in] sizeof(dsw_sweep_options). @note Thread: any. @since 1.0 */
 DSW_API void dsw_sweep_options_init(dsw_sweep_options *options, size_t size);
 
 /** Sweeps edges: end p of each moves to p', end q stays. Exact under the shift: at DSW_LEVEL_EDGES_SWEPT a contact is reported
@@ -57,7 +57,7 @@ DSW_API void dsw_sweep_options_init(dsw_sweep_options *options, size_t size);
  * @param stride_bytes [in] @param options [in] may be null.
  * @param sweeps [out] `count` reports, undefined after an error; every edge is swept as if alone.
  * @return DSW_STATUS_NON_FINITE, DSW_STATUS_STALE_ID, DSW_STATUS_UNSUPPORTED (flags, level), DSW_STATUS_OUT_OF_MEMORY.
- * @note O(volumes that the triangle meets). Thread: reader; uses the parallel-for. Source: [JCD10] 4.1. @since 0.1 */
+ * @note O(volumes that the triangle meets). Thread: reader; uses the parallel-for. Source: [JCD10] 4.1. @since 1.0 */
 DSW_API dsw_status dsw_environment_sweep_edges(const dsw_environment *environment, size_t count,
                                                const dsw_volume_id *starts, const double *from, const double *to,
                                                const double *fixed, size_t stride_bytes,

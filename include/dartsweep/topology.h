@@ -51,13 +51,13 @@ typedef struct dsw_volume_change {
  * @param environment [in,out] @param faces_a, faces_b [in] `count` live ids each. @param count [in]
  * @return DSW_STATUS_BAD_TOPOLOGY: a face is not on the outer boundary, or vertices differ, or both are of one volume;
  * DSW_STATUS_DUPLICATE_ID: a face stands twice; DSW_STATUS_INVALID_CELL: neither volume can be cut anew.
- * @note Ids stay valid but those of volumes that are cut anew. @since 0.1 */
+ * @note Ids stay valid but those of volumes that are cut anew. @since 1.0 */
 DSW_API dsw_status dsw_environment_sew_faces(dsw_environment *environment, const dsw_face_id *faces_a,
                                              const dsw_face_id *faces_b, size_t count);
 
 /** Unsews a face: one face between two volumes becomes two on the outer boundary, which nothing passes. Both are marked if it was.
  * @param environment [in,out] @param face [in]
- * @return DSW_STATUS_BAD_TOPOLOGY: it is on the outer boundary already. @note All ids stay valid. @since 0.1 */
+ * @return DSW_STATUS_BAD_TOPOLOGY: it is on the outer boundary already. @note All ids stay valid. @since 1.0 */
 DSW_API dsw_status dsw_environment_unsew_face(dsw_environment *environment, dsw_face_id face);
 
 /** Describes volumes to be added. All arrays are read in place, once; nothing is retained. */
@@ -85,7 +85,7 @@ typedef struct dsw_volumes_desc {
 } dsw_volumes_desc;
 
 /** Writes the defaults (hexahedra, 8-byte indices) into at most `size` bytes and sets struct_size.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_volumes_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_volumes_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_volumes_desc_init(dsw_volumes_desc *desc, size_t size);
 
 /** Adds volumes. They are passable, joined with each other where they share faces, and sewn to the given faces of the outer boundary,
@@ -96,13 +96,13 @@ DSW_API void dsw_volumes_desc_init(dsw_volumes_desc *desc, size_t size);
  * @return DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED, WRONG_SIZE, OUT_OF_RANGE, NON_FINITE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, BORROWED
  * (new points where they are the host's without room for them, see dsw_deform_options), DUPLICATE_CELL, SHARED_FACE (among the new volumes), NOT_FOUND (a face in sew_to that no new
  * volume has), BAD_TOPOLOGY (one that is not on the outer boundary). The message names the volume by its place in desc.
- * @since 0.1 */
+ * @since 1.0 */
 DSW_API dsw_status dsw_environment_add_volumes(dsw_environment *environment, const dsw_volumes_desc *desc,
                                                dsw_volume_id *volumes, dsw_vertex_id *vertices);
 
 /** Removes volumes; faces that they share with others are on the outer boundary then. An id may stand twice.
  * @param environment [in,out] @param volumes [in] `count` live ids. @param count [in]
- * @return DSW_STATUS_BAD_TOPOLOGY: no volume would be left. @since 0.1 */
+ * @return DSW_STATUS_BAD_TOPOLOGY: no volume would be left. @since 1.0 */
 DSW_API dsw_status dsw_environment_remove_volumes(dsw_environment *environment, const dsw_volume_id *volumes,
                                                   size_t count);
 
@@ -110,7 +110,7 @@ DSW_API dsw_status dsw_environment_remove_volumes(dsw_environment *environment, 
  * @param environment [in,out] @param face [in]
  * @param volume [out] the volume that they become, with region, tag and index of the one that `face` names; may be
  * null.
- * @return DSW_STATUS_BAD_TOPOLOGY: the face has one volume, or one of the two is marked and the other is not. @since 0.1 */
+ * @return DSW_STATUS_BAD_TOPOLOGY: the face has one volume, or one of the two is marked and the other is not. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_volumes(dsw_environment *environment, dsw_face_id face, dsw_volume_id *volume);
 
 /** Splits a volume: inserts a face along a closed loop of its edges. It is cut into triangles that leave both parts valid, if there
@@ -120,7 +120,7 @@ DSW_API dsw_status dsw_environment_merge_volumes(dsw_environment *environment, d
  * the first. @param count [in]
  * @param volumes [out] 2 ids, may be null: the part to the left of the loop, seen from outside, which keeps the index;
  * the other. @param face [out] the new face; may be null.
- * @return DSW_STATUS_BAD_TOPOLOGY, DSW_STATUS_BAD_CELL (the loop is that of a face), DSW_STATUS_INVALID_CELL. @since 0.1 */
+ * @return DSW_STATUS_BAD_TOPOLOGY, DSW_STATUS_BAD_CELL (the loop is that of a face), DSW_STATUS_INVALID_CELL. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_volume(dsw_environment *environment, dsw_volume_id volume,
                                                 const dsw_vertex_id *loop, size_t count, dsw_volume_id *volumes,
                                                 dsw_face_id *face);
@@ -128,7 +128,7 @@ DSW_API dsw_status dsw_environment_split_volume(dsw_environment *environment, ds
 /** Merges the two faces of an edge that has no others: the edge goes. The triangles stay, and so the space of every volume.
  * @param environment [in,out] @param edge [in] @param face [out] the face that they become; may be null.
  * @return DSW_STATUS_BAD_TOPOLOGY: the edge has more faces, or one of the two is marked and the other is not; DSW_STATUS_BAD_CELL:
- * the two faces share more than this edge. @since 0.1 */
+ * the two faces share more than this edge. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw_edge_id edge, dsw_face_id *face);
 
 /** Splits a face, on both of its sides: inserts an edge between two of its vertices. Where the edge crosses the triangles of a face that
@@ -138,7 +138,7 @@ DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw
  * @param faces [out] 2 ids, may be null: the part from a to b, seen from outside of the volume that `face` names; the
  * other. @param edge [out] the new edge; may be null.
  * @return DSW_STATUS_BAD_TOPOLOGY: `a` or `b` is no vertex of the face, or an edge joins them;
- * DSW_STATUS_INVALID_CELL: its parts can't be cut so that its volumes stay valid. @since 0.1 */
+ * DSW_STATUS_INVALID_CELL: its parts can't be cut so that its volumes stay valid. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_face_id face, dsw_vertex_id a,
                                               dsw_vertex_id b, dsw_face_id *faces, dsw_edge_id *edge);
 
@@ -147,7 +147,7 @@ DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_
  * @param environment [in,out] @param edge [in] @param share [in] 0 < share < 1.
  * @param vertex [out] the new vertex; may be null.
  * @param edges [out] 2 ids, may be null: the parts at the first and at the second vertex.
- * @return DSW_STATUS_OUT_OF_RANGE for share, DSW_STATUS_BORROWED: the points are the host's, without room. @since 0.1 */
+ * @return DSW_STATUS_OUT_OF_RANGE for share, DSW_STATUS_BORROWED: the points are the host's, without room. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_edge_id edge, double share,
                                               dsw_vertex_id *vertex, dsw_edge_id *edges);
 
@@ -156,7 +156,7 @@ DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_
  * @param environment [in,out] @param edge [in] one of the two. @param vertex [in] the end of it that goes.
  * @param merged [out] the edge that they become; may be null.
  * @return DSW_STATUS_BAD_TOPOLOGY: the vertex is no end of the edge, has other edges or other volumes, or a triangle there would come to
- * nothing. @since 0.1 */
+ * nothing. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_edges(dsw_environment *environment, dsw_edge_id edge, dsw_vertex_id vertex,
                                                dsw_edge_id *merged);
 
@@ -165,13 +165,13 @@ DSW_API dsw_status dsw_environment_merge_edges(dsw_environment *environment, dsw
  * call is refused.
  * @param environment [in,out] @param edge [in] @param vertex [in] the end that goes.
  * @return DSW_STATUS_BAD_TOPOLOGY: the vertex is no end of the edge, or has volumes that are not joined through its faces, or lies on
- * the outer boundary so that this would change. @since 0.1 */
+ * the outer boundary so that this would change. @since 1.0 */
 DSW_API dsw_status dsw_environment_collapse_edge(dsw_environment *environment, dsw_edge_id edge, dsw_vertex_id vertex);
 
 /** What became of the volumes that the last successful call above changed.
  * @param environment [in] @param changes [out] owned by the environment, valid until the next such call.
  * @param count [out] how many; 0 before the first call, and after those that change no volume.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_changes(const dsw_environment *environment,
                                                       const dsw_volume_change **changes, size_t *count);
 

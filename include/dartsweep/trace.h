@@ -36,21 +36,21 @@ typedef struct dsw_trace_data {
 
 /** Creates an empty trace.
  * @param context [in] null: defaults; retained. @param trace [out] owned by the caller.
- * @return DSW_STATUS_OUT_OF_MEMORY. @note Thread: any. @since 0.1 */
+ * @return DSW_STATUS_OUT_OF_MEMORY. @note Thread: any. @since 1.0 */
 DSW_API dsw_status dsw_trace_create(dsw_context *context, dsw_trace **trace);
 
 /** Destroys a trace; null is allowed.
- * @param trace [in] @return DSW_STATUS_STALE_ID: it is no trace. @note Thread: writer. @since 0.1 */
+ * @param trace [in] @return DSW_STATUS_STALE_ID: it is no trace. @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_trace_destroy(dsw_trace *trace);
 
 /** Empties a trace and keeps its memory.
- * @param trace [in,out] @return DSW_STATUS_NULL_ARGUMENT. @note Thread: writer. @since 0.1 */
+ * @param trace [in,out] @return DSW_STATUS_NULL_ARGUMENT. @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_trace_clear(dsw_trace *trace);
 
 /** Adds the boundary triangles of volumes.
  * @param trace [in,out] @param environment [in] @param volumes [in] `count` live ids. @param count, label [in]
  * @return DSW_STATUS_STALE_ID, DSW_STATUS_OUT_OF_MEMORY: nothing was added.
- * @note O(count). Thread: writer of the trace, reader of the environment. @since 0.1 */
+ * @note O(count). Thread: writer of the trace, reader of the environment. @since 1.0 */
 DSW_API dsw_status dsw_trace_add_volumes(dsw_trace *trace, const dsw_environment *environment,
                                          const dsw_volume_id *volumes, size_t count, uint32_t label);
 
@@ -58,7 +58,7 @@ DSW_API dsw_status dsw_trace_add_volumes(dsw_trace *trace, const dsw_environment
  * `with_boundary` is not 0), marked edges as segments, marked vertices as dots.
  * @param trace [in,out] @param environment, with_boundary, label [in]
  * @return DSW_STATUS_OUT_OF_MEMORY: nothing was added.
- * @note O(volumes). Thread: writer of the trace, reader of the environment. @since 0.1 */
+ * @note O(volumes). Thread: writer of the trace, reader of the environment. @since 1.0 */
 DSW_API dsw_status dsw_trace_add_impassable(dsw_trace *trace, const dsw_environment *environment, int with_boundary,
                                             uint32_t label);
 
@@ -68,7 +68,7 @@ DSW_API dsw_status dsw_trace_add_impassable(dsw_trace *trace, const dsw_environm
  * @param trace [in,out] @param environment [in] @param start, from, to, options [in] as for dsw_environment_cast.
  * @param normal_length [in] finite, scene units. @param label [in]
  * @return as dsw_environment_cast; DSW_STATUS_OUT_OF_MEMORY: nothing was added.
- * @note Thread: writer of the trace, reader of the environment. @since 0.1 */
+ * @note Thread: writer of the trace, reader of the environment. @since 1.0 */
 DSW_API dsw_status dsw_trace_add_walk(dsw_trace *trace, const dsw_environment *environment, dsw_volume_id start,
                                       const double *from, const double *to, const dsw_cast_options *options,
                                       double normal_length, uint32_t label);
@@ -76,13 +76,13 @@ DSW_API dsw_status dsw_trace_add_walk(dsw_trace *trace, const dsw_environment *e
 /** Adds a contact: a dot at flight->position and a segment along its normal. Nothing for a flight without contact.
  * @param trace [in,out] @param flight [in] from any call. @param normal_length [in] finite, scene units.
  * @param label [in]
- * @return DSW_STATUS_NON_FINITE, OUT_OF_MEMORY: nothing was added. @note O(1) amortised. Thread: writer. @since 0.1 */
+ * @return DSW_STATUS_NON_FINITE, OUT_OF_MEMORY: nothing was added. @note O(1) amortised. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_trace_add_contact(dsw_trace *trace, const dsw_flight *flight, double normal_length,
                                          uint32_t label);
 
 /** Gives the arrays.
  * @param trace [in] @param data [in,out] its struct_size set.
- * @return DSW_STATUS_BAD_STRUCT_SIZE. @note O(1). Thread: reader. @since 0.1 */
+ * @return DSW_STATUS_BAD_STRUCT_SIZE. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_trace_get(const dsw_trace *trace, dsw_trace_data *data);
 
 #ifdef __cplusplus

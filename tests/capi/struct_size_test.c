@@ -27,7 +27,7 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_open_desc tag
 #define LAST_dsw_recording_desc user
 #define LAST_dsw_remesh_desc max_faces
-#define LAST_dsw_replay_info note
+#define LAST_dsw_replay_info verdict
 #define LAST_dsw_scene_desc features
 #define LAST_dsw_statistics candidates
 #define LAST_dsw_sweep_options max_cells

@@ -5,10 +5,15 @@
  *  - Lengths are scene units, times of contact are fractions in [0,1] of one move.
  *  - Every fallible function returns a dsw_status. On failure its out-arguments are untouched and the
  *    objects it was given are unchanged, unless the function says otherwise.
+ *  - Every required pointer and handle can answer DSW_STATUS_NULL_ARGUMENT, every handle DSW_STATUS_STALE_ID; they are listed
+ *    where there is no other status.
  *  - A geometric outcome (no contact, stopped at a wall, outside) is never a status.
  *  - Pointers are borrowed for the call unless a parameter says "retained".
  *  - "Thread: reader" may run beside other readers of the same object; "Thread: writer" may not run
  *    beside anything else that uses the object.
+ *  - A struct that begins with struct_size, set by the caller or by its _init function, is taken at any size from that of its first release
+ *    on, so that programs and library need not be of one age. What a shorter one lacks counts as 0. Of a longer one, a description
+ *    must be 0 where it is unknown (else DSW_STATUS_UNSUPPORTED), and a report is set to 0 there; no byte beyond is touched.
  */
 #ifndef DARTSWEEP_BASE_H
 #define DARTSWEEP_BASE_H
@@ -16,6 +21,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/** Marks what the library exports. A host that links it statically on Windows defines DSW_STATIC. */
 #if defined(_WIN32)
 #if defined(DSW_BUILDING)
 #define DSW_API __declspec(dllexport)
@@ -30,10 +36,9 @@
 #define DSW_API
 #endif
 
-/** Version of this header. Compare with dsw_version() to find a mismatched library at run time. */
-#define DSW_VERSION_MAJOR 0
-#define DSW_VERSION_MINOR 1
-#define DSW_VERSION_PATCH 0
+#define DSW_VERSION_MAJOR 1 /**< Version of this header. dsw_version() tells that of the library at run time. */
+#define DSW_VERSION_MINOR 0 /**< Grows with additions. */
+#define DSW_VERSION_PATCH 0 /**< Grows with corrections. */
 
 #ifdef __cplusplus
 extern "C" {
@@ -41,13 +46,13 @@ extern "C" {
 
 /** What a call answers. Values are stable; new ones are only appended. */
 typedef enum dsw_status {
-  DSW_STATUS_OK = 0,
+  DSW_STATUS_OK = 0,                  /**< Done. */
   DSW_STATUS_NULL_ARGUMENT = 1,       /**< A required pointer or handle is null. */
   DSW_STATUS_BAD_STRUCT_SIZE = 2,     /**< struct_size is smaller than the first release's struct. */
   DSW_STATUS_UNSUPPORTED = 3,         /**< A value, flag or non-zero unknown member this library does not know. */
   DSW_STATUS_OUT_OF_RANGE = 4,        /**< An index or number lies outside the documented range. */
   DSW_STATUS_NON_FINITE = 5,          /**< A coordinate is NaN or infinite. */
-  DSW_STATUS_WRONG_SIZE = 6,          /**< Sizes, strides or offsets of arrays contradict each other. */
+  DSW_STATUS_WRONG_SIZE = 6,          /**< Sizes, strides or offsets contradict each other, or no array is so long. */
   DSW_STATUS_STALE_ID = 7,            /**< The id names nothing that is alive, or was never given out. */
   DSW_STATUS_BUFFER_TOO_SMALL = 8,    /**< The count argument was set to the capacity that is needed. */
   DSW_STATUS_OUT_OF_MEMORY = 9,       /**< The allocator returned null. */
@@ -76,28 +81,30 @@ typedef enum dsw_status {
   DSW_STATUS_BAD_TOPOLOGY = 32,       /**< The cells are not arranged as the change needs them; the message says how. */
   DSW_STATUS_BORROWED = 33,           /**< The points are the host's, without room for another vertex. */
   DSW_STATUS_WRITE_FAILED = 34,       /**< A recording could not be written. */
-  DSW_STATUS_FORCE_INT32 = 0x7fffffff
+  DSW_STATUS_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_status;
 
 /** One point or direction, scene units. */
 typedef struct dsw_vec3 {
-  double x, y, z;
+  double x; /**< First coordinate. */
+  double y; /**< Second. */
+  double z; /**< Third. */
 } dsw_vec3;
 
-/** Version of the loaded library as major * 1000000 + minor * 1000 + patch.
- * @note Thread: any. @since 0.1 */
+/** Version of the loaded library.
+ * @return major * 1000000 + minor * 1000 + patch. @note Thread: any. @since 1.0 */
 DSW_API uint32_t dsw_version(void);
 
 /** Name of a status, for example "DSW_STATUS_OUTSIDE".
  * @param status [in] any value; unknown ones give "unknown status".
- * @return static text, never null. @note Thread: any. @since 0.1 */
+ * @return static text, never null. @note Thread: any. @since 1.0 */
 DSW_API const char *dsw_status_string(dsw_status status);
 
 /** What went wrong in the last call on this thread that did not return DSW_STATUS_OK: function, argument,
  * index, value received, range accepted.
  * @return text owned by the library, valid until the next dsw call on this thread that fails; empty if
  * none has failed yet. Never null.
- * @note Thread: each thread has its own message. @since 0.1 */
+ * @note Thread: each thread has its own message. @since 1.0 */
 DSW_API const char *dsw_last_error_message(void);
 
 #ifdef __cplusplus

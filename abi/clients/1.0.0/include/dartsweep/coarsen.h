@@ -23,9 +23,9 @@ typedef struct dsw_coarsen_options {
 
 /** What coarsening did. Pairs are before and after. */
 typedef struct dsw_coarsen_report {
-  uint32_t struct_size; /**< Set by the caller: sizeof(dsw_coarsen_report). */
-  uint32_t complete;    /**< 0: the work limit ended it. */
-  uint32_t volume_count[2];
+  uint32_t struct_size;     /**< Set by the caller: sizeof(dsw_coarsen_report). */
+  uint32_t complete;        /**< 0: the work limit ended it. */
+  uint32_t volume_count[2]; /**< Volumes. */
   uint32_t face_count[2];   /**< A face between two volumes counts once. */
   uint64_t memory_bytes[2]; /**< As in dsw_environment_info. */
   double passable_area
@@ -35,7 +35,7 @@ typedef struct dsw_coarsen_report {
 } dsw_coarsen_report;
 
 /** Writes the defaults into at most `size` bytes and sets struct_size.
- * @param options [out] may be null. @param size [in] sizeof(dsw_coarsen_options). @note Thread: any. @since 0.1 */
+ * @param options [out] may be null. @param size [in] sizeof(dsw_coarsen_options). @note Thread: any. @since 1.0 */
 DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size);
 
 /** Creates an environment that is what `source` is, with passable tetrahedra merged: pair by pair, those first that share most of the
@@ -56,7 +56,7 @@ DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size)
  * @note O(n log n). Thread: reader of the source. Certain: every volume is exactly valid, before any merge and after it; and a cast or
  * sweep meets the same face (by its vertices) at the same time as in the source. A normal may differ in its last bits, since
  * vertices of a face can come in another turn, and where two marked faces are met at one time the lower id decides, which
- * merging renumbers. Where bodies stop follows the size of their volume unless a stand-off is set (move.h). Source: [JCD10] 3.2. @since 0.1 */
+ * merging renumbers. Where bodies stop follows the size of their volume unless a stand-off is set (move.h). Source: [JCD10] 3.2. @since 1.0 */
 DSW_API dsw_status dsw_environment_coarsen(const dsw_environment *source, const dsw_coarsen_options *options,
                                            dsw_environment **environment, uint32_t *volume_map, size_t capacity,
                                            dsw_coarsen_report *report);

@@ -13,22 +13,22 @@ extern "C" {
 
 /** How a flight ended. */
 typedef enum dsw_outcome {
-  DSW_OUTCOME_NONE = 0,
+  DSW_OUTCOME_NONE = 0,       /**< There was no flight. */
   DSW_OUTCOME_REACHED = 1,    /**< The target was reached; nothing impassable was met. */
   DSW_OUTCOME_CONTACT = 2,    /**< Stopped at the first impassable face. */
   DSW_OUTCOME_WORK_LIMIT = 3, /**< Stopped early, free: the work limit was reached. */
   DSW_OUTCOME_OUTSIDE = 4,    /**< The start lies in no cell: nothing was done (free casts only). */
   DSW_OUTCOME_IMPASSABLE = 5, /**< The start lies in an impassable volume: nothing was done (free casts only). */
-  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff
+  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_outcome;
 
 /** What of the environment was touched. */
 typedef enum dsw_contact_kind {
-  DSW_CONTACT_NONE = 0,
-  DSW_CONTACT_PLANE = 1, /**< The inside of a face. A particle meets nothing else. */
-  DSW_CONTACT_EDGE = 2,
-  DSW_CONTACT_VERTEX = 3,
-  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff
+  DSW_CONTACT_NONE = 0,                     /**< Nothing. */
+  DSW_CONTACT_PLANE = 1,                    /**< The inside of a face. A particle meets nothing else. */
+  DSW_CONTACT_EDGE = 2,                     /**< An edge. */
+  DSW_CONTACT_VERTEX = 3,                   /**< A vertex. */
+  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_contact_kind;
 
 /** Report of one flight from p towards its target. Without a contact the members from `normal` on are zero or null,
@@ -42,11 +42,11 @@ typedef struct dsw_flight {
   double time;
   /** Unit normal of the boundary triangle that was hit, pointing out of the obstacle, towards p. */
   double normal[3];
-  dsw_volume_id volume; /**< The volume it ended in. */
-  dsw_face_id face;     /**< Canonical id of the face that was hit. */
-  dsw_volume_id behind; /**< The volume behind that face; null at the outer boundary. */
-  dsw_outcome outcome;
-  dsw_contact_kind kind;
+  dsw_volume_id volume;   /**< The volume it ended in. */
+  dsw_face_id face;       /**< Canonical id of the face that was hit. */
+  dsw_volume_id behind;   /**< The volume behind that face; null at the outer boundary. */
+  dsw_outcome outcome;    /**< How it ended. */
+  dsw_contact_kind kind;  /**< What was touched: DSW_CONTACT_PLANE. */
   dsw_cell_kind obstacle; /**< What makes it impassable: DSW_CELL_FACE (its own mark, or the outer boundary), or
                                DSW_CELL_VOLUME (the volume behind is marked and the face is not). */
   uint32_t tag;           /**< Host tag of the volume behind; at the outer boundary of the volume in front. */
@@ -93,16 +93,17 @@ typedef struct dsw_sweep {
 
 /** Whether a body vertex was already stopped by this obstacle in the body's move before. */
 typedef enum dsw_contact_history {
-  DSW_HISTORY_NONE = 0,
-  DSW_HISTORY_NEW = 1,
-  DSW_HISTORY_LASTING = 2,
-  DSW_HISTORY_FORCE_INT32 = 0x7fffffff
+  DSW_HISTORY_NONE = 0,                /**< No contact. */
+  DSW_HISTORY_NEW = 1,                 /**< It was not. */
+  DSW_HISTORY_LASTING = 2,             /**< It was. */
+  DSW_HISTORY_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_contact_history;
 
 /** A contact of a body: one vertex was moved from `from` towards `to`, and the vertex itself, one of its edges or one of its
  * faces touched something impassable at `time`. */
 typedef struct dsw_contact {
-  double from[3], to[3]; /**< The flight of the moving vertex. */
+  double from[3]; /**< Where the moving vertex started. */
+  double to[3];   /**< Where it was to go. */
   /** Where the other ends of the touching edge (one) or face (two) were; the rest is zero. With `from` and `to` this is all it takes to
    * sweep it again. */
   double fixed[2][3];
@@ -121,21 +122,21 @@ typedef struct dsw_contact {
   dsw_cell
       obstacle; /**< What was touched, canonical: a face, an edge (DSW_CONTACT_EDGE) or a vertex (DSW_CONTACT_VERTEX). */
   dsw_face_id wall; /**< An impassable face that the obstacle is or belongs to; null for a wire and a marked vertex. */
-  dsw_volume_id front; /**< A passable volume at the obstacle. */
-  dsw_contact_kind kind;
-  dsw_cell_kind cause; /**< What was marked: DSW_CELL_FACE (or the outer boundary), VOLUME, EDGE, VERTEX. */
-  uint32_t tag;        /**< Host tag of the volume behind `wall`, at the outer boundary of the one in front; else 0. */
-  dsw_contact_history history;
+  dsw_volume_id front;   /**< A passable volume at the obstacle. */
+  dsw_contact_kind kind; /**< What of the obstacle was touched. */
+  dsw_cell_kind cause;   /**< What was marked: DSW_CELL_FACE (or the outer boundary), VOLUME, EDGE, VERTEX. */
+  uint32_t tag; /**< Host tag of the volume behind `wall`, at the outer boundary of the one in front; else 0. */
+  dsw_contact_history history; /**< New, or lasting. */
 } dsw_contact;
 
 /** The other body of a contact, and its part that was touched: one of vertex, edge and face; the rest is null. All is null in a
  * contact with the environment. In a contact of bodies `obstacle`, `wall`, `cause` and `tag` of dsw_contact are null, `front` is the
  * volume that the moving vertex started in, and `kind` is that of the part: DSW_CONTACT_VERTEX, EDGE or (a face) PLANE. */
 typedef struct dsw_contact_partner {
-  dsw_body_id body; /**< The body itself where it touches itself. */
-  dsw_body_vertex_id vertex;
-  dsw_body_edge_id edge;
-  dsw_body_face_id face;
+  dsw_body_id body;          /**< The body itself where it touches itself. */
+  dsw_body_vertex_id vertex; /**< Its vertex, */
+  dsw_body_edge_id edge;     /**< edge */
+  dsw_body_face_id face;     /**< or face that was touched. */
 } dsw_contact_partner;
 
 #ifdef __cplusplus

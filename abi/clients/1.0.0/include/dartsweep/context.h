@@ -23,11 +23,11 @@ typedef void (*dsw_release_fn)(void *user, void *memory, size_t size_bytes, size
 
 /** Weight of a log line. */
 typedef enum dsw_log_level {
-  DSW_LOG_NONE = 0,
-  DSW_LOG_ERROR = 1,
-  DSW_LOG_WARNING = 2,
-  DSW_LOG_INFO = 3,
-  DSW_LOG_FORCE_INT32 = 0x7fffffff
+  DSW_LOG_NONE = 0,                /**< No line. */
+  DSW_LOG_ERROR = 1,               /**< Something went wrong. */
+  DSW_LOG_WARNING = 2,             /**< Something that a host may want to change. */
+  DSW_LOG_INFO = 3,                /**< What was done. */
+  DSW_LOG_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_log_level;
 
 /** Receives one line of text, valid during the call, on the thread of the dsw call. No lock is held; it must
@@ -54,7 +54,7 @@ typedef struct dsw_context_desc {
 
 /** Writes the defaults into at most `size` bytes of `desc` and sets struct_size.
  * @param desc [out] may be null (nothing happens). @param size [in] sizeof(dsw_context_desc).
- * @note Thread: any. @since 0.1 */
+ * @note Thread: any. @since 1.0 */
 DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
 
 /** Creates a context.
@@ -62,13 +62,13 @@ DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
  * @param context [out] owned by the caller.
  * @return DSW_STATUS_NULL_ARGUMENT, DSW_STATUS_BAD_STRUCT_SIZE, DSW_STATUS_UNSUPPORTED, DSW_STATUS_OUT_OF_RANGE
  * (thread_count, or one of allocate and release without the other), DSW_STATUS_OUT_OF_MEMORY.
- * @note Thread: any; contexts are independent of each other. @since 0.1 */
+ * @note Thread: any; contexts are independent of each other. @since 1.0 */
 DSW_API dsw_status dsw_context_create(const dsw_context_desc *desc, dsw_context **context);
 
 /** Destroys a context. Environments and scenes made with it must be gone.
  * @param context [in] null is allowed.
  * @return DSW_STATUS_IN_USE, and nothing happens, while environments made with it live.
- * @note Thread: writer. @since 0.1 */
+ * @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_context_destroy(dsw_context *context);
 
 #ifdef __cplusplus

@@ -23,7 +23,7 @@ typedef enum dsw_deform_method {
    * is when walls move less than a volume is thick. What is put before a wall is compared with other bodies where it ends, not on its
    * way there: bodies may pass each other. */
   DSW_DEFORM_END_STATE = 1,
-  DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff
+  DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_deform_method;
 
 /** What is done where a wall meets a body or particle. */
@@ -38,7 +38,7 @@ typedef enum dsw_wall_response {
   /** The whole environment goes no further than the largest of 1/2, 1/4, ... of its way that meets nothing, or nowhere. O(vertices of the
    * environment). */
   DSW_WALL_STOP = 3,
-  DSW_WALL_RESPONSE_FORCE_INT32 = 0x7fffffff
+  DSW_WALL_RESPONSE_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_wall_response;
 
 /** What is done where a volume that is met would become invalid, also in the smallest steps. */
@@ -48,16 +48,16 @@ typedef enum dsw_invalid_response {
   /** Before anything moves, volumes that are met, and those at their vertices, are mended if they would be invalid at the end of the way,
    * as by dsw_environment_remesh with `next`; volumes that are invalid already stay. Then as HOLD. */
   DSW_INVALID_REMESH = 2,
-  DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff
+  DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_invalid_response;
 
 /** How a deformation ended. */
 typedef enum dsw_deform_outcome {
-  DSW_DEFORM_DONE = 0,     /**< All vertices are where they should be. */
-  DSW_DEFORM_HELD = 1,     /**< All but those of dsw_scene_get_held_vertices. */
-  DSW_DEFORM_FRACTION = 2, /**< All made the same part of their way. */
-  DSW_DEFORM_REFUSED = 3,  /**< Nothing has moved. */
-  DSW_DEFORM_OUTCOME_FORCE_INT32 = 0x7fffffff
+  DSW_DEFORM_DONE = 0,                        /**< All vertices are where they should be. */
+  DSW_DEFORM_HELD = 1,                        /**< All but those of dsw_scene_get_held_vertices. */
+  DSW_DEFORM_FRACTION = 2,                    /**< All made the same part of their way. */
+  DSW_DEFORM_REFUSED = 3,                     /**< Nothing has moved. */
+  DSW_DEFORM_OUTCOME_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_deform_outcome;
 
 /** Options of a deformation; null means all defaults. */
@@ -95,62 +95,75 @@ typedef struct dsw_deform_report {
  * face of a body, or a particle. END_STATE: `from` is the centre of the volume that something lay in, `to` where that lies, and `moving`
  * is null. */
 typedef struct dsw_wall_contact {
-  double from[3], to[3];
-  double time; /**< Fraction of that way; the largest double not later than the exact time (its limit where the shift
+  double from[3]; /**< Where the wall's vertex started. */
+  double to[3];   /**< Where it was to go. */
+  double time;    /**< Fraction of that way; the largest double not later than the exact time (its limit where the shift
                          decides). */
-  double point[3];           /**< Where it is touched, rounded. */
-  double normal[3];          /**< Unit, out of the wall. */
-  double along;              /**< A touched edge: from its first end (0) to its second (1); else 0. */
-  dsw_vertex_id moving;      /**< The vertex of the environment that moved. */
-  dsw_vertex_id others[2];   /**< With it the wall's triangle (two) or edge (one) that touches; null beyond that. */
-  dsw_face_id wall;          /**< Canonical; null for a wire and a marked vertex. */
-  dsw_particle_id particle;  /**< The particle that was touched; null if it was a body. */
-  dsw_body_id body;          /**< The body; null if it was a particle. */
-  dsw_body_vertex_id vertex; /**< Of these three the feature of it that was touched; the others are null. */
-  dsw_body_edge_id edge;
-  dsw_body_face_id face;
+  double point[3];            /**< Where it is touched, rounded. */
+  double normal[3];           /**< Unit, out of the wall. */
+  double along;               /**< A touched edge: from its first end (0) to its second (1); else 0. */
+  dsw_vertex_id moving;       /**< The vertex of the environment that moved. */
+  dsw_vertex_id others[2];    /**< With it the wall's triangle (two) or edge (one) that touches; null beyond that. */
+  dsw_face_id wall;           /**< Canonical; null for a wire and a marked vertex. */
+  dsw_particle_id particle;   /**< The particle that was touched; null if it was a body. */
+  dsw_body_id body;           /**< The body; null if it was a particle. */
+  dsw_body_vertex_id vertex;  /**< Its vertex that was touched, */
+  dsw_body_edge_id edge;      /**< or its edge, */
+  dsw_body_face_id face;      /**< or its face; the others are null. */
   dsw_wall_response response; /**< What was done. */
   uint32_t tag;      /**< Host tag of the volume behind `wall`, at the outer boundary of the one in front; else 0. */
   uint32_t reserved; /**< 0. */
 } dsw_wall_contact;
 
-/** Writes the defaults and struct_size into at most `size` bytes. @note Thread: any. @since 0.1 */
+/** Writes the defaults and struct_size into at most `size` bytes.
+ * @param options [out] may be null. @param size [in] sizeof(dsw_deform_options). @note Thread: any. @since 1.0 */
 DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
 
 /** Takes the environment of a scene, made with DSW_FEATURE_DEFORMING, to new positions. Bodies and particles keep theirs, but for those that
  * walls push; all stay in their cells and free at their levels. Body edits by INSERT are those of dsw_body_get_edits.
- * @param next [in,out] 3 doubles for each vertex of the environment, lent from now on until the next deformation or the environment is
- * destroyed: it reads positions here, and the array before is the host's again, to be written next. Written where a vertex could not
- * go all of its way. Must not be the array that the environment reads now.
- * @param point_count [in] vertices of the environment. @param options [in] may be null. @param report [out] may be null.
+ * @param scene [in,out]
+ * @param next [in,out] 3 doubles for each vertex of the environment, lent from now on until the next deformation or
+ * the environment is destroyed: it reads positions here, and the array before is the host's again, to be written next.
+ * Written where a vertex could not go all of its way. Must not be the array that the environment reads now.
+ * @param point_count [in] vertices of the environment. @param options [in] may be null.
+ * @param report [out] may be null.
  * @return DSW_STATUS_NOT_NAMED, IN_USE (`next` is the array that it reads), WRONG_SIZE (also point_room, if below point_count), NON_FINITE (a vertex near a body or particle; others make their volumes invalid),
  * OUT_OF_RANGE, UNSUPPORTED, OUT_OF_MEMORY: nothing has changed, `next` is as it was and not retained; that also holds for the
  * outcome REFUSED.
  * @note O(bodies, particles, volumes they meet); STOP, once something is met, O(vertices of the environment). Thread: writer of the
  * environment. Certain: what the levels cover is free, nothing is lost from its cell, and with SWEPT no wall passed anything. Source: [JCD10]
- * 5.1. @since 0.1 */
+ * 5.1. @since 1.0 */
 DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point_count,
                                     const dsw_deform_options *options, dsw_deform_report *report);
 
-/** Contacts of walls in the last deformation, in the order in which they were met. @param contacts [out] owned by the scene, valid until
- * its next deformation. @note O(1). Thread: reader. @since 0.1 */
+/** Contacts of walls in the last deformation, in the order in which they were met.
+ * @param scene [in] @param contacts [out] owned by the scene, valid until its next deformation.
+ * @param count [out] how many there are.
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_wall_contacts(const dsw_scene *scene, const dsw_wall_contact **contacts,
                                                size_t *count);
 
-/** Vertices of the environment that the last deformation did not take to their places, by index. @param vertices [out] as above.
- * @note O(1). Thread: reader. @since 0.1 */
+/** Vertices of the environment that the last deformation did not take to their places, by index.
+ * @param scene [in] @param vertices [out] as above. @param count [out] how many there are.
+ * @return DSW_STATUS_NULL_ARGUMENT.
+ * @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_held_vertices(const dsw_scene *scene, const dsw_vertex_id **vertices, size_t *count);
 
-/** Volumes that the last deformation did not let become invalid, by index. @param volumes [out] as above. @note O(1). Thread: reader.
- * @since 0.1 */
+/** Volumes that the last deformation did not let become invalid, by index.
+ * @param scene [in] @param volumes [out] as above. @param count [out] how many there are.
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_invalid_volumes(const dsw_scene *scene, const dsw_volume_id **volumes, size_t *count);
 
-/** Whether a volume is valid in the present geometry. @param valid [out] 0 or 1. @note O(its faces), O(1) where it is known. Thread:
- * reader. @since 0.1 */
+/** Whether a volume is valid in the present geometry.
+ * @param environment, volume [in] @param valid [out] 0 or 1.
+ * @return DSW_STATUS_STALE_ID. @note O(its faces), O(1) where it is known. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_is_valid(const dsw_environment *environment, dsw_volume_id volume, int *valid);
 
-/** The positions that an environment reads: 3 doubles for each vertex. @param points [out] owned by the environment, or what the host has
- * lent; valid until its next deformation or change. @note O(1). Thread: reader. @since 0.1 */
+/** The positions that an environment reads: 3 doubles for each vertex.
+ * @param environment [in]
+ * @param points [out] owned by the environment, or what the host has lent; valid until its next deformation or change.
+ * @param count [out] how many there are.
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_points(const dsw_environment *environment, const double **points, size_t *count);
 
 #ifdef __cplusplus

@@ -17,12 +17,13 @@ typedef struct dsw_detach_desc {
   uint32_t struct_size; /**< sizeof(dsw_detach_desc). */
   uint32_t
       flags; /**< DSW_BODY_... of the body that it becomes; level, category, mask, motion_share as in dsw_body_desc. */
-  dsw_level level; /**< DSW_LEVEL_EDGES_SWEPT by default. */
-  uint32_t category, mask;
+  dsw_level level;   /**< DSW_LEVEL_EDGES_SWEPT by default. */
+  uint32_t category; /**< As in dsw_body_desc. */
+  uint32_t mask;     /**< As in dsw_body_desc. */
   uint32_t
       halvings; /**< How often, at most, the distance by which a vertex is drawn in is halved, and as often doubled; 40
                           at most; 0 means 32. */
-  double motion_share;
+  double motion_share; /**< As in dsw_body_desc. */
   double gap; /**< How far a vertex is drawn into the piece at first: share of the shortest edge of the surface there,
                    above 0 and at most 0.25; 0 means 0.01. */
   dsw_volume_id volume; /**< Any volume of the piece. */
@@ -53,7 +54,8 @@ typedef struct dsw_detached_face {
   dsw_volume_id volume; /**< The piece's volume there, on the inner side of the body's face. */
 } dsw_detached_face;
 
-/** Writes the defaults and struct_size into at most `size` bytes. @param desc [out] may be null. @note Thread: any. @since 0.1 */
+/** Writes the defaults and struct_size into at most `size` bytes.
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_detach_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_detach_desc_init(dsw_detach_desc *desc, size_t size);
 
 /** Detaches a piece: impassable volumes that hang together through faces, and with no other impassable one but across cracks (of
@@ -80,19 +82,25 @@ DSW_API void dsw_detach_desc_init(dsw_detach_desc *desc, size_t size);
  * that no place near that sees all faces at it; the message names vertices), OUT_OF_MEMORY: nothing has changed.
  * @note O(size of the piece and of what touches it + particles and size of the bodies), expected; once tables as topology.h says; and
  * O(volumes) where the other side of a crack can't be reached round its rim, as of a piece cut out all round. Points may be
- * borrowed. Thread: writer of the environment and of its scene. Certain: what the level covers is free. @since 0.1 */
+ * borrowed. Thread: writer of the environment and of its scene. Certain: what the level covers is free. @since 1.0 */
 DSW_API dsw_status dsw_scene_detach(dsw_scene *scene, const dsw_detach_desc *desc, dsw_body_id *body,
                                     dsw_detach_report *report);
 
-/** Volumes of the last piece that came off. Ids are those from right after it. @param volumes [out] owned by the scene, valid until
- * its next successful dsw_scene_detach. @note O(1). Thread: reader. @since 0.1 */
+/** Volumes of the last piece that came off. Ids are those from right after it.
+ * @param scene [in] @param volumes [out] owned by the scene, valid until its next successful dsw_scene_detach.
+ * @param count [out] how many there are.
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_detached_volumes(const dsw_scene *scene, const dsw_volume_id **volumes, size_t *count);
 
-/** Where the vertices of its body come from, by index. @param vertices [out] as above. @note O(1). Thread: reader. @since 0.1 */
+/** Where the vertices of its body come from, by index.
+ * @param scene [in] @param vertices [out] as above. @param count [out] how many there are.
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_detached_vertices(const dsw_scene *scene, const dsw_detached_vertex **vertices,
                                                    size_t *count);
 
-/** Where the faces of its body come from, by index. @param faces [out] as above. @note O(1). Thread: reader. @since 0.1 */
+/** Where the faces of its body come from, by index.
+ * @param scene [in] @param faces [out] as above. @param count [out] how many there are.
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_detached_faces(const dsw_scene *scene, const dsw_detached_face **faces, size_t *count);
 
 #ifdef __cplusplus

@@ -18,7 +18,7 @@ typedef enum dsw_search {
       1, /**< All obstacles under the new edges, by time (angle); the first is that of EXACT. A face only if it is the first. */
   DSW_SEARCH_BISECTION =
       2, /**< That obstacle, with a time from halving the move `bisection_depth` times: free there, but it may be late. */
-  DSW_SEARCH_FORCE_INT32 = 0x7fffffff
+  DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_search;
 
 /** What is done about a contact [JCD10] 4.2, figure 5. */
@@ -34,7 +34,7 @@ typedef enum dsw_response {
   DSW_RESPONSE_HYBRID = 3,
   /** The rest of the move is projected on the obstacle and made there. */
   DSW_RESPONSE_SLIDE = 4,
-  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff
+  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_response;
 
 /** Options of a move; null means all defaults. */
@@ -59,7 +59,7 @@ typedef struct dsw_move_options {
   double noise_share;
   const uint32_t
       *order; /**< Null: all vertices by index. Else `order_count` distinct indices: these move, in this order. */
-  size_t order_count;
+  size_t order_count; /**< Its entries. */
 } dsw_move_options;
 
 /** What a move did. */
@@ -75,60 +75,72 @@ typedef struct dsw_move_report {
   uint32_t reserved;         /**< 0. */
 } dsw_move_report;
 
-/** Writes the defaults and struct_size into at most `size` bytes. @note Thread: any. @since 0.1 */
+/** Writes the defaults and struct_size into at most `size` bytes.
+ * @param options [out] may be null. @param size [in] sizeof(dsw_move_options). @note Thread: any. @since 1.0 */
 DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
 /** Moves the vertices of a body to their targets, one after the other.
- * @param targets [in] `target_count` points, stride_bytes apart (0 means 24), by vertex index; those of free slots and of vertices
- * that `options->order` leaves out are not read. @param target_count [in] vertex slots of the body.
- * @param options [in] may be null. @param report [out] may be null.
+ * @param scene [in,out] @param body [in]
+ * @param targets [in] `target_count` points, stride_bytes apart (0 means 24), by vertex index; those of free slots and
+ * of vertices that `options->order` leaves out are not read. @param target_count [in] vertex slots of the body.
+ * @param stride_bytes [in] @param options [in] may be null. @param report [out] may be null.
  * @return DSW_STATUS_OK also when contacts stopped it. DSW_STATUS_STALE_ID, WRONG_SIZE, NON_FINITE, OUT_OF_RANGE, DUPLICATE_ID (order),
  * UNSUPPORTED, OUT_OF_MEMORY: nothing has moved.
  * @note O(volumes met, and parts of bodies near the way), independent of the size of the environment. Thread: writer. Certain: what the
- * level covers is free, and nothing the level sees was passed. Source: [JCD10] 4. @since 0.1 */
+ * level covers is free, and nothing the level sees was passed. Source: [JCD10] 4. @since 1.0 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets, size_t target_count,
                                  size_t stride_bytes, const dsw_move_options *options, dsw_move_report *report);
 
 /** Moves many bodies, each as dsw_body_move does. With DSW_FEATURE_BODY_CONTACTS those that can meet go one after the other, in the order
  * of `bodies`; without it bodies do not see each other.
- * @param bodies [in] `count` distinct live ids. @param targets [in] the targets of the bodies one after the other, `target_count`
- * points: the sum of their vertex slots. @param options [in] for all; its `order` must be null. @param reports [out] null, or
- * `count` reports. @return as dsw_body_move. @note Thread: writer; uses the parallel-for; the same bits for any number of threads.
- * @since 0.1 */
+ * @param scene [in,out] @param bodies [in] `count` distinct live ids. @param count [in]
+ * @param targets [in] the targets of the bodies one after the other, `target_count` points: the sum of their vertex
+ * slots. @param target_count, stride_bytes [in] @param options [in] for all; its `order` must be null.
+ * @param reports [out] null, or `count` reports.
+ * @return as dsw_body_move.
+ * @note Thread: writer; uses the parallel-for; the same bits for any number of threads. @since 1.0 */
 DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
                                          const double *targets, size_t target_count, size_t stride_bytes,
                                          const dsw_move_options *options, dsw_move_report *reports);
 
 /** A rigid motion: x becomes rotation * (x - centre) + centre + translation. */
 typedef struct dsw_rigid_motion {
-  double rotation[4]; /**< Unit quaternion x, y, z, w; it is normalised, zero is refused. */
-  double centre[3];
-  double translation[3];
+  double rotation[4];    /**< Unit quaternion x, y, z, w; it is normalised, zero is refused. */
+  double centre[3];      /**< Scene units. */
+  double translation[3]; /**< Scene units. */
 } dsw_rigid_motion;
 
 /** Moves a body rigidly as far as it goes: a fraction of the motion is applied vertex by vertex; if something is touched the body is
  * put back and the fraction halved, up to 52 times; the last fraction that was made is kept. Each position is rounded, so the shape
  * keeps to one unit in the last place of the coordinates for each call. A fraction of a rotation is that of its quaternion,
  * normalised.
- * @param options [in] may be null; of it only `order` is used, which must name all vertices. @param report [out] may be null.
- * @return as dsw_body_move; OUT_OF_RANGE (a zero quaternion). @note Thread: writer. @since 0.1 */
+ * @param scene [in,out] @param body [in] @param motion [in] see dsw_rigid_motion.
+ * @param options [in] may be null; of it only `order` is used, which must name all vertices.
+ * @param report [out] may be null.
+ * @return as dsw_body_move; OUT_OF_RANGE (a zero quaternion). @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body, const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);
 
 /** Contacts of the last move of a body, in the order in which they were met.
- * @param contacts [out] owned by the body, valid until it next moves or is edited. @note O(1). Thread: reader. @since 0.1 */
+ * @param scene, body [in] @param contacts [out] owned by the body, valid until it next moves or is edited.
+ * @param count [out] how many there are.
+ * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body, const dsw_contact **contacts,
                                          size_t *count);
 
 /** The other bodies of these contacts, one entry for each contact. Contacts with bodies and with the environment are found together:
  * the earliest stops the vertex, of equal times that with the environment. DSW_SEARCH_ALL adds no later contacts with bodies.
- * @param partners [out] owned by the body, valid as long as the contacts.
- * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_BODY_CONTACTS. @note O(1). Thread: reader. @since 0.1 */
+ * @param scene, body [in] @param partners [out] owned by the body, valid as long as the contacts.
+ * @param count [out] how many there are.
+ * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_BODY_CONTACTS. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_body_id body,
                                                  const dsw_contact_partner **partners, size_t *count);
 
-/** Vertices inserted and removed by responses in the last move of a body, in order. @param edits [out] owned by the body, valid until it
- * next moves or is edited, or the environment is deformed. @note O(1). Thread: reader. @since 0.1 */
+/** Vertices inserted and removed by responses in the last move of a body, in order.
+ * @param scene, body [in]
+ * @param edits [out] owned by the body, valid until it next moves or is edited, or the environment is deformed.
+ * @param count [out] how many there are.
+ * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body, const dsw_body_edit **edits,
                                       size_t *count);
 

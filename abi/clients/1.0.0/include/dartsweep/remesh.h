@@ -29,8 +29,8 @@ typedef struct dsw_remesh_desc {
   uint32_t struct_size; /**< sizeof(dsw_remesh_desc). */
   uint32_t flags;       /**< 0. */
   const dsw_volume_id
-      *volumes; /**< Volumes to be mended if they are invalid, now or with `next`; null: all that are. */
-  size_t volume_count;
+      *volumes;        /**< Volumes to be mended if they are invalid, now or with `next`; null: all that are. */
+  size_t volume_count; /**< How many. */
   const double *next; /**< 3 doubles for each vertex of the environment: positions that it is about to be bent to; null:
                          the present ones alone count. */
   size_t point_count; /**< Vertices of the environment; 0 if `next` is null. */
@@ -51,22 +51,27 @@ typedef struct dsw_remesh_report {
   uint32_t reserved;        /**< 0. */
 } dsw_remesh_report;
 
-/** Writes the defaults and struct_size into at most `size` bytes. @param desc [out] may be null. @note Thread: any. @since 0.1 */
+/** Writes the defaults and struct_size into at most `size` bytes.
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_remesh_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_remesh_desc_init(dsw_remesh_desc *desc, size_t size);
 
 /** Mends invalid volumes.
- * @param desc [in] null means all defaults. @param report [out] may be null. That nothing could be mended is a result, too.
+ * @param environment [in,out] @param desc [in] null means all defaults.
+ * @param report [out] may be null. That nothing could be mended is a result, too.
  * @return besides those of topology.h: DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED (flags), OUT_OF_RANGE (radius, max_faces), WRONG_SIZE
  * (point_count). BAD_TOPOLOGY, BAD_CELL and INVALID_CELL do not occur. OCCUPIED: something lies in a volume that an invalid one had come
  * to overlap, and would be in none; before a deformation, with `next`, that cannot happen. A volume with a vertex that is
  * not finite is left.
  * @note O(volumes in patches and in the rings round invalid ones), with `volumes` null O(volumes of the environment); and as topology.h
- * says. Certain: what comes is valid, exactly. Source: [JCD10] 5.2. @since 0.1 */
+ * says. Certain: what comes is valid, exactly. Source: [JCD10] 5.2. @since 1.0 */
 DSW_API dsw_status dsw_environment_remesh(dsw_environment *environment, const dsw_remesh_desc *desc,
                                           dsw_remesh_report *report);
 
 /** Volumes that the last mending, by dsw_environment_remesh or with a deformation, left invalid, by index. Ids are those from right after
- * it. @param volumes [out] owned by the environment, valid until its next mending. @note O(1). Thread: reader. @since 0.1 */
+ * it.
+ * @param environment [in] @param volumes [out] owned by the environment, valid until its next mending.
+ * @param count [out] how many there are.
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_unmended_volumes(const dsw_environment *environment,
                                                         const dsw_volume_id **volumes, size_t *count);
 

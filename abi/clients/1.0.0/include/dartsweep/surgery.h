@@ -44,7 +44,8 @@ typedef struct dsw_cut_desc {
   const double *points;      /**< The blade's edge, a chain of `columns` points, at `rows` places one after the other: 3
                                   doubles each, scene units, finite. */
   size_t point_stride_bytes; /**< Distance of two points; 0 means 24. */
-  uint32_t rows, columns;    /**< At least 2 each, together less than 2^28 points. */
+  uint32_t rows;             /**< At least 2; rows * columns is less than 2^28. */
+  uint32_t columns;          /**< At least 2. */
   dsw_volume_id start; /**< A volume from which the blade is searched, always on from the volume nearest to it; at best
                                   one that it crosses. Null: the volume of the first point of the blade that is in any,
                                   found as by dsw_environment_locate without a hint; else any volume. */
@@ -67,9 +68,9 @@ typedef struct dsw_cut_report {
 
 /** A vertex that came, between two that there were: at weights[0] from[0] + weights[1] from[1], rounded. */
 typedef struct dsw_cut_vertex {
-  dsw_vertex_id vertex;
-  dsw_vertex_id from[2];
-  double weights[2]; /**< Above 0; their sum is 1. */
+  dsw_vertex_id vertex;  /**< The one that came. */
+  dsw_vertex_id from[2]; /**< The two that there were. */
+  double weights[2];     /**< Above 0; their sum is 1. */
 } dsw_cut_vertex;
 
 /** A face of the cut, named from both of its sides: one face, or two with DSW_CUT_UNSEW. */
@@ -78,38 +79,46 @@ typedef struct dsw_cut_face {
   dsw_face_id back;  /**< That of the volume behind it. */
 } dsw_cut_face;
 
-/** Writes the defaults and struct_size into at most `size` bytes. @param desc [out] may be null. @note Thread: any. @since 0.1 */
+/** Writes the defaults and struct_size into at most `size` bytes.
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_cut_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 
 /** Cuts an environment along a blade. The part before the blade keeps the index of a volume that is split.
- * @param desc [in] see dsw_cut_desc. @param report [out] may be null. That nothing is cut is a result, too.
+ * @param environment [in,out] @param desc [in] see dsw_cut_desc.
+ * @param report [out] may be null. That nothing is cut is a result, too.
  * @return besides those of topology.h: DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED (flags), OUT_OF_RANGE (rows, columns, snap), WRONG_SIZE
  * (point_stride_bytes), NON_FINITE, STALE_ID (start), BORROWED (vertices have to be added, and the points are the host's without room for them, see dsw_deform_options). INVALID_CELL and BAD_CELL do not occur: such volumes stay whole.
  * OCCUPIED: with DSW_CUT_UNSEW an edge or face of a body crosses the cut, or the outer boundary would move by a rounding into a body.
- * @since 0.1 */
+ * @since 1.0 */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc, dsw_cut_report *report);
 
 /** Tears faces: those with a load above a threshold, each between two volumes, are unsewn at once. A crack without width is left, which
  * nothing passes. Others, and faces that are on the outer boundary already, stay. dsw_environment_get_cut_faces lists what was torn.
- * @param faces [in] `count` live ids; one may stand twice. @param loads [in] as many numbers, in the host's unit.
+ * @param environment [in,out] @param faces [in] `count` live ids; one may stand twice.
+ * @param loads [in] as many numbers, in the host's unit. @param count [in] @param threshold [in] in that unit.
  * @param torn [out] how many faces were torn; may be null.
  * @return besides those of topology.h: DSW_STATUS_NON_FINITE (a load or the threshold is not a number; infinite ones are).
- * @note O(count), and as topology.h says. @since 0.1 */
+ * @note O(count), and as topology.h says. @since 1.0 */
 DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment, const dsw_face_id *faces,
                                               const double *loads, size_t count, double threshold, size_t *torn);
 
-/** Vertices that the last successful cut or opening added. @param vertices [out] owned by the environment, valid until the next of these.
- * @note O(1). Thread: reader. @since 0.1 */
+/** Vertices that the last successful cut or opening added.
+ * @param environment [in] @param vertices [out] owned by the environment, valid until the next of these.
+ * @param count [out] how many there are.
+ * @return DSW_STATUS_NULL_ARGUMENT.
+ * @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_cut_vertices(const dsw_environment *environment, const dsw_cut_vertex **vertices,
                                                     size_t *count);
 
-/** Faces of the last successful cut or tear, lips of the last opening. Ids are those from right after it. @param faces [out] as above. @note O(1). Thread: reader.
- * @since 0.1 */
+/** Faces of the last successful cut or tear, lips of the last opening. Ids are those from right after it.
+ * @param environment [in] @param faces [out] as above. @param count [out] how many there are.
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_cut_faces(const dsw_environment *environment, const dsw_cut_face **faces,
                                                  size_t *count);
 
 /** Volumes that the blade crossed in the last successful cut and that stayed whole. Ids are those from right after it.
- * @param volumes [out] as above. @note O(1). Thread: reader. @since 0.1 */
+ * @param environment [in] @param volumes [out] as above. @param count [out] how many there are.
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_whole_volumes(const dsw_environment *environment, const dsw_volume_id **volumes,
                                                      size_t *count);
 
@@ -128,16 +137,16 @@ typedef struct dsw_open_desc {
 
 /** What opening a crack did. Widths are distances of the two copies of a vertex, rounded, in scene units; 0 if none came apart. */
 typedef struct dsw_open_report {
-  double smallest_width;
-  double largest_width;
+  double smallest_width;       /**< Of those that came apart. */
+  double largest_width;        /**< Likewise. */
   uint32_t vertices_parted;    /**< Vertices that came apart. */
   uint32_t vertices_shortened; /**< Of these those that came apart by less than the width asked for. */
   uint32_t faces_opened;       /**< Faces that opened, which is how many volumes were added. */
   uint32_t volumes_changed;    /**< Volumes at vertices that came apart. */
 } dsw_open_report;
 
-/** Writes the defaults and struct_size into at most `size` bytes; there is none for `width`. @param desc [out] may be null. @note
- * Thread: any. @since 0.1 */
+/** Writes the defaults and struct_size into at most `size` bytes; there is none for `width`.
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_open_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
 
 /** Opens a crack, so that something can enter: its lips move apart, and the gap is filled with passable volumes, one for each face that opens,
@@ -158,11 +167,12 @@ DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
  * Both copies are new vertices; the old one goes with its last volume. dsw_environment_get_cut_vertices lists them, two for each vertex that came
  * apart, with that one as both of `from`, by the id that it had. dsw_environment_get_cut_faces lists the lips in the order of `faces`, those that did
  * not open left out; dsw_environment_get_volume_changes has the added volumes last, in the same order.
- * @param desc [in] see dsw_open_desc. @param report [out] may be null. That nothing opens is a result, too.
+ * @param environment [in,out] @param desc [in] see dsw_open_desc.
+ * @param report [out] may be null. That nothing opens is a result, too.
  * @return besides those of topology.h: DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED (flags), NON_FINITE and OUT_OF_RANGE (width), DUPLICATE_ID (a face
  * stands twice), BAD_TOPOLOGY (two faces that do not lie on each other, or are of one volume, or of which one is not on the outer
  * boundary), BORROWED (vertices have to be added, and the points are the host's). OCCUPIED: a wall would move over a particle or a body.
- * @note O(volumes at the vertices of the crack) each time that ways are halved, and as topology.h says. @since 0.1 */
+ * @note O(volumes at the vertices of the crack) each time that ways are halved, and as topology.h says. @since 1.0 */
 DSW_API dsw_status dsw_environment_open(dsw_environment *environment, const dsw_open_desc *desc,
                                         dsw_open_report *report);
 

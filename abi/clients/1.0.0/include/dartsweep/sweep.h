@@ -25,7 +25,7 @@ typedef enum dsw_level {
   /** Bodies only: also the tetrahedron that a triangle p q r sweeps, so that an obstacle which enters through the inside of a body
    * face is found, and marked vertices. */
   DSW_LEVEL_FACES = 4,
-  DSW_LEVEL_FORCE_INT32 = 0x7fffffff
+  DSW_LEVEL_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_level;
 
 /** Flags of a sweep. */
@@ -45,16 +45,19 @@ typedef struct dsw_sweep_options {
   uint32_t max_cells;   /**< Work limit: volumes looked at before DSW_OUTCOME_WORK_LIMIT; 0: none. */
 } dsw_sweep_options;
 
-/** Writes the defaults and struct_size into at most `size` bytes. @note Thread: any. @since 0.1 */
+/** Writes the defaults and struct_size into at most `size` bytes.
+ * @param options [out] may be null. @param size [in] sizeof(dsw_sweep_options). @note Thread: any. @since 1.0 */
 DSW_API void dsw_sweep_options_init(dsw_sweep_options *options, size_t size);
 
 /** Sweeps edges: end p of each moves to p', end q stays. Exact under the shift: at DSW_LEVEL_EDGES_SWEPT a contact is reported
  * if and only if the triangle meets something impassable.
+ * @param environment, count [in]
  * @param starts [in] null, or `count` ids of the volumes that hold the moving ends, see DSW_SWEEP_START_KNOWN.
  * @param from, to, fixed [in] p, p' and q: `count` points each, spaced by stride_bytes (0 means 24).
- * @param options [in] may be null. @param sweeps [out] `count` reports, undefined after an error; every edge is swept as if alone.
+ * @param stride_bytes [in] @param options [in] may be null.
+ * @param sweeps [out] `count` reports, undefined after an error; every edge is swept as if alone.
  * @return DSW_STATUS_NON_FINITE, DSW_STATUS_STALE_ID, DSW_STATUS_UNSUPPORTED (flags, level), DSW_STATUS_OUT_OF_MEMORY.
- * @note O(volumes that the triangle meets). Thread: reader; uses the parallel-for. Source: [JCD10] 4.1. @since 0.1 */
+ * @note O(volumes that the triangle meets). Thread: reader; uses the parallel-for. Source: [JCD10] 4.1. @since 1.0 */
 DSW_API dsw_status dsw_environment_sweep_edges(const dsw_environment *environment, size_t count,
                                                const dsw_volume_id *starts, const double *from, const double *to,
                                                const double *fixed, size_t stride_bytes,

@@ -48,15 +48,16 @@ typedef struct dsw_volume_change {
 
 /** Sews faces: faces_a[i] and faces_b[i], both on the outer boundary, with the same vertices, become one face between their volumes.
  * It is marked if one of them was. Where the two are cut into different triangles, one of the volumes is cut anew.
- * @param faces_a, faces_b [in] `count` live ids each.
+ * @param environment [in,out] @param faces_a, faces_b [in] `count` live ids each. @param count [in]
  * @return DSW_STATUS_BAD_TOPOLOGY: a face is not on the outer boundary, or vertices differ, or both are of one volume;
  * DSW_STATUS_DUPLICATE_ID: a face stands twice; DSW_STATUS_INVALID_CELL: neither volume can be cut anew.
- * @note Ids stay valid but those of volumes that are cut anew. @since 0.1 */
+ * @note Ids stay valid but those of volumes that are cut anew. @since 1.0 */
 DSW_API dsw_status dsw_environment_sew_faces(dsw_environment *environment, const dsw_face_id *faces_a,
                                              const dsw_face_id *faces_b, size_t count);
 
 /** Unsews a face: one face between two volumes becomes two on the outer boundary, which nothing passes. Both are marked if it was.
- * @return DSW_STATUS_BAD_TOPOLOGY: it is on the outer boundary already. @note All ids stay valid. @since 0.1 */
+ * @param environment [in,out] @param face [in]
+ * @return DSW_STATUS_BAD_TOPOLOGY: it is on the outer boundary already. @note All ids stay valid. @since 1.0 */
 DSW_API dsw_status dsw_environment_unsew_face(dsw_environment *environment, dsw_face_id face);
 
 /** Describes volumes to be added. All arrays are read in place, once; nothing is retained. */
@@ -64,7 +65,7 @@ typedef struct dsw_volumes_desc {
   uint32_t struct_size;          /**< sizeof(dsw_volumes_desc). */
   uint32_t index_bytes;          /**< Size of the signed integers in offsets and connectivity: 4 or 8; 0 means 8. */
   const dsw_vertex_id *vertices; /**< Vertices that the environment has: 0 .. vertex_count-1 in connectivity. */
-  size_t vertex_count;
+  size_t vertex_count;           /**< How many. */
   const double *points;      /**< New vertices, 3 doubles each, finite: vertex_count and following in connectivity. */
   size_t point_count;        /**< 0 where the points of the environment are borrowed without room (deform.h). */
   size_t point_stride_bytes; /**< Distance of two points; 0 means 24. */
@@ -76,91 +77,101 @@ typedef struct dsw_volumes_desc {
   const int32_t *regions;    /**< Null, or a label for each volume. */
   const uint32_t *tags;      /**< Null, or a host tag for each volume. */
   const dsw_face_id
-      *sew_to; /**< Faces on the outer boundary to which the new volumes are sewn; each has the vertices of a
+      *sew_to;      /**< Faces on the outer boundary to which the new volumes are sewn; each has the vertices of a
                                    face of one of these. Others stay apart, also where they have the same vertices. */
-  size_t sew_count;
+  size_t sew_count; /**< How many. */
   uint32_t uniform_cell_type; /**< dsw_cell_type of all volumes when cell_types is null; not polyhedron. */
   uint32_t reserved;          /**< 0. */
 } dsw_volumes_desc;
 
 /** Writes the defaults (hexahedra, 8-byte indices) into at most `size` bytes and sets struct_size.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_volumes_desc). @note Thread: any. @since 0.1 */
+ * @param desc [out] may be null. @param size [in] sizeof(dsw_volumes_desc). @note Thread: any. @since 1.0 */
 DSW_API void dsw_volumes_desc_init(dsw_volumes_desc *desc, size_t size);
 
 /** Adds volumes. They are passable, joined with each other where they share faces, and sewn to the given faces of the outer boundary,
  * whose marks stay. That they overlap nothing is the caller's to see to: dsw_environment_check tells.
- * @param desc [in] see dsw_volumes_desc. @param volumes [out] desc->cell_count ids, may be null.
+ * @param environment [in,out] @param desc [in] see dsw_volumes_desc.
+ * @param volumes [out] desc->cell_count ids, may be null.
  * @param vertices [out] desc->point_count ids of the new vertices, may be null.
  * @return DSW_STATUS_BAD_STRUCT_SIZE, UNSUPPORTED, WRONG_SIZE, OUT_OF_RANGE, NON_FINITE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, BORROWED
  * (new points where they are the host's without room for them, see dsw_deform_options), DUPLICATE_CELL, SHARED_FACE (among the new volumes), NOT_FOUND (a face in sew_to that no new
  * volume has), BAD_TOPOLOGY (one that is not on the outer boundary). The message names the volume by its place in desc.
- * @since 0.1 */
+ * @since 1.0 */
 DSW_API dsw_status dsw_environment_add_volumes(dsw_environment *environment, const dsw_volumes_desc *desc,
                                                dsw_volume_id *volumes, dsw_vertex_id *vertices);
 
 /** Removes volumes; faces that they share with others are on the outer boundary then. An id may stand twice.
- * @return DSW_STATUS_BAD_TOPOLOGY: no volume would be left. @since 0.1 */
+ * @param environment [in,out] @param volumes [in] `count` live ids. @param count [in]
+ * @return DSW_STATUS_BAD_TOPOLOGY: no volume would be left. @since 1.0 */
 DSW_API dsw_status dsw_environment_remove_volumes(dsw_environment *environment, const dsw_volume_id *volumes,
                                                   size_t count);
 
 /** Merges the two volumes of a face: it goes, with all other faces that the two share, and with edges and vertices that only those had.
- * @param volume [out] the volume that they become, with region, tag and index of the one that `face` names; may be null.
- * @return DSW_STATUS_BAD_TOPOLOGY: the face has one volume, or one of the two is marked and the other is not. @since 0.1 */
+ * @param environment [in,out] @param face [in]
+ * @param volume [out] the volume that they become, with region, tag and index of the one that `face` names; may be
+ * null.
+ * @return DSW_STATUS_BAD_TOPOLOGY: the face has one volume, or one of the two is marked and the other is not. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_volumes(dsw_environment *environment, dsw_face_id face, dsw_volume_id *volume);
 
 /** Splits a volume: inserts a face along a closed loop of its edges. It is cut into triangles that leave both parts valid, if there
  * are such.
- * @param loop [in] `count` >= 3 different vertices, each joined with the next by an edge of the volume, the last with the first.
- * @param volumes [out] 2 ids, may be null: the part to the left of the loop, seen from outside, which keeps the index; the other.
- * @param face [out] the new face; may be null.
- * @return DSW_STATUS_BAD_TOPOLOGY, DSW_STATUS_BAD_CELL (the loop is that of a face), DSW_STATUS_INVALID_CELL. @since 0.1 */
+ * @param environment [in,out] @param volume [in]
+ * @param loop [in] `count` >= 3 different vertices, each joined with the next by an edge of the volume, the last with
+ * the first. @param count [in]
+ * @param volumes [out] 2 ids, may be null: the part to the left of the loop, seen from outside, which keeps the index;
+ * the other. @param face [out] the new face; may be null.
+ * @return DSW_STATUS_BAD_TOPOLOGY, DSW_STATUS_BAD_CELL (the loop is that of a face), DSW_STATUS_INVALID_CELL. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_volume(dsw_environment *environment, dsw_volume_id volume,
                                                 const dsw_vertex_id *loop, size_t count, dsw_volume_id *volumes,
                                                 dsw_face_id *face);
 
 /** Merges the two faces of an edge that has no others: the edge goes. The triangles stay, and so the space of every volume.
- * @param face [out] the face that they become; may be null.
+ * @param environment [in,out] @param edge [in] @param face [out] the face that they become; may be null.
  * @return DSW_STATUS_BAD_TOPOLOGY: the edge has more faces, or one of the two is marked and the other is not; DSW_STATUS_BAD_CELL:
- * the two faces share more than this edge. @since 0.1 */
+ * the two faces share more than this edge. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw_edge_id edge, dsw_face_id *face);
 
 /** Splits a face, on both of its sides: inserts an edge between two of its vertices. Where the edge crosses the triangles of a face that
  * is not flat, both parts are cut anew, and the space of its volumes (on the outer boundary that of the environment) changes
  * between the old triangles and the new ones.
- * @param a, b [in] vertices of the face that no edge of it joins.
- * @param faces [out] 2 ids, may be null: the part from a to b, seen from outside of the volume that `face` names; the other.
- * @param edge [out] the new edge; may be null. @since 0.1 */
+ * @param environment [in,out] @param face [in] @param a, b [in] vertices of the face that no edge of it joins.
+ * @param faces [out] 2 ids, may be null: the part from a to b, seen from outside of the volume that `face` names; the
+ * other. @param edge [out] the new edge; may be null.
+ * @return DSW_STATUS_BAD_TOPOLOGY: `a` or `b` is no vertex of the face, or an edge joins them;
+ * DSW_STATUS_INVALID_CELL: its parts can't be cut so that its volumes stay valid. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_face_id face, dsw_vertex_id a,
                                               dsw_vertex_id b, dsw_face_id *faces, dsw_edge_id *edge);
 
 /** Splits an edge: inserts a vertex at the rounded place `share` of the way from the first to the second of its vertices (in the order of
  * dsw_environment_copy_vertices), in all of its volumes. On the outer boundary the surface moves by that rounding.
- * @param share [in] 0 < share < 1. @param vertex [out] the new vertex; may be null.
+ * @param environment [in,out] @param edge [in] @param share [in] 0 < share < 1.
+ * @param vertex [out] the new vertex; may be null.
  * @param edges [out] 2 ids, may be null: the parts at the first and at the second vertex.
- * @return DSW_STATUS_OUT_OF_RANGE for share, DSW_STATUS_BORROWED: the points are the host's, without room. @since 0.1 */
+ * @return DSW_STATUS_OUT_OF_RANGE for share, DSW_STATUS_BORROWED: the points are the host's, without room. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_edge_id edge, double share,
                                               dsw_vertex_id *vertex, dsw_edge_id *edges);
 
 /** Merges the two edges of a vertex that has no others: the vertex goes, the edge then runs straight between the two others, and so
  * does the outer boundary there.
- * @param edge [in] one of the two. @param vertex [in] the end of it that goes. @param merged [out] the edge that they become; may be
- * null.
+ * @param environment [in,out] @param edge [in] one of the two. @param vertex [in] the end of it that goes.
+ * @param merged [out] the edge that they become; may be null.
  * @return DSW_STATUS_BAD_TOPOLOGY: the vertex is no end of the edge, has other edges or other volumes, or a triangle there would come to
- * nothing. @since 0.1 */
+ * nothing. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_edges(dsw_environment *environment, dsw_edge_id edge, dsw_vertex_id vertex,
                                                dsw_edge_id *merged);
 
 /** Collapses an edge: one of its ends is merged into the other. Volumes that come to nothing (tetrahedra at the edge) go, with their
  * marks; their two faces that are left become one, marked if one of them was. The outer boundary keeps its form exactly, or the
  * call is refused.
- * @param vertex [in] the end that goes.
+ * @param environment [in,out] @param edge [in] @param vertex [in] the end that goes.
  * @return DSW_STATUS_BAD_TOPOLOGY: the vertex is no end of the edge, or has volumes that are not joined through its faces, or lies on
- * the outer boundary so that this would change. @since 0.1 */
+ * the outer boundary so that this would change. @since 1.0 */
 DSW_API dsw_status dsw_environment_collapse_edge(dsw_environment *environment, dsw_edge_id edge, dsw_vertex_id vertex);
 
 /** What became of the volumes that the last successful call above changed.
- * @param changes [out] owned by the environment, valid until the next such call. @param count [out] how many; 0 before the first
- * call, and after those that change no volume. @note O(1). Thread: reader. @since 0.1 */
+ * @param environment [in] @param changes [out] owned by the environment, valid until the next such call.
+ * @param count [out] how many; 0 before the first call, and after those that change no volume.
+ * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_changes(const dsw_environment *environment,
                                                       const dsw_volume_change **changes, size_t *count);
 
