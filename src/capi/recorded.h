@@ -78,6 +78,16 @@ Items<T> items_of(const Array<T>& array) noexcept {
   return {array.data(), array.size()};
 }
 
+/** As a result: an empty array says the same whether there was ever memory for it or not. */
+template <class T>
+Items<T> as_result(const Items<T>& array) noexcept {
+  return {array.count == 0 ? nullptr : array.items, array.count};
+}
+template <class T>
+const T& as_result(const T& value) noexcept {
+  return value;
+}
+
 struct Points {
   PointArray points;
   size_t count;
@@ -214,7 +224,7 @@ class Recorded {
     if (scene_ == nullptr) return;
     Digest digest;
     [[maybe_unused]] const auto put = [&](const void* bytes, size_t count) { digest.put(bytes, count); };
-    (for_each_part(results, put), ...);
+    (for_each_part(as_result(results), put), ...);
     finish(false, digest.value());
   }
 

@@ -1,4 +1,5 @@
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
@@ -166,6 +167,56 @@ static void writing_may_fail(void) {
   }
   CHECK_OK(dsw_scene_destroy(scene));
   CHECK_OK(dsw_environment_destroy(env));
+}
+
+/* What a call answers is the same whether it is empty for the first time or there was something before the recording began. */
+static void empty_answers_are_alike(void) {
+  grid g = grid_create(2, 1, 1);
+  dsw_environment_desc d = grid_desc(&g);
+  dsw_environment *env = NULL;
+  dsw_scene *scene;
+  const double from[3] = {0.1, 0.5, 0.5};
+  double *next[2];
+  const double *points = NULL;
+  dsw_deform_options options;
+  dsw_deform_report bent;
+  dsw_particle_id particle;
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  dsw_recording_desc desc;
+  size_t i, k, count = 0;
+  for (k = 0; k < 2; ++k) {
+    next[k] = (double *)malloc(g.point_count * 3 * sizeof(double));
+    CHECK(next[k] != NULL);
+  }
+  CHECK_OK(dsw_environment_create(NULL, &d, &env, NULL));
+  scene = make_scene(env, DSW_FEATURE_DEFORMING);
+  CHECK_OK(dsw_particle_create(scene, from, no_volume, &particle));
+  dsw_deform_options_init(&options, sizeof options);
+  options.response = DSW_WALL_HOLD;
+  for (k = 0; k < 3; ++k) {
+    CHECK_OK(dsw_environment_get_points(env, &points, &count));
+    memcpy(next[k % 2], points, count * 3 * sizeof(double));
+    for (i = 0; k < 2 && i < count; ++i) next[k % 2][3 * i] += points[3 * i] < 0.5 ? 0.2 : 0;
+    if (k == 2) {
+      desc = to_tape(&one);
+      CHECK_OK(dsw_scene_start_recording(scene, &desc));
+    }
+    CHECK_OK(dsw_scene_deform(scene, next[k % 2], count, &options, &bent));
+    CHECK((bent.held_count != 0) == (k < 2));
+  }
+  CHECK_OK(dsw_scene_create_particles(scene, from, 0, 0, NULL, &particle, NULL));
+  CHECK_OK(dsw_scene_stop_recording(scene));
+  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  for (k = 0; k < 2; ++k) {
+    CHECK_OK(dsw_replay_step(replay, &report));
+    CHECK(report.outcome == DSW_REPLAY_SAME);
+  }
+  CHECK_OK(dsw_replay_destroy(replay));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+  for (k = 0; k < 2; ++k) free(next[k]);
+  grid_destroy(&g);
 }
 
 static void bad_arguments(void) {
@@ -369,6 +420,7 @@ int main(void) {
   one_call_can_be_taken_out();
   a_scene_in_other_hands_differs();
   writing_may_fail();
+  empty_answers_are_alike();
   bad_arguments();
   bundles_take_bad_arguments_and_full_disks();
   memory_may_run_out();
