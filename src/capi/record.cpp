@@ -76,22 +76,6 @@ void write_beginning(const dsw_scene& scene, capi::Recording& recording) {
   recording.most_kept = recording.kept.size() + std::max(kLeastKept, 2 * recording.kept.size());
 }
 
-/** Begins a recording in memory anew where it has grown too long, or did not go on for want of memory. */
-void renew_kept(const dsw_scene& scene, capi::Recording& recording) noexcept {
-  if ((recording.flags & DSW_RECORDING_LATEST) == 0) return;
-  if (recording.writer.works() && recording.kept.size() <= recording.most_kept) return;
-  dsw_recording_desc desc{};
-  desc.flags = recording.flags;
-  try {
-    dsw::Owned<capi::Recording> owner(capi::memory_of(*scene.environment));
-    capi::begin_recording(scene, desc, owner);
-    recording.kept.swap(owner.get()->kept);
-    recording.most_kept = owner.get()->most_kept;
-    recording.writer.renew();
-  } catch (...) {  // next time
-  }
-}
-
 }  // namespace
 
 namespace dsw::capi {
@@ -124,6 +108,22 @@ void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Own
   made.make(capi::memory_of(*scene.environment), desc);
   write_beginning(scene, *made.get());
   if (!made.get()->writer.works()) fail(DSW_STATUS_WRITE_FAILED, "the beginning could not be written");
+}
+
+void renew_kept(dsw_scene& scene) noexcept {
+  Recording& recording = *scene.recording;
+  if ((recording.flags & DSW_RECORDING_LATEST) == 0) return;
+  if (recording.writer.works() && recording.kept.size() <= recording.most_kept) return;
+  dsw_recording_desc desc{};
+  desc.flags = recording.flags;
+  try {
+    Owned<Recording> owner(capi::memory_of(*scene.environment));
+    begin_recording(scene, desc, owner);
+    recording.kept.swap(owner.get()->kept);
+    recording.most_kept = owner.get()->most_kept;
+    recording.writer.renew();
+  } catch (...) {  // next time
+  }
 }
 
 bool end_recording(dsw_scene& scene) noexcept {
@@ -165,7 +165,6 @@ void Recorded::finish(bool failed, uint64_t digest) noexcept {
   writer.begin(EntryKind::kResult, size);
   writer.put(result, size);
   writer.end();
-  renew_kept(scene, *scene.recording);
 }
 
 }  // namespace dsw::capi

@@ -166,6 +166,9 @@ struct Recording {
 /** Makes a recording with its beginning, which is not the scene's yet. Throws WRITE_FAILED. */
 void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Owned<Recording>& made);
 
+/** Before a call: begins a recording in memory anew where it has grown too long, or did not go on for want of memory. */
+void renew_kept(dsw_scene& scene) noexcept;
+
 /** Checksum of what is in a scene, and of its environment if asked for, as saved. Throws std::bad_alloc. */
 uint64_t state_of(const dsw_scene& scene, bool with_environment);
 
@@ -199,6 +202,7 @@ class Recorded {
       : scene_(scene != nullptr && (scene->recording != nullptr || scene->watch != nullptr) ? scene : nullptr),
         call_(call) {
     if (scene_ == nullptr || scene_->recording == nullptr) return;
+    renew_kept(*scene_);
     RecordWriter& writer = scene_->recording->writer;
     uint64_t size = sizeof(uint64_t);
     [[maybe_unused]] const auto measure = [&](const void*, size_t bytes) { size += (bytes + 7) & ~size_t{7}; };

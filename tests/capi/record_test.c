@@ -327,6 +327,40 @@ static void bundles_take_bad_arguments_and_full_disks(void) {
   CHECK_OK(dsw_environment_destroy(env));
 }
 
+/* A recording in memory begins anew now and then; the report has the last call all the same. */
+static void reports_always_have_their_call(void) {
+  enum { kParticles = 500, kCalls = 80 };
+  static double targets[kParticles][3];
+  static dsw_particle_id particles[kParticles];
+  dsw_environment *const env = make_environment(NULL, 1, 1, 1);
+  dsw_scene *const scene = make_scene(env, 0);
+  dsw_recording_desc latest;
+  dsw_bundle_desc desc;
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  unsigned call, i;
+  for (i = 0; i < kParticles; ++i) targets[i][0] = targets[i][1] = targets[i][2] = 0.25 + i * 0.001;
+  CHECK_OK(dsw_scene_create_particles(scene, targets[0], kParticles, 0, NULL, particles, NULL));
+  dsw_recording_desc_init(&latest, sizeof latest);
+  latest.flags = DSW_RECORDING_LATEST;
+  CHECK_OK(dsw_scene_start_recording(scene, &latest));
+  dsw_bundle_desc_init(&desc, sizeof desc);
+  desc.write = write_tape;
+  desc.user = &one;
+  for (call = 0; call < kCalls; ++call) { /* 16 kB each */
+    for (i = 0; i < kParticles; ++i) targets[i][1] = 0.25 + call * 0.001;
+    CHECK_OK(dsw_scene_move_particles(scene, particles, kParticles, targets[0], 0, NULL, NULL));
+    memset(&one, 0, sizeof one);
+    CHECK_OK(dsw_scene_write_bundle(scene, &desc, NULL));
+    CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+    CHECK_OK(dsw_replay_step(replay, &report));
+    CHECK(report.outcome == DSW_REPLAY_SAME);
+    CHECK_OK(dsw_replay_destroy(replay));
+  }
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+}
+
 /* Every allocation of a replay refused in turn: a status, and everything is given back. */
 static void memory_may_run_out(void) {
   host h;
@@ -423,6 +457,7 @@ int main(void) {
   empty_answers_are_alike();
   bad_arguments();
   bundles_take_bad_arguments_and_full_disks();
+  reports_always_have_their_call();
   memory_may_run_out();
   reports_may_run_out_of_memory();
   return check_result();
