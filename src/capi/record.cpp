@@ -185,6 +185,7 @@ dsw_status dsw_scene_start_recording(dsw_scene* scene, const dsw_recording_desc*
     }
     if (d.path == nullptr && !is_kept) capi::require(reinterpret_cast<const void*>(d.write), "desc->write");
     if (handle.recording != nullptr) fail(DSW_STATUS_IN_USE, "the scene is being recorded");
+    capi::space(handle);  // refused before a file is written anew
     dsw::Owned<capi::Recording> owner(capi::memory_of(*handle.environment));
     capi::begin_recording(handle, d, owner);
     handle.recording = owner.release();

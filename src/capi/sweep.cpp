@@ -33,6 +33,7 @@ dsw_status dsw_environment_sweep_edges(const dsw_environment* environment, size_
                                        const dsw_sweep_options* options, dsw_sweep* sweeps) {
   return capi::guard("dsw_environment_sweep_edges", [&] {
     const dsw_environment& handle = capi::check_handle(environment, "environment");
+    const dsw::Environment<3>& env = capi::space(handle);  // first: points of the plane have two coordinates
     const dsw::PointArray first = capi::to_points(from, count, stride_bytes, "from");
     const dsw::PointArray last = capi::to_points(to, count, stride_bytes, "to");
     const dsw::PointArray stays = capi::to_points(fixed, count, stride_bytes, "fixed");
@@ -41,7 +42,7 @@ dsw_status dsw_environment_sweep_edges(const dsw_environment* environment, size_
     check_finite(first, count, 3, {"from", true});
     check_finite(last, count, 3, {"to", true});
     check_finite(stays, count, 3, {"fixed", true});
-    capi::check_hints(capi::space(handle).map, starts, count, "starts");
-    sweep_edges(capi::space(handle), handle.parallel, count, starts, first, last, stays, settings, sweeps);
+    capi::check_hints(env.map, starts, count, "starts");
+    sweep_edges(env, handle.parallel, count, starts, first, last, stays, settings, sweeps);
   });
 }

@@ -16,7 +16,9 @@ namespace {
 class Change {
  public:
   explicit Change(dsw_environment* environment)
-      : handle_(capi::check_handle(environment, "environment")), scene_(capi::only_scene(handle_)) {}
+      : handle_(capi::check_handle(environment, "environment")), scene_(capi::only_scene(handle_)) {
+    capi::space(handle_);  // first: points of the plane have two coordinates
+  }
 
   const dsw::Map<3>& map() const { return capi::space(handle_).map; }
   const dsw::Memory* memory() const { return capi::memory_of(handle_); }
