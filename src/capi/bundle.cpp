@@ -21,7 +21,7 @@ using Replay = std::unique_ptr<dsw_replay, DestroyReplay>;
 void read_file(std::FILE* file, Bytes& bytes) {
   const bool opened = std::fseek(file, 0, SEEK_END) == 0;
   const long size = opened ? std::ftell(file) : -1;
-  if (size < 0) fail(DSW_STATUS_NOT_FOUND, "the scene's recording can't be read again");
+  if (size <= 0) fail(DSW_STATUS_NOT_FOUND, "the scene's recording can't be read again");
   bytes.resize(static_cast<size_t>(size));
   const bool is_read =
       std::fseek(file, 0, SEEK_SET) == 0 && std::fread(bytes.data(), 1, bytes.size(), file) == bytes.size();
@@ -68,7 +68,9 @@ void write_note(dsw::RecordWriter& writer, const char* note) {
 }
 
 void check_done(dsw_status status) {
-  if (status != DSW_STATUS_OK) fail(status, "making the recording again: %.300s", dsw_last_error_message());
+  if (status == DSW_STATUS_OK) return;
+  const bool is_cut_off = status == DSW_STATUS_TRUNCATED;  // by somebody else: it was written whole
+  fail(is_cut_off ? DSW_STATUS_CORRUPT : status, "making the recording again: %.300s", dsw_last_error_message());
 }
 
 /** Makes the calls before the last one again; false if one did something else. */

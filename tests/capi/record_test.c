@@ -1,4 +1,5 @@
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -361,6 +362,35 @@ static void reports_always_have_their_call(void) {
   CHECK_OK(dsw_environment_destroy(env));
 }
 
+/* Somebody else writes to the file that a scene is recorded into. */
+static void recordings_may_be_spoilt(void) {
+  static const char *const path = "record_test.dswrec";
+  dsw_environment *const env = make_environment(NULL, 1, 1, 1);
+  dsw_scene *const scene = make_scene(env, 0);
+  dsw_recording_desc to;
+  dsw_bundle_desc desc;
+  FILE *file;
+  dsw_recording_desc_init(&to, sizeof to);
+  to.path = path;
+  CHECK_OK(dsw_scene_start_recording(scene, &to));
+  dsw_bundle_desc_init(&desc, sizeof desc);
+  memset(&one, 0, sizeof one);
+  desc.write = write_tape;
+  desc.user = &one;
+  CHECK_OK(dsw_scene_write_bundle(scene, &desc, NULL));
+  file = fopen(path, "wb");
+  CHECK(file != NULL);
+  CHECK_FAILS(DSW_STATUS_NOT_FOUND, dsw_scene_write_bundle(scene, &desc, NULL));
+  if (file != NULL) {
+    CHECK(fwrite(one.bytes, 1, 24, file) == 24);
+    fclose(file);
+  }
+  CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_write_bundle(scene, &desc, NULL));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+  remove(path);
+}
+
 /* Every allocation of a replay refused in turn: a status, and everything is given back. */
 static void memory_may_run_out(void) {
   host h;
@@ -458,6 +488,7 @@ int main(void) {
   bad_arguments();
   bundles_take_bad_arguments_and_full_disks();
   reports_always_have_their_call();
+  recordings_may_be_spoilt();
   memory_may_run_out();
   reports_may_run_out_of_memory();
   return check_result();
