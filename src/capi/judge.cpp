@@ -184,28 +184,22 @@ void CallJudge::claim_move(const Mover& mover) {
   }
 }
 
-void CallJudge::count(const Subject& s, bool is_met, double time) {
+void CallJudge::count_wrong(const Subject& s) {
   switch (s.said) {
     case Said::kEdgeIsFree:
-      verdict_.crossing += is_met ? 1 : 0;
-      if (is_met) note("body %u: edge %u meets something impassable", s.owner, s.part);
-      return;
+      ++verdict_.crossing;
+      return note("body %u: edge %u meets something impassable", s.owner, s.part);
     case Said::kFaceIsFree:
-      verdict_.pierced += is_met ? 1 : 0;
-      if (is_met) note("body %u: face %u meets something impassable", s.owner, s.part);
-      return;
+      ++verdict_.pierced;
+      return note("body %u: face %u meets something impassable", s.owner, s.part);
     case Said::kWayIsFree:
-      verdict_.missed += is_met ? 1 : 0;
-      if (is_met && s.part == kNone) note("particle %u has passed something impassable", s.owner, 0);
-      if (is_met) note("body %u: vertex %u, or an edge of it, has passed something impassable", s.owner, s.part);
-      return;
+      ++verdict_.missed;
+      if (s.part == kNone) return note("particle %u has passed something impassable", s.owner, 0);
+      return note("body %u: vertex %u, or an edge of it, has passed something impassable", s.owner, s.part);
     case Said::kContactAt:
-      // Of a particle it is known that there was one, no more.
-      const bool is_wrong = !is_met || (s.part != kNone && s.time != time);
-      verdict_.wrong += is_wrong ? 1 : 0;
-      if (is_wrong && s.part == kNone) note("particle %u stopped, though there is nothing in its way", s.owner, 0);
-      if (is_wrong) note("body %u: a contact of vertex %u is at another time", s.owner, s.part);
-      return;
+      ++verdict_.wrong;
+      if (s.part == kNone) return note("particle %u stopped, though there is nothing in its way", s.owner, 0);
+      return note("body %u: a contact of vertex %u is at another time", s.owner, s.part);
   }
 }
 
@@ -221,14 +215,21 @@ dsw_verdict CallJudge::judge(bool was_done) {
   // Claims about one subject follow each other.
   const Array<Claim>& claims = judge_.claims();
   for (size_t i = 0; i < claims.size();) {
-    bool is_met = false;
+    bool is_met = false, is_folded = false;
     double time = 2;
-    const uint32_t subject = claims[i].subject;
-    for (; i < claims.size() && claims[i].subject == subject; ++i) {
+    const size_t first = i;
+    const Subject& subject = subjects_[claims[i].subject];
+    for (; i < claims.size() && claims[i].subject == claims[first].subject; ++i) {
       is_met = is_met || claims[i].is_met;
       time = std::min(time, claims[i].time);
     }
-    count(subjects_[subject], is_met, time);
+    // Of a particle's contact it is known that there was one, no more.
+    const bool is_wrong = subject.said != Said::kContactAt ? is_met
+                          : subject.part == kNone          ? !is_met
+                                                           : !is_met || subject.time != time;
+    for (size_t k = first; is_wrong && k < i; ++k) is_folded = is_folded || judge_.is_folded(k);
+    if (is_folded) ++verdict_.not_judged;
+    if (is_wrong && !is_folded) count_wrong(subject);
   }
   const dsw_verdict& v = verdict_;
   verdict_.is_right = v.lost + v.crossing + v.pierced + v.missed + v.wrong == 0 ? 1 : 0;

@@ -40,7 +40,7 @@ class CallJudge {
   void claim_way(const Mover& mover, const Body& body, uint32_t vertex);
   void claim_contact(const Mover& mover, const dsw_contact& contact);
   uint32_t add_subject(Said said, uint32_t owner, uint32_t part, double time = 0);
-  void count(const Subject& subject, bool is_met, double time);
+  void count_wrong(const Subject& subject);
   void note(const char* format, uint32_t one, uint32_t other);
 
   const Scene<3>& scene_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "environment/validity.h"
 #include "predicates/plane_hit.h"
 #include "predicates/sweep_events.h"
 
@@ -106,6 +107,19 @@ void Judge::meet_line(const double* a, const double* b) noexcept {
     claim.is_met = true;
     claim.time = std::min(claim.time, event_time<3>(claim.points[0], claim.points[1], event));
   }
+}
+
+bool Judge::is_folded(size_t claim) const noexcept {
+  bool is_near = false;
+  for_each_cell(env_.map, [&](Cell c) {
+    if (is_near) return;
+    Box box;
+    for (uint32_t k = 0, n = env_.map.vertices_of(c); k < n; ++k) box.add(env_.point(env_.map.vertex(c, k)));
+    if (!box.overlaps(boxes_[claim])) return;
+    const CellState state = check_cell(env_, c);
+    is_near = state == CellState::kInverted || state == CellState::kInvalid;
+  });
+  return is_near;
 }
 
 void Judge::run() {

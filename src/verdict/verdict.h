@@ -29,6 +29,8 @@ class Judge {
   /** Holds all claims against all obstacles. O(obstacles * claims), but only boxes where they are apart. */
   void run();
   const Array<Claim>& claims() const { return claims_; }
+  /** Whether a claim is near a cell that is not valid: where an environment is folded, what lies in one of its cells passes faces of others. */
+  bool is_folded(size_t claim) const noexcept;
 
  private:
   void meet_triangle(const double* const* triangle) noexcept;

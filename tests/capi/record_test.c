@@ -391,6 +391,44 @@ static void recordings_may_be_spoilt(void) {
   remove(path);
 }
 
+/* Where an environment is folded a particle passes, in its own cell, through a face of others: nothing is wrong with that. */
+static void folds_are_not_judged(void) {
+  dsw_environment *const env = make_environment(NULL, 3, 1, 1);
+  dsw_scene *const scene = make_scene(env, DSW_FEATURE_DEFORMING);
+  const double from[3] = {0.2, 0.45, 0.55}, to[3] = {0.8, 0.45, 0.55};
+  const dsw_face_id wall = face_at(1, FACE_X1);
+  double next[16][3], position[3];
+  const double *points = NULL;
+  dsw_recording_desc latest;
+  dsw_bundle_desc desc;
+  dsw_verdict verdict;
+  dsw_particle_id particle;
+  size_t i, count = 0;
+  CHECK_OK(dsw_environment_mark_faces(env, &wall, 1, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_particle_create(scene, from, no_volume, &particle));
+  CHECK_OK(dsw_environment_get_points(env, &points, &count));
+  CHECK(count == 16);
+  memcpy(next, points, sizeof next);
+  for (i = 0; i < 16; ++i) next[i][0] -= next[i][0] == 2 ? 1.5 : 0;
+  CHECK_OK(dsw_scene_deform(scene, next[0], count, NULL, NULL));
+  CHECK_FAILS(DSW_STATUS_INVALID_CELL, dsw_environment_check(env, NULL));
+  dsw_recording_desc_init(&latest, sizeof latest);
+  latest.flags = DSW_RECORDING_LATEST;
+  CHECK_OK(dsw_scene_start_recording(scene, &latest));
+  CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
+  CHECK_OK(dsw_particle_get(scene, particle, position, NULL));
+  CHECK(memcmp(position, to, sizeof to) == 0);
+  dsw_bundle_desc_init(&desc, sizeof desc);
+  memset(&one, 0, sizeof one);
+  desc.write = write_tape;
+  desc.user = &one;
+  verdict.struct_size = sizeof verdict;
+  CHECK_OK(dsw_scene_write_bundle(scene, &desc, &verdict));
+  CHECK(verdict.is_right == 1 && verdict.ways == 1 && verdict.missed == 0 && verdict.not_judged == 1);
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+}
+
 /* Every allocation of a replay refused in turn: a status, and everything is given back. */
 static void memory_may_run_out(void) {
   host h;
@@ -489,6 +527,7 @@ int main(void) {
   bundles_take_bad_arguments_and_full_disks();
   reports_always_have_their_call();
   recordings_may_be_spoilt();
+  folds_are_not_judged();
   memory_may_run_out();
   reports_may_run_out_of_memory();
   return check_result();
