@@ -19,6 +19,10 @@ escape() { echo "$1" | sed 's/\./\\./g'; }
 
 # The product's version, everywhere. What was to come with a version that never came out comes with this one.
 old=$(sed -n 's/^project(Dartsweep VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+if ! grep -Eq "^## \[$(escape "$version")\] - |^## \[$(escape "$old")\] - unreleased" CHANGELOG.md; then
+  echo "CHANGELOG.md has no section [$version]"
+  exit 1
+fi
 set -- $(echo "$version" | tr . ' ') "${2:-}"
 sed -i -E "s/^(#define DSW_VERSION_MAJOR) [0-9]+/\1 $1/; s/^(#define DSW_VERSION_MINOR) [0-9]+/\1 $2/; s/^(#define DSW_VERSION_PATCH) [0-9]+/\1 $3/" \
   include/dartsweep/base.h
