@@ -308,8 +308,12 @@ dsw_status dsw_environment_set_tag(dsw_environment* environment, dsw_volume_id v
       if (tag == 0) return;
       env.tags.resize(env.map.index_count(), 0u);
     }
-    capi::for_each_scene(*environment,
-                         [&](dsw_scene& scene) { capi::Recorded(&scene, capi::Call::kSetTag, volume, tag).done(); });
-    env.tags[env.map.index(c)] = tag;
+    uint32_t& own = env.tags[env.map.index(c)];
+    capi::for_each_scene(*environment, [&](dsw_scene& scene) {
+      capi::Recorded call(&scene, capi::Call::kSetTag, volume, tag);
+      own = tag;
+      call.done();
+    });
+    own = tag;  // also without a scene
   });
 }

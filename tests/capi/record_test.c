@@ -138,6 +138,28 @@ static void a_scene_in_other_hands_differs(void) {
   CHECK_OK(dsw_environment_destroy(env));
 }
 
+/* What is recorded as the state after a call has what the call did. */
+static void states_are_those_after_the_call(void) {
+  dsw_environment *const env = make_environment(NULL, 2, 1, 1);
+  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *again = NULL;
+  dsw_recording_desc desc = to_tape(&one);
+  const dsw_volume_id volume = volume_at(1);
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  desc.flags = DSW_RECORDING_STATES;
+  CHECK_OK(dsw_scene_start_recording(scene, &desc));
+  CHECK_OK(dsw_environment_set_tag(env, volume, 77));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(env));
+  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  CHECK_OK(dsw_replay_get_scene(replay, &again));
+  CHECK_OK(dsw_environment_set_tag(dsw_scene_get_environment(again), volume, 77)); /* it is there then anyway */
+  CHECK_OK(dsw_replay_step(replay, &report));
+  CHECK(report.outcome == DSW_REPLAY_SAME && report.reserved == 0);
+  CHECK_OK(dsw_replay_destroy(replay));
+}
+
 /* A recording that can't be written never fails a call. */
 static void writing_may_fail(void) {
   dsw_environment *const env = make_environment(NULL, 2, 1, 1);
@@ -521,6 +543,7 @@ int main(void) {
   calls_are_made_again_by_name();
   one_call_can_be_taken_out();
   a_scene_in_other_hands_differs();
+  states_are_those_after_the_call();
   writing_may_fail();
   empty_answers_are_alike();
   bad_arguments();
