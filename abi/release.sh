@@ -31,7 +31,7 @@ if [ "$old" != "$version" ]; then
   old_pattern=$(escape "$old")
   git grep -lwF "$old" -- bindings ':!*lock*' | xargs -r sed -i "s/\b$old_pattern\b/$version/g"
   sed -i "s/^## \[$old_pattern\] - unreleased/## [$version] - unreleased/" CHANGELOG.md
-  if ! tagged "$old"; then
+  if ! grep -q "^## \[$old_pattern\] - [0-9]" CHANGELOG.md; then
     sed -i "s/@since $(escape "${old%.*}")\b/@since ${version%.*}/" include/dartsweep/*.h
   fi
 fi

@@ -138,7 +138,7 @@ typedef struct dsw_verdict {
   uint64_t contacts; /**< First contacts with the environment, searched for exactly, that are found again. */
   uint64_t wrong;    /**< Of these: at another time than was reported. */
   /** Contacts and ways of the call that are not looked at: contacts with bodies, of faces, or not searched for exactly; ways of
-   * bodies that a response gave or took vertices, and of walls. */
+   * bodies that a response gave or took vertices, and of walls; what looks wrong at a volume that is invalid (deform.h). */
   uint64_t not_judged;
   char text[128]; /**< What was found wrong first; empty if nothing. */
 } dsw_verdict;

@@ -99,38 +99,41 @@ TEST(BundleTest, OnlyTheLatestCallsAreKept) {
   EXPECT_LT(longest, most + 100000);
   std::string report;
   dsw_verdict verdict;
-  ASSERT_EQ(edits.move_all(), "");
   ASSERT_EQ(write_bundle(edits.handle(), &report, &verdict), DSW_STATUS_OK) << dsw_last_error_message();
   check_report(report, 1, verdict, "");
 }
 
 // A vertex that something has put behind a wall: the scene is not what its calls have made, and the verdict names what is wrong.
 TEST(BundleTest, WhatIsWrongIsNamed) {
-  RandomEdits edits("hex", 2);
-  dsw_scene& scene = *edits.handle();
-  std::string report;
-  ASSERT_EQ(start(&scene, &report), DSW_STATUS_OK);
-  ASSERT_EQ(dsw_scene_stop_recording(&scene), DSW_STATUS_OK);
-  const ReplayPtr replay = open_replay(report);
-  uint32_t v = 0;
-  BodyVertex* vertex = nullptr;
-  for (BodyRecord& each : dsw::capi::space(*scene_of(replay)).bodies) {
-    if (vertex != nullptr || each.body.edge_slots.alive_count() == 0) continue;
-    while (!each.body.has_vertex(v)) ++v;
-    vertex = &each.body.vertices[v];
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    RandomEdits edits("hex", seed);
+    dsw_scene& scene = *edits.handle();
+    std::string report;
+    ASSERT_EQ(start(&scene, &report), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_scene_stop_recording(&scene), DSW_STATUS_OK);
+    const ReplayPtr replay = open_replay(report);
+    uint32_t v = 0;
+    BodyVertex* vertex = nullptr;
+    for (BodyRecord& each : dsw::capi::space(*scene_of(replay)).bodies) {
+      if (vertex != nullptr || each.body.edge_slots.alive_count() == 0) continue;
+      while (!each.body.has_vertex(v)) ++v;
+      vertex = &each.body.vertices[v];
+    }
+    if (vertex == nullptr) continue;
+    const BodyVertex kept = *vertex;
+    vertex->position[0] += 1e6;
+    dsw_verdict verdict = {};
+    verdict.struct_size = sizeof verdict;
+    dsw_replay_report step = {};
+    ASSERT_EQ(dsw_replay_step_judged(replay.get(), &step, &verdict), DSW_STATUS_OK);
+    EXPECT_EQ(verdict.is_right, 0u);
+    EXPECT_EQ(verdict.lost, 1u);
+    EXPECT_GT(verdict.crossing, 0u);
+    EXPECT_NE(std::string(verdict.text).find("vertex " + std::to_string(v)), std::string::npos) << verdict.text;
+    *vertex = kept;
+    return;
   }
-  ASSERT_NE(vertex, nullptr);
-  const BodyVertex kept = *vertex;
-  vertex->position[0] += 1e6;
-  dsw_verdict verdict = {};
-  verdict.struct_size = sizeof verdict;
-  dsw_replay_report step = {};
-  ASSERT_EQ(dsw_replay_step_judged(replay.get(), &step, &verdict), DSW_STATUS_OK);
-  EXPECT_EQ(verdict.is_right, 0u);
-  EXPECT_EQ(verdict.lost, 1u);
-  EXPECT_GT(verdict.crossing, 0u);
-  EXPECT_NE(std::string(verdict.text).find("vertex " + std::to_string(v)), std::string::npos) << verdict.text;
-  *vertex = kept;
+  FAIL() << "no scene has a body with edges";
 }
 
 }  // namespace
