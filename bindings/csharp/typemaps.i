@@ -207,6 +207,20 @@ DSW_COPIED(dsw_detach_report, DetachReport)
 DSW_NUMBERS_MEMBER(double, double)
 DSW_NUMBERS_MEMBER(uint32_t, uint)
 
+// --- members that are text: SWIG's own way needs its helper
+%immutable dsw_verdict::text;
+%typemap(ctype) char [ANY] "dartsweep_csharp::Block"
+%typemap(imtype) char [ANY] "Block"
+%typemap(cstype) char [ANY] "string"
+%typemap(out, null="dartsweep_csharp::Block()") char [ANY] {
+  $result = dartsweep_csharp::block(dartsweep::Array<char>($1, strnlen($1, $1_dim0)));
+}
+%typemap(csvarout, excode=SWIGEXCODE2) char [ANY] %{
+    get {
+      Block block = $imcall;$excode
+      return global::System.Text.Encoding.UTF8.GetString(block.ToArray<byte>());
+    } %}
+
 // --- positions that stay with the library: pinned until it lets go
 %typemap(ctype) dartsweep::Lent "dartsweep_csharp::Pinned"
 %typemap(imtype) dartsweep::Lent "Pinned"

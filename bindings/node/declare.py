@@ -16,6 +16,7 @@ NUMBERS = {  # C type: size, DataView's name of it
     "uint64_t": (8, "BigUint64"),
     "size_t": (8, "BigUint64"),
     "bool": (1, "Uint8"),
+    "char": (1, "Uint8"),  # an array of them is text
 }
 
 
@@ -159,6 +160,8 @@ def is_hidden(struct: Struct, member: Member) -> bool:
 
 # --- JavaScript
 def read(c_type: str, dims: list[int], at: int) -> str:
+    if c_type == "char":
+        return f"textOf(view, at + {at}, {dims[0]})"
     if dims:
         step = layout(c_type)[0]
         for dim in dims[1:]:
@@ -182,7 +185,8 @@ def js_struct(struct: Struct) -> str:
     fields = []
     for member in shown:
         kind = structs[member.type].name if member.type in structs else NUMBERS.get(member.type, (4, "Int32"))[1]
-        fields.append(f"['{member.js}', {member.offset}, '{kind}', {member.dims}]")
+        if member.type != "char":  # of results, which nobody writes
+            fields.append(f"['{member.js}', {member.offset}, '{kind}', {member.dims}]")
     return f"  {struct.name}: {{\n    name: '{struct.name}',\n    size: {struct.size},\n    fields: [{', '.join(fields)}],\n    read: (view, at) => {reader},\n  }},\n"
 
 
@@ -202,6 +206,7 @@ for name, values in enums.items():
     lines.append(f"  {name}: {{ " + ", ".join(f"{item}: {value}" for item, value, _ in values) + " },\n")
 lines.append("};\nexports.constants = { " + ", ".join(f"{name}: {value}" for name, (value, _) in constants.items()) + " };\n")
 lines.append("exports.statuses = [" + ", ".join(f"['{name}', '{type_name}']" for name, type_name in errors) + "];\n")
+lines.append("const textOf = (view, at, size) => new TextDecoder().decode(new Uint8Array(view.buffer, at, size)).split('\\0', 1)[0];\n")
 lines.append("const structs = {\n" + "".join(map(js_struct, structs.values())) + "};\nexports.structs = structs;\n")
 (scripts / "structs.js").write_text("".join(lines))
 
@@ -213,7 +218,9 @@ def comment_of(text: str, indent: str = "") -> str:
 
 def ts_type(member: Member) -> str:
     base = (structs[member.type].name if member.type in structs else enum_names.get(member.type)
-            or ("boolean" if member.type == "bool" else "number"))
+            or {"bool": "boolean", "char": "string"}.get(member.type, "number"))
+    if base == "string":
+        return base
     if base == "number" and member.dims[-1:] == [3]:
         return "Vec3" if len(member.dims) == 1 else "Vec3[]"
     return base + "[]" * len(member.dims)

@@ -192,6 +192,23 @@ static class Tests
     scene.Dispose();
   }
 
+  public static void ABugReportIsOneCall()
+  {
+    string path = Path.GetTempFileName();
+    using (Environment environment = Scenario.Create())
+    using (Scene scene = new Scene(environment))
+    {
+      scene.StartRecording(null, Library.RECORDING_LATEST);
+      scene.CreateParticle(inside);
+      Verdict verdict = scene.WriteBundle(path, "a note");
+      Same(1u, verdict.IsRight);
+      Same("", verdict.Text);
+      scene.StopRecording();
+    }
+    True(File.ReadAllText(path).Contains("a note"));
+    File.Delete(path);
+  }
+
   public static void ABodyKeepsItsSceneAndCanBeDestroyed()
   {
     Body body = OnAnotherThread(() => Scenario.CreateCatheter(new Scene(Scenario.Create())));

@@ -310,6 +310,19 @@ function TestValues:test_the_log_is_read()
   lu.assertStrContains(lines[1], dsw.LOG_INFO .. " dsw_environment_create: 1 volumes")
 end
 
+function TestValues:test_a_bug_report_is_one_call()
+  local environment <close> = scenario.create()
+  local scene <close> = dsw.Scene(environment)
+  local path = os.tmpname()
+  scene:start_recording(nil, dsw.RECORDING_LATEST)
+  scene:create_particle(INSIDE)
+  local verdict = scene:write_bundle(path, "a note")
+  lu.assertEquals({verdict.is_right, verdict.places, verdict.text}, {1, 1, ""})
+  local file <close> = assert(io.open(path, "rb"))
+  lu.assertStrContains(file:read "a", "a note")
+  os.remove(path)
+end
+
 function TestValues:test_versions_agree()
   lu.assertEquals(dsw.version(), 1000000 * dsw.VERSION_MAJOR + 1000 * dsw.VERSION_MINOR + dsw.VERSION_PATCH)
   lu.assertEquals(dsw._VERSION, ("Dartsweep %d.%d.%d"):format(dsw.VERSION_MAJOR, dsw.VERSION_MINOR, dsw.VERSION_PATCH))

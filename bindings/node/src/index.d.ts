@@ -9,7 +9,7 @@ import type {
   EdgeSplit, EnvironmentDesc, EnvironmentInfo, FaceId, FaceIdArray, FaceSplit, FaceVolumes, Flight, FlightArray, Level, Location,
   LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, Neighbour, OpenDesc, OpenReport, Particle, ParticleId,
   ParticleIdArray, RemeshDesc, RemeshReport, RigidMotion, SceneDesc, Statistics, Status, SweepArray, SweepOptions, TieDesc, TieReport,
-  Vec3, VertexId, VertexIdArray, VolumeChangeArray, VolumeCounts, VolumeId, VolumeIdArray, VolumeSplit, VolumesDesc, WallContactArray,
+  Vec3, Verdict, VertexId, VertexIdArray, VolumeChangeArray, VolumeCounts, VolumeId, VolumeIdArray, VolumeSplit, VolumesDesc, WallContactArray,
 } from './structs.js';
 
 export * from './structs.js';
@@ -169,8 +169,11 @@ export class Scene {
   getBodyCount(): number;
   getParticleIds(): ParticleIdArray;
   getBodies(): BodyIdArray;
-  startRecording(path: string): void;
+  /** Into a file; without a path the latest calls are kept for writeBundle, which needs RECORDING_LATEST among the flags. */
+  startRecording(path: string | null, flags?: number): void;
   stopRecording(): void;
+  /** A bug report of the last recorded call. */
+  writeBundle(path: string, note?: string): Verdict;
 
   createParticle(position: Point, hint?: VolumeId | null): ParticleId;
   /** All or none. */

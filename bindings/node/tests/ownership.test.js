@@ -1,5 +1,8 @@
 'use strict';
 const assert = require('node:assert/strict');
+const fs = require('node:fs');
+const os = require('node:os');
+const path = require('node:path');
 const { test } = require('node:test');
 const { setFlagsFromString } = require('node:v8');
 const { runInNewContext } = require('node:vm');
@@ -109,6 +112,18 @@ test('a worker that ends in the middle takes its objects along', async () => {
   );
   await new Promise((resolve, reject) => worker.once('message', resolve).once('error', reject));
   assert.equal(await worker.terminate(), 1);
+});
+
+test('a bug report is one call', () => {
+  const scene = new dsw.Scene(createEnvironment());
+  scene.startRecording(null, dsw.RECORDING_LATEST);
+  scene.createParticle(inside);
+  const file = path.join(os.tmpdir(), `dartsweep-${process.pid}.dswrec`);
+  const { isRight, places, text } = scene.writeBundle(file, 'a note');
+  assert.deepEqual({ isRight, places, text }, { isRight: 1, places: 1, text: '' });
+  assert.ok(fs.readFileSync(file).includes('a note'));
+  fs.rmSync(file);
+  scene.stopRecording();
 });
 
 test('the log comes after the call that wrote it', () => {
