@@ -18,6 +18,7 @@ class Environment {
     if (!desc) dsw_environment_desc_init(&all, sizeof all);
     if (all.flags & DSW_ENVIRONMENT_BORROW_POINTS)
       throw Error(DSW_STATUS_UNSUPPORTED, "points can be lent by Scene.deform only");
+    in_space(all.dimension == 0 ? 3 : all.dimension);
     leave_out_empty(cell_types, faces, face_locations);
     all.index_bytes = connectivity.bytes;
     for (const Indices *other : {&offsets, &faces, &face_locations})
@@ -49,8 +50,7 @@ class Environment {
     Environment loaded;
     if (context) loaded.state_->context = context->state();
     check(dsw_environment_load(loaded.state_->context.get(), block.data, block.count, &loaded.state_->handle));
-    if (loaded.info().dimension != 3)
-      throw Error(DSW_STATUS_UNSUPPORTED, "environments in the plane are for C in this version");
+    in_space(loaded.info().dimension);
     return loaded;
   }
 
@@ -417,6 +417,11 @@ class Environment {
 
  private:
   Environment() : state_(std::make_shared<EnvironmentState>()) {}
+
+  // Points of hosts have three coordinates.
+  static void in_space(std::uint32_t dimension) {
+    if (dimension != 3) throw Error(DSW_STATUS_UNSUPPORTED, "environments in the plane are for C in this version");
+  }
 
   static std::size_t uniform_count(std::uint32_t type, const Indices &connectivity, const Indices &offsets) {
     if (offsets.count) return offsets.count - 1;

@@ -55,6 +55,33 @@ TEST(Layer, StatusesAreThrown) {
   EXPECT_EQ(status_of([&] { Environment::load({}); }), DSW_STATUS_NULL_ARGUMENT);
 }
 
+TEST(Layer, EnvironmentsInThePlaneAreRefused) {
+  const std::vector<double> corners = {0, 0, 1, 0, 0, 1, 1, 1, 2};
+  const std::vector<std::int64_t> triangle = {0, 1, 2}, ends = {0, 3};
+  const std::uint8_t type = DSW_CELL_TYPE_TRIANGLE;
+  dsw_environment_desc desc;
+  dsw_environment_desc_init(&desc, sizeof desc);
+  desc.dimension = 2;
+  const auto create = [&] {
+    Environment({kPoints.data(), 3}, {triangle.data(), 3, 8}, {ends.data(), 2, 8}, {&type, 1}, {}, {}, {}, {}, &desc);
+  };
+  EXPECT_EQ(status_of(create), DSW_STATUS_UNSUPPORTED);
+
+  desc.uniform_cell_type = type;
+  desc.points = corners.data();
+  desc.point_count = 3;
+  desc.connectivity = triangle.data();
+  desc.connectivity_count = 3;
+  desc.cell_count = 1;
+  dsw_environment *made = nullptr;
+  check(dsw_environment_create(nullptr, &desc, &made, nullptr));
+  Array<std::uint8_t> block = filled<std::uint8_t>([made](void *out, std::size_t capacity, std::size_t *size) {
+    return dsw_environment_save(made, out, capacity, size);
+  });
+  dsw_environment_destroy(made);
+  EXPECT_EQ(status_of([&] { Environment::load({block.data(), block.size()}); }), DSW_STATUS_UNSUPPORTED);
+}
+
 TEST(Layer, EmptyArraysAreLeftOutWhereverTheyLie) {
   const std::vector<std::uint8_t> bytes(1);
   const std::vector<std::int32_t> numbers(1);
