@@ -109,9 +109,8 @@ class Numbers {
   const T *set(const Napi::Value &value) {
     if (!value.IsArray()) return set_typed(value);
     const auto array = value.As<Napi::Array>();
-    count = array.Length();
-    copy_.resize(count);
-    for (std::uint32_t i = 0; i < count; ++i) copy_[i] = number<T>(array.Get(i));
+    count = array.Length();  // of any size: there may be nothing in it
+    for (std::uint32_t i = 0; i < count; ++i) copy_.push_back(number<T>(array.Get(i)));
     return copy_.data();
   }
 
@@ -131,6 +130,15 @@ class Numbers {
 inline std::size_t whole_points(napi_env env, std::size_t numbers) {
   if (numbers % 3 != 0) refuse(env, "a point has 3 coordinates");
   return numbers / 3;
+}
+
+// Throws where a typed array no longer has the elements that it had when it was read: its memory went to another thread, or was made smaller.
+inline void still_there(const Napi::Value &value, const void *data, std::size_t count) {
+  if (count == 0 || !value.IsTypedArray()) return;
+  void *now = nullptr;
+  napi_get_typedarray_info(value.Env(), value, nullptr, nullptr, &now, nullptr, nullptr);
+  if (now != data || value.As<Napi::TypedArray>().ElementLength() < count)
+    refuse(value.Env(), "an array has lost its memory while arguments were read");
 }
 
 // Indices of 4 bytes, or of 8 as BigInt64Array.
@@ -209,13 +217,14 @@ void set_struct(const Napi::Value &value, T &out) {
   std::memcpy(&out, memory.Data(), sizeof out);
 }
 
+// `memory` is what has the elements.
 template <class T>
-dartsweep::View<T> to_view(const Napi::Value &value) {
+dartsweep::View<T> to_view(const Napi::Value &value, Napi::Value &memory) {
   if (is_nothing(value)) return {};
   Napi::Env env = value.Env();
   Hooks &hooks = *hooks_of(env);
   const Napi::FunctionReference &hook = std::is_const_v<T> ? hooks.readable : hooks.writable;
-  const Napi::Value memory = hook.Call({Napi::Number::New(env, kind_of<std::remove_const_t<T>>), value});
+  memory = hook.Call({Napi::Number::New(env, kind_of<std::remove_const_t<T>>), value});
   Numbers<std::uint8_t> bytes;
   auto *data = bytes.set_typed(memory);
   return {reinterpret_cast<T *>(data), bytes.count / sizeof(T)};

@@ -48,12 +48,14 @@ DSW_NUMBER(std::size_t)
 %typemap(in) enum SWIGTYPE "$1 = static_cast<$1_ltype>(dartsweep_node::number<std::int32_t>($input));"
 %typemap(out) enum SWIGTYPE "$result = Napi::Number::New(env, static_cast<double>($1));"
 
-// --- arrays of numbers
+// --- arrays of numbers. Reading a later argument may run the host's functions, getters, which may take an earlier one's memory away: where
+// arrays lie is asked when all are read ("check").
 %define DSW_POINTS(type, set)
 %typemap(in) type (dartsweep_node::Numbers<double> numbers) {
   $1.data = numbers.set($input);
   $1.count = dartsweep_node::whole_points(env, numbers.count);
 }
+%typemap(check) type "dartsweep_node::still_there($input, $1.data, 3 * $1.count);"
 %enddef
 DSW_POINTS(dartsweep::Points, set)
 DSW_POINTS(dartsweep::PointsOut, set_typed)
@@ -61,6 +63,7 @@ DSW_POINTS(dartsweep::PointsOut, set_typed)
 %typemap(in) dartsweep::Indices (dartsweep_node::IndexNumbers numbers) {
   $1 = numbers.set($input);
 }
+%typemap(check) dartsweep::Indices "dartsweep_node::still_there($input, $1.data, $1.count);"
 
 %define DSW_NUMBERS(type)
 %typemap(in) dartsweep::View<const type> (dartsweep_node::Numbers<type> numbers) {
@@ -71,6 +74,7 @@ DSW_POINTS(dartsweep::PointsOut, set_typed)
   type *data = numbers.set_typed($input);
   $1 = dartsweep::View<type>{data, numbers.count};
 }
+%typemap(check) dartsweep::View<const type>, dartsweep::View<type> "dartsweep_node::still_there($input, (&$1)->data, (&$1)->count);"
 %typemap(out) dartsweep::Array<type> {
   $result = dartsweep_node::from_numbers(env, (&$1)->data(), (&$1)->size());
 }
@@ -112,8 +116,10 @@ DSW_STRUCT(type)
 %enddef
 %define DSW_STRUCTS(type, name)
 DSW_STRUCT_BY_REFERENCE(type, name)
-%typemap(in) dartsweep::View<const type> "$1 = dartsweep_node::to_view<const type>($input);"
-%typemap(in) dartsweep::View<type> "$1 = dartsweep_node::to_view<type>($input);"
+%typemap(in) dartsweep::View<const type> (Napi::Value memory) "$1 = dartsweep_node::to_view<const type>($input, memory);"
+%typemap(in) dartsweep::View<type> (Napi::Value memory) "$1 = dartsweep_node::to_view<type>($input, memory);"
+%typemap(check) dartsweep::View<const type>, dartsweep::View<type>
+  "dartsweep_node::still_there(memory$argnum, (&$1)->data, sizeof(type) * (&$1)->count);"
 %typemap(out) dartsweep::Array<type> {
   $result = dartsweep_node::from_structs<type>(env, (&$1)->data(), (&$1)->size());
 }

@@ -56,6 +56,7 @@ class StructArray {
   constructor(source) {
     const { size } = this.constructor.struct;
     if (typeof source === 'number') {
+      if (!Number.isInteger(source)) throw new RangeError(`${this.constructor.name} has a whole number of entries, not ${source}`);
       this.buffer = new ArrayBuffer(size * source);
     } else if (source instanceof ArrayBuffer || source instanceof SharedArrayBuffer) {
       if (source.byteLength % size !== 0) throw new RangeError(`memory of ${this.constructor.name} is a multiple of ${size} bytes`);

@@ -43,6 +43,27 @@ test('memory that is shared between threads is read in place', async () => {
   assert.ok(environment.isValid(flight.volume));
 });
 
+test('arrays that lose their memory while arguments are read are refused', () => {
+  const environment = createEnvironment();
+  const lose = {
+    'to another thread': (buffer) => structuredClone(buffer, { transfer: [buffer] }),
+    'to nobody': (buffer) => buffer.resize?.(8),
+  };
+  for (const [where, take] of Object.entries(lose)) {
+    const make = (size) => new ArrayBuffer(size, { maxByteLength: size });
+    const from = new Float64Array(make(24));
+    const starts = (buffer) => [{ generation: 0, get index() { take(buffer); return 0; } }];
+    if (!from.buffer.resizable && where === 'to nobody') continue; // before Node 20
+    assert.throws(() => environment.castSegments(from, target, { starts: starts(from.buffer) }), /lost its memory/);
+    const cells = new Int32Array(make(32));
+    const regions = Object.defineProperty([0], 0, { get() { take(cells.buffer); return 0; } });
+    assert.throws(() => new dsw.Environment(new Float64Array(24), cells, { regions }), /lost its memory/);
+  }
+  const nothing = [];
+  nothing.length = 2 ** 32 - 1;
+  assert.throws(() => environment.castSegments(nothing, nothing, { flights: new dsw.FlightArray(1) }), TypeError);
+});
+
 test('lists of structs are lists', () => {
   const id = new dsw.VolumeId(3, 4);
   const list = new dsw.VolumeIdArray([id, new dsw.VolumeId(5, 6), null]);
@@ -54,7 +75,7 @@ test('lists of structs are lists', () => {
   list.set(1, id);
   assert.deepEqual(list.at(1), id);
   assert.equal(new dsw.VolumeIdArray(0).length, 0);
-  assert.throws(() => new dsw.VolumeIdArray(new ArrayBuffer(9)), RangeError);
+  for (const wrong of [new ArrayBuffer(9), 1.5, -1, NaN]) assert.throws(() => new dsw.VolumeIdArray(wrong), RangeError);
 });
 
 test('results are plain objects, which go back in', () => {
