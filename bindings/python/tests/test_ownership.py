@@ -6,6 +6,7 @@ import gc
 import pathlib
 import sys
 import threading
+import weakref
 from collections.abc import Callable
 
 import numpy as np
@@ -177,6 +178,23 @@ def test_the_log_is_a_callable() -> None:
     with pytest.raises(ds.errors.NonFinite):
         ds.Environment(np.full((4, 3), np.nan), [[0, 1, 2, 3]], log=lambda level, text: lines.append((level, text)))
     assert all(level in list(ds.LogLevel) for level, _ in lines)
+
+
+def test_a_coarse_environment_keeps_the_log() -> None:
+    class Log:
+        def __call__(self, level: int, text: str) -> None:
+            pass
+
+    corners = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    environment = ds.Environment(corners, [[0, 1, 2, 3]], log=(log := Log()))
+    kept = weakref.ref(log)
+    coarse, _ = environment.coarsen()
+    del environment, log
+    gc.collect()
+    assert kept() is not None and coarse.info.volume_count == 1  # its context still writes there
+    del coarse
+    gc.collect()
+    assert kept() is None
 
 
 def test_recordings_are_written_as_calls_are_made(environment: ds.Environment, tmp_path: pathlib.Path) -> None:

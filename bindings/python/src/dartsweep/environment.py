@@ -78,9 +78,9 @@ class Environment:
         )
 
     @classmethod
-    def _of(cls, core: Any) -> Environment:
+    def _of(cls, core: Any, log: Any = None) -> Environment:
         made = cls.__new__(cls)
-        made._core, made._log = core, None
+        made._core, made._log = core, log
         return made
 
     @classmethod
@@ -128,7 +128,7 @@ class Environment:
     def coarsen(self, options: CoarsenOptions | None = None) -> tuple[Environment, NDArray[np.uint32]]:
         """The same obstacles with passable tetrahedra merged; and for each index of a volume here that of its volume there."""
         volume_map = np.empty(self.info.volume_index_count, np.uint32)
-        return Environment._of(self._core.coarsen(options, volume_map)), volume_map
+        return Environment._of(self._core.coarsen(options, volume_map), self._log), volume_map
 
     # --- cells
 
