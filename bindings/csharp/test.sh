@@ -17,6 +17,7 @@ cp "$package/native"/* "$package"
 mcs -nologo -out:"$package/tests.exe" -r:"$package/Dartsweep.dll" $source/tests/*.cs
 mono --debug "$package/tests.exe" bindings/tests/scenario.json | tee "$out/tests.txt"
 
+rm -f "$out"/Dartsweep.*.nupkg # of other versions
 python3 $source/pack.py $source/Dartsweep.nuspec "$package" "$out"
 rm -rf "$program"
 python3 -m zipfile -e "$out"/Dartsweep.*.nupkg "$program"

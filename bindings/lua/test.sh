@@ -9,6 +9,7 @@ rocks=$out/rocks
 export LUA_PATH="$rocks/share/lua/5.4/?.lua;$source/tests/?.lua;;" LUA_CPATH="$rocks/lib/lua/5.4/?.so;;"
 
 mkdir -p "$out/source"
+rm -f "$out/source/$source"/*.rockspec # of other versions
 cp -a bindings include "$out/source" # LuaRocks builds beside the sources
 (cd "$out/source/$source" && luarocks --lua-version=5.4 --tree="$rocks" make "DARTSWEEP_DIR=$library")
 lua5.4 $source/tests/tests.lua bindings/tests/scenario.json | tee "$out/tests.txt"
