@@ -121,6 +121,7 @@ class Numbers {
     const char *type = std::is_same_v<T, double>         ? "Float64Array"
                        : std::is_same_v<T, std::uint8_t> ? "Uint8Array"
                        : std::is_same_v<T, std::int32_t> ? "Int32Array"
+                       : std::is_same_v<T, std::size_t>  ? "BigUint64Array"
                                                          : "Uint32Array";
     return std::string(what) + " is needed: " + type;
   }

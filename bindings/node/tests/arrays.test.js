@@ -116,6 +116,7 @@ test('cells of several types, of 8 bytes an index', () => {
   assert.equal(environment.getTag(environment.getVolume(1)), 9);
   assert.equal(environment.buildReport().reorientedCount, 1);
   assert.ok(!environment.findFaces([0, 4], [0, 1, 2, 3]).at(0).isNull);
+  assert.throws(() => environment.findFaces(new Uint32Array([0, 4]), [0, 1, 2, 3]), /BigUint64Array/);
 });
 
 test('enumerators have names', () => {
