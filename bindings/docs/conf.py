@@ -23,7 +23,7 @@ myst_url_schemes = {"http": None, "https": None, "c": "../../c/{{path}}"}  # pag
 autodoc_member_order = "bysource"
 autodoc_type_aliases = {name: name for name in ("ArrayLike", "Ids", "Records")}  # as they are written
 default_role = "code"
-nitpick_ignore_regex = [("py:.*", r"(?!dartsweep).*"), ("py:class", r".*\.Description")]  # not ours; a type variable
+nitpick_ignore_regex = [("py:.*", r"(?!dartsweep).*"), ("py:class", r".*\.Description|dartsweep\._core\..*")]  # not ours; a type variable; structs are told by the C reference
 
 
 def name_pages_of_folders(app, docname, source):
