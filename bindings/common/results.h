@@ -58,7 +58,7 @@ struct BodyFilter {
   std::uint32_t category, mask;
 };
 
-// The cell that an id names.
+/** The cell that an id names. */
 inline dsw_cell cell_of(dsw_vertex_id id) { return {DSW_CELL_VERTEX, id.index, id.generation, 0}; }
 inline dsw_cell cell_of(dsw_edge_id id) { return {DSW_CELL_EDGE, id.volume, id.generation, id.local}; }
 inline dsw_cell cell_of(dsw_face_id id) { return {DSW_CELL_FACE, id.volume, id.generation, id.local}; }

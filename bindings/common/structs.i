@@ -111,6 +111,7 @@ DSW_EACH_RESULT(DSW_MEMBER)
 %feature("novaluewrapper") type;
 %extend type {
   type(uint32_t index, uint32_t generation) { return new type{index, generation}; }
+  /** Whether it names nothing. */
   bool is_null() const { return $self->generation == 0; }
 }
 %enddef
@@ -126,6 +127,7 @@ DSW_ID_OF_TWO(dsw_body_face_id)
 %feature("novaluewrapper") type;
 %extend type {
   type(uint32_t volume, uint32_t generation, uint32_t local) { return new type{volume, generation, local}; }
+  /** Whether it names nothing. */
   bool is_null() const { return $self->generation == 0; }
 }
 %enddef
