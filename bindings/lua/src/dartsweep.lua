@@ -10,7 +10,7 @@ end
 local environment_meta, Environment = parts_of(core.Environment)
 local scene_meta, Scene = parts_of(core.Scene)
 local body_meta, Body = parts_of(core.Body)
-local _, Log = parts_of(core.Log)
+local log_meta, Log = parts_of(core.Log)
 
 local version = core.version()
 core._VERSION = ("Dartsweep %d.%d.%d"):format(math.floor(version / 1000000), math.floor(version / 1000) % 1000, version % 1000)
@@ -205,5 +205,8 @@ function Body:get_positions(positions, volumes)
   get_positions(self, positions, volumes)
   return positions
 end
+
+-- What collects them is for the collector alone: called by hand it would leave an object without its C++ half.
+for _, meta in ipairs { environment_meta, scene_meta, body_meta, log_meta } do meta.__metatable = false end
 
 return core

@@ -116,6 +116,12 @@ function TestOwnership:test_use_after_closing_is_an_error()
   end
 end
 
+function TestOwnership:test_metatables_are_not_handed_out()
+  local environment = scenario.create()
+  lu.assertFalse(getmetatable(environment))
+  lu.assertFalse(getmetatable(dsw.Scene(environment)))
+end
+
 function TestOwnership:test_variables_that_close_do()
   local environment, scene
   pcall(function()
