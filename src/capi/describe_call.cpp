@@ -65,8 +65,9 @@ void add_moved_points(Text& text, Arguments& a) {
   text.add("; %zu vertices in all", count);
 }
 
-/** Words and letters: i an id of index and generation, f of a volume's part, u an unsigned, d a double, s a struct beyond its size, as words in hexadecimal, r a
- * rigid motion, m points that move; I F U D arrays, B one of bytes, of which only the number is told. Ids are alike in memory. */
+/** Words and letters: i an id of index and generation, f of a volume's part, u an unsigned, d a double, s a struct beyond its size, as words in
+ * hexadecimal, r a rigid motion, m points that move; I F U D arrays, B one of bytes, of which only the number is told. Ids are alike in
+ * memory. */
 const char* format_of(Call call) noexcept {
   switch (call) {
     case Call::kMarkVolumes:

@@ -7,10 +7,9 @@ namespace dsw {
 
 struct NearestResult {
   double distance = 0;
-  double point[3] = {},
-         normal[3] =
-             {};  // of the obstacle; unit, towards the asked point (zero at distance 0); in the plane the third is 0
-  FeatureRef feature;  // canonical: facet, marked edge (in space) or marked vertex
+  double point[3] = {};   // of the obstacle; in the plane the third is 0, as below
+  double normal[3] = {};  // unit, towards the asked point; zero at distance 0
+  FeatureRef feature;     // canonical: facet, marked edge (in space) or marked vertex
   uint32_t cells_visited = 0;
 };
 
