@@ -6,13 +6,15 @@
 namespace dsw {
 namespace {
 
-void link_edge(Body& body, uint32_t e, uint32_t side) noexcept {
-  BodyVertex& vertex = body.vertices[body.edges[e].ends[side]];
+template <int D>
+void link_edge(Body<D>& body, uint32_t e, uint32_t side) noexcept {
+  BodyVertex<D>& vertex = body.vertices[body.edges[e].ends[side]];
   body.edges[e].next[side] = vertex.first_edge;
   vertex.first_edge = e;
 }
 
-void unlink_edge(Body& body, uint32_t e, uint32_t side) noexcept {
+template <int D>
+void unlink_edge(Body<D>& body, uint32_t e, uint32_t side) noexcept {
   const uint32_t v = body.edges[e].ends[side];
   uint32_t* at = &body.vertices[v].first_edge;
   while (*at != e) {
@@ -46,32 +48,36 @@ void reserve_slots(SlotPool& slots, Array<T>& items, size_t more) {
 }
 
 /** Moves one end of an edge to another vertex. */
-void move_end(Body& body, uint32_t e, uint32_t from, uint32_t to) noexcept {
+template <int D>
+void move_end(Body<D>& body, uint32_t e, uint32_t from, uint32_t to) noexcept {
   const uint32_t side = body.edges[e].side_of(from);
   unlink_edge(body, e, side);
   body.edges[e].ends[side] = to;
   link_edge(body, e, side);
 }
 
-Box box_of(const Body& body, const uint32_t* vertices, int count) noexcept {
-  Box box;
+template <int D>
+Box<D> box_of(const Body<D>& body, const uint32_t* vertices, int count) noexcept {
+  Box<D> box;
   for (int i = 0; i < count; ++i) box.add(body.position(vertices[i]));
   return box;
 }
 
-double size_of(const Box& box) noexcept {
+template <int D>
+double size_of(const Box<D>& box) noexcept {
   double size = 0;
   for (int k = 0; k < 3; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
   return size;
 }
 
 /** Notes where a vertex is and all that hangs on it. */
-void note(Body& body, uint32_t vertex) noexcept {
+template <int D>
+void note(Body<D>& body, uint32_t vertex) noexcept {
   if (body.boxes.empty()) return;
-  BodyBoxes& boxes = body.boxes[0];
+  BodyBoxes<D>& boxes = body.boxes[0];
   double size = 0;
   for_each_edge(body, vertex, [&](uint32_t e) {
-    const Box box = box_of(body, body.edges[e].ends, 2);
+    const Box<D> box = box_of(body, body.edges[e].ends, 2);
     boxes.edges.put(e, box);
     size = std::max(size, size_of(box));
     return true;
@@ -80,7 +86,7 @@ void note(Body& body, uint32_t vertex) noexcept {
     boxes.faces.put(f, box_of(body, body.faces[f].corners, 3));
     return true;
   });
-  const Box box = box_of(body, &vertex, 1);
+  const Box<D> box = box_of(body, &vertex, 1);
   boxes.vertices.put(vertex, box, size);
   if (body.vertices[vertex].first_edge == kNone) {
     boxes.loners.put(vertex, box);
@@ -90,34 +96,38 @@ void note(Body& body, uint32_t vertex) noexcept {
   boxes.bounds.add(box);
 }
 
-void note_all(Body& body) noexcept {
+template <int D>
+void note_all(Body<D>& body) noexcept {
   if (body.boxes.empty()) return;
-  body.boxes[0].bounds = Box();
+  body.boxes[0].bounds = Box<D>();
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     if (body.has_vertex(v)) note(body, v);
   }
 }
 
-void reserve_boxes(Body& body, BodyBoxes& boxes, size_t more_vertices, size_t more_edges, size_t more_faces) {
+template <int D>
+void reserve_boxes(Body<D>& body, BodyBoxes<D>& boxes, size_t more_vertices, size_t more_edges, size_t more_faces) {
   boxes.vertices.reserve(body.vertices.size() + more_vertices);
   boxes.loners.reserve(body.vertices.size() + more_vertices);
   boxes.edges.reserve(body.edges.size() + more_edges);
   boxes.faces.reserve(body.faces.size() + more_faces);
 }
 
-void release_vertex(Body& body, uint32_t vertex) noexcept {
+template <int D>
+void release_vertex(Body<D>& body, uint32_t vertex) noexcept {
   if (!body.boxes.empty()) {
     body.boxes[0].vertices.remove(vertex);
     body.boxes[0].loners.remove(vertex);
   }
-  body.vertices[vertex] = BodyVertex{};
+  body.vertices[vertex] = BodyVertex<D>{};
   body.vertex_slots.release(vertex);
   const auto found = std::find(body.inserted.begin(), body.inserted.end(), vertex);
   if (found != body.inserted.end()) body.inserted.erase(found);
 }
 
 /** Drops an edge that has been joined with another: its face goes there. */
-void join_edge(Body& body, uint32_t gone, uint32_t kept) noexcept {
+template <int D>
+void join_edge(Body<D>& body, uint32_t gone, uint32_t kept) noexcept {
   for (const uint32_t f : body.edges[gone].faces) {
     if (f != kNone) attach_face(body.edges[kept], f);
   }
@@ -127,7 +137,8 @@ void join_edge(Body& body, uint32_t gone, uint32_t kept) noexcept {
 
 }  // namespace
 
-uint32_t find_edge(const Body& body, uint32_t a, uint32_t b) noexcept {
+template <int D>
+uint32_t find_edge(const Body<D>& body, uint32_t a, uint32_t b) noexcept {
   uint32_t found = kNone;
   for_each_edge(body, a, [&](uint32_t e) {
     if (body.edges[e].other(a) == b) found = e;
@@ -136,7 +147,8 @@ uint32_t find_edge(const Body& body, uint32_t a, uint32_t b) noexcept {
   return found;
 }
 
-uint32_t find_face(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
+template <int D>
+uint32_t find_face(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
   const uint32_t e = find_edge(body, a, b);
   if (e == kNone) return kNone;
   for (const uint32_t f : body.edges[e].faces) {
@@ -147,7 +159,8 @@ uint32_t find_face(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcep
   return kNone;
 }
 
-FaceDefect face_defect(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
+template <int D>
+FaceDefect face_defect(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
   if (find_face(body, a, b, c) != kNone) return FaceDefect::kRepeated;
   const uint32_t corners[3] = {a, b, c};
   for (int k = 0; k < 3; ++k) {
@@ -161,7 +174,8 @@ FaceDefect face_defect(const Body& body, uint32_t a, uint32_t b, uint32_t c) noe
   return FaceDefect::kFine;
 }
 
-bool starts_fan(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
+template <int D>
+bool starts_fan(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
   const uint32_t corners[3] = {a, b, c};
   const auto has_face = [&](uint32_t from, uint32_t to) {
     const uint32_t e = find_edge(body, from, to);
@@ -176,7 +190,8 @@ bool starts_fan(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
   return false;
 }
 
-bool is_one_fan(const Body& body, uint32_t vertex) noexcept {
+template <int D>
+bool is_one_fan(const Body<D>& body, uint32_t vertex) noexcept {
   uint32_t count = 0, start = kNone;
   for_each_face(body, vertex, [&](uint32_t f) {
     // A fan that is open begins at the face whose first edge has no other face.
@@ -195,7 +210,8 @@ bool is_one_fan(const Body& body, uint32_t vertex) noexcept {
   return reached == count;
 }
 
-void reserve(Body& body, size_t more_vertices, size_t more_edges, size_t more_faces) {
+template <int D>
+void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more_faces) {
   reserve_slots(body.vertex_slots, body.vertices, more_vertices);
   reserve_slots(body.edge_slots, body.edges, more_edges);
   reserve_slots(body.face_slots, body.faces, more_faces);
@@ -204,39 +220,45 @@ void reserve(Body& body, size_t more_vertices, size_t more_edges, size_t more_fa
   if (!body.boxes.empty()) reserve_boxes(body, body.boxes[0], more_vertices, more_edges, more_faces);
 }
 
-void keep_boxes(Body& body) {
-  BodyBoxes boxes(body.vertices.get_allocator().memory);
+template <int D>
+void keep_boxes(Body<D>& body) {
+  BodyBoxes<D> boxes(body.vertices.get_allocator().memory);
   reserve_boxes(body, boxes, 0, 0, 0);
   body.boxes.reserve(1);
   body.boxes.push_back(std::move(boxes));
   note_all(body);
 }
 
-void tighten_bounds(Body& body) noexcept {
-  Box bounds;
+template <int D>
+void tighten_bounds(Body<D>& body) noexcept {
+  Box<D> bounds;
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     if (body.has_vertex(v)) bounds.add(body.position(v));
   }
   body.boxes[0].bounds = bounds;
 }
 
-void put_vertex(Body& body, uint32_t vertex, const double* position, Cell cell) noexcept {
+template <int D>
+void put_vertex(Body<D>& body, uint32_t vertex, const double* position, Cell cell) noexcept {
   std::copy_n(position, 3, body.vertices[vertex].position);
   body.vertices[vertex].cell = cell;
   note(body, vertex);
 }
 
-void put_vertices(Body& body, const BodyVertex* from) noexcept {
+template <int D>
+void put_vertices(Body<D>& body, const BodyVertex<D>* from) noexcept {
   std::copy_n(from, body.vertices.size(), body.vertices.begin());
   note_all(body);
 }
 
-void keep_sequences(Body& body, size_t edges) {
-  if (body.sequences.size() < edges) body.sequences.resize(edges, EdgeSequence(body.edges.get_allocator()));
+template <int D>
+void keep_sequences(Body<D>& body, size_t edges) {
+  if (body.sequences.size() < edges) body.sequences.resize(edges, EdgeSequence<D>(body.edges.get_allocator()));
 }
 
-uint32_t add_vertex(Body& body, const double* position, Cell cell) noexcept {
-  BodyVertex vertex;
+template <int D>
+uint32_t add_vertex(Body<D>& body, const double* position, Cell cell) noexcept {
+  BodyVertex<D> vertex;
   std::copy_n(position, 3, vertex.position);
   vertex.cell = cell;
   const uint32_t v = acquire(body.vertex_slots, body.vertices, vertex);
@@ -244,7 +266,8 @@ uint32_t add_vertex(Body& body, const double* position, Cell cell) noexcept {
   return v;
 }
 
-uint32_t add_edge(Body& body, uint32_t a, uint32_t b) noexcept {
+template <int D>
+uint32_t add_edge(Body<D>& body, uint32_t a, uint32_t b) noexcept {
   BodyEdge edge;
   edge.ends[0] = a;
   edge.ends[1] = b;
@@ -256,7 +279,8 @@ uint32_t add_edge(Body& body, uint32_t a, uint32_t b) noexcept {
   return e;
 }
 
-uint32_t add_face(Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
+template <int D>
+uint32_t add_face(Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
   BodyFace face;
   face.corners[0] = a;
   face.corners[1] = b;
@@ -270,7 +294,8 @@ uint32_t add_face(Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept {
   return f;
 }
 
-void remove_face(Body& body, uint32_t face) noexcept {
+template <int D>
+void remove_face(Body<D>& body, uint32_t face) noexcept {
   BodyFace& gone = body.faces[face];
   for (int k = 0; k < 3; ++k) {
     replace_face(body.edges[find_edge(body, gone.corners[k], gone.corners[(k + 1) % 3])], face, kNone);
@@ -280,7 +305,8 @@ void remove_face(Body& body, uint32_t face) noexcept {
   body.face_slots.release(face);
 }
 
-void remove_edge(Body& body, uint32_t edge) noexcept {
+template <int D>
+void remove_edge(Body<D>& body, uint32_t edge) noexcept {
   for (int k = 0; k < 2; ++k) {
     if (body.edges[edge].faces[k] != kNone) remove_face(body, body.edges[edge].faces[k]);
   }
@@ -292,12 +318,14 @@ void remove_edge(Body& body, uint32_t edge) noexcept {
   body.edge_slots.release(edge);
 }
 
-void remove_vertex(Body& body, uint32_t vertex) noexcept {
+template <int D>
+void remove_vertex(Body<D>& body, uint32_t vertex) noexcept {
   while (body.vertices[vertex].first_edge != kNone) remove_edge(body, body.vertices[vertex].first_edge);
   release_vertex(body, vertex);
 }
 
-uint32_t split_edge(Body& body, uint32_t edge, uint32_t middle) noexcept {
+template <int D>
+uint32_t split_edge(Body<D>& body, uint32_t edge, uint32_t middle) noexcept {
   const uint32_t from = body.edges[edge].ends[0], to = body.edges[edge].ends[1];
   const uint32_t faces[2] = {body.edges[edge].faces[0], body.edges[edge].faces[1]};
   unlink_edge(body, edge, 1);
@@ -321,7 +349,8 @@ uint32_t split_edge(Body& body, uint32_t edge, uint32_t middle) noexcept {
   return rest;
 }
 
-bool can_collapse(const Body& body, uint32_t edge, uint32_t vertex) noexcept {
+template <int D>
+bool can_collapse(const Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
   const BodyEdge& e = body.edges[edge];
   const uint32_t kept = e.other(vertex);
   // A wire between two surfaces would join them in a vertex alone.
@@ -366,7 +395,8 @@ bool can_collapse(const Body& body, uint32_t edge, uint32_t vertex) noexcept {
   return !(inner && on_rim(vertex) && on_rim(kept));
 }
 
-void collapse_edge(Body& body, uint32_t edge, uint32_t vertex) noexcept {
+template <int D>
+void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
   const uint32_t kept = body.edges[edge].other(vertex);
   remove_edge(body, edge);
   while (body.vertices[vertex].first_edge != kNone) {
@@ -387,5 +417,29 @@ void collapse_edge(Body& body, uint32_t edge, uint32_t vertex) noexcept {
   release_vertex(body, vertex);
   note(body, kept);
 }
+
+#define DSW_BODY(D)                                                                                     \
+  template uint32_t find_edge(const Body<D>& body, uint32_t a, uint32_t b) noexcept;                    \
+  template uint32_t find_face(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;        \
+  template FaceDefect face_defect(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;    \
+  template bool starts_fan(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;           \
+  template bool is_one_fan(const Body<D>& body, uint32_t vertex) noexcept;                              \
+  template void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more_faces);     \
+  template void keep_sequences(Body<D>& body, size_t edges);                                            \
+  template void keep_boxes(Body<D>& body);                                                              \
+  template void tighten_bounds(Body<D>& body) noexcept;                                                 \
+  template void put_vertex(Body<D>& body, uint32_t vertex, const double* position, Cell cell) noexcept; \
+  template void put_vertices(Body<D>& body, const BodyVertex<D>* from) noexcept;                        \
+  template uint32_t add_vertex(Body<D>& body, const double* position, Cell cell) noexcept;              \
+  template uint32_t add_edge(Body<D>& body, uint32_t a, uint32_t b) noexcept;                           \
+  template uint32_t add_face(Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;               \
+  template void remove_face(Body<D>& body, uint32_t face) noexcept;                                     \
+  template void remove_edge(Body<D>& body, uint32_t edge) noexcept;                                     \
+  template void remove_vertex(Body<D>& body, uint32_t vertex) noexcept;                                 \
+  template uint32_t split_edge(Body<D>& body, uint32_t edge, uint32_t middle) noexcept;                 \
+  template bool can_collapse(const Body<D>& body, uint32_t edge, uint32_t vertex) noexcept;             \
+  template void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept
+DSW_BODY(3);
+#undef DSW_BODY
 
 }  // namespace dsw

@@ -15,12 +15,13 @@ constexpr uint32_t kNone = 0xffffffffu;
 enum class SweepLevel : uint32_t { kPoints, kEdges, kEdgesSwept, kFaces };
 
 /** Two to a cache line. */
+template <int D>
 struct BodyVertex {
   double position[3] = {};
   Cell cell;                    // contains the position under the shift, passable; invalid in a free slot
   uint32_t first_edge = kNone;  // start of the list through BodyEdge::next
 };
-static_assert(sizeof(BodyVertex) == 32);
+static_assert(sizeof(BodyVertex<3>) == 32);
 
 struct BodyEdge {
   uint32_t ends[2] = {kNone, kNone};  // kNone in a free slot
@@ -46,6 +47,7 @@ struct Skipping {
 };
 
 /** A ball known to hold nothing impassable. */
+template <int D>
 struct Clearance {
   double centre[3] = {};
   double radius = 0;                // 0: none is known
@@ -63,9 +65,10 @@ struct ContactFilter {
 };
 
 /** Where the parts of a body are, to find those that are near. All are noted, whatever the level. */
+template <int D>
 struct BodyBoxes {
-  BoxGrid vertices, loners, edges, faces;  // loners: vertices without edges
-  Box bounds;                              // of all; may be too large
+  BoxGrid<D> vertices, loners, edges, faces;  // loners: vertices without edges
+  Box<D> bounds;                              // of all; may be too large
 
   explicit BodyBoxes(const Memory* memory) : vertices(memory), loners(memory), edges(memory), faces(memory) {}
   uint64_t memory_bytes() const {
@@ -73,32 +76,33 @@ struct BodyBoxes {
   }
 };
 
+template <int D>
 struct Body {
-  Array<BodyVertex> vertices;
+  Array<BodyVertex<D>> vertices;
   Array<BodyEdge> edges;
   Array<BodyFace> faces;
   SlotPool vertex_slots, edge_slots, face_slots;
   Array<uint32_t> inserted;  // vertices that a response has inserted
   // By edge, if they are kept: the facets passed from ends[0] to ends[1], see motion/sequence.h. A forecast: changes no result.
-  mutable Array<EdgeSequence> sequences;
-  Array<Clearance> clearances;   // by vertex, if they are kept
-  int64_t clearance_credit = 0;  // what measuring them may cost, see sweep/clearance.h
-  Array<BodyBoxes> boxes;        // one, if bodies meet each other; else none
+  mutable Array<EdgeSequence<D>> sequences;
+  Array<Clearance<D>> clearances;  // by vertex, if they are kept
+  int64_t clearance_credit = 0;    // what measuring them may cost, see sweep/clearance.h
+  Array<BodyBoxes<D>> boxes;       // one, if bodies meet each other; else none
   ContactFilter filter;
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
 
   explicit Body(const Memory* memory)
-      : vertices(Allocator<BodyVertex>(memory)),
+      : vertices(Allocator<BodyVertex<D>>(memory)),
         edges(Allocator<BodyEdge>(memory)),
         faces(Allocator<BodyFace>(memory)),
         vertex_slots(memory),
         edge_slots(memory),
         face_slots(memory),
         inserted(Allocator<uint32_t>(memory)),
-        sequences(Allocator<EdgeSequence>(memory)),
-        clearances(Allocator<Clearance>(memory)),
-        boxes(Allocator<BodyBoxes>(memory)) {}
+        sequences(Allocator<EdgeSequence<D>>(memory)),
+        clearances(Allocator<Clearance<D>>(memory)),
+        boxes(Allocator<BodyBoxes<D>>(memory)) {}
 
   bool keeps_sequences() const { return skipping.sequences || level >= SweepLevel::kEdgesSwept; }
   bool has_vertex(uint32_t v) const { return v < vertices.size() && vertices[v].cell.valid(); }
@@ -107,16 +111,16 @@ struct Body {
   const double* position(uint32_t v) const { return vertices[v].position; }
   uint64_t memory_bytes() const {
     uint64_t of_parts = array_bytes(sequences);
-    for (const EdgeSequence& each : sequences) of_parts += array_bytes(each.facets) + each.triangles.memory_bytes();
-    for (const BodyBoxes& each : boxes) of_parts += sizeof each + each.memory_bytes();
+    for (const EdgeSequence<D>& each : sequences) of_parts += array_bytes(each.facets) + each.triangles.memory_bytes();
+    for (const BodyBoxes<D>& each : boxes) of_parts += sizeof each + each.memory_bytes();
     return of_parts + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) +
            array_bytes(inserted) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() + face_slots.memory_bytes();
   }
 };
 
 /** Calls visit(edge) for the edges at a vertex; stops when it returns false. */
-template <class Visit>
-void for_each_edge(const Body& body, uint32_t vertex, Visit visit) {
+template <int D, class Visit>
+void for_each_edge(const Body<D>& body, uint32_t vertex, Visit visit) {
   for (uint32_t e = body.vertices[vertex].first_edge; e != kNone;) {
     const BodyEdge& edge = body.edges[e];
     const uint32_t next = edge.next[edge.side_of(vertex)];
@@ -126,8 +130,8 @@ void for_each_edge(const Body& body, uint32_t vertex, Visit visit) {
 }
 
 /** Calls visit(face) for the faces at a vertex, each once; stops when it returns false. */
-template <class Visit>
-void for_each_face(const Body& body, uint32_t vertex, Visit visit) {
+template <int D, class Visit>
+void for_each_face(const Body<D>& body, uint32_t vertex, Visit visit) {
   for_each_edge(body, vertex, [&](uint32_t e) {
     const BodyEdge edge = body.edges[e];
     for (const uint32_t f : edge.faces) {
@@ -138,51 +142,71 @@ void for_each_face(const Body& body, uint32_t vertex, Visit visit) {
 }
 
 /** The edge between two vertices, or kNone. O(edges at a). */
-uint32_t find_edge(const Body& body, uint32_t a, uint32_t b) noexcept;
+template <int D>
+uint32_t find_edge(const Body<D>& body, uint32_t a, uint32_t b) noexcept;
 /** The face with these corners in any order, or kNone. */
-uint32_t find_face(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+template <int D>
+uint32_t find_face(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
 
 /** Why a face can't be added. */
 enum class FaceDefect { kFine, kRepeated, kThirdFace, kTurned };
 /** Corners are distinct living vertices. */
-FaceDefect face_defect(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+template <int D>
+FaceDefect face_defect(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
 /** Whether a triangle would touch those at one of its corners in the vertex alone. */
-bool starts_fan(const Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+template <int D>
+bool starts_fan(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
 /** Whether the triangles at a vertex form at most one fan. */
-bool is_one_fan(const Body& body, uint32_t vertex) noexcept;
+template <int D>
+bool is_one_fan(const Body<D>& body, uint32_t vertex) noexcept;
 
 /** Makes room for so many more: the functions below then neither throw nor fail. */
-void reserve(Body& body, size_t more_vertices, size_t more_edges, size_t more_faces);
+template <int D>
+void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more_faces);
 /** Gives every edge room for its sequence, after the level has been raised. */
-void keep_sequences(Body& body, size_t edges);
+template <int D>
+void keep_sequences(Body<D>& body, size_t edges);
 /** Starts to keep boxes. Throws std::bad_alloc before it changes anything. */
-void keep_boxes(Body& body);
+template <int D>
+void keep_boxes(Body<D>& body);
 
 /** Lets the bounds of kept boxes fit again. */
-void tighten_bounds(Body& body) noexcept;
+template <int D>
+void tighten_bounds(Body<D>& body) noexcept;
 
 /** Moves a vertex. */
-void put_vertex(Body& body, uint32_t vertex, const double* position, Cell cell) noexcept;
+template <int D>
+void put_vertex(Body<D>& body, uint32_t vertex, const double* position, Cell cell) noexcept;
 /** Moves all vertices to where they were. */
-void put_vertices(Body& body, const BodyVertex* from) noexcept;
-uint32_t add_vertex(Body& body, const double* position, Cell cell) noexcept;
-uint32_t add_edge(Body& body, uint32_t a, uint32_t b) noexcept;
+template <int D>
+void put_vertices(Body<D>& body, const BodyVertex<D>* from) noexcept;
+template <int D>
+uint32_t add_vertex(Body<D>& body, const double* position, Cell cell) noexcept;
+template <int D>
+uint32_t add_edge(Body<D>& body, uint32_t a, uint32_t b) noexcept;
 /** With the edges that are missing: room for three. */
-uint32_t add_face(Body& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+template <int D>
+uint32_t add_face(Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
 
-void remove_face(Body& body, uint32_t face) noexcept;
+template <int D>
+void remove_face(Body<D>& body, uint32_t face) noexcept;
 /** With its faces. */
-void remove_edge(Body& body, uint32_t edge) noexcept;
+template <int D>
+void remove_edge(Body<D>& body, uint32_t edge) noexcept;
 /** With its edges and faces. */
-void remove_vertex(Body& body, uint32_t vertex) noexcept;
+template <int D>
+void remove_vertex(Body<D>& body, uint32_t vertex) noexcept;
 
 /** Puts `middle`, a vertex without edges, on an edge: the edge keeps ends[0], a new one goes on to ends[1], every face at it is cut in
  * two (and keeps the part at ends[0]). Room: 1 + its faces edges, its faces. Returns the new edge. */
-uint32_t split_edge(Body& body, uint32_t edge, uint32_t middle) noexcept;
+template <int D>
+uint32_t split_edge(Body<D>& body, uint32_t edge, uint32_t middle) noexcept;
 
 /** Whether merging `vertex` into the other end of `edge` leaves a manifold (the link condition) without repeated edges. */
-bool can_collapse(const Body& body, uint32_t edge, uint32_t vertex) noexcept;
+template <int D>
+bool can_collapse(const Body<D>& body, uint32_t edge, uint32_t vertex) noexcept;
 /** Merges `vertex` into the other end of `edge`. Edges and faces of `vertex` now end there; the faces at `edge` are gone. */
-void collapse_edge(Body& body, uint32_t edge, uint32_t vertex) noexcept;
+template <int D>
+void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept;
 
 }  // namespace dsw

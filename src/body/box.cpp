@@ -4,23 +4,30 @@
 
 namespace dsw {
 
-Box Box::everything() noexcept {
-  Box box;
+template <int D>
+Box<D> Box<D>::everything() noexcept {
+  Box<D> box;
   std::swap(box.lower, box.upper);
   return box;
 }
 
-bool Box::contains(const double* point) const noexcept {
+template <int D>
+bool Box<D>::contains(const double* point) const noexcept {
   for (int k = 0; k < 3; ++k) {
     if (!(lower[k] <= point[k] && point[k] <= upper[k])) return false;
   }
   return true;
 }
 
-bool Box::overlaps(const double* const* points, int count) const noexcept {
-  Box box;
+template <int D>
+bool Box<D>::overlaps(const double* const* points, int count) const noexcept {
+  Box<D> box;
   for (int i = 0; i < count; ++i) box.add(points[i]);
   return overlaps(box);
 }
+
+#define DSW_BOX(D) template class Box<D>
+DSW_BOX(3);
+#undef DSW_BOX
 
 }  // namespace dsw

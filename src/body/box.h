@@ -5,24 +5,25 @@
 
 namespace dsw {
 
+template <int D>
 struct Box {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double lower[3] = {kInfinity, kInfinity, kInfinity}, upper[3] = {-kInfinity, -kInfinity, -kInfinity};
 
-  static Box everything() noexcept;
+  static Box<D> everything() noexcept;
   void add(const double* point) noexcept {
     for (int k = 0; k < 3; ++k) {
       lower[k] = point[k] < lower[k] ? point[k] : lower[k];
       upper[k] = upper[k] < point[k] ? point[k] : upper[k];
     }
   }
-  void add(const Box& other) noexcept {
+  void add(const Box<D>& other) noexcept {
     add(other.lower);
     add(other.upper);
   }
   bool empty() const noexcept { return !(lower[0] <= upper[0]); }
   bool contains(const double* point) const noexcept;
-  bool overlaps(const Box& other) const noexcept {
+  bool overlaps(const Box<D>& other) const noexcept {
     for (int k = 0; k < 3; ++k) {
       if (!(lower[k] <= other.upper[k] && other.lower[k] <= upper[k])) return false;
     }

@@ -17,7 +17,8 @@ constexpr size_t kMostLevels = 2048;
 
 }  // namespace
 
-void BoxGrid::reserve(size_t count) {
+template <int D>
+void BoxGrid<D>::reserve(size_t count) {
   if (count <= items_.size()) return;
   reserve_more(items_, count - items_.size());
   levels_.resize(std::max(levels_.size(), std::min(count, kMostLevels)));
@@ -33,7 +34,8 @@ void BoxGrid::reserve(size_t count) {
   items_.resize(count);
 }
 
-void BoxGrid::put(uint32_t number, const Box& box, double size) noexcept {
+template <int D>
+void BoxGrid<D>::put(uint32_t number, const Box<D>& box, double size) noexcept {
   Item& item = items_[number];
   const int32_t exponent = exponent_of(box, size);
   if (item.exponent == exponent) {
@@ -52,7 +54,8 @@ void BoxGrid::put(uint32_t number, const Box& box, double size) noexcept {
   link(number, level);
 }
 
-void BoxGrid::remove(uint32_t number) noexcept {
+template <int D>
+void BoxGrid<D>::remove(uint32_t number) noexcept {
   if (number >= items_.size() || items_[number].exponent == kNone) return;
   Item& item = items_[number];
   Level& level = level_of(item.exponent);
@@ -64,14 +67,16 @@ void BoxGrid::remove(uint32_t number) noexcept {
   level = levels_[--level_count_];
 }
 
-void BoxGrid::link(uint32_t number, const Level& level) noexcept {
+template <int D>
+void BoxGrid<D>::link(uint32_t number, const Level& level) noexcept {
   Item& item = items_[number];
   uint32_t& head = heads_[head_of(place_of(level, item.box), item.exponent)];
   item.next = head;
   head = number;
 }
 
-BoxGrid::Level& BoxGrid::level_of(int32_t exponent) noexcept {
+template <int D>
+typename BoxGrid<D>::Level& BoxGrid<D>::level_of(int32_t exponent) noexcept {
   for (uint32_t k = 0; k < level_count_; ++k) {
     if (levels_[k].exponent == exponent) return levels_[k];
   }
@@ -80,7 +85,8 @@ BoxGrid::Level& BoxGrid::level_of(int32_t exponent) noexcept {
   return fresh;
 }
 
-int32_t BoxGrid::exponent_of(const Box& box, double size) noexcept {
+template <int D>
+int32_t BoxGrid<D>::exponent_of(const Box<D>& box, double size) noexcept {
   double largest = 0;
   for (int k = 0; k < 3; ++k) {
     size = std::max(size, box.upper[k] - box.lower[k]);
@@ -94,7 +100,8 @@ int32_t BoxGrid::exponent_of(const Box& box, double size) noexcept {
 }
 
 /** The cells in which boxes that overlap this one are noted; everywhere if that is less work. */
-BoxGrid::Look BoxGrid::find_range(const Level& level, const Box& box, Range& range) const noexcept {
+template <int D>
+typename BoxGrid<D>::Look BoxGrid<D>::find_range(const Level& level, const Box<D>& box, Range& range) const noexcept {
   if (level.exponent == kHuge) return Look::kEverywhere;
   double cells = 1;
   for (int k = 0; k < 3; ++k) {
@@ -106,5 +113,9 @@ BoxGrid::Look BoxGrid::find_range(const Level& level, const Box& box, Range& ran
   }
   return cells <= static_cast<double>(items_.size()) + 8 ? Look::kRange : Look::kEverywhere;
 }
+
+#define DSW_BOX_GRID(D) template class BoxGrid<D>
+DSW_BOX_GRID(3);
+#undef DSW_BOX_GRID
 
 }  // namespace dsw

@@ -9,6 +9,7 @@
 
 namespace dsw {
 
+template <int D>
 class BoxGrid {
  public:
   explicit BoxGrid(const Memory* memory)
@@ -17,13 +18,13 @@ class BoxGrid {
   /** Room for the numbers below `count`: then nothing below can fail. Throws std::bad_alloc before it changes anything that is seen. */
   void reserve(size_t count);
   /** Notes a box, in place of the one with this number. `size` is that of things it is looked for with, if they are larger. */
-  void put(uint32_t number, const Box& box, double size = 0) noexcept;
+  void put(uint32_t number, const Box<D>& box, double size = 0) noexcept;
   /** Nothing if there is none. */
   void remove(uint32_t number) noexcept;
 
   /** Calls visit(number) for each box that overlaps this one, in any order, until it returns false; whether it never did. */
   template <class Visit>
-  bool visit(const Box& box, Visit visit) const {
+  bool visit(const Box<D>& box, Visit visit) const {
     for (uint32_t k = 0; k < level_count_; ++k) {
       const Level& level = levels_[k];
       Range range;
@@ -59,7 +60,7 @@ class BoxGrid {
   static constexpr int32_t kNone = -4096, kHuge = 1001, kTiny = -1000;  // exponents; of kHuge ones all are looked at
 
   struct Item {
-    Box box;
+    Box<D> box;
     int32_t exponent = kNone;
     uint32_t next = kEnd;
   };
@@ -78,18 +79,18 @@ class BoxGrid {
   };
   enum class Look { kNowhere, kRange, kEverywhere };
 
-  Look find_range(const Level& level, const Box& box, Range& range) const noexcept;
+  Look find_range(const Level& level, const Box<D>& box, Range& range) const noexcept;
   static int64_t floor_of(double x) noexcept {  // of one well below 2^63
     const auto whole = static_cast<int64_t>(x);
     return whole - (static_cast<double>(whole) > x ? 1 : 0);
   }
-  static Place place_of(const Level& level, const Box& box) noexcept {
+  static Place place_of(const Level& level, const Box<D>& box) noexcept {
     Place at{};
     if (level.exponent == kHuge) return at;
     for (int k = 0; k < 3; ++k) at.x[k] = floor_of(box.lower[k] * level.inverse);
     return at;
   }
-  static int32_t exponent_of(const Box& box, double size) noexcept;
+  static int32_t exponent_of(const Box<D>& box, double size) noexcept;
   size_t head_of(const Place& at, int32_t exponent) const noexcept {
     uint64_t hash = static_cast<uint32_t>(exponent);
     constexpr uint64_t kFactors[3] = {0x9e3779b97f4a7c15u, 0xc2b2ae3d27d4eb4fu, 0x165667b19e3779f9u};

@@ -27,7 +27,8 @@ bool slots_fit(const SlotPool& slots, size_t count, Has has) {
   return true;
 }
 
-const char* check_edges(const Body& body, EdgesByEnds& by_ends) {
+template <int D>
+const char* check_edges(const Body<D>& body, EdgesByEnds& by_ends) {
   for (uint32_t e = 0; e < body.edges.size(); ++e) {
     if (!body.has_edge(e)) continue;
     const BodyEdge& edge = body.edges[e];
@@ -45,7 +46,8 @@ const char* check_edges(const Body& body, EdgesByEnds& by_ends) {
 }
 
 /** Whether each edge is in the lists of its two ends. Edges are sound. */
-bool lists_whole(const Body& body, size_t edges) {
+template <int D>
+bool lists_whole(const Body<D>& body, size_t edges) {
   size_t rest = 2 * edges;  // a list that runs in a circle has too many
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     if (!body.has_vertex(v)) continue;
@@ -60,7 +62,8 @@ bool lists_whole(const Body& body, size_t edges) {
 }
 
 /** Edges are sound. */
-const char* check_faces(const Body& body, const EdgesByEnds& by_ends) {
+template <int D>
+const char* check_faces(const Body<D>& body, const EdgesByEnds& by_ends) {
   size_t sides = 0;
   for (uint32_t f = 0; f < body.faces.size(); ++f) {
     if (!body.has_face(f)) continue;
@@ -90,7 +93,8 @@ const char* check_faces(const Body& body, const EdgesByEnds& by_ends) {
 
 }  // namespace
 
-const char* check_integrity(const Body& body) {
+template <int D>
+const char* check_integrity(const Body<D>& body) {
   const bool fit = slots_fit(body.vertex_slots, body.vertices.size(), [&](uint32_t v) { return body.has_vertex(v); }) &&
                    slots_fit(body.edge_slots, body.edges.size(), [&](uint32_t e) { return body.has_edge(e); }) &&
                    slots_fit(body.face_slots, body.faces.size(), [&](uint32_t f) { return body.has_face(f); });
@@ -103,5 +107,9 @@ const char* check_integrity(const Body& body) {
   const auto lives = [&](uint32_t v) { return body.has_vertex(v); };
   return std::all_of(body.inserted.begin(), body.inserted.end(), lives) ? nullptr : "an inserted vertex is gone";
 }
+
+#define DSW_INTEGRITY(D) template const char* check_integrity(const Body<D>& body)
+DSW_INTEGRITY(3);
+#undef DSW_INTEGRITY
 
 }  // namespace dsw

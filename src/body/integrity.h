@@ -7,6 +7,7 @@ namespace dsw {
 
 /** Null, or the name of the first invariant found broken: slots, ends and corners that live, lists that are whole, a manifold where there
  * are faces. Where vertices are is not looked at. O(n log n); throws std::bad_alloc only. */
-const char* check_integrity(const Body& body);
+template <int D>
+const char* check_integrity(const Body<D>& body);
 
 }  // namespace dsw

@@ -8,7 +8,8 @@ namespace {
 constexpr double kWaste = 4;  // times what was put into it: the largest volume of a group
 
 /** Flat boxes count as if they had some thickness. */
-double volume_of(const Box& box) noexcept {
+template <int D>
+double volume_of(const Box<D>& box) noexcept {
   double size[3], longest = 0;
   for (int k = 0; k < 3; ++k) {
     size[k] = box.upper[k] - box.lower[k];
@@ -21,10 +22,11 @@ double volume_of(const Box& box) noexcept {
 
 }  // namespace
 
-void BoxGroups::add(const Box& box) {
+template <int D>
+void BoxGroups<D>::add(const Box<D>& box) {
   const double volume = volume_of(box);
   if (!boxes_.empty()) {
-    Box joined = boxes_.back();
+    Box<D> joined = boxes_.back();
     joined.add(box);
     if (!apart_ || volume_of(joined) <= kWaste * (volume_ + volume)) {
       boxes_.back() = joined;
@@ -36,21 +38,24 @@ void BoxGroups::add(const Box& box) {
   volume_ = volume;
 }
 
-void BoxGroups::join() noexcept {
+template <int D>
+void BoxGroups<D>::join() noexcept {
   while (boxes_.size() > 1) {
     boxes_.front().add(boxes_.back());
     boxes_.pop_back();
   }
 }
 
-bool Places::overlap(const double* const* points, int corners) const noexcept {
+template <int D>
+bool Places<D>::overlap(const double* const* points, int corners) const noexcept {
   if (everywhere()) return true;
-  Box box;
+  Box<D> box;
   for (int i = 0; i < corners; ++i) box.add(points[i]);
-  return std::any_of(boxes, boxes + count, [&](const Box& place) { return place.overlaps(box); });
+  return std::any_of(boxes, boxes + count, [&](const Box<D>& place) { return place.overlaps(box); });
 }
 
-void find_overlapping(const BoxGrid& grid, const Places& places, Array<uint32_t>& found) {
+template <int D>
+void find_overlapping(const BoxGrid<D>& grid, const Places<D>& places, Array<uint32_t>& found) {
   found.clear();
   for (size_t i = 0; i < places.count; ++i) {
     grid.visit(places.boxes[i], [&](uint32_t number) {
@@ -61,5 +66,12 @@ void find_overlapping(const BoxGrid& grid, const Places& places, Array<uint32_t>
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
+
+#define DSW_NEAR(D)            \
+  template class BoxGroups<D>; \
+  template class Places<D>;    \
+  template void find_overlapping(const BoxGrid<D>& grid, const Places<D>& places, Array<uint32_t>& found)
+DSW_NEAR(3);
+#undef DSW_NEAR
 
 }  // namespace dsw

@@ -82,17 +82,17 @@ BodyDescription to_description(const Scene<3>& scene, const BodyOptions& options
   return out;
 }
 
-uint32_t to_vertex(const Body& body, dsw_body_vertex_id id, const char* name) {
+uint32_t to_vertex(const Body<3>& body, dsw_body_vertex_id id, const char* name) {
   if (body.vertex_slots.alive(id.index, id.generation)) return id.index;
   fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no vertex of the body", name, id.index, id.generation);
 }
 
-uint32_t to_edge(const Body& body, dsw_body_edge_id id, const char* name) {
+uint32_t to_edge(const Body<3>& body, dsw_body_edge_id id, const char* name) {
   if (body.edge_slots.alive(id.index, id.generation)) return id.index;
   fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no edge of the body", name, id.index, id.generation);
 }
 
-uint32_t to_face(const Body& body, dsw_body_face_id id, const char* name) {
+uint32_t to_face(const Body<3>& body, dsw_body_face_id id, const char* name) {
   if (body.face_slots.alive(id.index, id.generation)) return id.index;
   fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no face of the body", name, id.index, id.generation);
 }
@@ -171,7 +171,7 @@ dsw_status dsw_scene_get_bodies(const dsw_scene* scene, dsw_body_id* bodies, siz
 
 dsw_status dsw_body_get_counts(const dsw_scene* scene, dsw_body_id body, dsw_body_counts* counts) {
   return capi::guard("dsw_body_get_counts", [&] {
-    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
     capi::require(counts, "counts");
     capi::check_size(counts, "counts");
     dsw_body_counts c{};
@@ -228,7 +228,7 @@ dsw_status dsw_body_get_positions(const dsw_scene* scene, dsw_body_id body, doub
                                   size_t stride_bytes, dsw_volume_id* volumes, size_t* count) {
   return capi::guard("dsw_body_get_positions", [&] {
     const capi::BodyAccess of(scene, body);
-    const dsw::Body& b = of.body;
+    const dsw::Body<3>& b = of.body;
     const size_t step = capi::to_step(b.vertices.size(), stride_bytes);
     capi::check_capacity(b.vertices.size(), capacity, positions, count);
     for (size_t i = 0; i < b.vertices.size(); ++i) {
@@ -241,7 +241,7 @@ dsw_status dsw_body_get_positions(const dsw_scene* scene, dsw_body_id body, doub
 dsw_status dsw_body_get_vertices(const dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id* vertices,
                                  size_t capacity, size_t* count) {
   return capi::guard("dsw_body_get_vertices", [&] {
-    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
     capi::copy_ids(b.vertices.size(), b.vertex_slots, vertices, capacity, count);
   });
 }
@@ -249,7 +249,7 @@ dsw_status dsw_body_get_vertices(const dsw_scene* scene, dsw_body_id body, dsw_b
 dsw_status dsw_body_get_edges(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id* edges, size_t capacity,
                               size_t* count) {
   return capi::guard("dsw_body_get_edges", [&] {
-    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
     capi::copy_ids(b.edges.size(), b.edge_slots, edges, capacity, count);
   });
 }
@@ -257,14 +257,14 @@ dsw_status dsw_body_get_edges(const dsw_scene* scene, dsw_body_id body, dsw_body
 dsw_status dsw_body_get_faces(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id* faces, size_t capacity,
                               size_t* count) {
   return capi::guard("dsw_body_get_faces", [&] {
-    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
     capi::copy_ids(b.faces.size(), b.face_slots, faces, capacity, count);
   });
 }
 
 dsw_status dsw_body_get_vertex(const dsw_scene* scene, dsw_body_id body, uint32_t index, dsw_body_vertex_id* vertex) {
   return capi::guard("dsw_body_get_vertex", [&] {
-    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
     capi::require(vertex, "vertex");
     if (!b.has_vertex(index)) {
       fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, which names no vertex; there are %zu slots", index,
@@ -277,7 +277,7 @@ dsw_status dsw_body_get_vertex(const dsw_scene* scene, dsw_body_id body, uint32_
 dsw_status dsw_body_get_edge_vertices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
                                       size_t* count) {
   return capi::guard("dsw_body_get_edge_vertices", [&] {
-    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
     capi::check_capacity(b.edges.size(), capacity, vertices, count);
     for (size_t e = 0; e < b.edges.size(); ++e) std::copy_n(b.edges[e].ends, 2, vertices + 2 * e);
   });
@@ -286,7 +286,7 @@ dsw_status dsw_body_get_edge_vertices(const dsw_scene* scene, dsw_body_id body, 
 dsw_status dsw_body_get_face_vertices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
                                       size_t* count) {
   return capi::guard("dsw_body_get_face_vertices", [&] {
-    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
     capi::check_capacity(b.faces.size(), capacity, vertices, count);
     for (size_t f = 0; f < b.faces.size(); ++f) std::copy_n(b.faces[f].corners, 3, vertices + 3 * f);
   });
@@ -295,7 +295,7 @@ dsw_status dsw_body_get_face_vertices(const dsw_scene* scene, dsw_body_id body, 
 dsw_status dsw_body_get_edge(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge,
                              dsw_body_vertex_id* vertices) {
   return capi::guard("dsw_body_get_edge", [&] {
-    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
     capi::require(vertices, "vertices");
     const uint32_t e = capi::to_edge(b, edge, "edge");
     for (int k = 0; k < 2; ++k) vertices[k] = vertex_id(b, b.edges[e].ends[k]);
@@ -305,7 +305,7 @@ dsw_status dsw_body_get_edge(const dsw_scene* scene, dsw_body_id body, dsw_body_
 dsw_status dsw_body_get_face(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id face,
                              dsw_body_vertex_id* vertices) {
   return capi::guard("dsw_body_get_face", [&] {
-    const dsw::Body& b = capi::BodyAccess(scene, body).body;
+    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
     capi::require(vertices, "vertices");
     const uint32_t f = capi::to_face(b, face, "face");
     for (int k = 0; k < 3; ++k) vertices[k] = vertex_id(b, b.faces[f].corners[k]);

@@ -9,8 +9,8 @@ namespace dsw::capi {
 /** The scene and one of its bodies; throws what is wrong with either. */
 struct BodyAccess {
   Scene<3>& scene;
-  BodyRecord& record;
-  Body& body;
+  BodyRecord<3>& record;
+  Body<3>& body;
 
   BodyAccess(dsw_scene* handle, dsw_body_id id)
       : scene(space(check_handle(handle, "scene"))),
@@ -29,9 +29,9 @@ struct BodyOptions {
 /** A description without vertices. */
 BodyDescription to_description(const Scene<3>& scene, const BodyOptions& options);
 
-uint32_t to_vertex(const Body& body, dsw_body_vertex_id id, const char* name);
-uint32_t to_edge(const Body& body, dsw_body_edge_id id, const char* name);
-uint32_t to_face(const Body& body, dsw_body_face_id id, const char* name);
+uint32_t to_vertex(const Body<3>& body, dsw_body_vertex_id id, const char* name);
+uint32_t to_edge(const Body<3>& body, dsw_body_edge_id id, const char* name);
+uint32_t to_face(const Body<3>& body, dsw_body_face_id id, const char* name);
 
 /** Throws NOT_NAMED unless the scene was made with a feature. */
 void check_named(bool named, const char* feature);

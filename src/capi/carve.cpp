@@ -95,7 +95,7 @@ dsw_status dsw_environment_carve(dsw_environment* environment, const dsw_carve_d
       inside.flood_from(env.map.cell(d.start.index), &visited);
     }
     dsw::Cut cut(env, shape, settings, crossings, &inside);
-    std::optional<dsw::Edit> edit;
+    std::optional<dsw::Edit<3>> edit;
     cut.prepare(edit);
     dsw::Array<dsw::Cell> carved{dsw::Allocator<dsw::Cell>(env.memory)};
     inside.carve(*edit, carved);
@@ -146,7 +146,7 @@ dsw_status dsw_environment_tie(dsw_environment* environment, const dsw_tie_desc*
       if (start.valid()) crossings.flood(start);
     }
     dsw::Cut cut(env, disc, settings, crossings);
-    std::optional<dsw::Edit> edit;
+    std::optional<dsw::Edit<3>> edit;
     cut.prepare(edit);
     const bool is_closed = closes(env, crossings);
     const dsw::CutRecord& record = cut.record();

@@ -134,7 +134,7 @@ dsw_level to_public(SweepLevel level) noexcept {
   return static_cast<dsw_level>(static_cast<uint32_t>(level) + DSW_LEVEL_POINTS);
 }
 
-void append_changes(Edit& edit, Array<dsw_volume_change>& changes) noexcept {
+void append_changes(Edit<3>& edit, Array<dsw_volume_change>& changes) noexcept {
   for (const VolumeChange& c : edit.changes()) {
     changes.push_back({{c.before.index, c.before.generation}, {c.after.index, c.after.generation}});
   }

@@ -125,6 +125,6 @@ void copy_ids(size_t slot_count, const SlotPool& slots, Id* out, size_t capacity
 }
 
 /** What became of volumes, by an edit that is finished. There is room for it. */
-void append_changes(Edit& edit, Array<dsw_volume_change>& changes) noexcept;
+void append_changes(Edit<3>& edit, Array<dsw_volume_change>& changes) noexcept;
 
 }  // namespace dsw::capi

@@ -21,7 +21,7 @@ dsw_cut_report to_report(const CutRecord& record, uint32_t visited) noexcept {
           0};
 }
 
-CutResults::CutResults(Edit& edit, const Array<CutFace>& faces, const Array<NewVertex>* vertices,
+CutResults::CutResults(Edit<3>& edit, const Array<CutFace>& faces, const Array<NewVertex>* vertices,
                        const Array<Cell>* whole)
     : edit_(edit),
       of_faces_(faces),

@@ -17,13 +17,13 @@ class CutResults {
  public:
   /** Before the edit is finished: what vertices come from may go then. What is given outlives this; of what is null the environment
    * keeps what it has. Throws std::bad_alloc. */
-  CutResults(Edit& edit, const Array<CutFace>& faces, const Array<NewVertex>* vertices, const Array<Cell>* whole);
+  CutResults(Edit<3>& edit, const Array<CutFace>& faces, const Array<NewVertex>* vertices, const Array<Cell>* whole);
 
   /** After it is finished: ids are new. */
   void give_to(dsw_environment& handle) noexcept;
 
  private:
-  Edit& edit_;
+  Edit<3>& edit_;
   const Array<CutFace>& of_faces_;
   const Array<NewVertex>* of_vertices_;
   const Array<Cell>* of_whole_;

@@ -9,8 +9,8 @@ using dsw::fail;
 
 namespace {
 
-dsw::Deformation& deformation_of(const dsw_scene* scene) {
-  dsw::Deformation* const of = capi::space(capi::check_handle(scene, "scene")).deformation.get();
+dsw::Deformation<3>& deformation_of(const dsw_scene* scene) {
+  dsw::Deformation<3>* const of = capi::space(capi::check_handle(scene, "scene")).deformation.get();
   if (of == nullptr) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_DEFORMING");
   return *of;
 }
@@ -46,13 +46,13 @@ dsw::WallSettings read_settings(const dsw_deform_options& o) {
 
 /** Mends volumes that would become invalid, and deforms with that. Returns how many went. */
 uint32_t mend_and_deform(dsw_scene& scene, double* next, const dsw::WallSettings& settings, dsw::MendSettings mend) {
-  dsw::Deformation& of = *capi::space(scene).deformation.get();
+  dsw::Deformation<3>& of = *capi::space(scene).deformation.get();
   mend.only_valid = true;
   dsw::Mending mending(of.env, next, mend);
   want_near(capi::space(scene), mending);
-  std::optional<dsw::Edit> edit;
+  std::optional<dsw::Edit<3>> edit;
   mending.prepare(edit);
-  dsw::Edit* change = edit ? &*edit : nullptr;
+  dsw::Edit<3>* change = edit ? &*edit : nullptr;
   capi::MendResults results(of.env, mending.record(), change);
   auto bend = [&] {
     deform(capi::space(scene), next, settings);
@@ -78,7 +78,7 @@ void dsw_deform_options_init(dsw_deform_options* options, size_t size) {
 dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, const dsw_deform_options* options,
                             dsw_deform_report* report) {
   return capi::guard("dsw_scene_deform", [&] {
-    const dsw::Deformation& of = deformation_of(scene);
+    const dsw::Deformation<3>& of = deformation_of(scene);
     capi::require(next, "next");
     if (point_count != of.env.map.vertex_count) {
       fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, the environment has %u vertices", point_count,

@@ -66,10 +66,10 @@ void CallJudge::remember_particle(dsw_particle_id particle, const double* target
 
 void CallJudge::remember_body(dsw_body_id id, const dsw_move_options& options) {
   if (!scene_.body_slots.alive(id.index, id.generation)) return;  // the call will fail
-  const Body& body = scene_.bodies[id.index].body;
+  const Body<3>& body = scene_.bodies[id.index].body;
   const bool is_exact = options.search == DSW_SEARCH_EXACT && options.max_cells == 0;
   bodies_.push_back({id.index, is_exact, before_.size(), orders_.size(), body.vertices.size()});
-  for (const BodyVertex& v : body.vertices) before_.insert(before_.end(), v.position, v.position + 3);
+  for (const BodyVertex<3>& v : body.vertices) before_.insert(before_.end(), v.position, v.position + 3);
   const bool is_ordered = options.order != nullptr;
   for (uint32_t v = 0; v < body.vertices.size(); ++v) orders_.push_back(is_ordered ? kNoRank : v);
   for (uint32_t i = 0; is_ordered && i < options.order_count; ++i) {
@@ -101,7 +101,7 @@ void CallJudge::look_at_places() {
   }
   for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
     if (!scene_.body_slots.alive(slot, scene_.body_slots.generation(slot))) continue;
-    const Body& body = scene_.bodies[slot].body;
+    const Body<3>& body = scene_.bodies[slot].body;
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (body.has_vertex(v) && is_lost(body.vertices[v].cell, body.position(v))) {
         note("body %u: vertex %u is not where it is said to be", slot, v);
@@ -112,7 +112,7 @@ void CallJudge::look_at_places() {
 }
 
 void CallJudge::look_at_body(uint32_t slot) {
-  const Body& body = scene_.bodies[slot].body;
+  const Body<3>& body = scene_.bodies[slot].body;
   for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
     if (!body.has_edge(e)) continue;
     const BodyEdge& edge = body.edges[e];
@@ -142,7 +142,7 @@ void CallJudge::claim_flight(const Mover& mover) {
   ++verdict_.contacts;
 }
 
-void CallJudge::claim_way(const Mover& mover, const Body& body, uint32_t vertex) {
+void CallJudge::claim_way(const Mover& mover, const Body<3>& body, uint32_t vertex) {
   const auto at = [&](uint32_t v) { return &before_[mover.first + 3 * size_t{v}]; };
   const uint32_t* const ranks = &orders_[mover.order_first];
   const uint32_t subject = add_subject(Said::kWayIsFree, mover.slot, vertex);
@@ -170,7 +170,7 @@ void CallJudge::claim_contact(const Mover& mover, const dsw_contact& contact) {
 }
 
 void CallJudge::claim_move(const Mover& mover) {
-  const BodyRecord& of = scene_.bodies[mover.slot];
+  const BodyRecord<3>& of = scene_.bodies[mover.slot];
   for (const dsw_contact& contact : of.record.contacts) claim_contact(mover, contact);
   for (uint32_t v = 0; v < mover.order_count; ++v) {
     if (!of.record.edits.empty()) {

@@ -37,7 +37,7 @@ class CallJudge {
   void look_at_body(uint32_t slot);
   void claim_flight(const Mover& mover);
   void claim_move(const Mover& mover);
-  void claim_way(const Mover& mover, const Body& body, uint32_t vertex);
+  void claim_way(const Mover& mover, const Body<3>& body, uint32_t vertex);
   void claim_contact(const Mover& mover, const dsw_contact& contact);
   uint32_t add_subject(Said said, uint32_t owner, uint32_t part, double time = 0);
   void count_wrong(const Subject& subject);

@@ -56,7 +56,7 @@ dsw::MoveSettings to_settings(const dsw_move_options& o) {
   return s;
 }
 
-dsw::MoveOrder to_order(const dsw::Scene<3>& scene, const dsw::Body& body, const dsw_move_options& o) {
+dsw::MoveOrder to_order(const dsw::Scene<3>& scene, const dsw::Body<3>& body, const dsw_move_options& o) {
   if (o.order == nullptr) {
     if (o.order_count != 0) fail(DSW_STATUS_NULL_ARGUMENT, "options->order is null and order_count %zu", o.order_count);
     return {};
@@ -72,7 +72,7 @@ dsw::MoveOrder to_order(const dsw::Scene<3>& scene, const dsw::Body& body, const
 }
 
 /** Targets of the vertices that move are finite; those of others are not read. */
-void check_targets(const dsw::Body& body, dsw::PointArray targets, const dsw::MoveOrder& order, size_t first) {
+void check_targets(const dsw::Body<3>& body, dsw::PointArray targets, const dsw::MoveOrder& order, size_t first) {
   const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
   for (size_t i = 0; i < count; ++i) {
     const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
@@ -104,7 +104,7 @@ capi::Items<uint32_t> order_of(const dsw_move_options& o) { return {o.order, o.o
 
 /** What has become of bodies. */
 struct Moved {
-  dsw::BodyRecord* const* records;
+  dsw::BodyRecord<3>* const* records;
   size_t count;
 };
 
@@ -144,13 +144,13 @@ struct Rigid {
   }
 
   /** A box around all that a part of it does to a body: points keep their distance from the centre, which goes along a line. */
-  dsw::Box reach(const dsw::Body& body) const noexcept {
+  dsw::Box<3> reach(const dsw::Body<3>& body) const noexcept {
     double radius = 0;
-    for (const dsw::BodyVertex& each : body.vertices) {
+    for (const dsw::BodyVertex<3>& each : body.vertices) {
       if (each.cell.valid()) radius = std::max(radius, length(dsw::difference(each.position, centre)));
     }
     radius *= 1 + 0x1p-20;
-    dsw::Box box;
+    dsw::Box<3> box;
     for (const double way : {0.0, 1.0}) {
       double low[3], high[3];
       for (int k = 0; k < 3; ++k) {
@@ -206,7 +206,7 @@ dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targe
     capi::Recorded call(scene, capi::Call::kMoveBody, body, capi::Points{points, target_count}, recorded(o),
                         order_of(o));
     move_body(of.scene, of.record, points, order, settings);
-    dsw::BodyRecord* const record = &of.record;
+    dsw::BodyRecord<3>* const record = &of.record;
     call.done(Moved{&record, 1});
     if (report != nullptr) *report = to_report(of.record.record);
   });
@@ -222,7 +222,7 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
     const dsw::MoveSettings settings = to_settings(o);
     if (o.order != nullptr || o.order_count != 0)
       fail(DSW_STATUS_UNSUPPORTED, "options->order must be null for many bodies");
-    dsw::Array<dsw::BodyRecord*> records{dsw::Allocator<dsw::BodyRecord*>(s.memory)};
+    dsw::Array<dsw::BodyRecord<3>*> records{dsw::Allocator<dsw::BodyRecord<3>*>(s.memory)};
     dsw::Array<bool> seen(s.bodies.size(), false, dsw::Allocator<bool>(s.memory));
     records.reserve(count);
     size_t needed = 0;
@@ -235,7 +235,7 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
     check_target_count(target_count, needed);
     const dsw::PointArray points = capi::to_points(targets, target_count, stride_bytes, "targets");
     size_t first = 0;
-    for (const dsw::BodyRecord* each : records) {
+    for (const dsw::BodyRecord<3>* each : records) {
       check_targets(each->body, points, {}, first);
       first += each->body.vertices.size();
     }
@@ -260,7 +260,7 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
            of.body.vertex_slots.alive_count());
     }
     const Rigid rigid(*motion);
-    for (const dsw::BodyVertex& each : of.body.vertices) {
+    for (const dsw::BodyVertex<3>& each : of.body.vertices) {
       double to[3];
       if (!each.cell.valid()) continue;
       Rigid::place(&rigid, each.position, 1, to);
@@ -270,7 +270,7 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
     }
     capi::Recorded call(scene, capi::Call::kMoveRigid, body, *motion, recorded(o), order_of(o));
     move_body_together(of.scene, of.record, Rigid::place, &rigid, order, rigid.reach(of.body));
-    dsw::BodyRecord* const record = &of.record;
+    dsw::BodyRecord<3>* const record = &of.record;
     call.done(Moved{&record, 1});
     if (report != nullptr) *report = to_report(of.record.record);
   });

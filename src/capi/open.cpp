@@ -44,7 +44,7 @@ dsw_status dsw_environment_open(dsw_environment* environment, const dsw_open_des
     read_faces(env.map, d, crack);
     crack.part();
     dsw::Opening opening(env, crack, settings);
-    std::optional<dsw::Edit> edit;
+    std::optional<dsw::Edit<3>> edit;
     opening.prepare(edit);
     const dsw::OpenRecord& record = opening.record();
     capi::CutResults results(*edit, record.faces, &record.vertices, nullptr);

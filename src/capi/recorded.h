@@ -142,8 +142,8 @@ void for_each_part(const MovedPoints& of, const Use& use) {
 }
 /** Where a body is. */
 template <class Use>
-void for_each_part(const Body& body, const Use& use) {
-  for (const BodyVertex& v : body.vertices) use(v.position, sizeof v.position);
+void for_each_part(const Body<3>& body, const Use& use) {
+  for (const BodyVertex<3>& v : body.vertices) use(v.position, sizeof v.position);
 }
 
 /** A recording of a scene that is being made. */

@@ -20,13 +20,13 @@ MendSettings to_mend_settings(uint32_t radius, uint32_t max_faces) {
   return s;
 }
 
-MendResults::MendResults(const Environment<3>& env, const MendRecord& record, const Edit* edit)
+MendResults::MendResults(const Environment<3>& env, const MendRecord& record, const Edit<3>* edit)
     : changes_(Allocator<dsw_volume_change>(env.memory)), unmended_(Allocator<dsw_volume_id>(env.memory)) {
   if (edit != nullptr) changes_.reserve(edit->most_changes());
   for (const Cell c : record.left) unmended_.push_back(volume_id(env.map, c));
 }
 
-void MendResults::move_to(dsw_environment& handle, Edit* edit) noexcept {
+void MendResults::move_to(dsw_environment& handle, Edit<3>* edit) noexcept {
   handle.unmended_volumes.swap(unmended_);
   if (edit != nullptr) append_changes(*edit, changes_);
   handle.changes.swap(changes_);
@@ -57,10 +57,10 @@ dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh
       mending.want(capi::to_cell(env.map, d.volumes[i], {"desc->volumes", true}, i));
     }
     if (d.volumes == nullptr) mending.want_all();
-    std::optional<dsw::Edit> edit;
+    std::optional<dsw::Edit<3>> edit;
     mending.prepare(edit);
     const dsw::MendRecord& record = mending.record();
-    dsw::Edit* const change = edit ? &*edit : nullptr;
+    dsw::Edit<3>* const change = edit ? &*edit : nullptr;
     capi::MendResults results(env, record, change);
     if (change != nullptr) carry_out_prepared(*change, capi::engine_of(scene));
     results.move_to(handle, change);

@@ -14,9 +14,9 @@ MendSettings to_mend_settings(uint32_t radius, uint32_t max_faces);
 class MendResults {
  public:
   /** `edit` is null if nothing changes. Throws std::bad_alloc. */
-  MendResults(const Environment<3>& env, const MendRecord& record, const Edit* edit);
+  MendResults(const Environment<3>& env, const MendRecord& record, const Edit<3>* edit);
   /** After the edit is finished. */
-  void move_to(dsw_environment& handle, Edit* edit) noexcept;
+  void move_to(dsw_environment& handle, Edit<3>* edit) noexcept;
 
  private:
   Array<dsw_volume_change> changes_;

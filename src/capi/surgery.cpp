@@ -57,7 +57,7 @@ dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc*
     dsw::Crossings crossings(env, blade);
     if (start.valid()) crossings.flood(start);
     dsw::Cut cut(env, blade, settings, crossings);
-    std::optional<dsw::Edit> edit;
+    std::optional<dsw::Edit<3>> edit;
     cut.prepare(edit);
     const dsw::CutRecord& record = cut.record();
     capi::CutResults results(*edit, record.faces, &record.vertices, &record.whole);
@@ -80,7 +80,7 @@ dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_fa
     dsw::Environment<3>& env = capi::space(handle);
     capi::Recorded call(scene, capi::Call::kTearFaces, capi::Items<dsw_face_id>{faces, count},
                         capi::Items<double>{loads, count}, threshold);
-    dsw::Edit edit(env);
+    dsw::Edit<3> edit(env);
     dsw::CutRecord record(env.memory);
     dsw::KeyTable seen(env.memory);
     for (size_t i = 0; i < count; ++i) {

@@ -25,7 +25,7 @@ class Change {
 
   /** Arguments have been checked; what was asked for is written if the scene is recorded. */
   template <class... Arguments>
-  dsw::Edit& begin(capi::Call number, const Arguments&... arguments) {
+  dsw::Edit<3>& begin(capi::Call number, const Arguments&... arguments) {
     call_.emplace(scene_, number, arguments...);
     return edit_.emplace(capi::space(handle_));
   }
@@ -55,7 +55,7 @@ class Change {
   dsw_environment& handle_;
   dsw_scene* scene_;
   std::optional<capi::Recorded> call_;
-  std::optional<dsw::Edit> edit_;
+  std::optional<dsw::Edit<3>> edit_;
 };
 
 void check_arrays(const dsw_volumes_desc& d) {
@@ -107,7 +107,7 @@ dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_v
     const auto text = [&](const void* integers, size_t count) {
       return capi::Items<uint8_t>{static_cast<const uint8_t*>(integers), count * index_bytes};
     };
-    dsw::Edit& edit = change.begin(
+    dsw::Edit<3>& edit = change.begin(
         capi::Call::kAddVolumes,
         capi::without(d, &dsw_volumes_desc::vertices, &dsw_volumes_desc::points, &dsw_volumes_desc::cell_types,
                       &dsw_volumes_desc::offsets, &dsw_volumes_desc::connectivity, &dsw_volumes_desc::regions,
@@ -140,8 +140,8 @@ dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_fac
       pairs[i].a = capi::to_half_facet(change.map(), faces_a[i], {"faces_a", true}, i);
       pairs[i].b = capi::to_half_facet(change.map(), faces_b[i], {"faces_b", true}, i);
     }
-    dsw::Edit& edit = change.begin(capi::Call::kSewFaces, capi::Items<dsw_face_id>{faces_a, count},
-                                   capi::Items<dsw_face_id>{faces_b, count});
+    dsw::Edit<3>& edit = change.begin(capi::Call::kSewFaces, capi::Items<dsw_face_id>{faces_a, count},
+                                      capi::Items<dsw_face_id>{faces_b, count});
     sew(edit, pairs.data(), count);
     change.carry_out();
   });
@@ -186,7 +186,7 @@ dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume
     capi::require_array(loop, count, "loop");
     dsw::Array<uint32_t> vertices(count, 0u, dsw::Allocator<uint32_t>(change.memory()));
     for (size_t i = 0; i < count; ++i) vertices[i] = capi::to_vertex(change.map(), loop[i], {"loop", true}, i);
-    dsw::Edit& edit = change.begin(capi::Call::kSplitVolume, volume, capi::Items<dsw_vertex_id>{loop, count});
+    dsw::Edit<3>& edit = change.begin(capi::Call::kSplitVolume, volume, capi::Items<dsw_vertex_id>{loop, count});
     const dsw::SplitCell split = split_cell(edit, c, vertices.data(), count);
     change.carry_out();
     if (volumes != nullptr) {

@@ -7,8 +7,9 @@
 namespace dsw {
 namespace {
 
-void name_obstacle(const Environment<3>& env, const SweepContact& met, dsw_contact& contact) {
-  const Map<3>& map = env.map;
+template <int D>
+void name_obstacle(const Environment<D>& env, const SweepContact& met, dsw_contact& contact) {
+  const Map<D>& map = env.map;
   contact.front = volume_id(map, met.front);
   if (met.facet.valid()) {
     contact.wall = face_id(map, canonical(map, met.facet));
@@ -37,11 +38,21 @@ void name_obstacle(const Environment<3>& env, const SweepContact& met, dsw_conta
 
 }  // namespace
 
-dsw_body_vertex_id vertex_id(const Body& body, uint32_t v) noexcept { return {v, body.vertex_slots.generation(v)}; }
-dsw_body_edge_id edge_id(const Body& body, uint32_t e) noexcept { return {e, body.edge_slots.generation(e)}; }
-dsw_body_face_id face_id(const Body& body, uint32_t f) noexcept { return {f, body.face_slots.generation(f)}; }
+template <int D>
+dsw_body_vertex_id vertex_id(const Body<D>& body, uint32_t v) noexcept {
+  return {v, body.vertex_slots.generation(v)};
+}
+template <int D>
+dsw_body_edge_id edge_id(const Body<D>& body, uint32_t e) noexcept {
+  return {e, body.edge_slots.generation(e)};
+}
+template <int D>
+dsw_body_face_id face_id(const Body<D>& body, uint32_t f) noexcept {
+  return {f, body.face_slots.generation(f)};
+}
 
-dsw_contact describe(const Environment<3>& env, const Body& body, uint32_t v, const double* to,
+template <int D>
+dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
                      const StarContact& met) {
   dsw_contact contact{};
   const double* const from = body.position(v);
@@ -70,5 +81,14 @@ uint64_t obstacle_key(const dsw_contact& contact) noexcept {
   return uint64_t{contact.obstacle.index} << 32 | static_cast<uint64_t>(contact.obstacle.kind) << 24 |
          (contact.obstacle.local & 0xffffffu);
 }
+
+#define DSW_DESCRIBE(D)                                                                                       \
+  template dsw_body_vertex_id vertex_id(const Body<D>& body, uint32_t v) noexcept;                            \
+  template dsw_body_edge_id edge_id(const Body<D>& body, uint32_t e) noexcept;                                \
+  template dsw_body_face_id face_id(const Body<D>& body, uint32_t f) noexcept;                                \
+  template dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, \
+                                const StarContact& met);
+DSW_DESCRIBE(3);
+#undef DSW_DESCRIBE
 
 }  // namespace dsw

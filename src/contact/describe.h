@@ -7,12 +7,17 @@
 
 namespace dsw {
 
-dsw_body_vertex_id vertex_id(const Body& body, uint32_t v) noexcept;
-dsw_body_edge_id edge_id(const Body& body, uint32_t e) noexcept;
-dsw_body_face_id face_id(const Body& body, uint32_t f) noexcept;
+template <int D>
+dsw_body_vertex_id vertex_id(const Body<D>& body, uint32_t v) noexcept;
+template <int D>
+dsw_body_edge_id edge_id(const Body<D>& body, uint32_t e) noexcept;
+template <int D>
+dsw_body_face_id face_id(const Body<D>& body, uint32_t f) noexcept;
 
 /** All but `distance_left` and `history` of the contact that vertex v met on its way to `to`. */
-dsw_contact describe(const Environment<3>& env, const Body& body, uint32_t v, const double* to, const StarContact& met);
+template <int D>
+dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
+                     const StarContact& met);
 
 /** Names the obstacle of a contact in 64 bits, to see it again. */
 uint64_t obstacle_key(const dsw_contact& contact) noexcept;

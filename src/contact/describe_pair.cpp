@@ -26,27 +26,30 @@ Vec back_across(const Vec& move, const Vec& line, bool is_along) {
 }
 
 /** Of the face, towards where the vertex comes from. */
+template <int D>
 Vec face_normal(const double* const* corners, const double* p, const Vec& move) {
   double normal[3];
-  unit_normal<3>(corners, normal);
-  const int side = orient<3>(corners, p);
+  unit_normal<D>(corners, normal);
+  const int side = orient<D>(corners, p);
   if (side == 0) return against(to_vec(normal), move);
   return (side < 0 ? -1.0 : 1.0) * to_vec(normal);
 }
 
 /** Where segment a b pierces the swept triangle; not both of its ends are in that plane. */
+template <int D>
 void triangle_piercing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
   const double* const swept[3] = {m.p, m.to, m.q};
-  if (orient<3>(swept, b) - orient<3>(swept, a) < 0) std::swap(a, b);
-  point_at<3>(a, b, crossing_time<3>(a, b, swept), point);
+  if (orient<D>(swept, b) - orient<D>(swept, a) < 0) std::swap(a, b);
+  point_at<D>(a, b, crossing_time<D>(a, b, swept), point);
 }
 
 /** The points of what is touched, one to three. */
+template <int D>
 struct Touched {
   const double* at[3] = {};
 
-  explicit Touched(const PairContact& met) {
-    const Body& other = *met.other.body;
+  explicit Touched(const PairContact<D>& met) {
+    const Body<D>& other = *met.other.body;
     const uint32_t* const names = met.part == PartKind::kVertex ? &met.index
                                   : met.part == PartKind::kEdge ? other.edges[met.index].ends
                                                                 : other.faces[met.index].corners;
@@ -56,12 +59,13 @@ struct Touched {
 };
 
 /** Point, place along the edge and normal of an edge, or of a vertex alone, on an edge or a vertex. */
-void describe_edge(const PairContact& met, const EdgeMotion& m, const Touched& touched, dsw_contact& contact) {
+template <int D>
+void describe_edge(const PairContact<D>& met, const EdgeMotion& m, const Touched<D>& touched, dsw_contact& contact) {
   const double *const a = touched.at[0], *const b = touched.at[1];
   const Vec move = difference(m.to, m.p), edge = difference(m.q, contact.position), other = difference(b, a);
   Vec normal;
   if (met.place == TouchPlace::kInside) {
-    triangle_piercing_point(m, a, b, contact.point);
+    triangle_piercing_point<D>(m, a, b, contact.point);
     normal = against(unit(cross(unit(edge), unit(other))), move);
   } else if (met.place == TouchPlace::kVertex) {
     normal = back_across(move, other, are_collinear(m.p, m.to, a) && are_collinear(m.p, m.to, b));
@@ -75,8 +79,9 @@ void describe_edge(const PairContact& met, const EdgeMotion& m, const Touched& t
 
 }  // namespace
 
-dsw_contact describe(const Environment<3>& env, const Body& body, uint32_t v, const double* to,
-                     const PairContact& met) {
+template <int D>
+dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
+                     const PairContact<D>& met) {
   dsw_contact contact{};
   const double* const from = body.position(v);
   std::copy_n(from, 3, contact.from);
@@ -84,9 +89,9 @@ dsw_contact describe(const Environment<3>& env, const Body& body, uint32_t v, co
   contact.vertex = vertex_id(body, v);
   contact.front = volume_id(env.map, body.vertices[v].cell);
   contact.time = met.time;
-  point_at<3>(from, to, met.time, contact.position);
+  point_at<D>(from, to, met.time, contact.position);
   std::copy_n(contact.position, 3, contact.point);
-  const Touched touched(met);
+  const Touched<D> touched(met);
   const Vec move = difference(to, from);
   if (met.face != kNone) {
     const BodyFace& face = body.faces[met.face];
@@ -98,7 +103,7 @@ dsw_contact describe(const Environment<3>& env, const Body& body, uint32_t v, co
     const Vec across = cross(unit(difference(q, contact.position)), unit(difference(r, contact.position)));
     store(against(unit(across), move) + Vec{}, contact.normal);
   } else if (met.part == PartKind::kFace) {
-    store(face_normal(touched.at, from, move) + Vec{}, contact.normal);
+    store(face_normal<D>(touched.at, from, move) + Vec{}, contact.normal);
   } else {
     const double* q = from;
     if (met.edge != kNone) {
@@ -114,9 +119,10 @@ dsw_contact describe(const Environment<3>& env, const Body& body, uint32_t v, co
   return contact;
 }
 
-dsw_contact_partner partner_of(const PairContact& met) noexcept {
+template <int D>
+dsw_contact_partner partner_of(const PairContact<D>& met) noexcept {
   dsw_contact_partner partner{};
-  const Body& other = *met.other.body;
+  const Body<D>& other = *met.other.body;
   partner.body = {met.other.index, met.other.generation};
   if (met.part == PartKind::kVertex) partner.vertex = vertex_id(other, met.index);
   if (met.part == PartKind::kEdge) partner.edge = edge_id(other, met.index);
@@ -129,5 +135,12 @@ uint64_t part_key(const dsw_contact_partner& partner) noexcept {
   if (partner.edge.generation != 0) return uint64_t{2} << 32 | partner.edge.index;
   return uint64_t{3} << 32 | partner.face.index;
 }
+
+#define DSW_DESCRIBE_PAIR(D)                                                                                  \
+  template dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, \
+                                const PairContact<D>& met);                                                   \
+  template dsw_contact_partner partner_of(const PairContact<D>& met) noexcept
+DSW_DESCRIBE_PAIR(3);
+#undef DSW_DESCRIBE_PAIR
 
 }  // namespace dsw

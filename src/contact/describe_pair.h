@@ -10,10 +10,13 @@ template <int D>
 struct Environment;
 
 /** All but `distance_left` and `history` of the contact that vertex v met on its way to `to`. */
-dsw_contact describe(const Environment<3>& env, const Body& body, uint32_t v, const double* to, const PairContact& met);
+template <int D>
+dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
+                     const PairContact<D>& met);
 
 /** What was touched. */
-dsw_contact_partner partner_of(const PairContact& met) noexcept;
+template <int D>
+dsw_contact_partner partner_of(const PairContact<D>& met) noexcept;
 
 /** Names a part of a body in 64 bits, to see it again. */
 uint64_t part_key(const dsw_contact_partner& partner) noexcept;

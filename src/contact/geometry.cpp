@@ -12,19 +12,21 @@ namespace {
 
 /** Where segment ab pierces the swept plane, by the exact ratio. It does not lie in it: shifted, both ends of a line in that
  * plane are on one side. */
+template <int D>
 void piercing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
   const double* const swept[3] = {m.p, m.to, m.q};
   if (swept_side(m, b).sign < 0) std::swap(a, b);
-  point_at<3>(a, b, crossing_time<3>(a, b, swept), point);
+  point_at<D>(a, b, crossing_time<D>(a, b, swept), point);
 }
 
 /** Out of the obstacle's triangle, which looks out of the cell in front; zero for a wire or a lone vertex. */
-Vec wall_normal(const Environment<3>& env, const SweepContact& contact) {
+template <int D>
+Vec wall_normal(const Environment<D>& env, const SweepContact& contact) {
   if (!contact.facet.valid() || contact.event.kind == EventKind::kFace) return {};
   const double* triangle[3];
   boundary_points(env, contact.front, contact.simplex, triangle);
   double outward[3];
-  unit_normal<3>(triangle, outward);
+  unit_normal<D>(triangle, outward);
   return {0 - outward[0], 0 - outward[1], 0 - outward[2]};
 }
 
@@ -46,18 +48,19 @@ double share_along(const double* end, const double* q, const double* point) {
   return share > 0 ? std::min(share, 1.0) : 0;
 }
 
-ContactGeometry contact_geometry(const Environment<3>& env, const double* p, const double* to,
+template <int D>
+ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to,
                                  const SweepContact& contact) {
   const SweepEvent& event = contact.event;
   ContactGeometry g;
-  g.time = event_time<3>(p, to, event);
-  point_at<3>(p, to, g.time, g.position);
+  g.time = event_time<D>(p, to, event);
+  point_at<D>(p, to, g.time, g.position);
   std::copy_n(g.position, 3, g.point);
   const Vec move = unit(difference(to, p)), wall = wall_normal(env, contact);
   Vec normal = wall;
   if (event.kind == EventKind::kEdge) {
     const EdgeMotion m{p, to, event.points[0]};
-    piercing_point(m, event.points[1], event.points[2], g.point);
+    piercing_point<D>(m, event.points[1], event.points[2], g.point);
     g.along = share_along(g.position, m.q, g.point);
     const Vec across =
         unit(cross(unit(difference(m.q, g.position)), unit(difference(event.points[2], event.points[1]))));
@@ -71,5 +74,11 @@ ContactGeometry contact_geometry(const Environment<3>& env, const double* p, con
   store(normal + Vec{}, g.normal);  // never -0
   return g;
 }
+
+#define DSW_GEOMETRY(D)                                                                                   \
+  template ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to, \
+                                            const SweepContact& contact)
+DSW_GEOMETRY(3);
+#undef DSW_GEOMETRY
 
 }  // namespace dsw

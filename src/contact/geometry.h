@@ -14,7 +14,8 @@ struct ContactGeometry {
 };
 
 /** Of a contact on the way of a vertex from p to `to`. */
-ContactGeometry contact_geometry(const Environment<3>& env, const double* p, const double* to,
+template <int D>
+ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to,
                                  const SweepContact& contact);
 
 /** How far along the edge, which runs from `end` to q, a point on it lies: by the axis it is longest on. */

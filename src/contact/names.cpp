@@ -2,7 +2,8 @@
 
 namespace dsw {
 
-dsw_edge_id edge_id(const Map<3>& map, Dart d) noexcept {
+template <int D>
+dsw_edge_id edge_id(const Map<D>& map, Dart d) noexcept {
   Dart lowest = d;
   for_each_volume_round_edge(map, d, [&](Dart e) {
     if (map.index(e.cell) < map.index(lowest.cell)) lowest = e;
@@ -10,5 +11,9 @@ dsw_edge_id edge_id(const Map<3>& map, Dart d) noexcept {
   });
   return {map.index(lowest.cell), map.generation(lowest.cell), map.shape(lowest.cell).dart_edge(lowest.local)};
 }
+
+#define DSW_NAMES(D) template dsw_edge_id edge_id(const Map<D>& map, Dart d) noexcept
+DSW_NAMES(3);
+#undef DSW_NAMES
 
 }  // namespace dsw

@@ -20,7 +20,8 @@ dsw_face_id face_id(const Map<D>& map, HalfFacet h) noexcept {
 }
 
 /** Canonical: that of the volume with the lowest index round the edge. */
-dsw_edge_id edge_id(const Map<3>& map, Dart d) noexcept;
+template <int D>
+dsw_edge_id edge_id(const Map<D>& map, Dart d) noexcept;
 
 inline bool is_null(dsw_volume_id id) noexcept { return (id.index | id.generation) == 0; }
 

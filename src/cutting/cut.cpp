@@ -41,7 +41,7 @@ bool Cut::can_split(Cell c) const {
 }
 
 /** Cells that come out invalid stay whole, and all is written anew: each time more of them, so this ends. */
-void Cut::prepare(std::optional<Edit>& edit) {
+void Cut::prepare(std::optional<Edit<3>>& edit) {
   Array<uint32_t> invalid{Allocator<uint32_t>(env_.memory)};
   for (;;) {
     edit.emplace(env_);
@@ -55,7 +55,7 @@ void Cut::prepare(std::optional<Edit>& edit) {
 }
 
 /** Cells with both parts on one side stay whole; whether there were any. */
-bool Cut::undo_idle_splits(const Edit& edit) {
+bool Cut::undo_idle_splits(const Edit<3>& edit) {
   if (inside_ == nullptr) return false;
   const auto is_inside = [&](size_t draft) {
     double at[3];
@@ -72,7 +72,7 @@ bool Cut::undo_idle_splits(const Edit& edit) {
 }
 
 /** False: something has to stay whole first. */
-bool Cut::write(Edit& edit) {
+bool Cut::write(Edit<3>& edit) {
   drafts_.clear();
   origins_.clear();
   splits_.clear();
@@ -94,7 +94,7 @@ bool Cut::write(Edit& edit) {
 }
 
 /** Vertices for the nodes of loops. */
-void Cut::choose_nodes(Edit& edit) {
+void Cut::choose_nodes(Edit<3>& edit) {
   vertices_.assign(section_->node_count(), kNoCell);
   for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
     for (const uint32_t n : section_->loop(i)) {
@@ -149,7 +149,7 @@ bool Cut::has_new_vertex(Dart d) const {
 }
 
 /** False: it can't be written. */
-bool Cut::write_cell(Edit& edit, Cell c) {
+bool Cut::write_cell(Edit<3>& edit, Cell c) {
   CellDraft draft = draft_of(env_, c);
   edit.remove(c);
   insert_vertices(draft);
@@ -204,7 +204,7 @@ bool Cut::draw_line(const FacetDraft& whole, Line& line) const {
   return true;
 }
 
-bool Cut::split_cell(Edit& edit, uint32_t cell, CellDraft& whole) {
+bool Cut::split_cell(Edit<3>& edit, uint32_t cell, CellDraft& whole) {
   const Array<uint32_t>& nodes = section_->loop(cell);
   FacetDraft face(env_.memory);
   for (const uint32_t n : nodes) face.loop.push_back(vertices_[n]);
@@ -306,7 +306,7 @@ int Cut::side_of(Cell c) const {
   return side != 0 ? side : 1;
 }
 
-void Cut::unsew_old_faces(Edit& edit) const {
+void Cut::unsew_old_faces(Edit<3>& edit) const {
   for (const CutFace& face : old_faces_) {
     for (const HalfFacet h : {face.front, face.back}) {
       const Cell c = map_.cell_of(h);
@@ -348,7 +348,7 @@ size_t Cut::draft_of_cell(Cell c) const {
   return number == KeyTable::kNone ? kNoDraft : drafts_[number];
 }
 
-void Cut::write_record(Edit& edit) {
+void Cut::write_record(Edit<3>& edit) {
   record_.met = crossings_.cell_count();
   record_.split = static_cast<uint32_t>(splits_.size());
   record_.changed = static_cast<uint32_t>(changed_.size());
@@ -382,7 +382,7 @@ void Cut::write_record(Edit& edit) {
 }
 
 /** Distances of the cut's vertices from the blade, and of the blade's points from the faces in the cells that hold them. */
-void Cut::measure(Edit& edit) {
+void Cut::measure(Edit<3>& edit) {
   const auto add = [&](double distance) { record_.distance = std::max(record_.distance, distance); };
   const auto add_vertex = [&](uint32_t node, uint32_t vertex) {
     const double* corners[3];

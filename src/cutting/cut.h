@@ -50,7 +50,7 @@ class Cut {
       const Inside* inside = nullptr);
 
   /** Prepares an edit. Throws BORROWED where vertices have to be added and can't be, TOO_LARGE, std::bad_alloc. */
-  void prepare(std::optional<Edit>& edit);
+  void prepare(std::optional<Edit<3>>& edit);
 
   /** After prepare(). */
   const CutRecord& record() const { return record_; }
@@ -73,27 +73,27 @@ class Cut {
   static constexpr size_t kNoDraft = static_cast<size_t>(-1);
 
   bool can_split(Cell c) const;
-  bool undo_idle_splits(const Edit& edit);
-  bool write(Edit& edit);
-  void choose_nodes(Edit& edit);
+  bool undo_idle_splits(const Edit<3>& edit);
+  bool write(Edit<3>& edit);
+  void choose_nodes(Edit<3>& edit);
   void choose_lines();
   void choose_cells();
   bool has_new_vertex(Dart d) const;
-  bool write_cell(Edit& edit, Cell c);
+  bool write_cell(Edit<3>& edit, Cell c);
   void insert_vertices(CellDraft& draft) const;
   bool draw_line(const FacetDraft& whole, Line& line) const;
-  bool split_cell(Edit& edit, uint32_t cell, CellDraft& whole);
+  bool split_cell(Edit<3>& edit, uint32_t cell, CellDraft& whole);
   bool is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) const;
   void find_old_faces();
   bool is_on_blade(Cell c, const Shape& shape, uint32_t facet) const;
   int side_of(uint32_t on, uint32_t off) const;
   int side_of(Cell c) const;
-  void unsew_old_faces(Edit& edit) const;
+  void unsew_old_faces(Edit<3>& edit) const;
   void keep_whole(Cell c);
   /** The draft of a cell that changes and is not split, or that of a part; kNoDraft: it does not change. */
   size_t draft_of_cell(Cell c) const;
-  void write_record(Edit& edit);
-  void measure(Edit& edit);
+  void write_record(Edit<3>& edit);
+  void measure(Edit<3>& edit);
 
   Environment<3>& env_;
   const Map<3>& map_;

@@ -96,7 +96,7 @@ bool Inside::holds(Cell c, const double* point) const {
   return cells_[number].turns + crossings_in(c, from, point) != 0;
 }
 
-void Inside::carve(Edit& edit, Array<Cell>& carved) const {
+void Inside::carve(Edit<3>& edit, Array<Cell>& carved) const {
   for (size_t i = 0; i < edit.cell_count(); ++i) {
     double at[3];
     centre(env_, edit.cell(i), at);

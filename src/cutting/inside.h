@@ -27,7 +27,7 @@ class Inside {
   bool holds(Cell c, const double* point) const;
 
   /** What is inside becomes passable in an edit that is prepared; lists those cells that are not yet, as they will be. O(cells). */
-  void carve(Edit& edit, Array<Cell>& carved) const;
+  void carve(Edit<3>& edit, Array<Cell>& carved) const;
 
  private:
   struct Known {

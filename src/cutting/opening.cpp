@@ -32,7 +32,7 @@ void Opening::Way::shorten(int k) {
 }
 
 /** Vertices of cells that come out invalid go half as far, and all is written anew: as often as the shares allow, so this ends. */
-void Opening::prepare(std::optional<Edit>& edit) {
+void Opening::prepare(std::optional<Edit<3>>& edit) {
   Array<uint32_t> bad{Allocator<uint32_t>(env_.memory)};
   for (;;) {
     edit.emplace(env_);
@@ -46,7 +46,7 @@ void Opening::prepare(std::optional<Edit>& edit) {
   write_record(*edit);
 }
 
-void Opening::write(Edit& edit, Array<uint32_t>& bad) {
+void Opening::write(Edit<3>& edit, Array<uint32_t>& bad) {
   changed_ = KeyTable(env_.memory);
   gaps_.clear();
   sides_.clear();
@@ -59,7 +59,7 @@ void Opening::write(Edit& edit, Array<uint32_t>& bad) {
   cut_facets(edit, bad);
 }
 
-void Opening::add_vertices(Edit& edit) {
+void Opening::add_vertices(Edit<3>& edit) {
   fresh_ = KeyTable(env_.memory);
   of_fresh_.clear();
   for (uint32_t i = 0; i < ways_.size(); ++i) {
@@ -93,7 +93,7 @@ uint32_t Opening::vertex_of(uint32_t copy, uint32_t before) const {
 }
 
 /** All cells at vertices that come apart. */
-void Opening::write_cells(Edit& edit) {
+void Opening::write_cells(Edit<3>& edit) {
   for (uint32_t i = 0; i < ways_.size(); ++i) {
     if (ways_[i].stays) continue;
     const Crack::Parting& parting = crack_.partings()[i];
@@ -126,7 +126,7 @@ void Opening::write_facet(FacetDraft& facet, Dart first) const {
   for (uint32_t& v : facet.triangles) v = facet.loop[before.place_of(v)];
 }
 
-void Opening::move_marks(Edit& edit, Cell c) const {
+void Opening::move_marks(Edit<3>& edit, Cell c) const {
   if (env_.edge_marks.size() == 0) return;
   for (uint32_t d = 0, n = map_.shape(c).dart_count(); d < n; ++d) {
     const uint32_t a = dart_vertex(map_, {c, d}), b = dart_target(map_, {c, d});
@@ -136,7 +136,7 @@ void Opening::move_marks(Edit& edit, Cell c) const {
 }
 
 /** Cells of the space get a facet in the place of an edge of the rim. */
-void Opening::add_mouths(Edit& edit) {
+void Opening::add_mouths(Edit<3>& edit) {
   for (const Mouth& mouth : crack_.mouths()) {
     const Dart d = mouth.dart, e = beta2(map_, d);
     const uint32_t number = changed_.find(d.cell.unit);
@@ -150,12 +150,12 @@ void Opening::add_mouths(Edit& edit) {
   }
 }
 
-void Opening::add_gaps(Edit& edit) {
+void Opening::add_gaps(Edit<3>& edit) {
   for (uint32_t i = 0; i < crack_.pair_count(); ++i) add_gap(edit, crack_.pair(i));
 }
 
 /** The cell between two lips, if these come apart. */
-void Opening::add_gap(Edit& edit, const FacetPair& pair) {
+void Opening::add_gap(Edit<3>& edit, const FacetPair& pair) {
   Gap gap;
   FacetDraft before[2] = {draft_of(env_, pair.a), draft_of(env_, pair.b)};
   for (int k = 0; k < 2; ++k) {
@@ -191,14 +191,14 @@ void Opening::add_gap(Edit& edit, const FacetPair& pair) {
   gaps_.push_back(gap);
 }
 
-void Opening::add_side(Edit& edit, size_t draft, FacetDraft&& facet, uint32_t a, uint32_t b) {
+void Opening::add_side(Edit<3>& edit, size_t draft, FacetDraft&& facet, uint32_t a, uint32_t b) {
   Array<FacetDraft>& facets = edit.draft(draft).facets;
   sides_.push_back({pair_key(a, b), {draft, static_cast<uint32_t>(facets.size())}});
   facets.push_back(std::move(facet));
 }
 
 /** Facets across the gap over the same edge are joined; what is left of them is on the outer boundary. */
-void Opening::join_sides(Edit& edit) {
+void Opening::join_sides(Edit<3>& edit) {
   std::sort(sides_.begin(), sides_.end(), [](const Side& x, const Side& y) {
     if (x.edge != y.edge) return x.edge < y.edge;
     return x.at.draft != y.at.draft ? x.at.draft < y.at.draft : x.at.facet < y.at.facet;
@@ -215,7 +215,7 @@ void Opening::join_sides(Edit& edit) {
 
 /** Triangles for new facets, and others for those that are not positive any more seen from the cells on both sides. Drafts with a facet for
  * which there are none go to `bad`. */
-void Opening::cut_facets(Edit& edit, Array<uint32_t>& bad) const {
+void Opening::cut_facets(Edit<3>& edit, Array<uint32_t>& bad) const {
   struct Key {
     uint32_t word;
     Place at;
@@ -272,7 +272,7 @@ void Opening::cut_facets(Edit& edit, Array<uint32_t>& bad) const {
 }
 
 /** Drafts at which the outer boundary would fold. Links are needed to see that, so the edit is tried. */
-void Opening::find_folds(Edit& edit, Array<uint32_t>& bad) const {
+void Opening::find_folds(Edit<3>& edit, Array<uint32_t>& bad) const {
   edit.apply();
   for (uint32_t i = 0; i < edit.cell_count(); ++i) {
     const Cell c = edit.cell(i);
@@ -287,7 +287,7 @@ void Opening::find_folds(Edit& edit, Array<uint32_t>& bad) const {
 }
 
 /** The copies in these drafts go half as far; where none of them moves any more, their vertices stay one. */
-void Opening::shorten(Edit& edit, const Array<uint32_t>& drafts) {
+void Opening::shorten(Edit<3>& edit, const Array<uint32_t>& drafts) {
   KeyTable copies(env_.memory);
   for (const uint32_t i : drafts) {
     for (const FacetDraft& facet : edit.draft(i).facets) {
@@ -307,7 +307,7 @@ void Opening::shorten(Edit& edit, const Array<uint32_t>& drafts) {
   for (uint32_t i = 0; !moved && i < copies.size(); ++i) ways_[copies[i] / 2].stays = true;
 }
 
-void Opening::write_record(Edit& edit) {
+void Opening::write_record(Edit<3>& edit) {
   for (uint32_t i = 0; i < ways_.size(); ++i) {
     const Way& way = ways_[i];
     if (way.stays) continue;

@@ -31,7 +31,7 @@ class Opening {
   Opening(Environment<3>& env, const Crack& crack, const OpenSettings& settings);
 
   /** Prepares an edit. Throws BORROWED where vertices have to be added and can't be, TOO_LARGE, std::bad_alloc. */
-  void prepare(std::optional<Edit>& edit);
+  void prepare(std::optional<Edit<3>>& edit);
 
   /** After prepare(). */
   const OpenRecord& record() const { return record_; }
@@ -59,21 +59,21 @@ class Opening {
     Place lips[2];
   };
 
-  void write(Edit& edit, Array<uint32_t>& bad);
-  void add_vertices(Edit& edit);
+  void write(Edit<3>& edit, Array<uint32_t>& bad);
+  void add_vertices(Edit<3>& edit);
   bool place_copies(const Crack::Parting& parting, const Way& way, double (&places)[2][3]) const;
-  void write_cells(Edit& edit);
+  void write_cells(Edit<3>& edit);
   void write_facet(FacetDraft& facet, Dart first) const;
-  void move_marks(Edit& edit, Cell c) const;
-  void add_mouths(Edit& edit);
-  void add_gaps(Edit& edit);
-  void add_gap(Edit& edit, const FacetPair& pair);
-  void add_side(Edit& edit, size_t draft, FacetDraft&& facet, uint32_t a, uint32_t b);
-  void join_sides(Edit& edit);
-  void cut_facets(Edit& edit, Array<uint32_t>& bad) const;
-  void find_folds(Edit& edit, Array<uint32_t>& bad) const;
-  void shorten(Edit& edit, const Array<uint32_t>& drafts);
-  void write_record(Edit& edit);
+  void move_marks(Edit<3>& edit, Cell c) const;
+  void add_mouths(Edit<3>& edit);
+  void add_gaps(Edit<3>& edit);
+  void add_gap(Edit<3>& edit, const FacetPair& pair);
+  void add_side(Edit<3>& edit, size_t draft, FacetDraft&& facet, uint32_t a, uint32_t b);
+  void join_sides(Edit<3>& edit);
+  void cut_facets(Edit<3>& edit, Array<uint32_t>& bad) const;
+  void find_folds(Edit<3>& edit, Array<uint32_t>& bad) const;
+  void shorten(Edit<3>& edit, const Array<uint32_t>& drafts);
+  void write_record(Edit<3>& edit);
   uint32_t vertex_of(uint32_t copy, uint32_t before) const;
   uint32_t at_start(Dart d) const { return vertex_of(crack_.copy_at_start(d), dart_vertex(map_, d)); }
   uint32_t at_end(Dart d) const { return vertex_of(crack_.copy_at_end(d), dart_target(map_, d)); }

@@ -8,13 +8,15 @@
 
 namespace dsw {
 
-MovingPoints::MovingPoints(Environment<3>& env)
+template <int D>
+MovingPoints<D>::MovingPoints(Environment<D>& env)
     : env_(env),
       place_(Allocator<uint32_t>(env.memory)),
       touched_(Allocator<uint32_t>(env.memory)),
       targets_(Allocator<double>(env.memory)) {}
 
-void MovingPoints::begin(double* next) {
+template <int D>
+void MovingPoints<D>::begin(double* next) {
   place_.resize(env_.map.vertex_count, kUntouched);
   start_ = env_.points;
   next_ = next;
@@ -23,7 +25,8 @@ void MovingPoints::begin(double* next) {
   env_.checked.close_all();
 }
 
-void MovingPoints::finish() noexcept {
+template <int D>
+void MovingPoints<D>::finish() noexcept {
   next_ = nullptr;
   for (const uint32_t v : touched_) place_[v] = kUntouched;
   touched_.clear();
@@ -33,7 +36,8 @@ void MovingPoints::finish() noexcept {
   env_.checked.forget_all();
 }
 
-void MovingPoints::take_back() noexcept {
+template <int D>
+void MovingPoints<D>::take_back() noexcept {
   if (next_ == nullptr) return;
   for (size_t i = 0; i < touched_.size(); ++i) {
     std::copy_n(&targets_[3 * i], 3, next_ + size_t{3} * touched_[i]);
@@ -47,7 +51,8 @@ void MovingPoints::take_back() noexcept {
   env_.checked.forget_all();
 }
 
-void MovingPoints::touch(uint32_t v, double fraction) {
+template <int D>
+void MovingPoints<D>::touch(uint32_t v, double fraction) {
   if (is_touched(v)) return;
   const double* const target = next_ + size_t{3} * v;
   if (!is_finite(target)) fail_non_finite({next_, 3}, v, 3, {"next", true});
@@ -60,20 +65,27 @@ void MovingPoints::touch(uint32_t v, double fraction) {
   put(v, position);
 }
 
-void MovingPoints::at(uint32_t v, double fraction, double* out) const noexcept {
-  point_on_way(start_ + size_t{3} * v, &targets_[size_t{3} * place_[v]], fraction, out);
+template <int D>
+void MovingPoints<D>::at(uint32_t v, double fraction, double* out) const noexcept {
+  point_on_way<D>(start_ + size_t{3} * v, &targets_[size_t{3} * place_[v]], fraction, out);
 }
 
-void MovingPoints::put(uint32_t v, const double* position) noexcept {
+template <int D>
+void MovingPoints<D>::put(uint32_t v, const double* position) noexcept {
   std::copy_n(position, 3, next_ + size_t{3} * v);
   env_.renew_version();
 }
 
-void MovingPoints::shorten(double fraction) noexcept {
+template <int D>
+void MovingPoints<D>::shorten(double fraction) noexcept {
   for (uint32_t v = 0; v < env_.map.vertex_count; ++v) {
     double* const to = next_ + size_t{3} * v;
-    if (!is_touched(v)) point_on_way(start_ + size_t{3} * v, to, fraction, to);
+    if (!is_touched(v)) point_on_way<D>(start_ + size_t{3} * v, to, fraction, to);
   }
 }
+
+#define DSW_MOVING_POINTS(D) template class MovingPoints<D>
+DSW_MOVING_POINTS(3);
+#undef DSW_MOVING_POINTS
 
 }  // namespace dsw

@@ -8,18 +8,20 @@
 namespace dsw {
 
 /** As point_at, but at both ends to the bit. */
+template <int D>
 inline void point_on_way(const double* start, const double* target, double fraction, double* out) noexcept {
   if (fraction == 0 || fraction == 1) {
     std::copy_n(fraction == 0 ? start : target, 3, out);
   } else {
-    point_at<3>(start, target, fraction, out);
+    point_at<D>(start, target, fraction, out);
   }
 }
 
 /** Those near bodies are taken there step by step; all others are there at once, since nobody looks at them on the way. */
+template <int D>
 class MovingPoints {
  public:
-  explicit MovingPoints(Environment<3>& env);
+  explicit MovingPoints(Environment<D>& env);
 
   /** From the environment's present points to those in `next`, which the environment reads, and this writes, from now on. Throws
    * std::bad_alloc. */
@@ -47,7 +49,7 @@ class MovingPoints {
  private:
   static constexpr uint32_t kUntouched = 0xffffffffu;
 
-  Environment<3>& env_;
+  Environment<D>& env_;
   const double* start_ = nullptr;
   double* next_ = nullptr;
   Array<uint32_t> place_;  // by vertex: its place in touched_

@@ -14,7 +14,8 @@ const FacetsInBox kFacetsInBox = choose_facets_in_box();
 
 }  // namespace
 
-bool BoxProbe::is_free(const Bounds& box, Cell start) noexcept {
+template <int D>
+bool BoxProbe<D>::is_free(const Bounds<D>& box, Cell start) noexcept {
   count_ = 0;
   // Wires and lone vertices are not seen on the facets there.
   if ((env_.marked_edges | env_.marked_vertices) != 0 || !enter(start)) return false;
@@ -25,14 +26,16 @@ bool BoxProbe::is_free(const Bounds& box, Cell start) noexcept {
 }
 
 /** False: there is no room, or it is no hexahedron that may be entered. */
-bool BoxProbe::enter(Cell c) noexcept {
+template <int D>
+bool BoxProbe<D>::enter(Cell c) noexcept {
   if (count_ == kMost || !suits(env_, c) || is_closed(env_, c)) return false;
   cells_[count_++] = c;
   return true;
 }
 
-bool BoxProbe::enter_neighbours(const Bounds& box, Cell c) noexcept {
-  const Map<3>& map = env_.map;
+template <int D>
+bool BoxProbe<D>::enter_neighbours(const Bounds<D>& box, Cell c) noexcept {
+  const Map<D>& map = env_.map;
   const uint32_t* const w = map.record(c);
   for (uint32_t met = kFacetsInBox(env_.points, w + kUnitWords, box); met != 0; met &= met - 1) {
     const uint32_t link = w[kUnitWords - 6 + static_cast<uint32_t>(__builtin_ctz(met))];
@@ -43,7 +46,7 @@ bool BoxProbe::enter_neighbours(const Bounds& box, Cell c) noexcept {
   return true;
 }
 
-uint32_t facets_in_box(const double* points, const uint32_t* vertices, const Bounds& box) noexcept {
+uint32_t facets_in_box(const double* points, const uint32_t* vertices, const Bounds<3>& box) noexcept {
   uint32_t beyond[8];
   for (int i = 0; i < 8; ++i) {
     const double* const v = points + size_t{vertices[i]} * 3;
@@ -69,5 +72,9 @@ FacetsInBox choose_facets_in_box() noexcept {
 #endif
   return facets_in_box;
 }
+
+#define DSW_BOX_PROBE(D) template class BoxProbe<D>;
+DSW_BOX_PROBE(3);
+#undef DSW_BOX_PROBE
 
 }  // namespace dsw

@@ -9,6 +9,7 @@
 namespace dsw {
 
 /** The box of some points, with room for a fourth coordinate, which lies inside of all boxes. */
+template <int D>
 struct Bounds {
   double low[4], high[4];
 
@@ -21,25 +22,26 @@ struct Bounds {
   }
 };
 
-template <class... Points>
-Bounds bounds(const double* first, Points... others) noexcept {
-  Bounds box(first);
+template <int D, class... Points>
+Bounds<D> bounds(const double* first, Points... others) noexcept {
+  Bounds<D> box(first);
   (box.include(others), ...);
   return box;
 }
 
 /** Floods a box as SweepFlood does what is swept; one for each thread. The flood of anything inside of the box enters only cells
  * that this one enters, if it starts in one of them, and meets only what this one meets. */
+template <int D>
 class BoxProbe {
  public:
-  explicit BoxProbe(const Environment<3>& env) noexcept : env_(env) {}
+  explicit BoxProbe(const Environment<D>& env) noexcept : env_(env) {}
 
   /** Whether it looks at cells like this one at all. */
-  static bool suits(const Environment<3>& env, Cell c) noexcept { return env.map.form(c) == Form::kBox; }
+  static bool suits(const Environment<D>& env, Cell c) noexcept { return env.map.form(c) == Form::kBox; }
 
   /** Whether no obstacle is met in the box, from `start`, which is passable. False also where that would take long to find out: at
    * other cells than hexahedra, and in a box that meets more than eight. */
-  bool is_free(const Bounds& box, Cell start) noexcept;
+  bool is_free(const Bounds<D>& box, Cell start) noexcept;
 
   /** Whether the last flood entered a cell. */
   bool has_entered(Cell c) const noexcept {
@@ -52,18 +54,18 @@ class BoxProbe {
   static constexpr uint32_t kMost = 8;  // as many as meet in a vertex of a lattice
 
   bool enter(Cell c) noexcept;
-  bool enter_neighbours(const Bounds& box, Cell c) noexcept;
+  bool enter_neighbours(const Bounds<D>& box, Cell c) noexcept;
 
-  const Environment<3>& env_;
+  const Environment<D>& env_;
   Cell cells_[kMost];
   uint32_t count_ = 0;
 };
 
 /** The facets of a hexahedron that may meet a box, a bit each: no side of it has all of their vertices strictly beyond, so that no shift
  * could bring them together. */
-using FacetsInBox = uint32_t (*)(const double* points, const uint32_t* vertices, const Bounds& box) noexcept;
+using FacetsInBox = uint32_t (*)(const double* points, const uint32_t* vertices, const Bounds<3>& box) noexcept;
 FacetsInBox choose_facets_in_box() noexcept;
-uint32_t facets_in_box(const double* points, const uint32_t* vertices, const Bounds& box) noexcept;
-uint32_t facets_in_box_avx2(const double* points, const uint32_t* vertices, const Bounds& box) noexcept;
+uint32_t facets_in_box(const double* points, const uint32_t* vertices, const Bounds<3>& box) noexcept;
+uint32_t facets_in_box_avx2(const double* points, const uint32_t* vertices, const Bounds<3>& box) noexcept;
 
 }  // namespace dsw

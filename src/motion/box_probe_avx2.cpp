@@ -17,7 +17,7 @@
 
 namespace dsw {
 
-uint32_t facets_in_box_avx2(const double* points, const uint32_t* vertices, const Bounds& box) noexcept {
+uint32_t facets_in_box_avx2(const double* points, const uint32_t* vertices, const Bounds<3>& box) noexcept {
   // Masked, so that the last point of the host's array is not read past.
   const __m256i mask = _mm256_setr_epi64x(-1, -1, -1, 0);
   const __m256d low = _mm256_loadu_pd(box.low), high = _mm256_loadu_pd(box.high);

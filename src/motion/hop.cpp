@@ -17,7 +17,8 @@ uint32_t link_words(Form form) noexcept {
 }
 
 /** The facet of `first` that leads into `second`; that of a marked one leads nowhere. */
-bool find_facet(const Environment<3>& env, Cell first, Cell second, Facet& facet) noexcept {
+template <int D>
+bool find_facet(const Environment<D>& env, Cell first, Cell second, Facet& facet) noexcept {
   const uint32_t* const w = env.map.record(first);
   const Form form = form_of(w[0]);
   uint32_t shared = 0;
@@ -35,12 +36,13 @@ bool find_facet(const Environment<3>& env, Cell first, Cell second, Facet& facet
 }
 
 /** Whether a line passes all ridges of a facet on the facet's side, on its way out. */
+template <int D>
 bool passes(const Facet& facet, const double* from, const double* to) noexcept {
-  const filter::Vec<3> way = filter::difference<3>(to, from);
+  const filter::Vec<D> way = filter::difference<D>(to, from);
   for (int k = 0; k < 4; ++k) {
     const double *const x = facet.corners[k], *const y = facet.corners[(k + 1) % 4];
     if (x == y) continue;
-    const filter::Vec<3> a = filter::difference<3>(x, from), b = filter::difference<3>(y, from);
+    const filter::Vec<D> a = filter::difference<D>(x, from), b = filter::difference<D>(y, from);
     const double det = filter::dot(filter::cross(a, b), way);
     if (!(det > 0 && filter::certain(det, filter::extent(way, a, b)))) return false;
   }
@@ -49,10 +51,17 @@ bool passes(const Facet& facet, const double* from, const double* to) noexcept {
 
 }  // namespace
 
-bool passes_between(const Environment<3>& env, Cell first, Cell second, const double* from, const double* to) noexcept {
+template <int D>
+bool passes_between(const Environment<D>& env, Cell first, Cell second, const double* from, const double* to) noexcept {
   Facet facet;
   return env.map.convex(first) && env.map.convex(second) && find_facet(env, first, second, facet) &&
-         !is_closed(env, second) && passes(facet, from, to);
+         !is_closed(env, second) && passes<D>(facet, from, to);
 }
+
+#define DSW_HOP(D)                                                                                     \
+  template bool passes_between(const Environment<D>& env, Cell first, Cell second, const double* from, \
+                               const double* to) noexcept
+DSW_HOP(3);
+#undef DSW_HOP
 
 }  // namespace dsw

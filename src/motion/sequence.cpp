@@ -11,15 +11,17 @@ namespace {
 
 const PassTriangles kPassTriangles = choose_pass_triangles();
 
-bool is_of_tetrahedron(const Map<3>& map, uint32_t facet) noexcept {
+template <int D>
+bool is_of_tetrahedron(const Map<D>& map, uint32_t facet) noexcept {
   return form_of(map.words[facet / kUnitWords * kUnitWords]) == Form::kSimplex;
 }
 
 /** The vertices of a tetrahedron's facet, in the order of its shape. */
+template <int D>
 struct Corners {
   uint32_t vertices[3];
 
-  Corners(const Map<3>& map, uint32_t facet) noexcept {
+  Corners(const Map<D>& map, uint32_t facet) noexcept {
     const uint32_t* const w = map.words.data() + facet / kUnitWords * size_t{kUnitWords};
     const uint8_t(&local)[3] = kTetrahedronFacets[facet % kUnitWords - (kUnitWords - 4)];
     for (int i = 0; i < 3; ++i) vertices[i] = w[local[i]] & kVertexMask;
@@ -31,16 +33,18 @@ struct Corners {
 };
 
 /** What is known of facets of tetrahedra from `begin` to before `end`. */
-void read_triangles(const Environment<3>& env, EdgeSequence& sequence, size_t begin, size_t end) noexcept {
+template <int D>
+void read_triangles(const Environment<D>& env, EdgeSequence<D>& sequence, size_t begin, size_t end) noexcept {
   for (size_t n = begin; n < end; ++n) {
-    const Corners corners(env.map, sequence.facets[n]);
+    const Corners<D> corners(env.map, sequence.facets[n]);
     for (int i = 0; i < 3; ++i) sequence.triangles.set(n, i, env.point(corners.vertices[i]));
   }
 }
 
 /** Of tetrahedra: whether all are, and the cells valid. */
-bool are_passable(const Environment<3>& env, const Array<uint32_t>& facets) noexcept {
-  const Map<3>& map = env.map;
+template <int D>
+bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noexcept {
+  const Map<D>& map = env.map;
   uint32_t marks = 0;
   for (const uint32_t f : facets) marks |= map.words[f / kUnitWords * kUnitWords] | map.words[f];
   if ((marks & kMarkBit) != 0) return false;
@@ -49,8 +53,9 @@ bool are_passable(const Environment<3>& env, const Array<uint32_t>& facets) noex
 }
 
 /** Facets of any form. Whether all are passable, and their cells exactly convex. */
-bool pass(const Environment<3>& env, Shear& shear, const Array<uint32_t>& facets) noexcept {
-  const Map<3>& map = env.map;
+template <int D>
+bool pass(const Environment<D>& env, Shear& shear, const Array<uint32_t>& facets) noexcept {
+  const Map<D>& map = env.map;
   uint32_t marks = 0;
   for (const uint32_t f : facets) {
     const Cell c = map.cell_of({f});
@@ -77,7 +82,8 @@ bool is_same_point(const double* a, const double* b) noexcept { return std::equa
 
 }  // namespace
 
-void EdgeSequence::replace(const Environment<3>& env, size_t begin, size_t end, const uint32_t* by, size_t count) {
+template <int D>
+void EdgeSequence<D>::replace(const Environment<D>& env, size_t begin, size_t end, const uint32_t* by, size_t count) {
   const size_t removed = end - begin, size = facets.size() - removed + count;
   const bool all = (of_tetrahedra || removed == facets.size()) &&
                    std::all_of(by, by + count, [&](uint32_t f) { return is_of_tetrahedron(env.map, f); });
@@ -97,9 +103,10 @@ void EdgeSequence::replace(const Environment<3>& env, size_t begin, size_t end, 
   }
 }
 
-bool follows(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, Cell first,
+template <int D>
+bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
              Cell last) noexcept {
-  const Map<3>& map = env.map;
+  const Map<D>& map = env.map;
   const Array<uint32_t>& facets = sequence.facets;
   if (facets.empty()) return first == last && map.convex(first);
   if (!sequence.known() || map.cell_of({facets.front()}) != first) return false;
@@ -121,7 +128,8 @@ bool follows(const Environment<3>& env, EdgeSequence& sequence, const double* fr
   return true;
 }
 
-PathFacets path_facets(const Map<3>& map, Cell start, const CastResult& path) noexcept {
+template <int D>
+PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept {
   PathFacets passed;
   if (path.end != CastEnd::kReached || path.cells_visited < 2 || path.cells_visited > 3) return passed;
   passed.facets[0] = map.half_facet(start, path.first_facet);
@@ -137,22 +145,24 @@ PathFacets path_facets(const Map<3>& map, Cell start, const CastResult& path) no
   return passed;
 }
 
-bool turn(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, VertexPair& edge) {
+template <int D>
+bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
+          VertexPair& edge) {
   constexpr size_t kMost = 64;  // facets at an edge
-  const Map<3>& map = env.map;
+  const Map<D>& map = env.map;
   const Array<uint32_t>& old = sequence.facets;
   if (!sequence.of_tetrahedra || sequence.version != env.obstacle_version) return false;
   Shear shear(from, to);
   const size_t begin = kPassTriangles(shear, sequence.triangles);
   if (begin == old.size()) return false;
-  const Corners corners(map, old[begin]);
+  const Corners<D> corners(map, old[begin]);
   Shear::Point points[3];
   for (int i = 0; i < 3; ++i) points[i] = shear(env.point(corners.vertices[i]));
   int side = 0;
   while (side < 2 && Shear::side(points[side], points[side + 1]) > 0) ++side;
   edge = {corners.vertices[side], corners.vertices[(side + 1) % 3]};
   size_t end = begin + 1;
-  while (end < old.size() && Corners(map, old[end]).has(edge)) ++end;
+  while (end < old.size() && Corners<D>(map, old[end]).has(edge)) ++end;
 
   const Cell last = map.cell_of(map.opposite({old[end - 1]}));
   uint32_t turned[kMost];
@@ -174,7 +184,8 @@ bool turn(const Environment<3>& env, EdgeSequence& sequence, const double* from,
   return true;
 }
 
-bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {
+template <int D>
+bool share_strip(const Map<D>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {
   // Facet i of a sequence in the direction of the view.
   const auto at = [&](const SequenceView& s, size_t i) {
     return s.turned ? map.opposite({s.facets[s.count - 1 - i]}).word : s.facets[i];
@@ -190,7 +201,8 @@ bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceVi
   return is_sum(turn(ca), ab, bc) || is_sum(turn(ab), bc, ca) || is_sum(turn(bc), ca, ab);
 }
 
-void SequenceWriter::finish(EdgeSequence& sequence) {
+template <int D>
+void SequenceWriter<D>::finish(EdgeSequence<D>& sequence) {
   if (passed_ == facets_.size()) {
     sequence.assign(*env_, facets_);
     sequence.version = env_->obstacle_version;
@@ -201,13 +213,26 @@ void SequenceWriter::finish(EdgeSequence& sequence) {
   facets_.reserve(2 * passed_);
 }
 
-void SequenceWriter::write(void* user, Cell from, uint32_t simplex, Cell) noexcept {
-  SequenceWriter& w = *static_cast<SequenceWriter*>(user);
+template <int D>
+void SequenceWriter<D>::write(void* user, Cell from, uint32_t simplex, Cell) noexcept {
+  SequenceWriter<D>& w = *static_cast<SequenceWriter<D>*>(user);
   ++w.passed_;
   if (w.facets_.size() == w.facets_.capacity()) return;
-  const Map<3>& map = w.env_->map;
+  const Map<D>& map = w.env_->map;
   const uint32_t facet = map.form(from) == Form::kSimplex ? simplex : map.shape(from).simplex_facets(3)[simplex];
   w.facets_.push_back(map.half_facet(from, facet).word);
 }
+
+#define DSW_SEQUENCE(D)                                                                                             \
+  template class EdgeSequence<D>;                                                                                   \
+  template class SequenceWriter<D>;                                                                                 \
+  template bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, \
+                        Cell first, Cell last) noexcept;                                                            \
+  template PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;                  \
+  template bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,    \
+                     VertexPair& edge);                                                                             \
+  template bool share_strip(const Map<D>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept
+DSW_SEQUENCE(3);
+#undef DSW_SEQUENCE
 
 }  // namespace dsw

@@ -8,6 +8,7 @@
 namespace dsw {
 
 /** The half-facets that an edge was last known to pass, each seen from the cell that is left; a single kNoFacet if they are unknown. */
+template <int D>
 struct EdgeSequence {
   static constexpr uint64_t kNever = ~uint64_t{0};
 
@@ -37,16 +38,16 @@ struct EdgeSequence {
   bool known() const noexcept { return facets.empty() || facets[0] != kNoFacet; }
   /** Puts `count` facets where those from `begin` to before `end` are. Throws std::bad_alloc, and then what was known still is; not if
    * there are none more than before. */
-  void replace(const Environment<3>& env, size_t begin, size_t end, const uint32_t* by, size_t count);
-  void assign(const Environment<3>& env, const Array<uint32_t>& passed) {
+  void replace(const Environment<D>& env, size_t begin, size_t end, const uint32_t* by, size_t count);
+  void assign(const Environment<D>& env, const Array<uint32_t>& passed) {
     replace(env, 0, facets.size(), passed.data(), passed.size());
   }
   /** One more or one less, first or last. */
-  void add(const Environment<3>& env, HalfFacet facet, bool first) {
+  void add(const Environment<D>& env, HalfFacet facet, bool first) {
     const size_t at = first ? 0 : facets.size();
     replace(env, at, at, &facet.word, 1);
   }
-  void remove(const Environment<3>& env, bool first) noexcept {
+  void remove(const Environment<D>& env, bool first) noexcept {
     const size_t at = first ? 0 : facets.size() - 1;
     replace(env, at, at + 1, nullptr, 0);
   }
@@ -55,7 +56,8 @@ struct EdgeSequence {
 /** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all passable. Cells
  * are exactly convex with flat facets. False also where a filter cannot tell: then the segment must be cast. Much cheaper than a cast:
  * nothing waits for a decision. Notes the place. O(facets). */
-bool follows(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, Cell first,
+template <int D>
+bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
              Cell last) noexcept;
 
 /** The facets that a path passes, each seen from the cell that is left: none where it stays in its cell or passes more than two. */
@@ -63,7 +65,8 @@ struct PathFacets {
   uint32_t count = 0;
   HalfFacet facets[2];
 };
-PathFacets path_facets(const Map<3>& map, Cell start, const CastResult& path) noexcept;
+template <int D>
+PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;
 
 /** An edge of the environment, by its vertices. */
 struct VertexPair {
@@ -73,7 +76,8 @@ struct VertexPair {
 /** Turns a sequence round the first edge that the segment passes on the wrong side, if its cells are tetrahedra: what it then passes is
  * the other half of the facets there. The sequence may still not be that of the segment. False, and nothing is changed: there is no such
  * edge, or no passable way round it. Throws std::bad_alloc. */
-bool turn(const Environment<3>& env, EdgeSequence& sequence, const double* from, const double* to, VertexPair& edge);
+template <int D>
+bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, VertexPair& edge);
 
 /** A sequence as it was noted, or passed the other way round. */
 struct SequenceView {
@@ -85,16 +89,18 @@ struct SequenceView {
 /** Whether the three sides of a triangle, a to b, b to c and c to a, lie in the same strip of cells: one of them passes what the two
  * others pass, one after the other. Each has been found by `follows`, so it passes every facet where all lines of that look the same
  * way; there the facet is convex, and the cells are, so the triangle lies in the strip and no edge of a cell pierces it. */
-bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept;
+template <int D>
+bool share_strip(const Map<D>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept;
 
 /** Notes the half-facets that casts pass. A cast allocates nothing: what finds no room makes the sequence unknown, and room for the
  * next time is made by `finish`. */
+template <int D>
 class SequenceWriter {
  public:
   explicit SequenceWriter(const Memory* memory) : facets_(Allocator<uint32_t>(memory)) {}
 
   /** Both must outlive the cast. Throws std::bad_alloc the first time. */
-  void attach(const Environment<3>& env, CastRequest& request) {
+  void attach(const Environment<D>& env, CastRequest& request) {
     facets_.reserve(kFirstRoom);
     env_ = &env;
     facets_.clear();
@@ -103,13 +109,13 @@ class SequenceWriter {
     request.crossing_user = this;
   }
   /** Copies the sequence of a cast that reached its target. Throws std::bad_alloc. */
-  void finish(EdgeSequence& sequence);
+  void finish(EdgeSequence<D>& sequence);
 
  private:
   static constexpr size_t kFirstRoom = 16;
   static void write(void* user, Cell from, uint32_t simplex, Cell to) noexcept;
 
-  const Environment<3>* env_ = nullptr;
+  const Environment<D>* env_ = nullptr;
   Array<uint32_t> facets_;
   size_t passed_ = 0;
 };

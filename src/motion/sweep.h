@@ -20,9 +20,10 @@ struct SweepResult {
 /** Floods from the cell of p over all cells that the swept triangle or tetrahedron meets without crossing anything impassable:
  * what is swept before the first contact is connected and holds p, so that the first contact is the earliest of what the
  * flood sees. Keeps its memory from sweep to sweep; one for each thread. */
+template <int D>
 class SweepFlood {
  public:
-  explicit SweepFlood(const Environment<3>& env);
+  explicit SweepFlood(const Environment<D>& env);
 
   /** `start` contains m.p, and the edge p q is free. Nothing is found where p, p', q are collinear: the path of p is the sweep
    * then. With `collect`, all() has every contact afterwards. Throws std::bad_alloc. O(cells met). */
@@ -81,8 +82,8 @@ class SweepFlood {
   bool simplex_met(const Tetrahedron& t, const uint16_t* local);
   bool judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet);
 
-  const Environment<3>& env_;
-  const Map<3>& map_;
+  const Environment<D>& env_;
+  const Map<D>& map_;
   const SweptTriangle* triangle_ = nullptr;  // during a sweep of an edge
   bool collect_ = false;
   SweepResult result_;

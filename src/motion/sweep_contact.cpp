@@ -9,7 +9,8 @@ namespace {
 
 /** Order of contacts at one time and of one kind: vertices by number; facets before wires; those that p sees; then by the
  * canonical name of the facet, the cell it is seen from, and inside that. */
-auto order_of(const Map<3>& map, const SweepContact& c) {
+template <int D>
+auto order_of(const Map<D>& map, const SweepContact& c) {
   const HalfFacet h = c.facet.valid() ? canonical(map, c.facet) : HalfFacet{};
   const Cell owner = h.valid() ? map.cell_of(h) : c.front;
   return std::make_tuple(c.vertex, h.valid() ? 0 : 1, c.faces_start ? 0 : 1, map.index(owner),
@@ -18,14 +19,16 @@ auto order_of(const Map<3>& map, const SweepContact& c) {
 
 /** Whether the moving end passes the plane of one flat facet in both: what a path and an edge say of it may name two of its
  * triangles, and that their times are equal would be found last of all. */
-bool same_plane(const Map<3>& map, const SweepContact& a, const SweepContact& b) noexcept {
+template <int D>
+bool same_plane(const Map<D>& map, const SweepContact& a, const SweepContact& b) noexcept {
   return a.event.kind == EventKind::kVertex && b.event.kind == EventKind::kVertex && a.facet.valid() &&
          a.facet == b.facet && map.convex(a.front);
 }
 
 }  // namespace
 
-SweepContact path_contact(const Environment<3>& env, const CastResult& path) noexcept {
+template <int D>
+SweepContact path_contact(const Environment<D>& env, const CastResult& path) noexcept {
   SweepContact found;
   found.front = path.cell;
   found.facet = path.facet;
@@ -42,12 +45,20 @@ bool same_event(const SweepContact& a, const SweepContact& b) noexcept {
   return x[0] == y[0] && ((x[1] == y[1] && x[2] == y[2]) || (x[1] == y[2] && x[2] == y[1]));
 }
 
-bool comes_before(const Map<3>& map, const double* p, const double* to, const SweepContact& a,
+template <int D>
+bool comes_before(const Map<D>& map, const double* p, const double* to, const SweepContact& a,
                   const SweepContact& b) noexcept {
-  const int sign = same_event(a, b) || same_plane(map, a, b) ? 0 : compare_events<3>(p, to, a.event, b.event).sign;
+  const int sign = same_event(a, b) || same_plane(map, a, b) ? 0 : compare_events<D>(p, to, a.event, b.event).sign;
   if (sign != 0) return sign < 0;
   if (kind_of(a) != kind_of(b)) return kind_of(a) < kind_of(b);
   return order_of(map, a) < order_of(map, b);
 }
+
+#define DSW_SWEEP_CONTACT(D)                                                                              \
+  template SweepContact path_contact(const Environment<D>& env, const CastResult& path) noexcept;         \
+  template bool comes_before(const Map<D>& map, const double* p, const double* to, const SweepContact& a, \
+                             const SweepContact& b) noexcept
+DSW_SWEEP_CONTACT(3);
+#undef DSW_SWEEP_CONTACT
 
 }  // namespace dsw

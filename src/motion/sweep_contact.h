@@ -22,7 +22,8 @@ struct SweepContact {
 };
 
 /** That of a cast which hit something: the moving end alone. */
-SweepContact path_contact(const Environment<3>& env, const CastResult& path) noexcept;
+template <int D>
+SweepContact path_contact(const Environment<D>& env, const CastResult& path) noexcept;
 
 /** In the order in which they count at one time. */
 enum class ContactKind : uint32_t { kVertex, kEdge, kPlane };
@@ -38,7 +39,8 @@ bool same_event(const SweepContact& a, const SweepContact& b) noexcept;
 /** Whether `a` counts before `b` when a vertex goes from p to p' and they are contacts of any of its edges and faces: by exact
  * time, then kind, then the canonical names of what is met and from where. Neither comes before the other only if the same
  * is met from the same place: then the caller's order of edges and faces counts. */
-bool comes_before(const Map<3>& map, const double* p, const double* to, const SweepContact& a,
+template <int D>
+bool comes_before(const Map<D>& map, const double* p, const double* to, const SweepContact& a,
                   const SweepContact& b) noexcept;
 
 }  // namespace dsw

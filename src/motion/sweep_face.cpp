@@ -27,13 +27,14 @@ constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 }  // namespace
 
-struct SweepFlood::Tetrahedron {
+template <int D>
+struct SweepFlood<D>::Tetrahedron {
   const double* at[4];
   int turn;  // +1 or -1; 0 if it is flat
   SweptTriangle faces[4];
 
   explicit Tetrahedron(const FaceMotion& m)
-      : at{m.p, m.to, m.q, m.r}, turn(orient<3>(at, at[3])), faces{face(0), face(1), face(2), face(3)} {}
+      : at{m.p, m.to, m.q, m.r}, turn(orient<D>(at, at[3])), faces{face(0), face(1), face(2), face(3)} {}
 
   SweptTriangle face(int i) const {
     return SweptTriangle(EdgeMotion{at[kFaces[i][0]], at[kFaces[i][1]], at[kFaces[i][2]]});
@@ -55,7 +56,7 @@ struct SweepFlood::Tetrahedron {
 
   int line(int x, int y, const double* a, const double* b) const {
     const double* const ridge[2] = {a, b};
-    return line_side<3>(at[x], at[y], ridge, NoTally{}).sign;
+    return line_side<D>(at[x], at[y], ridge, NoTally{}).sign;
   }
 
   /** Whether a segment that lies on both sides of face i passes through it. */
@@ -73,7 +74,7 @@ struct SweepFlood::Tetrahedron {
     if ((codes[0] & codes[1] & codes[2]) != 0) return false;
     if (codes[0] == 0 || codes[1] == 0 || codes[2] == 0) return true;
     int sides[4];
-    for (int i = 0; i < 4; ++i) sides[i] = plane_side<3>(triangle, at[i], NoTally{}).sign;
+    for (int i = 0; i < 4; ++i) sides[i] = plane_side<D>(triangle, at[i], NoTally{}).sign;
     if (sides[0] == sides[1] && sides[1] == sides[2] && sides[2] == sides[3]) return false;
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
@@ -93,7 +94,8 @@ struct SweepFlood::Tetrahedron {
   }
 };
 
-SweepResult SweepFlood::sweep(const FaceMotion& m, Cell start, uint32_t max_cells) {
+template <int D>
+SweepResult SweepFlood<D>::sweep(const FaceMotion& m, Cell start, uint32_t max_cells) {
   cells_.clear();
   lines_.clear();
   result_ = {};
@@ -124,7 +126,8 @@ SweepResult SweepFlood::sweep(const FaceMotion& m, Cell start, uint32_t max_cell
   return result_;
 }
 
-bool SweepFlood::simplex_met(const Tetrahedron& t, const uint16_t* local) {
+template <int D>
+bool SweepFlood<D>::simplex_met(const Tetrahedron& t, const uint16_t* local) {
   Corner &a = corners_[local[0]], &b = corners_[local[1]], &c = corners_[local[2]];
   if ((a.beyond & b.beyond & c.beyond) != 0) return false;
   const double* const simplex[3] = {a.at, b.at, c.at};
@@ -133,7 +136,8 @@ bool SweepFlood::simplex_met(const Tetrahedron& t, const uint16_t* local) {
 }
 
 /** Keeps the earliest impassable vertex; the lowest of the cells that see it is its front. */
-void SweepFlood::look_at_inside_vertices(const Tetrahedron& t, Cell c) {
+template <int D>
+void SweepFlood<D>::look_at_inside_vertices(const Tetrahedron& t, Cell c) {
   SweepContact& best = result_.contact;
   for (Corner& corner : corners_) {
     if (corner.beyond != 0 || t.beyond(corner) != 0) continue;
@@ -158,7 +162,8 @@ void SweepFlood::look_at_inside_vertices(const Tetrahedron& t, Cell c) {
 
 /** Whether a vertex of cell c is impassable, and its lowest impassable facet, seen from where one can be. All cells round it are linked through facets at
  * it, but for vertices of the outer boundary, where each part of them has facets of that. */
-bool SweepFlood::judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet) {
+template <int D>
+bool SweepFlood<D>::judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet) {
   bool impassable = vertex_marked(env_, vertex);
   HalfFacet lowest;
   const auto lower = [&](HalfFacet a, HalfFacet b) {
@@ -188,5 +193,9 @@ bool SweepFlood::judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet) {
   facet = from_behind ? map_.opposite(lowest) : lowest;
   return impassable;
 }
+
+#define DSW_SWEEP_FACE(D) template class SweepFlood<D>
+DSW_SWEEP_FACE(3);
+#undef DSW_SWEEP_FACE
 
 }  // namespace dsw

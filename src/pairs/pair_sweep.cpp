@@ -10,15 +10,15 @@ namespace dsw {
 namespace {
 
 /** Calls visit(touch) for all that is touched, until it returns false. */
-template <class Visit>
+template <int D, class Visit>
 class StarTouches {
  public:
-  StarTouches(const Partners& partners, const Body& body, uint32_t v, const double* to, Visit visit)
+  StarTouches(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to, Visit visit)
       : partners_(partners), body_(body), v_(v), p_(body.position(v)), to_(to), visit_(visit) {}
 
   /** Whether visit never returned false. */
   bool run() {
-    for (const Partner& partner : partners_.all) {
+    for (const Partner<D>& partner : partners_.all) {
       self_ = partner.body == &body_;
       const bool seen = self_ ? body_.filter.self : body_.filter.sees(partner.body->filter);
       other_ = &partner;
@@ -28,7 +28,7 @@ class StarTouches {
   }
 
  private:
-  bool meet(const Body& other) {
+  bool meet(const Body<D>& other) {
     if (!meet_with_vertex(other)) return false;
     if (!covers_edges(body_.level)) return true;
     bool go_on = true;
@@ -38,13 +38,13 @@ class StarTouches {
     return go_on;
   }
 
-  bool meet_with_vertex(const Body& other) {
-    Box box;
+  bool meet_with_vertex(const Body<D>& other) {
+    Box<D> box;
     box.add(p_);
     box.add(to_);
-    const BodyBoxes& boxes = other.boxes[0];
+    const BodyBoxes<D>& boxes = other.boxes[0];
     if (!boxes.bounds.overlaps(box)) return true;
-    PairContact touch;
+    PairContact<D> touch;
     const auto face = [&](uint32_t f) {
       const uint32_t* const c = other.faces[f].corners;
       if (self_ && std::find(c, c + 3, v_) != c + 3) return true;
@@ -63,14 +63,14 @@ class StarTouches {
     return !covers_edges(other.level) || boxes.edges.visit(box, edge);
   }
 
-  bool meet_with_edge(const Body& other, uint32_t e) {
+  bool meet_with_edge(const Body<D>& other, uint32_t e) {
     const uint32_t q = body_.edges[e].other(v_);
     const EdgeMotion m{p_, to_, body_.position(q)};
-    Box box;
+    Box<D> box;
     for (const double* each : {m.p, m.to, m.q}) box.add(each);
-    const BodyBoxes& boxes = other.boxes[0];
+    const BodyBoxes<D>& boxes = other.boxes[0];
     if (!boxes.bounds.overlaps(box)) return true;
-    PairContact touch;
+    PairContact<D> touch;
     touch.edge = e;
     const auto vertex = [&](uint32_t w) {
       return (self_ && (w == v_ || w == q)) || report_edge(touch, m, other, PartKind::kVertex, w, w, w);
@@ -80,7 +80,7 @@ class StarTouches {
       const uint32_t a = other.edges[x].ends[0], b = other.edges[x].ends[1];
       const bool at_v = self_ && (a == v_ || b == v_), at_q = self_ && (a == q || b == q);
       if (!at_v && !at_q) return report_edge(touch, m, other, PartKind::kEdge, x, a, b);
-      PairContact of_vertex;
+      PairContact<D> of_vertex;
       if (at_v && at_q) return report_edge(of_vertex, {p_, to_, p_}, other, PartKind::kVertex, q, q, q);
       // They have one vertex in common: the other end of each meets the other one.
       const uint32_t far = a == (at_v ? v_ : q) ? b : a;
@@ -90,13 +90,13 @@ class StarTouches {
     return !covers_edges(other.level) || boxes.edges.visit(box, edge);
   }
 
-  bool meet_with_face(const Body& other, uint32_t f) {
+  bool meet_with_face(const Body<D>& other, uint32_t f) {
     const uint32_t q = body_.faces[f].after(v_), r = body_.faces[f].before(v_);
     const FaceMotion m{p_, to_, body_.position(q), body_.position(r)};
-    Box box;
+    Box<D> box;
     for (const double* each : {m.p, m.to, m.q, m.r}) box.add(each);
-    const BodyBoxes& boxes = other.boxes[0];
-    PairContact touch;
+    const BodyBoxes<D>& boxes = other.boxes[0];
+    PairContact<D> touch;
     touch.face = f;
     const auto vertex = [&](uint32_t w) {
       if (self_ && (w == v_ || w == q || w == r)) return true;
@@ -106,17 +106,17 @@ class StarTouches {
     return !boxes.bounds.overlaps(box) || boxes.vertices.visit(box, vertex);
   }
 
-  bool report_edge(PairContact& touch, const EdgeMotion& m, const Body& other, PartKind part, uint32_t index) {
+  bool report_edge(PairContact<D>& touch, const EdgeMotion& m, const Body<D>& other, PartKind part, uint32_t index) {
     return report_edge(touch, m, other, part, index, other.edges[index].ends[0], other.edges[index].ends[1]);
   }
-  bool report_edge(PairContact& touch, const EdgeMotion& m, const Body& other, PartKind part, uint32_t index,
+  bool report_edge(PairContact<D>& touch, const EdgeMotion& m, const Body<D>& other, PartKind part, uint32_t index,
                    uint32_t a, uint32_t b) {
     const EdgeTouch found = edge_touch(m, other.position(a), other.position(b));
     touch.time = found.time;
     touch.place = found.place;
     return report(touch, part, index);
   }
-  bool report(PairContact& touch, PartKind part, uint32_t index) {
+  bool report(PairContact<D>& touch, PartKind part, uint32_t index) {
     if (touch.time == kNever) return true;
     touch.other = *other_;
     touch.part = part;
@@ -124,29 +124,31 @@ class StarTouches {
     return visit_(touch);
   }
 
-  const Partners& partners_;
-  const Body& body_;
+  const Partners<D>& partners_;
+  const Body<D>& body_;
   uint32_t v_;
   const double* p_;
   const double* to_;
   Visit visit_;
-  const Partner* other_ = nullptr;
+  const Partner<D>* other_ = nullptr;
   bool self_ = false;
 };
 
-template <class Visit>
-bool for_each_touch(const Partners& partners, const Body& body, uint32_t v, const double* to, Visit visit) {
-  return StarTouches<Visit>(partners, body, v, to, visit).run();
+template <int D, class Visit>
+bool for_each_touch(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to, Visit visit) {
+  return StarTouches<D, Visit>(partners, body, v, to, visit).run();
 }
 
 /** The vertex, then edges, then faces. */
-std::pair<uint32_t, uint32_t> moving_part(const PairContact& c) noexcept {
+template <int D>
+std::pair<uint32_t, uint32_t> moving_part(const PairContact<D>& c) noexcept {
   if (c.edge != kNone) return {1, c.edge};
   return c.face != kNone ? std::make_pair(2u, c.face) : std::make_pair(0u, 0u);
 }
 
-bool comes_before(const PairContact& a, const PairContact& b) noexcept {
-  const auto key = [](const PairContact& c) {
+template <int D>
+bool comes_before(const PairContact<D>& a, const PairContact<D>& b) noexcept {
+  const auto key = [](const PairContact<D>& c) {
     return std::make_tuple(c.time, moving_part(c), c.other.index, c.part, c.index);
   };
   return key(a) < key(b);
@@ -154,19 +156,28 @@ bool comes_before(const PairContact& a, const PairContact& b) noexcept {
 
 }  // namespace
 
-bool is_way_apart(const Partners& partners, const Body& body, uint32_t v, const double* to) noexcept {
+template <int D>
+bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept {
   if (!partners.reach.contains(to)) return false;
-  return for_each_touch(partners, body, v, to, [](const PairContact&) { return false; });
+  return for_each_touch(partners, body, v, to, [](const PairContact<D>&) { return false; });
 }
 
-bool find_first_pair(const Partners& partners, const Body& body, uint32_t v, const double* to,
-                     PairContact* first) noexcept {
-  *first = PairContact();
-  for_each_touch(partners, body, v, to, [&](const PairContact& touch) {
+template <int D>
+bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
+                     PairContact<D>* first) noexcept {
+  *first = PairContact<D>();
+  for_each_touch(partners, body, v, to, [&](const PairContact<D>& touch) {
     if (comes_before(touch, *first)) *first = touch;
     return true;
   });
   return first->time != kNever;
 }
+
+#define DSW_PAIR_SWEEP(D)                                                                                              \
+  template bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept; \
+  template bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,        \
+                                PairContact<D>* first) noexcept
+DSW_PAIR_SWEEP(3);
+#undef DSW_PAIR_SWEEP
 
 }  // namespace dsw

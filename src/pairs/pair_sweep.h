@@ -9,21 +9,24 @@ namespace dsw {
 enum class PartKind : uint32_t { kVertex, kEdge, kFace };
 
 /** A touch of what moves and what stands. */
+template <int D>
 struct PairContact {
   double time = kNever;
   TouchPlace place = TouchPlace::kInside;  // of two edges
   uint32_t edge = kNone, face = kNone;     // what moves; both kNone: the vertex itself
-  Partner other = {nullptr, 0, 0};
+  Partner<D> other = {nullptr, 0, 0};
   PartKind part = PartKind::kVertex;  // of the other one
   uint32_t index = kNone;
 };
 
 /** Whether vertex v can go to `to`, within reach, without touching anything. noexcept: looks at boxes alone. */
-bool is_way_apart(const Partners& partners, const Body& body, uint32_t v, const double* to) noexcept;
+template <int D>
+bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept;
 
 /** What is touched first on that way. Of equal times, as they are rounded, the vertex before edges before faces, then the other
  * body with the lowest index and of its parts vertices before edges before faces, all by index. */
-bool find_first_pair(const Partners& partners, const Body& body, uint32_t v, const double* to,
-                     PairContact* first) noexcept;
+template <int D>
+bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
+                     PairContact<D>* first) noexcept;
 
 }  // namespace dsw

@@ -10,9 +10,11 @@ bool is_corner(const BodyFace& face, uint32_t v) {
 }
 
 /** Of one body, the segment's own if `self`. */
+template <int D>
 class Segment {
  public:
-  Segment(const Body& other, bool self, const Corner& a, const Corner& b) : other_(other), self_(self), a_(a), b_(b) {
+  Segment(const Body<D>& other, bool self, const Corner& a, const Corner& b)
+      : other_(other), self_(self), a_(a), b_(b) {
     box_.add(a.at);
     box_.add(b.at);
   }
@@ -51,16 +53,16 @@ class Segment {
     return !triangle_touches(corners, has_a ? b_.at : a_.at, has_b ? a_.at : b_.at);
   }
 
-  const Body& other_;
+  const Body<D>& other_;
   bool self_;
   Corner a_, b_;
-  Box box_;
+  Box<D> box_;
 };
 
 /** Calls visit(other, self) for each that is seen, until it returns false. */
-template <class Visit>
-bool for_each_seen(const Partners& partners, const Body& body, Visit visit) {
-  for (const Partner& partner : partners.all) {
+template <int D, class Visit>
+bool for_each_seen(const Partners<D>& partners, const Body<D>& body, Visit visit) {
+  for (const Partner<D>& partner : partners.all) {
     const bool self = partner.body == &body;
     const bool seen = self ? body.filter.self : body.filter.sees(partner.body->filter);
     if (seen && !visit(*partner.body, self)) return false;
@@ -70,16 +72,18 @@ bool for_each_seen(const Partners& partners, const Body& body, Visit visit) {
 
 }  // namespace
 
-bool is_segment_apart(const Partners& partners, const Body& body, const Corner& a, const Corner& b) noexcept {
+template <int D>
+bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a, const Corner& b) noexcept {
   return for_each_seen(partners, body,
-                       [&](const Body& other, bool self) { return Segment(other, self, a, b).is_apart(); });
+                       [&](const Body<D>& other, bool self) { return Segment<D>(other, self, a, b).is_apart(); });
 }
 
-bool is_triangle_apart(const Partners& partners, const Body& body, const Corner* corners) noexcept {
+template <int D>
+bool is_triangle_apart(const Partners<D>& partners, const Body<D>& body, const Corner* corners) noexcept {
   const double* const at[3] = {corners[0].at, corners[1].at, corners[2].at};
-  Box box;
+  Box<D> box;
   for (const double* each : at) box.add(each);
-  return for_each_seen(partners, body, [&](const Body& other, bool self) {
+  return for_each_seen(partners, body, [&](const Body<D>& other, bool self) {
     if (!other.boxes[0].bounds.overlaps(box)) return true;
     const auto is_own = [&](uint32_t v) {
       return self && (v == corners[0].vertex || v == corners[1].vertex || v == corners[2].vertex);
@@ -96,14 +100,24 @@ bool is_triangle_apart(const Partners& partners, const Body& body, const Corner*
   });
 }
 
-bool is_tetrahedron_apart(const Partners& partners, const Body& body, const double* const* corners) noexcept {
-  Box box;
+template <int D>
+bool is_tetrahedron_apart(const Partners<D>& partners, const Body<D>& body, const double* const* corners) noexcept {
+  Box<D> box;
   for (int k = 0; k < 4; ++k) box.add(corners[k]);
-  return for_each_seen(partners, body, [&](const Body& other, bool) {
+  return for_each_seen(partners, body, [&](const Body<D>& other, bool) {
     const FaceMotion swept{corners[0], corners[1], corners[2], corners[3]};
     return other.boxes[0].vertices.visit(box,
                                          [&](uint32_t v) { return face_touch(swept, other.position(v)) == kNever; });
   });
 }
+
+#define DSW_PARTNERS(D)                                                                                              \
+  template bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a,                  \
+                                 const Corner& b) noexcept;                                                          \
+  template bool is_triangle_apart(const Partners<D>& partners, const Body<D>& body, const Corner* corners) noexcept; \
+  template bool is_tetrahedron_apart(const Partners<D>& partners, const Body<D>& body,                               \
+                                     const double* const* corners) noexcept
+DSW_PARTNERS(3);
+#undef DSW_PARTNERS
 
 }  // namespace dsw

@@ -5,24 +5,27 @@
 
 namespace dsw {
 
+template <int D>
 struct Partner {
-  const Body* body;
+  const Body<D>* body;
   uint32_t index, generation;  // how the host names it
 };
 
 /** What a body may meet on its way. It may stand in its own list: whether it sees itself its filter says. */
+template <int D>
 struct Partners {
-  Array<Partner> all;
-  Box reach = Box::everything();  // the body does not leave it: all that is met there is in the list
+  Array<Partner<D>> all;
+  Box<D> reach = Box<D>::everything();  // the body does not leave it: all that is met there is in the list
 
-  explicit Partners(const Memory* memory) : all(Allocator<Partner>(memory)) {}
+  explicit Partners(const Memory* memory) : all(Allocator<Partner<D>>(memory)) {}
 };
 
 /** Parts of a body meet those of another that its level covers; of its own those with no vertex in common. */
 inline bool covers_edges(SweepLevel level) { return level >= SweepLevel::kEdges; }
 inline bool covers_faces(SweepLevel level) { return level == SweepLevel::kFaces; }
 /** Vertices that no edge stands for. */
-inline const BoxGrid& single_vertices(const Body& body, SweepLevel level) {
+template <int D>
+inline const BoxGrid<D>& single_vertices(const Body<D>& body, SweepLevel level) {
   return covers_edges(level) ? body.boxes[0].loners : body.boxes[0].vertices;
 }
 
@@ -33,16 +36,19 @@ struct Corner {
 };
 
 /** Whether a segment of a body, of which both ends may be one, touches none of the partners. */
-bool is_segment_apart(const Partners& partners, const Body& body, const Corner& a, const Corner& b) noexcept;
+template <int D>
+bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a, const Corner& b) noexcept;
 /** Whether the inside of a triangle does; that of its edges is known. */
-bool is_triangle_apart(const Partners& partners, const Body& body, const Corner* corners) noexcept;
+template <int D>
+bool is_triangle_apart(const Partners<D>& partners, const Body<D>& body, const Corner* corners) noexcept;
 /** Whether the inside of a tetrahedron does; that of its faces is known. */
-bool is_tetrahedron_apart(const Partners& partners, const Body& body, const double* const* corners) noexcept;
+template <int D>
+bool is_tetrahedron_apart(const Partners<D>& partners, const Body<D>& body, const double* const* corners) noexcept;
 
 /** Looks at all that a level covers of a body; calls blocked(a, b) with two vertices of each part that is not apart until it returns
  * false. Whether all of it is apart. O(size of the body + what is near). */
-template <class Blocked>
-bool is_body_apart(const Partners& partners, const Body& body, SweepLevel level, Blocked blocked) {
+template <int D, class Blocked>
+bool is_body_apart(const Partners<D>& partners, const Body<D>& body, SweepLevel level, Blocked blocked) {
   const auto corner = [&](uint32_t v) { return Corner{body.position(v), v}; };
   bool apart = true;
   const auto judge = [&](bool is_apart, uint32_t a, uint32_t b) {

@@ -258,7 +258,7 @@ void Mending::keep_grown() {
 }
 
 /** False: some patches had to be given up, and it is to be written anew. */
-bool Mending::write(Edit& edit) {
+bool Mending::write(Edit<3>& edit) {
   Array<uint32_t> patch_of_draft{Allocator<uint32_t>(env_.memory)}, invalid(patch_of_draft);
   uint32_t pairs = 0;
   for (uint32_t p = 0; p < patches_.size(); ++p) {
@@ -281,7 +281,7 @@ bool Mending::write(Edit& edit) {
   return true;
 }
 
-void Mending::prepare(std::optional<Edit>& edit) {
+void Mending::prepare(std::optional<Edit<3>>& edit) {
   std::sort(wanted_.begin(), wanted_.end(), [&](Cell a, Cell b) { return env_.map.index(a) < env_.map.index(b); });
   wanted_.erase(std::unique(wanted_.begin(), wanted_.end()), wanted_.end());
   for (const Cell c : wanted_) {

@@ -37,7 +37,7 @@ class Mending {
   void want_all();
   /** Looks for what mends them, the lowest index first, and prepares an edit that does; none if nothing was found. Throws as
    * Edit::prepare, but for what is wrong with cells. */
-  void prepare(std::optional<Edit>& edit);
+  void prepare(std::optional<Edit<3>>& edit);
   const MendRecord& record() const noexcept { return record_; }
 
  private:
@@ -57,7 +57,7 @@ class Mending {
   void keep_grown();
   bool extend(const Patch& patch, Cell seed, Cell by);
   Patch::Filling find_filling(Patch& patch);
-  bool write(Edit& edit);
+  bool write(Edit<3>& edit);
 
   Environment<3>& env_;
   Geometry geometry_;

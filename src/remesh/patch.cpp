@@ -190,7 +190,7 @@ CellDraft like(const Environment<3>& env, Cell c) {
   return draft;
 }
 
-uint32_t fill_with_one_cell(Edit& edit, const Patch& patch) {
+uint32_t fill_with_one_cell(Edit<3>& edit, const Patch& patch) {
   const Environment<3>& env = edit.environment();
   CellDraft draft = like(env, patch.cells[0]);
   for (const HalfFacet h : patch.rim) draft.facets.push_back(draft_of(env, h));
@@ -200,7 +200,7 @@ uint32_t fill_with_one_cell(Edit& edit, const Patch& patch) {
 }
 
 /** One for each triangle of the rim without the apex. Between two of them there is a new triangle, unless that is one of the rim. */
-uint32_t fill_with_tetrahedra(Edit& edit, const Patch& patch, uint32_t& pairs) {
+uint32_t fill_with_tetrahedra(Edit<3>& edit, const Patch& patch, uint32_t& pairs) {
   const Environment<3>& env = edit.environment();
   Array<FacetDraft> rim{Allocator<FacetDraft>(env.memory)};
   for (const HalfFacet h : patch.rim) rim.push_back(draft_of(env, h));
@@ -234,7 +234,7 @@ uint32_t fill_with_tetrahedra(Edit& edit, const Patch& patch, uint32_t& pairs) {
 
 }  // namespace
 
-uint32_t fill(Edit& edit, const Patch& patch, uint32_t& pairs) {
+uint32_t fill(Edit<3>& edit, const Patch& patch, uint32_t& pairs) {
   for (const Cell c : patch.cells) edit.remove(c);
   return patch.filling == Patch::Filling::kOneCell ? fill_with_one_cell(edit, patch)
                                                    : fill_with_tetrahedra(edit, patch, pairs);

@@ -66,6 +66,6 @@ class RimSurface {
 
 /** Writes what fills a patch into an edit; `pairs` counts facets between two new cells. No more cells come than go, and each has the
  * index of one that goes. Returns how many. */
-uint32_t fill(Edit& edit, const Patch& patch, uint32_t& pairs);
+uint32_t fill(Edit<3>& edit, const Patch& patch, uint32_t& pairs);
 
 }  // namespace dsw

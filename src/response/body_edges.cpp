@@ -9,7 +9,8 @@
 
 namespace dsw {
 
-void BodyMove::run_wave(const Body& body) {
+template <int D>
+void BodyMove<D>::run_wave(const Body<D>& body) {
   wave_.run(env_, sweeps_.counters);
   for (uint32_t i = 0; i < wave_.count(); ++i) {
     if (wave_.reached(i)) continue;
@@ -22,14 +23,17 @@ void BodyMove::run_wave(const Body& body) {
 }
 
 /** Where vertex v is when it is the turn of that with `rank`, if nobody meets anything. */
-const double* BodyMove::place(const Body& body, PointArray targets, uint32_t v, uint32_t rank) const {
+template <int D>
+const double* BodyMove<D>::place(const Body<D>& body, PointArray targets, uint32_t v, uint32_t rank) const {
   return moving_[v].rank < rank ? targets[v] : body.position(v);
 }
-Cell BodyMove::cell_at(uint32_t v, uint32_t rank) const {
+template <int D>
+Cell BodyMove<D>::cell_at(uint32_t v, uint32_t rank) const {
   return moving_[v].rank < rank ? moving_[v].arrival : moving_[v].from;
 }
 
-void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
+template <int D>
+void BodyMove<D>::sweep_edges(Body<D>& body, PointArray targets, bool may_skip) {
   keeps_.assign(body.level == SweepLevel::kFaces ? body.edges.size() : 0, true);
   const bool asks_cells = body.skipping.by_environment && body.level == SweepLevel::kEdges && !body.keeps_sequences();
   const bool asks_boxes = body.level != SweepLevel::kEdges;
@@ -50,7 +54,8 @@ void BodyMove::sweep_edges(Body& body, PointArray targets, bool may_skip) {
 }
 
 /** The next edges into chunk_; what is known of their ends is on its way when they are looked at. */
-uint32_t BodyMove::gather_edges(const Body& body, PointArray targets, uint32_t& next) {
+template <int D>
+uint32_t BodyMove<D>::gather_edges(const Body<D>& body, PointArray targets, uint32_t& next) {
   uint32_t count = 0;
   for (; next < body.edges.size() && count < kChunk; ++next) {
     if (!body.has_edge(next)) continue;
@@ -66,8 +71,9 @@ uint32_t BodyMove::gather_edges(const Body& body, PointArray targets, uint32_t& 
 
 /** Of the first `count` edges of chunk_ drops those that do not move, and those without doubt for which drops(a, b, e) holds: these
  * are counted as skipped. Without a branch, which would be mispredicted for every other edge. */
+template <int D>
 template <class Drops>
-uint32_t BodyMove::drop(const Body& body, uint32_t count, Drops drops) {
+uint32_t BodyMove<D>::drop(const Body<D>& body, uint32_t count, Drops drops) {
   uint32_t kept = 0, skipped = 0;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t e = chunk_[i];
@@ -83,7 +89,8 @@ uint32_t BodyMove::drop(const Body& body, uint32_t count, Drops drops) {
   return kept;
 }
 
-bool BodyMove::sees_all_of_cell(PointArray targets, uint32_t v) {
+template <int D>
+bool BodyMove<D>::sees_all_of_cell(PointArray targets, uint32_t v) {
   Moving& moving = moving_[v];
   if (moving.sight == Sight::kUnknown) {
     moving.sight = sees_all(env_, moving.arrival, targets[v], sweeps_.counters) ? Sight::kWhole : Sight::kPart;
@@ -93,7 +100,8 @@ bool BodyMove::sees_all_of_cell(PointArray targets, uint32_t v) {
 
 /** Edges that do not leave a cell [JCD10] 6.1. If it is not convex: it is seen whole from the first target that an end goes to, from there
  * on an end of the edge. */
-uint32_t BodyMove::drop_inside(const Body& body, PointArray targets, uint32_t count) {
+template <int D>
+uint32_t BodyMove<D>::drop_inside(const Body<D>& body, PointArray targets, uint32_t count) {
   return drop(body, count, [&](const Moving& a, const Moving& b, uint32_t e) {
     const uint32_t inside = uint32_t{a.from == a.arrival} & uint32_t{b.from == b.arrival} & uint32_t{a.from == b.from};
     const uint32_t settled = inside & uint32_t{env_.map.convex(a.from)};
@@ -103,7 +111,8 @@ uint32_t BodyMove::drop_inside(const Body& body, PointArray targets, uint32_t co
 }
 
 /** Edges that do not leave the ball of an end. */
-uint32_t BodyMove::drop_clear(Body& body, uint32_t count) {
+template <int D>
+uint32_t BodyMove<D>::drop_clear(Body<D>& body, uint32_t count) {
   const uint32_t before = sweeps_.counts.skipped;
   const uint32_t kept = drop(body, count, [&](const Moving&, const Moving&, uint32_t e) {
     const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
@@ -121,28 +130,31 @@ uint32_t BodyMove::drop_clear(Body& body, uint32_t count) {
 }
 
 /** All places of a vertex on its way, as far as nothing is met. */
-void BodyMove::include_way(const Body& body, PointArray targets, uint32_t v, Bounds& box) const {
+template <int D>
+void BodyMove<D>::include_way(const Body<D>& body, PointArray targets, uint32_t v, Bounds<D>& box) const {
   box.include(body.position(v));
   if (moving_[v].rank != kNone) box.include(targets[v]);
 }
 
 /** Whether an edge and what both of its ends sweep lie in a box that is free. Not asked of edges that stay inside of one cell, which is
  * seen sooner, and of those known to cross more cells than a box may meet: they have their sequences. */
-bool BodyMove::is_edge_boxed(const Body& body, PointArray targets, uint32_t e) {
+template <int D>
+bool BodyMove<D>::is_edge_boxed(const Body<D>& body, PointArray targets, uint32_t e) {
   constexpr size_t kMostFacets = 3;
   const uint32_t v = body.edges[e].ends[0], w = body.edges[e].ends[1];
   const Moving &a = moving_[v], &b = moving_[w];
-  if ((a.rank == kNone && b.rank == kNone) || !BoxProbe::suits(env_, a.from)) return false;
+  if ((a.rank == kNone && b.rank == kNone) || !BoxProbe<D>::suits(env_, a.from)) return false;
   if (a.from == a.arrival && a.from == b.from && a.from == b.arrival && env_.map.convex(a.from)) return false;
   if (body.sequences[e].facets.size() > kMostFacets) return false;
-  Bounds box(body.position(v));
+  Bounds<D> box(body.position(v));
   include_way(body, targets, v, box);
   include_way(body, targets, w, box);
   return sweeps_.is_boxed(box, a.from, b.from);
 }
 
 /** Edges whose ends go less than their length, and nearly alike [JCD10] 6.2; they are cast where they arrive. */
-uint32_t BodyMove::drop_short(Body& body, PointArray targets, uint32_t count) {
+template <int D>
+uint32_t BodyMove<D>::drop_short(Body<D>& body, PointArray targets, uint32_t count) {
   const double share = body.skipping.motion_share * body.skipping.motion_share;
   uint32_t dropped = 0, short_ones[kChunk];
   const uint32_t kept = drop(body, count, [&](const Moving& a, const Moving& b, uint32_t e) {
@@ -160,14 +172,16 @@ uint32_t BodyMove::drop_short(Body& body, PointArray targets, uint32_t count) {
   return kept;
 }
 
-void BodyMove::cast_skipped(Body& body, PointArray targets, uint32_t e) {
+template <int D>
+void BodyMove<D>::cast_skipped(Body<D>& body, PointArray targets, uint32_t e) {
   const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
   cast_edge(body, e, kNone, {moving_[a].arrival, place(body, targets, a, kNone)},
             {moving_[b].arrival, place(body, targets, b, kNone)});
 }
 
 /** @param boxed as is_edge_boxed says. */
-void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other, bool boxed) {
+template <int D>
+void BodyMove<D>::sweep_edge(Body<D>& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other, bool boxed) {
   Moving& moving = moving_[v];
   if (moving.rank == kNone) return;
   const Cell fixed = cell_at(other, moving.rank);
@@ -177,22 +191,23 @@ void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v
     if (!keeps_.empty()) keeps_[e] = false;
     return;
   }
-  const StarSweep::EdgeSweep sweep{e,
-                                   v,
-                                   targets[v],
-                                   moving.arrival,
-                                   place(body, targets, other, moving.rank),
-                                   fixed,
-                                   body.keeps_sequences() ? crossed_[v] : PathFacets{}};
-  const StarSweep::Settled settled = boxed ? sweeps_.settle_boxed(body) : sweeps_.settle(body, sweep, false);
+  const typename StarSweep<D>::EdgeSweep sweep{e,
+                                               v,
+                                               targets[v],
+                                               moving.arrival,
+                                               place(body, targets, other, moving.rank),
+                                               fixed,
+                                               body.keeps_sequences() ? crossed_[v] : PathFacets{}};
+  const typename StarSweep<D>::Settled settled =
+      boxed ? sweeps_.settle_boxed(body) : sweeps_.settle(body, sweep, false);
   if (!keeps_.empty()) {
-    const bool same = settled == StarSweep::Settled::kInside ||
-                      (settled == StarSweep::Settled::kStrip && body.vertices[v].cell == moving.arrival);
+    const bool same = settled == StarSweep<D>::Settled::kInside ||
+                      (settled == StarSweep<D>::Settled::kStrip && body.vertices[v].cell == moving.arrival);
     keeps_[e] = keeps_[e] && same;
   }
-  if (settled != StarSweep::Settled::kNo) return;
+  if (settled != StarSweep<D>::Settled::kNo) return;
   if (body.level != SweepLevel::kEdges) {
-    const BodyVertex& from = body.vertices[v];
+    const BodyVertex<D>& from = body.vertices[v];
     moving.doubtful = !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
     if (moving.doubtful) return;
   }
@@ -204,7 +219,8 @@ void BodyMove::sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v
 
 /** To see whether an edge is free in its new place, and which cells it crosses there.
  * @param v whose way is in doubt if it is not; kNone: that of both ends. */
-void BodyMove::cast_edge(Body& body, uint32_t e, uint32_t v, const EdgeEnd& from, const EdgeEnd& to) {
+template <int D>
+void BodyMove<D>::cast_edge(Body<D>& body, uint32_t e, uint32_t v, const EdgeEnd& from, const EdgeEnd& to) {
   const uint32_t at = wave_.count();
   wave_vertices_[at] = v;
   wave_edges_[at] = e;
@@ -218,7 +234,8 @@ void BodyMove::cast_edge(Body& body, uint32_t e, uint32_t v, const EdgeEnd& from
   if (wave_.full()) run_edges(body);
 }
 
-void BodyMove::run_edges(Body& body) {
+template <int D>
+void BodyMove<D>::run_edges(Body<D>& body) {
   run_wave(body);
   if (body.keeps_sequences()) {
     for (uint32_t i = 0; i < wave_.count(); ++i) {
@@ -227,5 +244,9 @@ void BodyMove::run_edges(Body& body) {
   }
   wave_.clear();
 }
+
+#define DSW_BODY_EDGES(D) template class BodyMove<D>
+DSW_BODY_EDGES(3);
+#undef DSW_BODY_EDGES
 
 }  // namespace dsw

@@ -19,27 +19,30 @@ bool is_same_point(const double* a, const double* b) { return std::equal(a, a + 
 
 }  // namespace
 
-BodyMove::BodyMove(const Environment<3>& env)
+template <int D>
+BodyMove<D>::BodyMove(const Environment<D>& env)
     : env_(env),
       sweeps_(env),
-      writers_(Allocator<SequenceWriter>(env.memory)),
+      writers_(Allocator<SequenceWriter<D>>(env.memory)),
       order_(Allocator<uint32_t>(env.memory)),
       moving_(Allocator<Moving>(env.memory)),
       crossed_(Allocator<PathFacets>(env.memory)),
       strays_(Allocator<uint32_t>(env.memory)),
       keeps_(Allocator<bool>(env.memory)),
       sides_(Allocator<uint32_t>(env.memory)),
-      before_(Allocator<BodyVertex>(env.memory)),
+      before_(Allocator<BodyVertex<D>>(env.memory)),
       places_(Allocator<double>(env.memory)),
       rooms_(Allocator<double>(env.memory)) {}
 
-void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record) {
+template <int D>
+void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const MoveSettings& settings,
+                       MoveRecord& record) {
   record.clear();
   sweeps_.max_cells = settings.max_cells;
   start(body, order, targets);
   const bool edits = settings.may_edit();
   before_.assign(body.vertices.begin(), body.vertices.end());
-  Body whole(env_.memory);
+  Body<D> whole(env_.memory);
   if (edits) whole = body;
   const auto go_back = [&] {
     if (edits) {
@@ -53,7 +56,7 @@ void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveS
     if (!run(body, targets, settings, record, may_skip)) {
       // An edge that was left out is not free where it ends: once more, and nothing is left out.
       if (edits) {
-        Body again = whole;
+        Body<D> again = whole;
         std::swap(body, again);
       } else {
         go_back();
@@ -71,7 +74,8 @@ void BodyMove::move(Body& body, PointArray targets, MoveOrder order, const MoveS
   record.sweeps = sweeps_.counts;
 }
 
-void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record) {
+template <int D>
+void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record) {
   record.clear();
   sweeps_.max_cells = 0;
   before_.assign(body.vertices.begin(), body.vertices.end());
@@ -89,7 +93,7 @@ void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOr
   }
   const bool stays =
       std::equal(before_.begin(), before_.end(), body.vertices.begin(),
-                 [](const BodyVertex& a, const BodyVertex& b) { return is_same_point(a.position, b.position); });
+                 [](const BodyVertex<D>& a, const BodyVertex<D>& b) { return is_same_point(a.position, b.position); });
   record.fraction = halvings == 52 && stays ? 0 : fraction;
   record.moved = static_cast<uint32_t>(order_.size());
   record.stopped = record.fraction == 1 ? 0 : record.moved;
@@ -100,8 +104,9 @@ void BodyMove::move_together(Body& body, PlaceFn where, const void* user, MoveOr
 }
 
 /** Moves all vertices by a fraction of a motion, or none; the first contact of all tries is recorded. */
-bool BodyMove::try_together(Body& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
-                            MoveRecord& record) {
+template <int D>
+bool BodyMove<D>::try_together(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
+                               MoveRecord& record) {
   const PointArray targets{places_.data(), 3};
   for (uint32_t v = 0; v < before_.size(); ++v) {
     double* const to = places_.data() + 3 * size_t{v};
@@ -126,9 +131,10 @@ bool BodyMove::try_together(Body& body, PlaceFn where, const void* user, double 
   return true;
 }
 
-void BodyMove::record_first(const Body& body, uint32_t v, const double* to, MoveRecord& record) {
+template <int D>
+void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to, MoveRecord& record) {
   StarContact first;
-  PairContact pair;
+  PairContact<D> pair;
   Cell cell;
   const bool any = sweeps_.find_first(body, v, to, &first, &cell) == SweepEnd::kContact;
   const bool any_pair = sweeps_.partners != nullptr && find_first_pair(*sweeps_.partners, body, v, to, &pair);
@@ -140,7 +146,8 @@ void BodyMove::record_first(const Body& body, uint32_t v, const double* to, Move
   }
 }
 
-void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
+template <int D>
+void BodyMove<D>::start(const Body<D>& body, MoveOrder order, PointArray targets) {
   sweeps_.counts = {};
   wave_.clear();  // of casts left by a move that ran out of memory
   strays_.clear();
@@ -160,14 +167,17 @@ void BodyMove::start(const Body& body, MoveOrder order, PointArray targets) {
 }
 
 /** False: the body is not free at an edge that was left out. */
-bool BodyMove::run(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip) {
+template <int D>
+bool BodyMove<D>::run(Body<D>& body, PointArray targets, const MoveSettings& settings, MoveRecord& record,
+                      bool may_skip) {
   sweep_all(body, targets, may_skip);
   finish(body, targets, settings, record);
   return !may_skip || are_strays_free(body);
 }
 
 /** What is met if nobody else meets anything. */
-void BodyMove::sweep_all(Body& body, PointArray targets, bool may_skip) {
+template <int D>
+void BodyMove<D>::sweep_all(Body<D>& body, PointArray targets, bool may_skip) {
   if (body.skipping.by_clearance && body.level != SweepLevel::kPoints) measure_clearances(body, targets);
   cast_paths(body, targets);
   if (body.level != SweepLevel::kPoints) sweep_edges(body, targets, may_skip);
@@ -175,7 +185,8 @@ void BodyMove::sweep_all(Body& body, PointArray targets, bool may_skip) {
 }
 
 /** For vertices whose edges had to be cast; and how much room all have now. */
-void BodyMove::measure_clearances(Body& body, PointArray targets) {
+template <int D>
+void BodyMove<D>::measure_clearances(Body<D>& body, PointArray targets) {
   double longest = 0;
   for (const uint32_t v : order_) {
     if (moving_[v].rank != kNone) longest = std::max(longest, distance_squared(targets[v], body.position(v)));
@@ -184,14 +195,15 @@ void BodyMove::measure_clearances(Body& body, PointArray targets) {
   rooms_.assign(body.vertices.size(), 0);
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     if (!body.has_vertex(v)) continue;
-    Clearance& ball = body.clearances[v];
+    Clearance<D>& ball = body.clearances[v];
     if (ball.wanted > 0) refresh_clearance(env_, body, v, std::sqrt(ball.wanted) + way);
     ball.wanted = 0;
     rooms_[v] = room_squared(env_, ball, body.position(v), way);
   }
 }
 
-void BodyMove::cast_paths(const Body& body, PointArray targets) {
+template <int D>
+void BodyMove<D>::cast_paths(const Body<D>& body, PointArray targets) {
   const auto run = [&] {
     run_wave(body);
     for (uint32_t i = 0; i < wave_.count(); ++i) {
@@ -211,7 +223,8 @@ void BodyMove::cast_paths(const Body& body, PointArray targets) {
   run();
 }
 
-void BodyMove::sweep_faces(const Body& body, PointArray targets) {
+template <int D>
+void BodyMove<D>::sweep_faces(const Body<D>& body, PointArray targets) {
   find_sides(body);
   for (uint32_t f = 0; f < body.faces.size(); ++f) {
     if (!body.has_face(f) || shares_strip(body, f) || is_face_boxed(body, targets, f)) continue;
@@ -229,16 +242,18 @@ void BodyMove::sweep_faces(const Body& body, PointArray targets) {
 }
 
 /** Whether a face and what it sweeps lie in a box that is free. */
-bool BodyMove::is_face_boxed(const Body& body, PointArray targets, uint32_t f) {
+template <int D>
+bool BodyMove<D>::is_face_boxed(const Body<D>& body, PointArray targets, uint32_t f) {
   const uint32_t(&corners)[3] = body.faces[f].corners;
   const bool stays = std::all_of(corners, corners + 3, [&](uint32_t v) { return moving_[v].rank == kNone; });
-  if (stays || !BoxProbe::suits(env_, moving_[corners[0]].from)) return false;
-  Bounds box(body.position(corners[0]));
+  if (stays || !BoxProbe<D>::suits(env_, moving_[corners[0]].from)) return false;
+  Bounds<D> box(body.position(corners[0]));
   for (const uint32_t v : corners) include_way(body, targets, v, box);
   return sweeps_.is_boxed(box, moving_[corners[0]].from, moving_[corners[1]].from, moving_[corners[2]].from);
 }
 
-void BodyMove::find_sides(const Body& body) {
+template <int D>
+void BodyMove<D>::find_sides(const Body<D>& body) {
   sides_.assign(3 * body.faces.size(), kNone);
   for (uint32_t e = 0; e < body.edges.size(); ++e) {
     for (const uint32_t f : body.edges[e].faces) {
@@ -254,7 +269,8 @@ void BodyMove::find_sides(const Body& body) {
 
 /** Whether a face's edges keep to their sequences all through the move, and lie in one strip of cells. Then no edge of the environment
  * pierces the face, before, between or after, nor what its edges sweep: so no vertex is inside of the tetrahedra. */
-bool BodyMove::shares_strip(const Body& body, uint32_t f) const {
+template <int D>
+bool BodyMove<D>::shares_strip(const Body<D>& body, uint32_t f) const {
   SequenceView views[3];
   for (uint32_t k = 0; k < 3; ++k) {
     const uint32_t e = sides_[3 * size_t{f} + k];
@@ -266,13 +282,15 @@ bool BodyMove::shares_strip(const Body& body, uint32_t f) const {
   return share_strip(env_.map, views[2], views[0], views[1]);
 }
 
-void BodyMove::arrive(Body& body, PointArray targets, uint32_t v) const {
+template <int D>
+void BodyMove<D>::arrive(Body<D>& body, PointArray targets, uint32_t v) const {
   put_vertex(body, v, targets[v], moving_[v].arrival);
 }
 
 /** The vertices in their order: those without doubt arrive, the others move alone. */
-void BodyMove::finish(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record) {
-  VertexMove alone(env_, body, settings, sweeps_, record);
+template <int D>
+void BodyMove<D>::finish(Body<D>& body, PointArray targets, const MoveSettings& settings, MoveRecord& record) {
+  VertexMove<D> alone(env_, body, settings, sweeps_, record);
   for (const uint32_t v : order_) {
     if (moving_[v].rank == kNone) continue;
     if (!moving_[v].doubtful && sweeps_.is_apart(body, v, targets[v])) {
@@ -288,7 +306,8 @@ void BodyMove::finish(Body& body, PointArray targets, const MoveSettings& settin
 }
 
 /** The neighbours of a vertex that is not where they took it to be. */
-void BodyMove::disturb(const Body& body, uint32_t v) {
+template <int D>
+void BodyMove<D>::disturb(const Body<D>& body, uint32_t v) {
   strays_.push_back(v);
   const auto doubt = [&](uint32_t u) {
     if (u < moving_.size()) moving_[u].doubtful = true;
@@ -302,7 +321,8 @@ void BodyMove::disturb(const Body& body, uint32_t v) {
 
 /** Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are cast where their
  * ends arrive, or by the later of these, which moves alone. */
-bool BodyMove::are_strays_free(const Body& body) {
+template <int D>
+bool BodyMove<D>::are_strays_free(const Body<D>& body) {
   bool free = true;
   const auto run = [&] {
     wave_.run(env_, sweeps_.counters);
@@ -311,9 +331,9 @@ bool BodyMove::are_strays_free(const Body& body) {
   };
   for (const uint32_t v : strays_) {
     if (!body.has_vertex(v)) continue;
-    const BodyVertex& at = body.vertices[v];
+    const BodyVertex<D>& at = body.vertices[v];
     for_each_edge(body, v, [&](uint32_t e) {
-      const BodyVertex& other = body.vertices[body.edges[e].other(v)];
+      const BodyVertex<D>& other = body.vertices[body.edges[e].other(v)];
       wave_.add(env_, at.cell, at.position, other.position).end = other.cell;
       if (wave_.full()) run();
       return true;
@@ -324,7 +344,8 @@ bool BodyMove::are_strays_free(const Body& body) {
 }
 
 /** Merges inserted vertices that stand off the line between their two neighbours by less than noise. */
-void BodyMove::remove_noise(Body& body, double share, MoveRecord& record) {
+template <int D>
+void BodyMove<D>::remove_noise(Body<D>& body, double share, MoveRecord& record) {
   const Array<uint32_t> candidates = body.inserted;
   for (const uint32_t v : candidates) {
     uint32_t edges[2] = {kNone, kNone}, count = 0;
@@ -342,5 +363,9 @@ void BodyMove::remove_noise(Body& body, double share, MoveRecord& record) {
     if (merge_vertex(sweeps_, body, edges[0], v, &edit)) record.edits.push_back(edit);
   }
 }
+
+#define DSW_BODY_MOVE(D) template class BodyMove<D>
+DSW_BODY_MOVE(3);
+#undef DSW_BODY_MOVE
 
 }  // namespace dsw

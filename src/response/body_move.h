@@ -17,20 +17,21 @@ struct MoveOrder {
 using PlaceFn = void (*)(const void* user, const double* from, double fraction, double* to);
 
 /** Moves bodies; one for each thread. */
+template <int D>
 class BodyMove {
  public:
-  explicit BodyMove(const Environment<3>& env);
+  explicit BodyMove(const Environment<D>& env);
 
   /** Moves a body. Throws std::bad_alloc with the body as it was; the record is cleared first. */
-  void move(Body& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record);
+  void move(Body<D>& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record);
 
   /** Moves all vertices of a body to where(user, from, fraction), as far as nothing is touched: with the first contact the body is put
    * back and the fraction halved, up to 52 times. Throws as move does. */
-  void move_together(Body& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record);
+  void move_together(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record);
 
   void set_counters(CastCounters* counters) { sweeps_.counters = counters; }
   /** What a body can meet besides the environment; null: nothing. */
-  void set_partners(const Partners* partners) { sweeps_.partners = partners; }
+  void set_partners(const Partners<D>* partners) { sweeps_.partners = partners; }
 
  private:
   static constexpr uint32_t kChunk = 64;
@@ -47,60 +48,61 @@ class BodyMove {
   };
   static_assert(sizeof(Moving) == 16);
 
-  bool try_together(Body& body, PlaceFn where, const void* user, double fraction, MoveOrder order, MoveRecord& record);
-  void record_first(const Body& body, uint32_t v, const double* to, MoveRecord& record);
-  void start(const Body& body, MoveOrder order, PointArray targets);
-  bool run(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip);
-  void measure_clearances(Body& body, PointArray targets);
-  void cast_paths(const Body& body, PointArray targets);
-  void sweep_all(Body& body, PointArray targets, bool may_skip);
-  void sweep_edges(Body& body, PointArray targets, bool may_skip);
-  uint32_t gather_edges(const Body& body, PointArray targets, uint32_t& next);
+  bool try_together(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
+                    MoveRecord& record);
+  void record_first(const Body<D>& body, uint32_t v, const double* to, MoveRecord& record);
+  void start(const Body<D>& body, MoveOrder order, PointArray targets);
+  bool run(Body<D>& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip);
+  void measure_clearances(Body<D>& body, PointArray targets);
+  void cast_paths(const Body<D>& body, PointArray targets);
+  void sweep_all(Body<D>& body, PointArray targets, bool may_skip);
+  void sweep_edges(Body<D>& body, PointArray targets, bool may_skip);
+  uint32_t gather_edges(const Body<D>& body, PointArray targets, uint32_t& next);
   template <class Drops>
-  uint32_t drop(const Body& body, uint32_t count, Drops drops);
-  uint32_t drop_inside(const Body& body, PointArray targets, uint32_t count);
+  uint32_t drop(const Body<D>& body, uint32_t count, Drops drops);
+  uint32_t drop_inside(const Body<D>& body, PointArray targets, uint32_t count);
   bool sees_all_of_cell(PointArray targets, uint32_t v);
-  uint32_t drop_clear(Body& body, uint32_t count);
-  uint32_t drop_short(Body& body, PointArray targets, uint32_t count);
-  void cast_skipped(Body& body, PointArray targets, uint32_t e);
-  void sweep_edge(Body& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other, bool boxed);
+  uint32_t drop_clear(Body<D>& body, uint32_t count);
+  uint32_t drop_short(Body<D>& body, PointArray targets, uint32_t count);
+  void cast_skipped(Body<D>& body, PointArray targets, uint32_t e);
+  void sweep_edge(Body<D>& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other, bool boxed);
   struct EdgeEnd {
     Cell cell;
     const double* position;
   };
-  void cast_edge(Body& body, uint32_t e, uint32_t v, const EdgeEnd& from, const EdgeEnd& to);
-  void run_edges(Body& body);
-  void include_way(const Body& body, PointArray targets, uint32_t v, Bounds& box) const;
-  bool is_edge_boxed(const Body& body, PointArray targets, uint32_t e);
-  bool is_face_boxed(const Body& body, PointArray targets, uint32_t f);
-  void sweep_faces(const Body& body, PointArray targets);
-  void find_sides(const Body& body);
-  bool shares_strip(const Body& body, uint32_t f) const;
-  void run_wave(const Body& body);
-  void arrive(Body& body, PointArray targets, uint32_t v) const;
-  void finish(Body& body, PointArray targets, const MoveSettings& settings, MoveRecord& record);
-  void disturb(const Body& body, uint32_t v);
-  bool are_strays_free(const Body& body);
-  void remove_noise(Body& body, double share, MoveRecord& record);
-  const double* place(const Body& body, PointArray targets, uint32_t v, uint32_t rank) const;
+  void cast_edge(Body<D>& body, uint32_t e, uint32_t v, const EdgeEnd& from, const EdgeEnd& to);
+  void run_edges(Body<D>& body);
+  void include_way(const Body<D>& body, PointArray targets, uint32_t v, Bounds<D>& box) const;
+  bool is_edge_boxed(const Body<D>& body, PointArray targets, uint32_t e);
+  bool is_face_boxed(const Body<D>& body, PointArray targets, uint32_t f);
+  void sweep_faces(const Body<D>& body, PointArray targets);
+  void find_sides(const Body<D>& body);
+  bool shares_strip(const Body<D>& body, uint32_t f) const;
+  void run_wave(const Body<D>& body);
+  void arrive(Body<D>& body, PointArray targets, uint32_t v) const;
+  void finish(Body<D>& body, PointArray targets, const MoveSettings& settings, MoveRecord& record);
+  void disturb(const Body<D>& body, uint32_t v);
+  bool are_strays_free(const Body<D>& body);
+  void remove_noise(Body<D>& body, double share, MoveRecord& record);
+  const double* place(const Body<D>& body, PointArray targets, uint32_t v, uint32_t rank) const;
   Cell cell_at(uint32_t v, uint32_t rank) const;
 
-  const Environment<3>& env_;
-  StarSweep sweeps_;
-  Wave<3> wave_;
+  const Environment<D>& env_;
+  StarSweep<D> sweeps_;
+  Wave<D> wave_;
   uint32_t wave_vertices_[kWave] = {};  // kNone: of both ends of the edge
   uint32_t wave_edges_[kWave] = {};
-  Array<SequenceWriter> writers_;  // of the wave, if sequences are kept
-  uint32_t chunk_[kChunk] = {};    // edges that are looked at
+  Array<SequenceWriter<D>> writers_;  // of the wave, if sequences are kept
+  uint32_t chunk_[kChunk] = {};       // edges that are looked at
   Array<uint32_t> order_;
-  Array<Moving> moving_;       // by vertex
-  Array<PathFacets> crossed_;  // by vertex, if sequences are kept: on its path
-  Array<uint32_t> strays_;     // vertices that are not where their neighbours took them to be
-  Array<bool> keeps_;          // by edge, at FACES: it keeps to one sequence all through the move
-  Array<uint32_t> sides_;      // by face, at FACES: its edges, that opposite of corner k in place k
-  Array<BodyVertex> before_;   // to go back to
-  Array<double> places_;       // of all vertices, when they move together
-  Array<double> rooms_;        // by vertex, if balls are kept: see room_squared
+  Array<Moving> moving_;         // by vertex
+  Array<PathFacets> crossed_;    // by vertex, if sequences are kept: on its path
+  Array<uint32_t> strays_;       // vertices that are not where their neighbours took them to be
+  Array<bool> keeps_;            // by edge, at FACES: it keeps to one sequence all through the move
+  Array<uint32_t> sides_;        // by face, at FACES: its edges, that opposite of corner k in place k
+  Array<BodyVertex<D>> before_;  // to go back to
+  Array<double> places_;         // of all vertices, when they move together
+  Array<double> rooms_;          // by vertex, if balls are kept: see room_squared
 };
 
 }  // namespace dsw

@@ -6,13 +6,15 @@
 namespace dsw {
 namespace {
 
-bool is_reached(const Environment<3>& env, const double* from, Cell start, const BodyVertex& to) noexcept {
+template <int D>
+bool is_reached(const Environment<D>& env, const double* from, Cell start, const BodyVertex<D>& to) noexcept {
   const CastResult way = cast(env, from, to.position, start);
   return way.end == CastEnd::kReached && way.cell == to.cell;
 }
 
 /** Whether what an edge sweeps when it is bent to pass through `point` touches no partner. A body that sees itself keeps its vertices. */
-bool is_bend_apart(const Partners& partners, const Body& body, const BodyEdge& edge, const double* point) {
+template <int D>
+bool is_bend_apart(const Partners<D>& partners, const Body<D>& body, const BodyEdge& edge, const double* point) {
   if (body.filter.self || !partners.reach.contains(point)) return false;
   const Corner p{body.position(edge.ends[0]), edge.ends[0]}, q{body.position(edge.ends[1]), edge.ends[1]},
       m{point, kNone};
@@ -38,10 +40,11 @@ bool is_bend_apart(const Partners& partners, const Body& body, const BodyEdge& e
 
 }  // namespace
 
-bool can_bend(const Environment<3>& env, StarSweep& sweeps, const Body& body, uint32_t edge, const double* point,
+template <int D>
+bool can_bend(const Environment<D>& env, StarSweep<D>& sweeps, const Body<D>& body, uint32_t edge, const double* point,
               Cell* cell) {
   const BodyEdge& e = body.edges[edge];
-  const BodyVertex &p = body.vertices[e.ends[0]], &q = body.vertices[e.ends[1]];
+  const BodyVertex<D>&p = body.vertices[e.ends[0]], &q = body.vertices[e.ends[1]];
   if (sweeps.partners != nullptr && !is_bend_apart(*sweeps.partners, body, e, point)) return false;
   if (body.level == SweepLevel::kPoints) {
     *cell = locate(env, point, p.cell, nullptr).cell;
@@ -67,7 +70,9 @@ bool can_bend(const Environment<3>& env, StarSweep& sweeps, const Body& body, ui
   return true;
 }
 
-uint32_t insert_vertex(Body& body, uint32_t edge, const double* point, Cell cell, double share, dsw_body_edit* edit) {
+template <int D>
+uint32_t insert_vertex(Body<D>& body, uint32_t edge, const double* point, Cell cell, double share,
+                       dsw_body_edit* edit) {
   reserve(body, 1, 3, 2);
   const BodyEdge before = body.edges[edge];
   const uint32_t middle = add_vertex(body, point, cell);
@@ -85,7 +90,8 @@ uint32_t insert_vertex(Body& body, uint32_t edge, const double* point, Cell cell
   return middle;
 }
 
-bool merge_vertex(StarSweep& sweeps, Body& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
+template <int D>
+bool merge_vertex(StarSweep<D>& sweeps, Body<D>& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
   const uint32_t kept = body.edges[edge].other(vertex);
   Cell cell;
   if ((sweeps.partners != nullptr && body.filter.self) || !can_collapse(body, edge, vertex) ||
@@ -100,5 +106,14 @@ bool merge_vertex(StarSweep& sweeps, Body& body, uint32_t edge, uint32_t vertex,
   collapse_edge(body, edge, vertex);
   return true;
 }
+
+#define DSW_INSERTION(D)                                                                                      \
+  template bool can_bend(const Environment<D>& env, StarSweep<D>& sweeps, const Body<D>& body, uint32_t edge, \
+                         const double* point, Cell* cell);                                                    \
+  template uint32_t insert_vertex(Body<D>& body, uint32_t edge, const double* point, Cell cell, double share, \
+                                  dsw_body_edit* edit);                                                       \
+  template bool merge_vertex(StarSweep<D>& sweeps, Body<D>& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit)
+DSW_INSERTION(3);
+#undef DSW_INSERTION
 
 }  // namespace dsw

@@ -7,14 +7,17 @@
 namespace dsw {
 
 /** Whether an edge can be bent to pass through `point`: what that sweeps is free at the body's level. *cell then contains it. */
-bool can_bend(const Environment<3>& env, StarSweep& sweeps, const Body& body, uint32_t edge, const double* point,
+template <int D>
+bool can_bend(const Environment<D>& env, StarSweep<D>& sweeps, const Body<D>& body, uint32_t edge, const double* point,
               Cell* cell);
 
 /** Splits an edge at a point that can_bend has allowed; throws std::bad_alloc before it changes anything. Returns the new
  * vertex. */
-uint32_t insert_vertex(Body& body, uint32_t edge, const double* point, Cell cell, double share, dsw_body_edit* edit);
+template <int D>
+uint32_t insert_vertex(Body<D>& body, uint32_t edge, const double* point, Cell cell, double share, dsw_body_edit* edit);
 
 /** Merges a vertex into the other end of one of its edges if the way there is free and the body stays a manifold. */
-bool merge_vertex(StarSweep& sweeps, Body& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit);
+template <int D>
+bool merge_vertex(StarSweep<D>& sweeps, Body<D>& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit);
 
 }  // namespace dsw

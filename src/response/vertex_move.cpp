@@ -14,7 +14,8 @@ namespace {
 constexpr uint32_t kMostSlides = 8, kMostInsertions = 64;
 constexpr double kStandOffShare = 1e-9;
 
-double extent(const Environment<3>& env, Cell c) {
+template <int D>
+double extent(const Environment<D>& env, Cell c) {
   double size = 0;
   for (int k = 0; k < 3; ++k) {
     double low = env.point(c, 0)[k], high = low;
@@ -29,7 +30,8 @@ double extent(const Environment<3>& env, Cell c) {
 
 }  // namespace
 
-bool VertexMove::move(uint32_t v, const double* target) {
+template <int D>
+bool VertexMove<D>::move(uint32_t v, const double* target) {
   Walls walls;
   uint32_t slides = 0;
   first_edit_ = record_.edits.size();
@@ -58,13 +60,14 @@ bool VertexMove::move(uint32_t v, const double* target) {
 }
 
 /** To `to`, or as far as it is free: then the contacts are in the record, the first of them first. */
-bool VertexMove::advance(uint32_t v, const double* to) {
-  const BodyVertex& at = body_.vertices[v];
+template <int D>
+bool VertexMove<D>::advance(uint32_t v, const double* to) {
+  const BodyVertex<D>& at = body_.vertices[v];
   StarContact first;
   Cell cell;
   const SweepEnd end = sweeps_.find_first(body_, v, to, &first, &cell);
   if (end == SweepEnd::kWorkLimit) return false;
-  PairContact pair;
+  PairContact<D> pair;
   if (sweeps_.partners != nullptr) find_first_pair(*sweeps_.partners, body_, v, to, &pair);
   if (end == SweepEnd::kFree && pair.time == kNever) {
     put_vertex(body_, v, to, cell);
@@ -74,20 +77,21 @@ bool VertexMove::advance(uint32_t v, const double* to) {
   const auto is_free = [&](const double* candidate) { return sweeps_.is_free(body_, v, candidate, &cell); };
   double target[3], time = contact.time;
   std::copy_n(to, 3, target);
-  shorten<3>(at.position, target, &time, is_free);
+  shorten<D>(at.position, target, &time, is_free);
   const double lean = std::fabs(dot(to_vec(contact.normal), difference(target, at.position)));
   const double back = stand_off(contact) / lean;
   if (back > 0)
     time = std::max(0.0, time - back);  // not a number: the way is longer than doubles go, and nothing is kept off
   double position[3];
-  if (!retreat<3>(at.position, target, time, position, is_free)) return false;
+  if (!retreat<D>(at.position, target, time, position, is_free)) return false;
   put_vertex(body_, v, position, cell);
   return false;
 }
 
 /** Of what is met of the environment, which may be null, and of other bodies. Returns the first. */
-dsw_contact VertexMove::record_contacts(uint32_t v, const double* to, const StarContact* first,
-                                        const PairContact& pair) {
+template <int D>
+dsw_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const StarContact* first,
+                                           const PairContact<D>& pair) {
   dsw_contact contact{}, of_pair{};
   if (first != nullptr) contact = describe(env_, body_, v, to, *first);
   const bool pair_first = first == nullptr || pair.time < contact.time;
@@ -108,25 +112,28 @@ dsw_contact VertexMove::record_contacts(uint32_t v, const double* to, const Star
 }
 
 /** Puts the time to the last of a halving at which the way is free. */
-void VertexMove::bisect(uint32_t v, dsw_contact& contact) {
+template <int D>
+void VertexMove<D>::bisect(uint32_t v, dsw_contact& contact) {
   double free = 0, step = 1, position[3];
   Cell cell;
   for (uint32_t k = 0; k < settings_.bisection_depth; ++k) {
     step /= 2;
-    point_at<3>(contact.from, contact.to, free + step, position);
+    point_at<D>(contact.from, contact.to, free + step, position);
     if (sweeps_.is_free(body_, v, position, &cell)) free += step;
   }
   contact.time = free;
-  point_at<3>(contact.from, contact.to, free, contact.position);
+  point_at<D>(contact.from, contact.to, free, contact.position);
 }
 
-double VertexMove::stand_off(const dsw_contact& contact) const {
+template <int D>
+double VertexMove<D>::stand_off(const dsw_contact& contact) const {
   if (settings_.stand_off != 0) return std::max(0.0, settings_.stand_off);
   return kStandOffShare * extent(env_, env_.map.cell(contact.front.index));
 }
 
 /** Puts a vertex on the touching edge, as near to the contact as is free. */
-bool VertexMove::insert(uint32_t v, const dsw_contact& contact) {
+template <int D>
+bool VertexMove<D>::insert(uint32_t v, const dsw_contact& contact) {
   const size_t inserted = record_.edits.size() - first_edit_;
   const uint32_t e = contact.edge.index;
   if (contact.edge.generation == 0 || inserted == kMostInsertions) return false;
@@ -144,7 +151,7 @@ bool VertexMove::insert(uint32_t v, const dsw_contact& contact) {
   if (!(least >= settings_.min_length)) return false;
   const Vec normal = to_vec(contact.normal);
   double point[3], largest = 0;
-  point_at<3>(p, q, share, point);
+  point_at<D>(p, q, share, point);
   for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(point[k]));
   const Vec on_edge = to_vec(point);
   // Rounding may have put it on the wrong side: then further and further from the obstacle.
@@ -167,7 +174,9 @@ bool VertexMove::insert(uint32_t v, const dsw_contact& contact) {
 }
 
 /** The rest of the move without its part into the walls that are touched; false if nothing remains. */
-bool VertexMove::slide(uint32_t v, const double* target, const dsw_contact& contact, Walls& walls, double* to) const {
+template <int D>
+bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_contact& contact, Walls& walls,
+                          double* to) const {
   const double* const at = body_.position(v);
   const Vec normal = to_vec(contact.normal);
   Vec rest = difference(target, at);
@@ -194,5 +203,9 @@ bool VertexMove::slide(uint32_t v, const double* target, const dsw_contact& cont
   // Where the rest is longer than doubles go, the move ends here.
   return is_finite(to) && !std::equal(to, to + 3, at);
 }
+
+#define DSW_VERTEX_MOVE(D) template class VertexMove<D>
+DSW_VERTEX_MOVE(3);
+#undef DSW_VERTEX_MOVE
 
 }  // namespace dsw

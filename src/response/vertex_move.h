@@ -6,9 +6,11 @@
 
 namespace dsw {
 
+template <int D>
 class VertexMove {
  public:
-  VertexMove(const Environment<3>& env, Body& body, const MoveSettings& settings, StarSweep& sweeps, MoveRecord& record)
+  VertexMove(const Environment<D>& env, Body<D>& body, const MoveSettings& settings, StarSweep<D>& sweeps,
+             MoveRecord& record)
       : env_(env), body_(body), settings_(settings), sweeps_(sweeps), record_(record) {}
 
   /** Moves vertex v, exactly free at the body's level; whether it got to the target. Contacts and edits go to the record. The
@@ -23,16 +25,16 @@ class VertexMove {
   };
 
   bool advance(uint32_t v, const double* to);
-  dsw_contact record_contacts(uint32_t v, const double* to, const StarContact* first, const PairContact& pair);
+  dsw_contact record_contacts(uint32_t v, const double* to, const StarContact* first, const PairContact<D>& pair);
   void bisect(uint32_t v, dsw_contact& contact);
   double stand_off(const dsw_contact& contact) const;
   bool insert(uint32_t v, const dsw_contact& contact);
   bool slide(uint32_t v, const double* target, const dsw_contact& contact, Walls& walls, double* to) const;
 
-  const Environment<3>& env_;
-  Body& body_;
+  const Environment<D>& env_;
+  Body<D>& body_;
   const MoveSettings& settings_;
-  StarSweep& sweeps_;
+  StarSweep<D>& sweeps_;
   MoveRecord& record_;
   size_t first_edit_ = 0;  // of this vertex
 };

@@ -18,7 +18,8 @@ void check_corner(const BodyDescription& d, uint32_t vertex, const char* name, s
        d.vertex_count);
 }
 
-void add_edges(Body& body, const BodyDescription& d) {
+template <int D>
+void add_edges(Body<D>& body, const BodyDescription& d) {
   for (size_t i = 0; i < d.edge_count; ++i) {
     const uint32_t a = d.edges[2 * i], b = d.edges[2 * i + 1];
     check_corner(d, a, "edges", 2 * i);
@@ -31,7 +32,8 @@ void add_edges(Body& body, const BodyDescription& d) {
   }
 }
 
-void add_triangle(Body& body, size_t face, uint32_t a, uint32_t b, uint32_t c) {
+template <int D>
+void add_triangle(Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32_t c) {
   if (a == b || b == c || c == a) {
     fail(DSW_STATUS_BAD_CELL, "face %zu has the triangle (%u, %u, %u), which names a vertex twice", face, a, b, c);
   }
@@ -53,7 +55,8 @@ size_t triangle_count(const BodyDescription& d) {
   return count;
 }
 
-void add_faces(Body& body, const BodyDescription& d) {
+template <int D>
+void add_faces(Body<D>& body, const BodyDescription& d) {
   for (size_t f = 0; f < d.face_count; ++f) {
     const uint32_t* const corners = d.face_corners + d.face_offsets[f];
     const uint32_t count = d.face_offsets[f + 1] - d.face_offsets[f];
@@ -67,7 +70,8 @@ void add_faces(Body& body, const BodyDescription& d) {
 
 }  // namespace
 
-void check_face(const Body& body, size_t face, uint32_t a, uint32_t b, uint32_t c) {
+template <int D>
+void check_face(const Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32_t c) {
   switch (face_defect(body, a, b, c)) {
     case FaceDefect::kFine:
       return;
@@ -81,33 +85,37 @@ void check_face(const Body& body, size_t face, uint32_t a, uint32_t b, uint32_t 
   }
 }
 
-void check_free(Scene<3>& scene, const Body& body, SweepLevel level) {
+template <int D>
+void check_free(Scene<D>& scene, const Body<D>& body, SweepLevel level) {
   scene.offending.clear();
-  BodyProbe(scene.env, Obstacle::kCells).find_blocked(body, level, scene.offending);
+  BodyProbe<D>(scene.env, Obstacle::kCells).find_blocked(body, level, scene.offending);
   if (scene.offending.empty()) return check_apart(scene, body, level);
   fail(DSW_STATUS_OCCUPIED, "%zu edges meet something impassable; the first joins vertices %u and %u",
        scene.offending.size() / 2, scene.offending[0], scene.offending[1]);
 }
 
-void prepare_body(const Scene<3>& scene, BodyRecord& of) {
+template <int D>
+void prepare_body(const Scene<D>& scene, BodyRecord<D>& of) {
   if (scene.keeps_boxes()) keep_boxes(of.body);
   of.record.keeps_partners = of.next.keeps_partners = scene.features.contacts;
   if (scene.features.live) of.followed = scene.live.get()->gone.number();
 }
 
-void follow_changes(const Scene<3>& scene, BodyRecord& of) noexcept {
+template <int D>
+void follow_changes(const Scene<D>& scene, BodyRecord<D>& of) noexcept {
   if (!scene.features.live) return;
-  const GoneFacets& gone = scene.live.get()->gone;
+  const GoneFacets<D>& gone = scene.live.get()->gone;
   if (of.followed == gone.number()) return;
-  for (EdgeSequence& sequence : of.body.sequences) {
+  for (EdgeSequence<D>& sequence : of.body.sequences) {
     if (gone.are_in(sequence, of.followed)) sequence.forget();
   }
   of.followed = gone.number();
 }
 
-BodyRecord make_body(const Scene<3>& scene, const BodyDescription& d, const Cell* cells) {
-  BodyRecord made(scene.memory);
-  Body& body = made.body;
+template <int D>
+BodyRecord<D> make_body(const Scene<D>& scene, const BodyDescription& d, const Cell* cells) {
+  BodyRecord<D> made(scene.memory);
+  Body<D>& body = made.body;
   body.level = d.level;
   body.skipping = d.skipping;
   body.filter = d.filter;
@@ -125,7 +133,8 @@ BodyRecord make_body(const Scene<3>& scene, const BodyDescription& d, const Cell
   return made;
 }
 
-dsw_body_id enter_body(Scene<3>& scene, BodyRecord&& made) {
+template <int D>
+dsw_body_id enter_body(Scene<D>& scene, BodyRecord<D>&& made) {
   if (scene.keeps_boxes()) scene.body_boxes.reserve(scene.bodies.size() + 1);
   scene.body_slots.reserve(1);
   reserve_more(scene.bodies, 1);
@@ -139,22 +148,25 @@ dsw_body_id enter_body(Scene<3>& scene, BodyRecord&& made) {
   return {slot.index, slot.generation};
 }
 
-dsw_body_id create_body(Scene<3>& scene, const BodyDescription& d) {
+template <int D>
+dsw_body_id create_body(Scene<D>& scene, const BodyDescription& d) {
   if (d.vertex_count >= kNone) fail(DSW_STATUS_TOO_LARGE, "desc->vertex_count is %zu", d.vertex_count);
   Array<Cell> cells(d.vertex_count, Cell{}, Allocator<Cell>(scene.memory));
   place_points(scene, d.positions, d.vertex_count, d.hints, true, cells.data(), nullptr);
-  BodyRecord made = make_body(scene, d, cells.data());
+  BodyRecord<D> made = make_body(scene, d, cells.data());
   check_free(scene, made.body, made.body.level);
   return enter_body(scene, std::move(made));
 }
 
-void destroy_body(Scene<3>& scene, uint32_t slot) noexcept {
+template <int D>
+void destroy_body(Scene<D>& scene, uint32_t slot) noexcept {
   scene.body_slots.release(slot);
   scene.body_boxes.remove(slot);
-  scene.bodies[slot] = BodyRecord(scene.memory);
+  scene.bodies[slot] = BodyRecord<D>(scene.memory);
 }
 
-BodyRecord& check_body(Scene<3>& scene, dsw_body_id id, ArgumentName argument, size_t index) {
+template <int D>
+BodyRecord<D>& check_body(Scene<D>& scene, dsw_body_id id, ArgumentName argument, size_t index) {
   if (!scene.body_slots.alive(id.index, id.generation)) {
     fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no body", ElementName(argument, index).text, id.index,
          id.generation);
@@ -162,7 +174,8 @@ BodyRecord& check_body(Scene<3>& scene, dsw_body_id id, ArgumentName argument, s
   return scene.bodies[id.index];
 }
 
-void set_level(Scene<3>& scene, Body& body, SweepLevel level) {
+template <int D>
+void set_level(Scene<D>& scene, Body<D>& body, SweepLevel level) {
   scene.offending.clear();
   // One that meets itself looks at its own parts, which are those of the new level.
   const SweepLevel before = std::exchange(body.level, level);
@@ -175,7 +188,8 @@ void set_level(Scene<3>& scene, Body& body, SweepLevel level) {
   }
 }
 
-void set_filter(Scene<3>& scene, Body& body, const ContactFilter& filter) {
+template <int D>
+void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter) {
   scene.offending.clear();
   const ContactFilter before = std::exchange(body.filter, filter);
   try {
@@ -185,5 +199,20 @@ void set_filter(Scene<3>& scene, Body& body, const ContactFilter& filter) {
     throw;
   }
 }
+
+#define DSW_BODIES(D)                                                                                             \
+  template dsw_body_id create_body(Scene<D>& scene, const BodyDescription& description);                          \
+  template BodyRecord<D> make_body(const Scene<D>& scene, const BodyDescription& description, const Cell* cells); \
+  template dsw_body_id enter_body(Scene<D>& scene, BodyRecord<D>&& made);                                         \
+  template void prepare_body(const Scene<D>& scene, BodyRecord<D>& of);                                           \
+  template void follow_changes(const Scene<D>& scene, BodyRecord<D>& of) noexcept;                                \
+  template void destroy_body(Scene<D>& scene, uint32_t slot) noexcept;                                            \
+  template BodyRecord<D>& check_body(Scene<D>& scene, dsw_body_id id, ArgumentName argument, size_t index);       \
+  template void set_level(Scene<D>& scene, Body<D>& body, SweepLevel level);                                      \
+  template void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter);                          \
+  template void check_face(const Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32_t c);                 \
+  template void check_free(Scene<D>& scene, const Body<D>& body, SweepLevel level)
+DSW_BODIES(3);
+#undef DSW_BODIES
 
 }  // namespace dsw

@@ -11,33 +11,34 @@ namespace dsw {
 template <int D>
 struct Scene;
 
+/** What stopped a vertex in the move before, to tell lasting contacts from new ones. */
+struct VertexStop {
+  uint64_t obstacle;  // or part of another body
+  uint32_t vertex, generation;
+  dsw_body_id body;
+
+  bool operator<(const VertexStop& other) const {
+    return std::tie(vertex, generation, obstacle, body.index, body.generation) <
+           std::tie(other.vertex, other.generation, other.obstacle, other.body.index, other.body.generation);
+  }
+};
+
 /** A body with what its last move left. */
+template <int D>
 struct BodyRecord {
-  /** What stopped a vertex in the move before, to tell lasting contacts from new ones. */
-  struct Stop {
-    uint64_t obstacle;  // or part of another body
-    uint32_t vertex, generation;
-    dsw_body_id body;
-
-    bool operator<(const Stop& other) const {
-      return std::tie(vertex, generation, obstacle, body.index, body.generation) <
-             std::tie(other.vertex, other.generation, other.obstacle, other.body.index, other.body.generation);
-    }
-  };
-
-  Body body;
+  Body<D> body;
   MoveRecord record;
-  MoveRecord next;           // of a move under way
-  Array<BodyVertex> before;  // to go back to, if another body's move fails
-  Array<Stop> stops;         // sorted
-  uint64_t followed = 0;     // up to which change of the topology its sequences are true, see gone_facets.h
+  MoveRecord next;              // of a move under way
+  Array<BodyVertex<D>> before;  // to go back to, if another body's move fails
+  Array<VertexStop> stops;      // sorted
+  uint64_t followed = 0;        // up to which change of the topology its sequences are true, see gone_facets.h
 
   explicit BodyRecord(const Memory* memory)
       : body(memory),
         record(memory),
         next(memory),
-        before(Allocator<BodyVertex>(memory)),
-        stops(Allocator<Stop>(memory)) {}
+        before(Allocator<BodyVertex<D>>(memory)),
+        stops(Allocator<VertexStop>(memory)) {}
   uint64_t memory_bytes() const {
     return body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.partners) +
            array_bytes(record.edits) + array_bytes(next.contacts) + array_bytes(next.partners) +
@@ -60,40 +61,59 @@ struct BodyDescription {
   ContactFilter filter;
 };
 
-dsw_body_id create_body(Scene<3>& scene, const BodyDescription& description);
+template <int D>
+dsw_body_id create_body(Scene<D>& scene, const BodyDescription& description);
 /** One that is not in the scene yet, its vertices in given cells; hints are not looked at. */
-BodyRecord make_body(const Scene<3>& scene, const BodyDescription& description, const Cell* cells);
+template <int D>
+BodyRecord<D> make_body(const Scene<D>& scene, const BodyDescription& description, const Cell* cells);
 /** Puts one that is free into the scene. */
-dsw_body_id enter_body(Scene<3>& scene, BodyRecord&& made);
+template <int D>
+dsw_body_id enter_body(Scene<D>& scene, BodyRecord<D>&& made);
 /** Lets one that is not in a scene yet have all that the scene's bodies keep. Throws std::bad_alloc. */
-void prepare_body(const Scene<3>& scene, BodyRecord& of);
+template <int D>
+void prepare_body(const Scene<D>& scene, BodyRecord<D>& of);
 /** Forgets sequences that name what has changed since; comes before each use of them. O(facets of the sequences). */
-void follow_changes(const Scene<3>& scene, BodyRecord& of) noexcept;
-void destroy_body(Scene<3>& scene, uint32_t slot) noexcept;
+template <int D>
+void follow_changes(const Scene<D>& scene, BodyRecord<D>& of) noexcept;
+template <int D>
+void destroy_body(Scene<D>& scene, uint32_t slot) noexcept;
 /** Throws unless the id is alive. `argument` names it in messages. */
-BodyRecord& check_body(Scene<3>& scene, dsw_body_id id, ArgumentName argument, size_t index = 0);
-void set_level(Scene<3>& scene, Body& body, SweepLevel level);
-void set_filter(Scene<3>& scene, Body& body, const ContactFilter& filter);
+template <int D>
+BodyRecord<D>& check_body(Scene<D>& scene, dsw_body_id id, ArgumentName argument, size_t index = 0);
+template <int D>
+void set_level(Scene<D>& scene, Body<D>& body, SweepLevel level);
+template <int D>
+void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter);
 
 /** Edits of a body; each is verified free or throws OCCUPIED. Indices are alive. */
-uint32_t add_body_vertex(Scene<3>& scene, BodyRecord& of, const double* position, dsw_volume_id hint);
-uint32_t add_body_edge(Scene<3>& scene, Body& body, uint32_t a, uint32_t b);
-uint32_t add_body_face(Scene<3>& scene, Body& body, uint32_t a, uint32_t b, uint32_t c);
-void split_body_edge(Scene<3>& scene, BodyRecord& of, uint32_t edge, double share, dsw_body_edit* edit);
-void collapse_body_edge(Scene<3>& scene, BodyRecord& of, uint32_t edge, uint32_t vertex, dsw_body_edit* edit);
+template <int D>
+uint32_t add_body_vertex(Scene<D>& scene, BodyRecord<D>& of, const double* position, dsw_volume_id hint);
+template <int D>
+uint32_t add_body_edge(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b);
+template <int D>
+uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, uint32_t c);
+template <int D>
+void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double share, dsw_body_edit* edit);
+template <int D>
+void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint32_t vertex, dsw_body_edit* edit);
 
 /** Targets are finite, one for each vertex slot; `order` names distinct living vertices. */
-void move_body(Scene<3>& scene, BodyRecord& body, PointArray targets, MoveOrder order, const MoveSettings& settings);
+template <int D>
+void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrder order, const MoveSettings& settings);
 /** `reach`: no part of the motion leads out of it. */
-void move_body_together(Scene<3>& scene, BodyRecord& body, PlaceFn place, const void* user, MoveOrder order,
-                        const Box& reach);
+template <int D>
+void move_body_together(Scene<D>& scene, BodyRecord<D>& body, PlaceFn place, const void* user, MoveOrder order,
+                        const Box<D>& reach);
 /** Bodies, distinct, with their targets one after the other. */
-void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count, PointArray targets,
+template <int D>
+void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, PointArray targets,
                  const MoveSettings& settings);
 
 /** Throws if a face cannot be added; `face` is its number for the message. */
-void check_face(const Body& body, size_t face, uint32_t a, uint32_t b, uint32_t c);
+template <int D>
+void check_face(const Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32_t c);
 /** Throws OCCUPIED, and fills scene.offending, unless a body is free at a level. */
-void check_free(Scene<3>& scene, const Body& body, SweepLevel level);
+template <int D>
+void check_free(Scene<D>& scene, const Body<D>& body, SweepLevel level);
 
 }  // namespace dsw

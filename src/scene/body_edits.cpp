@@ -9,21 +9,23 @@
 namespace dsw {
 namespace {
 
-void check_edge_free(const Environment<3>& env, const Body& body, uint32_t a, uint32_t b) {
+template <int D>
+void check_edge_free(const Environment<D>& env, const Body<D>& body, uint32_t a, uint32_t b) {
   if (body.level == SweepLevel::kPoints) return;
   if (cast(env, body.position(a), body.position(b), body.vertices[a].cell).end == CastEnd::kReached) return;
   fail(DSW_STATUS_OCCUPIED, "the edge between vertices %u and %u meets something impassable", a, b);
 }
 
 /** The bodies that a body can touch when it is changed inside of a box, or none if bodies do not meet each other. */
+template <int D>
 class Neighbours {
  public:
-  Neighbours(const Scene<3>& scene, const Body& body, const Box& box)
+  Neighbours(const Scene<D>& scene, const Body<D>& body, const Box<D>& box)
       : meet_(scene.features.contacts), body_(body), partners_(scene.memory) {
     if (meet_) find_partners(scene, body, box, partners_);
   }
-  Neighbours(const Scene<3>& scene, const Body& body)
-      : Neighbours(scene, body, scene.features.contacts ? reach_of(body) : Box()) {}
+  Neighbours(const Scene<D>& scene, const Body<D>& body)
+      : Neighbours(scene, body, scene.features.contacts ? reach_of(body) : Box<D>()) {}
 
   void check_segment(const Corner& a, const Corner& b) const {
     if (!meet_ || is_segment_apart(partners_, body_, a, b)) return;
@@ -38,52 +40,56 @@ class Neighbours {
     if (!meet_ || !covers_faces(body_.level) || is_triangle_apart(partners_, body_, corners)) return;
     fail(DSW_STATUS_OCCUPIED, "triangle (%u, %u, %u) touches a body", c[0], c[1], c[2]);
   }
-  const Partners* partners() const { return meet_ ? &partners_ : nullptr; }
+  const Partners<D>* partners() const { return meet_ ? &partners_ : nullptr; }
 
  private:
   bool meet_;
-  const Body& body_;
-  Partners partners_;
+  const Body<D>& body_;
+  Partners<D> partners_;
 };
 
-void check_keeps_vertices(const Body& body) {
+template <int D>
+void check_keeps_vertices(const Body<D>& body) {
   if (body.filter.self) fail(DSW_STATUS_UNSUPPORTED, "a body with DSW_BODY_SELF_CONTACTS keeps its edges and vertices");
 }
 
 }  // namespace
 
-uint32_t add_body_vertex(Scene<3>& scene, BodyRecord& of, const double* position, dsw_volume_id hint) {
-  Body& body = of.body;
+template <int D>
+uint32_t add_body_vertex(Scene<D>& scene, BodyRecord<D>& of, const double* position, dsw_volume_id hint) {
+  Body<D>& body = of.body;
   Cell cell;
   place_points(scene, PointArray{position, 3}, 1, &hint, false, &cell, nullptr);
-  Box box;
+  Box<D> box;
   box.add(position);
-  Neighbours(scene, body, box).check_segment({position, kNone}, {position, kNone});
+  Neighbours<D>(scene, body, box).check_segment({position, kNone}, {position, kNone});
   reserve(body, 1, 0, 0);
   const uint32_t v = add_vertex(body, position, cell);
   settle_body(scene, of);
   return v;
 }
 
-uint32_t add_body_edge(Scene<3>& scene, Body& body, uint32_t a, uint32_t b) {
+template <int D>
+uint32_t add_body_edge(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b) {
   if (a == b) fail(DSW_STATUS_BAD_CELL, "an edge from vertex %u to itself", a);
   if (find_edge(body, a, b) != kNone) {
     fail(DSW_STATUS_DUPLICATE_CELL, "vertices %u and %u are joined already", a, b);
   }
   check_edge_free(scene.env, body, a, b);
-  Neighbours(scene, body).check_edge(a, b);
+  Neighbours<D>(scene, body).check_edge(a, b);
   reserve(body, 0, 1, 0);
   return add_edge(body, a, b);
 }
 
-uint32_t add_body_face(Scene<3>& scene, Body& body, uint32_t a, uint32_t b, uint32_t c) {
+template <int D>
+uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, uint32_t c) {
   if (a == b || b == c || c == a) fail(DSW_STATUS_BAD_CELL, "triangle (%u, %u, %u) names a vertex twice", a, b, c);
   check_face(body, body.faces.size(), a, b, c);
   if (starts_fan(body, a, b, c)) {
     fail(DSW_STATUS_SHARED_FACE, "triangle (%u, %u, %u) touches others in a vertex alone", a, b, c);
   }
   const uint32_t corners[3] = {a, b, c};
-  const Neighbours neighbours(scene, body);
+  const Neighbours<D> neighbours(scene, body);
   for (int k = 0; k < 3; ++k) {
     const uint32_t from = corners[k], to = corners[(k + 1) % 3];
     if (find_edge(body, from, to) != kNone) continue;
@@ -92,7 +98,7 @@ uint32_t add_body_face(Scene<3>& scene, Body& body, uint32_t a, uint32_t b, uint
   }
   neighbours.check_triangle(corners);
   if (body.level == SweepLevel::kFaces) {
-    StarSweep sweeps(scene.env);
+    StarSweep<D> sweeps(scene.env);
     if (!sweeps.is_triangle_free({body.position(a), body.position(b), body.position(c)}, body.vertices[a].cell)) {
       fail(DSW_STATUS_OCCUPIED, "triangle (%u, %u, %u) meets something impassable", a, b, c);
     }
@@ -101,15 +107,16 @@ uint32_t add_body_face(Scene<3>& scene, Body& body, uint32_t a, uint32_t b, uint
   return add_face(body, a, b, c);
 }
 
-void split_body_edge(Scene<3>& scene, BodyRecord& of, uint32_t edge, double share, dsw_body_edit* edit) {
-  Body& body = of.body;
+template <int D>
+void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double share, dsw_body_edit* edit) {
+  Body<D>& body = of.body;
   check_keeps_vertices(body);
   follow_changes(scene, of);
   const BodyEdge& e = body.edges[edge];
   double point[3];
-  point_at<3>(body.position(e.ends[0]), body.position(e.ends[1]), share, point);
-  const Neighbours neighbours(scene, body);
-  StarSweep sweeps(scene.env);
+  point_at<D>(body.position(e.ends[0]), body.position(e.ends[1]), share, point);
+  const Neighbours<D> neighbours(scene, body);
+  StarSweep<D> sweeps(scene.env);
   sweeps.partners = neighbours.partners();
   Cell cell;
   if (!can_bend(scene.env, sweeps, body, edge, point, &cell)) {
@@ -120,20 +127,31 @@ void split_body_edge(Scene<3>& scene, BodyRecord& of, uint32_t edge, double shar
   settle_body(scene, of);
 }
 
-void collapse_body_edge(Scene<3>& scene, BodyRecord& of, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
-  Body& body = of.body;
+template <int D>
+void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
+  Body<D>& body = of.body;
   check_keeps_vertices(body);
   follow_changes(scene, of);
   if (!can_collapse(body, edge, vertex)) {
     fail(DSW_STATUS_BAD_CELL, "merging vertex %u into %u would leave no manifold", vertex,
          body.edges[edge].other(vertex));
   }
-  const Neighbours neighbours(scene, body);
-  StarSweep sweeps(scene.env);
+  const Neighbours<D> neighbours(scene, body);
+  StarSweep<D> sweeps(scene.env);
   sweeps.partners = neighbours.partners();
   if (!merge_vertex(sweeps, body, edge, vertex, edit)) {
     fail(DSW_STATUS_OCCUPIED, "the way of vertex %u to vertex %u is not free", vertex, body.edges[edge].other(vertex));
   }
 }
+
+#define DSW_BODY_EDITS(D)                                                                                              \
+  template uint32_t add_body_vertex(Scene<D>& scene, BodyRecord<D>& of, const double* position, dsw_volume_id hint);   \
+  template uint32_t add_body_edge(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b);                             \
+  template uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, uint32_t c);                 \
+  template void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double share, dsw_body_edit* edit); \
+  template void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint32_t vertex,                 \
+                                   dsw_body_edit* edit)
+DSW_BODY_EDITS(3);
+#undef DSW_BODY_EDITS
 
 }  // namespace dsw

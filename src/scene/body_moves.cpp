@@ -13,7 +13,7 @@
 namespace dsw {
 namespace {
 
-BodyRecord::Stop to_stop(const MoveRecord& record, size_t i) noexcept {
+VertexStop to_stop(const MoveRecord& record, size_t i) noexcept {
   const dsw_contact& contact = record.contacts[i];
   const dsw_contact_partner partner = record.keeps_partners ? record.partners[i] : dsw_contact_partner{};
   const uint64_t obstacle = partner.body.generation != 0 ? part_key(partner) : obstacle_key(contact);
@@ -21,14 +21,16 @@ BodyRecord::Stop to_stop(const MoveRecord& record, size_t i) noexcept {
 }
 
 /** Makes room for what publish() needs. */
-void prepare(BodyRecord& of) {
+template <int D>
+void prepare(BodyRecord<D>& of) {
   of.stops.clear();
   of.stops.reserve(of.record.contacts.size());
 }
 
 /** What a move has left becomes what the host reads. Contacts of vertices that the same obstacle stopped in the move before are
  * lasting ones. */
-void publish(BodyRecord& of) noexcept {
+template <int D>
+void publish(BodyRecord<D>& of) noexcept {
   for (size_t i = 0; i < of.record.contacts.size(); ++i) of.stops.push_back(to_stop(of.record, i));
   std::sort(of.stops.begin(), of.stops.end());
   for (size_t i = 0; i < of.next.contacts.size(); ++i) {
@@ -38,12 +40,14 @@ void publish(BodyRecord& of) noexcept {
   std::swap(of.record, of.next);
 }
 
-BodyMove& mover_of(Scene<3>& scene) {
+template <int D>
+BodyMove<D>& mover_of(Scene<D>& scene) {
   if (scene.mover.empty()) scene.mover.emplace_back(scene.env);
   return scene.mover[0];
 }
 
-void count(Scene<3>& scene, const BodyRecord& of, const CastCounters& casts) noexcept {
+template <int D>
+void count(Scene<D>& scene, const BodyRecord<D>& of, const CastCounters& casts) noexcept {
   if (!scene.features.statistics) return;
   scene.statistics.cast.add(casts);
   scene.statistics.contacts += of.record.contacts.size();
@@ -51,11 +55,13 @@ void count(Scene<3>& scene, const BodyRecord& of, const CastCounters& casts) noe
 
 }  // namespace
 
-void move_body(Scene<3>& scene, BodyRecord& body, PointArray targets, MoveOrder order, const MoveSettings& settings) {
+template <int D>
+void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrder order,
+               const MoveSettings& settings) {
   CastCounters casts;
-  BodyMove& move = mover_of(scene);
+  BodyMove<D>& move = mover_of(scene);
   move.set_counters(scene.features.statistics ? &casts : nullptr);
-  Partners partners(scene.memory);
+  Partners<D> partners(scene.memory);
   follow_changes(scene, body);
   if (scene.features.contacts) {
     find_partners(scene, body.body, reach_of(body.body, targets, order, settings.may_slide()), partners);
@@ -68,12 +74,13 @@ void move_body(Scene<3>& scene, BodyRecord& body, PointArray targets, MoveOrder 
   count(scene, body, casts);
 }
 
-void move_body_together(Scene<3>& scene, BodyRecord& body, PlaceFn place, const void* user, MoveOrder order,
-                        const Box& reach) {
+template <int D>
+void move_body_together(Scene<D>& scene, BodyRecord<D>& body, PlaceFn place, const void* user, MoveOrder order,
+                        const Box<D>& reach) {
   CastCounters casts;
-  BodyMove& move = mover_of(scene);
+  BodyMove<D>& move = mover_of(scene);
   move.set_counters(scene.features.statistics ? &casts : nullptr);
-  Partners partners(scene.memory);
+  Partners<D> partners(scene.memory);
   follow_changes(scene, body);
   if (scene.features.contacts) find_partners(scene, body.body, reach, partners);
   move.set_partners(scene.features.contacts ? &partners : nullptr);
@@ -84,17 +91,18 @@ void move_body_together(Scene<3>& scene, BodyRecord& body, PlaceFn place, const 
   count(scene, body, casts);
 }
 
-void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count_of_bodies, PointArray targets,
+template <int D>
+void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count_of_bodies, PointArray targets,
                  const MoveSettings& settings) {
   Array<size_t> first(count_of_bodies, 0, Allocator<size_t>(scene.memory));
   Array<CastCounters> casts(count_of_bodies, CastCounters{}, Allocator<CastCounters>(scene.memory));
   // If one runs out of memory, none has moved.
   const bool edits = settings.may_edit();
-  Array<Body> wholes{Allocator<Body>(scene.memory)};
+  Array<Body<D>> wholes{Allocator<Body<D>>(scene.memory)};
   wholes.reserve(edits ? count_of_bodies : 0);
   size_t at = 0;
   for (size_t i = 0; i < count_of_bodies; ++i) {
-    BodyRecord& body = *bodies[i];
+    BodyRecord<D>& body = *bodies[i];
     follow_changes(scene, body);
     if (edits) {
       wholes.push_back(body.body);
@@ -105,12 +113,12 @@ void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count_of_bod
     first[i] = at;
     at += body.body.vertices.size();
   }
-  Islands islands(scene.memory);
+  Islands<D> islands(scene.memory);
   find_islands(scene, bodies, count_of_bodies, targets, first.data(), settings.may_slide(), islands);
   std::atomic<bool> out_of_memory{false};
   auto chunk = [&](size_t begin, size_t end) noexcept {
     try {
-      BodyMove move(scene.env);
+      BodyMove<D> move(scene.env);
       for (size_t k = islands.first[begin]; k < islands.first[end]; ++k) {
         const uint32_t i = islands.bodies[k];
         move.set_counters(scene.features.statistics ? &casts[i] : nullptr);
@@ -127,7 +135,7 @@ void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count_of_bod
   parallel_chunks(scene.parallel, islands.count(), (islands.count() + kChunks - 1) / kChunks, chunk);
   if (out_of_memory) {
     for (size_t i = 0; i < count_of_bodies; ++i) {
-      BodyRecord& body = *bodies[i];
+      BodyRecord<D>& body = *bodies[i];
       if (edits) {
         std::swap(body.body, wholes[i]);
       } else {
@@ -142,5 +150,15 @@ void move_bodies(Scene<3>& scene, BodyRecord* const* bodies, size_t count_of_bod
     count(scene, *bodies[i], casts[i]);
   }
 }
+
+#define DSW_BODY_MOVES(D)                                                                                    \
+  template void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrder order,         \
+                          const MoveSettings& settings);                                                     \
+  template void move_body_together(Scene<D>& scene, BodyRecord<D>& body, PlaceFn place, const void* user,    \
+                                   MoveOrder order, const Box<D>& reach);                                    \
+  template void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, PointArray targets, \
+                            const MoveSettings& settings)
+DSW_BODY_MOVES(3);
+#undef DSW_BODY_MOVES
 
 }  // namespace dsw

@@ -5,7 +5,8 @@
 
 namespace dsw {
 
-Deformation::Deformation(Environment<3>& environment)
+template <int D>
+Deformation<D>::Deformation(Environment<D>& environment)
     : env(environment),
       all(environment.memory),
       partners(environment.memory),
@@ -14,7 +15,8 @@ Deformation::Deformation(Environment<3>& environment)
       record(environment.memory),
       next(environment.memory) {}
 
-uint64_t Deformation::memory_bytes() const noexcept {
+template <int D>
+uint64_t Deformation<D>::memory_bytes() const noexcept {
   return sizeof(*this) + all.memory_bytes() + array_bytes(partners.all) + swept.memory_bytes() + record.memory_bytes() +
          next.memory_bytes();
 }
@@ -22,19 +24,20 @@ uint64_t Deformation::memory_bytes() const noexcept {
 namespace {
 
 /** All that lies in the environment now. */
-void gather(Scene<3>& scene) {
-  Deformation& d = *scene.deformation.get();
+template <int D>
+void gather(Scene<D>& scene) {
+  Deformation<D>& d = *scene.deformation.get();
   d.all.particles = scene.particles.data();
   d.all.particle_count = scene.particles.size();
   d.all.particle_slots = &scene.slots;
   d.all.forget_saved();
-  d.all.bodies.assign(scene.bodies.size(), Occupants::Owner{});
+  d.all.bodies.assign(scene.bodies.size(), typename Occupants<D>::Owner{});
   d.partners.all.clear();
   d.all.partners = scene.features.contacts ? &d.partners : nullptr;
   for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
     const uint32_t generation = scene.body_slots.generation(slot);
     if (!scene.body_slots.alive(slot, generation)) continue;
-    BodyRecord& body = scene.bodies[slot];
+    BodyRecord<D>& body = scene.bodies[slot];
     follow_changes(scene, body);
     d.all.bodies[slot] = {&body.body, &body.next, {slot, generation}};
     body.next.edits.clear();
@@ -44,8 +47,9 @@ void gather(Scene<3>& scene) {
 
 }  // namespace
 
-void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
-  Deformation& d = *scene.deformation.get();
+template <int D>
+void deform(Scene<D>& scene, double* next, const WallSettings& settings) {
+  Deformation<D>& d = *scene.deformation.get();
   gather(scene);
   if (settings.end_state) {
     d.end_state.run(next, settings, d.next);
@@ -58,7 +62,7 @@ void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
   }
   d.next.sort();
   std::swap(d.record, d.next);
-  for (const Occupants::Owner& owner : d.all.bodies) {
+  for (const typename Occupants<D>::Owner& owner : d.all.bodies) {
     if (owner.body == nullptr) continue;
     std::swap(scene.bodies[owner.id.index].record.edits, owner.record->edits);
     settle_body(scene, scene.bodies[owner.id.index]);
@@ -66,9 +70,10 @@ void deform(Scene<3>& scene, double* next, const WallSettings& settings) {
   for (uint32_t slot = 0; scene.features.live && slot < scene.particles.size(); ++slot) note_particle(scene, slot);
 }
 
-void want_near(Scene<3>& scene, Mending& mending) {
+template <int D>
+void want_near(Scene<D>& scene, Mending& mending) {
   gather(scene);
-  const Map<3>& map = scene.deformation.get()->env.map;
+  const Map<D>& map = scene.deformation.get()->env.map;
   CellQueue near(scene.memory), around(scene.memory);
   for (const Cell c : scene.deformation.get()->swept.find_occupied()) {
     for (uint32_t k = 0, n = map.vertices_of(c); k < n; ++k) {
@@ -80,13 +85,22 @@ void want_near(Scene<3>& scene, Mending& mending) {
   for (size_t i = 0; i < near.size(); ++i) mending.want(near[i]);
 }
 
-void renew_ids(Deformation& deformation) noexcept {
-  const Map<3>& map = deformation.env.map;
+template <int D>
+void renew_ids(Deformation<D>& deformation) noexcept {
+  const Map<D>& map = deformation.env.map;
   for (dsw_volume_id& id : deformation.record.invalid) id.generation = map.cell_slots.generation(id.index);
   for (dsw_wall_contact& contact : deformation.record.contacts) {
     dsw_face_id& wall = contact.wall;
     if (wall.generation != 0) wall.generation = map.cell_slots.generation(wall.volume);
   }
 }
+
+#define DSW_DEFORMATION(D)                                                           \
+  template class Deformation<D>;                                                     \
+  template void deform(Scene<D>& scene, double* next, const WallSettings& settings); \
+  template void want_near(Scene<D>& scene, Mending& mending);                        \
+  template void renew_ids(Deformation<D>& deformation) noexcept
+DSW_DEFORMATION(3);
+#undef DSW_DEFORMATION
 
 }  // namespace dsw

@@ -10,25 +10,29 @@ namespace dsw {
 template <int D>
 struct Scene;
 
+template <int D>
 struct Deformation {
-  Environment<3>& env;
-  Occupants all;
-  Partners partners;  // all bodies, if they meet each other
-  WallMotion swept;
-  EndState end_state;
+  Environment<D>& env;
+  Occupants<D> all;
+  Partners<D> partners;  // all bodies, if they meet each other
+  WallMotion<D> swept;
+  EndState<D> end_state;
   WallRecord record;  // of the last call
   WallRecord next;    // of one under way
 
-  explicit Deformation(Environment<3>& environment);
+  explicit Deformation(Environment<D>& environment);
   uint64_t memory_bytes() const noexcept;
 };
 
 /** Takes the points of a scene's environment to `next`. Throws std::bad_alloc and NON_FINITE: then nothing has changed. */
-void deform(Scene<3>& scene, double* next, const WallSettings& settings);
+template <int D>
+void deform(Scene<D>& scene, double* next, const WallSettings& settings);
 
 /** Wants those cells mended that hold something, and those at their vertices. Throws std::bad_alloc. */
-void want_near(Scene<3>& scene, Mending& mending);
+template <int D>
+void want_near(Scene<D>& scene, Mending& mending);
 /** What the last deformation left names cells as they are called now; for one in the course of a change of the topology. */
-void renew_ids(Deformation& deformation) noexcept;
+template <int D>
+void renew_ids(Deformation<D>& deformation) noexcept;
 
 }  // namespace dsw

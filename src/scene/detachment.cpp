@@ -121,7 +121,7 @@ void Detachment::place_all(const BodyDescription& like) {
 }
 
 /** Ends: every round uses up a place of some vertex. */
-void Detachment::draw_in(Body& body) {
+void Detachment::draw_in(Body<3>& body) {
   for (;;) {
     try {
       return check_free(scene_, body, body.level);

@@ -27,13 +27,13 @@ class Detachment {
   void place(uint32_t vertex);
   [[noreturn]] void give_up(uint32_t a, uint32_t b) const;
   void place_all(const BodyDescription& like);
-  void draw_in(Body& body);
+  void draw_in(Body<3>& body);
   void enter();
   void measure() noexcept;
 
   Environment<3>& env_;
   Scene<3>& scene_;
-  Edit edit_;  // makes the map ready to change, which the piece needs
+  Edit<3> edit_;  // makes the map ready to change, which the piece needs
   Piece piece_;
   PieceSurface surface_;
   Inset inset_;
@@ -42,7 +42,7 @@ class Detachment {
   Array<uint32_t> tried_;  // places, by vertex
   Array<double> positions_;
   Array<Cell> cells_;
-  BodyRecord made_;
+  BodyRecord<3> made_;
   dsw_body_id id_{};
 };
 

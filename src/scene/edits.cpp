@@ -13,9 +13,10 @@ namespace dsw {
 namespace {
 
 /** Particles and bodies of one scene in the course of an edit that is prepared. */
+template <int D>
 class Followers {
  public:
-  Followers(Edit& edit, Scene<3>& scene)
+  Followers(Edit<D>& edit, Scene<D>& scene)
       : edit_(edit),
         env_(edit.environment()),
         scene_(scene),
@@ -33,8 +34,8 @@ class Followers {
     looked_at_ += find_occupants(scene_, marked.data(), marked.size());
     find_cells_of_particles();
     Array<uint32_t> scratch{Allocator<uint32_t>(scene_.memory)};
-    for (const NearBodies::Near& each : near_) {
-      const Body& body = scene_.bodies[each.slot].body;
+    for (const typename NearBodies<D>::Near& each : near_) {
+      const Body<D>& body = scene_.bodies[each.slot].body;
       bool all = true;
       const auto look = [&](uint32_t v) {
         if (!has_to_move(body.vertices[v].cell)) return true;
@@ -43,14 +44,14 @@ class Followers {
         all = all && is_passable(c);
         return true;
       };
-      visit_near(body, &BodyBoxes::vertices, body.vertices.size(), each.places, scratch, looked_at_, look);
+      visit_near(body, &BodyBoxes<D>::vertices, body.vertices.size(), each.places, scratch, looked_at_, look);
       if (!all) scene_.occupant_bodies.push_back({each.slot, scene_.body_slots.generation(each.slot)});
     }
   }
 
   /** After the edit was applied: bodies that are not free go to the scene's occupants. Their vertices are in their new cells. */
   void find_blocked_bodies() {
-    BodyProbe probe(env_, Obstacle::kCells);
+    BodyProbe<D> probe(env_, Obstacle::kCells);
     find_occupant_bodies(scene_, near_, probe);
     looked_at_ += probe.looked_at;
   }
@@ -59,7 +60,7 @@ class Followers {
   void prepare(bool may_go_back) {
     keeps_sequences_ = may_go_back;
     if (may_go_back) {
-      for_each_gone_sequence([&](uint32_t slot, uint32_t e, const EdgeSequence& sequence) {
+      for_each_gone_sequence([&](uint32_t slot, uint32_t e, const EdgeSequence<D>& sequence) {
         sequences_.push_back({slot, e, sequence});
       });
     } else if (scene_.features.live) {
@@ -88,7 +89,7 @@ class Followers {
   /** Sequences of what goes; to be done while it can still be asked. */
   void forget_sequences() noexcept {
     if (scene_.features.live && !keeps_sequences_) return note_gone_facets();
-    for_each_gone_sequence([](uint32_t, uint32_t, EdgeSequence& sequence) { sequence.forget(); });
+    for_each_gone_sequence([](uint32_t, uint32_t, EdgeSequence<D>& sequence) { sequence.forget(); });
   }
   void finish() noexcept { count_looked_at(scene_, looked_at_); }
 
@@ -101,13 +102,13 @@ class Followers {
   };
   struct KeptSequence {
     uint32_t body, edge;
-    EdgeSequence sequence;
+    EdgeSequence<D> sequence;
   };
 
   void find_cells_of_particles() {
     const auto look = [&](uint32_t slot) {
       ++looked_at_;
-      const ParticleState<3>& particle = scene_.particles[slot];
+      const ParticleState<D>& particle = scene_.particles[slot];
       if (has_to_move(particle.cell)) particles_.push_back({0, slot, particle.cell, {}, particle.forecast});
     };
     if (scene_.features.live) {
@@ -122,9 +123,9 @@ class Followers {
     }
   }
   void note_gone_facets() noexcept {
-    GoneFacets& gone = scene_.live.get()->gone;
+    GoneFacets<D>& gone = scene_.live.get()->gone;
     if (gone.is_full()) {
-      for (BodyRecord& each : scene_.bodies) follow_changes(scene_, each);
+      for (BodyRecord<D>& each : scene_.bodies) follow_changes(scene_, each);
       gone.clear();
     }
     gone.note(edit_);
@@ -136,7 +137,7 @@ class Followers {
       return word != kNoFacet && (edit_.is_removed(env_.map.cell_of({word})) || edit_.is_relinked({word}));
     };
     for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
-      Array<EdgeSequence>& sequences = scene_.bodies[slot].body.sequences;
+      Array<EdgeSequence<D>>& sequences = scene_.bodies[slot].body.sequences;
       for (uint32_t e = 0; e < sequences.size(); ++e) {
         const Array<uint32_t>& facets = sequences[e].facets;
         if (std::any_of(facets.begin(), facets.end(), is_gone)) visit(slot, e, sequences[e]);
@@ -190,10 +191,10 @@ class Followers {
     return new_cells_.contains(c);
   }
   /** All that changes. */
-  BoxGroups& find_places() {
+  BoxGroups<D>& find_places() {
     if (scene_.body_slots.alive_count() == 0) return places_;
     const auto add = [&](Cell c) {
-      Box box;
+      Box<D> box;
       for (uint32_t k = 0, n = env_.map.vertices_of(c); k < n; ++k) box.add(env_.point(c, k));
       places_.add(box);
     };
@@ -201,7 +202,7 @@ class Followers {
     for (size_t i = 0; i < edit_.cell_count(); ++i) add(edit_.cell(i));
     edit_.for_each_marked(add);
     for (size_t i = 0; i < edit_.link_count(); ++i) {
-      Box box;
+      Box<D> box;
       const FacetDraft facet = draft_of(env_, edit_.link(i));
       for (const uint32_t v : facet.loop) box.add(env_.point(v));
       places_.add(box);
@@ -209,11 +210,11 @@ class Followers {
     return places_;
   }
 
-  Edit& edit_;
-  const Environment<3>& env_;
-  Scene<3>& scene_;
-  BoxGroups places_;
-  NearBodies near_;
+  Edit<D>& edit_;
+  const Environment<D>& env_;
+  Scene<D>& scene_;
+  BoxGroups<D> places_;
+  NearBodies<D> near_;
   Array<Seat> particles_, vertices_;
   Array<KeptSequence> sequences_;
   bool keeps_sequences_ = false;
@@ -221,8 +222,9 @@ class Followers {
   uint64_t looked_at_ = 0;
 };
 
-bool follow(Edit& edit, Scene<3>& scene, const Meanwhile* meanwhile) {
-  Followers followers(edit, scene);
+template <int D>
+bool follow(Edit<D>& edit, Scene<D>& scene, const Meanwhile* meanwhile) {
+  Followers<D> followers(edit, scene);
   const auto is_occupied = [&] { return !scene.occupants.empty() || !scene.occupant_bodies.empty(); };
   followers.find_cells();
   if (is_occupied()) refuse(scene);
@@ -254,13 +256,15 @@ bool follow(Edit& edit, Scene<3>& scene, const Meanwhile* meanwhile) {
 
 }  // namespace
 
-void carry_out(Edit& edit, Scene<3>* scene) {
+template <int D>
+void carry_out(Edit<D>& edit, Scene<D>* scene) {
   clear_occupants(scene);
   edit.prepare();
   carry_out_prepared(edit, scene);
 }
 
-void carry_out_prepared(Edit& edit, Scene<3>* scene) {
+template <int D>
+void carry_out_prepared(Edit<D>& edit, Scene<D>* scene) {
   if (scene != nullptr) {
     carry_out_prepared(edit, *scene, nullptr);
     return;
@@ -269,7 +273,8 @@ void carry_out_prepared(Edit& edit, Scene<3>* scene) {
   edit.finish();
 }
 
-bool carry_out_prepared(Edit& edit, Scene<3>& scene, const Meanwhile* meanwhile) {
+template <int D>
+bool carry_out_prepared(Edit<D>& edit, Scene<D>& scene, const Meanwhile* meanwhile) {
   clear_occupants(&scene);
   try {
     return follow(edit, scene, meanwhile);
@@ -278,5 +283,12 @@ bool carry_out_prepared(Edit& edit, Scene<3>& scene, const Meanwhile* meanwhile)
     throw;
   }
 }
+
+#define DSW_EDITS(D)                                                \
+  template void carry_out(Edit<D>& edit, Scene<D>* scene);          \
+  template void carry_out_prepared(Edit<D>& edit, Scene<D>* scene); \
+  template bool carry_out_prepared(Edit<D>& edit, Scene<D>& scene, const Meanwhile* meanwhile)
+DSW_EDITS(3);
+#undef DSW_EDITS
 
 }  // namespace dsw

@@ -7,7 +7,8 @@ namespace {
 
 constexpr size_t kMost = size_t{1} << 14;  // facets that are noted before all bodies are brought up to date
 
-size_t facets_of(const Edit& edit) noexcept {
+template <int D>
+size_t facets_of(const Edit<D>& edit) noexcept {
   size_t count = edit.link_count();
   for (const Cell c : edit.removed()) count += edit.environment().map.facets_of(c);
   return count;
@@ -15,21 +16,27 @@ size_t facets_of(const Edit& edit) noexcept {
 
 }  // namespace
 
-bool GoneFacets::is_full() const noexcept { return words_.size() > kMost; }
+template <int D>
+bool GoneFacets<D>::is_full() const noexcept {
+  return words_.size() > kMost;
+}
 
-void GoneFacets::clear() noexcept {
+template <int D>
+void GoneFacets<D>::clear() noexcept {
   words_.clear();
   last_.clear();
 }
 
-void GoneFacets::reserve(const Edit& edit) {
+template <int D>
+void GoneFacets<D>::reserve(const Edit<D>& edit) {
   const size_t count = facets_of(edit);
   words_.reserve(count);
   reserve_more(last_, count);
 }
 
-void GoneFacets::note(const Edit& edit) noexcept {
-  const Map<3>& map = edit.environment().map;
+template <int D>
+void GoneFacets<D>::note(const Edit<D>& edit) noexcept {
+  const Map<D>& map = edit.environment().map;
   ++number_;
   const auto add = [&](HalfFacet h) {
     const uint32_t i = words_.insert(h.word);
@@ -42,11 +49,16 @@ void GoneFacets::note(const Edit& edit) noexcept {
   for (size_t i = 0; i < edit.link_count(); ++i) add(edit.link(i));
 }
 
-bool GoneFacets::are_in(const EdgeSequence& sequence, uint64_t since) const noexcept {
+template <int D>
+bool GoneFacets<D>::are_in(const EdgeSequence<D>& sequence, uint64_t since) const noexcept {
   return std::any_of(sequence.facets.begin(), sequence.facets.end(), [&](uint32_t word) {
     const uint32_t i = words_.find(word);
     return i != KeyTable::kNone && last_[i] > since;
   });
 }
+
+#define DSW_GONE_FACETS(D) template class GoneFacets<D>
+DSW_GONE_FACETS(3);
+#undef DSW_GONE_FACETS
 
 }  // namespace dsw

@@ -8,14 +8,15 @@
 
 namespace dsw {
 
+template <int D>
 class GoneFacets {
  public:
   explicit GoneFacets(const Memory* memory) : words_(memory), last_(Allocator<uint64_t>(memory)) {}
 
   /** Room for the half-facets of an edit that is prepared. Throws std::bad_alloc. */
-  void reserve(const Edit& edit);
+  void reserve(const Edit<D>& edit);
   /** Notes those that go or lead elsewhere. There is room; before it is finished. */
-  void note(const Edit& edit) noexcept;
+  void note(const Edit<D>& edit) noexcept;
   /** Whether notes should be dropped before more are made: they are many. All bodies have to be up to date then. */
   bool is_full() const noexcept;
   void clear() noexcept;
@@ -23,7 +24,7 @@ class GoneFacets {
   /** Grows with each note. */
   uint64_t number() const noexcept { return number_; }
   /** Whether a sequence that was up to date when the number was `since` names what has changed. O(facets). */
-  bool are_in(const EdgeSequence& sequence, uint64_t since) const noexcept;
+  bool are_in(const EdgeSequence<D>& sequence, uint64_t since) const noexcept;
   uint64_t memory_bytes() const noexcept { return words_.memory_bytes() + array_bytes(last_); }
 
  private:

@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kRoom = 0x1p-20;  // beside a box, as a share of it
 
-Box with_room(const Box& box) noexcept {
-  Box wide = box;
+template <int D>
+Box<D> with_room(const Box<D>& box) noexcept {
+  Box<D> wide = box;
   for (int k = 0; k < 3; ++k) {
     const double room = kRoom * (box.upper[k] - box.lower[k]);
     wide.lower[k] -= room;
@@ -21,11 +22,13 @@ Box with_room(const Box& box) noexcept {
   return wide;
 }
 
-Partner name(const Scene<3>& scene, uint32_t slot) {
+template <int D>
+Partner<D> name(const Scene<D>& scene, uint32_t slot) {
   return {&scene.bodies[slot].body, slot, scene.body_slots.generation(slot)};
 }
 
-uint32_t slot_of(const Scene<3>& scene, const BodyRecord& record) {
+template <int D>
+uint32_t slot_of(const Scene<D>& scene, const BodyRecord<D>& record) {
   return static_cast<uint32_t>(&record - scene.bodies.data());
 }
 
@@ -42,20 +45,26 @@ void join(Array<uint32_t>& roots, uint32_t i, uint32_t j) noexcept {
 
 }  // namespace
 
-void note_body(Scene<3>& scene, uint32_t slot) noexcept {
+template <int D>
+void note_body(Scene<D>& scene, uint32_t slot) noexcept {
   if (scene.keeps_boxes()) scene.body_boxes.put(slot, scene.bodies[slot].body.boxes[0].bounds);
 }
 
-void settle_body(Scene<3>& scene, BodyRecord& of) noexcept {
+template <int D>
+void settle_body(Scene<D>& scene, BodyRecord<D>& of) noexcept {
   if (!scene.keeps_boxes()) return;
   tighten_bounds(of.body);
   note_body(scene, slot_of(scene, of));
 }
 
-Box reach_of(const Body& body) noexcept { return with_room(body.boxes[0].bounds); }
+template <int D>
+Box<D> reach_of(const Body<D>& body) noexcept {
+  return with_room(body.boxes[0].bounds);
+}
 
-Box reach_of(const Body& body, PointArray targets, MoveOrder order, bool slides) noexcept {
-  Box box = body.boxes[0].bounds;
+template <int D>
+Box<D> reach_of(const Body<D>& body, PointArray targets, MoveOrder order, bool slides) noexcept {
+  Box<D> box = body.boxes[0].bounds;
   const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
   for (size_t i = 0; i < count; ++i) {
     const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
@@ -76,22 +85,24 @@ Box reach_of(const Body& body, PointArray targets, MoveOrder order, bool slides)
   return with_room(box);
 }
 
-void find_partners(const Scene<3>& scene, const Body& body, const Box& reach, Partners& partners) {
+template <int D>
+void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners) {
   partners.all.clear();
   partners.reach = reach;
   scene.body_boxes.visit(reach, [&](uint32_t slot) {
-    const Body& other = scene.bodies[slot].body;
+    const Body<D>& other = scene.bodies[slot].body;
     if (&other == &body ? body.filter.self : body.filter.sees(other.filter)) partners.all.push_back(name(scene, slot));
     return true;
   });
 }
 
-void check_apart(Scene<3>& scene, const Body& body, SweepLevel level) {
+template <int D>
+void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level) {
   if (!scene.features.contacts) return;
-  Partners partners(scene.memory);
+  Partners<D> partners(scene.memory);
   find_partners(scene, body, reach_of(body), partners);
   // One that is being made is not in the scene yet.
-  const auto is_itself = [&](const Partner& each) { return each.body == &body; };
+  const auto is_itself = [&](const Partner<D>& each) { return each.body == &body; };
   const bool listed = std::any_of(partners.all.begin(), partners.all.end(), is_itself);
   if (body.filter.self && !listed) partners.all.push_back({&body, kNone, 0});
   is_body_apart(partners, body, level, [&](uint32_t a, uint32_t b) {
@@ -105,15 +116,16 @@ void check_apart(Scene<3>& scene, const Body& body, SweepLevel level) {
        scene.offending.size() / 2, scene.offending[0], scene.offending[1]);
 }
 
-void find_islands(const Scene<3>& scene, BodyRecord* const* moving, size_t count, PointArray targets,
-                  const size_t* first_target, bool slides, Islands& islands) {
+template <int D>
+void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, PointArray targets,
+                  const size_t* first_target, bool slides, Islands<D>& islands) {
   Array<uint32_t> roots(count, 0, Allocator<uint32_t>(scene.memory));
   std::iota(roots.begin(), roots.end(), 0u);
   if (scene.features.contacts) {
-    BoxGrid reaches(scene.memory);
+    BoxGrid<D> reaches(scene.memory);
     reaches.reserve(count);
     Array<bool> moves(scene.bodies.size(), false, Allocator<bool>(scene.memory));
-    islands.partners.assign(count, Partners(scene.memory));
+    islands.partners.assign(count, Partners<D>(scene.memory));
     for (uint32_t i = 0; i < count; ++i) {
       const PointArray own{targets.data + first_target[i] * targets.step, targets.step};
       islands.partners[i].reach = reach_of(moving[i]->body, own, {}, slides);
@@ -121,11 +133,11 @@ void find_islands(const Scene<3>& scene, BodyRecord* const* moving, size_t count
       moves[slot_of(scene, *moving[i])] = true;
     }
     for (uint32_t i = 0; i < count; ++i) {
-      Partners& partners = islands.partners[i];
+      Partners<D>& partners = islands.partners[i];
       const ContactFilter& filter = moving[i]->body.filter;
       find_partners(scene, moving[i]->body, partners.reach, partners);
       const auto gone = std::remove_if(partners.all.begin(), partners.all.end(),
-                                       [&](const Partner& each) { return moves[each.index]; });
+                                       [&](const Partner<D>& each) { return moves[each.index]; });
       partners.all.erase(gone, partners.all.end());
       reaches.visit(partners.reach, [&](uint32_t j) {
         if (i == j ? !filter.self : !filter.sees(moving[j]->body.filter)) return true;
@@ -145,5 +157,17 @@ void find_islands(const Scene<3>& scene, BodyRecord* const* moving, size_t count
   }
   islands.first.push_back(static_cast<uint32_t>(count));
 }
+
+#define DSW_MEETING(D)                                                                                                 \
+  template void note_body(Scene<D>& scene, uint32_t slot) noexcept;                                                    \
+  template void settle_body(Scene<D>& scene, BodyRecord<D>& of) noexcept;                                              \
+  template Box<D> reach_of(const Body<D>& body, PointArray targets, MoveOrder order, bool slides) noexcept;            \
+  template Box<D> reach_of(const Body<D>& body) noexcept;                                                              \
+  template void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners); \
+  template void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level);                                   \
+  template void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, PointArray targets,    \
+                             const size_t* first_target, bool slides, Islands<D>& islands)
+DSW_MEETING(3);
+#undef DSW_MEETING
 
 }  // namespace dsw

@@ -6,36 +6,44 @@
 namespace dsw {
 
 /** Notes where a body is, after it has been made or has moved, if that is kept. Room has been made. */
-void note_body(Scene<3>& scene, uint32_t slot) noexcept;
+template <int D>
+void note_body(Scene<D>& scene, uint32_t slot) noexcept;
 /** The same, with bounds that fit again. */
-void settle_body(Scene<3>& scene, BodyRecord& of) noexcept;
+template <int D>
+void settle_body(Scene<D>& scene, BodyRecord<D>& of) noexcept;
 
 /** A box that a body does not leave when its vertices move to their targets; `slides`: or slide on what they meet. */
-Box reach_of(const Body& body, PointArray targets, MoveOrder order, bool slides) noexcept;
+template <int D>
+Box<D> reach_of(const Body<D>& body, PointArray targets, MoveOrder order, bool slides) noexcept;
 /** One that its bounds lie in, with some room for rounding. */
-Box reach_of(const Body& body) noexcept;
+template <int D>
+Box<D> reach_of(const Body<D>& body) noexcept;
 
 /** Bodies that may be met by one that stays within reach, itself included if it sees itself. Throws std::bad_alloc. */
-void find_partners(const Scene<3>& scene, const Body& body, const Box& reach, Partners& partners);
+template <int D>
+void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners);
 
 /** Throws OCCUPIED, and fills scene.offending, unless a body is apart from others, and if it sees itself from that, at a level. */
-void check_apart(Scene<3>& scene, const Body& body, SweepLevel level);
+template <int D>
+void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level);
 
 /** Moving bodies in islands: no body of one can meet a body of another. Each island's are in their order. */
+template <int D>
 struct Islands {
-  Array<uint32_t> bodies;    // places in the batch, island by island
-  Array<uint32_t> first;     // of each island in `bodies`; one more at the end
-  Array<Partners> partners;  // by place; empty unless bodies meet each other
+  Array<uint32_t> bodies;       // places in the batch, island by island
+  Array<uint32_t> first;        // of each island in `bodies`; one more at the end
+  Array<Partners<D>> partners;  // by place; empty unless bodies meet each other
 
   explicit Islands(const Memory* memory)
       : bodies(Allocator<uint32_t>(memory)),
         first(Allocator<uint32_t>(memory)),
-        partners(Allocator<Partners>(memory)) {}
+        partners(Allocator<Partners<D>>(memory)) {}
   size_t count() const { return first.size() - 1; }
 };
 
 /** Of bodies that go to targets, which stand one after the other and begin at first_target. Throws std::bad_alloc. */
-void find_islands(const Scene<3>& scene, BodyRecord* const* moving, size_t count, PointArray targets,
-                  const size_t* first_target, bool slides, Islands& islands);
+template <int D>
+void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, PointArray targets,
+                  const size_t* first_target, bool slides, Islands<D>& islands);
 
 }  // namespace dsw

@@ -7,18 +7,19 @@
 namespace dsw {
 namespace {
 
-template <class Visit>
-void for_each_body(const Scene<3>& scene, Visit visit) {
+template <int D, class Visit>
+void for_each_body(const Scene<D>& scene, Visit visit) {
   for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
     if (scene.body_slots.alive(slot, scene.body_slots.generation(slot))) visit(slot, scene.bodies[slot].body);
   }
 }
 
 /** Whether looking at all bodies takes less than looking for each of so many boxes. O(count). */
-bool has_fewer_parts(const Scene<3>& scene, size_t count) {
+template <int D>
+bool has_fewer_parts(const Scene<D>& scene, size_t count) {
   if (scene.bodies.size() >= count) return false;
   size_t parts = 0;
-  for_each_body(scene, [&](uint32_t, const Body& body) {
+  for_each_body(scene, [&](uint32_t, const Body<D>& body) {
     parts += body.vertices.size() + body.edges.size() + body.faces.size();
   });
   return parts < count;
@@ -26,11 +27,12 @@ bool has_fewer_parts(const Scene<3>& scene, size_t count) {
 
 }  // namespace
 
-NearBodies::NearBodies(const Scene<3>& scene, BoxGroups& places)
-    : boxes_(Allocator<Box>(scene.memory)), bodies_(Allocator<Near>(scene.memory)) {
+template <int D>
+NearBodies<D>::NearBodies(const Scene<D>& scene, BoxGroups<D>& places)
+    : boxes_(Allocator<Box<D>>(scene.memory)), bodies_(Allocator<Near>(scene.memory)) {
   if (!scene.keeps_boxes()) {
     boxes_.assign(places.boxes().begin(), places.boxes().end());
-    for_each_body(scene, [&](uint32_t slot, const Body&) {
+    for_each_body(scene, [&](uint32_t slot, const Body<D>&) {
       bodies_.push_back({slot, {boxes_.data(), boxes_.size()}});
     });
     return;
@@ -56,9 +58,14 @@ NearBodies::NearBodies(const Scene<3>& scene, BoxGroups& places)
   }
 }
 
-const Places& NearBodies::places_of(uint32_t slot) const {
+template <int D>
+const Places<D>& NearBodies<D>::places_of(uint32_t slot) const {
   const auto before = [](const Near& near, uint32_t wanted) { return near.slot < wanted; };
   return std::lower_bound(bodies_.begin(), bodies_.end(), slot, before)->places;
 }
+
+#define DSW_NEAR_BODIES(D) template class NearBodies<D>
+DSW_NEAR_BODIES(3);
+#undef DSW_NEAR_BODIES
 
 }  // namespace dsw

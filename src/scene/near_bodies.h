@@ -6,15 +6,16 @@
 
 namespace dsw {
 
+template <int D>
 class NearBodies {
  public:
   struct Near {
     uint32_t slot;
-    Places places;  // those it can be in
+    Places<D> places;  // those it can be in
   };
 
   /** If the scene keeps boxes, bodies near the places; else all of them. Throws std::bad_alloc. */
-  NearBodies(const Scene<3>& scene, BoxGroups& places);
+  NearBodies(const Scene<D>& scene, BoxGroups<D>& places);
   NearBodies(const NearBodies&) = delete;
   NearBodies& operator=(const NearBodies&) = delete;
 
@@ -22,10 +23,10 @@ class NearBodies {
   const Near* begin() const { return bodies_.data(); }
   const Near* end() const { return bodies_.data() + bodies_.size(); }
   /** Of a body that is among them. */
-  const Places& places_of(uint32_t slot) const;
+  const Places<D>& places_of(uint32_t slot) const;
 
  private:
-  Array<Box> boxes_;
+  Array<Box<D>> boxes_;
   Array<Near> bodies_;
 };
 

@@ -20,7 +20,8 @@ template <int D>
 bool set_mark(Environment<D>& env, HalfFacet h, bool marked) noexcept {
   return set_facet_mark(env, h, marked);
 }
-bool set_mark(Environment<3>& env, Dart d, bool marked) noexcept {
+template <int D>
+bool set_mark(Environment<D>& env, Dart d, bool marked) noexcept {
   return set_edge_mark(env, dart_vertex(env.map, d), dart_target(env.map, d), marked);
 }
 
@@ -28,13 +29,15 @@ Obstacle obstacle_of(Cell) { return Obstacle::kCells; }
 Obstacle obstacle_of(HalfFacet) { return Obstacle::kFacets; }
 Obstacle obstacle_of(Dart) { return Obstacle::kWires; }
 
-Box box_of(const Environment<3>& env, Cell c) noexcept {
-  Box box;
+template <int D>
+Box<D> box_of(const Environment<D>& env, Cell c) noexcept {
+  Box<D> box;
   for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) box.add(env.point(c, i));
   return box;
 }
-Box box_of(const Environment<3>& env, HalfFacet h) noexcept {
-  Box box;
+template <int D>
+Box<D> box_of(const Environment<D>& env, HalfFacet h) noexcept {
+  Box<D> box;
   const Cell c = env.map.cell_of(h);
   const Shape shape = env.map.shape(c);
   const uint32_t facet = env.map.local_of(h, c);
@@ -43,18 +46,19 @@ Box box_of(const Environment<3>& env, HalfFacet h) noexcept {
   }
   return box;
 }
-Box box_of(const Environment<3>& env, Dart d) noexcept {
-  Box box;
+template <int D>
+Box<D> box_of(const Environment<D>& env, Dart d) noexcept {
+  Box<D> box;
   box.add(env.point(dart_vertex(env.map, d)));
   box.add(env.point(dart_target(env.map, d)));
   return box;
 }
 
 /** Marks that are gone again unless they are kept. */
-template <class Item>
+template <int D, class Item>
 class Trial {
  public:
-  Trial(Environment<3>& env, const Scene<3>& scene)
+  Trial(Environment<D>& env, const Scene<D>& scene)
       : env_(env),
         version_(env.obstacle_version),
         changed_(Allocator<Item>(scene.memory)),
@@ -76,13 +80,13 @@ class Trial {
   }
   void keep() noexcept { changed_.clear(); }
   bool empty() const noexcept { return changed_.empty(); }
-  BoxGroups& places() noexcept { return places_; }
+  BoxGroups<D>& places() noexcept { return places_; }
 
  private:
-  Environment<3>& env_;
+  Environment<D>& env_;
   const uint64_t version_;
   Array<Item> changed_;
-  BoxGroups places_;
+  BoxGroups<D> places_;
 };
 
 /** Takes the marks of occupied cells back: an occupied cell was passable before. Returns how many there were. */
@@ -96,13 +100,13 @@ size_t leave_out_particles(Environment<D>& env, const Scene<D>& scene) noexcept 
 }
 
 /** Marks the items that for_each(visit) visits; scene.occupants has the particles among them. Returns how many were left out. */
-template <class Item, class ForEach>
-size_t try_marks(Environment<3>& env, Scene<3>& scene, bool skip_occupied, ForEach for_each) {
-  Trial<Item> trial(env, scene);
+template <class Item, int D, class ForEach>
+size_t try_marks(Environment<D>& env, Scene<D>& scene, bool skip_occupied, ForEach for_each) {
+  Trial<D, Item> trial(env, scene);
   for_each([&](Item item) { trial.mark(item); });
   if (trial.empty()) return 0;
-  BodyProbe probe(env, obstacle_of(Item{}));
-  const NearBodies near(scene, trial.places());
+  BodyProbe<D> probe(env, obstacle_of(Item{}));
+  const NearBodies<D> near(scene, trial.places());
   find_occupant_bodies(scene, near, probe);
   const bool occupied = !scene.occupants.empty() || !scene.occupant_bodies.empty();
   if (occupied && !skip_occupied) refuse(scene);
@@ -169,8 +173,9 @@ void refuse(const Scene<D>& scene) {
        particles, first.index, first.generation, scene.env.map.index(scene.particles[first.index].cell), others);
 }
 
-void find_occupant_bodies(Scene<3>& scene, const NearBodies& near, BodyProbe& probe) {
-  for (const NearBodies::Near& each : near) {
+template <int D>
+void find_occupant_bodies(Scene<D>& scene, const NearBodies<D>& near, BodyProbe<D>& probe) {
+  for (const typename NearBodies<D>::Near& each : near) {
     if (probe.is_free(scene.bodies[each.slot].body, each.places)) continue;
     scene.occupant_bodies.push_back({each.slot, scene.body_slots.generation(each.slot)});
   }
@@ -200,7 +205,8 @@ void mark_facets(Environment<D>& env, Scene<D>* scene, const HalfFacet* facets, 
   set_marks<HalfFacet>(env, scene, marked, false, kNoParticles, each_of(facets, count));
 }
 
-void mark_edges(Environment<3>& env, Scene<3>* scene, const Dart* edges, size_t count, bool marked) {
+template <int D>
+void mark_edges(Environment<D>& env, Scene<D>* scene, const Dart* edges, size_t count, bool marked) {
   if (marked) reserve_edge_marks(env, count);
   set_marks<Dart>(env, scene, marked, false, kNoParticles, each_of(edges, count));
 }
@@ -242,6 +248,12 @@ size_t mark_between(Environment<D>& env, Scene<D>* scene, int32_t a, int32_t b, 
   template size_t mark_region(Environment<D>&, Scene<D>*, int32_t, bool, bool, size_t*);   \
   template size_t mark_between(Environment<D>&, Scene<D>*, int32_t, int32_t, bool)
 DSW_OCCUPATION(2);
+DSW_OCCUPATION(3);
+#undef DSW_OCCUPATION
+
+#define DSW_OCCUPATION(D)                                                                              \
+  template void find_occupant_bodies(Scene<D>& scene, const NearBodies<D>& near, BodyProbe<D>& probe); \
+  template void mark_edges(Environment<D>& env, Scene<D>* scene, const Dart* edges, size_t count, bool marked)
 DSW_OCCUPATION(3);
 #undef DSW_OCCUPATION
 

@@ -9,11 +9,14 @@
 
 namespace dsw {
 
+template <int D>
 class BodyProbe;
+template <int D>
 class NearBodies;
 
 /** Appends to scene.occupant_bodies those that are not free. Throws std::bad_alloc. */
-void find_occupant_bodies(Scene<3>& scene, const NearBodies& near, BodyProbe& probe);
+template <int D>
+void find_occupant_bodies(Scene<D>& scene, const NearBodies<D>& near, BodyProbe<D>& probe);
 /** Particles and parts of bodies that a change which has succeeded has looked at. */
 template <int D>
 void count_looked_at(Scene<D>& scene, uint64_t count) noexcept;
@@ -33,7 +36,8 @@ size_t mark_cells(Environment<D>& env, Scene<D>* scene, const Cell* cells, size_
 template <int D>
 void mark_facets(Environment<D>& env, Scene<D>* scene, const HalfFacet* facets, size_t count, bool marked);
 /** Edges, each named by one of its darts. */
-void mark_edges(Environment<3>& env, Scene<3>* scene, const Dart* edges, size_t count, bool marked);
+template <int D>
+void mark_edges(Environment<D>& env, Scene<D>* scene, const Dart* edges, size_t count, bool marked);
 
 /** Marks every cell with a region label; returns how many have it, those left out included. */
 template <int D>

@@ -39,9 +39,10 @@ struct SceneFeatures {
 };
 
 /** What a scene keeps beside the boxes of its bodies to find who is where the environment changes. */
+template <int D>
 struct LiveRegister {
   CellParticles particles;
-  GoneFacets gone;
+  GoneFacets<D> gone;
 
   explicit LiveRegister(const Memory* memory) : particles(memory), gone(memory) {}
   uint64_t memory_bytes() const { return sizeof(*this) + particles.memory_bytes() + gone.memory_bytes(); }
@@ -65,13 +66,13 @@ struct Scene {
   Array<size_t> crossing_first;             // flight -> start in crossings; one more at the end
   Array<dsw_particle_id> occupants;         // of the last marking call
   Array<dsw_body_id> occupant_bodies;       // likewise
-  Array<BodyRecord> bodies;                 // by slot
+  Array<BodyRecord<D>> bodies;              // by slot
   SlotPool body_slots;
-  BoxGrid body_boxes;              // by slot, if bodies keep boxes
-  Array<BodyMove> mover;           // none or one: what moves of single bodies keep from call to call
-  Array<uint32_t> offending;       // pairs of vertices of edges that were found not free
-  Owned<Deformation> deformation;  // if named
-  Owned<LiveRegister> live;        // if named
+  BoxGrid<D> body_boxes;              // by slot, if bodies keep boxes
+  Array<BodyMove<D>> mover;           // none or one: what moves of single bodies keep from call to call
+  Array<uint32_t> offending;          // pairs of vertices of edges that were found not free
+  Owned<Deformation<D>> deformation;  // if named
+  Owned<LiveRegister<D>> live;        // if named
 
   Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted)
       : env(environment),
@@ -86,10 +87,10 @@ struct Scene {
         crossing_first(Allocator<size_t>(source)),
         occupants(Allocator<dsw_particle_id>(source)),
         occupant_bodies(Allocator<dsw_body_id>(source)),
-        bodies(Allocator<BodyRecord>(source)),
+        bodies(Allocator<BodyRecord<D>>(source)),
         body_slots(source),
         body_boxes(source),
-        mover(Allocator<BodyMove>(source)),
+        mover(Allocator<BodyMove<D>>(source)),
         offending(Allocator<uint32_t>(source)),
         deformation(source),
         live(source) {
@@ -104,8 +105,9 @@ struct Scene {
   uint64_t memory_bytes() const {
     uint64_t of_bodies = array_bytes(bodies) + array_bytes(mover) + body_slots.memory_bytes() +
                          body_boxes.memory_bytes() + array_bytes(offending);
-    for (const BodyRecord& each : bodies) of_bodies += each.memory_bytes();
-    if (deformation.get() != nullptr) of_bodies += deformation.get()->memory_bytes();
+    for (const BodyRecord<D>& each : bodies) of_bodies += each.memory_bytes();
+    if constexpr (D == 3)
+      if (deformation.get() != nullptr) of_bodies += deformation.get()->memory_bytes();
     if (live.get() != nullptr) of_bodies += live.get()->memory_bytes();
     return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
            array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) +

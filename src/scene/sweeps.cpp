@@ -12,7 +12,8 @@
 namespace dsw {
 namespace {
 
-void report_contact(const Environment<3>& env, const EdgeMotion& m, const SweepContact& contact, dsw_sweep& sweep) {
+template <int D>
+void report_contact(const Environment<D>& env, const EdgeMotion& m, const SweepContact& contact, dsw_sweep& sweep) {
   const ContactGeometry geometry = contact_geometry(env, m.p, m.to, contact);
   sweep.outcome = DSW_OUTCOME_CONTACT;
   sweep.time = geometry.time;
@@ -32,9 +33,10 @@ void report_contact(const Environment<3>& env, const EdgeMotion& m, const SweepC
 }
 
 /** The sweeps of one thread. */
+template <int D>
 class Sweeper {
  public:
-  Sweeper(const Environment<3>& env, const SweepOptions& options) : env_(env), options_(options), flood_(env) {}
+  Sweeper(const Environment<D>& env, const SweepOptions& options) : env_(env), options_(options), flood_(env) {}
 
   void sweep(const EdgeMotion& m, Cell start, dsw_sweep& sweep) {
     sweep = dsw_sweep{};
@@ -96,20 +98,21 @@ class Sweeper {
     return fly(m.to, m.q, path.cell, sweep).end == CastEnd::kHit;
   }
 
-  const Environment<3>& env_;
+  const Environment<D>& env_;
   const SweepOptions& options_;
-  SweepFlood flood_;
+  SweepFlood<D> flood_;
 };
 
 }  // namespace
 
-void sweep_edges(const Environment<3>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
+template <int D>
+void sweep_edges(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                  PointArray from, PointArray to, PointArray fixed, const SweepOptions& options, dsw_sweep* sweeps) {
-  const Starts<3> where(env, starts, options.start_known);
+  const Starts<D> where(env, starts, options.start_known);
   std::atomic<bool> out_of_memory{false};
   auto body = [&](size_t begin, size_t end) noexcept {
     try {
-      Sweeper sweeper(env, options);
+      Sweeper<D> sweeper(env, options);
       for (size_t i = begin; i < end; ++i) {
         sweeper.sweep({from[i], to[i], fixed[i]}, where.find(i, from[i]), sweeps[i]);
       }
@@ -120,5 +123,12 @@ void sweep_edges(const Environment<3>& env, const Parallel& parallel, size_t cou
   share_out(parallel, count, body);
   if (out_of_memory) throw std::bad_alloc();
 }
+
+#define DSW_SWEEPS(D)                                                                                      \
+  template void sweep_edges(const Environment<D>& env, const Parallel& parallel, size_t count,             \
+                            const dsw_volume_id* starts, PointArray from, PointArray to, PointArray fixed, \
+                            const SweepOptions& options, dsw_sweep* sweeps)
+DSW_SWEEPS(3);
+#undef DSW_SWEEPS
 
 }  // namespace dsw

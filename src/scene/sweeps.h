@@ -18,7 +18,8 @@ struct SweepOptions {
 
 /** Sweeps edges from[i] fixed[i] to to[i] fixed[i]; `starts` may be null. Throws when memory runs out; `sweeps` is undefined
  * then. */
-void sweep_edges(const Environment<3>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
+template <int D>
+void sweep_edges(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                  PointArray from, PointArray to, PointArray fixed, const SweepOptions& options, dsw_sweep* sweeps);
 
 }  // namespace dsw

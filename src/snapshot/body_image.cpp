@@ -49,7 +49,7 @@ To bits_as(const From& from) {
   return to;
 }
 
-uint64_t flags_of(const Body& body) {
+uint64_t flags_of(const Body<3>& body) {
   const Skipping& s = body.skipping;
   return (body.filter.self ? kSelfFlag : 0) | (s.sequences ? kSequencesFlag : 0) |
          (s.by_environment ? kEnvironmentFlag : 0) | (s.by_clearance ? kClearanceFlag : 0) |
@@ -100,7 +100,7 @@ bool is_whole(const Map<3>& map, const Array<uint32_t>& facets) {
 
 constexpr uint32_t kUnknown = 0xffffffffu;  // instead of a sequence's count
 
-void append_sequence(const Map<3>& map, const EdgeSequence& sequence, Array<uint32_t>& out) {
+void append_sequence(const Map<3>& map, const EdgeSequence<3>& sequence, Array<uint32_t>& out) {
   if (!sequence.known() || !is_whole(map, sequence.facets)) return append(out, {kUnknown});
   append(out, {2 * static_cast<uint32_t>(sequence.facets.size()) + (sequence.of_tetrahedra ? 1 : 0)});
   for (const uint32_t facet : sequence.facets) {
@@ -119,10 +119,10 @@ bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexce
 template bool can_be_at(const Environment<2>&, Cell, const double*) noexcept;
 template bool can_be_at(const Environment<3>&, Cell, const double*) noexcept;
 
-void append(const Scene<3>& scene, const BodyRecord& of, SceneImage& image) {
+void append(const Scene<3>& scene, const BodyRecord<3>& of, SceneImage& image) {
   const Environment<3>& env = scene.env;
   const Map<3>& map = env.map;
-  const Body& body = of.body;
+  const Body<3>& body = of.body;
   const size_t edges = body.edges.size(), vertices = body.vertices.size();
   const size_t sequences =
       std::min(body.sequences.size(), edges);  // there can be room for more, or they are no longer kept
@@ -149,7 +149,7 @@ void append(const Scene<3>& scene, const BodyRecord& of, SceneImage& image) {
   const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
     append(to, from.data(), from.size());
   };
-  for (const BodyVertex& vertex : body.vertices) {
+  for (const BodyVertex<3>& vertex : body.vertices) {
     append(image.vertex_places, vertex.position, 3);
     append(image.vertices, {to_index(map, vertex.cell), vertex.first_edge});
   }
@@ -165,7 +165,7 @@ void append(const Scene<3>& scene, const BodyRecord& of, SceneImage& image) {
   append_all(image.free_faces, body.face_slots.free_slots());
   append_all(image.inserted, body.inserted);
   for (size_t e = 0; e < sequences; ++e) {
-    const EdgeSequence& sequence = body.sequences[e];
+    const EdgeSequence<3>& sequence = body.sequences[e];
     const bool gone = scene.features.live && scene.live.get()->gone.are_in(sequence, of.followed);
     if (gone) {
       append(image.sequences, {kUnknown});
@@ -174,7 +174,7 @@ void append(const Scene<3>& scene, const BodyRecord& of, SceneImage& image) {
     }
   }
   for (size_t v = 0; v < balls; ++v) {
-    const Clearance& ball = body.clearances[v];
+    const Clearance<3>& ball = body.clearances[v];
     append(image.balls, {ball.centre[0], ball.centre[1], ball.centre[2], ball.radius, ball.wanted});
     append(image.ball_words,
            {ball.wait, ball.patience, ball.radius > 0 && ball.version == env.obstacle_version ? 1u : 0u});
@@ -209,13 +209,13 @@ SlotPool BodyReader::read_slots(const Array<uint32_t>& words, size_t& at, uint64
   return slots;
 }
 
-void BodyReader::read_parts(Body& body, const uint64_t* n) {
+void BodyReader::read_parts(Body<3>& body, const uint64_t* n) {
   const uint64_t vertices = n[kVertices], edges = n[kEdges], faces = n[kFaces];
   if (std::max({vertices, edges, faces}) >= kNone) fail_corrupt("a body is too large");
   const double* place = take(image_.vertex_places, vertex_place_, 3 * vertices);
   const uint32_t* words = take(image_.vertices, vertex_, 2 * vertices);
   body.vertices.resize(static_cast<size_t>(vertices));
-  for (BodyVertex& vertex : body.vertices) {
+  for (BodyVertex<3>& vertex : body.vertices) {
     std::copy_n(place, 3, vertex.position);
     vertex.cell = to_cell(env_.map, words[0]);
     if (words[0] != kNoIndex && !vertex.cell.valid()) fail_corrupt("the cell of a vertex");
@@ -245,13 +245,13 @@ void BodyReader::read_parts(Body& body, const uint64_t* n) {
   body.inserted.assign(words, words + n[kInserted]);
 }
 
-void BodyReader::read_sequences(Body& body, uint64_t count) {
+void BodyReader::read_sequences(Body<3>& body, uint64_t count) {
   const Map<3>& map = env_.map;
   const bool fits = body.keeps_sequences() ? count == body.edges.size() : count <= body.edges.size();
   if (!fits) fail_corrupt("the number of sequences");
   keep_sequences(body, static_cast<size_t>(count));
   Array<uint32_t> facets{Allocator<uint32_t>(env_.memory)};
-  for (EdgeSequence& sequence : body.sequences) {
+  for (EdgeSequence<3>& sequence : body.sequences) {
     const uint32_t word = *take(image_.sequences, sequence_, 1);
     if (word == kUnknown) {
       sequence.facets.reserve(1);
@@ -274,19 +274,19 @@ void BodyReader::read_sequences(Body& body, uint64_t count) {
 }
 
 /** A ball that is said to be free has to be. */
-void BodyReader::read_balls(Body& body, uint64_t count) {
+void BodyReader::read_balls(Body<3>& body, uint64_t count) {
   if (count != (body.skipping.by_clearance ? body.vertices.size() : 0)) fail_corrupt("the number of clearances");
   const double* place = take(image_.balls, ball_, 5 * count);
   const uint32_t* words = take(image_.ball_words, ball_word_, 3 * count);
   body.clearances.resize(static_cast<size_t>(count));
   for (size_t v = 0; v < count; ++v, place += 5, words += 3) {
-    Clearance& ball = body.clearances[v];
+    Clearance<3>& ball = body.clearances[v];
     std::copy_n(place, 3, ball.centre);
     ball.radius = place[3];
     ball.wanted = place[4];
     ball.wait = words[0];
     ball.patience = words[1];
-    ball.version = words[2] == 1 ? env_.obstacle_version : EdgeSequence::kNever;
+    ball.version = words[2] == 1 ? env_.obstacle_version : EdgeSequence<3>::kNever;
     const bool finite = std::all_of(place, place + 4, [](double x) { return std::isfinite(x); });
     if (!finite || std::isnan(ball.wanted) || words[2] > 1 || !(ball.radius > 0 || (ball.radius == 0 && words[2] == 0)))
       fail_corrupt("a clearance");
@@ -299,7 +299,7 @@ void BodyReader::read_balls(Body& body, uint64_t count) {
   }
 }
 
-void BodyReader::read_contacts(BodyRecord& of, uint64_t count) {
+void BodyReader::read_contacts(BodyRecord<3>& of, uint64_t count) {
   if (count > image_.contacts.size()) fail_corrupt("the number of contacts");
   const double* place = take(image_.contact_places, contact_place_, kContactPlaces * count);
   const uint32_t* words = take(image_.contacts, contact_, kContactWords * count);
@@ -317,7 +317,7 @@ void BodyReader::read_contacts(BodyRecord& of, uint64_t count) {
   }
 }
 
-void BodyReader::read_partners(BodyRecord& of, uint64_t count) {
+void BodyReader::read_partners(BodyRecord<3>& of, uint64_t count) {
   if (count > image_.partners.size() || (count != 0 && count != of.record.contacts.size())) {
     fail_corrupt("the number of partners");
   }
@@ -329,19 +329,19 @@ void BodyReader::read_partners(BodyRecord& of, uint64_t count) {
   }
 }
 
-void BodyReader::check(const Body& body) {
+void BodyReader::check(const Body<3>& body) {
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     if (body.has_vertex(v) && !can_be_at(env_, body.vertices[v].cell, body.position(v))) {
       fail_corrupt("a vertex is not where it is said to be, or that was in another environment");
     }
   }
   Array<uint32_t> blocked{Allocator<uint32_t>(env_.memory)};
-  BodyProbe(env_, Obstacle::kCells).find_blocked(body, body.level, blocked);
+  BodyProbe<3>(env_, Obstacle::kCells).find_blocked(body, body.level, blocked);
   if (!blocked.empty()) fail_corrupt("a body is not free, or that was in another environment");
 }
 
-void BodyReader::read(BodyRecord& of) {
-  Body& body = of.body;
+void BodyReader::read(BodyRecord<3>& of) {
+  Body<3>& body = of.body;
   const uint64_t* const n = take(image_.bodies, body_, kNumbers);
   if (n[kLevel] > static_cast<uint64_t>(SweepLevel::kFaces) || n[kFlags] > kAllFlags) fail_corrupt("a body's level");
   body.level = static_cast<SweepLevel>(n[kLevel]);

@@ -70,7 +70,7 @@ template <int D>
 bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexcept;
 
 /** Appends a body, or a slot without one. Throws std::bad_alloc. */
-void append(const Scene<3>& scene, const BodyRecord& of, SceneImage& image);
+void append(const Scene<3>& scene, const BodyRecord<3>& of, SceneImage& image);
 
 /** Takes bodies from an image, which is not trusted: Error with CORRUPT, or std::bad_alloc. */
 class BodyReader {
@@ -79,7 +79,7 @@ class BodyReader {
 
   /** The next one, into an empty record; it is sound, in its cells and free at its level. Whether it is apart from other bodies is not
    * looked at. */
-  void read(BodyRecord& of);
+  void read(BodyRecord<3>& of);
   /** The next one, which must be empty. */
   void skip();
   /** After the last one: nothing may be left. */
@@ -91,12 +91,12 @@ class BodyReader {
   const T* take(const Array<T>& from, size_t& at, uint64_t count);
   SlotPool read_slots(const Array<uint32_t>& words, size_t& at, uint64_t count, const Array<uint32_t>& free,
                       size_t& free_at, uint64_t free_count);
-  void read_parts(Body& body, const uint64_t* numbers);
-  void read_sequences(Body& body, uint64_t count);
-  void read_balls(Body& body, uint64_t count);
-  void read_contacts(BodyRecord& of, uint64_t count);
-  void read_partners(BodyRecord& of, uint64_t count);
-  void check(const Body& body);
+  void read_parts(Body<3>& body, const uint64_t* numbers);
+  void read_sequences(Body<3>& body, uint64_t count);
+  void read_balls(Body<3>& body, uint64_t count);
+  void read_contacts(BodyRecord<3>& of, uint64_t count);
+  void read_partners(BodyRecord<3>& of, uint64_t count);
+  void check(const Body<3>& body);
 
   const Environment<3>& env_;
   const SceneImage& image_;

@@ -58,7 +58,7 @@ SceneImage image_of(const Scene<D>& scene) {
   image.body_slots = scene.body_slots.words();
   image.free_bodies = scene.body_slots.free_slots();
   if constexpr (D == 3) {
-    for (const BodyRecord& each : scene.bodies) append(scene, each, image);
+    for (const BodyRecord<3>& each : scene.bodies) append(scene, each, image);
   }
   return image;
 }
@@ -108,15 +108,15 @@ void join_bodies(Scene<3>& scene) {
     }
   };
   if (scene.keeps_boxes()) scene.body_boxes.reserve(scene.bodies.size());
-  for_each_body([&](uint32_t slot, BodyRecord& of) {
+  for_each_body([&](uint32_t slot, BodyRecord<3>& of) {
     const size_t partners = scene.features.contacts ? of.record.contacts.size() : 0;
     if (of.record.partners.size() != partners) fail_corrupt("the number of partners");
     prepare_body(scene, of);
     note_body(scene, slot);
   });
   if (!scene.features.contacts) return;
-  for_each_body([&](uint32_t, const BodyRecord& of) {
-    Partners partners(scene.memory);
+  for_each_body([&](uint32_t, const BodyRecord<3>& of) {
+    Partners<3> partners(scene.memory);
     find_partners(scene, of.body, reach_of(of.body), partners);
     const auto stop = [](uint32_t, uint32_t) { return false; };
     if (!is_body_apart(partners, of.body, of.body.level, stop)) fail_corrupt("bodies touch");

@@ -11,19 +11,21 @@ namespace dsw {
 namespace {
 
 /** Takes back the marks of the cells that a cast enters. */
+template <int D>
 struct Unmarking {
-  Environment<3>& env;
+  Environment<D>& env;
   size_t count = 0;
 
   static void enter(void* user, Cell, uint32_t, Cell to) {
-    auto& self = *static_cast<Unmarking*>(user);
+    auto& self = *static_cast<Unmarking<D>*>(user);
     self.count += set_cell_mark(self.env, to, false) ? 1u : 0u;
   }
 };
 
 }  // namespace
 
-bool is_face_free(const Environment<3>& env, SweepFlood& flood, const Body& body, uint32_t face) {
+template <int D>
+bool is_face_free(const Environment<D>& env, SweepFlood<D>& flood, const Body<D>& body, uint32_t face) {
   const uint32_t(&c)[3] = body.faces[face].corners;
   const EdgeMotion m{body.position(c[0]), body.position(c[1]), body.position(c[2])};
   const Cell start = body.vertices[c[0]].cell;
@@ -33,23 +35,26 @@ bool is_face_free(const Environment<3>& env, SweepFlood& flood, const Body& body
   return (is_met(c[1]) && is_met(c[2])) || swept_side(m, env.point(start, 0)).sign == 0;
 }
 
-BodyProbe::BodyProbe(const Environment<3>& env, Obstacle kind)
+template <int D>
+BodyProbe<D>::BodyProbe(const Environment<D>& env, Obstacle kind)
     : env_(env), kind_(kind), flood_(env), near_(Allocator<uint32_t>(env.memory)) {}
 
 /** Each calls visit(index) for what is not free, until it returns false; whether it never did. */
+template <int D>
 template <class Visit>
-bool BodyProbe::visit_vertices(const Body& body, const Places& changed, Visit visit) {
+bool BodyProbe<D>::visit_vertices(const Body<D>& body, const Places<D>& changed, Visit visit) {
   if (kind_ != Obstacle::kCells) return true;
   const auto look = [&](uint32_t v) {
     const double* const at = body.position(v);
     if (!body.has_vertex(v) || !changed.overlap(&at, 1) || !env_.map.marked(body.vertices[v].cell)) return true;
     return visit(v);
   };
-  return visit_near(body, &BodyBoxes::vertices, body.vertices.size(), changed, near_, looked_at, look);
+  return visit_near(body, &BodyBoxes<D>::vertices, body.vertices.size(), changed, near_, looked_at, look);
 }
 
+template <int D>
 template <class Visit>
-bool BodyProbe::visit_edges(const Body& body, const Places& changed, SweepLevel level, Visit visit) {
+bool BodyProbe<D>::visit_edges(const Body<D>& body, const Places<D>& changed, SweepLevel level, Visit visit) {
   if (kind_ == Obstacle::kWires || level == SweepLevel::kPoints) return true;
   uint32_t edges[kWave];
   wave_.clear();
@@ -64,19 +69,20 @@ bool BodyProbe::visit_edges(const Body& body, const Places& changed, SweepLevel 
   };
   const auto look = [&](uint32_t e) {
     if (!body.has_edge(e)) return true;
-    const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
+    const BodyVertex<D>&a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
     const double* const ends[2] = {a.position, b.position};
     if (!changed.overlap(ends, 2)) return true;
     edges[wave_.count()] = e;
     wave_.add(env_, a.cell, a.position, b.position).end = b.cell;
     return !wave_.full() || run();
   };
-  return visit_near(body, &BodyBoxes::edges, body.edges.size(), changed, near_, looked_at, look) && run();
+  return visit_near(body, &BodyBoxes<D>::edges, body.edges.size(), changed, near_, looked_at, look) && run();
 }
 
 /** Vertices and edges of the body are free. */
+template <int D>
 template <class Visit>
-bool BodyProbe::visit_faces(const Body& body, const Places& changed, SweepLevel level, Visit visit) {
+bool BodyProbe<D>::visit_faces(const Body<D>& body, const Places<D>& changed, SweepLevel level, Visit visit) {
   if (level != SweepLevel::kFaces) return true;
   const auto look = [&](uint32_t f) {
     if (!body.has_face(f)) return true;
@@ -84,16 +90,18 @@ bool BodyProbe::visit_faces(const Body& body, const Places& changed, SweepLevel 
     const double* const corners[3] = {body.position(c[0]), body.position(c[1]), body.position(c[2])};
     return !changed.overlap(corners, 3) || is_face_free(env_, flood_, body, f) || visit(f);
   };
-  return visit_near(body, &BodyBoxes::faces, body.faces.size(), changed, near_, looked_at, look);
+  return visit_near(body, &BodyBoxes<D>::faces, body.faces.size(), changed, near_, looked_at, look);
 }
 
-bool BodyProbe::is_free(const Body& body, const Places& changed) {
+template <int D>
+bool BodyProbe<D>::is_free(const Body<D>& body, const Places<D>& changed) {
   const auto stop = [](uint32_t) { return false; };
   return visit_vertices(body, changed, stop) && visit_edges(body, changed, body.level, stop) &&
          visit_faces(body, changed, body.level, stop);
 }
 
-void BodyProbe::find_blocked(const Body& body, SweepLevel level, Array<uint32_t>& pairs) {
+template <int D>
+void BodyProbe<D>::find_blocked(const Body<D>& body, SweepLevel level, Array<uint32_t>& pairs) {
   const auto add = [&](const uint32_t* vertices) {
     pairs.push_back(vertices[0]);
     pairs.push_back(vertices[1]);
@@ -103,10 +111,11 @@ void BodyProbe::find_blocked(const Body& body, SweepLevel level, Array<uint32_t>
   if (pairs.empty()) visit_faces(body, {}, level, [&](uint32_t f) { return add(body.faces[f].corners); });
 }
 
-size_t BodyProbe::leave_out(Environment<3>& env, const Body& body, const Places& changed) {
-  Unmarking passed{env};
+template <int D>
+size_t BodyProbe<D>::leave_out(Environment<D>& env, const Body<D>& body, const Places<D>& changed) {
+  Unmarking<D> passed{env};
   visit_vertices(body, changed, [&](uint32_t v) {
-    Unmarking::enter(&passed, {}, 0, body.vertices[v].cell);
+    Unmarking<D>::enter(&passed, {}, 0, body.vertices[v].cell);
     return true;
   });
   visit_edges(body, changed, body.level, [&](uint32_t e) {
@@ -116,7 +125,7 @@ size_t BodyProbe::leave_out(Environment<3>& env, const Body& body, const Places&
     request.to = body.position(body.edges[e].ends[1]);
     request.start = body.vertices[body.edges[e].ends[0]].cell;
     request.through_walls = true;
-    request.crossing = Unmarking::enter;
+    request.crossing = Unmarking<D>::enter;
     request.crossing_user = &passed;
     cast(env_, request, nullptr);
     return true;
@@ -126,7 +135,7 @@ size_t BodyProbe::leave_out(Environment<3>& env, const Body& body, const Places&
       const size_t before = passed.count;
       for (const SweepContact& contact : flood_.all()) {
         const HalfFacet behind = contact.facet.valid() ? env_.map.opposite(contact.facet) : HalfFacet{};
-        if (behind.valid()) Unmarking::enter(&passed, {}, 0, env_.map.cell_of(behind));
+        if (behind.valid()) Unmarking<D>::enter(&passed, {}, 0, env_.map.cell_of(behind));
       }
       DSW_ASSERT(passed.count != before);
       if (passed.count == before) fail(DSW_STATUS_OCCUPIED, "face %u of a body meets what was impassable before", f);
@@ -135,5 +144,11 @@ size_t BodyProbe::leave_out(Environment<3>& env, const Body& body, const Places&
   });
   return passed.count;
 }
+
+#define DSW_BODY_PROBE(D)      \
+  template class BodyProbe<D>; \
+  template bool is_face_free(const Environment<D>& env, SweepFlood<D>& flood, const Body<D>& body, uint32_t face)
+DSW_BODY_PROBE(3);
+#undef DSW_BODY_PROBE
 
 }  // namespace dsw

@@ -9,7 +9,8 @@ namespace dsw {
 
 /** Whether a face that stands still is free, if its edges are: the triangle that its first edge sweeps over it. `flood` has the cells that
  * it meets, and if it is not free all contacts. Throws std::bad_alloc. */
-bool is_face_free(const Environment<3>& env, SweepFlood& flood, const Body& body, uint32_t face);
+template <int D>
+bool is_face_free(const Environment<D>& env, SweepFlood<D>& flood, const Body<D>& body, uint32_t face);
 
 /** What has become impassable. */
 enum class Obstacle { kCells, kFacets, kWires };
@@ -17,34 +18,35 @@ enum class Obstacle { kCells, kFacets, kWires };
 /** Looks for what of a body, which stands still, meets obstacles in some places. At every level
  * vertices lie in cells; edges are stopped by facets from EDGES on; at FACES facets and wires pierce faces. The shift lets neither
  * an edge meet a wire nor anything a single vertex. */
+template <int D>
 class BodyProbe {
  public:
   /** Throws std::bad_alloc, as all that follows. */
-  BodyProbe(const Environment<3>& env, Obstacle kind);
+  BodyProbe(const Environment<D>& env, Obstacle kind);
 
   /** O(size of the body, or if it keeps boxes what of it is near; and volumes met by edges and faces in the places). */
-  bool is_free(const Body& body, const Places& changed);
+  bool is_free(const Body<D>& body, const Places<D>& changed);
 
   /** Appends the ends of the edges that are not free at a level; if all are, two corners of each face that is not. */
-  void find_blocked(const Body& body, SweepLevel level, Array<uint32_t>& pairs);
+  void find_blocked(const Body<D>& body, SweepLevel level, Array<uint32_t>& pairs);
 
   /** Takes back the marks of the cells that the body meets. All of them have just been set. Returns how many there were. */
-  size_t leave_out(Environment<3>& env, const Body& body, const Places& changed);
+  size_t leave_out(Environment<D>& env, const Body<D>& body, const Places<D>& changed);
 
   uint64_t looked_at = 0;  // vertices, edges and faces
 
  private:
   template <class Visit>
-  bool visit_vertices(const Body& body, const Places& changed, Visit visit);
+  bool visit_vertices(const Body<D>& body, const Places<D>& changed, Visit visit);
   template <class Visit>
-  bool visit_edges(const Body& body, const Places& changed, SweepLevel level, Visit visit);
+  bool visit_edges(const Body<D>& body, const Places<D>& changed, SweepLevel level, Visit visit);
   template <class Visit>
-  bool visit_faces(const Body& body, const Places& changed, SweepLevel level, Visit visit);
+  bool visit_faces(const Body<D>& body, const Places<D>& changed, SweepLevel level, Visit visit);
 
-  const Environment<3>& env_;
+  const Environment<D>& env_;
   Obstacle kind_;
-  SweepFlood flood_;
-  Wave<3> wave_;
+  SweepFlood<D> flood_;
+  Wave<D> wave_;
   Array<uint32_t> near_;
 };
 

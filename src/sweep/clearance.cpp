@@ -19,16 +19,18 @@ constexpr int64_t kSaved = 50, kSwept = 5, kCell = 2500, kMostOfEdge = 200;
 // coordinates, is smaller than what is left out of it. The obstacle's count too: its ends can be far from where it is near.
 constexpr double kKept = 0.999, kLeastShare = 1e-9;
 
-bool is_known(const Environment<3>& env, const Clearance& ball) noexcept {
+template <int D>
+bool is_known(const Environment<D>& env, const Clearance<D>& ball) noexcept {
   return ball.radius > 0 && ball.version == env.obstacle_version;
 }
 
 /** Takes the ball of a neighbour, if that is large enough. */
-bool borrow(const Environment<3>& env, Body& body, uint32_t v, double needed) noexcept {
-  Clearance& ball = body.clearances[v];
+template <int D>
+bool borrow(const Environment<D>& env, Body<D>& body, uint32_t v, double needed) noexcept {
+  Clearance<D>& ball = body.clearances[v];
   bool found = false;
   for_each_edge(body, v, [&](uint32_t e) {
-    const Clearance& other = body.clearances[body.edges[e].other(v)];
+    const Clearance<D>& other = body.clearances[body.edges[e].other(v)];
     found = room_squared(env, other, body.position(v), 0) > needed * needed;
     if (!found) return true;
     std::copy_n(other.centre, 3, ball.centre);
@@ -40,11 +42,12 @@ bool borrow(const Environment<3>& env, Body& body, uint32_t v, double needed) no
 }
 
 /** False if it can't be paid. */
-bool measure(const Environment<3>& env, Body& body, uint32_t v, double needed) {
+template <int D>
+bool measure(const Environment<D>& env, Body<D>& body, uint32_t v, double needed) {
   const double reach = kReach * needed;
   // The extent of points that move, which bounds the rounding below, is not known; and with each deformation balls are gone.
   if (env.checked.active() || body.clearance_credit < 0 || !std::isfinite(reach)) return false;
-  Clearance& ball = body.clearances[v];
+  Clearance<D>& ball = body.clearances[v];
   const double* const at = body.position(v);
   NearestResult nearest;
   const bool found = find_nearest(env, at, body.vertices[v].cell, reach, nearest);
@@ -60,21 +63,24 @@ bool measure(const Environment<3>& env, Body& body, uint32_t v, double needed) {
 
 }  // namespace
 
-bool covers(const Environment<3>& env, const Clearance& ball, const double* a, const double* b,
+template <int D>
+bool covers(const Environment<D>& env, const Clearance<D>& ball, const double* a, const double* b,
             const double* c) noexcept {
   const double limit = ball.radius * ball.radius;
   return is_known(env, ball) && distance_squared(a, ball.centre) < limit && distance_squared(b, ball.centre) < limit &&
          distance_squared(c, ball.centre) < limit;
 }
 
-double room_squared(const Environment<3>& env, const Clearance& ball, const double* at, double way) noexcept {
+template <int D>
+double room_squared(const Environment<D>& env, const Clearance<D>& ball, const double* at, double way) noexcept {
   if (!is_known(env, ball)) return 0;
   const double room = ball.radius - std::sqrt(distance_squared(at, ball.centre)) - way;
   return room > 0 ? room * room : 0;
 }
 
-void refresh_clearance(const Environment<3>& env, Body& body, uint32_t v, double needed) {
-  Clearance& ball = body.clearances[v];
+template <int D>
+void refresh_clearance(const Environment<D>& env, Body<D>& body, uint32_t v, double needed) {
+  Clearance<D>& ball = body.clearances[v];
   if (ball.wait != 0) {
     --ball.wait;
     return;
@@ -87,9 +93,20 @@ void refresh_clearance(const Environment<3>& env, Body& body, uint32_t v, double
   ball.patience = std::min(2 * ball.patience, kMostPatience);
 }
 
-void earn_credit(Body& body, uint32_t saved, uint32_t swept) noexcept {
+template <int D>
+void earn_credit(Body<D>& body, uint32_t saved, uint32_t swept) noexcept {
   const int64_t most = kMostOfEdge * static_cast<int64_t>(body.edges.size());
   body.clearance_credit = std::min(body.clearance_credit + kSaved * saved + kSwept * swept, most);
 }
+
+#define DSW_CLEARANCE(D)                                                                                      \
+  template bool covers(const Environment<D>& env, const Clearance<D>& ball, const double* a, const double* b, \
+                       const double* c) noexcept;                                                             \
+  template double room_squared(const Environment<D>& env, const Clearance<D>& ball, const double* at,         \
+                               double way) noexcept;                                                          \
+  template void refresh_clearance(const Environment<D>& env, Body<D>& body, uint32_t v, double needed);       \
+  template void earn_credit(Body<D>& body, uint32_t saved, uint32_t swept) noexcept
+DSW_CLEARANCE(3);
+#undef DSW_CLEARANCE
 
 }  // namespace dsw

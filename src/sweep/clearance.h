@@ -8,17 +8,21 @@
 namespace dsw {
 
 /** Whether the ball of a vertex is known to hold three points, and so all between them. */
-bool covers(const Environment<3>& env, const Clearance& ball, const double* a, const double* b,
+template <int D>
+bool covers(const Environment<D>& env, const Clearance<D>& ball, const double* a, const double* b,
             const double* c) noexcept;
 
 /** Square of the length of edges at a vertex that stay in its ball while none of their ends goes further than `way`. */
-double room_squared(const Environment<3>& env, const Clearance& ball, const double* at, double way) noexcept;
+template <int D>
+double room_squared(const Environment<D>& env, const Clearance<D>& ball, const double* at, double way) noexcept;
 
 /** Finds a ball for vertex v that reaches `needed` far from where it is: a neighbour's, or a new one if there is credit. Where none was
  * found it waits, twice as long each time. May throw std::bad_alloc. */
-void refresh_clearance(const Environment<3>& env, Body& body, uint32_t v, double needed);
+template <int D>
+void refresh_clearance(const Environment<D>& env, Body<D>& body, uint32_t v, double needed);
 
 /** Notes how many sweeps balls have saved and how many they have not. */
-void earn_credit(Body& body, uint32_t saved, uint32_t swept) noexcept;
+template <int D>
+void earn_credit(Body<D>& body, uint32_t saved, uint32_t swept) noexcept;
 
 }  // namespace dsw

@@ -19,7 +19,8 @@ uint64_t feature(const StarContact& c) noexcept {
 
 }  // namespace
 
-StarSweep::StarSweep(const Environment<3>& env)
+template <int D>
+StarSweep<D>::StarSweep(const Environment<D>& env)
     : env_(env),
       probe_(env),
       flood_(env),
@@ -29,18 +30,22 @@ StarSweep::StarSweep(const Environment<3>& env)
 /** Whether what an edge sweeps lies in the cell that its ends are in, which need not be convex. From one end in its new place all of the
  * cell is seen, hence the edge lies in it; where the triangle counts, from both: so the moving end's path lies in the cell, and what joins
  * that to the fixed end. */
-bool StarSweep::is_seen(const Body& body, const EdgeSweep& sweep) const {
+template <int D>
+bool StarSweep<D>::is_seen(const Body<D>& body, const EdgeSweep& sweep) const {
   const bool from_target = sees_all(env_, sweep.arrival, sweep.to, counters);
   if (from_target == (body.level == SweepLevel::kEdges)) return from_target;
   return sees_all(env_, sweep.fixed, sweep.q, counters);
 }
 
-bool StarSweep::is_seen(const FaceMotion& m, Cell cell) const {
+template <int D>
+bool StarSweep<D>::is_seen(const FaceMotion& m, Cell cell) const {
   return sees_all(env_, cell, m.to, counters) && sees_all(env_, cell, m.q, counters) &&
          sees_all(env_, cell, m.r, counters);
 }
 
-StarSweep::Settled StarSweep::settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls) {
+template <int D>
+typename StarSweep<D>::Settled StarSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep,
+                                                                    bool ask_balls) {
   // What is known must not carry an edge past the work limit that it meets without.
   if (max_cells != 0) return Settled::kNo;
   const Skipping& skipping = body.skipping;
@@ -55,14 +60,16 @@ StarSweep::Settled StarSweep::settle_by_what_is_kept(const Body& body, const Edg
 }
 
 /** Whether the triangle lies in a ball that is free. */
-bool StarSweep::is_clear(const Body& body, const EdgeSweep& sweep) const {
+template <int D>
+bool StarSweep<D>::is_clear(const Body<D>& body, const EdgeSweep& sweep) const {
   const double* const p = body.position(sweep.v);
   return covers(env_, body.clearances[sweep.v], p, sweep.to, sweep.q) ||
          covers(env_, body.clearances[body.edges[sweep.e].other(sweep.v)], p, sweep.to, sweep.q);
 }
 
 /** The path of an end has passed a facet of `from`: the edge has one facet less to pass, or one more. */
-bool StarSweep::pass_on(EdgeSequence& sequence, HalfFacet crossed, Cell from, bool first) const {
+template <int D>
+bool StarSweep<D>::pass_on(EdgeSequence<D>& sequence, HalfFacet crossed, Cell from, bool first) const {
   // As the sequence names it: passed on the way from ends[0].
   const HalfFacet beyond = env_.map.opposite(crossed);
   const HalfFacet left = first ? crossed : beyond, met = first ? beyond : crossed;
@@ -85,16 +92,18 @@ bool StarSweep::pass_on(EdgeSequence& sequence, HalfFacet crossed, Cell from, bo
  * between. Its boundary is in the cells round the edge and goes once round the edge's line, so Q meets that line; with the edge's ends on
  * either side of the triangle's plane it does so in a point y of the edge. Q is convex: each of its points is between y and one of its
  * boundary. Both are in one cell, as all of these cells have the edge, so all between is in that cell. */
-bool StarSweep::turns_freely(const Body& body, const EdgeSweep& sweep, VertexPair edge) const {
+template <int D>
+bool StarSweep<D>::turns_freely(const Body<D>& body, const EdgeSweep& sweep, VertexPair edge) const {
   const double* const triangle[3] = {body.position(sweep.v), sweep.to, sweep.q};
-  const int a = orient<3>(triangle, env_.point(edge.a)), b = orient<3>(triangle, env_.point(edge.b));
+  const int a = orient<D>(triangle, env_.point(edge.a)), b = orient<D>(triangle, env_.point(edge.b));
   return a * b < 0 && (env_.marked_edges == 0 || !env_.edge_marks.contains(edge.a, edge.b));
 }
 
 /** Whether the edge goes to the other side of an edge of the environment, and is free there with what it sweeps on its way; at EDGES the
  * new place is all that counts. */
-bool StarSweep::turns(const Body& body, const EdgeSweep& sweep, bool first) {
-  EdgeSequence& sequence = body.sequences[sweep.e];
+template <int D>
+bool StarSweep<D>::turns(const Body<D>& body, const EdgeSweep& sweep, bool first) {
+  EdgeSequence<D>& sequence = body.sequences[sweep.e];
   const double *const from = first ? sweep.to : sweep.q, *const to = first ? sweep.q : sweep.to;
   const Cell start = first ? sweep.arrival : sweep.fixed, end = first ? sweep.fixed : sweep.arrival;
   VertexPair edge;
@@ -110,9 +119,10 @@ bool StarSweep::turns(const Body& body, const EdgeSweep& sweep, bool first) {
  * an edge of the environment to whose other side it goes: then it is free in its new place. If it kept to them before, too, the
  * triangle's sides share a strip of cells, or part at one edge. A path of two facets may come from one cell beside the strip and go to
  * another: its facets cut off the triangle's corners in these, and what is left lies in the cell between them and in the strip. */
-StarSweep::Settled StarSweep::follow_sequence(const Body& body, const EdgeSweep& sweep) {
-  EdgeSequence& sequence = body.sequences[sweep.e];
-  const BodyVertex& from = body.vertices[sweep.v];
+template <int D>
+typename StarSweep<D>::Settled StarSweep<D>::follow_sequence(const Body<D>& body, const EdgeSweep& sweep) {
+  EdgeSequence<D>& sequence = body.sequences[sweep.e];
+  const BodyVertex<D>& from = body.vertices[sweep.v];
   const bool first = body.edges[sweep.e].ends[0] == sweep.v;
   const auto keeps = [&](const double* p, Cell cell) {
     return first ? follows(env_, sequence, p, sweep.q, cell, sweep.fixed)
@@ -140,15 +150,18 @@ StarSweep::Settled StarSweep::follow_sequence(const Body& body, const EdgeSweep&
   return Settled::kNo;
 }
 
-bool StarSweep::keeps_sequence(const Body& body, uint32_t e) const {
-  const BodyVertex &a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
+template <int D>
+bool StarSweep<D>::keeps_sequence(const Body<D>& body, uint32_t e) const {
+  const BodyVertex<D>&a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
   return follows(env_, body.sequences[e], a.position, b.position, a.cell, b.cell);
 }
 
 /** Whether an edge meets nothing before its moving end meets a wall of the cell `front`: up to there it stays in that cell, or in
  * that and a second one and passes between them. Of a line through q the sides of a ridge change linearly on the way of its other end:
  * where it passes the facet at both ends of the way, it does so between. */
-bool StarSweep::stays_before_wall(const BodyVertex& at, const double* to, Cell front, const BodyVertex& fixed) const {
+template <int D>
+bool StarSweep<D>::stays_before_wall(const BodyVertex<D>& at, const double* to, Cell front,
+                                     const BodyVertex<D>& fixed) const {
   if (at.cell != front) return false;
   if (front == fixed.cell) return env_.map.convex(front);
   return passes_between(env_, front, fixed.cell, at.position, fixed.position) &&
@@ -156,7 +169,8 @@ bool StarSweep::stays_before_wall(const BodyVertex& at, const double* to, Cell f
 }
 
 /** Whether an edge is not known to be free in its new place; fills hit_edges_ with all, or with some if one is enough. */
-bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough) {
+template <int D>
+bool StarSweep<D>::find_hit_edges(const Body<D>& body, uint32_t v, const double* to, Cell cell, bool one_is_enough) {
   hit_edges_.clear();
   wave_.clear();  // of casts that ran out of memory
   const auto run = [&] {
@@ -169,7 +183,7 @@ bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, C
     wave_.clear();
   };
   for_each_edge(body, v, [&](uint32_t e) {
-    const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
+    const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
     if (settles(body, {e, v, to, cell, fixed.position, fixed.cell, {}})) return true;
     wave_edges_[wave_.count()] = e;
     CastRequest& request = wave_.add(env_, cell, to, fixed.position);
@@ -182,8 +196,9 @@ bool StarSweep::find_hit_edges(const Body& body, uint32_t v, const double* to, C
   return !hit_edges_.empty();
 }
 
-bool StarSweep::is_free_of_walls(const Body& body, uint32_t v, const double* to, Cell* cell) {
-  const BodyVertex& at = body.vertices[v];
+template <int D>
+bool StarSweep<D>::is_free_of_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
+  const BodyVertex<D>& at = body.vertices[v];
   if (std::equal(to, to + 3, at.position)) {
     *cell = at.cell;
     return true;
@@ -195,14 +210,14 @@ bool StarSweep::is_free_of_walls(const Body& body, uint32_t v, const double* to,
   const PathFacets passed = path_facets(env_.map, at.cell, path);
   bool free = true;
   for_each_edge(body, v, [&](uint32_t e) {
-    const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
+    const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
     if (settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed})) return true;
     return free = is_triangle_free({at.position, to, fixed.position}, at.cell);
   });
   if (!free || body.level != SweepLevel::kFaces) return free;
   for_each_face(body, v, [&](uint32_t f) {
     const BodyFace& face = body.faces[f];
-    const BodyVertex &q = body.vertices[face.after(v)], &r = body.vertices[face.before(v)];
+    const BodyVertex<D>&q = body.vertices[face.after(v)], &r = body.vertices[face.before(v)];
     const FaceMotion m{at.position, to, q.position, r.position};
     if (stays_inside(m, at.cell, path.cell, q.cell, r.cell)) return true;
     return free = is_tetrahedron_free(m, at.cell);
@@ -210,8 +225,9 @@ bool StarSweep::is_free_of_walls(const Body& body, uint32_t v, const double* to,
   return free;
 }
 
-SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, StarContact* first, Cell* cell) {
-  const BodyVertex& at = body.vertices[v];
+template <int D>
+SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell) {
+  const BodyVertex<D>& at = body.vertices[v];
   if (std::equal(to, to + 3, at.position)) {
     *cell = at.cell;
     return SweepEnd::kFree;
@@ -227,7 +243,7 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
 
   const auto sweep_edge = [&](uint32_t e) {
     const EdgeMotion m{at.position, to, body.position(body.edges[e].other(v))};
-    if (is_boxed(bounds(m.p, m.to, m.q), at.cell)) return true;
+    if (is_boxed(bounds<D>(m.p, m.to, m.q), at.cell)) return true;
     const SweepResult swept = flood(m, at.cell);
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, e, kNone}, first, &any);
@@ -240,7 +256,7 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
   const bool reached = !any;
   const PathFacets passed = path_facets(env_.map, at.cell, path);
   for_each_edge(body, v, [&](uint32_t e) {
-    const BodyVertex& fixed = body.vertices[body.edges[e].other(v)];
+    const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
     const bool settled = reached ? settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed})
                                  : stays_before_wall(at, to, path.cell, fixed);
     return settled ? true : sweep_edge(e);
@@ -249,7 +265,7 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
   for_each_face(body, v, [&](uint32_t f) {
     const BodyFace& face = body.faces[f];
     const FaceMotion m{at.position, to, body.position(face.after(v)), body.position(face.before(v))};
-    if (is_boxed(bounds(m.p, m.to, m.q, m.r), at.cell)) return true;
+    if (is_boxed(bounds<D>(m.p, m.to, m.q, m.r), at.cell)) return true;
     const SweepResult swept = flood(m, at.cell);
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, kNone, f}, first, &any);
@@ -258,9 +274,10 @@ SweepEnd StarSweep::find_first(const Body& body, uint32_t v, const double* to, S
   return answer();
 }
 
-void StarSweep::find_all(const Body& body, uint32_t v, const double* to, const StarContact& first,
-                         Array<StarContact>& all) {
-  const BodyVertex& at = body.vertices[v];
+template <int D>
+void StarSweep<D>::find_all(const Body<D>& body, uint32_t v, const double* to, const StarContact& first,
+                            Array<StarContact>& all) {
+  const BodyVertex<D>& at = body.vertices[v];
   all.clear();
   const CastResult path = cast(env_, at.position, to, at.cell, max_cells, counters);
   if (path.end == CastEnd::kHit) all.push_back({path_contact(env_, path), kNone, kNone});
@@ -289,8 +306,9 @@ void StarSweep::find_all(const Body& body, uint32_t v, const double* to, const S
 }
 
 /** Keeps the earlier one; of equal ones the vertex, then the lowest edge, then the lowest face. */
-void StarSweep::consider(const double* p, const double* to, const StarContact& found, StarContact* first,
-                         bool* any) const {
+template <int D>
+void StarSweep<D>::consider(const double* p, const double* to, const StarContact& found, StarContact* first,
+                            bool* any) const {
   StarContact next = found;
   if (next.contact.event.kind == EventKind::kVertex) next.edge = next.face = kNone;
   const bool later =
@@ -300,5 +318,9 @@ void StarSweep::consider(const double* p, const double* to, const StarContact& f
   *first = next;
   *any = true;
 }
+
+#define DSW_STAR(D) template class StarSweep<D>
+DSW_STAR(3);
+#undef DSW_STAR
 
 }  // namespace dsw

@@ -22,25 +22,26 @@ struct SweepCounts {
 };
 
 /** Sweeps stars; one for each thread. Throws std::bad_alloc. */
+template <int D>
 class StarSweep {
  public:
-  explicit StarSweep(const Environment<3>& env);
+  explicit StarSweep(const Environment<D>& env);
 
   /** Whether vertex v can go to `to` without meeting anything that the body's level sees, partners included; *cell then contains `to`. */
-  bool is_free(const Body& body, uint32_t v, const double* to, Cell* cell) {
+  bool is_free(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
     return is_free_of_walls(body, v, to, cell) && is_apart(body, v, to);
   }
   /** Whether it touches no partner on that way. */
-  bool is_apart(const Body& body, uint32_t v, const double* to) const {
+  bool is_apart(const Body<D>& body, uint32_t v, const double* to) const {
     return partners == nullptr || is_way_apart(*partners, body, v, to);
   }
 
   /** The first contact with the environment on that way, whose event borrows the body's points and `to`. Without one *cell is set. At
    * the work limit neither. */
-  SweepEnd find_first(const Body& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
+  SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
 
   /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only that. */
-  void find_all(const Body& body, uint32_t v, const double* to, const StarContact& first, Array<StarContact>& all);
+  void find_all(const Body<D>& body, uint32_t v, const double* to, const StarContact& first, Array<StarContact>& all);
 
   /** The sweep of edge e when its end v goes to `to`, in `arrival`, and the other end is at q, in `fixed`. */
   struct EdgeSweep {
@@ -57,7 +58,7 @@ class StarSweep {
   enum class Settled : uint32_t { kNo, kInside, kSeen, kBoxed, kClear, kStrip, kTurned };
   /** Counts what is settled. The path of v is free.
    * @param ask_balls whether the balls of its ends have not been asked. */
-  Settled settle(const Body& body, const EdgeSweep& sweep, bool ask_balls = true) {
+  Settled settle(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true) {
     ++counts.swept;
     const Skipping& skipping = body.skipping;
     const bool keeps = body.keeps_sequences();
@@ -74,14 +75,14 @@ class StarSweep {
     return ask_balls || keeps ? settle_by_what_is_kept(body, sweep, ask_balls) : Settled::kNo;
   }
   /** The same for an edge that is known to lie, with what it sweeps, in a free box. */
-  Settled settle_boxed(const Body& body) {
+  Settled settle_boxed(const Body<D>& body) {
     ++counts.swept;
     counts.skipped += body.skipping.by_clearance || body.skipping.sequences ? 1 : 0;
     return Settled::kBoxed;
   }
-  bool settles(const Body& body, const EdgeSweep& sweep) { return settle(body, sweep) != Settled::kNo; }
+  bool settles(const Body<D>& body, const EdgeSweep& sweep) { return settle(body, sweep) != Settled::kNo; }
   /** Whether the edge is known to keep to its sequence in its present place. */
-  bool keeps_sequence(const Body& body, uint32_t e) const;
+  bool keeps_sequence(const Body<D>& body, uint32_t e) const;
 
   /** Whether what a face sweeps lies inside of one cell, and so meets nothing. The cells contain p, to, q and r of `m`. */
   bool stays_inside(const FaceMotion& m, Cell from, Cell arrival, Cell q, Cell r) const {
@@ -91,23 +92,23 @@ class StarSweep {
   /** Whether a box is seen to be free from all of these cells: then nothing that is swept inside of it from one of them meets
    * anything. Not asked with a work limit, which is that of the cells that a sweep itself meets. */
   template <class... Cells>
-  bool is_boxed(const Bounds& box, Cell start, Cells... others) noexcept {
+  bool is_boxed(const Bounds<D>& box, Cell start, Cells... others) noexcept {
     return max_cells == 0 && probe_.is_free(box, start) && (probe_.has_entered(others) && ...);
   }
 
   bool is_triangle_free(const EdgeMotion& m, Cell start) {
-    if (is_boxed(bounds(m.p, m.to, m.q), start)) return true;
+    if (is_boxed(bounds<D>(m.p, m.to, m.q), start)) return true;
     return flood(m, start).end == SweepEnd::kFree;
   }
   bool is_tetrahedron_free(const FaceMotion& m, Cell start) {
-    if (is_boxed(bounds(m.p, m.to, m.q, m.r), start)) return true;
+    if (is_boxed(bounds<D>(m.p, m.to, m.q, m.r), start)) return true;
     return flood(m, start).end == SweepEnd::kFree;
   }
 
   SweepCounts counts;
-  CastCounters* counters = nullptr;    // of casts, and cells of floods; may stay null
-  uint32_t max_cells = 0;              // work limit of each cast and flood; 0: none
-  const Partners* partners = nullptr;  // other bodies that the body can meet; null: none
+  CastCounters* counters = nullptr;       // of casts, and cells of floods; may stay null
+  uint32_t max_cells = 0;                 // work limit of each cast and flood; 0: none
+  const Partners<D>* partners = nullptr;  // other bodies that the body can meet; null: none
 
  private:
   template <class Motion, class... Collect>
@@ -116,25 +117,25 @@ class StarSweep {
     if (counters != nullptr) counters->cells_visited += swept.cells_visited;
     return swept;
   }
-  bool is_seen(const Body& body, const EdgeSweep& sweep) const;
+  bool is_seen(const Body<D>& body, const EdgeSweep& sweep) const;
   bool is_seen(const FaceMotion& m, Cell cell) const;
-  bool is_free_of_walls(const Body& body, uint32_t v, const double* to, Cell* cell);
-  Settled settle_by_what_is_kept(const Body& body, const EdgeSweep& sweep, bool ask_balls);
-  bool is_clear(const Body& body, const EdgeSweep& sweep) const;
-  Settled follow_sequence(const Body& body, const EdgeSweep& sweep);
-  bool pass_on(EdgeSequence& sequence, HalfFacet crossed, Cell from, bool first) const;
-  bool turns(const Body& body, const EdgeSweep& sweep, bool first);
-  bool turns_freely(const Body& body, const EdgeSweep& sweep, VertexPair edge) const;
-  bool stays_before_wall(const BodyVertex& at, const double* to, Cell front, const BodyVertex& fixed) const;
-  bool find_hit_edges(const Body& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
+  bool is_free_of_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell);
+  Settled settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls);
+  bool is_clear(const Body<D>& body, const EdgeSweep& sweep) const;
+  Settled follow_sequence(const Body<D>& body, const EdgeSweep& sweep);
+  bool pass_on(EdgeSequence<D>& sequence, HalfFacet crossed, Cell from, bool first) const;
+  bool turns(const Body<D>& body, const EdgeSweep& sweep, bool first);
+  bool turns_freely(const Body<D>& body, const EdgeSweep& sweep, VertexPair edge) const;
+  bool stays_before_wall(const BodyVertex<D>& at, const double* to, Cell front, const BodyVertex<D>& fixed) const;
+  bool find_hit_edges(const Body<D>& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
   void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;
 
-  const Environment<3>& env_;
+  const Environment<D>& env_;
   bool limited_ = false;  // the work limit was met
-  BoxProbe probe_;
-  SweepFlood flood_;
+  BoxProbe<D> probe_;
+  SweepFlood<D> flood_;
   Array<uint32_t> before_;  // facets of a sequence, to go back to
-  Wave<3> wave_;
+  Wave<D> wave_;
   uint32_t wave_edges_[kWave] = {};
   Array<uint32_t> hit_edges_;  // at EDGES: those whose new place is not free
 };

@@ -14,7 +14,7 @@ struct Place {
 
 class Addition {
  public:
-  Addition(Edit& edit, const NewCells& input)
+  Addition(Edit<3>& edit, const NewCells& input)
       : edit_(edit),
         env_(edit.environment()),
         in_(input),
@@ -174,7 +174,7 @@ class Addition {
     }
   }
 
-  Edit& edit_;
+  Edit<3>& edit_;
   const Environment<3>& env_;
   const NewCells& in_;
   Integers offsets_, connectivity_;
@@ -183,6 +183,6 @@ class Addition {
 
 }  // namespace
 
-void add_cells(Edit& edit, const NewCells& input) { Addition(edit, input).run(); }
+void add_cells(Edit<3>& edit, const NewCells& input) { Addition(edit, input).run(); }
 
 }  // namespace dsw

@@ -87,7 +87,7 @@ bool move_vertex(FacetDraft& facet, uint32_t from, uint32_t to) {
 /** Collapses one edge: the cells at its end that goes, some of which come to nothing. */
 class Collapse {
  public:
-  Collapse(Edit& edit, uint32_t from, uint32_t to)
+  Collapse(Edit<3>& edit, uint32_t from, uint32_t to)
       : edit_(edit),
         env_(edit.environment()),
         map_(env_.map),
@@ -170,7 +170,7 @@ class Collapse {
     }
   }
 
-  Edit& edit_;
+  Edit<3>& edit_;
   const Environment<3>& env_;
   const Map<3>& map_;
   uint32_t from_, to_;
@@ -180,7 +180,7 @@ class Collapse {
 
 }  // namespace
 
-uint32_t split_edge(Edit& edit, Dart d, double share) {
+uint32_t split_edge(Edit<3>& edit, Dart d, double share) {
   const Environment<3>& env = edit.environment();
   const Map<3>& map = env.map;
   const uint32_t a = dart_vertex(map, d), b = dart_target(map, d);
@@ -192,7 +192,7 @@ uint32_t split_edge(Edit& edit, Dart d, double share) {
   return middle;
 }
 
-MergedEdge merge_edges(Edit& edit, Dart d, uint32_t vertex) {
+MergedEdge merge_edges(Edit<3>& edit, Dart d, uint32_t vertex) {
   const Environment<3>& env = edit.environment();
   const Map<3>& map = env.map;
   uint32_t ends[2] = {other_end(map, d, vertex), 0};
@@ -245,7 +245,7 @@ MergedEdge merge_edges(Edit& edit, Dart d, uint32_t vertex) {
   return {ends[0], ends[1]};
 }
 
-void collapse_edge(Edit& edit, Dart d, uint32_t vertex) {
+void collapse_edge(Edit<3>& edit, Dart d, uint32_t vertex) {
   const Map<3>& map = edit.environment().map;
   const uint32_t to = other_end(map, d, vertex);
   Collapse(edit, vertex, to).run(d.cell);

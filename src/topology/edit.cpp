@@ -9,7 +9,8 @@
 
 namespace dsw {
 
-Edit::Edit(Environment<3>& env)
+template <int D>
+Edit<D>::Edit(Environment<D>& env)
     : env_(env),
       map_(env.map),
       local_points_(Allocator<float>(env.memory)),
@@ -33,7 +34,8 @@ Edit::Edit(Environment<3>& env)
   vertex_mark_words_ = env.vertex_marks.size();
 }
 
-Edit::~Edit() {
+template <int D>
+Edit<D>::~Edit<D>() {
   if (finished_) return;
   if (applied_) revert();
   while (!made_.empty()) {
@@ -54,11 +56,13 @@ Edit::~Edit() {
   env_.vertex_marks.resize(vertex_mark_words_);
 }
 
-void Edit::remove(Cell c) {
+template <int D>
+void Edit<D>::remove(Cell c) {
   if (gone_.insert(c.unit) == removed_.size()) removed_.push_back(c);
 }
 
-CellDraft* Edit::find_draft(Cell c) {
+template <int D>
+CellDraft* Edit<D>::find_draft(Cell c) {
   CellDraft* found = nullptr;
   for_each_heir(c, [&](size_t i) {
     if (drafts_[i].from == c) found = &drafts_[i];
@@ -67,13 +71,15 @@ CellDraft* Edit::find_draft(Cell c) {
   return found;
 }
 
-size_t Edit::replace(Cell c) {
+template <int D>
+size_t Edit<D>::replace(Cell c) {
   if (const CellDraft* const known = find_draft(c)) return static_cast<size_t>(known - drafts_.data());
   remove(c);
   return add(draft_of(env_, c));
 }
 
-size_t Edit::add(CellDraft&& draft) {
+template <int D>
+size_t Edit<D>::add(CellDraft&& draft) {
   drafts_.push_back(std::move(draft));
   const size_t i = drafts_.size() - 1;
   note_heir(drafts_[i].from, static_cast<uint32_t>(i));
@@ -81,7 +87,8 @@ size_t Edit::add(CellDraft&& draft) {
   return i;
 }
 
-void Edit::note_heir(Cell c, uint32_t draft) {
+template <int D>
+void Edit<D>::note_heir(Cell c, uint32_t draft) {
   if (!c.valid()) return;
   const uint32_t cell = ancestors_.insert(c.unit);
   if (cell == first_heir_.size()) first_heir_.push_back(kNoHeir);
@@ -91,7 +98,8 @@ void Edit::note_heir(Cell c, uint32_t draft) {
   *end = static_cast<uint32_t>(heirs_.size() - 1);
 }
 
-uint32_t Edit::add_vertex(const double* position) {
+template <int D>
+uint32_t Edit<D>::add_vertex(const double* position) {
   const uint32_t v = map_.vertex_slots.upcoming(vertices_.size());
   if (v >= kVertexMask) fail(DSW_STATUS_TOO_LARGE, "there are 2^28 vertices already");
   reserve_more(vertices_, 1);
@@ -103,7 +111,8 @@ uint32_t Edit::add_vertex(const double* position) {
 }
 
 /** Where the position of a new vertex is written; what is there now is kept. */
-double* Edit::room_for(uint32_t v) {
+template <int D>
+double* Edit<D>::room_for(uint32_t v) {
   const size_t at = size_t{v} * 3;
   reserve_more(points_before_, 3);
   if (env_.owned_points.empty()) {
@@ -118,9 +127,10 @@ double* Edit::room_for(uint32_t v) {
   return point;
 }
 
-uint32_t Edit::add_vertex(uint32_t a, uint32_t b, double share) {
+template <int D>
+uint32_t Edit<D>::add_vertex(uint32_t a, uint32_t b, double share) {
   double point[3];
-  point_at<3>(env_.point(a), env_.point(b), share, point);
+  point_at<D>(env_.point(a), env_.point(b), share, point);
   const uint32_t v = add_vertex(point);
   if (edge_marked(env_, a, b)) {
     set_mark(a, v, true);
@@ -129,14 +139,22 @@ uint32_t Edit::add_vertex(uint32_t a, uint32_t b, double share) {
   return v;
 }
 
-void Edit::set_link(HalfFacet h, HalfFacet to, bool marked) {
+template <int D>
+void Edit<D>::set_link(HalfFacet h, HalfFacet to, bool marked) {
   links_.push_back({h.word, map_.words[h.word], to.word | (marked ? kMarkBit : 0)});
 }
 
-void Edit::set_mark(uint32_t a, uint32_t b, bool marked) { marks_.push_back({a, b, marked, false}); }
-void Edit::set_mark(uint32_t vertex, bool marked) { marks_.push_back({vertex, kNoCell, marked, false}); }
+template <int D>
+void Edit<D>::set_mark(uint32_t a, uint32_t b, bool marked) {
+  marks_.push_back({a, b, marked, false});
+}
+template <int D>
+void Edit<D>::set_mark(uint32_t vertex, bool marked) {
+  marks_.push_back({vertex, kNoCell, marked, false});
+}
 
-void Edit::set_mark(Cell c, bool marked) {
+template <int D>
+void Edit<D>::set_mark(Cell c, bool marked) {
   if (!is_removed(c)) {
     cell_marks_.push_back({c, marked, false});
     return;
@@ -147,19 +165,25 @@ void Edit::set_mark(Cell c, bool marked) {
   });
 }
 
-void Edit::set_draft_mark(size_t i, bool marked) noexcept {
+template <int D>
+void Edit<D>::set_draft_mark(size_t i, bool marked) noexcept {
   drafts_[i].marked = marked;
   uint32_t& word = map_.record(made_[i].cell)[0];
   word = marked ? word | kMarkBit : word & ~kMarkBit;
 }
 
-bool Edit::is_removed(Cell c) const {
+template <int D>
+bool Edit<D>::is_removed(Cell c) const {
   return std::binary_search(removed_.begin(), removed_.end(), c, [](Cell a, Cell b) { return a.unit < b.unit; });
 }
 
-HalfFacet Edit::half_facet(size_t i, uint32_t facet) const { return {made_[i].words[facet]}; }
+template <int D>
+HalfFacet Edit<D>::half_facet(size_t i, uint32_t facet) const {
+  return {made_[i].words[facet]};
+}
 
-void Edit::prepare(Array<uint32_t>* invalid) {
+template <int D>
+void Edit<D>::prepare(Array<uint32_t>* invalid) {
   std::sort(removed_.begin(), removed_.end(), [](Cell a, Cell b) { return a.unit < b.unit; });
   for (const Cell c : removed_) reserve_return(map_, c);
   made_.reserve(drafts_.size());
@@ -184,7 +208,8 @@ void Edit::prepare(Array<uint32_t>* invalid) {
 }
 
 /** False: its faces would not close a sphere. */
-bool Edit::write_record(size_t i) {
+template <int D>
+bool Edit<D>::write_record(size_t i) {
   const CellDraft& draft = drafts_[i];
   Array<uint32_t> vertices{Allocator<uint32_t>(env_.memory)};
   Array<uint16_t> loops{Allocator<uint16_t>(env_.memory)}, first(loops), table(loops);
@@ -220,7 +245,7 @@ bool Edit::write_record(size_t i) {
   made.units = match.form == Form::kSimplex ? 1 : 2;
   made.cell = {take_record(map_, made.units)};
   uint32_t* const w = map_.record(made.cell);
-  const uint32_t count = Map<3>::standard_vertex_count(match.form);
+  const uint32_t count = Map<D>::standard_vertex_count(match.form);
   for (uint32_t k = 0; k < count; ++k)
     w[(match.form == Form::kSimplex ? 0 : kUnitWords) + k] = vertices[match.vertex[k]];
   if (match.form != Form::kSimplex) w[0] = static_cast<uint32_t>(match.form) << kFormShift | match.cuts;
@@ -228,8 +253,9 @@ bool Edit::write_record(size_t i) {
   return true;
 }
 
-void Edit::write_general(const CellDraft& draft, Made& made, const Array<uint16_t>& table,
-                         const Array<uint32_t>& vertices) {
+template <int D>
+void Edit<D>::write_general(const CellDraft& draft, Made& made, const Array<uint16_t>& table,
+                            const Array<uint32_t>& vertices) {
   const auto facets = static_cast<uint32_t>(draft.facets.size()), count = static_cast<uint32_t>(vertices.size());
   const uint32_t link_units = (facets + 6) / 7;
   made.shape = take_shape(map_, table);
@@ -245,7 +271,8 @@ void Edit::write_general(const CellDraft& draft, Made& made, const Array<uint16_
 }
 
 /** A cell that only changes keeps its index and gets the next generation. */
-void Edit::choose_indices() {
+template <int D>
+void Edit<D>::choose_indices() {
   for (size_t i = 0; i < drafts_.size(); ++i) {
     const CellDraft& draft = drafts_[i];
     const bool keeps = draft.from.valid() && draft.keeps_index && map_.cell_slots.can_renew(map_.index(draft.from));
@@ -256,12 +283,14 @@ void Edit::choose_indices() {
   cells_ -= static_cast<int64_t>(removed_.size());
 }
 
-Edit::Link* Edit::find_link(uint32_t word) {
+template <int D>
+typename Edit<D>::Link* Edit<D>::find_link(uint32_t word) {
   return &*std::lower_bound(links_.begin(), links_.end(), Link{word, 0, 0});
 }
 
 /** Every half-facet of a cell that stays whose link has to change. Unless a new facet claims it, it then is on the outside. */
-void Edit::collect_links() {
+template <int D>
+void Edit<D>::collect_links() {
   const auto add = [&](HalfFacet h) {
     const uint32_t before = map_.words[h.word];
     links_.push_back({h.word, before, kNoFacet | (before & kMarkBit)});
@@ -281,7 +310,8 @@ void Edit::collect_links() {
   std::sort(links_.begin(), links_.end());
 }
 
-void Edit::connect() {
+template <int D>
+void Edit<D>::connect() {
   Array<Origin> origins{Allocator<Origin>(env_.memory)};
   for (uint32_t i = 0; i < drafts_.size(); ++i) {
     for (uint32_t f = 0; f < drafts_[i].facets.size(); ++f) {
@@ -297,7 +327,8 @@ void Edit::connect() {
 }
 
 /** Writes the link of a new facet, and that which leads back if it belongs to a cell that stays. */
-void Edit::connect(size_t i, uint32_t f, const Array<Origin>& origins) {
+template <int D>
+void Edit<D>::connect(size_t i, uint32_t f, const Array<Origin>& origins) {
   const FacetDraft& facet = drafts_[i].facets[f];
   const uint32_t mark = facet.marked ? kMarkBit : 0;
   uint32_t& word = map_.words[made_[i].words[f]];
@@ -320,7 +351,8 @@ void Edit::connect(size_t i, uint32_t f, const Array<Origin>& origins) {
   }
 }
 
-void Edit::check_cells(Array<uint32_t>* invalid) {
+template <int D>
+void Edit<D>::check_cells(Array<uint32_t>* invalid) {
   for (uint32_t i = 0; i < made_.size(); ++i) {
     const Cell c = made_[i].cell;
     const CellState state = check_cell(env_, c);
@@ -343,7 +375,8 @@ void Edit::check_cells(Array<uint32_t>* invalid) {
 }
 
 /** Whether an edge of a cell that goes is still that of a new cell, or of one that stays and is joined to it through faces. */
-bool Edit::is_edge_left(Dart d) const {
+template <int D>
+bool Edit<D>::is_edge_left(Dart d) const {
   const uint32_t a = dart_vertex(map_, d), b = dart_target(map_, d);
   for (const CellDraft& draft : drafts_) {
     for (const FacetDraft& facet : draft.facets) {
@@ -360,7 +393,8 @@ bool Edit::is_edge_left(Dart d) const {
 }
 
 /** Marks of edges that are no more. */
-void Edit::drop_marks() {
+template <int D>
+void Edit<D>::drop_marks() {
   if (env_.edge_marks.size() == 0) return;
   for (const Cell c : removed_) {
     const Shape shape = map_.shape(c);
@@ -371,14 +405,16 @@ void Edit::drop_marks() {
   }
 }
 
-void Edit::count(uint32_t link, int sign) noexcept {
+template <int D>
+void Edit<D>::count(uint32_t link, int sign) noexcept {
   const bool outer = (link & ~kMarkBit) == kNoFacet;
   sides_ += sign;
   boundary_ += outer ? sign : 0;
   if ((link & kMarkBit) != 0) marked_ += outer ? 2 * sign : sign;
 }
 
-void Edit::count_all() noexcept {
+template <int D>
+void Edit<D>::count_all() noexcept {
   for (const Cell c : removed_) {
     for (uint32_t f = 0, facets = map_.facets_of(c); f < facets; ++f) count(map_.words[map_.half_facet(c, f).word], -1);
   }
@@ -391,7 +427,8 @@ void Edit::count_all() noexcept {
   }
 }
 
-void Edit::reserve() {
+template <int D>
+void Edit<D>::reserve() {
   map_.cell_slots.reserve(fresh_, removed_.size());
   reserve_more(map_.unit_of_cell, fresh_);
   env_.checked.make_room(map_.index_count() + fresh_);
@@ -407,7 +444,8 @@ void Edit::reserve() {
 }
 
 /** New volumes can be the first with labels. */
-void Edit::reserve_labels() {
+template <int D>
+void Edit<D>::reserve_labels() {
   const auto reserve = [&](auto& labels, auto label_of, bool& made) {
     if (labels.empty()) {
       if (std::all_of(drafts_.begin(), drafts_.end(), [&](const CellDraft& draft) { return label_of(draft) == 0; }))
@@ -424,7 +462,8 @@ void Edit::reserve_labels() {
       env_.tags, [](const CellDraft& draft) { return draft.tag; }, made_tags_);
 }
 
-void Edit::set_marks(bool back) noexcept {
+template <int D>
+void Edit<D>::set_marks(bool back) noexcept {
   const auto set = [&](MarkChange& mark, bool marked) {
     return mark.b == kNoCell ? set_vertex_mark(env_, mark.a, marked) : set_edge_mark(env_, mark.a, mark.b, marked);
   };
@@ -441,7 +480,8 @@ void Edit::set_marks(bool back) noexcept {
   }
 }
 
-void Edit::apply() noexcept {
+template <int D>
+void Edit<D>::apply() noexcept {
   version_ = env_.obstacle_version;
   env_.renew_version();
   for (const Link& link : links_) map_.words[link.word] = link.after;
@@ -450,7 +490,8 @@ void Edit::apply() noexcept {
   applied_ = true;
 }
 
-void Edit::revert() noexcept {
+template <int D>
+void Edit<D>::revert() noexcept {
   for (const Link& link : links_) map_.words[link.word] = link.before;
   set_marks(true);
   forget_cells();
@@ -459,13 +500,15 @@ void Edit::revert() noexcept {
 }
 
 /** What is known of cells may be so no more. */
-void Edit::forget_cells() noexcept {
+template <int D>
+void Edit<D>::forget_cells() noexcept {
   if (!env_.checked.active()) return;
   for (const Made& made : made_) env_.checked.open(made.index);
 }
 
 /** Ids from before, then those from after: slots are released last, so that no index is given out twice. */
-void Edit::log_changes() noexcept {
+template <int D>
+void Edit<D>::log_changes() noexcept {
   const auto id = [&](Cell c) { return SlotPool::Slot{map_.index(c), map_.generation(c)}; };
   for (const CellDraft& draft : drafts_) {
     changes_.push_back({draft.from.valid() ? id(draft.from) : SlotPool::Slot{0, 0}, {0, 0}});
@@ -476,7 +519,8 @@ void Edit::log_changes() noexcept {
   }
 }
 
-void Edit::move_uses() noexcept {
+template <int D>
+void Edit<D>::move_uses() noexcept {
   double* const points = env_.writable_points();
   for (const uint32_t v : vertices_) {
     map_.vertex_slots.acquire();
@@ -504,7 +548,8 @@ void Edit::move_uses() noexcept {
   }
 }
 
-void Edit::finish() noexcept {
+template <int D>
+void Edit<D>::finish() noexcept {
   log_changes();
   for (const Cell c : removed_) env_.marked_cells -= map_.marked(c) ? 1u : 0u;
   move_uses();
@@ -539,5 +584,9 @@ void Edit::finish() noexcept {
   env_.marked_facets = static_cast<uint64_t>(static_cast<int64_t>(env_.marked_facets) + marked_ / 2);
   finished_ = true;
 }
+
+#define DSW_EDIT(D) template class Edit<D>
+DSW_EDIT(3);
+#undef DSW_EDIT
 
 }  // namespace dsw

@@ -17,10 +17,11 @@ struct VolumeChange {
   SlotPool::Slot before, after;
 };
 
+template <int D>
 class Edit {
  public:
   /** Makes the map ready to change. Throws std::bad_alloc, as all up to prepare(). */
-  explicit Edit(Environment<3>& env);
+  explicit Edit(Environment<D>& env);
   ~Edit();
   Edit(const Edit&) = delete;
   Edit& operator=(const Edit&) = delete;
@@ -82,7 +83,7 @@ class Edit {
       if (mark.marked) visit(mark.cell);
     }
   }
-  Environment<3>& environment() const { return env_; }
+  Environment<D>& environment() const { return env_; }
 
   /** How long changes() can be; the rest after finish(). */
   size_t most_changes() const { return drafts_.size() + heirs_.size() + removed_.size(); }
@@ -141,8 +142,8 @@ class Edit {
   void log_changes() noexcept;
   Link* find_link(uint32_t word);
 
-  Environment<3>& env_;
-  Map<3>& map_;
+  Environment<D>& env_;
+  Map<D>& map_;
   Room room_;  // before
   size_t point_doubles_, vertex_mark_words_;
   uint64_t version_ = 0;  // of obstacles, before it was applied

@@ -7,7 +7,7 @@
 
 namespace dsw {
 
-SplitFacet split_facet(Edit& edit, HalfFacet h, uint32_t a, uint32_t b) {
+SplitFacet split_facet(Edit<3>& edit, HalfFacet h, uint32_t a, uint32_t b) {
   const Environment<3>& env = edit.environment();
   const Map<3>& map = env.map;
   const HalfFacet o = map.opposite(h);
@@ -47,7 +47,7 @@ SplitFacet split_facet(Edit& edit, HalfFacet h, uint32_t a, uint32_t b) {
   return {i, place, static_cast<uint32_t>(draft.facets.size() - 1)};
 }
 
-MergedFacet merge_facets(Edit& edit, Dart d) {
+MergedFacet merge_facets(Edit<3>& edit, Dart d) {
   const Environment<3>& env = edit.environment();
   const Map<3>& map = env.map;
   const Dart e = beta2(map, d);

@@ -13,9 +13,9 @@ struct FacetPair {
 
 /** Each pair becomes one face: both on the outer boundary, with the same vertices. Where they are cut differently one of the two
  * volumes is cut anew, if it stays valid. */
-void sew(Edit& edit, const FacetPair* pairs, size_t count);
+void sew(Edit<3>& edit, const FacetPair* pairs, size_t count);
 /** A face between two volumes becomes two on the outer boundary. */
-void unsew(Edit& edit, HalfFacet h);
+void unsew(Edit<3>& edit, HalfFacet h);
 
 /** The host's arrays, read in place; see dsw_volumes_desc. */
 struct NewCells {
@@ -35,18 +35,18 @@ struct NewCells {
 };
 /** Adds volumes, joined with each other where they share faces, and with given faces on the outer boundary. Drafts are theirs, in
  * order. Also throws BAD_CELL_TYPE, WRONG_SIZE, INDEX_OUT_OF_RANGE, DUPLICATE_CELL, SHARED_FACE, NOT_FOUND. */
-void add_cells(Edit& edit, const NewCells& input);
+void add_cells(Edit<3>& edit, const NewCells& input);
 
-void remove_cells(Edit& edit, const Cell* cells, size_t count);
+void remove_cells(Edit<3>& edit, const Cell* cells, size_t count);
 /** Two volumes become one: all faces that they share go. Returns its draft. */
-size_t merge_cells(Edit& edit, HalfFacet h);
+size_t merge_cells(Edit<3>& edit, HalfFacet h);
 /** What a volume was split into: `left` lies to the left of the loop seen from outside, and keeps the index. */
 struct SplitCell {
   size_t left, right;
   uint32_t left_facet, right_facet;  // the new face
 };
 /** Inserts a face along a closed loop of edges of a volume. */
-SplitCell split_cell(Edit& edit, Cell c, const uint32_t* loop, size_t count);
+SplitCell split_cell(Edit<3>& edit, Cell c, const uint32_t* loop, size_t count);
 
 /** Inserts an edge between two vertices of a face, on both of its sides. Returns the facets on the side of `h`: that from a to b, and
  * that from b to a, in its draft. */
@@ -54,22 +54,22 @@ struct SplitFacet {
   size_t draft;
   uint32_t from_a, from_b;
 };
-SplitFacet split_facet(Edit& edit, HalfFacet h, uint32_t a, uint32_t b);
+SplitFacet split_facet(Edit<3>& edit, HalfFacet h, uint32_t a, uint32_t b);
 /** Removes an edge with two faces, which become one. Returns the facet on the side of the dart's volume. */
 struct MergedFacet {
   size_t draft;
   uint32_t facet;
 };
-MergedFacet merge_facets(Edit& edit, Dart d);
+MergedFacet merge_facets(Edit<3>& edit, Dart d);
 
 /** Inserts a vertex at a share of the way along an edge, rounded. Returns it. */
-uint32_t split_edge(Edit& edit, Dart d, double share);
+uint32_t split_edge(Edit<3>& edit, Dart d, double share);
 /** Removes a vertex that has two edges; `d` is one of them. Returns the ends of the edge that they become. */
 struct MergedEdge {
   uint32_t a, b;
 };
-MergedEdge merge_edges(Edit& edit, Dart d, uint32_t vertex);
+MergedEdge merge_edges(Edit<3>& edit, Dart d, uint32_t vertex);
 /** Merges `vertex` into the other end of its edge `d`. */
-void collapse_edge(Edit& edit, Dart d, uint32_t vertex);
+void collapse_edge(Edit<3>& edit, Dart d, uint32_t vertex);
 
 }  // namespace dsw

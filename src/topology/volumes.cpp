@@ -27,13 +27,13 @@ void check_pair(const Environment<3>& env, const FacetPair& pair, size_t i) {
 }
 
 /** A facet as it will be. */
-FacetDraft current(Edit& edit, HalfFacet h) {
+FacetDraft current(Edit<3>& edit, HalfFacet h) {
   const CellDraft* const draft = edit.find_draft(edit.environment().map.cell_of(h));
   return draft == nullptr ? draft_of(edit.environment(), h) : draft->facets[facet_from(*draft, h)];
 }
 
 /** Makes the two facets of a pair have the same triangles. */
-void fit(Edit& edit, const FacetPair& pair, size_t i) {
+void fit(Edit<3>& edit, const FacetPair& pair, size_t i) {
   const Environment<3>& env = edit.environment();
   const FacetDraft a = current(edit, pair.a), b = current(edit, pair.b);
   if (!face_each_other(a, b)) {
@@ -65,7 +65,7 @@ uint32_t find_dart(const Map<3>& map, Cell c, const Shape& shape, uint32_t from,
 
 }  // namespace
 
-void sew(Edit& edit, const FacetPair* pairs, size_t count) {
+void sew(Edit<3>& edit, const FacetPair* pairs, size_t count) {
   const Environment<3>& env = edit.environment();
   Array<uint32_t> words{Allocator<uint32_t>(env.memory)};
   for (size_t i = 0; i < count; ++i) {
@@ -95,7 +95,7 @@ void sew(Edit& edit, const FacetPair* pairs, size_t count) {
   }
 }
 
-void unsew(Edit& edit, HalfFacet h) {
+void unsew(Edit<3>& edit, HalfFacet h) {
   const Map<3>& map = edit.environment().map;
   const HalfFacet o = map.opposite(h);
   if (!o.valid()) fail(DSW_STATUS_BAD_TOPOLOGY, "the face is on the outer boundary already");
@@ -104,14 +104,14 @@ void unsew(Edit& edit, HalfFacet h) {
   edit.set_link(o, {}, marked);
 }
 
-void remove_cells(Edit& edit, const Cell* cells, size_t count) {
+void remove_cells(Edit<3>& edit, const Cell* cells, size_t count) {
   for (size_t i = 0; i < count; ++i) edit.remove(cells[i]);
   if (edit.removed().size() == edit.environment().map.cell_count) {
     fail(DSW_STATUS_BAD_TOPOLOGY, "an environment keeps one volume at least");
   }
 }
 
-size_t merge_cells(Edit& edit, HalfFacet h) {
+size_t merge_cells(Edit<3>& edit, HalfFacet h) {
   const Environment<3>& env = edit.environment();
   const Map<3>& map = env.map;
   const HalfFacet o = map.opposite(h);
@@ -136,7 +136,7 @@ size_t merge_cells(Edit& edit, HalfFacet h) {
   return edit.add(std::move(merged));
 }
 
-SplitCell split_cell(Edit& edit, Cell c, const uint32_t* loop, size_t count) {
+SplitCell split_cell(Edit<3>& edit, Cell c, const uint32_t* loop, size_t count) {
   const Environment<3>& env = edit.environment();
   const Map<3>& map = env.map;
   const Shape shape = map.shape(c);

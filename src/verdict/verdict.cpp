@@ -42,8 +42,8 @@ bool is_passed(const double* const* t, const double* a, const double* b) noexcep
   return first == line_sign(t[1], t[2], a, b) && first == line_sign(t[2], t[0], a, b);
 }
 
-Box box_of(const double* const* points, int count) noexcept {
-  Box box;
+Box<3> box_of(const double* const* points, int count) noexcept {
+  Box<3> box;
   for (int i = 0; i < count; ++i) box.add(points[i]);
   return box;
 }
@@ -81,7 +81,7 @@ void Judge::add(uint32_t subject, const double* p, const double* q, const double
 }
 
 void Judge::meet_triangle(const double* const* triangle) noexcept {
-  const Box box = box_of(triangle, 3);
+  const Box<3> box = box_of(triangle, 3);
   if (!box.overlaps(all_)) return;
   for (size_t i = 0; i < claims_.size(); ++i) {
     Claim& claim = claims_[i];
@@ -98,7 +98,7 @@ void Judge::meet_triangle(const double* const* triangle) noexcept {
 
 void Judge::meet_line(const double* a, const double* b) noexcept {
   const double* const ends[] = {a, b};
-  const Box box = box_of(ends, 2);
+  const Box<3> box = box_of(ends, 2);
   if (!box.overlaps(all_)) return;
   for (size_t i = 0; i < claims_.size(); ++i) {
     Claim& claim = claims_[i];
@@ -113,7 +113,7 @@ bool Judge::is_folded(size_t claim) const noexcept {
   bool is_near = false;
   for_each_cell(env_.map, [&](Cell c) {
     if (is_near) return;
-    Box box;
+    Box<3> box;
     for (uint32_t k = 0, n = env_.map.vertices_of(c); k < n; ++k) box.add(env_.point(env_.map.vertex(c, k)));
     if (!box.overlaps(boxes_[claim])) return;
     const CellState state = check_cell(env_, c);

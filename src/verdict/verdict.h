@@ -23,7 +23,7 @@ struct Claim {
 class Judge {
  public:
   explicit Judge(const Environment<3>& env)
-      : env_(env), claims_(Allocator<Claim>(env.memory)), boxes_(Allocator<Box>(env.memory)) {}
+      : env_(env), claims_(Allocator<Claim>(env.memory)), boxes_(Allocator<Box<3>>(env.memory)) {}
 
   void add(uint32_t subject, const double* p, const double* q, const double* r = nullptr);
   /** Holds all claims against all obstacles. O(obstacles * claims), but only boxes where they are apart. */
@@ -38,8 +38,8 @@ class Judge {
 
   const Environment<3>& env_;
   Array<Claim> claims_;
-  Array<Box> boxes_;  // of claims
-  Box all_;
+  Array<Box<3>> boxes_;  // of claims
+  Box<3> all_;
 };
 
 }  // namespace dsw

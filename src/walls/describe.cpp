@@ -10,7 +10,8 @@ namespace dsw {
 namespace {
 
 /** The side of a wall from which something is that it meets with this normal. Behind the wall of an impassable volume is nothing. */
-HalfFacet seen_from(const Environment<3>& env, HalfFacet wall, const double* normal) noexcept {
+template <int D>
+HalfFacet seen_from(const Environment<D>& env, HalfFacet wall, const double* normal) noexcept {
   const HalfFacet o = wall.valid() ? env.map.opposite(wall) : wall;
   if (!o.valid() || env.map.marked(env.map.cell_of(o))) return wall;
   const Cell c = env.map.cell_of(wall);
@@ -18,13 +19,14 @@ HalfFacet seen_from(const Environment<3>& env, HalfFacet wall, const double* nor
   const double* triangle[3];
   simplex_points(env, c, shape, shape.simplex_first(env.map.local_of(wall, c)), triangle);
   double outward[3];
-  unit_normal<3>(triangle, outward);
+  unit_normal<D>(triangle, outward);
   return dot(to_vec(outward), to_vec(normal)) > 0 ? o : wall;
 }
 
 }  // namespace
 
-dsw_wall_contact describe(const Environment<3>& env, const Occupants& all, const WallHit& hit, uint32_t vertex,
+template <int D>
+dsw_wall_contact describe(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, uint32_t vertex,
                           const double* from, const double* to, dsw_wall_response done) noexcept {
   const WallTouch touch = describe_touch(env, all, hit, from, to);
   dsw_wall_contact c{};
@@ -43,22 +45,33 @@ dsw_wall_contact describe(const Environment<3>& env, const Occupants& all, const
   return c;
 }
 
-void name_feature(const Occupants& all, const Feature& feature, dsw_wall_contact& contact) noexcept {
+template <int D>
+void name_feature(const Occupants<D>& all, const Feature& feature, dsw_wall_contact& contact) noexcept {
   if (feature.kind == Feature::kParticle) {
     contact.particle = {feature.index, all.particle_slots->generation(feature.index)};
     return;
   }
-  const Occupants::Owner& owner = all.bodies[feature.owner];
+  const typename Occupants<D>::Owner& owner = all.bodies[feature.owner];
   contact.body = owner.id;
   if (feature.kind == Feature::kVertex) contact.vertex = vertex_id(*owner.body, feature.index);
   if (feature.kind == Feature::kEdge) contact.edge = edge_id(*owner.body, feature.index);
   if (feature.kind == Feature::kFace) contact.face = face_id(*owner.body, feature.index);
 }
 
-void name_wall(const Environment<3>& env, HalfFacet wall, dsw_wall_contact& contact) noexcept {
+template <int D>
+void name_wall(const Environment<D>& env, HalfFacet wall, dsw_wall_contact& contact) noexcept {
   if (!wall.valid()) return;
   contact.wall = face_id(env.map, canonical(env.map, wall));
   contact.tag = obstacle_tag(env, wall, env.map.cell_of(wall));
 }
+
+#define DSW_DESCRIBE(D)                                                                                            \
+  template dsw_wall_contact describe(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit,       \
+                                     uint32_t vertex, const double* from, const double* to,                        \
+                                     dsw_wall_response done) noexcept;                                             \
+  template void name_feature(const Occupants<D>& all, const Feature& feature, dsw_wall_contact& contact) noexcept; \
+  template void name_wall(const Environment<D>& env, HalfFacet wall, dsw_wall_contact& contact) noexcept
+DSW_DESCRIBE(3);
+#undef DSW_DESCRIBE
 
 }  // namespace dsw

@@ -10,10 +10,12 @@
 
 namespace dsw {
 
-EndState::EndState(Environment<3>& env, Occupants& all)
+template <int D>
+EndState<D>::EndState(Environment<D>& env, Occupants<D>& all)
     : env_(env), all_(all), points_(Allocator<Feature>(env.memory)), probe_(env, Obstacle::kCells) {}
 
-void EndState::run(double* next, const WallSettings& settings, WallRecord& record) {
+template <int D>
+void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& record) {
   const double* const start = env_.points;
   const size_t count = env_.map.vertex_count;
   Array<double> targets{Allocator<double>(env_.memory)};  // if the way is shortened
@@ -26,7 +28,7 @@ void EndState::run(double* next, const WallSettings& settings, WallRecord& recor
   const auto restore_next = [&] { std::copy(targets.begin(), targets.end(), next); };
   const auto try_way = [&](double way) {
     if (way != 1 && targets.empty()) targets.assign(next, next + 3 * count);
-    for (size_t v = 0; v < count && way != 1; ++v) point_on_way(start + 3 * v, &targets[3 * v], way, next + 3 * v);
+    for (size_t v = 0; v < count && way != 1; ++v) point_on_way<D>(start + 3 * v, &targets[3 * v], way, next + 3 * v);
     read_points(next);
     const Went went = try_seats(settings, record);
     if (went != Went::kInvalid) return went;
@@ -45,7 +47,8 @@ void EndState::run(double* next, const WallSettings& settings, WallRecord& recor
   }
 }
 
-Went EndState::try_seats(const WallSettings& settings, WallRecord& record) {
+template <int D>
+Went EndState<D>::try_seats(const WallSettings& settings, WallRecord& record) {
   Went went = Went::kThrough;
   const auto add = [&](const Feature& point) {
     points_.push_back(point);
@@ -58,7 +61,7 @@ Went EndState::try_seats(const WallSettings& settings, WallRecord& record) {
   }
   for (uint32_t owner = 0; owner < all_.bodies.size(); ++owner) {
     if (all_.bodies[owner].body == nullptr) continue;
-    const Body& body = *all_.bodies[owner].body;
+    const Body<D>& body = *all_.bodies[owner].body;
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (body.has_vertex(v) && !add({Feature::kVertex, owner, v})) return went;
     }
@@ -66,17 +69,18 @@ Went EndState::try_seats(const WallSettings& settings, WallRecord& record) {
   went = run_seats(settings, record);
   if (went != Went::kThrough) return went;
   const auto stop = [](uint32_t, uint32_t) { return false; };
-  const auto is_apart = [&](const Body& body) {
+  const auto is_apart = [&](const Body<D>& body) {
     return all_.partners == nullptr || is_body_apart(*all_.partners, body, body.level, stop);
   };
-  const auto is_free = [&](const Occupants::Owner& owner) {
+  const auto is_free = [&](const typename Occupants<D>::Owner& owner) {
     return owner.body == nullptr || (probe_.is_free(*owner.body, {}) && is_apart(*owner.body));
   };
   return std::all_of(all_.bodies.begin(), all_.bodies.end(), is_free) ? Went::kThrough : Went::kStopped;
 }
 
 /** Follows points from the centres of their cells, side by side. */
-Went EndState::run_seats(const WallSettings& settings, WallRecord& record) {
+template <int D>
+Went EndState<D>::run_seats(const WallSettings& settings, WallRecord& record) {
   uint8_t place[kWave];  // of their cells
   cells_.clear();
   for (size_t i = 0; i < points_.size(); ++i) {
@@ -121,14 +125,15 @@ Went EndState::run_seats(const WallSettings& settings, WallRecord& record) {
 }
 
 /** Puts a point that lies beyond a wall to where the way from its cell's centre meets that; false if an invalid cell is met. */
-bool EndState::put_before(const CastRequest& request, const CastResult& flight, const Feature& point,
-                          dsw_wall_response done, WallRecord& record) {
+template <int D>
+bool EndState<D>::put_before(const CastRequest& request, const CastResult& flight, const Feature& point,
+                             dsw_wall_response done, WallRecord& record) {
   const HalfFacet o = env_.map.opposite(flight.facet);
   if (o.valid() && !admits(env_, env_.map.cell_of(o))) {
     record.invalid.push_back(volume_id(env_.map, env_.map.cell_of(o)));
     return false;
   }
-  const MoveResult<3> move = finish_move(env_, request, flight, true, nullptr);
+  const MoveResult<D> move = finish_move(env_, request, flight, true, nullptr);
   dsw_wall_contact contact{};
   std::copy_n(request.from, 3, contact.from);
   std::copy_n(request.to, 3, contact.to);
@@ -143,5 +148,9 @@ bool EndState::put_before(const CastRequest& request, const CastResult& flight, 
   ++record.pushed;
   return true;
 }
+
+#define DSW_END_STATE(D) template class EndState<D>
+DSW_END_STATE(3);
+#undef DSW_END_STATE
 
 }  // namespace dsw

@@ -9,6 +9,7 @@
 namespace dsw {
 
 /** The cells that the points of a wave lie in, each once: neighbours on a body share them. */
+template <int D>
 class WaveCells {
  public:
   void clear() noexcept {
@@ -38,9 +39,10 @@ class WaveCells {
   uint8_t places_[kSlots];  // by hash, linear probing
 };
 
+template <int D>
 class EndState {
  public:
-  EndState(Environment<3>& env, Occupants& all);
+  EndState(Environment<D>& env, Occupants<D>& all);
 
   /** See WallMotion::run. What has come to lie beyond a wall is put before it. Where that is not enough, or a cell that is met would not
    * be valid, the way is shortened. O(occupants, volumes met). */
@@ -52,13 +54,13 @@ class EndState {
   bool put_before(const CastRequest& request, const CastResult& flight, const Feature& point, dsw_wall_response done,
                   WallRecord& record);
 
-  Environment<3>& env_;
-  Occupants& all_;
-  Wave<3> wave_;
+  Environment<D>& env_;
+  Occupants<D>& all_;
+  Wave<D> wave_;
   Array<Feature> points_;  // of the wave
-  WaveCells cells_;
+  WaveCells<D> cells_;
   double centres_[kWave][3];  // of these
-  BodyProbe probe_;
+  BodyProbe<D> probe_;
 };
 
 }  // namespace dsw

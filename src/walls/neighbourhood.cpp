@@ -4,7 +4,8 @@
 
 namespace dsw {
 
-Neighbourhood::Neighbourhood(Environment<3>& env, Occupants& all)
+template <int D>
+Neighbourhood<D>::Neighbourhood(Environment<D>& env, Occupants<D>& all)
     : env_(env),
       all_(all),
       points_(env),
@@ -18,7 +19,8 @@ Neighbourhood::Neighbourhood(Environment<3>& env, Occupants& all)
       star_(Allocator<Cell>(env.memory)),
       traced_(Allocator<Cell>(env.memory)) {}
 
-void Neighbourhood::find_occupants() {
+template <int D>
+void Neighbourhood<D>::find_occupants() {
   begun_ = false;
   features_.start(env_.map.index_count());
   occupied_.clear();
@@ -27,7 +29,7 @@ void Neighbourhood::find_occupants() {
   }
   for (uint32_t owner = 0; owner < all_.bodies.size(); ++owner) {
     if (all_.bodies[owner].body == nullptr) continue;
-    const Body& body = *all_.bodies[owner].body;
+    const Body<D>& body = *all_.bodies[owner].body;
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (body.has_vertex(v)) note_point({Feature::kVertex, owner, v});
     }
@@ -47,7 +49,8 @@ void Neighbourhood::find_occupants() {
   }
 }
 
-void Neighbourhood::begin(double* next) {
+template <int D>
+void Neighbourhood<D>::begin(double* next) {
   near_.clear();
   cells_.clear();
   open_.clear();
@@ -59,7 +62,8 @@ void Neighbourhood::begin(double* next) {
   for (const Cell c : occupied_) add_cell(c);
 }
 
-void Neighbourhood::begin_step(double fraction) {
+template <int D>
+void Neighbourhood<D>::begin_step(double fraction) {
   ++step_;
   fraction_ = fraction;
   env_.checked.close_all();
@@ -67,7 +71,8 @@ void Neighbourhood::begin_step(double fraction) {
   features_.tidy();
 }
 
-bool Neighbourhood::find_turns(Array<uint32_t>& turns) {
+template <int D>
+bool Neighbourhood<D>::find_turns(Array<uint32_t>& turns) {
   turns.clear();
   for (size_t i = 0; i < near_.size(); ++i) {
     if (!near_[i].is_near || near_[i].step == step_) continue;
@@ -78,7 +83,8 @@ bool Neighbourhood::find_turns(Array<uint32_t>& turns) {
   return !turns.empty();
 }
 
-void Neighbourhood::end_step(double fraction) noexcept {
+template <int D>
+void Neighbourhood<D>::end_step(double fraction) noexcept {
   for (size_t i = 0; i < near_.size(); ++i) {
     if (near_[i].is_near) continue;
     double position[3];
@@ -87,13 +93,15 @@ void Neighbourhood::end_step(double fraction) noexcept {
   }
 }
 
-const Array<Cell>& Neighbourhood::find_star(uint32_t v) {
+template <int D>
+const Array<Cell>& Neighbourhood<D>::find_star(uint32_t v) {
   star_.clear();
   for (uint32_t n = near_[points_.place(v)].first_cell; n != kNone; n = cells_[n].next) star_.push_back(cells_[n].cell);
   return star_;
 }
 
-void Neighbourhood::find_features(Array<Feature>& features) {
+template <int D>
+void Neighbourhood<D>::find_features(Array<Feature>& features) {
   features.clear();
   for (const Cell c : star_) {
     features_.for_each(env_.map.index(c), [&](const Feature& feature) { features.push_back(feature); });
@@ -102,26 +110,29 @@ void Neighbourhood::find_features(Array<Feature>& features) {
   features.erase(std::unique(features.begin(), features.end()), features.end());
 }
 
-void Neighbourhood::forget_star() noexcept {
+template <int D>
+void Neighbourhood<D>::forget_star() noexcept {
   for (const Cell c : star_) env_.checked.open(env_.map.index(c));
 }
 
-void Neighbourhood::enter(void* user, Cell, uint32_t, Cell to) noexcept {
-  Neighbourhood& self = *static_cast<Neighbourhood*>(user);
+template <int D>
+void Neighbourhood<D>::enter(void* user, Cell, uint32_t, Cell to) noexcept {
+  Neighbourhood<D>& self = *static_cast<Neighbourhood<D>*>(user);
   if (self.traced_.size() < self.traced_.capacity()) self.traced_.push_back(to);
   ++self.traced_count_;
 }
 
-bool Neighbourhood::trace(const Feature& feature) {
-  const Body& body = *all_.bodies[feature.owner].body;
+template <int D>
+bool Neighbourhood<D>::trace(const Feature& feature) {
+  const Body<D>& body = *all_.bodies[feature.owner].body;
   if (feature.kind == Feature::kFace) {
     const bool free = is_face_free(env_, flood_, body, feature.index);
     traced_.clear();
     for (size_t i = 0; i < flood_.cells().size(); ++i) traced_.push_back(flood_.cells()[i]);
     return free;
   }
-  const BodyVertex &p = body.vertices[body.edges[feature.index].ends[0]],
-                   &q = body.vertices[body.edges[feature.index].ends[1]];
+  const BodyVertex<D>&p = body.vertices[body.edges[feature.index].ends[0]],
+        &q = body.vertices[body.edges[feature.index].ends[1]];
   CastRequest request{p.position, q.position, p.cell};
   request.crossing = enter;
   request.crossing_user = this;
@@ -136,12 +147,14 @@ bool Neighbourhood::trace(const Feature& feature) {
   }
 }
 
-void Neighbourhood::note_traced(const Feature& feature) {
+template <int D>
+void Neighbourhood<D>::note_traced(const Feature& feature) {
   for (const Cell c : traced_) note(c, feature);
 }
 
-bool Neighbourhood::note_vertex(uint32_t owner, uint32_t v) {
-  const Body& body = *all_.bodies[owner].body;
+template <int D>
+bool Neighbourhood<D>::note_vertex(uint32_t owner, uint32_t v) {
+  const Body<D>& body = *all_.bodies[owner].body;
   note_point({Feature::kVertex, owner, v});
   bool free = true;
   const auto follow = [&](const Feature& feature) {
@@ -158,7 +171,8 @@ bool Neighbourhood::note_vertex(uint32_t owner, uint32_t v) {
   return free;
 }
 
-void Neighbourhood::note(Cell c, const Feature& feature) {
+template <int D>
+void Neighbourhood<D>::note(Cell c, const Feature& feature) {
   if (!features_.add(env_.map.index(c), feature)) return;
   if (begun_) {
     add_cell(c);
@@ -168,7 +182,8 @@ void Neighbourhood::note(Cell c, const Feature& feature) {
 }
 
 /** Makes the vertices of a cell near. */
-void Neighbourhood::add_cell(Cell c) {
+template <int D>
+void Neighbourhood<D>::add_cell(Cell c) {
   open(c);
   for (uint32_t i = 0, count = env_.map.vertices_of(c); i < count; ++i) {
     const uint32_t v = env_.map.vertex(c, i);
@@ -182,7 +197,8 @@ void Neighbourhood::add_cell(Cell c) {
 }
 
 /** Lets a cell be entered, from now on all of it where it is in this step. */
-void Neighbourhood::open(Cell c) {
+template <int D>
+void Neighbourhood<D>::open(Cell c) {
   const uint32_t index = env_.map.index(c);
   if (env_.checked.is_open(index)) return;
   open_.push_back(c);
@@ -198,7 +214,8 @@ void Neighbourhood::open(Cell c) {
 }
 
 /** Opens the cells that can be reached from one round a vertex. Where a boundary is pinched there can be others at it. */
-void Neighbourhood::explore(uint32_t v, Cell c) {
+template <int D>
+void Neighbourhood<D>::explore(uint32_t v, Cell c) {
   around_.clear();
   around_.insert(c);
   for_each_cell_at_vertex(env_.map, v, around_, [&](Cell at) { open(at); });
@@ -207,9 +224,14 @@ void Neighbourhood::explore(uint32_t v, Cell c) {
   }
 }
 
-uint64_t Neighbourhood::memory_bytes() const noexcept {
+template <int D>
+uint64_t Neighbourhood<D>::memory_bytes() const noexcept {
   return points_.memory_bytes() + features_.memory_bytes() + array_bytes(near_) + array_bytes(cells_) +
          array_bytes(occupied_) + array_bytes(open_) + array_bytes(star_) + array_bytes(traced_);
 }
+
+#define DSW_NEIGHBOURHOOD(D) template class Neighbourhood<D>
+DSW_NEIGHBOURHOOD(3);
+#undef DSW_NEIGHBOURHOOD
 
 }  // namespace dsw

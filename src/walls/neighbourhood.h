@@ -9,9 +9,10 @@
 
 namespace dsw {
 
+template <int D>
 class Neighbourhood {
  public:
-  Neighbourhood(Environment<3>& env, Occupants& all);
+  Neighbourhood(Environment<D>& env, Occupants<D>& all);
 
   /** Finds out which cells hold what. Throws std::bad_alloc. */
   void find_occupants();
@@ -19,7 +20,7 @@ class Neighbourhood {
   const Array<Cell>& occupied() const noexcept { return occupied_; }
   /** Starts to move points; see MovingPoints::begin. */
   void begin(double* next);
-  MovingPoints& points() noexcept { return points_; }
+  MovingPoints<D>& points() noexcept { return points_; }
   size_t near_count() const noexcept { return near_count_; }
 
   /** A step takes near vertices, one at a time, from one fraction of their way to the next. */
@@ -66,11 +67,11 @@ class Neighbourhood {
   void open(Cell c);
   void explore(uint32_t v, Cell c);
 
-  Environment<3>& env_;
-  Occupants& all_;
-  MovingPoints points_;
+  Environment<D>& env_;
+  Occupants<D>& all_;
+  MovingPoints<D> points_;
   CellFeatures features_;
-  SweepFlood flood_;
+  SweepFlood<D> flood_;
   bool begun_ = false;
   double fraction_ = 0;  // where vertices are that have not had their turn
   uint32_t step_ = 0;

@@ -2,7 +2,8 @@
 
 namespace dsw {
 
-void Occupants::save(bool whole) {
+template <int D>
+void Occupants<D>::save(bool whole) {
   saved_ = false;
   saved_vertices_.clear();
   saved_bodies_.clear();
@@ -18,7 +19,8 @@ void Occupants::save(bool whole) {
   saved_ = true;
 }
 
-void Occupants::restore() noexcept {
+template <int D>
+void Occupants<D>::restore() noexcept {
   if (!saved_) return;
   saved_ = false;
   std::copy(saved_particles_.begin(), saved_particles_.end(), particles);
@@ -36,10 +38,15 @@ void Occupants::restore() noexcept {
   }
 }
 
-uint64_t Occupants::memory_bytes() const noexcept {
+template <int D>
+uint64_t Occupants<D>::memory_bytes() const noexcept {
   uint64_t of_bodies = array_bytes(saved_bodies_);
-  for (const Body& each : saved_bodies_) of_bodies += each.memory_bytes();
+  for (const Body<D>& each : saved_bodies_) of_bodies += each.memory_bytes();
   return of_bodies + array_bytes(bodies) + array_bytes(saved_particles_) + array_bytes(saved_vertices_);
 }
+
+#define DSW_OCCUPANTS(D) template class Occupants<D>
+DSW_OCCUPANTS(3);
+#undef DSW_OCCUPANTS
 
 }  // namespace dsw

@@ -9,23 +9,24 @@
 namespace dsw {
 
 /** All that lies in an environment. */
+template <int D>
 struct Occupants {
   struct Owner {
-    Body* body = nullptr;  // null: a free slot
+    Body<D>* body = nullptr;  // null: a free slot
     MoveRecord* record = nullptr;
     dsw_body_id id = {};
   };
   Array<Owner> bodies;
-  ParticleState<3>* particles = nullptr;
+  ParticleState<D>* particles = nullptr;
   size_t particle_count = 0;
   const SlotPool* particle_slots = nullptr;
-  const Partners* partners = nullptr;  // all bodies, if they meet each other
+  const Partners<D>* partners = nullptr;  // all bodies, if they meet each other
 
   explicit Occupants(const Memory* memory)
       : bodies(Allocator<Owner>(memory)),
-        saved_particles_(Allocator<ParticleState<3>>(memory)),
-        saved_vertices_(Allocator<BodyVertex>(memory)),
-        saved_bodies_(Allocator<Body>(memory)) {}
+        saved_particles_(Allocator<ParticleState<D>>(memory)),
+        saved_vertices_(Allocator<BodyVertex<D>>(memory)),
+        saved_bodies_(Allocator<Body<D>>(memory)) {}
 
   /** Keeps where everything is, and if vertices will be inserted the bodies as a whole. Throws std::bad_alloc. */
   void save(bool whole);
@@ -37,9 +38,9 @@ struct Occupants {
 
  private:
   bool saved_ = false;
-  Array<ParticleState<3>> saved_particles_;
-  Array<BodyVertex> saved_vertices_;
-  Array<Body> saved_bodies_;
+  Array<ParticleState<D>> saved_particles_;
+  Array<BodyVertex<D>> saved_vertices_;
+  Array<Body<D>> saved_bodies_;
 };
 
 /** A vertex, edge or face of a body, or a particle. */
@@ -56,17 +57,20 @@ struct Feature {
   bool is_point() const { return kind <= kVertex; }
 };
 
-inline const double* position(const Occupants& all, const Feature& point) {
+template <int D>
+inline const double* position(const Occupants<D>& all, const Feature& point) {
   return point.kind == Feature::kParticle ? all.particles[point.index].position
                                           : all.bodies[point.owner].body->position(point.index);
 }
-inline Cell cell_of(const Occupants& all, const Feature& point) {
+template <int D>
+inline Cell cell_of(const Occupants<D>& all, const Feature& point) {
   return point.kind == Feature::kParticle ? all.particles[point.index].cell
                                           : all.bodies[point.owner].body->vertices[point.index].cell;
 }
-inline void seat(Occupants& all, const Feature& point, const double* at, Cell cell) {
+template <int D>
+inline void seat(Occupants<D>& all, const Feature& point, const double* at, Cell cell) {
   if (point.kind == Feature::kParticle) {
-    ParticleState<3>& p = all.particles[point.index];
+    ParticleState<D>& p = all.particles[point.index];
     if (p.cell != cell) p.forecast = kNoFacet;
     std::copy_n(at, 3, p.position);
     p.cell = cell;

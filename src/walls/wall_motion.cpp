@@ -4,10 +4,12 @@
 
 namespace dsw {
 
-WallMotion::WallMotion(Environment<3>& env, Occupants& all)
+template <int D>
+WallMotion<D>::WallMotion(Environment<D>& env, Occupants<D>& all)
     : env_(env), all_(all), around_(env, all), move_(env, all, around_), turns_(Allocator<uint32_t>(env.memory)) {}
 
-void WallMotion::run(double* next, const WallSettings& settings, WallRecord& record) {
+template <int D>
+void WallMotion<D>::run(double* next, const WallSettings& settings, WallRecord& record) {
   const bool inserts = settings.response == DSW_WALL_INSERT;
   const auto take_back = [&] { around_.points().take_back(); };
   const auto try_way = [&](double way) {
@@ -30,8 +32,9 @@ void WallMotion::run(double* next, const WallSettings& settings, WallRecord& rec
 }
 
 /** One way in 2^halvings steps; kInvalid: smaller steps are wanted. */
-Went WallMotion::try_steps(double* next, double way, uint32_t halvings, const WallSettings& settings,
-                           WallRecord& record) {
+template <int D>
+Went WallMotion<D>::try_steps(double* next, double way, uint32_t halvings, const WallSettings& settings,
+                              WallRecord& record) {
   const uint32_t steps = 1u << halvings;
   const bool last = halvings == settings.most_halvings;
   around_.find_occupants();
@@ -44,12 +47,12 @@ Went WallMotion::try_steps(double* next, double way, uint32_t halvings, const Wa
       for (const uint32_t v : turns_) {
         double to[3];
         around_.points().at(v, after, to);
-        const WallMove::Moved moved = move_.move(v, to, settings, record);
-        if (moved == WallMove::Moved::kStopped) {
+        const typename WallMove<D>::Moved moved = move_.move(v, to, settings, record);
+        if (moved == WallMove<D>::Moved::kStopped) {
           record.invalid.clear();  // that did not stop it
           return Went::kStopped;
         }
-        if (moved != WallMove::Moved::kInvalid) continue;
+        if (moved != WallMove<D>::Moved::kInvalid) continue;
         if (!last) return Went::kInvalid;
         move_.find_invalid(v, to, record.invalid);
         if (settings.refuses_invalid) return Went::kRefused;
@@ -60,8 +63,9 @@ Went WallMotion::try_steps(double* next, double way, uint32_t halvings, const Wa
   return Went::kThrough;
 }
 
-void WallMotion::finish(WallRecord& record) {
-  MovingPoints& points = around_.points();
+template <int D>
+void WallMotion<D>::finish(WallRecord& record) {
+  MovingPoints<D>& points = around_.points();
   const double way = record.fraction;
   record.near = static_cast<uint32_t>(around_.near_count());
   for (const uint32_t v : points.touched()) {
@@ -73,5 +77,9 @@ void WallMotion::finish(WallRecord& record) {
   if (way != 1) points.shorten(way);
   points.finish();
 }
+
+#define DSW_WALL_MOTION(D) template class WallMotion<D>
+DSW_WALL_MOTION(3);
+#undef DSW_WALL_MOTION
 
 }  // namespace dsw

@@ -7,9 +7,10 @@
 
 namespace dsw {
 
+template <int D>
 class WallMotion {
  public:
-  WallMotion(Environment<3>& env, Occupants& all);
+  WallMotion(Environment<D>& env, Occupants<D>& all);
 
   /** Takes the points to `next` in 2^k steps; k grows until the cells that are met stay valid with every single vertex. The environment
    * reads `next` from then on, in which there is what was reached. Throws std::bad_alloc, and NON_FINITE for a point near occupants:
@@ -28,10 +29,10 @@ class WallMotion {
   Went try_steps(double* next, double way, uint32_t halvings, const WallSettings& settings, WallRecord& record);
   void finish(WallRecord& record);
 
-  Environment<3>& env_;
-  Occupants& all_;
-  Neighbourhood around_;
-  WallMove move_;
+  Environment<D>& env_;
+  Occupants<D>& all_;
+  Neighbourhood<D> around_;
+  WallMove<D> move_;
   Array<uint32_t> turns_;
 };
 

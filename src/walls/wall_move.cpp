@@ -12,7 +12,8 @@ constexpr int kMostPushes = 4;
 
 }  // namespace
 
-WallMove::WallMove(Environment<3>& env, Occupants& all, Neighbourhood& around)
+template <int D>
+WallMove<D>::WallMove(Environment<D>& env, Occupants<D>& all, Neighbourhood<D>& around)
     : env_(env),
       all_(all),
       around_(around),
@@ -23,7 +24,9 @@ WallMove::WallMove(Environment<3>& env, Occupants& all, Neighbourhood& around)
       points_(Allocator<Feature>(env.memory)),
       before_(Allocator<Seat>(env.memory)) {}
 
-WallMove::Moved WallMove::move(uint32_t v, const double* to, const WallSettings& settings, WallRecord& record) {
+template <int D>
+typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, const WallSettings& settings,
+                                              WallRecord& record) {
   double from[3];
   std::copy_n(env_.point(v), 3, from);
   if (std::equal(from, from + 3, to)) return Moved::kYes;
@@ -55,23 +58,27 @@ WallMove::Moved WallMove::move(uint32_t v, const double* to, const WallSettings&
 }
 
 /** Finds the cells at a vertex, its walls, and what lies in these cells. */
-void WallMove::look_round(uint32_t v) {
+template <int D>
+void WallMove<D>::look_round(uint32_t v) {
   sweeps_.partners = all_.partners;
   star_ = &around_.find_star(v);
   around_.find_features(features_);
   walls_.start(v, *star_);
 }
 
-bool WallMove::is_star_valid() const noexcept {
+template <int D>
+bool WallMove<D>::is_star_valid() const noexcept {
   return std::all_of(star_->begin(), star_->end(), [&](Cell c) { return admits(env_, c); });
 }
 
-void WallMove::put(uint32_t v, const double* position) {
+template <int D>
+void WallMove<D>::put(uint32_t v, const double* position) {
   around_.points().put(v, position);
   around_.forget_star();
 }
 
-bool WallMove::find_hits(const double* from, const double* to) {
+template <int D>
+bool WallMove<D>::find_hits(const double* from, const double* to) {
   hits_.clear();
   for (const Feature& feature : features_) {
     WallHit hit;
@@ -82,7 +89,8 @@ bool WallMove::find_hits(const double* from, const double* to) {
 }
 
 /** Moves what is hit as the wall's vertex moves, each thing along a way that is free; whether all of it could go. */
-bool WallMove::make_room(const double* from, const double* to, const WallSettings& settings, WallRecord& record) {
+template <int D>
+bool WallMove<D>::make_room(const double* from, const double* to, const WallSettings& settings, WallRecord& record) {
   points_.clear();
   for (const WallHit& hit : hits_) {
     const Feature& f = hit.feature;
@@ -112,7 +120,8 @@ bool WallMove::make_room(const double* from, const double* to, const WallSetting
   return true;
 }
 
-bool WallMove::push(const Feature& point, const double* from, const double* to) {
+template <int D>
+bool WallMove<D>::push(const Feature& point, const double* from, const double* to) {
   const double* const at = position(all_, point);
   double target[3];
   store(to_vec(at) + difference(to, from), target);
@@ -124,7 +133,7 @@ bool WallMove::push(const Feature& point, const double* from, const double* to) 
     around_.note_point(point);
     return true;
   }
-  Body& body = *all_.bodies[point.owner].body;
+  Body<D>& body = *all_.bodies[point.owner].body;
   Cell cell;
   if (!sweeps_.is_free(body, point.index, target, &cell)) return false;
   seat(all_, point, target, cell);
@@ -132,11 +141,12 @@ bool WallMove::push(const Feature& point, const double* from, const double* to) 
 }
 
 /** Puts a vertex on an edge where it is hit; kNone where that cannot be. */
-uint32_t WallMove::insert(const WallHit& hit, const double* from, const double* to, double min_part) {
+template <int D>
+uint32_t WallMove<D>::insert(const WallHit& hit, const double* from, const double* to, double min_part) {
   const WallTouch touch = describe_touch(env_, all_, hit, from, to);
   if (!(touch.along >= min_part && touch.along <= 1 - min_part)) return kNone;
   const uint32_t owner = hit.feature.owner;
-  Body& body = *all_.bodies[owner].body;
+  Body<D>& body = *all_.bodies[owner].body;
   Cell cell;
   if (!can_bend(env_, sweeps_, body, hit.feature.index, touch.point, &cell)) return kNone;
   dsw_body_edit edit;
@@ -152,7 +162,8 @@ uint32_t WallMove::insert(const WallHit& hit, const double* from, const double* 
 
 /** Finds the cells in which things are now; false, and points back in theirs, if one is in none that is valid or an edge or face is not
  * free. */
-bool WallMove::seat_all() {
+template <int D>
+bool WallMove<D>::seat_all() {
   before_.clear();
   bool fine = true;
   for (const Feature& feature : features_) {
@@ -174,12 +185,14 @@ bool WallMove::seat_all() {
   return fine;
 }
 
-void WallMove::unseat() noexcept {
+template <int D>
+void WallMove<D>::unseat() noexcept {
   for (const Seat& each : before_) seat(all_, each.point, position(all_, each.point), each.cell);
   before_.clear();
 }
 
-Cell WallMove::find_cell(const Feature& point) const {
+template <int D>
+Cell WallMove<D>::find_cell(const Feature& point) const {
   const double* const at = position(all_, point);
   const Cell old = cell_of(all_, point);
   if (admits(env_, old) && contains(env_, old, at)) return old;
@@ -189,7 +202,8 @@ Cell WallMove::find_cell(const Feature& point) const {
   return {};
 }
 
-void WallMove::find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& invalid) {
+template <int D>
+void WallMove<D>::find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& invalid) {
   double from[3];
   std::copy_n(env_.point(v), 3, from);
   put(v, to);
@@ -198,5 +212,9 @@ void WallMove::find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& 
   }
   put(v, from);
 }
+
+#define DSW_WALL_MOVE(D) template class WallMove<D>
+DSW_WALL_MOVE(3);
+#undef DSW_WALL_MOVE
 
 }  // namespace dsw

@@ -6,9 +6,10 @@
 
 namespace dsw {
 
+template <int D>
 class WallMove {
  public:
-  WallMove(Environment<3>& env, Occupants& all, Neighbourhood& around);
+  WallMove(Environment<D>& env, Occupants<D>& all, Neighbourhood<D>& around);
 
   /** kHeld: by what is met. kInvalid: cells that hold occupants would not be valid, or something could not be followed into its new
    * cell. In both cases the vertex stays. kStopped: as kHeld, and nothing has been pushed. */
@@ -36,11 +37,11 @@ class WallMove {
   bool is_star_valid() const noexcept;
   Cell find_cell(const Feature& point) const;
 
-  Environment<3>& env_;
-  Occupants& all_;
-  Neighbourhood& around_;
-  WallSweep walls_;
-  StarSweep sweeps_;
+  Environment<D>& env_;
+  Occupants<D>& all_;
+  Neighbourhood<D>& around_;
+  WallSweep<D> walls_;
+  StarSweep<D> sweeps_;
   const Array<Cell>* star_ = nullptr;
   Array<Feature> features_;  // in the star
   Array<WallHit> hits_;

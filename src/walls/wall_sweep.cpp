@@ -19,24 +19,26 @@ bool are_apart(const double* const* a, int count_a, const double* const* b, int 
 }
 
 /** Whether a body point, shifted, lies inside of a tetrahedron of the environment; in a flat one there is nothing. */
+template <int D>
 bool is_inside(const double* a, const double* b, const double* q, const double* r, const double* x) noexcept {
   NoTally none;
   const double *const aqr[3] = {a, q, r}, *const bqr[3] = {b, q, r}, *const abq[3] = {a, b, q},
                       *const abr[3] = {a, b, r};
-  const int turn = orient<3>(aqr, b);
-  return turn != 0 && plane_side<3>(aqr, x, none).sign == turn && plane_side<3>(bqr, x, none).sign == -turn &&
-         plane_side<3>(abq, x, none).sign == turn && plane_side<3>(abr, x, none).sign == -turn;
+  const int turn = orient<D>(aqr, b);
+  return turn != 0 && plane_side<D>(aqr, x, none).sign == turn && plane_side<D>(bqr, x, none).sign == -turn &&
+         plane_side<D>(abq, x, none).sign == turn && plane_side<D>(abr, x, none).sign == -turn;
 }
 
 /** Whether a segment between body points, shifted, pierces a triangle of the environment. */
+template <int D>
 bool pierces(const double* x, const double* y, const double* const* abc) noexcept {
   NoTally none;
-  const int side_x = plane_side<3>(abc, x, none).sign, side_y = plane_side<3>(abc, y, none).sign;
+  const int side_x = plane_side<D>(abc, x, none).sign, side_y = plane_side<D>(abc, y, none).sign;
   if (side_x * side_y >= 0) return false;
   const double *const inner = side_x < 0 ? x : y, *const outer = side_x < 0 ? y : x;
   for (int k = 0; k < 3; ++k) {
     const double* const ridge[2] = {abc[k], abc[(k + 1) % 3]};
-    if (line_side<3>(inner, outer, ridge, none).sign <= 0) return false;
+    if (line_side<D>(inner, outer, ridge, none).sign <= 0) return false;
   }
   return true;
 }
@@ -49,11 +51,13 @@ void keep_first(const WallHit& found, WallHit* hit, bool* any) noexcept {
 
 }  // namespace
 
-WallSweep::WallSweep(const Environment<3>& env)
+template <int D>
+WallSweep<D>::WallSweep(const Environment<D>& env)
     : env_(env), triangles_(Allocator<Triangle>(env.memory)), edges_(Allocator<Edge>(env.memory)) {}
 
-void WallSweep::start(uint32_t vertex, const Array<Cell>& star) {
-  const Map<3>& map = env_.map;
+template <int D>
+void WallSweep<D>::start(uint32_t vertex, const Array<Cell>& star) {
+  const Map<D>& map = env_.map;
   vertex_ = vertex;
   triangles_.clear();
   edges_.clear();
@@ -85,7 +89,8 @@ void WallSweep::start(uint32_t vertex, const Array<Cell>& star) {
   marked_ = !edges_.empty() || vertex_marked(env_, vertex);
 }
 
-void WallSweep::add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t facet) {
+template <int D>
+void WallSweep<D>::add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t facet) {
   for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
     uint32_t corners[3];
     for (int k = 0; k < 3; ++k) corners[k] = env_.map.vertex(c, shape.simplices()[3 * s + static_cast<uint32_t>(k)]);
@@ -98,15 +103,17 @@ void WallSweep::add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t face
   }
 }
 
-void WallSweep::add_edge(uint32_t q, HalfFacet facet) {
+template <int D>
+void WallSweep<D>::add_edge(uint32_t q, HalfFacet facet) {
   for (const Edge& edge : edges_) {
     if (edge.q == q) return;
   }
   edges_.push_back({q, facet});
 }
 
-bool WallSweep::meets(const Occupants& all, const Feature& feature, const double* from, const double* to,
-                      WallHit* hit) const {
+template <int D>
+bool WallSweep<D>::meets(const Occupants<D>& all, const Feature& feature, const double* from, const double* to,
+                         WallHit* hit) const {
   const bool any = feature.is_point() ? meets_point(position(all, feature), from, to, hit)
                    : feature.kind == Feature::kEdge
                        ? meets_edge(*all.bodies[feature.owner].body, feature.index, from, to, hit)
@@ -115,33 +122,38 @@ bool WallSweep::meets(const Occupants& all, const Feature& feature, const double
   return any;
 }
 
-bool WallSweep::meets_point(const double* x, const double* from, const double* to, WallHit* hit) const {
+template <int D>
+bool WallSweep<D>::meets_point(const double* x, const double* from, const double* to, WallHit* hit) const {
   bool any = false;
   for (const Triangle& t : triangles_) {
     const double *const q = env_.point(t.q), *const r = env_.point(t.r);
     const double* const swept[4] = {from, to, q, r};
-    if (are_apart(swept, 4, &x, 1) || !is_inside(from, to, q, r, x)) continue;
+    if (are_apart(swept, 4, &x, 1) || !is_inside<D>(from, to, q, r, x)) continue;
     const SweepEvent event{{q, r, x}, EventKind::kFace};
-    keep_first({event_time<3>(from, to, event), {}, t.facet, t.q, t.r}, hit, &any);
+    keep_first({event_time<D>(from, to, event), {}, t.facet, t.q, t.r}, hit, &any);
   }
   return any;
 }
 
-bool WallSweep::meets_edge(const Body& body, uint32_t e, const double* from, const double* to, WallHit* hit) const {
+template <int D>
+bool WallSweep<D>::meets_edge(const Body<D>& body, uint32_t e, const double* from, const double* to,
+                              WallHit* hit) const {
   bool any = false;
   const double* const ends[2] = {body.position(body.edges[e].ends[0]), body.position(body.edges[e].ends[1])};
   for (const Edge& edge : edges_) {
     if (!edge.facet.valid() && body.level < SweepLevel::kEdgesSwept) continue;
     const double* const q = env_.point(edge.q);
     const double* const swept[3] = {from, to, q};
-    if (are_apart(swept, 3, ends, 2) || !pierces(ends[0], ends[1], swept)) continue;
+    if (are_apart(swept, 3, ends, 2) || !pierces<D>(ends[0], ends[1], swept)) continue;
     const SweepEvent event{{q, ends[0], ends[1]}, EventKind::kEdge};
-    keep_first({event_time<3>(from, to, event), {}, edge.facet, edge.q, kNone}, hit, &any);
+    keep_first({event_time<D>(from, to, event), {}, edge.facet, edge.q, kNone}, hit, &any);
   }
   return any;
 }
 
-bool WallSweep::meets_face(const Body& body, uint32_t f, const double* from, const double* to, WallHit* hit) const {
+template <int D>
+bool WallSweep<D>::meets_face(const Body<D>& body, uint32_t f, const double* from, const double* to,
+                              WallHit* hit) const {
   if (!marked_) return false;
   const uint32_t(&corners)[3] = body.faces[f].corners;
   const double* const face[3] = {body.position(corners[0]), body.position(corners[1]), body.position(corners[2])};
@@ -150,33 +162,34 @@ bool WallSweep::meets_face(const Body& body, uint32_t f, const double* from, con
   const SweptTriangle triangle({face[0], face[1], face[2]});
   const int side = triangle.side(to);
   if (side * triangle.side(from) >= 0 || triangle.outside(from, to, side) != 0) return false;
-  *hit = {event_time<3>(from, to, {{face[0], face[1], face[2]}, EventKind::kVertex}), {}, {}, kNone, kNone};
+  *hit = {event_time<D>(from, to, {{face[0], face[1], face[2]}, EventKind::kVertex}), {}, {}, kNone, kNone};
   if (!triangles_.empty()) hit->wall = triangles_.front().facet;
   return true;
 }
 
-WallTouch describe_touch(const Environment<3>& env, const Occupants& all, const WallHit& hit, const double* from,
+template <int D>
+WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,
                          const double* to) {
   WallTouch touch;
   double at[3];
-  point_at<3>(from, to, hit.time, at);
+  point_at<D>(from, to, hit.time, at);
   const Vec way = difference(to, from);
   Vec normal;
   if (hit.feature.is_point()) {
     std::copy_n(position(all, hit.feature), 3, touch.point);
     normal = unit(cross(difference(env.point(hit.q), at), difference(env.point(hit.r), at)));
   } else if (hit.feature.kind == Feature::kEdge) {
-    const Body& body = *all.bodies[hit.feature.owner].body;
+    const Body<D>& body = *all.bodies[hit.feature.owner].body;
     const double *const x = body.position(body.edges[hit.feature.index].ends[0]),
                         *const y = body.position(body.edges[hit.feature.index].ends[1]);
     const Vec wall = unit(difference(env.point(hit.q), at)), edge = difference(y, x), across = cross(edge, wall);
     const double size = dot(across, across);
     const double along = size > 0 ? dot(cross(difference(at, x), wall), across) / size : 0.5;
     touch.along = std::min(std::max(along, 0.0), 1.0);
-    point_at<3>(x, y, touch.along, touch.point);
+    point_at<D>(x, y, touch.along, touch.point);
     normal = unit(cross(wall, unit(edge)));
   } else {
-    const Body& body = *all.bodies[hit.feature.owner].body;
+    const Body<D>& body = *all.bodies[hit.feature.owner].body;
     const uint32_t(&corners)[3] = body.faces[hit.feature.index].corners;
     std::copy_n(at, 3, touch.point);
     normal = unit(cross(difference(body.position(corners[1]), body.position(corners[0])),
@@ -186,5 +199,12 @@ WallTouch describe_touch(const Environment<3>& env, const Occupants& all, const 
   store(dot(normal, way) < 0 ? -1.0 * normal : normal, touch.normal);
   return touch;
 }
+
+#define DSW_WALL_SWEEP(D)                                                                                   \
+  template class WallSweep<D>;                                                                              \
+  template WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, \
+                                    const double* from, const double* to)
+DSW_WALL_SWEEP(3);
+#undef DSW_WALL_SWEEP
 
 }  // namespace dsw

@@ -16,9 +16,10 @@ struct WallHit {
   bool operator<(const WallHit& o) const { return time != o.time ? time < o.time : feature < o.feature; }
 };
 
+template <int D>
 class WallSweep {
  public:
-  explicit WallSweep(const Environment<3>& env);
+  explicit WallSweep(const Environment<D>& env);
 
   /** Finds the walls at a vertex, among the cells round it. Throws std::bad_alloc. */
   void start(uint32_t vertex, const Array<Cell>& star);
@@ -26,7 +27,7 @@ class WallSweep {
 
   /** Whether a feature is touched when the vertex goes from `from` to `to`; fills *hit with the first touch. At EDGES wires and marked
    * vertices are not met, below FACES vertices are not. */
-  bool meets(const Occupants& all, const Feature& feature, const double* from, const double* to, WallHit* hit) const;
+  bool meets(const Occupants<D>& all, const Feature& feature, const double* from, const double* to, WallHit* hit) const;
 
  private:
   struct Triangle {
@@ -41,10 +42,10 @@ class WallSweep {
   void add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t facet);
   void add_edge(uint32_t q, HalfFacet facet);
   bool meets_point(const double* x, const double* from, const double* to, WallHit* hit) const;
-  bool meets_edge(const Body& body, uint32_t e, const double* from, const double* to, WallHit* hit) const;
-  bool meets_face(const Body& body, uint32_t f, const double* from, const double* to, WallHit* hit) const;
+  bool meets_edge(const Body<D>& body, uint32_t e, const double* from, const double* to, WallHit* hit) const;
+  bool meets_face(const Body<D>& body, uint32_t f, const double* from, const double* to, WallHit* hit) const;
 
-  const Environment<3>& env_;
+  const Environment<D>& env_;
   uint32_t vertex_ = kNone;
   bool marked_ = false;  // the vertex is impassable: by its mark, or by an edge, as every wall has two at it
   Array<Triangle> triangles_;
@@ -56,7 +57,8 @@ struct WallTouch {
   double point[3], normal[3];  // the normal: unit, out of the wall, in the sense of its motion
   double along = 0;            // of a touched edge, from its first end
 };
-WallTouch describe_touch(const Environment<3>& env, const Occupants& all, const WallHit& hit, const double* from,
+template <int D>
+WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,
                          const double* to);
 
 }  // namespace dsw

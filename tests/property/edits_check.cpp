@@ -66,9 +66,9 @@ std::string RandomEdits::state() const {
   append(out, e.lower, 3);
   append(out, e.upper, 3);
   append(out, scene().particles);
-  for (const BodyRecord& record : scene().bodies) {
+  for (const BodyRecord<3>& record : scene().bodies) {
     append(out, record.body.vertices);
-    for (const EdgeSequence& sequence : record.body.sequences) append(out, sequence.facets);
+    for (const EdgeSequence<3>& sequence : record.body.sequences) append(out, sequence.facets);
   }
   return out + saved();
 }
@@ -129,10 +129,10 @@ std::string RandomEdits::check() const {
     const ParticleState<3>& p = scene().particles[i];
     if (p.cell.valid()) test(p.cell, p.position, "particle ", i);
   }
-  BodyProbe probe(e, Obstacle::kCells);
+  BodyProbe<3> probe(e, Obstacle::kCells);
   for (uint32_t b = 0; b < scene().bodies.size(); ++b) {
-    const Body& body = scene().bodies[b].body;
-    for (const BodyVertex& v : body.vertices) {
+    const Body<3>& body = scene().bodies[b].body;
+    for (const BodyVertex<3>& v : body.vertices) {
       if (v.cell.valid()) test(v.cell, v.position, "a vertex of body ", b);
     }
     if (wrong.empty() && !probe.is_free(body, {})) wrong = "body " + std::to_string(b) + " is not free";

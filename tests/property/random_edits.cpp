@@ -541,7 +541,7 @@ std::string RandomEdits::move_all() {
     double shift[3];
     const double origin[3] = {};
     near(origin, shift);
-    for (const BodyVertex& v : scene().bodies[b].body.vertices) {
+    for (const BodyVertex<3>& v : scene().bodies[b].body.vertices) {
       for (int k = 0; k < 3; ++k) targets.push_back(v.position[k] + shift[k]);
     }
     if (dsw_body_move(scene_.get(), id, targets.data(), targets.size() / 3, 0, nullptr, nullptr) != DSW_STATUS_OK) {

@@ -21,8 +21,8 @@ TEST_F(RefusedChangeTest, RefusedChangesLeaveWhatBodiesKnow) {
     }
   };
   const auto known = [&] {
-    const Array<Clearance>& balls = dsw::capi::space(*scene()).bodies[body.index].body.clearances;
-    return std::count_if(balls.begin(), balls.end(), [&](const Clearance& ball) {
+    const Array<Clearance<3>>& balls = dsw::capi::space(*scene()).bodies[body.index].body.clearances;
+    return std::count_if(balls.begin(), balls.end(), [&](const Clearance<3>& ball) {
       return ball.radius > 0 && ball.version == dsw::capi::space(*place_.get()).obstacle_version;
     });
   };

@@ -98,10 +98,10 @@ class RemeshTest : public SceneTest {
     for (const ParticleState<3>& p : s.particles) {
       ASSERT_TRUE(!p.cell.valid() || (contains(env(), p.cell, p.position) && !is_closed(env(), p.cell)));
     }
-    BodyProbe probe(env(), Obstacle::kCells);
+    BodyProbe<3> probe(env(), Obstacle::kCells);
     Array<uint32_t> blocked{Allocator<uint32_t>(s.memory)};
-    for (const BodyRecord& record : s.bodies) {
-      for (const BodyVertex& v : record.body.vertices) {
+    for (const BodyRecord<3>& record : s.bodies) {
+      for (const BodyVertex<3>& v : record.body.vertices) {
         ASSERT_TRUE(!v.cell.valid() || contains(env(), v.cell, v.position));
       }
       probe.find_blocked(record.body, record.body.level, blocked);
@@ -198,9 +198,9 @@ TEST_F(RemeshMemoryTest, DeformingWithIt) {
   // Once it has moved it knows the facets that its edges pass.
   const double targets[12] = {0.7, 1.5, 1.25, 1.8, 1.5, 1.25, 0.7, 2.6, 1.25, 0.7, 1.5, 2.35};
   ASSERT_EQ(dsw_body_move(scene(), body, targets, 4, 0, nullptr, nullptr), DSW_STATUS_OK);
-  const Array<EdgeSequence>& sequences = dsw::capi::space(*scene()).bodies[body.index].body.sequences;
+  const Array<EdgeSequence<3>>& sequences = dsw::capi::space(*scene()).bodies[body.index].body.sequences;
   ASSERT_TRUE(std::any_of(sequences.begin(), sequences.end(),
-                          [](const EdgeSequence& s) { return s.known() && !s.facets.empty(); }));
+                          [](const EdgeSequence<3>& s) { return s.known() && !s.facets.empty(); }));
   dsw_deform_options options;
   dsw_deform_options_init(&options, sizeof options);
   options.invalid = DSW_INVALID_REMESH;

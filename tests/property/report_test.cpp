@@ -113,14 +113,14 @@ TEST(BundleTest, WhatIsWrongIsNamed) {
     ASSERT_EQ(dsw_scene_stop_recording(&scene), DSW_STATUS_OK);
     const ReplayPtr replay = open_replay(report);
     uint32_t v = 0;
-    BodyVertex* vertex = nullptr;
-    for (BodyRecord& each : dsw::capi::space(*scene_of(replay)).bodies) {
+    BodyVertex<3>* vertex = nullptr;
+    for (BodyRecord<3>& each : dsw::capi::space(*scene_of(replay)).bodies) {
       if (vertex != nullptr || each.body.edge_slots.alive_count() == 0) continue;
       while (!each.body.has_vertex(v)) ++v;
       vertex = &each.body.vertices[v];
     }
     if (vertex == nullptr) continue;
-    const BodyVertex kept = *vertex;
+    const BodyVertex<3> kept = *vertex;
     vertex->position[0] += 1e6;
     dsw_verdict verdict = {};
     verdict.struct_size = sizeof verdict;

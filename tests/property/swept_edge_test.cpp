@@ -22,7 +22,7 @@ struct Count {
   int sweeps = 0, many = 0, most = 0, full = 0;
 };
 
-void check_all(const Environment<3>& env, SweptTruth& truth, SweepFlood& flood, const Vec (&x)[4], bool only_wires,
+void check_all(const Environment<3>& env, SweptTruth& truth, SweepFlood<3>& flood, const Vec (&x)[4], bool only_wires,
                Count& count) {
   const EdgeMotion m{x[0].data(), x[1].data(), x[2].data()};
   const double* const at[3] = {m.p, m.to, m.q};
@@ -77,7 +77,7 @@ TEST(SweptEdgeTest, AllContactsInTheirOrder) {
       if (env == nullptr) continue;
       mark(*env, rng, shares[seed - 1]);
       SweptTruth truth(*env);
-      SweepFlood flood(*env);
+      SweepFlood<3> flood(*env);
       Bodies bodies(*env, truth, rng);
       for (int i = 0; i < share_of(1000); ++i) {
         Vec x[4];
@@ -95,30 +95,31 @@ TEST(SweptEdgeTest, AllContactsInTheirOrder) {
 }
 
 /** What a segment passes, if it reaches its end and passes every facet where `follows` can tell; *known says so. */
-EdgeSequence facets_passed(const Environment<3>& env, const double* from, const double* to, Cell start, bool* known) {
-  SequenceWriter writer(nullptr);
+EdgeSequence<3> facets_passed(const Environment<3>& env, const double* from, const double* to, Cell start,
+                              bool* known) {
+  SequenceWriter<3> writer(nullptr);
   CastRequest request;
   request.from = from;
   request.to = to;
   request.start = start;
   writer.attach(env, request);
   const CastResult result = cast(env, request, nullptr);
-  EdgeSequence sequence{Array<uint32_t>::allocator_type(nullptr)};
+  EdgeSequence<3> sequence{Array<uint32_t>::allocator_type(nullptr)};
   writer.finish(sequence);
   *known = result.end == CastEnd::kReached && follows(env, sequence, from, to, start, result.cell);
   return sequence;
 }
 
 /** What is known of an edge's sweep from what the edge passes at first; the path of its end is free. */
-StarSweep::Settled settled_by(const Environment<3>& env, const double* p, Cell start, const double* to, Cell target,
-                              const double* q, const EdgeSequence& before, const EdgeSequence& path) {
-  Body body(nullptr);
+StarSweep<3>::Settled settled_by(const Environment<3>& env, const double* p, Cell start, const double* to, Cell target,
+                                 const double* q, const EdgeSequence<3>& before, const EdgeSequence<3>& path) {
+  Body<3> body(nullptr);
   reserve(body, 2, 1, 0);
   add_vertex(body, p, start);
   add_vertex(body, q, locate(env, q, Cell{}, nullptr).cell);
   add_edge(body, 0, 1);
   body.sequences[0] = before;
-  StarSweep star(env);
+  StarSweep<3> star(env);
   PathFacets crossed;
   if (path.facets.size() <= 2) {
     for (const uint32_t facet : path.facets) crossed.facets[crossed.count++] = {facet};
@@ -165,7 +166,7 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
       if (env == nullptr) continue;
       mark(*env, rng, shares[seed - 1]);
       SweptTruth truth(*env);
-      SweepFlood flood(*env);
+      SweepFlood<3> flood(*env);
       Bodies bodies(*env, truth, rng);
       for (int i = 0; i < share_of(10000); ++i) {
         Vec x[4];
@@ -186,9 +187,10 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
                         {before.facets.data(), before.facets.size(), true});
         if (known[0] && known[1]) {
           const auto how = settled_by(*env, x[0].data(), start, x[1].data(), target, x[2].data(), before, path);
-          kept += how == StarSweep::Settled::kStrip ? 1 : 0;
-          turned += how == StarSweep::Settled::kTurned ? 1 : 0;
-          ASSERT_TRUE(how == StarSweep::Settled::kNo || end == SweepEnd::kFree) << kind.name << " " << seed << " " << i;
+          kept += how == StarSweep<3>::Settled::kStrip ? 1 : 0;
+          turned += how == StarSweep<3>::Settled::kTurned ? 1 : 0;
+          ASSERT_TRUE(how == StarSweep<3>::Settled::kNo || end == SweepEnd::kFree)
+              << kind.name << " " << seed << " " << i;
         }
         if (strip) {
           ++settled;

@@ -40,7 +40,7 @@ void check_report(const Environment<3>& env, const SweepContact& contact) {
 }
 
 /// One face: its own flood, those of its edges, and the truth.
-void check_face(const Environment<3>& env, SweptTruth& truth, SweepFlood& flood, const Vec (&x)[4], bool generic,
+void check_face(const Environment<3>& env, SweptTruth& truth, SweepFlood<3>& flood, const Vec (&x)[4], bool generic,
                 Count& count) {
   const FaceMotion m{x[0].data(), x[1].data(), x[2].data(), x[3].data()};
   const double* const at[4] = {m.p, m.to, m.q, m.r};
@@ -123,7 +123,7 @@ void check_scene(const SceneKind& kind, uint64_t seed, const Shares& shares, int
   if (env == nullptr) return;
   mark(*env, rng, shares);
   SweptTruth truth(*env);
-  SweepFlood flood(*env);
+  SweepFlood<3> flood(*env);
   Bodies bodies(*env, truth, rng);
   for (int i = 0; i < faces; ++i) {
     Vec x[4];
@@ -169,7 +169,7 @@ TEST(SweptFaceTest, TiesOnALattice) {
     ASSERT_NE(env, nullptr);
     mark(*env, rng, shares[seed - 1]);
     SweptTruth truth(*env);
-    SweepFlood flood(*env);
+    SweepFlood<3> flood(*env);
     for (int i = 0; i < share_of(20000); ++i) {
       Vec x[4];
       for (double& c : x[0]) c = 0.5 * rng.between(0, 10);
@@ -196,8 +196,8 @@ TEST(SweptFaceTest, NothingIsMetInAFreeBox) {
       if (env == nullptr) continue;
       mark(*env, rng, shares[seed - 1]);
       SweptTruth truth(*env);
-      SweepFlood flood(*env);
-      BoxProbe probe(*env);
+      SweepFlood<3> flood(*env);
+      BoxProbe<3> probe(*env);
       Bodies bodies(*env, truth, rng);
       for (int i = 0; i < share_of(3000); ++i) {
         SCOPED_TRACE(std::string(kind.name) + " " + std::to_string(seed) + " " + std::to_string(i));
@@ -205,7 +205,7 @@ TEST(SweptFaceTest, NothingIsMetInAFreeBox) {
         bodies.draw(x);
         Cell cells[4];
         for (int k = 0; k < 4; ++k) cells[k] = locate(*env, x[k].data(), Cell{}, nullptr).cell;
-        const Bounds box = bounds(x[0].data(), x[1].data(), x[2].data(), x[3].data());
+        const Bounds<3> box = bounds<3>(x[0].data(), x[1].data(), x[2].data(), x[3].data());
         if (!cells[0].valid() || is_closed(*env, cells[0]) || !probe.is_free(box, cells[0])) continue;
         ++free;
         for (int k = 0; k < 4; ++k) {

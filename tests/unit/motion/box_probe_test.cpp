@@ -25,9 +25,9 @@ class BoxProbeTest : public testing::Test {
     reserve_edge_marks(*env_, 1);
   }
   Cell cell(int x, int y, int z) const { return env_->map.cell(static_cast<uint32_t>(x + kSize * (y + kSize * z))); }
-  static Bounds box(double x0, double y0, double z0, double x1, double y1, double z1) {
+  static Bounds<3> box(double x0, double y0, double z0, double x1, double y1, double z1) {
     const double low[3] = {x0, y0, z0}, high[3] = {x1, y1, z1};
-    return bounds(low, high);
+    return bounds<3>(low, high);
   }
 
   Mesh3 mesh_;
@@ -35,7 +35,7 @@ class BoxProbeTest : public testing::Test {
 };
 
 TEST_F(BoxProbeTest, EntersWhatTheBoxMeets) {
-  BoxProbe probe(*env_);
+  BoxProbe<3> probe(*env_);
   EXPECT_TRUE(probe.is_free(box(1.2, 1.2, 1.2, 1.8, 1.8, 1.8), cell(1, 1, 1)));
   EXPECT_TRUE(probe.has_entered(cell(1, 1, 1)));
   EXPECT_FALSE(probe.has_entered(cell(2, 1, 1)));
@@ -47,7 +47,7 @@ TEST_F(BoxProbeTest, EntersWhatTheBoxMeets) {
 }
 
 TEST_F(BoxProbeTest, IsNotFreeWhereSomethingImpassableIsMet) {
-  BoxProbe probe(*env_);
+  BoxProbe<3> probe(*env_);
   const Bounds two = box(1.5, 1.2, 1.2, 2.5, 1.8, 1.8), touching = box(1.5, 1.2, 1.2, 2, 1.8, 1.8),
                beside = box(1.5, 1.2, 1.2, 1.99, 1.8, 1.8);
   EXPECT_TRUE(probe.is_free(two, cell(1, 1, 1)));
@@ -63,7 +63,7 @@ TEST_F(BoxProbeTest, IsNotFreeWhereSomethingImpassableIsMet) {
 }
 
 TEST_F(BoxProbeTest, WiresAndLoneVerticesAreNotLookedFor) {
-  BoxProbe probe(*env_);
+  BoxProbe<3> probe(*env_);
   const Bounds inside = box(1.2, 1.2, 1.2, 1.8, 1.8, 1.8);
   set_vertex_mark(*env_, 0, true);
   EXPECT_FALSE(probe.is_free(inside, cell(1, 1, 1)));
@@ -86,7 +86,7 @@ TEST(FacetsInBox, AreTheSameForAllInstructionSets) {
     for (double& x : points) x = coordinate();
     for (double& x : low) x = coordinate() / 2;
     for (double& x : high) x = coordinate() / 2;
-    const Bounds box = bounds(low, high);
+    const Bounds<3> box = bounds<3>(low, high);
     const uint32_t met = facets_in_box(points, vertices, box);
     ASSERT_EQ(facets_in_box_avx2(points, vertices, box), met);
     seen |= 1u << met % 32;

@@ -43,11 +43,11 @@ struct Moved {
 };
 
 SweepResult sweep_face(const Environment<3>& env, const Moved& m, uint32_t max_cells = 0) {
-  SweepFlood flood(env);
+  SweepFlood<3> flood(env);
   return flood.sweep(m.face(), locate(env, m.p.data(), Cell{}, nullptr).cell, max_cells);
 }
 SweepResult sweep_edge(const Environment<3>& env, const Moved& m, const Point& end) {
-  SweepFlood flood(env);
+  SweepFlood<3> flood(env);
   return flood.sweep(m.edge(end), locate(env, m.p.data(), Cell{}, nullptr).cell, 0);
 }
 
@@ -150,7 +150,7 @@ TEST(SweepEdge, AllContactsAreCollectedInTheirOrder) {
   set_edge_mark(env, lattice.at(3, 1, 2), lattice.at(3, 1, 3), true);
   set_edge_mark(env, lattice.at(2, 2, 2), lattice.at(2, 2, 3), true);
   set_edge_mark(env, lattice.at(4, 4, 1), lattice.at(4, 4, 2), true);
-  SweepFlood flood(env);
+  SweepFlood<3> flood(env);
   const SweepResult r = flood.sweep(EdgeMotion{p.data(), to.data(), q.data()}, lattice.cell(0, 0, 5), 0, true);
   ASSERT_EQ(r.end, SweepEnd::kContact);
   ASSERT_EQ(flood.all().size(), 3u);
@@ -189,11 +189,11 @@ TEST(Sequence, FacetsThatAreNotConvexDoNotSettle) {
   // From one arm of the L to the other, over the corner that it leaves out.
   set_facet_mark(*env, map.half_facet(low, 6), true);
   const Point p{0.5, 0.25, 0.75}, to{1.75, 1.5, 0.75}, q{1.1, 0.9, 1.5};
-  EdgeSequence passed{Array<uint32_t>::allocator_type(nullptr)};
+  EdgeSequence<3> passed{Array<uint32_t>::allocator_type(nullptr)};
   passed.add(*env, map.half_facet(low, 5), true);
   EXPECT_FALSE(follows(*env, passed, p.data(), q.data(), low, high) &&
                follows(*env, passed, to.data(), q.data(), low, high));
-  SweepFlood flood(*env);
+  SweepFlood<3> flood(*env);
   EXPECT_EQ(flood.sweep(EdgeMotion{p.data(), to.data(), q.data()}, low, 0).end, SweepEnd::kContact);
 }
 

@@ -21,7 +21,7 @@ Mesh3 boxes() {
   return mesh;
 }
 
-void carry_out(Edit& edit) {
+void carry_out(Edit<3>& edit) {
   edit.prepare();
   edit.apply();
   edit.finish();
@@ -46,7 +46,7 @@ TEST(Edit, UsesRecordsShapesAndIndicesAgain) {
     Cell merged;
     std::vector<uint32_t> loop;
     {
-      Edit edit(*env);
+      Edit<3> edit(*env);
       const HalfFacet h = inner_facet(env->map);
       const FacetDraft shared = draft_of(*env, h);
       loop.assign(shared.loop.begin(), shared.loop.end());
@@ -57,7 +57,7 @@ TEST(Edit, UsesRecordsShapesAndIndicesAgain) {
     ASSERT_EQ(check_integrity(env->map), nullptr);
     EXPECT_EQ(env->map.form(merged), Form::kGeneral);
     {
-      Edit edit(*env);
+      Edit<3> edit(*env);
       split_cell(edit, merged, loop.data(), loop.size());
       carry_out(edit);
       EXPECT_EQ(env->map.form(edit.cell(0)), Form::kBox);
@@ -78,12 +78,12 @@ TEST(Edit, UsesRecordsShapesAndIndicesAgain) {
 
 TEST(Edit, TakenBackLeavesEveryWordAsItWas) {
   const auto env = boxes().build();
-  Edit(*env).prepare();  // the tables are there from now on
+  Edit<3>(*env).prepare();  // the tables are there from now on
   const Array<uint32_t> words = env->map.words, cell_of_unit = env->map.cell_of_unit;
   const uint64_t version = env->obstacle_version;
   uint64_t in_between[2] = {};
   for (uint64_t& each : in_between) {
-    Edit edit(*env);
+    Edit<3> edit(*env);
     merge_cells(edit, inner_facet(env->map));
     edit.prepare();
     edit.apply();
@@ -102,7 +102,7 @@ TEST(Edit, CountsPartsAndBoundaryOfAFaceThatOpens) {
   const uint32_t facets = env->map.facet_count, boundary = env->map.boundary_facet_count;
   const HalfFacet h = inner_facet(env->map), o = env->map.opposite(h);
   {
-    Edit edit(*env);
+    Edit<3> edit(*env);
     unsew(edit, h);
     carry_out(edit);
   }
@@ -110,7 +110,7 @@ TEST(Edit, CountsPartsAndBoundaryOfAFaceThatOpens) {
   EXPECT_EQ(env->map.boundary_facet_count, boundary + 2);
   EXPECT_FALSE(env->map.opposite(h).valid());
   {
-    Edit edit(*env);
+    Edit<3> edit(*env);
     const FacetPair pair{h, o};
     sew(edit, &pair, 1);
     carry_out(edit);
@@ -125,13 +125,13 @@ TEST(Edit, FacesCutDifferentlyAreSewnByCuttingOneAnew) {
   const auto env = boxes().build();
   const HalfFacet h = inner_facet(env->map), o = env->map.opposite(h);
   {
-    Edit edit(*env);
+    Edit<3> edit(*env);
     unsew(edit, h);
     carry_out(edit);
   }
   FacetPair pair{h, o};
   {
-    Edit edit(*env);
+    Edit<3> edit(*env);
     CellDraft& draft = edit.draft(edit.replace(env->map.cell_of(o)));
     FacetDraft& facet = draft.facets[facet_from(draft, o)];
     const Array<uint32_t> loop = facet.loop;
@@ -144,7 +144,7 @@ TEST(Edit, FacesCutDifferentlyAreSewnByCuttingOneAnew) {
   }
   EXPECT_FALSE(cut_alike(draft_of(*env, pair.a), draft_of(*env, pair.b)));
   {
-    Edit edit(*env);
+    Edit<3> edit(*env);
     sew(edit, &pair, 1);
     carry_out(edit);
     EXPECT_EQ(edit.cell_count(), 1u);
@@ -155,10 +155,10 @@ TEST(Edit, FacesCutDifferentlyAreSewnByCuttingOneAnew) {
 TEST(Edit, DamageToAMapThatHasChangedIsSeen) {
   const auto expect_broken = [](const std::function<void(Map<3>&)>& damage, const char* what) {
     const auto env = boxes().build();
-    Edit edit(*env);
+    Edit<3> edit(*env);
     merge_cells(edit, inner_facet(env->map));
     carry_out(edit);
-    Edit(*env).prepare();
+    Edit<3>(*env).prepare();
     ASSERT_EQ(check_integrity(env->map), nullptr);
     damage(env->map);
     EXPECT_NE(check_integrity(env->map), nullptr) << what;
@@ -179,7 +179,7 @@ TEST(Edit, DamageToAMapThatHasChangedIsSeen) {
 
 TEST(Edit, VerticesGoWithTheirLastCell) {
   const auto env = boxes().build();
-  Edit edit(*env);
+  Edit<3> edit(*env);
   const Cell corner = env->map.cell(0);
   remove_cells(edit, &corner, 1);
   carry_out(edit);

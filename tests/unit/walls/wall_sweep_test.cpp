@@ -139,8 +139,8 @@ TEST_F(WallSweepTest, FindsWhatIsTouched) {
     build(random);
     mark(random);
     find_walls();
-    Occupants all(nullptr);
-    Body body(nullptr);
+    Occupants<3> all(nullptr);
+    Body<3> body(nullptr);
     MoveRecord record(nullptr);
     body.level = SweepLevel::kFaces;
     reserve(body, 3, 3, 1);
@@ -148,7 +148,7 @@ TEST_F(WallSweepTest, FindsWhatIsTouched) {
     for (int v = 0; v < 3; ++v) add_vertex(body, origin, Cell{0});
     add_face(body, 0, 1, 2);
     all.bodies.push_back({&body, &record, {0, 1}});
-    WallSweep walls(*env_);
+    WallSweep<3> walls(*env_);
     walls.start(kMiddle, star_);
     ASSERT_EQ(walls.has_walls(), !triangles_.empty() || !wires_.empty() || vertex_marked(*env_, kMiddle));
     for (int move = 0; move < 60; ++move) {
@@ -156,7 +156,7 @@ TEST_F(WallSweepTest, FindsWhatIsTouched) {
       for (int k = 0; k < 3; ++k) {
         from[k] = points_[3 * kMiddle + static_cast<size_t>(k)];
         to[k] = random() % 4 == 0 ? from[k] : place(random);
-        for (BodyVertex& v : body.vertices) v.position[k] = place(random);
+        for (BodyVertex<3>& v : body.vertices) v.position[k] = place(random);
       }
       if (random() % 3 == 0) std::copy_n(env_->point(4), 3, body.vertices[0].position);
       const Exact a = fixed(from), b = fixed(to);
@@ -210,8 +210,8 @@ TEST_F(WallSweepTest, MeetsWiresFromEdgesSweptOn) {
   std::mt19937 random(2);
   build(random);
   set_edge_mark(*env_, kMiddle, 14, true);
-  Occupants all(nullptr);
-  Body body(nullptr);
+  Occupants<3> all(nullptr);
+  Body<3> body(nullptr);
   MoveRecord record(nullptr);
   reserve(body, 2, 1, 0);
   const double p[3] = {12, 4, 9.5}, q[3] = {12, 12, 9.5};
@@ -219,7 +219,7 @@ TEST_F(WallSweepTest, MeetsWiresFromEdgesSweptOn) {
   add_vertex(body, q, Cell{0});
   add_edge(body, 0, 1);
   all.bodies.push_back({&body, &record, {0, 1}});
-  WallSweep walls(*env_);
+  WallSweep<3> walls(*env_);
   walls.start(kMiddle, star_);
   const double from[3] = {8, 8, 6}, to[3] = {8, 8, 18};
   WallHit hit;
@@ -235,11 +235,11 @@ TEST_F(WallSweepTest, DescribesTheTouch) {
   std::mt19937 random(3);
   build(random);
   for (uint32_t i = 0; i < 4; ++i) set_cell_mark(*env_, env_->map.cell(i), true);  // the lower half
-  Occupants all(nullptr);
+  Occupants<3> all(nullptr);
   ParticleState<3> particle{{8, 8, 11}, env_->map.cell(7)};
   all.particles = &particle;
   all.particle_count = 1;
-  WallSweep walls(*env_);
+  WallSweep<3> walls(*env_);
   walls.start(kMiddle, star_);
   const double from[3] = {8, 8, 8}, to[3] = {8, 8, 14};
   WallHit hit;
