@@ -147,7 +147,7 @@ struct Rigid {
   dsw::Box<3> reach(const dsw::Body<3>& body) const noexcept {
     double radius = 0;
     for (const dsw::BodyVertex<3>& each : body.vertices) {
-      if (each.cell.valid()) radius = std::max(radius, length(dsw::difference(each.position, centre)));
+      if (each.cell.valid()) radius = std::max(radius, length(dsw::difference<3>(each.position, centre)));
     }
     radius *= 1 + 0x1p-20;
     dsw::Box<3> box;

@@ -31,8 +31,8 @@ Vec face_normal(const double* const* corners, const double* p, const Vec& move) 
   double normal[3];
   unit_normal<D>(corners, normal);
   const int side = orient<D>(corners, p);
-  if (side == 0) return against(to_vec(normal), move);
-  return (side < 0 ? -1.0 : 1.0) * to_vec(normal);
+  if (side == 0) return against(to_vec<D>(normal), move);
+  return (side < 0 ? -1.0 : 1.0) * to_vec<D>(normal);
 }
 
 /** Where segment a b pierces the swept triangle; not both of its ends are in that plane. */
@@ -62,7 +62,7 @@ struct Touched {
 template <int D>
 void describe_edge(const PairContact<D>& met, const EdgeMotion& m, const Touched<D>& touched, dsw_contact& contact) {
   const double *const a = touched.at[0], *const b = touched.at[1];
-  const Vec move = difference(m.to, m.p), edge = difference(m.q, contact.position), other = difference(b, a);
+  const Vec move = difference<D>(m.to, m.p), edge = difference<D>(m.q, contact.position), other = difference<D>(b, a);
   Vec normal;
   if (met.place == TouchPlace::kInside) {
     triangle_piercing_point<D>(m, a, b, contact.point);
@@ -74,7 +74,7 @@ void describe_edge(const PairContact<D>& met, const EdgeMotion& m, const Touched
     normal = back_across(move, edge, are_collinear(m.p, m.to, m.q));
   }
   if (met.edge != kNone) contact.along = share_along(contact.position, m.q, contact.point);
-  store(normal + Vec{}, contact.normal);  // never -0
+  store<D>(normal + Vec{}, contact.normal);  // never -0
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v,
   point_at<D>(from, to, met.time, contact.position);
   std::copy_n(contact.position, 3, contact.point);
   const Touched<D> touched(met);
-  const Vec move = difference(to, from);
+  const Vec move = difference<D>(to, from);
   if (met.face != kNone) {
     const BodyFace& face = body.faces[met.face];
     const double *const q = body.position(face.after(v)), *const r = body.position(face.before(v));
@@ -100,10 +100,10 @@ dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v,
     std::copy_n(q, 3, contact.fixed[0]);
     std::copy_n(r, 3, contact.fixed[1]);
     std::copy_n(touched.at[0], 3, contact.point);
-    const Vec across = cross(unit(difference(q, contact.position)), unit(difference(r, contact.position)));
-    store(against(unit(across), move) + Vec{}, contact.normal);
+    const Vec across = cross(unit(difference<D>(q, contact.position)), unit(difference<D>(r, contact.position)));
+    store<D>(against(unit(across), move) + Vec{}, contact.normal);
   } else if (met.part == PartKind::kFace) {
-    store(face_normal<D>(touched.at, from, move) + Vec{}, contact.normal);
+    store<D>(face_normal<D>(touched.at, from, move) + Vec{}, contact.normal);
   } else {
     const double* q = from;
     if (met.edge != kNone) {

@@ -56,22 +56,22 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
   g.time = event_time<D>(p, to, event);
   point_at<D>(p, to, g.time, g.position);
   std::copy_n(g.position, 3, g.point);
-  const Vec move = unit(difference(to, p)), wall = wall_normal(env, contact);
+  const Vec move = unit(difference<D>(to, p)), wall = wall_normal(env, contact);
   Vec normal = wall;
   if (event.kind == EventKind::kEdge) {
     const EdgeMotion m{p, to, event.points[0]};
     piercing_point<D>(m, event.points[1], event.points[2], g.point);
     g.along = share_along(g.position, m.q, g.point);
     const Vec across =
-        unit(cross(unit(difference(m.q, g.position)), unit(difference(event.points[2], event.points[1]))));
+        unit(cross(unit(difference<D>(m.q, g.position)), unit(difference<D>(event.points[2], event.points[1]))));
     normal = against(!is_zero(across) ? across : !is_zero(wall) ? wall : -1.0 * move, move, wall);
   } else if (event.kind == EventKind::kFace) {
     std::copy_n(event.points[2], 3, g.point);
     const Vec face =
-        unit(cross(unit(difference(event.points[0], g.position)), unit(difference(event.points[1], g.position))));
+        unit(cross(unit(difference<D>(event.points[0], g.position)), unit(difference<D>(event.points[1], g.position))));
     normal = against(!is_zero(face) ? face : -1.0 * move, move, wall);
   }
-  store(normal + Vec{}, g.normal);  // never -0
+  store<D>(normal + Vec{}, g.normal);  // never -0
   return g;
 }
 

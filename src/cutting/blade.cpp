@@ -82,7 +82,7 @@ Vec to_triangle(const double* from, const double* const* corners) {
   Vec at[3];
   double scale = 0;
   for (int k = 0; k < 3; ++k) {
-    at[k] = difference(corners[k], from);
+    at[k] = difference<3>(corners[k], from);
     scale = std::max({scale, std::fabs(at[k].x), std::fabs(at[k].y), std::fabs(at[k].z)});
   }
   if (!(scale > 0) || !std::isfinite(scale)) return at[0];

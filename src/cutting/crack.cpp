@@ -103,16 +103,16 @@ void Crack::find_mouth(Dart rim, uint32_t pair, const Array<Dart>& passed) {
   for (const uint32_t v : facet.loop) {
     for (int k = 0; k < 3; ++k) inside[k] += env_.point(v)[k] / static_cast<double>(facet.loop.size());
   }
-  const Vec along = unit(difference(q, p));
+  const Vec along = unit(difference<3>(q, p));
   const auto across = [&](const Vec& v) { return unit(v - dot(v, along) * along); };
-  const Vec ahead = across(difference(middle, inside));
+  const Vec ahead = across(difference<3>(middle, inside));
   Dart best;
   double most = -2;
   for (const Dart d : passed) {
     if (!is_space(d.cell, pair)) continue;
     double at[3];
     centre(env_, d.cell, at);
-    const double straight = dot(across(difference(at, middle)), ahead);
+    const double straight = dot(across(difference<3>(at, middle)), ahead);
     if (straight <= most) continue;
     most = straight;
     best = d;
@@ -139,8 +139,8 @@ Vec Crack::facet_normal(HalfFacet h) const {
   for (size_t t = 0; t < facet.triangles.size(); t += 3) {
     const double* const p = env_.point(facet.triangles[t]);
     // Of unit length first: squares of very long or short edges are no doubles.
-    const Vec a = unit(difference(env_.point(facet.triangles[t + 1]), p));
-    sum = sum + cross(a, unit(difference(env_.point(facet.triangles[t + 2]), p)));
+    const Vec a = unit(difference<3>(env_.point(facet.triangles[t + 1]), p));
+    sum = sum + cross(a, unit(difference<3>(env_.point(facet.triangles[t + 2]), p)));
   }
   return sum;
 }
@@ -199,7 +199,7 @@ bool Crack::find_line(uint32_t vertex, const Vec* normal, const Array<uint32_t>&
       const HalfFacet h = map_.half_facet(c, shape.dart_facet(d)), o = map_.opposite(h);
       if (is_in_crack(h)) continue;
       const auto height = [&](uint32_t dart) {
-        return dot(*normal, difference(env_.point(c, shape.dart_vertex(dart)), env_.point(vertex)));
+        return dot(*normal, difference<3>(env_.point(c, shape.dart_vertex(dart)), env_.point(vertex)));
       };
       if (normal != nullptr && height(shape.beta0(d)) * height(shape.beta1(d)) > 0) continue;
       if (o.valid()) {

@@ -83,8 +83,8 @@ void Opening::add_vertices(Edit<3>& edit) {
 /** False: they are too far away for a double. */
 bool Opening::place_copies(const Crack::Parting& parting, const Way& way, double (&places)[2][3]) const {
   const double* const p = env_.point(parting.vertex);
-  store(to_vec(p) - way.length(0) * settings_.width * parting.normal, places[0]);
-  store(to_vec(p) + way.length(1) * settings_.width * parting.normal, places[1]);
+  store<3>(to_vec<3>(p) - way.length(0) * settings_.width * parting.normal, places[0]);
+  store<3>(to_vec<3>(p) + way.length(1) * settings_.width * parting.normal, places[1]);
   return is_finite(places[0]) && is_finite(places[1]);
 }
 
@@ -313,7 +313,7 @@ void Opening::write_record(Edit<3>& edit) {
     if (way.stays) continue;
     const uint32_t v = crack_.partings()[i].vertex;
     for (const uint32_t copy : way.copies) record_.vertices.push_back({copy, v, v, 0.5});
-    const double width = length(difference(env_.point(way.copies[1]), env_.point(way.copies[0])));
+    const double width = length(difference<3>(env_.point(way.copies[1]), env_.point(way.copies[0])));
     record_.smallest = record_.vertices.size() == 2 ? width : std::min(record_.smallest, width);
     record_.largest = std::max(record_.largest, width);
     record_.shortened += way.shares[0] < 1 && way.shares[1] < 1 ? 1u : 0u;

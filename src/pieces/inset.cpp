@@ -97,7 +97,7 @@ Inset::Inset(const Environment<3>& env, const Piece& piece, const PieceSurface& 
       const SurfaceTriangle& triangle = surface.triangles[*corner / 3];
       double p[3][3];
       for (uint32_t k = 0; k < 3; ++k) origin(triangle.corners[(*corner + k) % 3], p[k]);
-      const Vec a = difference(p[1], p[0]), b = difference(p[2], p[0]);
+      const Vec a = difference<3>(p[1], p[0]), b = difference<3>(p[2], p[0]);
       ways_[v].shortest = std::min({ways_[v].shortest, length(a), length(b)});
       ways_[v].longest = std::max({ways_[v].longest, length(a), length(b)});
       const Vec normal = unit(cross(unit(a), unit(b)));
@@ -149,7 +149,7 @@ void Inset::find_directions(uint32_t vertex, const Array<Vec>& normals) {
   for (size_t i = first_[vertex]; i < cells_.size(); ++i) {
     double apex[3];
     centre(env_, cells_[i], apex);
-    middle = middle + difference(apex, at);
+    middle = middle + difference<3>(apex, at);
   }
   Vec* const directions = ways_[vertex].directions;
   directions[0] = directions[1] = unit(middle);
@@ -167,7 +167,7 @@ bool Inset::place(uint32_t vertex, uint32_t attempt, double share, double* posit
   const auto scale = static_cast<double>(uint64_t{1} << (round + 1) / 2);
   const double first = share * way.shortest, distance = round % 2 == 1 ? first / scale : first * scale;
   if (round != 0 && distance > kMost * way.longest) return false;
-  store(to_vec(at) + distance * way.directions[attempt % 2], position);
+  store<3>(to_vec<3>(at) + distance * way.directions[attempt % 2], position);
   for (size_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
     if (!contains(env_, cells_[i], position)) continue;
     *cell = cells_[i];

@@ -116,13 +116,13 @@ uint32_t BodyMove<D>::drop_clear(Body<D>& body, uint32_t count) {
   const uint32_t before = sweeps_.counts.skipped;
   const uint32_t kept = drop(body, count, [&](const Moving&, const Moving&, uint32_t e) {
     const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
-    const bool clear = distance_squared(body.position(a), body.position(b)) < std::max(rooms_[a], rooms_[b]);
+    const bool clear = distance_squared<D>(body.position(a), body.position(b)) < std::max(rooms_[a], rooms_[b]);
     if (!keeps_.empty() && clear) keeps_[e] = false;
     return clear;
   });
   for (uint32_t i = 0; i < kept; ++i) {
     const uint32_t a = body.edges[chunk_[i]].ends[0], b = body.edges[chunk_[i]].ends[1];
-    const double square = distance_squared(body.position(a), body.position(b));
+    const double square = distance_squared<D>(body.position(a), body.position(b));
     for (const uint32_t v : {a, b}) body.clearances[v].wanted = std::max(body.clearances[v].wanted, square);
   }
   earn_credit(body, sweeps_.counts.skipped - before, 2 * kept);
@@ -160,9 +160,9 @@ uint32_t BodyMove<D>::drop_short(Body<D>& body, PointArray targets, uint32_t cou
   const uint32_t kept = drop(body, count, [&](const Moving& a, const Moving& b, uint32_t e) {
     const uint32_t v = body.edges[e].ends[0], w = body.edges[e].ends[1];
     const double *const p = body.position(v), *const q = body.position(w);
-    const Vec way_p = difference(a.rank != kNone ? targets[v] : p, p);
-    const Vec way_q = difference(b.rank != kNone ? targets[w] : q, q), change = way_p - way_q;
-    const double length = distance_squared(p, q), way = std::max(dot(way_p, way_p), dot(way_q, way_q));
+    const Vec way_p = difference<D>(a.rank != kNone ? targets[v] : p, p);
+    const Vec way_q = difference<D>(b.rank != kNone ? targets[w] : q, q), change = way_p - way_q;
+    const double length = distance_squared<D>(p, q), way = std::max(dot(way_p, way_p), dot(way_q, way_q));
     const bool is_short = (way < length) & (dot(change, change) < share * length);
     short_ones[dropped] = e;
     dropped += is_short ? 1 : 0;

@@ -99,7 +99,7 @@ void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, 
   record.stopped = record.fraction == 1 ? 0 : record.moved;
   record.sweeps = sweeps_.counts;
   for (dsw_contact& contact : record.contacts) {
-    contact.distance_left = length(difference(contact.to, body.position(contact.vertex.index)));
+    contact.distance_left = length(difference<D>(contact.to, body.position(contact.vertex.index)));
   }
 }
 
@@ -189,7 +189,7 @@ template <int D>
 void BodyMove<D>::measure_clearances(Body<D>& body, PointArray targets) {
   double longest = 0;
   for (const uint32_t v : order_) {
-    if (moving_[v].rank != kNone) longest = std::max(longest, distance_squared(targets[v], body.position(v)));
+    if (moving_[v].rank != kNone) longest = std::max(longest, distance_squared<D>(targets[v], body.position(v)));
   }
   const double way = std::sqrt(longest);
   rooms_.assign(body.vertices.size(), 0);
@@ -355,7 +355,7 @@ void BodyMove<D>::remove_noise(Body<D>& body, double share, MoveRecord& record) 
     });
     if (count != 2) continue;
     const double *a = body.position(body.edges[edges[0]].other(v)), *b = body.position(body.edges[edges[1]].other(v));
-    const Vec line = difference(b, a), off = difference(body.position(v), a);
+    const Vec line = difference<D>(b, a), off = difference<D>(body.position(v), a);
     const double size = length(line), beside = length(cross(off, unit(line)));
     if (!(beside <= share * size) || !(dot(off, line) > 0) || !(dot(off, line) < dot(line, line))) continue;
     dsw_body_edit edit;

@@ -44,7 +44,7 @@ bool VertexMove<D>::move(uint32_t v, const double* target) {
       ++record_.limited;
       return false;
     }
-    const double left = length(difference(target, body_.position(v)));
+    const double left = length(difference<D>(target, body_.position(v)));
     for (size_t i = first_contact; i < record_.contacts.size(); ++i) record_.contacts[i].distance_left = left;
     const dsw_contact contact = record_.contacts[first_contact];
     const bool of_vertex = contact.edge.generation == 0 && contact.face.generation == 0;
@@ -78,7 +78,7 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
   double target[3], time = contact.time;
   std::copy_n(to, 3, target);
   shorten<D>(at.position, target, &time, is_free);
-  const double lean = std::fabs(dot(to_vec(contact.normal), difference(target, at.position)));
+  const double lean = std::fabs(dot(to_vec<D>(contact.normal), difference<D>(target, at.position)));
   const double back = stand_off(contact) / lean;
   if (back > 0)
     time = std::max(0.0, time - back);  // not a number: the way is longer than doubles go, and nothing is kept off
@@ -147,13 +147,13 @@ bool VertexMove<D>::insert(uint32_t v, const dsw_contact& contact) {
   const bool starts_here = body_.edges[e].ends[0] == v;
   const double share = starts_here ? contact.along : 1 - contact.along;
   const double *p = body_.position(body_.edges[e].ends[0]), *q = body_.position(body_.edges[e].ends[1]);
-  const double least = length(difference(q, p)) * std::min(share, 1 - share);
+  const double least = length(difference<D>(q, p)) * std::min(share, 1 - share);
   if (!(least >= settings_.min_length)) return false;
-  const Vec normal = to_vec(contact.normal);
+  const Vec normal = to_vec<D>(contact.normal);
   double point[3], largest = 0;
   point_at<D>(p, q, share, point);
   for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(point[k]));
-  const Vec on_edge = to_vec(point);
+  const Vec on_edge = to_vec<D>(point);
   // Rounding may have put it on the wrong side: then further and further from the obstacle.
   double lift = std::max(stand_off(contact), largest * std::numeric_limits<double>::epsilon());
   Cell cell;
@@ -167,7 +167,7 @@ bool VertexMove<D>::insert(uint32_t v, const dsw_contact& contact) {
       body_.inserted.push_back(middle);
       return true;
     }
-    store(on_edge + lift * normal, point);
+    store<D>(on_edge + lift * normal, point);
     if (!is_finite(point)) return false;
   }
   return false;
@@ -178,15 +178,15 @@ template <int D>
 bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_contact& contact, Walls& walls,
                           double* to) const {
   const double* const at = body_.position(v);
-  const Vec normal = to_vec(contact.normal);
-  Vec rest = difference(target, at);
+  const Vec normal = to_vec<D>(contact.normal);
+  Vec rest = difference<D>(target, at);
   const double into = dot(rest, normal);
   if (into < 0) rest = rest - into * normal;
   // Along the crease with the latest wall that this would go into. Whether another is in the way is the next sweep's to say.
   for (int k = walls.count - 1; k >= 0; --k) {
     const Vec crease = unit(cross(walls.normals[k], normal));
     if (dot(rest, walls.normals[k]) >= 0 || is_zero(crease)) continue;
-    rest = dot(difference(target, at), crease) * crease;
+    rest = dot(difference<D>(target, at), crease) * crease;
     break;
   }
   if (walls.count == 2) {
@@ -196,9 +196,9 @@ bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_contact& c
   walls.normals[walls.count++] = normal;
   if (is_zero(rest)) return false;
   // The gap is restored only where it has fallen below half.
-  const double off = stand_off(contact), gap = dot(difference(at, contact.position), normal);
+  const double off = stand_off(contact), gap = dot(difference<D>(at, contact.position), normal);
   if (gap < off / 2) rest = rest + (off - gap) * normal;
-  store(to_vec(at) + rest, to);
+  store<D>(to_vec<D>(at) + rest, to);
   if (sweeps_.partners != nullptr && !sweeps_.partners->reach.contains(to)) return false;
   // Where the rest is longer than doubles go, the move ends here.
   return is_finite(to) && !std::equal(to, to + 3, at);

@@ -155,7 +155,7 @@ void Detachment::measure() noexcept {
   for (uint32_t v = 0; v < surface_.vertices.size(); ++v) {
     double origin[3];
     inset_.origin(v, origin);
-    distance_ = std::max(distance_, length(difference(&positions_[size_t{v} * 3], origin)));
+    distance_ = std::max(distance_, length(difference<3>(&positions_[size_t{v} * 3], origin)));
   }
 }
 

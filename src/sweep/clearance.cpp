@@ -67,14 +67,14 @@ template <int D>
 bool covers(const Environment<D>& env, const Clearance<D>& ball, const double* a, const double* b,
             const double* c) noexcept {
   const double limit = ball.radius * ball.radius;
-  return is_known(env, ball) && distance_squared(a, ball.centre) < limit && distance_squared(b, ball.centre) < limit &&
-         distance_squared(c, ball.centre) < limit;
+  return is_known(env, ball) && distance_squared<D>(a, ball.centre) < limit &&
+         distance_squared<D>(b, ball.centre) < limit && distance_squared<D>(c, ball.centre) < limit;
 }
 
 template <int D>
 double room_squared(const Environment<D>& env, const Clearance<D>& ball, const double* at, double way) noexcept {
   if (!is_known(env, ball)) return 0;
-  const double room = ball.radius - std::sqrt(distance_squared(at, ball.centre)) - way;
+  const double room = ball.radius - std::sqrt(distance_squared<D>(at, ball.centre)) - way;
   return room > 0 ? room * room : 0;
 }
 

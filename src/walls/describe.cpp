@@ -20,7 +20,7 @@ HalfFacet seen_from(const Environment<D>& env, HalfFacet wall, const double* nor
   simplex_points(env, c, shape, shape.simplex_first(env.map.local_of(wall, c)), triangle);
   double outward[3];
   unit_normal<D>(triangle, outward);
-  return dot(to_vec(outward), to_vec(normal)) > 0 ? o : wall;
+  return dot(to_vec<D>(outward), to_vec<D>(normal)) > 0 ? o : wall;
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ template <int D>
 bool WallMove<D>::push(const Feature& point, const double* from, const double* to) {
   const double* const at = position(all_, point);
   double target[3];
-  store(to_vec(at) + difference(to, from), target);
+  store<D>(to_vec<D>(at) + difference<D>(to, from), target);
   if (!is_finite(target)) return false;
   if (point.kind == Feature::kParticle) {
     const CastResult way = cast(env_, at, target, cell_of(all_, point));

@@ -173,18 +173,18 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
   WallTouch touch;
   double at[3];
   point_at<D>(from, to, hit.time, at);
-  const Vec way = difference(to, from);
+  const Vec way = difference<D>(to, from);
   Vec normal;
   if (hit.feature.is_point()) {
     std::copy_n(position(all, hit.feature), 3, touch.point);
-    normal = unit(cross(difference(env.point(hit.q), at), difference(env.point(hit.r), at)));
+    normal = unit(cross(difference<D>(env.point(hit.q), at), difference<D>(env.point(hit.r), at)));
   } else if (hit.feature.kind == Feature::kEdge) {
     const Body<D>& body = *all.bodies[hit.feature.owner].body;
     const double *const x = body.position(body.edges[hit.feature.index].ends[0]),
                         *const y = body.position(body.edges[hit.feature.index].ends[1]);
-    const Vec wall = unit(difference(env.point(hit.q), at)), edge = difference(y, x), across = cross(edge, wall);
+    const Vec wall = unit(difference<D>(env.point(hit.q), at)), edge = difference<D>(y, x), across = cross(edge, wall);
     const double size = dot(across, across);
-    const double along = size > 0 ? dot(cross(difference(at, x), wall), across) / size : 0.5;
+    const double along = size > 0 ? dot(cross(difference<D>(at, x), wall), across) / size : 0.5;
     touch.along = std::min(std::max(along, 0.0), 1.0);
     point_at<D>(x, y, touch.along, touch.point);
     normal = unit(cross(wall, unit(edge)));
@@ -192,11 +192,11 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
     const Body<D>& body = *all.bodies[hit.feature.owner].body;
     const uint32_t(&corners)[3] = body.faces[hit.feature.index].corners;
     std::copy_n(at, 3, touch.point);
-    normal = unit(cross(difference(body.position(corners[1]), body.position(corners[0])),
-                        difference(body.position(corners[2]), body.position(corners[0]))));
+    normal = unit(cross(difference<D>(body.position(corners[1]), body.position(corners[0])),
+                        difference<D>(body.position(corners[2]), body.position(corners[0]))));
   }
   if (is_zero(normal)) normal = unit(way);
-  store(dot(normal, way) < 0 ? -1.0 * normal : normal, touch.normal);
+  store<D>(dot(normal, way) < 0 ? -1.0 * normal : normal, touch.normal);
   return touch;
 }
 
