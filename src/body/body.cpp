@@ -66,7 +66,7 @@ Box<D> box_of(const Body<D>& body, const uint32_t* vertices, int count) noexcept
 template <int D>
 double size_of(const Box<D>& box) noexcept {
   double size = 0;
-  for (int k = 0; k < 3; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
+  for (int k = 0; k < D; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
   return size;
 }
 
@@ -240,7 +240,7 @@ void tighten_bounds(Body<D>& body) noexcept {
 
 template <int D>
 void put_vertex(Body<D>& body, uint32_t vertex, const double* position, Cell cell) noexcept {
-  std::copy_n(position, 3, body.vertices[vertex].position);
+  std::copy_n(position, D, body.vertices[vertex].position);
   body.vertices[vertex].cell = cell;
   note(body, vertex);
 }
@@ -259,7 +259,7 @@ void keep_sequences(Body<D>& body, size_t edges) {
 template <int D>
 uint32_t add_vertex(Body<D>& body, const double* position, Cell cell) noexcept {
   BodyVertex<D> vertex;
-  std::copy_n(position, 3, vertex.position);
+  std::copy_n(position, D, vertex.position);
   vertex.cell = cell;
   const uint32_t v = acquire(body.vertex_slots, body.vertices, vertex);
   note(body, v);
@@ -439,6 +439,7 @@ void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
   template uint32_t split_edge(Body<D>& body, uint32_t edge, uint32_t middle) noexcept;                 \
   template bool can_collapse(const Body<D>& body, uint32_t edge, uint32_t vertex) noexcept;             \
   template void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept
+DSW_BODY(2);
 DSW_BODY(3);
 #undef DSW_BODY
 

@@ -14,14 +14,14 @@ constexpr uint32_t kNone = 0xffffffffu;
 
 enum class SweepLevel : uint32_t { kPoints, kEdges, kEdgesSwept, kFaces };
 
-/** Two to a cache line. */
+/** Two to a cache line in space. */
 template <int D>
 struct BodyVertex {
-  double position[3] = {};
+  double position[D] = {};
   Cell cell;                    // contains the position under the shift, passable; invalid in a free slot
   uint32_t first_edge = kNone;  // start of the list through BodyEdge::next
 };
-static_assert(sizeof(BodyVertex<3>) == 32);
+static_assert(sizeof(BodyVertex<3>) == 32 && sizeof(BodyVertex<2>) == 24);
 
 struct BodyEdge {
   uint32_t ends[2] = {kNone, kNone};  // kNone in a free slot
@@ -49,7 +49,7 @@ struct Skipping {
 /** A ball known to hold nothing impassable. */
 template <int D>
 struct Clearance {
-  double centre[3] = {};
+  double centre[D] = {};
   double radius = 0;                // 0: none is known
   uint64_t version = 0;             // of the environment when it was measured
   uint32_t wait = 0, patience = 1;  // moves until it is measured again where it was too small

@@ -13,7 +13,7 @@ Box<D> Box<D>::everything() noexcept {
 
 template <int D>
 bool Box<D>::contains(const double* point) const noexcept {
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < D; ++k) {
     if (!(lower[k] <= point[k] && point[k] <= upper[k])) return false;
   }
   return true;
@@ -27,6 +27,7 @@ bool Box<D>::overlaps(const double* const* points, int count) const noexcept {
 }
 
 #define DSW_BOX(D) template class Box<D>
+DSW_BOX(2);
 DSW_BOX(3);
 #undef DSW_BOX
 

@@ -1,6 +1,7 @@
 #pragma once
 // An axis-parallel box that grows. It is closed, so that what lies apart from it stays apart whatever the shift.
 
+#include <algorithm>
 #include <limits>
 
 namespace dsw {
@@ -8,11 +9,16 @@ namespace dsw {
 template <int D>
 struct Box {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  double lower[3] = {kInfinity, kInfinity, kInfinity}, upper[3] = {-kInfinity, -kInfinity, -kInfinity};
+  double lower[D], upper[D];
+
+  Box() noexcept {
+    std::fill_n(lower, D, kInfinity);
+    std::fill_n(upper, D, -kInfinity);
+  }
 
   static Box<D> everything() noexcept;
   void add(const double* point) noexcept {
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < D; ++k) {
       lower[k] = point[k] < lower[k] ? point[k] : lower[k];
       upper[k] = upper[k] < point[k] ? point[k] : upper[k];
     }
@@ -24,7 +30,7 @@ struct Box {
   bool empty() const noexcept { return !(lower[0] <= upper[0]); }
   bool contains(const double* point) const noexcept;
   bool overlaps(const Box<D>& other) const noexcept {
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < D; ++k) {
       if (!(lower[k] <= other.upper[k] && other.lower[k] <= upper[k])) return false;
     }
     return true;

@@ -88,7 +88,7 @@ typename BoxGrid<D>::Level& BoxGrid<D>::level_of(int32_t exponent) noexcept {
 template <int D>
 int32_t BoxGrid<D>::exponent_of(const Box<D>& box, double size) noexcept {
   double largest = 0;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < D; ++k) {
     size = std::max(size, box.upper[k] - box.lower[k]);
     largest = std::max({largest, std::fabs(box.lower[k]), std::fabs(box.upper[k])});
   }
@@ -104,7 +104,7 @@ template <int D>
 typename BoxGrid<D>::Look BoxGrid<D>::find_range(const Level& level, const Box<D>& box, Range& range) const noexcept {
   if (level.exponent == kHuge) return Look::kEverywhere;
   double cells = 1;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < D; ++k) {
     const double low = box.lower[k] * level.inverse, high = box.upper[k] * level.inverse;
     if (low > kFarthest || high < -kFarthest) return Look::kNowhere;
     range.low[k] = floor_of(std::max(low, -kFarthest)) - 1;
@@ -115,6 +115,7 @@ typename BoxGrid<D>::Look BoxGrid<D>::find_range(const Level& level, const Box<D
 }
 
 #define DSW_BOX_GRID(D) template class BoxGrid<D>
+DSW_BOX_GRID(2);
 DSW_BOX_GRID(3);
 #undef DSW_BOX_GRID
 

@@ -27,7 +27,7 @@ class BoxGrid {
   bool visit(const Box<D>& box, Visit visit) const {
     for (uint32_t k = 0; k < level_count_; ++k) {
       const Level& level = levels_[k];
-      Range range;
+      Range range{};
       const Look look = find_range(level, box, range);
       if (look == Look::kNowhere) continue;
       if (look == Look::kEverywhere) {
@@ -70,6 +70,7 @@ class BoxGrid {
     uint32_t count;
     double inverse;  // 2^-exponent
   };
+  /** In the plane the last number is 0, as in ranges. */
   struct Place {
     int64_t x[3];
     bool operator==(const Place& o) const { return x[0] == o.x[0] && x[1] == o.x[1] && x[2] == o.x[2]; }
@@ -87,14 +88,14 @@ class BoxGrid {
   static Place place_of(const Level& level, const Box<D>& box) noexcept {
     Place at{};
     if (level.exponent == kHuge) return at;
-    for (int k = 0; k < 3; ++k) at.x[k] = floor_of(box.lower[k] * level.inverse);
+    for (int k = 0; k < D; ++k) at.x[k] = floor_of(box.lower[k] * level.inverse);
     return at;
   }
   static int32_t exponent_of(const Box<D>& box, double size) noexcept;
   size_t head_of(const Place& at, int32_t exponent) const noexcept {
     uint64_t hash = static_cast<uint32_t>(exponent);
     constexpr uint64_t kFactors[3] = {0x9e3779b97f4a7c15u, 0xc2b2ae3d27d4eb4fu, 0x165667b19e3779f9u};
-    for (int k = 0; k < 3; ++k) hash += static_cast<uint64_t>(at.x[k]) * kFactors[k];
+    for (int k = 0; k < D; ++k) hash += static_cast<uint64_t>(at.x[k]) * kFactors[k];
     hash = (hash ^ hash >> 32) * kFactors[0];
     return static_cast<size_t>(hash >> 32) & (heads_.size() - 1);
   }

@@ -99,6 +99,7 @@ const char* check_integrity(const Body<D>& body) {
                    slots_fit(body.edge_slots, body.edges.size(), [&](uint32_t e) { return body.has_edge(e); }) &&
                    slots_fit(body.face_slots, body.faces.size(), [&](uint32_t f) { return body.has_face(f); });
   if (!fit) return "a slot is alive and empty, or the other way round";
+  if (D == 2 && !body.faces.empty()) return "faces in the plane";
   EdgesByEnds by_ends(body.edges.get_allocator());
   by_ends.reserve(body.edge_slots.alive_count());
   if (const char* const broken = check_edges(body, by_ends)) return broken;
@@ -109,6 +110,7 @@ const char* check_integrity(const Body<D>& body) {
 }
 
 #define DSW_INTEGRITY(D) template const char* check_integrity(const Body<D>& body)
+DSW_INTEGRITY(2);
 DSW_INTEGRITY(3);
 #undef DSW_INTEGRITY
 

@@ -10,8 +10,8 @@ constexpr double kWaste = 4;  // times what was put into it: the largest volume 
 /** Flat boxes count as if they had some thickness. */
 template <int D>
 double volume_of(const Box<D>& box) noexcept {
-  double size[3], longest = 0;
-  for (int k = 0; k < 3; ++k) {
+  double size[D], longest = 0;
+  for (int k = 0; k < D; ++k) {
     size[k] = box.upper[k] - box.lower[k];
     longest = std::max(longest, size[k]);
   }
@@ -71,6 +71,7 @@ void find_overlapping(const BoxGrid<D>& grid, const Places<D>& places, Array<uin
   template class BoxGroups<D>; \
   template class Places<D>;    \
   template void find_overlapping(const BoxGrid<D>& grid, const Places<D>& places, Array<uint32_t>& found)
+DSW_NEAR(2);
 DSW_NEAR(3);
 #undef DSW_NEAR
 
