@@ -33,9 +33,13 @@ struct PointText {
   PointText(const double* point, int dimension) noexcept;
 };
 
-/** Of a point in space. */
-inline bool is_finite(const double* point) noexcept {
-  return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+/** Of a point of D coordinates. */
+template <int D = 3>
+bool is_finite(const double* point) noexcept {
+  if constexpr (D == 3) {
+    if (!std::isfinite(point[2])) return false;
+  }
+  return std::isfinite(point[0]) && std::isfinite(point[1]);
 }
 
 /** Index of the first point that is not finite, or `count`. */
