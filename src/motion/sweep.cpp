@@ -11,30 +11,26 @@
 namespace dsw {
 namespace {
 
-template <int D>
 int side_of_plane(const double* const* triangle, const double* x) noexcept {
-  return plane_side<D>(triangle, x, NoTally{}).sign;
+  return plane_side<3>(triangle, x, NoTally{}).sign;
 }
-template <int D>
 int side_of_line(const double* p, const double* q, const double* a, const double* b) noexcept {
   const double* const ridge[2] = {a, b};
-  return line_side<D>(p, q, ridge, NoTally{}).sign;
+  return line_side<3>(p, q, ridge, NoTally{}).sign;
 }
 
 /** Whether body segment p q passes through a triangle, in either direction. */
-template <int D>
 bool passes_through(const double* p, const double* q, const double* const* triangle) noexcept {
-  const int after = side_of_plane<D>(triangle, q);
-  if (side_of_plane<D>(triangle, p) == after) return false;
+  const int after = side_of_plane(triangle, q);
+  if (side_of_plane(triangle, p) == after) return false;
   for (int k = 0; k < 3; ++k) {
-    if (side_of_line<D>(p, q, triangle[k], triangle[(k + 1) % 3]) != after) return false;
+    if (side_of_line(p, q, triangle[k], triangle[(k + 1) % 3]) != after) return false;
   }
   return true;
 }
 
 /** The numbers of an event's environment vertices; those of a line in ascending order. */
-template <int D>
-std::array<ptrdiff_t, 3> event_key(const Environment<D>& env, const SweepContact& c) {
+std::array<ptrdiff_t, 3> event_key(const Environment<3>& env, const SweepContact& c) {
   // The first point of an edge event is the body's.
   const bool of_line = c.event.kind == EventKind::kEdge;
   std::array<ptrdiff_t, 3> key{-1};
@@ -45,25 +41,11 @@ std::array<ptrdiff_t, 3> event_key(const Environment<D>& env, const SweepContact
 
 }  // namespace
 
-template <int D>
-SweepFlood<D>::SweepFlood(const Environment<D>& env)
-    : env_(env),
-      map_(env.map),
-      cells_(env.memory),
-      around_(env.memory),
-      lines_(env.memory),
-      corners_(Allocator<Corner>(env.memory)),
-      found_(Allocator<SweepContact>(env.memory)) {}
-
-template <int D>
-SweepResult SweepFlood<D>::sweep(const EdgeMotion& m, Cell start, uint32_t max_cells, bool collect) {
+SweepResult SweepFlood<3>::sweep(const EdgeMotion& m, Cell start, uint32_t max_cells, bool collect) {
   const SweptTriangle triangle(m);
   triangle_ = &triangle;
-  cells_.clear();
-  lines_.clear();
-  found_.clear();
+  clear();
   collect_ = collect;
-  result_ = {};
   cells_.insert(start);
   for (size_t i = 0; i < cells_.size(); ++i) {
     if (max_cells != 0 && i == max_cells) {
@@ -84,8 +66,7 @@ SweepResult SweepFlood<D>::sweep(const EdgeMotion& m, Cell start, uint32_t max_c
 
 /** Reads the vertices of a cell. False for a hexahedron all of whose facets lie beside the triangle's box: the main path, where p, p'
  * and q are in one cell and nothing can be met. It holds for warped cells too. */
-template <int D>
-bool SweepFlood<D>::read_corners(Cell c) {
+bool SweepFlood<3>::read_corners(Cell c) {
   read_vertices(c, *triangle_);
   if (map_.form(c) != Form::kBox) return true;
   for (const auto& f : kBoxFacets) {
@@ -96,22 +77,19 @@ bool SweepFlood<D>::read_corners(Cell c) {
   return false;
 }
 
-template <int D>
-int SweepFlood<D>::side(Corner& corner) const {
+int SweepFlood<3>::side(Corner& corner) const {
   if (corner.side == kUnknown) corner.side = triangle_->side(corner.at);
   return corner.side;
 }
 
 /** See SweptTriangle; the sides of both are known, and differ. */
-template <int D>
-uint32_t SweepFlood<D>::outside(const Corner& a, const Corner& b) {
+uint32_t SweepFlood<3>::outside(const Corner& a, const Corner& b) {
   return lines_.value(a.vertex, b.vertex, [&] { return triangle_->outside(a.at, b.at, b.side); });
 }
 
 /** Enters what lies behind passable facets that the triangle meets. A cell that it does not meet is not read, and one that has
  * been entered is not marked. */
-template <int D>
-void SweepFlood<D>::look_at_facets(Cell c, const Shape& shape) {
+void SweepFlood<3>::look_at_facets(Cell c, const Shape& shape) {
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
     const bool wall = !o.valid() || map_.facet_marked(h);
@@ -124,8 +102,7 @@ void SweepFlood<D>::look_at_facets(Cell c, const Shape& shape) {
   }
 }
 
-template <int D>
-bool SweepFlood<D>::facet_met(const Shape& shape, uint32_t facet) {
+bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
   const uint32_t first = shape.simplex_first(facet), last = shape.simplex_first(facet + 1);
   if (last > first + 1) {
     uint32_t beyond = ~0u;
@@ -143,8 +120,7 @@ bool SweepFlood<D>::facet_met(const Shape& shape, uint32_t facet) {
 /** Whether the swept triangle meets a simplex. The simplex meets the swept plane in a segment between two of its sides: that
  * meets the triangle if one of its ends lies inside, and not if both lie outside of one side of it. Else it meets the triangle where
  * a side of that passes through the simplex; it ends outside and passes two sides then, so that two of the three need be asked. */
-template <int D>
-bool SweepFlood<D>::simplex_met(const uint16_t* local) {
+bool SweepFlood<3>::simplex_met(const uint16_t* local) {
   Corner* const corner[3] = {&corners_[local[0]], &corners_[local[1]], &corners_[local[2]]};
   if ((corner[0]->beyond & corner[1]->beyond & corner[2]->beyond) != 0) return false;
   const int sides[3] = {side(*corner[0]), side(*corner[1]), side(*corner[2])};
@@ -160,12 +136,11 @@ bool SweepFlood<D>::simplex_met(const uint16_t* local) {
   if (common != 0) return false;
   const double* const simplex[3] = {corner[0]->at, corner[1]->at, corner[2]->at};
   const EdgeMotion& m = triangle_->motion();
-  return passes_through<D>(m.p, m.to, simplex) || passes_through<D>(m.to, m.q, simplex);
+  return passes_through(m.p, m.to, simplex) || passes_through(m.to, m.q, simplex);
 }
 
 /** All events of an impassable facet. */
-template <int D>
-void SweepFlood<D>::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet) {
+void SweepFlood<3>::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet) {
   const EdgeMotion& m = triangle_->motion();
   SweepContact found;
   found.front = c;
@@ -177,7 +152,7 @@ void SweepFlood<D>::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet)
     const int sides[3] = {side(*corner[0]), side(*corner[1]), side(*corner[2])};
     if (sides[0] == sides[1] && sides[1] == sides[2]) continue;
     const double* const simplex[3] = {corner[0]->at, corner[1]->at, corner[2]->at};
-    found.faces_start = side_of_plane<D>(simplex, m.p) < 0;
+    found.faces_start = side_of_plane(simplex, m.p) < 0;
     for (int k = 0; k < 3; ++k) {
       const int next = k == 2 ? 0 : k + 1;
       if (sides[k] == sides[next] || outside(*corner[k], *corner[next]) != 0) continue;
@@ -189,7 +164,7 @@ void SweepFlood<D>::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet)
       consider(found);
     }
     // Seen from the side it comes from; from the other the same event belongs to the cell on this side.
-    if (found.faces_start && passes_through<D>(m.p, m.to, simplex)) {
+    if (found.faces_start && passes_through(m.p, m.to, simplex)) {
       found.event = {{simplex[0], simplex[1], simplex[2]}, EventKind::kVertex};
       found.dart = kNoFacet;
       consider(found);
@@ -197,8 +172,7 @@ void SweepFlood<D>::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet)
   }
 }
 
-template <int D>
-void SweepFlood<D>::look_at_wires(Cell c, const Shape& shape) {
+void SweepFlood<3>::look_at_wires(Cell c, const Shape& shape) {
   SweepContact found;
   found.front = c;
   for (uint32_t d = 0; d < shape.dart_count(); ++d) {
@@ -213,8 +187,7 @@ void SweepFlood<D>::look_at_wires(Cell c, const Shape& shape) {
 }
 
 /** Keeps the earlier contact; one line seen from several cells is compared by names alone. */
-template <int D>
-void SweepFlood<D>::consider(const SweepContact& found) {
+void SweepFlood<3>::consider(const SweepContact& found) {
   if (collect_) found_.push_back(found);
   if (result_.end == SweepEnd::kContact &&
       !comes_before(map_, triangle_->motion().p, triangle_->motion().to, found, result_.contact))
@@ -225,8 +198,7 @@ void SweepFlood<D>::consider(const SweepContact& found) {
 
 /** Of each event the contact that counts, and these in their order. No two are equivalent in either, so no result depends on
  * how they are sorted. */
-template <int D>
-void SweepFlood<D>::sort_found() {
+void SweepFlood<3>::sort_found() {
   const auto before = [this](const SweepContact& a, const SweepContact& b) {
     return comes_before(map_, triangle_->motion().p, triangle_->motion().to, a, b);
   };
@@ -238,9 +210,5 @@ void SweepFlood<D>::sort_found() {
   found_.erase(std::unique(found_.begin(), found_.end(), same_event), found_.end());
   std::sort(found_.begin(), found_.end(), before);
 }
-
-#define DSW_SWEEP(D) template class SweepFlood<D>
-DSW_SWEEP(3);
-#undef DSW_SWEEP
 
 }  // namespace dsw

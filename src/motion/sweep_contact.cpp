@@ -1,5 +1,6 @@
 #include "motion/sweep_contact.h"
 
+#include <algorithm>
 #include <tuple>
 
 #include "motion/standard_facets.h"
@@ -34,7 +35,9 @@ SweepContact path_contact(const Environment<D>& env, const CastResult& path) noe
   found.facet = path.facet;
   found.faces_start = true;
   found.simplex = path.simplex;
-  boundary_points(env, path.cell, path.simplex, found.event.points);
+  const double* simplex[D];
+  boundary_points(env, path.cell, path.simplex, simplex);
+  std::copy_n(simplex, D, found.event.points);
   return found;
 }
 
@@ -58,6 +61,7 @@ bool comes_before(const Map<D>& map, const double* p, const double* to, const Sw
   template SweepContact path_contact(const Environment<D>& env, const CastResult& path) noexcept;         \
   template bool comes_before(const Map<D>& map, const double* p, const double* to, const SweepContact& a, \
                              const SweepContact& b) noexcept
+DSW_SWEEP_CONTACT(2);
 DSW_SWEEP_CONTACT(3);
 #undef DSW_SWEEP_CONTACT
 

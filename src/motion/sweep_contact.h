@@ -18,7 +18,7 @@ struct SweepContact {
   bool faces_start = false;     // p lies on this side of the plane
   uint32_t simplex = 0;         // of `front`, in `facet`; not of a face
   uint32_t dart = kNoFacet;     // of `front`, along the obstacle's edge; kNoFacet for other events and on a diagonal
-  uint32_t vertex = kNoVertex;  // of a face: the environment vertex it meets
+  uint32_t vertex = kNoVertex;  // of a face, in the plane of an edge: the environment vertex it meets
 };
 
 /** That of a cast which hit something: the moving end alone. */
@@ -29,7 +29,7 @@ SweepContact path_contact(const Environment<D>& env, const CastResult& path) noe
 enum class ContactKind : uint32_t { kVertex, kEdge, kPlane };
 
 inline ContactKind kind_of(const SweepContact& c) {
-  if (c.event.kind == EventKind::kFace) return ContactKind::kVertex;
+  if (c.vertex != kNoVertex) return ContactKind::kVertex;
   return c.dart != kNoFacet ? ContactKind::kEdge : ContactKind::kPlane;
 }
 
