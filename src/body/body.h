@@ -111,7 +111,7 @@ struct Body {
   const double* position(uint32_t v) const { return vertices[v].position; }
   uint64_t memory_bytes() const {
     uint64_t of_parts = array_bytes(sequences);
-    for (const EdgeSequence<D>& each : sequences) of_parts += array_bytes(each.facets) + each.triangles.memory_bytes();
+    for (const EdgeSequence<D>& each : sequences) of_parts += array_bytes(each.facets) + each.rows.memory_bytes();
     for (const BodyBoxes<D>& each : boxes) of_parts += sizeof each + each.memory_bytes();
     return of_parts + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) +
            array_bytes(inserted) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() + face_slots.memory_bytes();

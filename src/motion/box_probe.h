@@ -1,6 +1,6 @@
 #pragma once
 // Boxes that hold nothing impassable: what a body sweeps inside of one is free, whatever it is. Found out by comparisons alone,
-// in hexahedra, which are often larger than what is swept.
+// in hexahedra, which are often larger than what is swept, and in the plane in any polygons.
 
 #include <cstdint>
 
@@ -8,14 +8,16 @@
 
 namespace dsw {
 
-/** The box of some points, with room for a fourth coordinate, which lies inside of all boxes. */
+/** The box of some points, in space with room for a fourth coordinate, which lies inside of all boxes. */
 template <int D>
 struct Bounds {
-  double low[4], high[4];
+  double low[D == 3 ? 4 : 2] = {}, high[D == 3 ? 4 : 2] = {};
 
-  explicit Bounds(const double* x) noexcept : low{x[0], x[1], x[2], 0}, high{x[0], x[1], x[2], 0} {}
+  explicit Bounds(const double* x) noexcept {
+    for (int k = 0; k < D; ++k) low[k] = high[k] = x[k];
+  }
   void include(const double* x) noexcept {
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < D; ++k) {
       low[k] = x[k] < low[k] ? x[k] : low[k];
       high[k] = high[k] < x[k] ? x[k] : high[k];
     }
@@ -37,10 +39,10 @@ class BoxProbe {
   explicit BoxProbe(const Environment<D>& env) noexcept : env_(env) {}
 
   /** Whether it looks at cells like this one at all. */
-  static bool suits(const Environment<D>& env, Cell c) noexcept { return env.map.form(c) == Form::kBox; }
+  static bool suits(const Environment<D>& env, Cell c) noexcept { return D == 2 || env.map.form(c) == Form::kBox; }
 
   /** Whether no obstacle is met in the box, from `start`, which is passable. False also where that would take long to find out: at
-   * other cells than hexahedra, and in a box that meets more than eight. */
+   * cells that do not suit, and in a box that meets more than eight. */
   bool is_free(const Bounds<D>& box, Cell start) noexcept;
 
   /** Whether the last flood entered a cell. */
@@ -55,6 +57,7 @@ class BoxProbe {
 
   bool enter(Cell c) noexcept;
   bool enter_neighbours(const Bounds<D>& box, Cell c) noexcept;
+  bool enter_beyond(uint32_t link) noexcept;
 
   const Environment<D>& env_;
   Cell cells_[kMost];

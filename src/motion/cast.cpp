@@ -62,9 +62,12 @@ bool contains(const Environment<D>& env, Cell cell, const double* point) noexcep
   return kWalk<D>.contains(env, cell, from, point);
 }
 
-bool sees_all(const Environment<3>& env, Cell cell, const double* point, CastCounters* counters) noexcept {
-  if (counters != nullptr && env.map.form(cell) == Form::kBox) counters->orientation_tests += 12;
-  return kWalk<3>.sees_all(env, cell, point);
+template <int D>
+bool sees_all(const Environment<D>& env, Cell cell, const double* point, CastCounters* counters) noexcept {
+  if (counters != nullptr && (D == 2 || env.map.form(cell) == Form::kBox)) {
+    counters->orientation_tests += D == 2 ? env.map.facets_of(cell) : 12;
+  }
+  return kWalk<D>.sees_all(env, cell, point);
 }
 
 bool admits_with_centre(const Environment<3>& env, Cell cell, double* centre) noexcept {
@@ -87,6 +90,8 @@ template bool contains(const Environment<2>&, Cell, const double*) noexcept;
 template void cast_side_by_side(const Environment<3>&, const CastRequest*, uint32_t, CastResult*,
                                 CastCounters*) noexcept;
 template bool contains(const Environment<3>&, Cell, const double*) noexcept;
+template bool sees_all(const Environment<2>&, Cell, const double*, CastCounters*) noexcept;
+template bool sees_all(const Environment<3>&, Cell, const double*, CastCounters*) noexcept;
 template double crossing_time(const Environment<2>&, Cell, uint32_t, const double*, const double*) noexcept;
 template double crossing_time(const Environment<3>&, Cell, uint32_t, const double*, const double*) noexcept;
 

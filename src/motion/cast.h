@@ -80,11 +80,12 @@ void cast_side_by_side(const Environment<D>& env, const CastRequest* requests, u
 template <int D>
 bool contains(const Environment<D>& env, Cell cell, const double* point) noexcept;
 
-/** Whether the filter sees that a point lies strictly inside of all boundary planes of a hexahedron that need not be convex. All points
- * with that property form a convex set, which holds the centre of a valid cell; on the way from there to one of them no boundary triangle
- * can be passed, as its plane is not. So the set lies in the cell. And a cell is star-shaped as seen from each of them: what joins
- * it to any other point of the cell lies in the cell. False for cells of other forms. */
-bool sees_all(const Environment<3>& env, Cell cell, const double* point, CastCounters* counters) noexcept;
+/** Whether the filter sees that a point lies strictly inside of all boundary planes of a hexahedron that need not be convex, in the plane
+ * of the lines of a polygon's sides. All points with that property form a convex set, which holds the centre of a valid cell; on the way
+ * from there to one of them no boundary simplex can be passed, as its plane is not. So the set lies in the cell. And a cell is star-shaped
+ * as seen from each of them: what joins it to any other point of the cell lies in the cell. False for other polyhedra. */
+template <int D>
+bool sees_all(const Environment<D>& env, Cell cell, const double* point, CastCounters* counters) noexcept;
 
 /** As `admits`; gives the cell's centre, too. Looking at a hexahedron of moving points takes half the time. */
 bool admits_with_centre(const Environment<3>& env, Cell cell, double* centre) noexcept;

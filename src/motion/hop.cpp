@@ -1,5 +1,6 @@
 #include "motion/hop.h"
 
+#include "motion/line_sides.h"
 #include "motion/standard_facets.h"
 #include "predicates/filtered.h"
 
@@ -7,8 +8,9 @@ namespace dsw {
 namespace {
 
 /** The corners of a facet, counter-clockwise seen from outside; a triangle repeats the last. */
+template <int D>
 struct Facet {
-  const double* corners[4];
+  const double* corners[D == 3 ? 4 : 2];
 };
 
 /** The words of a record that hold links, a bit each; none of forms that are not asked. */
@@ -17,8 +19,7 @@ uint32_t link_words(Form form) noexcept {
 }
 
 /** The facet of `first` that leads into `second`; that of a marked one leads nowhere. */
-template <int D>
-bool find_facet(const Environment<D>& env, Cell first, Cell second, Facet& facet) noexcept {
+bool find_facet(const Environment<3>& env, Cell first, Cell second, Facet<3>& facet) noexcept {
   const uint32_t* const w = env.map.record(first);
   const Form form = form_of(w[0]);
   uint32_t shared = 0;
@@ -35,14 +36,29 @@ bool find_facet(const Environment<D>& env, Cell first, Cell second, Facet& facet
   return true;
 }
 
+bool find_facet(const Environment<2>& env, Cell first, Cell second, Facet<2>& side) noexcept {
+  const Map<2>& map = env.map;
+  const uint32_t count = map.facets_of(first);
+  for (uint32_t f = 0; f < count; ++f) {
+    const HalfFacet h = map.half_facet(first, f), o = map.opposite(h);
+    if (!o.valid() || map.facet_marked(h) || map.cell_of(o) != second) continue;
+    side = {{env.point(first, f), env.point(first, f + 1 == count ? 0 : f + 1)}};
+    return true;
+  }
+  return false;
+}
+
 /** Whether a line passes all ridges of a facet on the facet's side, on its way out. */
-template <int D>
-bool passes(const Facet& facet, const double* from, const double* to) noexcept {
-  const filter::Vec<D> way = filter::difference<D>(to, from);
+bool passes(const Facet<2>& side, const double* from, const double* to) noexcept {
+  LineSides line(from, to);
+  return line.pass(side.corners[0], side.corners[1]) && line.passed_all();
+}
+bool passes(const Facet<3>& facet, const double* from, const double* to) noexcept {
+  const filter::Vec<3> way = filter::difference<3>(to, from);
   for (int k = 0; k < 4; ++k) {
     const double *const x = facet.corners[k], *const y = facet.corners[(k + 1) % 4];
     if (x == y) continue;
-    const filter::Vec<D> a = filter::difference<D>(x, from), b = filter::difference<D>(y, from);
+    const filter::Vec<3> a = filter::difference<3>(x, from), b = filter::difference<3>(y, from);
     const double det = filter::dot(filter::cross(a, b), way);
     if (!(det > 0 && filter::certain(det, filter::extent(way, a, b)))) return false;
   }
@@ -53,14 +69,15 @@ bool passes(const Facet& facet, const double* from, const double* to) noexcept {
 
 template <int D>
 bool passes_between(const Environment<D>& env, Cell first, Cell second, const double* from, const double* to) noexcept {
-  Facet facet;
+  Facet<D> facet;
   return env.map.convex(first) && env.map.convex(second) && find_facet(env, first, second, facet) &&
-         !is_closed(env, second) && passes<D>(facet, from, to);
+         !is_closed(env, second) && passes(facet, from, to);
 }
 
 #define DSW_HOP(D)                                                                                     \
   template bool passes_between(const Environment<D>& env, Cell first, Cell second, const double* from, \
                                const double* to) noexcept
+DSW_HOP(2);
 DSW_HOP(3);
 #undef DSW_HOP
 

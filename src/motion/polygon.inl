@@ -75,3 +75,17 @@ class ConvexPolygon {
   uint32_t size_;
   bool is_general_;
 };
+
+/** Whether the filter sees that a point lies strictly inside of all sides of a polygon. */
+inline bool is_inside_all_sides(const Environment<2>& env, Cell c, const double* x) noexcept {
+  const uint32_t count = env.map.vertices_of(c);
+  filter::Vec<2> a = filter::difference<2>(env.point(c, count - 1), x), reach = filter::extent(a);
+  double least = HUGE_VAL;
+  for (uint32_t i = 0; i < count; ++i) {
+    const filter::Vec<2> b = filter::difference<2>(env.point(c, i), x), size = filter::extent(b);
+    reach = {filter::larger(reach.x, size.x), filter::larger(reach.y, size.y)};
+    least = filter::smaller(least, a.x * b.y - a.y * b.x);
+    a = b;
+  }
+  return least > 0 && filter::certain(least, reach);
+}

@@ -1,8 +1,10 @@
 #include "motion/sequence.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "base/slot_pool.h"
+#include "motion/line_sides.h"
 #include "motion/shear.h"
 #include "motion/standard_facets.h"
 
@@ -12,50 +14,65 @@ namespace {
 const PassTriangles kPassTriangles = choose_pass_triangles();
 
 template <int D>
-bool is_of_tetrahedron(const Map<D>& map, uint32_t facet) noexcept {
-  return form_of(map.words[facet / kUnitWords * kUnitWords]) == Form::kSimplex;
-}
+using LineTests = std::conditional_t<D == 3, Shear, LineSides>;
+size_t pass(Shear& line, const FacetRows<3>& triangles) noexcept { return kPassTriangles(line, triangles); }
+size_t pass(LineSides& line, const FacetRows<2>& sides) noexcept { return line.pass(sides); }
 
-/** The vertices of a tetrahedron's facet, in the order of its shape. */
+/** Whether rows hold facets of a cell like this one: their corners are all that a line test needs. */
+bool is_for_rows(const Map<3>& map, Cell c) noexcept { return map.form(c) == Form::kSimplex; }
+bool is_for_rows(const Map<2>& map, Cell c) noexcept { return map.convex(c); }
+
+/** The vertices of a facet that is kept in rows, in the order of its shape. */
 template <int D>
 struct Corners {
-  uint32_t vertices[3];
+  uint32_t vertices[D];
 
   Corners(const Map<D>& map, uint32_t facet) noexcept {
-    const uint32_t* const w = map.words.data() + facet / kUnitWords * size_t{kUnitWords};
-    const uint8_t(&local)[3] = kTetrahedronFacets[facet % kUnitWords - (kUnitWords - 4)];
-    for (int i = 0; i < 3; ++i) vertices[i] = w[local[i]] & kVertexMask;
+    if constexpr (D == 3) {
+      const uint32_t* const w = map.words.data() + facet / kUnitWords * size_t{kUnitWords};
+      const uint8_t(&local)[3] = kTetrahedronFacets[facet % kUnitWords - (kUnitWords - 4)];
+      for (int i = 0; i < 3; ++i) vertices[i] = w[local[i]] & kVertexMask;
+    } else {
+      const Cell c = map.cell_of({facet});
+      const uint32_t side = map.local_of({facet}, c), next = side + 1;
+      vertices[0] = map.vertex(c, side);
+      vertices[1] = map.vertex(c, next == map.vertices_of(c) ? 0 : next);
+    }
   }
-  bool has(uint32_t vertex) const noexcept {
-    return vertices[0] == vertex || vertices[1] == vertex || vertices[2] == vertex;
+  bool has(const Pivot<D>& pivot) const noexcept {
+    const uint32_t *const begin = vertices, *const end = vertices + D;
+    return std::all_of(pivot.vertices, pivot.vertices + D - 1,
+                       [&](uint32_t vertex) { return std::find(begin, end, vertex) != end; });
   }
-  bool has(VertexPair edge) const noexcept { return has(edge.a) && has(edge.b); }
 };
 
-/** What is known of facets of tetrahedra from `begin` to before `end`. */
+/** What is known of facets in rows from `begin` to before `end`. */
 template <int D>
-void read_triangles(const Environment<D>& env, EdgeSequence<D>& sequence, size_t begin, size_t end) noexcept {
+void read_rows(const Environment<D>& env, EdgeSequence<D>& sequence, size_t begin, size_t end) noexcept {
   for (size_t n = begin; n < end; ++n) {
     const Corners<D> corners(env.map, sequence.facets[n]);
-    for (int i = 0; i < 3; ++i) sequence.triangles.set(n, i, env.point(corners.vertices[i]));
+    for (int i = 0; i < D; ++i) sequence.rows.set(n, i, env.point(corners.vertices[i]));
   }
 }
 
-/** Of tetrahedra: whether all are, and the cells valid. */
+/** Of facets in rows: whether all are, and the cells valid, and in the plane still convex. */
 template <int D>
 bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noexcept {
   const Map<D>& map = env.map;
   uint32_t marks = 0;
-  for (const uint32_t f : facets) marks |= map.words[f / kUnitWords * kUnitWords] | map.words[f];
+  for (const uint32_t f : facets) {
+    const Cell c = D == 3 ? Cell{f / kUnitWords} : map.cell_of({f});
+    if (D == 2 && !map.convex(c)) return false;
+    marks |= map.record(c)[0] | map.words[f];
+  }
   if ((marks & kMarkBit) != 0) return false;
   return !env.checked.active() ||
          std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return admits(env, map.cell_of({f})); });
 }
 
-/** Facets of any form. Whether all are passable, and their cells exactly convex. */
-template <int D>
-bool pass(const Environment<D>& env, Shear& shear, const Array<uint32_t>& facets) noexcept {
-  const Map<D>& map = env.map;
+/** Facets that are not in rows. Whether all are passable, and their cells exactly convex. */
+bool pass(const Environment<3>& env, Shear& shear, const Array<uint32_t>& facets) noexcept {
+  const Map<3>& map = env.map;
   uint32_t marks = 0;
   for (const uint32_t f : facets) {
     const Cell c = map.cell_of({f});
@@ -78,28 +95,59 @@ bool pass(const Environment<D>& env, Shear& shear, const Array<uint32_t>& facets
   return (marks & kMarkBit) == 0;
 }
 
-bool is_same_point(const double* a, const double* b) noexcept { return std::equal(a, a + 3, b); }
+template <int D>
+bool is_same_point(const double* a, const double* b) noexcept {
+  return std::equal(a, a + D, b);
+}
+
+/** What a line passes on the wrong side of a facet that it does not pass. */
+Pivot<3> missed(const Environment<3>& env, Shear& line, const Corners<3>& corners) noexcept {
+  Shear::Point points[3];
+  for (int i = 0; i < 3; ++i) points[i] = line(env.point(corners.vertices[i]));
+  int side = 0;
+  while (side < 2 && Shear::side(points[side], points[side + 1]) > 0) ++side;
+  return {{corners.vertices[side], corners.vertices[(side + 1) % 3]}};
+}
+Pivot<2> missed(const Environment<2>& env, LineSides& line, const Corners<2>& corners) noexcept {
+  return {{corners.vertices[line.side(env.point(corners.vertices[0])) < 0 ? 1 : 0]}};
+}
+
+/** The other facet of a cell at a pivot of `entered`. */
+HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>& edge) noexcept {
+  HalfFacet other;
+  for (uint32_t f = 0; f < 4; ++f) {
+    const HalfFacet h = map.half_facet(c, f);
+    const uint32_t tip = map.vertex(c, kTetrahedronTips[f]);
+    if (h != entered && tip != edge.vertices[0] && tip != edge.vertices[1]) other = h;
+  }
+  return other;
+}
+HalfFacet other_at(const Map<2>& map, Cell c, HalfFacet entered, const Pivot<2>& vertex) noexcept {
+  const uint32_t count = map.vertices_of(c), side = map.local_of(entered, c);
+  const bool begins_there = map.vertex(c, side) == vertex.vertices[0];
+  return map.half_facet(c, (side + (begins_there ? count - 1 : 1)) % count);
+}
 
 }  // namespace
 
 template <int D>
 void EdgeSequence<D>::replace(const Environment<D>& env, size_t begin, size_t end, const uint32_t* by, size_t count) {
   const size_t removed = end - begin, size = facets.size() - removed + count;
-  const bool all = (of_tetrahedra || removed == facets.size()) &&
-                   std::all_of(by, by + count, [&](uint32_t f) { return is_of_tetrahedron(env.map, f); });
+  const bool all = (in_rows || removed == facets.size()) &&
+                   std::all_of(by, by + count, [&](uint32_t f) { return is_for_rows(env.map, env.map.cell_of({f})); });
   if (size > facets.size()) reserve_more(facets, size - facets.size());
-  if (all) triangles.reserve(size);
+  if (all) rows.reserve(size);
   const auto at = facets.erase(facets.begin() + static_cast<std::ptrdiff_t>(begin),
                                facets.begin() + static_cast<std::ptrdiff_t>(end));
   facets.insert(at, by, by + count);
   placed = false;
   if (all) {
-    triangles.replace(begin, of_tetrahedra ? removed : 0, count);
-    of_tetrahedra = true;
-    read_triangles(env, *this, begin, begin + count);
+    rows.replace(begin, in_rows ? removed : 0, count);
+    in_rows = true;
+    read_rows(env, *this, begin, begin + count);
   } else {
-    triangles.clear();
-    of_tetrahedra = false;
+    rows.clear();
+    in_rows = false;
   }
 }
 
@@ -112,18 +160,21 @@ bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double*
   if (!sequence.known() || map.cell_of({facets.front()}) != first) return false;
   if (map.cell_of(map.opposite({facets.back()})) != last) return false;
   if (!map.convex(last) || is_closed(env, last)) return false;
-  Shear shear(from, to);
-  if (!sequence.of_tetrahedra) return pass(env, shear, facets) && shear.passed_all();
+  LineTests<D> line(from, to);
+  if (!sequence.in_rows) {
+    if constexpr (D == 3) return pass(env, line, facets) && line.passed_all();
+    return false;
+  }
   if (sequence.version != env.obstacle_version) {
     if (!are_passable(env, facets)) return false;
-    read_triangles(env, sequence, 0, facets.size());
+    read_rows(env, sequence, 0, facets.size());
     sequence.version = env.obstacle_version;
     sequence.placed = false;
   }
-  if (sequence.placed && is_same_point(from, sequence.from) && is_same_point(to, sequence.to)) return true;
-  if (kPassTriangles(shear, sequence.triangles) < facets.size() || !shear.passed_all()) return false;
-  std::copy_n(from, 3, sequence.from);
-  std::copy_n(to, 3, sequence.to);
+  if (sequence.placed && is_same_point<D>(from, sequence.from) && is_same_point<D>(to, sequence.to)) return true;
+  if (pass(line, sequence.rows) < facets.size() || !line.passed_all()) return false;
+  std::copy_n(from, D, sequence.from);
+  std::copy_n(to, D, sequence.to);
   sequence.placed = true;
   return true;
 }
@@ -136,46 +187,37 @@ PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) no
   passed.count = 1;
   if (path.cells_visited == 2) return passed;
   // Two tetrahedra have one facet in common; other cells may have several.
-  if (map.form(path.previous) != Form::kSimplex || map.form(path.cell) != Form::kSimplex) return {};
-  for (uint32_t f = 0; f < 4; ++f) {
+  if (D == 3 && (map.form(path.previous) != Form::kSimplex || map.form(path.cell) != Form::kSimplex)) return {};
+  for (uint32_t f = 0, facets = map.facets_of(path.previous); f < facets; ++f) {
     const HalfFacet h = map.half_facet(path.previous, f), o = map.opposite(h);
-    if (o.valid() && map.cell_of(o) == path.cell) passed.facets[1] = h;
+    if (!o.valid() || map.cell_of(o) != path.cell) continue;
+    if (passed.count == 2) return {};
+    passed.facets[1] = h;
+    passed.count = 2;
   }
-  passed.count = 2;
   return passed;
 }
 
 template <int D>
-bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,
-          VertexPair& edge) {
-  constexpr size_t kMost = 64;  // facets at an edge
+bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Pivot<D>& pivot) {
+  constexpr size_t kMost = 64;  // facets at a pivot
   const Map<D>& map = env.map;
   const Array<uint32_t>& old = sequence.facets;
-  if (!sequence.of_tetrahedra || sequence.version != env.obstacle_version) return false;
-  Shear shear(from, to);
-  const size_t begin = kPassTriangles(shear, sequence.triangles);
+  if (!sequence.in_rows || sequence.version != env.obstacle_version) return false;
+  LineTests<D> line(from, to);
+  const size_t begin = pass(line, sequence.rows);
   if (begin == old.size()) return false;
-  const Corners<D> corners(map, old[begin]);
-  Shear::Point points[3];
-  for (int i = 0; i < 3; ++i) points[i] = shear(env.point(corners.vertices[i]));
-  int side = 0;
-  while (side < 2 && Shear::side(points[side], points[side + 1]) > 0) ++side;
-  edge = {corners.vertices[side], corners.vertices[(side + 1) % 3]};
+  pivot = missed(env, line, Corners<D>(map, old[begin]));
   size_t end = begin + 1;
-  while (end < old.size() && Corners<D>(map, old[end]).has(edge)) ++end;
+  while (end < old.size() && Corners<D>(map, old[end]).has(pivot)) ++end;
 
   const Cell last = map.cell_of(map.opposite({old[end - 1]}));
   uint32_t turned[kMost];
   size_t count = 0;
   HalfFacet entered{old[begin]};
   for (Cell c = map.cell_of(entered); c != last; c = map.cell_of(entered)) {
-    if (map.form(c) != Form::kSimplex || is_closed(env, c) || count == kMost) return false;
-    HalfFacet next;
-    for (uint32_t f = 0; f < 4; ++f) {
-      const HalfFacet h = map.half_facet(c, f);
-      const uint32_t tip = map.vertex(c, kTetrahedronTips[f]);
-      if (h != entered && tip != edge.a && tip != edge.b) next = h;
-    }
+    if (!is_for_rows(map, c) || is_closed(env, c) || count == kMost) return false;
+    const HalfFacet next = other_at(map, c, entered, pivot);
     turned[count++] = next.word;
     entered = map.opposite(next);
     if (!entered.valid() || map.facet_marked(next)) return false;
@@ -219,7 +261,7 @@ void SequenceWriter<D>::write(void* user, Cell from, uint32_t simplex, Cell) noe
   ++w.passed_;
   if (w.facets_.size() == w.facets_.capacity()) return;
   const Map<D>& map = w.env_->map;
-  const uint32_t facet = map.form(from) == Form::kSimplex ? simplex : map.shape(from).simplex_facets(3)[simplex];
+  const uint32_t facet = map.form(from) == Form::kSimplex ? simplex : map.shape(from).simplex_facets(D)[simplex];
   w.facets_.push_back(map.half_facet(from, facet).word);
 }
 
@@ -230,8 +272,9 @@ void SequenceWriter<D>::write(void* user, Cell from, uint32_t simplex, Cell) noe
                         Cell first, Cell last) noexcept;                                                            \
   template PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;                  \
   template bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,    \
-                     VertexPair& edge);                                                                             \
+                     Pivot<D>& pivot);                                                                              \
   template bool share_strip(const Map<D>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept
+DSW_SEQUENCE(2);
 DSW_SEQUENCE(3);
 #undef DSW_SEQUENCE
 

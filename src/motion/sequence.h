@@ -3,7 +3,7 @@
 
 #include "environment/environment.h"
 #include "motion/cast.h"
-#include "motion/triangle_rows.h"
+#include "motion/facet_rows.h"
 
 namespace dsw {
 
@@ -13,26 +13,26 @@ struct EdgeSequence {
   static constexpr uint64_t kNever = ~uint64_t{0};
 
   Array<uint32_t> facets;
-  bool of_tetrahedra = true;  // all facets; if so, and only then:
+  bool in_rows = true;        // they are of tetrahedra, in the plane of convex polygons; if so, and only then:
   bool placed = false;        // whether they are known to be passed from `from` to `to`
   uint64_t version = kNever;  // of the environment when they were passable
-  TriangleRows triangles;     // the facets, of that version
-  double from[3] = {}, to[3] = {};
+  FacetRows<D> rows;          // the facets, of that version
+  double from[D] = {}, to[D] = {};
 
-  explicit EdgeSequence(const Allocator<uint32_t>& allocator) : facets(allocator), triangles(allocator) {}
+  explicit EdgeSequence(const Allocator<uint32_t>& allocator) : facets(allocator), rows(allocator) {}
 
   void clear() noexcept {
     facets.clear();
-    triangles.clear();
-    of_tetrahedra = true;
+    rows.clear();
+    in_rows = true;
     placed = false;
   }
   /** Makes what is known unknown. There is room for one facet. */
   void forget() noexcept {
     facets.resize(1);
     facets[0] = kNoFacet;
-    triangles.clear();
-    of_tetrahedra = false;
+    rows.clear();
+    in_rows = false;
     placed = false;
   }
   bool known() const noexcept { return facets.empty() || facets[0] != kNoFacet; }
@@ -68,16 +68,17 @@ struct PathFacets {
 template <int D>
 PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;
 
-/** An edge of the environment, by its vertices. */
-struct VertexPair {
-  uint32_t a = 0, b = 0;
+/** What an edge turns round: an edge of the environment, in the plane a vertex. */
+template <int D>
+struct Pivot {
+  uint32_t vertices[D - 1] = {};
 };
 
-/** Turns a sequence round the first edge that the segment passes on the wrong side, if its cells are tetrahedra: what it then passes is
- * the other half of the facets there. The sequence may still not be that of the segment. False, and nothing is changed: there is no such
- * edge, or no passable way round it. Throws std::bad_alloc. */
+/** Turns a sequence that is kept in rows round the first pivot that the segment passes on the wrong side: what it then passes is the
+ * other half of the facets there. The sequence may still not be that of the segment. False, and nothing is changed: there is no such
+ * pivot, or no passable way round it. Throws std::bad_alloc. */
 template <int D>
-bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, VertexPair& edge);
+bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Pivot<D>& pivot);
 
 /** A sequence as it was noted, or passed the other way round. */
 struct SequenceView {
@@ -88,7 +89,8 @@ struct SequenceView {
 
 /** Whether the three sides of a triangle, a to b, b to c and c to a, lie in the same strip of cells: one of them passes what the two
  * others pass, one after the other. Each has been found by `follows`, so it passes every facet where all lines of that look the same
- * way; there the facet is convex, and the cells are, so the triangle lies in the strip and no edge of a cell pierces it. */
+ * way; there the facet is convex, and the cells are, so the triangle lies in the strip and no edge of a cell pierces it; in the plane no
+ * vertex lies in it. */
 template <int D>
 bool share_strip(const Map<D>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept;
 

@@ -42,7 +42,7 @@ struct Four {
 
 }  // namespace
 
-size_t pass_triangles_avx2(Shear& shear, const TriangleRows& triangles) noexcept {
+size_t pass_triangles_avx2(Shear& shear, const FacetRows<3>& triangles) noexcept {
   return triangles.size() < Four::kCount ? pass_triangles(shear, triangles) : ShearLanes<Four>(shear).pass(triangles);
 }
 

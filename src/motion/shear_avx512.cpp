@@ -36,7 +36,7 @@ struct Eight {
 
 }  // namespace
 
-size_t pass_triangles_avx512(Shear& shear, const TriangleRows& triangles) noexcept {
+size_t pass_triangles_avx512(Shear& shear, const FacetRows<3>& triangles) noexcept {
   return triangles.size() < Eight::kCount ? pass_triangles_avx2(shear, triangles)
                                           : ShearLanes<Eight>(shear).pass(triangles);
 }

@@ -10,7 +10,7 @@ class ShearLanes {
       : shear_(shear), slope_i_(Lanes::all(shear.slopes_[0])), slope_j_(Lanes::all(shear.slopes_[1])) {}
 
   /** No fewer triangles than lanes. */
-  size_t pass(const TriangleRows& triangles) noexcept {
+  size_t pass(const FacetRows<3>& triangles) noexcept {
     const size_t count = triangles.size();
     const Corner corners[3] = {corner(triangles, 0), corner(triangles, 1), corner(triangles, 2)};
     Vector largest = Lanes::all(shear_.largest_), lowest = Lanes::all(shear_.lowest_);
@@ -39,7 +39,7 @@ class ShearLanes {
     Vector i, j, most;  // most: the largest component before the shear
   };
 
-  Corner corner(const TriangleRows& triangles, int n) const noexcept {
+  Corner corner(const FacetRows<3>& triangles, int n) const noexcept {
     return {triangles.row(n, shear_.i_), triangles.row(n, shear_.j_), triangles.row(n, shear_.k_)};
   }
   Points read(const Corner& corner, size_t n) const noexcept {

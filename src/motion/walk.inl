@@ -319,8 +319,9 @@ bool sees_all(const Environment<D>& env, Cell cell, const double* point) noexcep
     if (form_of(w[0]) != Form::kBox) return false;
     const BoxExits exits = box_exits(env, w, point, point);
     return exits.sure && exits.candidates == 0;
+  } else {
+    return is_inside_all_sides(env, cell, point);
   }
-  return false;
 }
 template <int D>
 Walk<D> this_walk() noexcept {

@@ -102,7 +102,7 @@ constexpr uint32_t kUnknown = 0xffffffffu;  // instead of a sequence's count
 
 void append_sequence(const Map<3>& map, const EdgeSequence<3>& sequence, Array<uint32_t>& out) {
   if (!sequence.known() || !is_whole(map, sequence.facets)) return append(out, {kUnknown});
-  append(out, {2 * static_cast<uint32_t>(sequence.facets.size()) + (sequence.of_tetrahedra ? 1 : 0)});
+  append(out, {2 * static_cast<uint32_t>(sequence.facets.size()) + (sequence.in_rows ? 1 : 0)});
   for (const uint32_t facet : sequence.facets) {
     const Cell c = map.cell_of({facet});
     append(out, {map.index(c), map.local_of({facet}, c)});
@@ -266,10 +266,10 @@ void BodyReader::read_sequences(Body<3>& body, uint64_t count) {
     }
     if (!is_whole(map, facets)) fail_corrupt("a sequence is broken");
     sequence.assign(env_, facets);
-    if ((word & 1) != 0 && !sequence.of_tetrahedra) fail_corrupt("a sequence of other cells");
+    if ((word & 1) != 0 && !sequence.in_rows) fail_corrupt("a sequence of other cells");
     if ((word & 1) != 0) continue;
-    sequence.of_tetrahedra = false;
-    sequence.triangles.clear();
+    sequence.in_rows = false;
+    sequence.rows.clear();
   }
 }
 

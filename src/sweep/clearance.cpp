@@ -33,7 +33,7 @@ bool borrow(const Environment<D>& env, Body<D>& body, uint32_t v, double needed)
     const Clearance<D>& other = body.clearances[body.edges[e].other(v)];
     found = room_squared(env, other, body.position(v), 0) > needed * needed;
     if (!found) return true;
-    std::copy_n(other.centre, 3, ball.centre);
+    std::copy_n(other.centre, D, ball.centre);
     ball.radius = other.radius;
     ball.version = other.version;
     return false;
@@ -54,8 +54,8 @@ bool measure(const Environment<D>& env, Body<D>& body, uint32_t v, double needed
   body.clearance_credit -= kCell * nearest.cells_visited;
   const double radius = kKept * (found ? nearest.distance : reach);
   double largest = reach;
-  for (int k = 0; k < 3; ++k) largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
-  std::copy_n(at, 3, ball.centre);
+  for (int k = 0; k < D; ++k) largest = std::max({largest, std::fabs(env.lower[k]), std::fabs(env.upper[k])});
+  std::copy_n(at, D, ball.centre);
   ball.radius = radius > kLeastShare * largest ? radius : 0;
   ball.version = env.obstacle_version;
   return true;
@@ -106,6 +106,7 @@ void earn_credit(Body<D>& body, uint32_t saved, uint32_t swept) noexcept {
                                double way) noexcept;                                                          \
   template void refresh_clearance(const Environment<D>& env, Body<D>& body, uint32_t v, double needed);       \
   template void earn_credit(Body<D>& body, uint32_t saved, uint32_t swept) noexcept
+DSW_CLEARANCE(2);
 DSW_CLEARANCE(3);
 #undef DSW_CLEARANCE
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "environment/marking.h"
 #include "motion/hop.h"
 #include "motion/sequence.h"
 #include "sweep/clearance.h"
@@ -86,38 +87,44 @@ bool StarSweep<D>::pass_on(EdgeSequence<D>& sequence, HalfFacet crossed, Cell fr
   return true;
 }
 
-/** Whether a triangle lies in two strips of tetrahedra that part at one edge of the environment, which is not marked: its side in the old
- * place passes half of the facets round that edge, its side in the new place the others.
+/** Whether a triangle lies in two strips of cells that part at one pivot, an edge of the environment or in the plane a vertex, which is
+ * not marked: its side in the old place passes half of the facets round that, its side in the new place the others.
  * Before and after these the sides share facets, and what of the triangle lies there is in cells, as in one strip. Let Q be what lies
- * between. Its boundary is in the cells round the edge and goes once round the edge's line, so Q meets that line; with the edge's ends on
- * either side of the triangle's plane it does so in a point y of the edge. Q is convex: each of its points is between y and one of its
- * boundary. Both are in one cell, as all of these cells have the edge, so all between is in that cell. */
+ * between. Its boundary is in the cells round the pivot and goes once round the edge's line, so Q meets that line; with the edge's ends on
+ * either side of the triangle's plane it does so in a point y of the edge. In the plane it goes once round the vertex, which is y. Q is
+ * convex: each of its points is between y and one of its boundary. Both are in one cell, as all of these cells have the pivot, so all
+ * between is in that cell. What else there is at the pivot, facets and cells, one of the triangle's sides passes: it is passable. */
 template <int D>
-bool StarSweep<D>::turns_freely(const Body<D>& body, const EdgeSweep& sweep, VertexPair edge) const {
-  const double* const triangle[3] = {body.position(sweep.v), sweep.to, sweep.q};
-  const int a = orient<D>(triangle, env_.point(edge.a)), b = orient<D>(triangle, env_.point(edge.b));
-  return a * b < 0 && (env_.marked_edges == 0 || !env_.edge_marks.contains(edge.a, edge.b));
+bool StarSweep<D>::turns_freely(const Body<D>& body, const EdgeSweep& sweep, const Pivot<D>& pivot) const {
+  if constexpr (D == 3) {
+    const double* const triangle[3] = {body.position(sweep.v), sweep.to, sweep.q};
+    const uint32_t(&edge)[2] = pivot.vertices;
+    const int a = orient<D>(triangle, env_.point(edge[0])), b = orient<D>(triangle, env_.point(edge[1]));
+    return a * b < 0 && (env_.marked_edges == 0 || !env_.edge_marks.contains(edge[0], edge[1]));
+  } else {
+    return !vertex_marked(env_, pivot.vertices[0]);
+  }
 }
 
-/** Whether the edge goes to the other side of an edge of the environment, and is free there with what it sweeps on its way; at EDGES the
+/** Whether the edge goes to the other side of a pivot, and is free there with what it sweeps on its way; at EDGES the
  * new place is all that counts. */
 template <int D>
 bool StarSweep<D>::turns(const Body<D>& body, const EdgeSweep& sweep, bool first) {
   EdgeSequence<D>& sequence = body.sequences[sweep.e];
   const double *const from = first ? sweep.to : sweep.q, *const to = first ? sweep.q : sweep.to;
   const Cell start = first ? sweep.arrival : sweep.fixed, end = first ? sweep.fixed : sweep.arrival;
-  VertexPair edge;
+  Pivot<D> pivot;
   for (int rest = body.level == SweepLevel::kEdges ? kMostTurns : 1; rest != 0; --rest) {
-    if (!turn(env_, sequence, from, to, edge)) break;
+    if (!turn(env_, sequence, from, to, pivot)) break;
     if (!follows(env_, sequence, from, to, start, end)) continue;
-    return body.level == SweepLevel::kEdges || turns_freely(body, sweep, edge);
+    return body.level == SweepLevel::kEdges || turns_freely(body, sweep, pivot);
   }
   return false;
 }
 
 /** Whether the edge keeps to the facets that it was last known to pass, but for those that its end passes itself, and for those round
- * an edge of the environment to whose other side it goes: then it is free in its new place. If it kept to them before, too, the
- * triangle's sides share a strip of cells, or part at one edge. A path of two facets may come from one cell beside the strip and go to
+ * a pivot to whose other side it goes: then it is free in its new place. If it kept to them before, too, the
+ * triangle's sides share a strip of cells, or part at one pivot. A path of two facets may come from one cell beside the strip and go to
  * another: its facets cut off the triangle's corners in these, and what is left lies in the cell between them and in the strip. */
 template <int D>
 typename StarSweep<D>::Settled StarSweep<D>::follow_sequence(const Body<D>& body, const EdgeSweep& sweep) {

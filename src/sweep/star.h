@@ -125,7 +125,7 @@ class StarSweep {
   Settled follow_sequence(const Body<D>& body, const EdgeSweep& sweep);
   bool pass_on(EdgeSequence<D>& sequence, HalfFacet crossed, Cell from, bool first) const;
   bool turns(const Body<D>& body, const EdgeSweep& sweep, bool first);
-  bool turns_freely(const Body<D>& body, const EdgeSweep& sweep, VertexPair edge) const;
+  bool turns_freely(const Body<D>& body, const EdgeSweep& sweep, const Pivot<D>& pivot) const;
   bool stays_before_wall(const BodyVertex<D>& at, const double* to, Cell front, const BodyVertex<D>& fixed) const;
   bool find_hit_edges(const Body<D>& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
   void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;

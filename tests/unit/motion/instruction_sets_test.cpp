@@ -277,7 +277,7 @@ TEST(InstructionSets, TrianglesArePassedWithTheSameBits) {
     for (double& x : line[0]) x = scale * coordinate(random);
     for (int k = 0; k < 3; ++k) line[1][k] = line[0][k] + 0.01 * scale * coordinate(random);
     line[1][axis] += round % 2 == 0 ? scale : -scale;
-    TriangleRows triangles{Allocator<double>(nullptr)};
+    FacetRows<3> triangles{Allocator<double>(nullptr)};
     const size_t count = static_cast<size_t>(round % 23);
     triangles.reserve(count);
     triangles.replace(0, 0, count);

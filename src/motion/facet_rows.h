@@ -1,5 +1,6 @@
 #pragma once
-// Triangles in rows, one for each coordinate of a corner: several are read side by side, and in the order in which they lie in memory.
+// Facets in rows, one for each coordinate of a corner: triangles in space, segments in the plane. Several are read side by side, and in
+// the order in which they lie in memory.
 
 #include <algorithm>
 #include <cstring>
@@ -8,13 +9,14 @@
 
 namespace dsw {
 
-class TriangleRows {
+template <int D>
+class FacetRows {
  public:
-  explicit TriangleRows(const Allocator<double>& allocator) : values_(allocator) {}
+  explicit FacetRows(const Allocator<double>& allocator) : values_(allocator) {}
 
   size_t size() const noexcept { return size_; }
   uint64_t memory_bytes() const noexcept { return array_bytes(values_); }
-  /** Coordinate `axis` of corner `corner` of all triangles. */
+  /** Coordinate `axis` of corner `corner` of all facets. */
   const double* row(int corner, int axis) const noexcept { return values_.data() + start(corner, axis); }
 
   /** Makes room. Throws std::bad_alloc, and then nothing has changed. */
@@ -30,7 +32,7 @@ class TriangleRows {
     room_ = room;
   }
   void clear() noexcept { size_ = 0; }
-  /** Puts `added` triangles, which the caller then sets, where `removed` are. There is room. */
+  /** Puts `added` facets, which the caller then sets, where `removed` are. There is room. */
   void replace(size_t at, size_t removed, size_t added) noexcept {
     const size_t rest = size_ - at - removed, size = at + added + rest;
     // The shorter part moves: sequences are changed at their ends most of the time.
@@ -44,13 +46,13 @@ class TriangleRows {
     size_ = size;
   }
   void set(size_t at, int corner, const double* point) noexcept {
-    for (int axis = 0; axis < 3; ++axis) values_[start(corner, axis) + at] = point[axis];
+    for (int axis = 0; axis < D; ++axis) values_[start(corner, axis) + at] = point[axis];
   }
 
  private:
-  static constexpr size_t kRows = 9;
+  static constexpr size_t kRows = D * D;
 
-  size_t start(int corner, int axis) const noexcept { return static_cast<size_t>(3 * corner + axis) * room_ + begin_; }
+  size_t start(int corner, int axis) const noexcept { return static_cast<size_t>(D * corner + axis) * room_ + begin_; }
   void move(size_t from, size_t to, size_t count) noexcept {
     if (from == to || count == 0) return;
     for (double* row = values_.data(); row != values_.data() + kRows * room_; row += room_) {
