@@ -56,23 +56,23 @@ dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v,
                      const StarContact& met) {
   dsw_contact contact{};
   const double* const from = body.position(v);
-  std::copy_n(from, 3, contact.from);
-  std::copy_n(to, 3, contact.to);
+  std::copy_n(from, D, contact.from);
+  std::copy_n(to, D, contact.to);
   contact.vertex = vertex_id(body, v);
   if (met.edge != kNone) {
     contact.edge = edge_id(body, met.edge);
-    std::copy_n(body.position(body.edges[met.edge].other(v)), 3, contact.fixed[0]);
+    std::copy_n(body.position(body.edges[met.edge].other(v)), D, contact.fixed[0]);
   } else if (met.face != kNone) {
     contact.face = face_id(body, met.face);
-    std::copy_n(body.position(body.faces[met.face].after(v)), 3, contact.fixed[0]);
-    std::copy_n(body.position(body.faces[met.face].before(v)), 3, contact.fixed[1]);
+    std::copy_n(body.position(body.faces[met.face].after(v)), D, contact.fixed[0]);
+    std::copy_n(body.position(body.faces[met.face].before(v)), D, contact.fixed[1]);
   }
   const ContactGeometry geometry = contact_geometry(env, from, to, met.contact);
   contact.time = geometry.time;
   contact.along = geometry.along;
-  std::copy_n(geometry.position, 3, contact.position);
-  std::copy_n(geometry.point, 3, contact.point);
-  std::copy_n(geometry.normal, 3, contact.normal);
+  std::copy_n(geometry.position, D, contact.position);
+  std::copy_n(geometry.point, D, contact.point);
+  std::copy_n(geometry.normal, D, contact.normal);
   name_obstacle(env, met.contact, contact);
   return contact;
 }
@@ -88,6 +88,7 @@ uint64_t obstacle_key(const dsw_contact& contact) noexcept {
   template dsw_body_face_id face_id(const Body<D>& body, uint32_t f) noexcept;                                \
   template dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, \
                                 const StarContact& met);
+DSW_DESCRIBE(2);
 DSW_DESCRIBE(3);
 #undef DSW_DESCRIBE
 

@@ -73,7 +73,7 @@ void describe_edge(const PairContact<D>& met, const EdgeMotion& m, const Touched
     std::copy_n(met.place == TouchPlace::kFirst ? a : b, 3, contact.point);
     normal = back_across(move, edge, are_collinear(m.p, m.to, m.q));
   }
-  if (met.edge != kNone) contact.along = share_along(contact.position, m.q, contact.point);
+  if (met.edge != kNone) contact.along = share_along<D>(contact.position, m.q, contact.point);
   store<D>(normal + Vec{}, contact.normal);  // never -0
 }
 

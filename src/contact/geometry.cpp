@@ -10,24 +10,30 @@
 namespace dsw {
 namespace {
 
+/** Across a body's edge and the obstacle's, in the plane across the body's; zero if it has no direction. */
+template <int D>
+Vec across_edge(const EdgeMotion& m, const double* position, const SweepEvent& event) {
+  const Vec edge = unit(difference<D>(m.q, position));
+  return unit(D == 2 ? turned(edge) : cross(edge, unit(difference<D>(event.points[2], event.points[1]))));
+}
+
 /** Where segment ab pierces the swept plane, by the exact ratio. It does not lie in it: shifted, both ends of a line in that
  * plane are on one side. */
-template <int D>
 void piercing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
   const double* const swept[3] = {m.p, m.to, m.q};
   if (swept_side(m, b).sign < 0) std::swap(a, b);
-  point_at<D>(a, b, crossing_time<D>(a, b, swept), point);
+  point_at<3>(a, b, crossing_time<3>(a, b, swept), point);
 }
 
-/** Out of the obstacle's triangle, which looks out of the cell in front; zero for a wire or a lone vertex. */
+/** Out of the obstacle's triangle or side, which looks out of the cell in front; zero for a wire or a vertex. */
 template <int D>
 Vec wall_normal(const Environment<D>& env, const SweepContact& contact) {
-  if (!contact.facet.valid() || contact.event.kind == EventKind::kFace) return {};
-  const double* triangle[3];
-  boundary_points(env, contact.front, contact.simplex, triangle);
-  double outward[3];
-  unit_normal<D>(triangle, outward);
-  return {0 - outward[0], 0 - outward[1], 0 - outward[2]};
+  if (!contact.facet.valid() || contact.vertex != kNoVertex) return {};
+  const double* simplex[D];
+  boundary_points(env, contact.front, contact.simplex, simplex);
+  double outward[D];
+  unit_normal<D>(simplex, outward);
+  return Vec{} - to_vec<D>(outward);
 }
 
 /** `chosen` turned against the motion, or where it does not lean, as the wall looks. */
@@ -39,9 +45,10 @@ Vec against(const Vec& chosen, const Vec& move, const Vec& wall) {
 
 }  // namespace
 
+template <int D>
 double share_along(const double* end, const double* q, const double* point) {
   int axis = 0;
-  for (int k = 1; k < 3; ++k) {
+  for (int k = 1; k < D; ++k) {
     if (std::fabs(q[k] - end[k]) > std::fabs(q[axis] - end[axis])) axis = k;
   }
   const double share = (point[axis] - end[axis]) / (q[axis] - end[axis]);
@@ -55,18 +62,21 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
   ContactGeometry g;
   g.time = event_time<D>(p, to, event);
   point_at<D>(p, to, g.time, g.position);
-  std::copy_n(g.position, 3, g.point);
+  std::copy_n(g.position, D, g.point);
   const Vec move = unit(difference<D>(to, p)), wall = wall_normal(env, contact);
   Vec normal = wall;
   if (event.kind == EventKind::kEdge) {
     const EdgeMotion m{p, to, event.points[0]};
-    piercing_point<D>(m, event.points[1], event.points[2], g.point);
-    g.along = share_along(g.position, m.q, g.point);
-    const Vec across =
-        unit(cross(unit(difference<D>(m.q, g.position)), unit(difference<D>(event.points[2], event.points[1]))));
+    if constexpr (D == 3) {
+      piercing_point(m, event.points[1], event.points[2], g.point);
+    } else {
+      std::copy_n(event.points[1], D, g.point);
+    }
+    g.along = share_along<D>(g.position, m.q, g.point);
+    const Vec across = across_edge<D>(m, g.position, event);
     normal = against(!is_zero(across) ? across : !is_zero(wall) ? wall : -1.0 * move, move, wall);
   } else if (event.kind == EventKind::kFace) {
-    std::copy_n(event.points[2], 3, g.point);
+    std::copy_n(event.points[2], D, g.point);
     const Vec face =
         unit(cross(unit(difference<D>(event.points[0], g.position)), unit(difference<D>(event.points[1], g.position))));
     normal = against(!is_zero(face) ? face : -1.0 * move, move, wall);
@@ -77,7 +87,9 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
 
 #define DSW_GEOMETRY(D)                                                                                   \
   template ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to, \
-                                            const SweepContact& contact)
+                                            const SweepContact& contact);                                 \
+  template double share_along<D>(const double* end, const double* q, const double* point)
+DSW_GEOMETRY(2);
 DSW_GEOMETRY(3);
 #undef DSW_GEOMETRY
 

@@ -19,6 +19,7 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
                                  const SweepContact& contact);
 
 /** How far along the edge, which runs from `end` to q, a point on it lies: by the axis it is longest on. */
+template <int D>
 double share_along(const double* end, const double* q, const double* point);
 
 }  // namespace dsw

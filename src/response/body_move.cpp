@@ -15,7 +15,10 @@
 namespace dsw {
 namespace {
 
-bool is_same_point(const double* a, const double* b) { return std::equal(a, a + 3, b); }
+template <int D>
+bool is_same_point(const double* a, const double* b) {
+  return std::equal(a, a + D, b);
+}
 
 }  // namespace
 
@@ -79,7 +82,7 @@ void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, 
   record.clear();
   sweeps_.max_cells = 0;
   before_.assign(body.vertices.begin(), body.vertices.end());
-  places_.resize(3 * body.vertices.size());
+  places_.resize(D * body.vertices.size());
   double fraction = 1;
   int halvings = 0;
   try {
@@ -107,10 +110,10 @@ void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, 
 template <int D>
 bool BodyMove<D>::try_together(Body<D>& body, PlaceFn where, const void* user, double fraction, MoveOrder order,
                                MoveRecord& record) {
-  const PointArray targets{places_.data(), 3};
+  const PointArray targets{places_.data(), D};
   for (uint32_t v = 0; v < before_.size(); ++v) {
-    double* const to = places_.data() + 3 * size_t{v};
-    std::copy_n(before_[v].position, 3, to);
+    double* const to = places_.data() + D * size_t{v};
+    std::copy_n(before_[v].position, D, to);
     if (!body.has_vertex(v)) continue;
     where(user, before_[v].position, fraction, to);
     if (!is_finite(to)) return false;  // a part of a motion can lead further than the whole
@@ -161,7 +164,7 @@ void BodyMove<D>::start(const Body<D>& body, MoveOrder order, PointArray targets
     const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
     if (!body.has_vertex(v)) continue;
     // One that is told to stay is done: nothing moves.
-    if (!is_same_point(targets[v], body.position(v))) moving_[v].rank = static_cast<uint32_t>(order_.size());
+    if (!is_same_point<D>(targets[v], body.position(v))) moving_[v].rank = static_cast<uint32_t>(order_.size());
     order_.push_back(v);
   }
 }
@@ -181,7 +184,7 @@ void BodyMove<D>::sweep_all(Body<D>& body, PointArray targets, bool may_skip) {
   if (body.skipping.by_clearance && body.level != SweepLevel::kPoints) measure_clearances(body, targets);
   cast_paths(body, targets);
   if (body.level != SweepLevel::kPoints) sweep_edges(body, targets, may_skip);
-  if (body.level == SweepLevel::kFaces) sweep_faces(body, targets);
+  if (D == 3 && body.level == SweepLevel::kFaces) sweep_faces(body, targets);
 }
 
 /** For vertices whose edges had to be cast; and how much room all have now. */

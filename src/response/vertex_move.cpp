@@ -17,7 +17,7 @@ constexpr double kStandOffShare = 1e-9;
 template <int D>
 double extent(const Environment<D>& env, Cell c) {
   double size = 0;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < D; ++k) {
     double low = env.point(c, 0)[k], high = low;
     for (uint32_t i = 1; i < env.map.vertices_of(c); ++i) {
       low = std::min(low, env.point(c, i)[k]);
@@ -35,11 +35,11 @@ bool VertexMove<D>::move(uint32_t v, const double* target) {
   Walls walls;
   uint32_t slides = 0;
   first_edit_ = record_.edits.size();
-  double to[3];
-  std::copy_n(target, 3, to);
+  double to[D];
+  std::copy_n(target, D, to);
   for (;;) {
     const size_t first_contact = record_.contacts.size();
-    if (advance(v, to)) return std::equal(to, to + 3, target);
+    if (advance(v, to)) return std::equal(to, to + D, target);
     if (record_.contacts.size() == first_contact) {
       ++record_.limited;
       return false;
@@ -51,7 +51,7 @@ bool VertexMove<D>::move(uint32_t v, const double* target) {
     const Response response = of_vertex ? settings_.vertex : settings_.edge;
     if (!of_vertex && settings_.may_insert() && insert(v, contact)) {
       walls.count = 0;
-      std::copy_n(target, 3, to);
+      std::copy_n(target, D, to);
       continue;
     }
     if (response != Response::kSlide && response != Response::kHybrid) return false;
@@ -75,14 +75,14 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
   }
   const dsw_contact contact = record_contacts(v, to, end == SweepEnd::kContact ? &first : nullptr, pair);
   const auto is_free = [&](const double* candidate) { return sweeps_.is_free(body_, v, candidate, &cell); };
-  double target[3], time = contact.time;
-  std::copy_n(to, 3, target);
+  double target[D], time = contact.time;
+  std::copy_n(to, D, target);
   shorten<D>(at.position, target, &time, is_free);
   const double lean = std::fabs(dot(to_vec<D>(contact.normal), difference<D>(target, at.position)));
   const double back = stand_off(contact) / lean;
   if (back > 0)
     time = std::max(0.0, time - back);  // not a number: the way is longer than doubles go, and nothing is kept off
-  double position[3];
+  double position[D];
   if (!retreat<D>(at.position, target, time, position, is_free)) return false;
   put_vertex(body_, v, position, cell);
   return false;
@@ -114,7 +114,7 @@ dsw_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const S
 /** Puts the time to the last of a halving at which the way is free. */
 template <int D>
 void VertexMove<D>::bisect(uint32_t v, dsw_contact& contact) {
-  double free = 0, step = 1, position[3];
+  double free = 0, step = 1, position[D];
   Cell cell;
   for (uint32_t k = 0; k < settings_.bisection_depth; ++k) {
     step /= 2;
@@ -150,9 +150,9 @@ bool VertexMove<D>::insert(uint32_t v, const dsw_contact& contact) {
   const double least = length(difference<D>(q, p)) * std::min(share, 1 - share);
   if (!(least >= settings_.min_length)) return false;
   const Vec normal = to_vec<D>(contact.normal);
-  double point[3], largest = 0;
+  double point[D], largest = 0;
   point_at<D>(p, q, share, point);
-  for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(point[k]));
+  for (int k = 0; k < D; ++k) largest = std::max(largest, std::fabs(point[k]));
   const Vec on_edge = to_vec<D>(point);
   // Rounding may have put it on the wrong side: then further and further from the obstacle.
   double lift = std::max(stand_off(contact), largest * std::numeric_limits<double>::epsilon());
@@ -168,7 +168,7 @@ bool VertexMove<D>::insert(uint32_t v, const dsw_contact& contact) {
       return true;
     }
     store<D>(on_edge + lift * normal, point);
-    if (!is_finite(point)) return false;
+    if (!is_finite<D>(point)) return false;
   }
   return false;
 }
@@ -201,7 +201,7 @@ bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_contact& c
   store<D>(to_vec<D>(at) + rest, to);
   if (sweeps_.partners != nullptr && !sweeps_.partners->reach.contains(to)) return false;
   // Where the rest is longer than doubles go, the move ends here.
-  return is_finite(to) && !std::equal(to, to + 3, at);
+  return is_finite<D>(to) && !std::equal(to, to + D, at);
 }
 
 #define DSW_VERTEX_MOVE(D) template class VertexMove<D>

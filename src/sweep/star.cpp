@@ -206,7 +206,7 @@ bool StarSweep<D>::find_hit_edges(const Body<D>& body, uint32_t v, const double*
 template <int D>
 bool StarSweep<D>::is_free_of_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
   const BodyVertex<D>& at = body.vertices[v];
-  if (std::equal(to, to + 3, at.position)) {
+  if (std::equal(to, to + D, at.position)) {
     *cell = at.cell;
     return true;
   }
@@ -221,21 +221,23 @@ bool StarSweep<D>::is_free_of_walls(const Body<D>& body, uint32_t v, const doubl
     if (settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed})) return true;
     return free = is_triangle_free({at.position, to, fixed.position}, at.cell);
   });
-  if (!free || body.level != SweepLevel::kFaces) return free;
-  for_each_face(body, v, [&](uint32_t f) {
-    const BodyFace& face = body.faces[f];
-    const BodyVertex<D>&q = body.vertices[face.after(v)], &r = body.vertices[face.before(v)];
-    const FaceMotion m{at.position, to, q.position, r.position};
-    if (stays_inside(m, at.cell, path.cell, q.cell, r.cell)) return true;
-    return free = is_tetrahedron_free(m, at.cell);
-  });
+  if constexpr (D == 3) {
+    if (!free || body.level != SweepLevel::kFaces) return free;
+    for_each_face(body, v, [&](uint32_t f) {
+      const BodyFace& face = body.faces[f];
+      const BodyVertex<D>&q = body.vertices[face.after(v)], &r = body.vertices[face.before(v)];
+      const FaceMotion m{at.position, to, q.position, r.position};
+      if (stays_inside(m, at.cell, path.cell, q.cell, r.cell)) return true;
+      return free = is_tetrahedron_free(m, at.cell);
+    });
+  }
   return free;
 }
 
 template <int D>
 SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell) {
   const BodyVertex<D>& at = body.vertices[v];
-  if (std::equal(to, to + 3, at.position)) {
+  if (std::equal(to, to + D, at.position)) {
     *cell = at.cell;
     return SweepEnd::kFree;
   }
@@ -268,16 +270,18 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
                                  : stays_before_wall(at, to, path.cell, fixed);
     return settled ? true : sweep_edge(e);
   });
-  if (body.level != SweepLevel::kFaces) return answer();
-  for_each_face(body, v, [&](uint32_t f) {
-    const BodyFace& face = body.faces[f];
-    const FaceMotion m{at.position, to, body.position(face.after(v)), body.position(face.before(v))};
-    if (is_boxed(bounds<D>(m.p, m.to, m.q, m.r), at.cell)) return true;
-    const SweepResult swept = flood(m, at.cell);
-    limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
-    if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, kNone, f}, first, &any);
-    return true;
-  });
+  if constexpr (D == 3) {
+    if (body.level != SweepLevel::kFaces) return answer();
+    for_each_face(body, v, [&](uint32_t f) {
+      const BodyFace& face = body.faces[f];
+      const FaceMotion m{at.position, to, body.position(face.after(v)), body.position(face.before(v))};
+      if (is_boxed(bounds<D>(m.p, m.to, m.q, m.r), at.cell)) return true;
+      const SweepResult swept = flood(m, at.cell);
+      limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
+      if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, kNone, f}, first, &any);
+      return true;
+    });
+  }
   return answer();
 }
 
@@ -327,6 +331,7 @@ void StarSweep<D>::consider(const double* p, const double* to, const StarContact
 }
 
 #define DSW_STAR(D) template class StarSweep<D>
+DSW_STAR(2);
 DSW_STAR(3);
 #undef DSW_STAR
 

@@ -102,7 +102,8 @@ class StarSweep {
   }
   bool is_tetrahedron_free(const FaceMotion& m, Cell start) {
     if (is_boxed(bounds<D>(m.p, m.to, m.q, m.r), start)) return true;
-    return flood(m, start).end == SweepEnd::kFree;
+    if constexpr (D == 3) return flood(m, start).end == SweepEnd::kFree;
+    return true;  // no body of the plane has faces
   }
 
   SweepCounts counts;
