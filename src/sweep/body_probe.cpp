@@ -24,8 +24,7 @@ struct Unmarking {
 
 }  // namespace
 
-template <int D>
-bool is_face_free(const Environment<D>& env, SweepFlood<D>& flood, const Body<D>& body, uint32_t face) {
+bool is_face_free(const Environment<3>& env, SweepFlood<3>& flood, const Body<3>& body, uint32_t face) {
   const uint32_t(&c)[3] = body.faces[face].corners;
   const EdgeMotion m{body.position(c[0]), body.position(c[1]), body.position(c[2])};
   const Cell start = body.vertices[c[0]].cell;
@@ -83,14 +82,17 @@ bool BodyProbe<D>::visit_edges(const Body<D>& body, const Places<D>& changed, Sw
 template <int D>
 template <class Visit>
 bool BodyProbe<D>::visit_faces(const Body<D>& body, const Places<D>& changed, SweepLevel level, Visit visit) {
-  if (level != SweepLevel::kFaces) return true;
-  const auto look = [&](uint32_t f) {
-    if (!body.has_face(f)) return true;
-    const uint32_t* const c = body.faces[f].corners;
-    const double* const corners[3] = {body.position(c[0]), body.position(c[1]), body.position(c[2])};
-    return !changed.overlap(corners, 3) || is_face_free(env_, flood_, body, f) || visit(f);
-  };
-  return visit_near(body, &BodyBoxes<D>::faces, body.faces.size(), changed, near_, looked_at, look);
+  if constexpr (D == 3) {
+    if (level != SweepLevel::kFaces) return true;
+    const auto look = [&](uint32_t f) {
+      if (!body.has_face(f)) return true;
+      const uint32_t* const c = body.faces[f].corners;
+      const double* const corners[3] = {body.position(c[0]), body.position(c[1]), body.position(c[2])};
+      return !changed.overlap(corners, 3) || is_face_free(env_, flood_, body, f) || visit(f);
+    };
+    return visit_near(body, &BodyBoxes<D>::faces, body.faces.size(), changed, near_, looked_at, look);
+  }
+  return true;
 }
 
 template <int D>
@@ -130,25 +132,24 @@ size_t BodyProbe<D>::leave_out(Environment<D>& env, const Body<D>& body, const P
     cast(env_, request, nullptr);
     return true;
   });
-  visit_faces(body, changed, body.level, [&](uint32_t f) {
-    do {
-      const size_t before = passed.count;
-      for (const SweepContact& contact : flood_.all()) {
-        const HalfFacet behind = contact.facet.valid() ? env_.map.opposite(contact.facet) : HalfFacet{};
-        if (behind.valid()) Unmarking<D>::enter(&passed, {}, 0, env_.map.cell_of(behind));
-      }
-      DSW_ASSERT(passed.count != before);
-      if (passed.count == before) fail(DSW_STATUS_OCCUPIED, "face %u of a body meets what was impassable before", f);
-    } while (!is_face_free(env_, flood_, body, f));
-    return true;
-  });
+  if constexpr (D == 3) {
+    visit_faces(body, changed, body.level, [&](uint32_t f) {
+      do {
+        const size_t before = passed.count;
+        for (const SweepContact& contact : flood_.all()) {
+          const HalfFacet behind = contact.facet.valid() ? env_.map.opposite(contact.facet) : HalfFacet{};
+          if (behind.valid()) Unmarking<D>::enter(&passed, {}, 0, env_.map.cell_of(behind));
+        }
+        DSW_ASSERT(passed.count != before);
+        if (passed.count == before) fail(DSW_STATUS_OCCUPIED, "face %u of a body meets what was impassable before", f);
+      } while (!is_face_free(env_, flood_, body, f));
+      return true;
+    });
+  }
   return passed.count;
 }
 
-#define DSW_BODY_PROBE(D)      \
-  template class BodyProbe<D>; \
-  template bool is_face_free(const Environment<D>& env, SweepFlood<D>& flood, const Body<D>& body, uint32_t face)
-DSW_BODY_PROBE(3);
-#undef DSW_BODY_PROBE
+template class BodyProbe<2>;
+template class BodyProbe<3>;
 
 }  // namespace dsw

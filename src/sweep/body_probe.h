@@ -9,8 +9,7 @@ namespace dsw {
 
 /** Whether a face that stands still is free, if its edges are: the triangle that its first edge sweeps over it. `flood` has the cells that
  * it meets, and if it is not free all contacts. Throws std::bad_alloc. */
-template <int D>
-bool is_face_free(const Environment<D>& env, SweepFlood<D>& flood, const Body<D>& body, uint32_t face);
+bool is_face_free(const Environment<3>& env, SweepFlood<3>& flood, const Body<3>& body, uint32_t face);
 
 /** What has become impassable. */
 enum class Obstacle { kCells, kFacets, kWires };
