@@ -22,13 +22,14 @@ void name_obstacle(const Environment<D>& env, const SweepContact& met, dsw_conta
       contact.obstacle = {DSW_CELL_VERTEX, met.vertex, map.vertex_generation(met.vertex), 0};
       if (!met.facet.valid()) contact.cause = vertex_marked(env, met.vertex) ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
       break;
-    case ContactKind::kEdge: {
-      contact.kind = DSW_CONTACT_EDGE;
-      const dsw_edge_id edge = edge_id(map, {met.front, met.dart});
-      contact.obstacle = {DSW_CELL_EDGE, edge.volume, edge.generation, edge.local};
-      if (!met.facet.valid()) contact.cause = DSW_CELL_EDGE;
+    case ContactKind::kEdge:
+      if constexpr (D == 3) {
+        contact.kind = DSW_CONTACT_EDGE;
+        const dsw_edge_id edge = edge_id(map, {met.front, met.dart});
+        contact.obstacle = {DSW_CELL_EDGE, edge.volume, edge.generation, edge.local};
+        if (!met.facet.valid()) contact.cause = DSW_CELL_EDGE;
+      }
       break;
-    }
     case ContactKind::kPlane:
       contact.kind = DSW_CONTACT_PLANE;
       contact.obstacle = {DSW_CELL_FACE, contact.wall.volume, contact.wall.generation, contact.wall.local};

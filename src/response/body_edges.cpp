@@ -246,6 +246,7 @@ void BodyMove<D>::run_edges(Body<D>& body) {
 }
 
 #define DSW_BODY_EDGES(D) template class BodyMove<D>
+DSW_BODY_EDGES(2);
 DSW_BODY_EDGES(3);
 #undef DSW_BODY_EDGES
 

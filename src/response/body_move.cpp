@@ -368,6 +368,7 @@ void BodyMove<D>::remove_noise(Body<D>& body, double share, MoveRecord& record) 
 }
 
 #define DSW_BODY_MOVE(D) template class BodyMove<D>
+DSW_BODY_MOVE(2);
 DSW_BODY_MOVE(3);
 #undef DSW_BODY_MOVE
 

@@ -113,6 +113,7 @@ bool merge_vertex(StarSweep<D>& sweeps, Body<D>& body, uint32_t edge, uint32_t v
   template uint32_t insert_vertex(Body<D>& body, uint32_t edge, const double* point, Cell cell, double share, \
                                   dsw_body_edit* edit);                                                       \
   template bool merge_vertex(StarSweep<D>& sweeps, Body<D>& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit)
+DSW_INSERTION(2);
 DSW_INSERTION(3);
 #undef DSW_INSERTION
 

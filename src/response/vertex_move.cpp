@@ -205,6 +205,7 @@ bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_contact& c
 }
 
 #define DSW_VERTEX_MOVE(D) template class VertexMove<D>
+DSW_VERTEX_MOVE(2);
 DSW_VERTEX_MOVE(3);
 #undef DSW_VERTEX_MOVE
 

@@ -331,6 +331,7 @@ void StarSweep<D>::consider(const double* p, const double* to, const StarContact
 }
 
 #define DSW_STAR(D) template class StarSweep<D>
+DSW_STAR(2);
 DSW_STAR(3);
 #undef DSW_STAR
 
