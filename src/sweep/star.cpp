@@ -87,13 +87,15 @@ bool StarSweep<D>::pass_on(EdgeSequence<D>& sequence, HalfFacet crossed, Cell fr
   return true;
 }
 
-/** Whether a triangle lies in two strips of cells that part at one pivot, an edge of the environment or in the plane a vertex, which is
- * not marked: its side in the old place passes half of the facets round that, its side in the new place the others.
- * Before and after these the sides share facets, and what of the triangle lies there is in cells, as in one strip. Let Q be what lies
- * between. Its boundary is in the cells round the pivot and goes once round the edge's line, so Q meets that line; with the edge's ends on
- * either side of the triangle's plane it does so in a point y of the edge. In the plane it goes once round the vertex, which is y. Q is
- * convex: each of its points is between y and one of its boundary. Both are in one cell, as all of these cells have the pivot, so all
- * between is in that cell. What else there is at the pivot, facets and cells, one of the triangle's sides passes: it is passable. */
+/** Whether a triangle is free one side of which passes, in the old place, half of the facets round a pivot, and another, in the new place,
+ * the others.
+ * In space: before and after these the sides share facets, and what of the triangle lies there is in cells, as in one strip. Let Q be what
+ * lies between. Its boundary is in the cells round the edge and goes once round the edge's line, so Q meets that line; with the edge's ends
+ * on either side of the triangle's plane it does so in a point y of the edge. Q is convex: each of its points is between y and one of its
+ * boundary. Both are in one cell, as all of these cells have the edge, so all between is in that cell.
+ * In the plane the edge may have turned round several vertices, all asked here. All cells and facets at each are passable, as the sequence
+ * before or after has them. So the triangle's sides lie in an open set, of what is passable, where they can be drawn together into a
+ * point, over one vertex after the other; a point of the triangle outside of it would be one that they wind round. */
 template <int D>
 bool StarSweep<D>::turns_freely(const Body<D>& body, const EdgeSweep& sweep, const Pivot<D>& pivot) const {
   if constexpr (D == 3) {
@@ -106,18 +108,18 @@ bool StarSweep<D>::turns_freely(const Body<D>& body, const EdgeSweep& sweep, con
   }
 }
 
-/** Whether the edge goes to the other side of a pivot, and is free there with what it sweeps on its way; at EDGES the
- * new place is all that counts. */
+/** Whether the edge goes to the other side of a pivot, or of a few, and is free there with what it sweeps on its way; at EDGES the new
+ * place is all that counts. */
 template <int D>
 bool StarSweep<D>::turns(const Body<D>& body, const EdgeSweep& sweep, bool first) {
   EdgeSequence<D>& sequence = body.sequences[sweep.e];
   const double *const from = first ? sweep.to : sweep.q, *const to = first ? sweep.q : sweep.to;
   const Cell start = first ? sweep.arrival : sweep.fixed, end = first ? sweep.fixed : sweep.arrival;
+  const bool swept = body.level != SweepLevel::kEdges;
   Pivot<D> pivot;
-  for (int rest = body.level == SweepLevel::kEdges ? kMostTurns : 1; rest != 0; --rest) {
-    if (!turn(env_, sequence, from, to, pivot)) break;
-    if (!follows(env_, sequence, from, to, start, end)) continue;
-    return body.level == SweepLevel::kEdges || turns_freely(body, sweep, pivot);
+  for (int rest = swept && D == 3 ? 1 : kMostTurns; rest != 0; --rest) {
+    if (!turn(env_, sequence, from, to, pivot) || (swept && !turns_freely(body, sweep, pivot))) break;
+    if (follows(env_, sequence, from, to, start, end)) return true;
   }
   return false;
 }

@@ -60,8 +60,9 @@ struct Shares {
   double cells, facets, wires, vertices;
 };
 
-inline void mark(Environment<3>& env, Rng& rng, const Shares& shares) {
-  const Map<3>& map = env.map;
+template <int D>
+void mark(Environment<D>& env, Rng& rng, const Shares& shares) {
+  const Map<D>& map = env.map;
   reserve_vertex_marks(env);
   for (uint32_t i = 0; i < map.cell_count; ++i) {
     const Cell c = map.cell(i);
@@ -70,7 +71,7 @@ inline void mark(Environment<3>& env, Rng& rng, const Shares& shares) {
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       if (rng.chance(shares.facets)) set_facet_mark(env, map.half_facet(c, f), true);
     }
-    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+    for (uint32_t d = 0; D == 3 && d < shape.dart_count(); ++d) {
       if (!rng.chance(shares.wires)) continue;
       reserve_edge_marks(env, 1);
       set_edge_mark(env, map.vertex(c, shape.dart_vertex(d)), map.vertex(c, shape.dart_vertex(shape.beta1(d))), true);

@@ -1,0 +1,207 @@
+// What settles an edge of the plane without a look at its triangle, against the plain flood and casts.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "environment/builder.h"
+#include "environment/marking.h"
+#include "motion/box_probe.h"
+#include "motion/cast.h"
+#include "motion/hop.h"
+#include "motion/locate.h"
+#include "motion/sequence.h"
+#include "plane_scenes.h"
+#include "sweep/star.h"
+#include "swept_cases.h"
+
+namespace dsw::swept {
+namespace {
+
+using oracle::plane::Vec;
+using oracle::plane::World;
+using Settled = StarSweep<2>::Settled;
+
+std::unique_ptr<Environment<2>> environment_of(const World& world) {
+  std::vector<double> points;
+  for (const Vec& p : world.points) points.insert(points.end(), p.begin(), p.end());
+  std::vector<int64_t> offsets = {0}, connectivity;
+  std::vector<uint8_t> types;
+  for (const std::vector<int>& cell : world.cells) {
+    types.push_back(cell.size() == 3   ? DSW_CELL_TYPE_TRIANGLE
+                    : cell.size() == 4 ? DSW_CELL_TYPE_QUAD
+                                       : DSW_CELL_TYPE_POLYGON);
+    connectivity.insert(connectivity.end(), cell.begin(), cell.end());
+    offsets.push_back(static_cast<int64_t>(connectivity.size()));
+  }
+  MeshInput input;
+  input.points = points.data();
+  input.point_count = world.points.size();
+  input.point_stride_bytes = 2 * sizeof(double);
+  input.cell_types = types.data();
+  input.cell_count = types.size();
+  input.offsets = offsets.data();
+  input.connectivity = connectivity.data();
+  input.connectivity_count = connectivity.size();
+  auto env = std::make_unique<Environment<2>>(nullptr);
+  BuildReport report;
+  build(*env, input, report);
+  return env;
+}
+
+/// An edge p q, and where p goes: anywhere near, or to the other side of a vertex.
+struct Draw {
+  Vec p, to, q;
+
+  Draw(const Environment<2>& env, Rng& rng) {
+    static const double steps[] = {0.003, 0.02, 0.1, 0.3};
+    const double step = steps[rng.below(4u)];
+    Vec size;
+    for (size_t k = 0; k < 2; ++k) size[k] = env.upper[k] - env.lower[k];
+    const auto anywhere = [&](Vec& x) {
+      for (size_t k = 0; k < 2; ++k) x[k] = rng.range(env.lower[k], env.upper[k]);
+    };
+    anywhere(p), anywhere(q);
+    if (rng.chance(0.6)) {  // the vertex lies between p or p' and q
+      const double* const v = env.point(rng.below(env.map.vertex_count));
+      const double beyond = rng.range(0.1, 1);
+      for (size_t k = 0; k < 2; ++k) p[k] = v[k] + beyond * (v[k] - q[k]) + rng.range(-step, step) * size[k] / 2;
+    }
+    for (size_t k = 0; k < 2; ++k) to[k] = p[k] + rng.range(-step, step) * size[k];
+    if (rng.chance(0.2)) lay_on_lattice(rng, size);
+  }
+
+ private:
+  /// Coarse, so that much is exactly on something.
+  void lay_on_lattice(Rng& rng, const Vec& size) {
+    const int fine = rng.between(3, 6);
+    for (size_t k = 0; k < 2; ++k) {
+      const double unit = std::ldexp(1, std::ilogb(size[k]) - fine);
+      for (Vec* x : {&p, &to, &q}) (*x)[k] = unit * std::round((*x)[k] / unit);
+    }
+  }
+};
+
+/// A body of one edge, where it is free, and what its end sweeps.
+class Edge {
+ public:
+  Edge(const Environment<2>& env, const Draw& x, SweepLevel level) : env_(env), x_(x), body_(nullptr) {
+    body_.level = level;
+    start_ = locate(env, x.p.data(), Cell{}, nullptr).cell;
+    fixed_ = locate(env, x.q.data(), Cell{}, nullptr).cell;
+    if (!start_.valid() || !fixed_.valid() || env.map.marked(start_) || env.map.marked(fixed_)) return;
+    reserve(body_, 2, 1, 0);
+    add_vertex(body_, x.p.data(), start_);
+    add_vertex(body_, x.q.data(), fixed_);
+    add_edge(body_, 0, 1);
+    keep_sequences(body_, 1);
+    SequenceWriter<2> writer(nullptr);
+    CastRequest request;
+    request.from = x.p.data();
+    request.to = x.q.data();
+    request.start = start_;
+    writer.attach(env, request);
+    free_ = cast(env, request, nullptr).end == CastEnd::kReached;
+    if (free_) writer.finish(body_.sequences[0]);
+    path_ = cast(env, x.p.data(), x.to.data(), start_);
+    arrival_ = cast(env, x.to.data(), x.q.data(), path_.cell);
+  }
+  /// The edge is free at first, and so is the path of its end.
+  bool is_legal() const { return free_ && path_.end == CastEnd::kReached; }
+  bool is_free(SweepFlood<2>& flood) const {
+    return arrival_.end == CastEnd::kReached &&
+           (body_.level == SweepLevel::kEdges ||
+            flood.sweep(EdgeMotion{x_.p.data(), x_.to.data(), x_.q.data()}, start_, 0).end == SweepEnd::kFree);
+  }
+  size_t facets() const { return body_.sequences[0].facets.size(); }
+  Settled settle(StarSweep<2>& star) {
+    return star.settle(body_,
+                       {0, 0, x_.to.data(), path_.cell, x_.q.data(), fixed_, path_facets(env_.map, start_, path_)});
+  }
+  /// Whether its sequence is that of its new place.
+  bool is_up_to_date() {
+    EdgeSequence<2> anew{Array<uint32_t>::allocator_type(nullptr)};
+    SequenceWriter<2> writer(nullptr);
+    CastRequest request;
+    request.from = x_.to.data();
+    request.to = x_.q.data();
+    request.start = path_.cell;
+    writer.attach(env_, request);
+    cast(env_, request, nullptr);
+    writer.finish(anew);
+    return anew.facets == body_.sequences[0].facets;
+  }
+  bool is_boxed(StarSweep<2>& star) {
+    return star.is_boxed(bounds<2>(x_.p.data(), x_.to.data(), x_.q.data()), start_, fixed_);
+  }
+
+ private:
+  const Environment<2>& env_;
+  const Draw& x_;
+  Body<2> body_;
+  Cell start_, fixed_;
+  bool free_ = false;
+  CastResult path_, arrival_;
+};
+
+/// Calls visit(environment, draw) for random moves in random worlds.
+template <class Visit>
+void for_each_draw(int worlds, int draws, Visit visit) {
+  static const Shares shares[] = {{0.1, 0.05, 0, 0}, {0, 0.1, 0, 0}, {0, 0, 0, 0.3}, {}, {0.05, 0.05, 0, 0.1}};
+  for (int w = 0; w < worlds && !testing::Test::HasFatalFailure(); ++w) {
+    Rng rng(static_cast<uint64_t>(w) + 1);
+    const auto env = environment_of(oracle::plane::make_world(rng));
+    mark(*env, rng, shares[w % 5]);
+    for (int i = 0; i < draws && !testing::Test::HasFatalFailure(); ++i) {
+      const Draw x(*env, rng);
+      SCOPED_TRACE("world " + std::to_string(w) + ", move " + std::to_string(i));
+      visit(*env, x, w);
+    }
+  }
+}
+
+TEST(SweptPlane, WhatIsSettledMeetsNothing) {
+  for (const SweepLevel level : {SweepLevel::kEdges, SweepLevel::kEdgesSwept}) {
+    int of[8] = {}, open = 0, hit = 0, long_ones = 0;
+    std::unique_ptr<StarSweep<2>> star;
+    std::unique_ptr<SweepFlood<2>> flood;
+    const Environment<2>* last = nullptr;
+    for_each_draw(share_of(500), 400, [&](const Environment<2>& env, const Draw& x, int) {
+      if (last != &env || star == nullptr) {
+        star = std::make_unique<StarSweep<2>>(env);
+        flood = std::make_unique<SweepFlood<2>>(env);
+        last = &env;
+      }
+      Edge edge(env, x, level);
+      if (!edge.is_legal()) return;
+      const size_t facets = edge.facets();
+      const bool free = edge.is_free(*flood);
+      const Settled how = edge.settle(*star);
+      ++of[static_cast<int>(how)];
+      if (how == Settled::kNo) {
+        ++(free ? open : hit);
+        return;
+      }
+      long_ones += facets > 3 ? 1 : 0;
+      ASSERT_TRUE(free) << "settled by " << static_cast<int>(how);
+      ASSERT_TRUE(how == Settled::kSeen || edge.is_up_to_date()) << "settled by " << static_cast<int>(how);
+    });
+    const auto count = [&](Settled how) { return of[static_cast<int>(how)]; };
+    RecordProperty("settled", std::to_string(count(Settled::kInside)) + " inside, " +
+                                  std::to_string(count(Settled::kSeen)) + " seen, " +
+                                  std::to_string(count(Settled::kStrip)) + " strip, " +
+                                  std::to_string(count(Settled::kTurned)) + " turned; " + std::to_string(open) +
+                                  " free and open, " + std::to_string(hit) + " hit");
+    EXPECT_GT(count(Settled::kInside), share_of(500));
+    EXPECT_GT(count(Settled::kSeen), share_of(50));
+    EXPECT_GT(count(Settled::kStrip), share_of(5000));
+    EXPECT_GT(count(Settled::kTurned), share_of(1000));
+    EXPECT_GT(long_ones, share_of(1000));
+    EXPECT_GT(hit, share_of(500));
+  }
+}
+
+}  // namespace
+}  // namespace dsw::swept
