@@ -14,6 +14,7 @@
 #include "motion/locate.h"
 #include "motion/sequence.h"
 #include "plane_scenes.h"
+#include "predicates/filtered.h"
 #include "sweep/star.h"
 #include "swept_cases.h"
 
@@ -84,11 +85,33 @@ struct Draw {
   }
 };
 
+/// Whether a shifted triangle holds a vertex.
+bool holds(const double* const (&corners)[3], const double* vertex) {
+  int sides[3];
+  for (int k = 0; k < 3; ++k) sides[k] = line_side<2>(corners[k], corners[(k + 1) % 3], &vertex, NoTally{}).sign;
+  return sides[0] == sides[1] && sides[1] == sides[2];
+}
+
+/// Flies from *cell to the cell of `to`, and notes the sides on the way. Whether it gets there.
+bool pass(const Environment<2>& env, const double* from, const double* to, Cell* cell, EdgeSequence<2>& sequence) {
+  SequenceWriter<2> writer(nullptr);
+  CastRequest request;
+  request.from = from;
+  request.to = to;
+  request.start = *cell;
+  writer.attach(env, request);
+  const CastResult result = cast(env, request, nullptr);
+  *cell = result.cell;
+  if (result.end == CastEnd::kReached) writer.finish(sequence);
+  return result.end == CastEnd::kReached;
+}
+
 /// A body of one edge, where it is free, and what its end sweeps.
 class Edge {
  public:
   Edge(const Environment<2>& env, const Draw& x, SweepLevel level) : env_(env), x_(x), body_(nullptr) {
     body_.level = level;
+    body_.skipping.sequences = body_.skipping.by_environment = true;
     start_ = locate(env, x.p.data(), Cell{}, nullptr).cell;
     fixed_ = locate(env, x.q.data(), Cell{}, nullptr).cell;
     if (!start_.valid() || !fixed_.valid() || env.map.marked(start_) || env.map.marked(fixed_)) return;
@@ -97,14 +120,8 @@ class Edge {
     add_vertex(body_, x.q.data(), fixed_);
     add_edge(body_, 0, 1);
     keep_sequences(body_, 1);
-    SequenceWriter<2> writer(nullptr);
-    CastRequest request;
-    request.from = x.p.data();
-    request.to = x.q.data();
-    request.start = start_;
-    writer.attach(env, request);
-    free_ = cast(env, request, nullptr).end == CastEnd::kReached;
-    if (free_) writer.finish(body_.sequences[0]);
+    Cell end = start_;
+    free_ = pass(env, x.p.data(), x.q.data(), &end, body_.sequences[0]);
     path_ = cast(env, x.p.data(), x.to.data(), start_);
     arrival_ = cast(env, x.to.data(), x.q.data(), path_.cell);
   }
@@ -123,14 +140,8 @@ class Edge {
   /// Whether its sequence is that of its new place.
   bool is_up_to_date() {
     EdgeSequence<2> anew{Array<uint32_t>::allocator_type(nullptr)};
-    SequenceWriter<2> writer(nullptr);
-    CastRequest request;
-    request.from = x_.to.data();
-    request.to = x_.q.data();
-    request.start = path_.cell;
-    writer.attach(env_, request);
-    cast(env_, request, nullptr);
-    writer.finish(anew);
+    Cell at = path_.cell;
+    pass(env_, x_.to.data(), x_.q.data(), &at, anew);
     return anew.facets == body_.sequences[0].facets;
   }
   bool is_boxed(StarSweep<2>& star) {
@@ -201,6 +212,71 @@ TEST(SweptPlane, WhatIsSettledMeetsNothing) {
     EXPECT_GT(long_ones, share_of(1000));
     EXPECT_GT(hit, share_of(500));
   }
+}
+
+TEST(SweptPlane, WhatLiesInAFreeBoxMeetsNothing) {
+  int boxed = 0, of_more_cells = 0, open = 0;
+  for_each_draw(share_of(300), 300, [&](const Environment<2>& env, const Draw& x, int) {
+    StarSweep<2> star(env);
+    SweepFlood<2> flood(env);
+    Edge edge(env, x, SweepLevel::kEdgesSwept);
+    if (!edge.is_legal()) return;
+    if (!edge.is_boxed(star)) return static_cast<void>(open += edge.is_free(flood) ? 1 : 0);
+    ++boxed;
+    of_more_cells += edge.facets() > 1 ? 1 : 0;
+    ASSERT_TRUE(edge.is_free(flood));
+  });
+  EXPECT_GT(boxed, share_of(1000));
+  EXPECT_GT(of_more_cells, share_of(100));
+  EXPECT_GT(open, share_of(1000));
+}
+
+TEST(SweptPlane, ALineBetweenNeighboursPassesOneSide) {
+  int passed = 0, of_neighbours = 0;
+  for_each_draw(share_of(300), 300, [&](const Environment<2>& env, const Draw& x, int) {
+    const Cell first = locate(env, x.p.data(), Cell{}, nullptr).cell,
+               second = locate(env, x.q.data(), Cell{}, nullptr).cell;
+    if (!first.valid() || !second.valid() || first == second || env.map.marked(first)) return;
+    const CastResult path = cast(env, x.p.data(), x.q.data(), first);
+    const bool one = path.end == CastEnd::kReached && path_facets(env.map, first, path).count == 1;
+    of_neighbours += one ? 1 : 0;
+    if (!passes_between(env, first, second, x.p.data(), x.q.data())) return;
+    ++passed;
+    ASSERT_TRUE(one && path.cell == second);
+  });
+  EXPECT_GT(passed, share_of(1000));
+  EXPECT_GT(of_neighbours, passed) << "not all cells are convex";
+}
+
+/// The sides of a triangle that the casts say lie in one strip, so that no vertex and nothing impassable is in it.
+TEST(SweptPlane, WhatSharesAStripMeetsNothing) {
+  int shared = 0, long_ones = 0;
+  for_each_draw(share_of(300), 300, [&](const Environment<2>& env, const Draw& x, int) {
+    const double* const corners[3] = {x.p.data(), x.to.data(), x.q.data()};
+    Array<uint32_t>::allocator_type allocator(nullptr);
+    EdgeSequence<2> sides[3] = {EdgeSequence<2>(allocator), EdgeSequence<2>(allocator), EdgeSequence<2>(allocator)};
+    SequenceView views[3];
+    const Cell start = locate(env, corners[0], Cell{}, nullptr).cell;
+    Cell at = start;
+    for (int k = 0; k < 3; ++k) {
+      if (!at.valid() || env.map.marked(at)) return;
+      const Cell from = at;
+      if (!pass(env, corners[k], corners[(k + 1) % 3], &at, sides[k])) return;
+      if (!follows(env, sides[k], corners[k], corners[(k + 1) % 3], from, at)) return;
+      views[k] = {sides[k].facets.data(), sides[k].facets.size()};
+    }
+    if (!share_strip(env.map, views[0], views[1], views[2])) return;
+    ++shared;
+    long_ones += std::max({views[0].count, views[1].count, views[2].count}) > 2 ? 1 : 0;
+    SweepFlood<2> flood(env);
+    ASSERT_EQ(flood.sweep(EdgeMotion{corners[0], corners[1], corners[2]}, start, 0).end, SweepEnd::kFree);
+    for (size_t i = 0; i < flood.cells().size(); ++i) {
+      const Cell c = flood.cells()[i];
+      for (uint32_t v = 0; v < env.map.vertices_of(c); ++v) ASSERT_FALSE(holds(corners, env.point(c, v)));
+    }
+  });
+  EXPECT_GT(shared, share_of(5000));
+  EXPECT_GT(long_ones, share_of(1000));
 }
 
 }  // namespace
