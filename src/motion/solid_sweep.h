@@ -2,8 +2,6 @@
 // What a moving vertex p of a body sweeps on its way to p', where that has the dimension of the space: with a face p q r the tetrahedron
 // p p' q r, in the plane with an edge p q the triangle p p' q [JCD10] 4.1. Exact under the shift.
 
-#include <type_traits>
-
 #include "map/cell_queue.h"
 #include "motion/line_table.h"
 #include "motion/sweep_contact.h"
@@ -17,10 +15,6 @@ struct SweepResult {
   SweepContact contact;  // kContact: the first. kWorkLimit: nothing, even if contacts had been found: not all were
   uint32_t cells_visited = 0;
 };
-
-/** What sweeps a solid. */
-template <int D>
-using SolidMotion = std::conditional_t<D == 2, EdgeMotion, FaceMotion>;
 
 /** Floods from the cell of p over all cells that what is swept meets without crossing anything impassable: what is swept before the first
  * contact is connected and holds p, so that the first contact is the earliest of what the flood sees. Keeps its memory from sweep to

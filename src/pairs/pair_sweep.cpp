@@ -1,9 +1,11 @@
 // A vertex against faces, edges against edges and faces against vertices find every first touch, since what stands apart first
-// touches with the boundary of one of both. Vertices without edges are edges of no length.
+// touches with the boundary of one of both; in the plane a vertex against edges and edges against vertices. Vertices without edges are
+// edges of no length.
 
 #include "pairs/pair_sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 namespace dsw {
@@ -33,8 +35,10 @@ class StarTouches {
     if (!covers_edges(body_.level)) return true;
     bool go_on = true;
     for_each_edge(body_, v_, [&](uint32_t e) { return go_on = meet_with_edge(other, e); });
-    if (!go_on || !covers_faces(body_.level)) return go_on;
-    for_each_face(body_, v_, [&](uint32_t f) { return go_on = meet_with_face(other, f); });
+    if constexpr (D == 3) {
+      if (!go_on || !covers_faces(body_.level)) return go_on;
+      for_each_face(body_, v_, [&](uint32_t f) { return go_on = meet_with_face(other, f); });
+    }
     return go_on;
   }
 
@@ -44,34 +48,51 @@ class StarTouches {
     box.add(to_);
     const BodyBoxes<D>& boxes = other.boxes[0];
     if (!boxes.bounds.overlaps(box)) return true;
-    PairContact<D> touch;
-    const auto face = [&](uint32_t f) {
-      const uint32_t* const c = other.faces[f].corners;
-      if (self_ && std::find(c, c + 3, v_) != c + 3) return true;
-      const double* const at[3] = {other.position(c[0]), other.position(c[1]), other.position(c[2])};
-      touch.time = vertex_touch(p_, to_, at);
-      return report(touch, PartKind::kFace, f);
-    };
-    if (covers_faces(other.level) && !boxes.faces.visit(box, face)) return false;
-    if (covers_edges(body_.level) && body_.vertices[v_].first_edge != kNone) return true;
-    const EdgeMotion alone{p_, to_, p_};
+    if constexpr (D == 3) {
+      if (covers_faces(other.level) && !boxes.faces.visit(box, [&](uint32_t f) { return meet_face(other, f); }))
+        return false;
+      // Its edges stand for it, which in the plane are no more than vertices meet.
+      if (covers_edges(body_.level) && body_.vertices[v_].first_edge != kNone) return true;
+    }
     const auto vertex = [&](uint32_t w) {
-      return (self_ && w == v_) || report_edge(touch, alone, other, PartKind::kVertex, w, w, w);
+      return (self_ && w == v_) || report_path(other, PartKind::kVertex, w, w, w);
     };
     if (!single_vertices(other, other.level).visit(box, vertex)) return false;
-    const auto edge = [&](uint32_t e) { return report_edge(touch, alone, other, PartKind::kEdge, e); };
+    const auto edge = [&](uint32_t e) {
+      const uint32_t a = other.edges[e].ends[0], b = other.edges[e].ends[1];
+      if (!self_ || (a != v_ && b != v_)) return report_path(other, PartKind::kEdge, e, a, b);
+      const uint32_t far = a == v_ ? b : a;  // of an edge of its own
+      return report_path(other, PartKind::kVertex, far, far, far);
+    };
     return !covers_edges(other.level) || boxes.edges.visit(box, edge);
+  }
+
+  bool meet_face(const Body<D>& other, uint32_t f) {
+    const uint32_t* const c = other.faces[f].corners;
+    if (self_ && std::find(c, c + 3, v_) != c + 3) return true;
+    const double* const at[3] = {other.position(c[0]), other.position(c[1]), other.position(c[2])};
+    PairContact<D> touch;
+    touch.time = vertex_touch(p_, to_, at);
+    return report(touch, PartKind::kFace, f);
   }
 
   bool meet_with_edge(const Body<D>& other, uint32_t e) {
     const uint32_t q = body_.edges[e].other(v_);
+    PairContact<D> touch;
+    touch.edge = e;
+    if constexpr (D == 3) {
+      return meet_segments(other, q, touch);
+    } else {
+      return meet_with_solid(other, {v_, q}, {p_, to_, body_.position(q)}, touch);
+    }
+  }
+
+  bool meet_segments(const Body<D>& other, uint32_t q, PairContact<D>& touch) {
     const EdgeMotion m{p_, to_, body_.position(q)};
     Box<D> box;
     for (const double* each : {m.p, m.to, m.q}) box.add(each);
     const BodyBoxes<D>& boxes = other.boxes[0];
     if (!boxes.bounds.overlaps(box)) return true;
-    PairContact<D> touch;
-    touch.edge = e;
     const auto vertex = [&](uint32_t w) {
       return (self_ && (w == v_ || w == q)) || report_edge(touch, m, other, PartKind::kVertex, w, w, w);
     };
@@ -80,38 +101,45 @@ class StarTouches {
       const uint32_t a = other.edges[x].ends[0], b = other.edges[x].ends[1];
       const bool at_v = self_ && (a == v_ || b == v_), at_q = self_ && (a == q || b == q);
       if (!at_v && !at_q) return report_edge(touch, m, other, PartKind::kEdge, x, a, b);
-      PairContact<D> of_vertex;
-      if (at_v && at_q) return report_edge(of_vertex, {p_, to_, p_}, other, PartKind::kVertex, q, q, q);
+      if (at_v && at_q) return report_path(other, PartKind::kVertex, q, q, q);
       // They have one vertex in common: the other end of each meets the other one.
       const uint32_t far = a == (at_v ? v_ : q) ? b : a;
       if (!report_edge(touch, m, other, PartKind::kVertex, far, far, far)) return false;
-      return at_v || report_edge(of_vertex, {p_, to_, p_}, other, PartKind::kEdge, x, a, b);
+      return at_v || report_path(other, PartKind::kEdge, x, a, b);
     };
     return !covers_edges(other.level) || boxes.edges.visit(box, edge);
   }
 
   bool meet_with_face(const Body<D>& other, uint32_t f) {
     const uint32_t q = body_.faces[f].after(v_), r = body_.faces[f].before(v_);
-    const FaceMotion m{p_, to_, body_.position(q), body_.position(r)};
-    Box<D> box;
-    for (const double* each : {m.p, m.to, m.q, m.r}) box.add(each);
-    const BodyBoxes<D>& boxes = other.boxes[0];
     PairContact<D> touch;
     touch.face = f;
+    return meet_with_solid(other, {v_, q, r}, {p_, to_, body_.position(q), body_.position(r)}, touch);
+  }
+
+  bool meet_with_solid(const Body<D>& other, const std::array<uint32_t, D>& own, const SolidMotion<D>& m,
+                       PairContact<D>& touch) {
+    Box<D> box;
+    box.add(to_);
+    for (const uint32_t each : own) box.add(body_.position(each));
+    const BodyBoxes<D>& boxes = other.boxes[0];
     const auto vertex = [&](uint32_t w) {
-      if (self_ && (w == v_ || w == q || w == r)) return true;
-      touch.time = face_touch(m, other.position(w));
+      if (self_ && std::find(own.begin(), own.end(), w) != own.end()) return true;
+      touch.time = solid_touch<D>(m, other.position(w));
       return report(touch, PartKind::kVertex, w);
     };
     return !boxes.bounds.overlaps(box) || boxes.vertices.visit(box, vertex);
   }
 
-  bool report_edge(PairContact<D>& touch, const EdgeMotion& m, const Body<D>& other, PartKind part, uint32_t index) {
-    return report_edge(touch, m, other, part, index, other.edges[index].ends[0], other.edges[index].ends[1]);
+  bool report_path(const Body<D>& other, PartKind part, uint32_t index, uint32_t a, uint32_t b) {
+    PairContact<D> touch;
+    return report(touch, path_touch<D>(p_, to_, other.position(a), other.position(b)), part, index);
   }
   bool report_edge(PairContact<D>& touch, const EdgeMotion& m, const Body<D>& other, PartKind part, uint32_t index,
                    uint32_t a, uint32_t b) {
-    const EdgeTouch found = edge_touch(m, other.position(a), other.position(b));
+    return report(touch, edge_touch(m, other.position(a), other.position(b)), part, index);
+  }
+  bool report(PairContact<D>& touch, const EdgeTouch& found, PartKind part, uint32_t index) {
     touch.time = found.time;
     touch.place = found.place;
     return report(touch, part, index);
@@ -177,6 +205,7 @@ bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t 
   template bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept; \
   template bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,        \
                                 PairContact<D>* first) noexcept
+DSW_PAIR_SWEEP(2);
 DSW_PAIR_SWEEP(3);
 #undef DSW_PAIR_SWEEP
 

@@ -25,24 +25,28 @@ class Segment {
     if (!single_vertices(other_, other_.level).visit(box_, past_vertex)) return false;
     const auto past_edge = [&](uint32_t e) { return is_past_edge(other_.edges[e]); };
     if (covers_edges(other_.level) && !other_.boxes[0].edges.visit(box_, past_edge)) return false;
-    const auto past_face = [&](uint32_t f) { return is_past_face(other_.faces[f]); };
-    return !covers_faces(other_.level) || other_.boxes[0].faces.visit(box_, past_face);
+    if constexpr (D == 3) {
+      const auto past_face = [&](uint32_t f) { return is_past_face(other_.faces[f]); };
+      if (covers_faces(other_.level) && !other_.boxes[0].faces.visit(box_, past_face)) return false;
+    }
+    return true;
   }
 
  private:
   bool is_own(uint32_t v) const noexcept { return self_ && (v == a_.vertex || v == b_.vertex); }
-  bool touches(const double* c, const double* d) const noexcept { return segments_touch(a_.at, b_.at, c, d); }
+  bool touches(const double* c, const double* d) const noexcept { return segments_touch<D>(a_.at, b_.at, c, d); }
 
   bool is_past_edge(const BodyEdge& edge) const noexcept {
     const uint32_t c = edge.ends[0], d = edge.ends[1];
     const bool own_c = is_own(c), own_d = is_own(d);
     if (!own_c && !own_d) return !touches(other_.position(c), other_.position(d));
-    if (own_c && own_d) return !segments_touch(a_.at, a_.at, b_.at, b_.at);  // its ends
+    if (own_c && own_d) return !segments_touch<D>(a_.at, a_.at, b_.at, b_.at);  // its ends
     // They have one vertex in common: the other end of each is apart from the other one.
     const uint32_t common = own_c ? c : d, far = own_c ? d : c;
     if (touches(other_.position(far), other_.position(far))) return false;
     const Corner& own_far = a_.vertex == common ? b_ : a_;
-    return own_far.vertex == common || !segments_touch(own_far.at, own_far.at, other_.position(c), other_.position(d));
+    return own_far.vertex == common ||
+           !segments_touch<D>(own_far.at, own_far.at, other_.position(c), other_.position(d));
   }
 
   bool is_past_face(const BodyFace& face) const noexcept {
@@ -78,12 +82,11 @@ bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Co
                        [&](const Body<D>& other, bool self) { return Segment<D>(other, self, a, b).is_apart(); });
 }
 
-template <int D>
-bool is_triangle_apart(const Partners<D>& partners, const Body<D>& body, const Corner* corners) noexcept {
+bool is_triangle_apart(const Partners<3>& partners, const Body<3>& body, const Corner* corners) noexcept {
   const double* const at[3] = {corners[0].at, corners[1].at, corners[2].at};
-  Box<D> box;
+  Box<3> box;
   for (const double* each : at) box.add(each);
-  return for_each_seen(partners, body, [&](const Body<D>& other, bool self) {
+  return for_each_seen(partners, body, [&](const Body<3>& other, bool self) {
     if (!other.boxes[0].bounds.overlaps(box)) return true;
     const auto is_own = [&](uint32_t v) {
       return self && (v == corners[0].vertex || v == corners[1].vertex || v == corners[2].vertex);
@@ -101,22 +104,21 @@ bool is_triangle_apart(const Partners<D>& partners, const Body<D>& body, const C
 }
 
 template <int D>
-bool is_tetrahedron_apart(const Partners<D>& partners, const Body<D>& body, const double* const* corners) noexcept {
+bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const SolidMotion<D>& swept) noexcept {
   Box<D> box;
-  for (int k = 0; k < 4; ++k) box.add(corners[k]);
+  for (const double* each : {swept.p, swept.to, swept.q}) box.add(each);
+  if constexpr (D == 3) box.add(swept.r);
   return for_each_seen(partners, body, [&](const Body<D>& other, bool) {
-    const FaceMotion swept{corners[0], corners[1], corners[2], corners[3]};
-    return other.boxes[0].vertices.visit(box,
-                                         [&](uint32_t v) { return face_touch(swept, other.position(v)) == kNever; });
+    return other.boxes[0].vertices.visit(
+        box, [&](uint32_t v) { return solid_touch<D>(swept, other.position(v)) == kNever; });
   });
 }
 
-#define DSW_PARTNERS(D)                                                                                              \
-  template bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a,                  \
-                                 const Corner& b) noexcept;                                                          \
-  template bool is_triangle_apart(const Partners<D>& partners, const Body<D>& body, const Corner* corners) noexcept; \
-  template bool is_tetrahedron_apart(const Partners<D>& partners, const Body<D>& body,                               \
-                                     const double* const* corners) noexcept
+#define DSW_PARTNERS(D)                                                                             \
+  template bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a, \
+                                 const Corner& b) noexcept;                                         \
+  template bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const SolidMotion<D>& swept) noexcept
+DSW_PARTNERS(2);
 DSW_PARTNERS(3);
 #undef DSW_PARTNERS
 

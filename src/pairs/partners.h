@@ -2,6 +2,7 @@
 // The bodies that one may meet, and whether something that stands still is apart from them.
 
 #include "body/body.h"
+#include "predicates/sweep_events.h"
 
 namespace dsw {
 
@@ -38,12 +39,11 @@ struct Corner {
 /** Whether a segment of a body, of which both ends may be one, touches none of the partners. */
 template <int D>
 bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a, const Corner& b) noexcept;
-/** Whether the inside of a triangle does; that of its edges is known. */
+/** Whether the inside of a triangle in space does; that of its edges is known. */
+bool is_triangle_apart(const Partners<3>& partners, const Body<3>& body, const Corner* corners) noexcept;
+/** Whether the inside of a tetrahedron does, in the plane that of a triangle; that of its boundary is known. */
 template <int D>
-bool is_triangle_apart(const Partners<D>& partners, const Body<D>& body, const Corner* corners) noexcept;
-/** Whether the inside of a tetrahedron does; that of its faces is known. */
-template <int D>
-bool is_tetrahedron_apart(const Partners<D>& partners, const Body<D>& body, const double* const* corners) noexcept;
+bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const SolidMotion<D>& swept) noexcept;
 
 /** Looks at all that a level covers of a body; calls blocked(a, b) with two vertices of each part that is not apart until it returns
  * false. Whether all of it is apart. O(size of the body + what is near). */
@@ -64,11 +64,13 @@ bool is_body_apart(const Partners<D>& partners, const Body<D>& body, SweepLevel 
     const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
     if (!judge(is_segment_apart(partners, body, corner(a), corner(b)), a, b)) return false;
   }
-  for (uint32_t f = 0; covers_faces(level) && f < body.faces.size(); ++f) {
-    if (!body.has_face(f)) continue;
-    const uint32_t* const c = body.faces[f].corners;
-    const Corner corners[3] = {corner(c[0]), corner(c[1]), corner(c[2])};
-    if (!judge(is_triangle_apart(partners, body, corners), c[0], c[1])) return false;
+  if constexpr (D == 3) {
+    for (uint32_t f = 0; covers_faces(level) && f < body.faces.size(); ++f) {
+      if (!body.has_face(f)) continue;
+      const uint32_t* const c = body.faces[f].corners;
+      const Corner corners[3] = {corner(c[0]), corner(c[1]), corner(c[2])};
+      if (!judge(is_triangle_apart(partners, body, corners), c[0], c[1])) return false;
+    }
   }
   return apart;
 }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "predicates/exact.h"
 
@@ -22,6 +23,10 @@ struct EdgeMotion {
 struct FaceMotion {
   const double *p, *to, *q, *r;
 };
+
+// What sweeps a part of the space of its full dimension.
+template <int D>
+using SolidMotion = std::conditional_t<D == 2, EdgeMotion, FaceMotion>;
 
 enum class EventKind : uint32_t { kVertex, kEdge, kFace };
 

@@ -13,6 +13,7 @@ constexpr double kNever = 2;
 bool are_collinear(const double* a, const double* b, const double* c) noexcept;
 
 // Whether segments a b and c d have a point in common; either may be a point.
+template <int D>
 bool segments_touch(const double* a, const double* b, const double* c, const double* d) noexcept;
 
 // Whether triangle x y z and segment a b have one; both may be degenerate.
@@ -25,6 +26,10 @@ struct EdgeTouch {
   TouchPlace place = TouchPlace::kInside;
 };
 
+// The first time at which the moving vertex is on segment a b, if it does not start there. a and b may be one point.
+template <int D>
+EdgeTouch path_touch(const double* p, const double* to, const double* a, const double* b) noexcept;
+
 // The first time at which the moving vertex is on triangle a b c, if it does not start there.
 double vertex_touch(const double* p, const double* to, const double* const* triangle) noexcept;
 
@@ -32,7 +37,9 @@ double vertex_touch(const double* p, const double* to, const double* const* tria
 // then the vertex alone moves.
 EdgeTouch edge_touch(const EdgeMotion& m, const double* a, const double* b) noexcept;
 
-// The first time at which point v is on face p(t) q r. Nothing where p, p', q, r lie in one plane: its edges touch v then.
-double face_touch(const FaceMotion& m, const double* v) noexcept;
+// The first time at which point v is on face p(t) q r, in the plane on edge p(t) q. Nothing where p, p', q, r lie in one plane, or p, p', q
+// in one line: its edges, or the path, touch v then.
+template <int D>
+double solid_touch(const SolidMotion<D>& m, const double* v) noexcept;
 
 }  // namespace dsw

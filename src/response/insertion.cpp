@@ -19,23 +19,30 @@ bool is_bend_apart(const Partners<D>& partners, const Body<D>& body, const BodyE
   const Corner p{body.position(edge.ends[0]), edge.ends[0]}, q{body.position(edge.ends[1]), edge.ends[1]},
       m{point, kNone};
   const auto is_side_apart = [&](const Corner& a, const Corner& b) { return is_segment_apart(partners, body, a, b); };
-  const auto is_face_apart = [&](const Corner& a, const Corner& b) {
-    const Corner corners[3] = {a, m, b};
-    return is_triangle_apart(partners, body, corners);
-  };
   if (!covers_edges(body.level)) return is_side_apart(m, m);
-  if (!is_side_apart(p, m) || !is_side_apart(m, q) || !is_face_apart(p, q)) return false;
-  for (const uint32_t f : edge.faces) {
-    if (f == kNone) continue;
-    const BodyFace& face = body.faces[f];
-    const uint32_t far = face.after(p.vertex) == q.vertex ? face.before(p.vertex) : face.after(p.vertex);
-    const Corner r{body.position(far), far};
-    if (!is_side_apart(m, r)) return false;
-    if (!covers_faces(body.level)) continue;
-    const double* const swept[4] = {p.at, m.at, q.at, r.at};
-    if (!is_face_apart(p, r) || !is_face_apart(q, r) || !is_tetrahedron_apart(partners, body, swept)) return false;
+  if (!is_side_apart(p, m) || !is_side_apart(m, q)) return false;
+  if constexpr (D == 2) {
+    return is_solid_apart<D>(partners, body, {p.at, m.at, q.at});
+  } else {
+    const auto is_face_apart = [&](const Corner& a, const Corner& b) {
+      const Corner corners[3] = {a, m, b};
+      return is_triangle_apart(partners, body, corners);
+    };
+    if (!is_face_apart(p, q)) return false;
+    for (const uint32_t f : edge.faces) {
+      if (f == kNone) continue;
+      const BodyFace& face = body.faces[f];
+      const uint32_t far = face.after(p.vertex) == q.vertex ? face.before(p.vertex) : face.after(p.vertex);
+      const Corner r{body.position(far), far};
+      if (!is_side_apart(m, r)) return false;
+      if (!covers_faces(body.level)) continue;
+      if (!is_face_apart(p, r) || !is_face_apart(q, r) ||
+          !is_solid_apart<D>(partners, body, {p.at, m.at, q.at, r.at})) {
+        return false;
+      }
+    }
+    return true;
   }
-  return true;
 }
 
 }  // namespace
