@@ -25,22 +25,21 @@ Vec back_across(const Vec& move, const Vec& line, bool is_along) {
   return against(unit(way - dot(way, along) * along), move);
 }
 
-/** Of the face, towards where the vertex comes from. */
+/** Normal of a face, in the plane of an edge, on that side of it. */
 template <int D>
-Vec face_normal(const double* const* corners, const double* p, const Vec& move) {
-  double normal[3];
+Vec normal_on(int side, const double* const* corners, const Vec& move) {
+  double normal[D];
   unit_normal<D>(corners, normal);
-  const int side = orient<D>(corners, p);
-  if (side == 0) return against(to_vec<D>(normal), move);
+  // What moves along an edge in the plane meets its end.
+  if (side == 0) return against(D == 3 ? to_vec<D>(normal) : Vec{}, move);
   return (side < 0 ? -1.0 : 1.0) * to_vec<D>(normal);
 }
 
 /** Where segment a b pierces the swept triangle; not both of its ends are in that plane. */
-template <int D>
 void triangle_piercing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
   const double* const swept[3] = {m.p, m.to, m.q};
-  if (orient<D>(swept, b) - orient<D>(swept, a) < 0) std::swap(a, b);
-  point_at<D>(a, b, crossing_time<D>(a, b, swept), point);
+  if (orient<3>(swept, b) - orient<3>(swept, a) < 0) std::swap(a, b);
+  point_at<3>(a, b, crossing_time<3>(a, b, swept), point);
 }
 
 /** The points of what is touched, one to three. */
@@ -58,23 +57,28 @@ struct Touched {
   }
 };
 
-/** Point, place along the edge and normal of an edge, or of a vertex alone, on an edge or a vertex. */
-template <int D>
-void describe_edge(const PairContact<D>& met, const EdgeMotion& m, const Touched<D>& touched, dsw_contact& contact) {
+/** Point, place along the edge and normal of an edge, or of a vertex alone, on an edge or a vertex in space. */
+Vec describe_edge(const PairContact<3>& met, const EdgeMotion& m, const Touched<3>& touched, dsw_contact& contact) {
   const double *const a = touched.at[0], *const b = touched.at[1];
-  const Vec move = difference<D>(m.to, m.p), edge = difference<D>(m.q, contact.position), other = difference<D>(b, a);
-  Vec normal;
+  const Vec move = difference<3>(m.to, m.p), edge = difference<3>(m.q, contact.position), other = difference<3>(b, a);
   if (met.place == TouchPlace::kInside) {
-    triangle_piercing_point<D>(m, a, b, contact.point);
-    normal = against(unit(cross(unit(edge), unit(other))), move);
-  } else if (met.place == TouchPlace::kVertex) {
-    normal = back_across(move, other, are_collinear(m.p, m.to, a) && are_collinear(m.p, m.to, b));
-  } else {
-    std::copy_n(met.place == TouchPlace::kFirst ? a : b, 3, contact.point);
-    normal = back_across(move, edge, are_collinear(m.p, m.to, m.q));
+    triangle_piercing_point(m, a, b, contact.point);
+    return against(unit(cross(unit(edge), unit(other))), move);
   }
-  if (met.edge != kNone) contact.along = share_along<D>(contact.position, m.q, contact.point);
-  store<D>(normal + Vec{}, contact.normal);  // never -0
+  if (met.place == TouchPlace::kVertex) {
+    return back_across(move, other, are_collinear(m.p, m.to, a) && are_collinear(m.p, m.to, b));
+  }
+  std::copy_n(met.place == TouchPlace::kFirst ? a : b, 3, contact.point);
+  return back_across(move, edge, are_collinear(m.p, m.to, m.q));
+}
+
+/** The same in the plane. */
+Vec describe_edge(const PairContact<2>& met, const EdgeMotion& m, const Touched<2>& touched, dsw_contact& contact) {
+  const Vec move = difference<2>(m.to, m.p);
+  if (met.edge == kNone) return normal_on<2>(orient<2>(touched.at, m.p), touched.at, move);
+  const double *const start[2] = {m.p, m.q}, *const edge[2] = {touched.at[0], m.q};
+  std::copy_n(touched.at[0], 2, contact.point);
+  return normal_on<2>(-orient<2>(start, m.to), edge, move);
 }
 
 }  // namespace
@@ -84,35 +88,38 @@ dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v,
                      const PairContact<D>& met) {
   dsw_contact contact{};
   const double* const from = body.position(v);
-  std::copy_n(from, 3, contact.from);
-  std::copy_n(to, 3, contact.to);
+  std::copy_n(from, D, contact.from);
+  std::copy_n(to, D, contact.to);
   contact.vertex = vertex_id(body, v);
   contact.front = volume_id(env.map, body.vertices[v].cell);
   contact.time = met.time;
   point_at<D>(from, to, met.time, contact.position);
-  std::copy_n(contact.position, 3, contact.point);
+  std::copy_n(contact.position, D, contact.point);
   const Touched<D> touched(met);
   const Vec move = difference<D>(to, from);
+  Vec normal;
   if (met.face != kNone) {
     const BodyFace& face = body.faces[met.face];
     const double *const q = body.position(face.after(v)), *const r = body.position(face.before(v));
     contact.face = face_id(body, met.face);
-    std::copy_n(q, 3, contact.fixed[0]);
-    std::copy_n(r, 3, contact.fixed[1]);
-    std::copy_n(touched.at[0], 3, contact.point);
-    const Vec across = cross(unit(difference<D>(q, contact.position)), unit(difference<D>(r, contact.position)));
-    store<D>(against(unit(across), move) + Vec{}, contact.normal);
+    std::copy_n(q, D, contact.fixed[0]);
+    std::copy_n(r, D, contact.fixed[1]);
+    std::copy_n(touched.at[0], D, contact.point);
+    normal =
+        against(unit(cross(unit(difference<D>(q, contact.position)), unit(difference<D>(r, contact.position)))), move);
   } else if (met.part == PartKind::kFace) {
-    store<D>(face_normal<D>(touched.at, from, move) + Vec{}, contact.normal);
+    normal = normal_on<D>(orient<D>(touched.at, from), touched.at, move);
   } else {
     const double* q = from;
     if (met.edge != kNone) {
       contact.edge = edge_id(body, met.edge);
       q = body.position(body.edges[met.edge].other(v));
-      std::copy_n(q, 3, contact.fixed[0]);
+      std::copy_n(q, D, contact.fixed[0]);
     }
-    describe_edge(met, {from, to, q}, touched, contact);
+    normal = describe_edge(met, {from, to, q}, touched, contact);
+    if (met.edge != kNone) contact.along = share_along<D>(contact.position, q, contact.point);
   }
+  store<D>(normal + Vec{}, contact.normal);  // never -0
   contact.kind = met.part == PartKind::kVertex ? DSW_CONTACT_VERTEX
                  : met.part == PartKind::kEdge ? DSW_CONTACT_EDGE
                                                : DSW_CONTACT_PLANE;
@@ -140,6 +147,7 @@ uint64_t part_key(const dsw_contact_partner& partner) noexcept {
   template dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, \
                                 const PairContact<D>& met);                                                   \
   template dsw_contact_partner partner_of(const PairContact<D>& met) noexcept
+DSW_DESCRIBE_PAIR(2);
 DSW_DESCRIBE_PAIR(3);
 #undef DSW_DESCRIBE_PAIR
 
