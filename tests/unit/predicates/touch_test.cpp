@@ -12,8 +12,9 @@ namespace dsw {
 namespace {
 
 /** The triangle and the segment as they are. */
+template <int D>
 bool have_common_point(const double* const* t, const double* a, const double* b) {
-  const TouchTruth truth = touch_truth(t[0], t[1], {t[2]}, {a, b});
+  const TouchTruth truth = touch_truth<D>(t[0], t[1], {t[2]}, {a, b});
   return truth.touches || truth.at_start;
 }
 
@@ -33,6 +34,7 @@ void check(double found, const TouchTruth& truth, Seen& seen) {
 }
 
 /** Points of all families; often some stand twice or lie in one plane, line, or between others. */
+template <int D>
 class Draw {
  public:
   explicit Draw(uint64_t seed) : random_(seed) {}
@@ -42,12 +44,12 @@ class Draw {
       for (auto& x : s_.x) {
         for (double& each : x) each = random_.between(-2, 2);
       }
-      if (random_.below(2) == 0) flatten(random_.below(3));
-      if (random_.below(4) == 0) flatten(random_.below(3));
+      if (random_.below(2) == 0) flatten(random_.below(D));
+      if (D == 3 && random_.below(4) == 0) flatten(random_.below(D));
     } else {
       draw(random_, 8, s_);
     }
-    if (random_.below(4) == 0) std::copy_n(s_.x[random_.below(5)], 3, s_.x[random_.below(5)]);
+    if (random_.below(4) == 0) std::copy_n(s_.x[random_.below(5)], D, s_.x[random_.below(5)]);
     return s_.at;
   }
   int below(int n) { return random_.below(n); }
@@ -57,64 +59,112 @@ class Draw {
     for (auto& x : s_.x) x[axis] = 1;
   }
   Random random_;
-  PointSet<3> s_;
+  PointSet<D> s_;
 };
 
+template <int D>
 class TouchTest : public testing::TestWithParam<bool> {
  protected:
   const int cases_ = static_cast<int>(case_count() / 20);
-  Draw draw_{GetParam() ? 3u : 5u};
+  Draw<D> draw_{GetParam() ? 3u : 5u};
   Seen seen_;
 
+  /** Of those with p = p' nothing is asked but what stands still. */
   template <class Check>
-  void for_all(Check each) {
+  void for_all(Check each, bool moving = true) {
     for (int i = 0; i < cases_; ++i) {
       SCOPED_TRACE(i);
-      each(draw_.next(GetParam()));
+      const double* const* const x = draw_.next(GetParam());
+      if (moving && std::equal(x[0], x[0] + D, x[1])) continue;
+      each(x);
       if (HasFatalFailure()) return;
     }
     EXPECT_GT(seen_.touches, cases_ / 34);
   }
+  void a_vertex_touches_a_segment() {
+    for_all([&](const double* const* x) {
+      const double* const b = draw_.below(4) == 0 ? x[3] : x[4];
+      check(path_touch<D>(x[0], x[1], x[3], b).time, touch_truth<D>(x[0], x[1], {}, {x[3], b}), seen_);
+    });
+  }
+  void segments_have_a_common_point_or_not() {
+    for_all(
+        [&](const double* const* x) {
+          const double* const line[3] = {x[0], x[1], x[1]};
+          const bool touches = segments_touch<D>(x[0], x[1], x[3], x[4]);
+          ASSERT_EQ(touches, have_common_point<D>(line, x[3], x[4]));
+          seen_.touches += touches ? 1 : 0;
+        },
+        false);
+  }
 };
-INSTANTIATE_TEST_SUITE_P(All, TouchTest, testing::Bool(),
-                         [](const auto& i) { return i.param ? "SmallLattice" : "AllFamilies"; });
+const auto name_of = [](const testing::TestParamInfo<bool>& i) { return i.param ? "SmallLattice" : "AllFamilies"; };
 
-TEST_P(TouchTest, AVertexTouchesATriangleAtItsTime) {
+class SpaceTouchTest : public TouchTest<3> {};
+INSTANTIATE_TEST_SUITE_P(All, SpaceTouchTest, testing::Bool(), name_of);
+
+TEST_P(SpaceTouchTest, AVertexTouchesATriangleAtItsTime) {
   for_all([&](const double* const* x) {
-    if (std::equal(x[0], x[0] + 3, x[1])) return;
-    check(vertex_touch(x[0], x[1], x + 2), touch_truth(x[0], x[1], {}, {x[2], x[3], x[4]}), seen_);
+    check(vertex_touch(x[0], x[1], x + 2), touch_truth<3>(x[0], x[1], {}, {x[2], x[3], x[4]}), seen_);
   });
 }
 
-TEST_P(TouchTest, AnEdgeTouchesASegmentAtItsTime) {
+TEST_P(SpaceTouchTest, AVertexTouchesASegmentAtItsTime) { a_vertex_touches_a_segment(); }
+
+TEST_P(SpaceTouchTest, AnEdgeTouchesASegmentAtItsTime) {
   for_all([&](const double* const* x) {
-    if (std::equal(x[0], x[0] + 3, x[1])) return;
     const double* const q = draw_.below(8) == 0 ? x[0] : x[2];
     const double* const b = draw_.below(8) == 0 ? x[3] : x[4];
-    check(edge_touch({x[0], x[1], q}, x[3], b).time, touch_truth(x[0], x[1], {q}, {x[3], b}), seen_);
+    check(edge_touch({x[0], x[1], q}, x[3], b).time, touch_truth<3>(x[0], x[1], {q}, {x[3], b}), seen_);
   });
 }
 
-TEST_P(TouchTest, AFaceTouchesAPointAtItsTime) {
+TEST_P(SpaceTouchTest, AFaceTouchesAPointAtItsTime) {
   for_all([&](const double* const* x) {
-    if (std::equal(x[0], x[0] + 3, x[1])) return;
-    const double found = face_touch({x[0], x[1], x[2], x[3]}, x[4]);
+    const double found = solid_touch<3>({x[0], x[1], x[2], x[3]}, x[4]);
     // What lies in one plane is left to the edges.
     const double by_edge =
         std::min(edge_touch({x[0], x[1], x[2]}, x[4], x[4]).time, edge_touch({x[0], x[1], x[3]}, x[4], x[4]).time);
-    check(std::min(found, by_edge), touch_truth(x[0], x[1], {x[2], x[3]}, {x[4]}), seen_);
+    check(std::min(found, by_edge), touch_truth<3>(x[0], x[1], {x[2], x[3]}, {x[4]}), seen_);
   });
 }
 
-TEST_P(TouchTest, ATriangleAndASegmentHaveACommonPointOrNot) {
+TEST_P(SpaceTouchTest, ATriangleAndASegmentHaveACommonPointOrNot) {
+  for_all(
+      [&](const double* const* x) {
+        const bool touches = triangle_touches(x, x[3], x[4]);
+        ASSERT_EQ(touches, have_common_point<3>(x, x[3], x[4]));
+        seen_.touches += touches ? 1 : 0;
+      },
+      false);
+}
+
+TEST_P(SpaceTouchTest, SegmentsHaveACommonPointOrNot) { segments_have_a_common_point_or_not(); }
+
+class PlaneTouchTest : public TouchTest<2> {};
+INSTANTIATE_TEST_SUITE_P(All, PlaneTouchTest, testing::Bool(), name_of);
+
+TEST_P(PlaneTouchTest, AVertexTouchesASegmentAtItsTime) { a_vertex_touches_a_segment(); }
+
+TEST_P(PlaneTouchTest, AnEdgeTouchesAPointAtItsTime) {
   for_all([&](const double* const* x) {
-    const bool touches = triangle_touches(x, x[3], x[4]);
-    ASSERT_EQ(touches, have_common_point(x, x[3], x[4]));
-    const double* const line[3] = {x[0], x[1], x[1]};
-    ASSERT_EQ(segments_touch(x[0], x[1], x[3], x[4]), have_common_point(line, x[3], x[4]));
-    seen_.touches += touches ? 1 : 0;
+    const double found = solid_touch<2>({x[0], x[1], x[2]}, x[3]);
+    // What lies in one line is left to the path.
+    check(std::min(found, path_touch<2>(x[0], x[1], x[3], x[3]).time), touch_truth<2>(x[0], x[1], {x[2]}, {x[3]}),
+          seen_);
   });
 }
+
+TEST_P(PlaneTouchTest, AnEdgeFirstTouchesASegmentWithAVertexOfEither) {
+  for_all([&](const double* const* x) {
+    const EdgeMotion m{x[0], x[1], x[2]};
+    const double found =
+        std::min({path_touch<2>(m.p, m.to, x[3], x[4]).time, solid_touch<2>(m, x[3]), solid_touch<2>(m, x[4])});
+    check(found, touch_truth<2>(x[0], x[1], {x[2]}, {x[3], x[4]}), seen_);
+  });
+}
+
+TEST_P(PlaneTouchTest, SegmentsHaveACommonPointOrNot) { segments_have_a_common_point_or_not(); }
 
 }  // namespace
 }  // namespace dsw

@@ -8,29 +8,30 @@
 namespace dsw {
 namespace {
 
-/** The one solution of sum x_i column_i = (0, 0, 0, 1, 1) over the columns of `chosen`, if there is one and only one. */
-bool solve(const std::vector<std::array<mpq_class, 5>>& columns, unsigned chosen, std::vector<mpq_class>& x) {
+/** The one solution of sum x_i column_i = (0, ..., 0, 1, 1) over the columns of `chosen`, if there is one and only one. */
+template <size_t N>
+bool solve(const std::vector<std::array<mpq_class, N>>& columns, unsigned chosen, std::vector<mpq_class>& x) {
   std::vector<size_t> names;
   for (size_t i = 0; i < columns.size(); ++i) {
     if ((chosen >> i & 1u) != 0) names.push_back(i);
   }
-  std::vector<std::vector<mpq_class>> rows(5, std::vector<mpq_class>(names.size() + 1));
-  for (size_t r = 0; r < 5; ++r) {
+  std::vector<std::vector<mpq_class>> rows(N, std::vector<mpq_class>(names.size() + 1));
+  for (size_t r = 0; r < N; ++r) {
     for (size_t c = 0; c < names.size(); ++c) rows[r][c] = columns[names[c]][r];
-    rows[r][names.size()] = r >= 3 ? 1 : 0;
+    rows[r][names.size()] = r >= N - 2 ? 1 : 0;
   }
   for (size_t c = 0; c < names.size(); ++c) {
     size_t pivot = c;
-    while (pivot < 5 && sgn(rows[pivot][c]) == 0) ++pivot;
-    if (pivot == 5) return false;
+    while (pivot < N && sgn(rows[pivot][c]) == 0) ++pivot;
+    if (pivot == N) return false;
     std::swap(rows[c], rows[pivot]);
-    for (size_t r = 0; r < 5; ++r) {
+    for (size_t r = 0; r < N; ++r) {
       if (r == c || sgn(rows[r][c]) == 0) continue;
       const mpq_class factor = rows[r][c] / rows[c][c];
       for (size_t k = c; k <= names.size(); ++k) rows[r][k] -= factor * rows[c][k];
     }
   }
-  for (size_t r = names.size(); r < 5; ++r) {
+  for (size_t r = names.size(); r < N; ++r) {
     if (sgn(rows[r][names.size()]) != 0) return false;
   }
   x.assign(columns.size(), 0);
@@ -40,13 +41,14 @@ bool solve(const std::vector<std::array<mpq_class, 5>>& columns, unsigned chosen
 
 }  // namespace
 
+template <int D>
 TouchTruth touch_truth(const double* p, const double* to, const std::vector<const double*>& others,
                        const std::vector<const double*>& still) {
-  std::vector<std::array<mpq_class, 5>> columns;
+  std::vector<std::array<mpq_class, D + 2>> columns;
   const auto add = [&](const double* x, bool moving) {
-    std::array<mpq_class, 5> column;
-    for (size_t k = 0; k < 3; ++k) column[k] = moving ? x[k] : -x[k];
-    column[moving ? 3 : 4] = 1;
+    std::array<mpq_class, D + 2> column;
+    for (size_t k = 0; k < D; ++k) column[k] = moving ? x[k] : -x[k];
+    column[moving ? D : D + 1] = 1;
     columns.push_back(column);
   };
   add(p, true);
@@ -68,5 +70,10 @@ TouchTruth touch_truth(const double* p, const double* to, const std::vector<cons
   }
   return truth;
 }
+
+template TouchTruth touch_truth<2>(const double*, const double*, const std::vector<const double*>&,
+                                   const std::vector<const double*>&);
+template TouchTruth touch_truth<3>(const double*, const double*, const std::vector<const double*>&,
+                                   const std::vector<const double*>&);
 
 }  // namespace dsw

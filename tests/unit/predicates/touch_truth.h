@@ -14,6 +14,7 @@ struct TouchTruth {
 };
 
 /** When the hull of p(t) and the others, which stay, first meets the hull of what stands still. */
+template <int D>
 TouchTruth touch_truth(const double* p, const double* to, const std::vector<const double*>& others,
                        const std::vector<const double*>& still);
 
