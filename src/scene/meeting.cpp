@@ -14,7 +14,7 @@ constexpr double kRoom = 0x1p-20;  // beside a box, as a share of it
 template <int D>
 Box<D> with_room(const Box<D>& box) noexcept {
   Box<D> wide = box;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < D; ++k) {
     const double room = kRoom * (box.upper[k] - box.lower[k]);
     wide.lower[k] -= room;
     wide.upper[k] += room;
@@ -73,9 +73,9 @@ Box<D> reach_of(const Body<D>& body, PointArray targets, MoveOrder order, bool s
     if (!slides) continue;
     // One that slides gets no farther from its target, but for stand-offs.
     double way = 0;
-    for (int k = 0; k < 3; ++k) way = std::max(way, std::fabs(targets[v][k] - body.position(v)[k]));
-    double low[3], high[3];
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < D; ++k) way = std::max(way, std::fabs(targets[v][k] - body.position(v)[k]));
+    double low[D], high[D];
+    for (int k = 0; k < D; ++k) {
       low[k] = targets[v][k] - 2 * way;
       high[k] = targets[v][k] + 2 * way;
     }
@@ -167,6 +167,7 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
   template void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level);                                   \
   template void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, PointArray targets,    \
                              const size_t* first_target, bool slides, Islands<D>& islands)
+DSW_MEETING(2);
 DSW_MEETING(3);
 #undef DSW_MEETING
 
