@@ -6,6 +6,9 @@
  * DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES, has no point in common, and passed through nothing on its way (but see DSW_DEFORM_END_STATE). Here touching is a
  * contact; also at DSW_LEVEL_EDGES the whole way of an edge counts. Bodies whose filters keep them apart ignore each other.
  *
+ * In the plane bodies are polylines, closed curves, or any other vertices and edges. They have no faces, and no level for them: asking
+ * for either answers DSW_STATUS_UNSUPPORTED.
+ *
  * Vertices, edges and faces are named by ids whose index is stable; a removed one leaves a free index that a later one may take
  * with a higher generation. Arrays by vertex (positions, targets) have one entry for each index below the number of slots.
  */
@@ -48,12 +51,12 @@ typedef struct dsw_body_desc {
   const double
       *positions;      /**< `vertex_count` points, stride_bytes apart, finite. Borrowed for the call, as all arrays. */
   size_t vertex_count; /**< At least 1. */
-  size_t stride_bytes; /**< 0 means 24. */
+  size_t stride_bytes; /**< 0 means 8 * dimension. */
   const dsw_volume_id *hints; /**< Null, or `vertex_count` ids of which any may be null. */
   const uint32_t *edges;      /**< Two vertices each; an edge that a face has may be given or left out. */
   size_t edge_count;          /**< How many. */
   /** Faces: corners of face i are face_corners[face_offsets[i] .. face_offsets[i+1]-1], in order. Polygons become fans of
-   * triangles round their first corner; the diagonals become edges. */
+   * triangles round their first corner; the diagonals become edges. None in the plane. */
   const uint32_t *face_offsets;
   const uint32_t *face_corners; /**< Vertices, as said. */
   size_t face_count;            /**< face_offsets has one more entry. */
@@ -88,7 +91,8 @@ DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
  * BAD_CELL (an edge or face names a vertex twice), DUPLICATE_CELL (an edge or triangle stands twice), SHARED_FACE (an edge of three
  * triangles, or a vertex whose triangles form more than one fan), INVERTED_CELL (neighbouring triangles are turned against
  * each other), OCCUPIED (edges or faces meet something impassable, or touch a body: see dsw_scene_get_offending_edges), NOT_NAMED
- * (category, mask or DSW_BODY_SELF_CONTACTS without the feature), UNSUPPORTED, WRONG_SIZE, OUT_OF_MEMORY: nothing was created.
+ * (category, mask or DSW_BODY_SELF_CONTACTS without the feature), UNSUPPORTED (in the plane also faces), WRONG_SIZE,
+ * OUT_OF_MEMORY: nothing was created.
  * @note O(vertices + volumes that edges cross), and the locating. Thread: writer; uses the parallel-for. Certain: what the level
  * covers is free. Source: [JCD10] 4. @since 1.0 */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
@@ -147,7 +151,7 @@ DSW_API dsw_status dsw_body_get_filter(const dsw_scene *scene, dsw_body_id body,
 DSW_API dsw_status dsw_body_set_filter(dsw_scene *scene, dsw_body_id body, uint32_t category, uint32_t mask);
 
 /** Positions of all vertices, by index; free slots get zeros.
- * @param scene, body [in] @param positions [out] `capacity` points, stride_bytes apart (0 means 24).
+ * @param scene, body [in] @param positions [out] `capacity` points, stride_bytes apart (0 means 8 * dimension).
  * @param capacity, stride_bytes [in] @param volumes [out] null, or `capacity` ids. @param count [out] vertex slots.
  * @return DSW_STATUS_BUFFER_TOO_SMALL: only `count` was set. @note O(slots). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_positions(const dsw_scene *scene, dsw_body_id body, double *positions, size_t capacity,
@@ -200,7 +204,7 @@ DSW_API dsw_status dsw_body_get_face_vertices(const dsw_scene *scene, dsw_body_i
                                               size_t capacity, size_t *count);
 
 /** Adds a vertex without edges.
- * @param scene [in,out] @param body [in] @param position [in] 3 finite doubles.
+ * @param scene [in,out] @param body [in] @param position [in] as many finite doubles as there are dimensions.
  * @param hint [in] a volume near it, or null id. @param vertex [out] its id.
  * @return as dsw_particle_create; OCCUPIED: it touches a body that it would meet. @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_add_vertex(dsw_scene *scene, dsw_body_id body, const double *position, dsw_volume_id hint,
@@ -214,7 +218,8 @@ DSW_API dsw_status dsw_body_add_edge(dsw_scene *scene, dsw_body_id body, dsw_bod
 /** Adds a triangle, with those of its edges that are missing.
  * @param scene [in,out] @param body [in] @param a, b, c [in] its corners, in their order round it.
  * @param face [out] its id.
- * @return as dsw_body_add_edge; SHARED_FACE and INVERTED_CELL as dsw_body_create. @note Thread: writer. @since 1.0 */
+ * @return as dsw_body_add_edge; SHARED_FACE and INVERTED_CELL as dsw_body_create; UNSUPPORTED in the plane. @note Thread:
+ * writer. @since 1.0 */
 DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
                                      dsw_body_vertex_id c, dsw_body_face_id *face);
 /** Removes a face. Always possible, also where the faces left at a vertex form several fans then.

@@ -1,5 +1,6 @@
 /** @file contact.h
- * What a move, a cast or a sweep reports. The structs here are frozen: new data means a new getter.
+ * What a move, a cast or a sweep reports. The structs here are frozen: new data means a new getter. In the plane third coordinates are 0,
+ * and an edge that moves meets vertices where one in space meets edges: what is said of wires holds for marked vertices there.
  */
 #ifndef DARTSWEEP_CONTACT_H
 #define DARTSWEEP_CONTACT_H
@@ -80,12 +81,14 @@ typedef struct dsw_sweep {
    * looks at counts, then the lowest canonical id. */
   dsw_volume_id front;
   dsw_face_id face; /**< Canonical id of the impassable face; null for a wire. */
-  dsw_edge_id edge; /**< DSW_CONTACT_EDGE: canonical id of the obstacle's edge. */
+  /** DSW_CONTACT_EDGE: canonical id of the obstacle's edge. In the plane DSW_CONTACT_VERTEX: the obstacle's vertex, `volume` is its index. */
+  dsw_edge_id edge;
   /** REACHED, CONTACT, WORK_LIMIT, OUTSIDE (p lies in no volume), IMPASSABLE (p lies in an impassable one, or p q is not
    * free where it starts). */
   dsw_outcome outcome;
-  dsw_contact_kind kind;  /**< PLANE: the moving end on a face, or the edge on the diagonal of a warped one; EDGE. */
-  dsw_cell_kind obstacle; /**< As in dsw_flight; DSW_CELL_EDGE for a wire. */
+  /** PLANE: the moving end on a face, or the edge on the diagonal of a warped one; EDGE, in the plane VERTEX. */
+  dsw_contact_kind kind;
+  dsw_cell_kind obstacle; /**< As in dsw_flight; DSW_CELL_EDGE for a wire, in the plane DSW_CELL_VERTEX. */
   uint32_t tag;           /**< As in dsw_flight; 0 for a wire. */
   uint32_t cells_visited; /**< Volumes looked at, all casts included. */
   uint32_t reserved;      /**< 0. */
@@ -112,8 +115,9 @@ typedef struct dsw_contact {
   double time;
   double position[3]; /**< The moving vertex at `time`: from + time * (to - from), rounded. */
   double point[3];    /**< Where it touches, rounded. */
-  double normal
-      [3]; /**< Unit, out of the obstacle; see dsw_sweep. Of a face on a vertex: that of the face, against the motion. */
+  /** Unit, out of the obstacle; see dsw_sweep. Of a face on a vertex: that of the face, against the motion; in the plane of an edge on a vertex
+   * that of the edge. */
+  double normal[3];
   double along;              /**< Touching edge: 0 at the moving vertex, 1 at the other end; else 0. */
   double distance_left;      /**< Length of the part of the flight that was not made, scene units. */
   dsw_body_vertex_id vertex; /**< The vertex that moved. */

@@ -9,7 +9,8 @@
  * is occupied by every particle and every vertex of a body in it, by every edge that crosses it (bodies from DSW_LEVEL_EDGES
  * on) and by every face that it pierces (DSW_LEVEL_FACES). A face is occupied by edges that cross it (from DSW_LEVEL_EDGES on) and
  * by faces that its rim pierces (DSW_LEVEL_FACES); an edge by faces that it pierces (DSW_LEVEL_FACES); a vertex never: under the
- * shift it lies on nothing. Passable cells can be marked passable, and impassable ones impassable, whatever is there.
+ * shift it lies on nothing, nor, in the plane, any edge on it. Passable cells can be marked passable, and impassable ones impassable,
+ * whatever is there.
  *
  * Where something is in the way, dsw_scene_get_occupants and dsw_scene_get_occupant_bodies tell what. Without bodies in the
  * scene their part costs nothing. With bodies, making cells impassable also costs O(vertices, edges and faces of all bodies of

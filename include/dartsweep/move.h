@@ -81,7 +81,7 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
 /** Moves the vertices of a body to their targets, one after the other.
  * @param scene [in,out] @param body [in]
- * @param targets [in] `target_count` points, stride_bytes apart (0 means 24), by vertex index; those of free slots and
+ * @param targets [in] `target_count` points, stride_bytes apart (0 means 8 * dimension), by vertex index; those of free slots and
  * of vertices that `options->order` leaves out are not read. @param target_count [in] vertex slots of the body.
  * @param stride_bytes [in] @param options [in] may be null. @param report [out] may be null.
  * @return DSW_STATUS_OK also when contacts stopped it. DSW_STATUS_STALE_ID, WRONG_SIZE, NON_FINITE, OUT_OF_RANGE, DUPLICATE_ID (order),
@@ -103,7 +103,8 @@ DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bo
                                          const double *targets, size_t target_count, size_t stride_bytes,
                                          const dsw_move_options *options, dsw_move_report *reports);
 
-/** A rigid motion: x becomes rotation * (x - centre) + centre + translation. */
+/** A rigid motion: x becomes rotation * (x - centre) + centre + translation. In the plane x and y of the rotation and the third numbers of
+ * centre and translation are 0. */
 typedef struct dsw_rigid_motion {
   double rotation[4];    /**< Unit quaternion x, y, z, w; it is normalised, zero is refused. */
   double centre[3];      /**< Scene units. */
@@ -117,7 +118,8 @@ typedef struct dsw_rigid_motion {
  * @param scene [in,out] @param body [in] @param motion [in] see dsw_rigid_motion.
  * @param options [in] may be null; of it only `order` is used, which must name all vertices.
  * @param report [out] may be null.
- * @return as dsw_body_move; OUT_OF_RANGE (a zero quaternion). @note Thread: writer. @since 1.0 */
+ * @return as dsw_body_move; OUT_OF_RANGE (a zero quaternion, or a motion that leads out of the plane). @note Thread: writer.
+ * @since 1.0 */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body, const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);
 

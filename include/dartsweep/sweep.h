@@ -20,10 +20,10 @@ typedef enum dsw_level {
   /** That and the edge in its new place, p' q [JCD10] 4.1. What lies inside of the triangle only is missed. When one of
    * the two hits, the contact is that of EDGES_SWEPT. */
   DSW_LEVEL_EDGES = 2,
-  /** The whole triangle p p' q: impassable faces, and marked edges that belong to no impassable face. */
+  /** The whole triangle p p' q: impassable faces, and marked edges that belong to no impassable face; in the plane marked vertices. */
   DSW_LEVEL_EDGES_SWEPT = 3,
   /** Bodies only: also the tetrahedron that a triangle p q r sweeps, so that an obstacle which enters through the inside of a body
-   * face is found, and marked vertices. */
+   * face is found, and marked vertices. Not in the plane. */
   DSW_LEVEL_FACES = 4,
   DSW_LEVEL_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_level;
@@ -53,7 +53,7 @@ DSW_API void dsw_sweep_options_init(dsw_sweep_options *options, size_t size);
  * if and only if the triangle meets something impassable.
  * @param environment, count [in]
  * @param starts [in] null, or `count` ids of the volumes that hold the moving ends, see DSW_SWEEP_START_KNOWN.
- * @param from, to, fixed [in] p, p' and q: `count` points each, spaced by stride_bytes (0 means 24).
+ * @param from, to, fixed [in] p, p' and q: `count` points each, spaced by stride_bytes (0 means 8 * dimension).
  * @param stride_bytes [in] @param options [in] may be null.
  * @param sweeps [out] `count` reports, undefined after an error; every edge is swept as if alone.
  * @return DSW_STATUS_NON_FINITE, DSW_STATUS_STALE_ID, DSW_STATUS_UNSUPPORTED (flags, level), DSW_STATUS_OUT_OF_MEMORY.

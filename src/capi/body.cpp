@@ -41,18 +41,22 @@ dsw::ContactFilter to_filter(uint32_t category, uint32_t mask, bool self) {
   return filter;
 }
 
-dsw::BodyDescription to_description(const dsw::Scene<3>& scene, const dsw_body_desc& d) {
-  const dsw::SweepLevel level = capi::to_level(d.level, DSW_LEVEL_FACES, "desc->level");
+template <int D>
+dsw::BodyDescription to_description(const dsw::Scene<D>& scene, const dsw_body_desc& d) {
+  const dsw::SweepLevel level = capi::to_body_level<D>(d.level, "desc->level");
   dsw::BodyDescription out = capi::to_description(scene, {level, d.flags, d.motion_share, d.category, d.mask});
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
   if (d.vertex_count == 0) fail(DSW_STATUS_WRONG_SIZE, "desc->vertex_count is 0, a body has at least one vertex");
-  out.positions = capi::to_points(d.positions, d.vertex_count, d.stride_bytes, "desc->positions");
+  out.positions = capi::to_points<D>(d.positions, d.vertex_count, d.stride_bytes, "desc->positions");
   out.vertex_count = d.vertex_count;
   capi::check_hints(scene.env.map, d.hints, d.vertex_count, "desc->hints");
   out.hints = d.hints;
   capi::require_array(d.edges, d.edge_count, "desc->edges");
   out.edges = d.edges;
   out.edge_count = d.edge_count;
+  if (D == 2 && d.face_count != 0) {
+    fail(DSW_STATUS_UNSUPPORTED, "desc->face_count is %zu: bodies in the plane have no faces", d.face_count);
+  }
   capi::require_array(d.face_offsets, d.face_count, "desc->face_offsets");
   capi::require_array(d.face_corners, d.face_corner_count, "desc->face_corners");
   if (d.face_count != 0 && (d.face_offsets[0] != 0 || d.face_offsets[d.face_count] != d.face_corner_count)) {
@@ -70,7 +74,8 @@ dsw::BodyDescription to_description(const dsw::Scene<3>& scene, const dsw_body_d
 
 namespace dsw::capi {
 
-BodyDescription to_description(const Scene<3>& scene, const BodyOptions& options) {
+template <int D>
+BodyDescription to_description(const Scene<D>& scene, const BodyOptions& options) {
   BodyDescription out;
   out.level = options.level;
   out.skipping = to_skipping(options.flags, options.motion_share);
@@ -82,17 +87,20 @@ BodyDescription to_description(const Scene<3>& scene, const BodyOptions& options
   return out;
 }
 
-uint32_t to_vertex(const Body<3>& body, dsw_body_vertex_id id, const char* name) {
+template <int D>
+uint32_t to_vertex(const Body<D>& body, dsw_body_vertex_id id, const char* name) {
   if (body.vertex_slots.alive(id.index, id.generation)) return id.index;
   fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no vertex of the body", name, id.index, id.generation);
 }
 
-uint32_t to_edge(const Body<3>& body, dsw_body_edge_id id, const char* name) {
+template <int D>
+uint32_t to_edge(const Body<D>& body, dsw_body_edge_id id, const char* name) {
   if (body.edge_slots.alive(id.index, id.generation)) return id.index;
   fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no edge of the body", name, id.index, id.generation);
 }
 
-uint32_t to_face(const Body<3>& body, dsw_body_face_id id, const char* name) {
+template <int D>
+uint32_t to_face(const Body<D>& body, dsw_body_face_id id, const char* name) {
   if (body.face_slots.alive(id.index, id.generation)) return id.index;
   fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no face of the body", name, id.index, id.generation);
 }
@@ -101,13 +109,22 @@ void check_named(bool named, const char* feature) {
   if (!named) fail(DSW_STATUS_NOT_NAMED, "scene was made without %s", feature);
 }
 
+#define DSW_BODY_ACCESS(D)                                                      \
+  template BodyDescription to_description(const Scene<D>&, const BodyOptions&); \
+  template uint32_t to_vertex(const Body<D>&, dsw_body_vertex_id, const char*); \
+  template uint32_t to_edge(const Body<D>&, dsw_body_edge_id, const char*);     \
+  template uint32_t to_face(const Body<D>&, dsw_body_face_id, const char*)
+DSW_BODY_ACCESS(2);
+DSW_BODY_ACCESS(3);
+#undef DSW_BODY_ACCESS
+
 }  // namespace dsw::capi
 
 void dsw_body_desc_init(dsw_body_desc* desc, size_t size) { capi::init_struct(desc, size, default_body()); }
 
 dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body_id* body) {
-  return capi::guard("dsw_body_create", [&] {
-    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_body_create", scene, "scene", [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
     capi::require(desc, "desc");
     capi::require(body, "body");
     const dsw_body_desc d = capi::read_struct(desc, "desc");
@@ -115,7 +132,7 @@ dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body
     capi::Recorded call(scene, capi::Call::kCreateBody,
                         capi::without(d, &dsw_body_desc::positions, &dsw_body_desc::hints, &dsw_body_desc::edges,
                                       &dsw_body_desc::face_offsets, &dsw_body_desc::face_corners),
-                        capi::Points{description.positions, d.vertex_count},
+                        capi::Points{description.positions, d.vertex_count, D},
                         capi::Items<dsw_volume_id>{d.hints, d.vertex_count},
                         capi::Items<uint32_t>{d.edges, 2 * d.edge_count},
                         capi::Items<uint32_t>{d.face_offsets, d.face_count == 0 ? 0 : d.face_count + 1},
@@ -126,8 +143,7 @@ dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body
 }
 
 dsw_status dsw_scene_get_offending_edges(const dsw_scene* scene, const uint32_t** vertices, size_t* count) {
-  return capi::guard("dsw_scene_get_offending_edges", [&] {
-    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_scene_get_offending_edges", scene, "scene", [&](const auto& s) {
     capi::require(vertices, "vertices");
     capi::require(count, "count");
     *vertices = s.offending.data();
@@ -136,8 +152,7 @@ dsw_status dsw_scene_get_offending_edges(const dsw_scene* scene, const uint32_t*
 }
 
 dsw_status dsw_scene_get_occupant_bodies(const dsw_scene* scene, const dsw_body_id** bodies, size_t* count) {
-  return capi::guard("dsw_scene_get_occupant_bodies", [&] {
-    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_scene_get_occupant_bodies", scene, "scene", [&](const auto& s) {
     capi::require(bodies, "bodies");
     capi::require(count, "count");
     *bodies = s.occupant_bodies.data();
@@ -146,8 +161,7 @@ dsw_status dsw_scene_get_occupant_bodies(const dsw_scene* scene, const dsw_body_
 }
 
 dsw_status dsw_body_destroy(dsw_scene* scene, dsw_body_id body) {
-  return capi::guard("dsw_body_destroy", [&] {
-    const capi::BodyAccess of(scene, body);
+  return capi::guarded_body("dsw_body_destroy", scene, body, [&](const auto& of) {
     capi::Recorded call(scene, capi::Call::kDestroyBody, body);
     destroy_body(of.scene, body.index);
     call.done();
@@ -155,23 +169,21 @@ dsw_status dsw_body_destroy(dsw_scene* scene, dsw_body_id body) {
 }
 
 dsw_status dsw_scene_get_body_count(const dsw_scene* scene, size_t* count) {
-  return capi::guard("dsw_scene_get_body_count", [&] {
-    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_scene_get_body_count", scene, "scene", [&](const auto& s) {
     capi::require(count, "count");
     *count = s.body_slots.alive_count();
   });
 }
 
 dsw_status dsw_scene_get_bodies(const dsw_scene* scene, dsw_body_id* bodies, size_t capacity, size_t* count) {
-  return capi::guard("dsw_scene_get_bodies", [&] {
-    const dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_scene_get_bodies", scene, "scene", [&](const auto& s) {
     capi::copy_ids(s.bodies.size(), s.body_slots, bodies, capacity, count);
   });
 }
 
 dsw_status dsw_body_get_counts(const dsw_scene* scene, dsw_body_id body, dsw_body_counts* counts) {
-  return capi::guard("dsw_body_get_counts", [&] {
-    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
+  return capi::guarded_body("dsw_body_get_counts", scene, body, [&](const auto& of) {
+    const auto& b = of.body;
     capi::require(counts, "counts");
     capi::check_size(counts, "counts");
     dsw_body_counts c{};
@@ -186,17 +198,15 @@ dsw_status dsw_body_get_counts(const dsw_scene* scene, dsw_body_id body, dsw_bod
 }
 
 dsw_status dsw_body_get_level(const dsw_scene* scene, dsw_body_id body, dsw_level* level) {
-  return capi::guard("dsw_body_get_level", [&] {
-    const capi::BodyAccess of(scene, body);
+  return capi::guarded_body("dsw_body_get_level", scene, body, [&](const auto& of) {
     capi::require(level, "level");
     *level = capi::to_public(of.body.level);
   });
 }
 
 dsw_status dsw_body_set_level(dsw_scene* scene, dsw_body_id body, dsw_level level) {
-  return capi::guard("dsw_body_set_level", [&] {
-    const capi::BodyAccess of(scene, body);
-    const dsw::SweepLevel wanted = capi::to_level(level, DSW_LEVEL_FACES, "level");
+  return capi::guarded_body("dsw_body_set_level", scene, body, [&](const auto& of) {
+    const dsw::SweepLevel wanted = capi::to_body_level<capi::kDimension<decltype(of)>>(level, "level");
     capi::Recorded call(scene, capi::Call::kSetLevel, body, level);
     set_level(of.scene, of.body, wanted);
     call.done();
@@ -204,8 +214,7 @@ dsw_status dsw_body_set_level(dsw_scene* scene, dsw_body_id body, dsw_level leve
 }
 
 dsw_status dsw_body_get_filter(const dsw_scene* scene, dsw_body_id body, uint32_t* category, uint32_t* mask) {
-  return capi::guard("dsw_body_get_filter", [&] {
-    const capi::BodyAccess of(scene, body);
+  return capi::guarded_body("dsw_body_get_filter", scene, body, [&](const auto& of) {
     capi::require(category, "category");
     capi::require(mask, "mask");
     capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
@@ -215,8 +224,7 @@ dsw_status dsw_body_get_filter(const dsw_scene* scene, dsw_body_id body, uint32_
 }
 
 dsw_status dsw_body_set_filter(dsw_scene* scene, dsw_body_id body, uint32_t category, uint32_t mask) {
-  return capi::guard("dsw_body_set_filter", [&] {
-    const capi::BodyAccess of(scene, body);
+  return capi::guarded_body("dsw_body_set_filter", scene, body, [&](const auto& of) {
     capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
     capi::Recorded call(scene, capi::Call::kSetFilter, body, category, mask);
     set_filter(of.scene, of.body, to_filter(category, mask, of.body.filter.self));
@@ -226,13 +234,13 @@ dsw_status dsw_body_set_filter(dsw_scene* scene, dsw_body_id body, uint32_t cate
 
 dsw_status dsw_body_get_positions(const dsw_scene* scene, dsw_body_id body, double* positions, size_t capacity,
                                   size_t stride_bytes, dsw_volume_id* volumes, size_t* count) {
-  return capi::guard("dsw_body_get_positions", [&] {
-    const capi::BodyAccess of(scene, body);
-    const dsw::Body<3>& b = of.body;
-    const size_t step = capi::to_step(b.vertices.size(), stride_bytes);
+  return capi::guarded_body("dsw_body_get_positions", scene, body, [&](const auto& of) {
+    constexpr int D = capi::kDimension<decltype(of)>;
+    const auto& b = of.body;
+    const size_t step = capi::to_step<D>(b.vertices.size(), stride_bytes);
     capi::check_capacity(b.vertices.size(), capacity, positions, count);
     for (size_t i = 0; i < b.vertices.size(); ++i) {
-      std::copy_n(b.vertices[i].position, 3, positions + i * step);
+      std::copy_n(b.vertices[i].position, D, positions + i * step);
       if (volumes != nullptr) volumes[i] = volume_id(of.scene.env.map, b.vertices[i].cell);
     }
   });
@@ -240,31 +248,31 @@ dsw_status dsw_body_get_positions(const dsw_scene* scene, dsw_body_id body, doub
 
 dsw_status dsw_body_get_vertices(const dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id* vertices,
                                  size_t capacity, size_t* count) {
-  return capi::guard("dsw_body_get_vertices", [&] {
-    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
+  return capi::guarded_body("dsw_body_get_vertices", scene, body, [&](const auto& of) {
+    const auto& b = of.body;
     capi::copy_ids(b.vertices.size(), b.vertex_slots, vertices, capacity, count);
   });
 }
 
 dsw_status dsw_body_get_edges(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id* edges, size_t capacity,
                               size_t* count) {
-  return capi::guard("dsw_body_get_edges", [&] {
-    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
+  return capi::guarded_body("dsw_body_get_edges", scene, body, [&](const auto& of) {
+    const auto& b = of.body;
     capi::copy_ids(b.edges.size(), b.edge_slots, edges, capacity, count);
   });
 }
 
 dsw_status dsw_body_get_faces(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id* faces, size_t capacity,
                               size_t* count) {
-  return capi::guard("dsw_body_get_faces", [&] {
-    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
+  return capi::guarded_body("dsw_body_get_faces", scene, body, [&](const auto& of) {
+    const auto& b = of.body;
     capi::copy_ids(b.faces.size(), b.face_slots, faces, capacity, count);
   });
 }
 
 dsw_status dsw_body_get_vertex(const dsw_scene* scene, dsw_body_id body, uint32_t index, dsw_body_vertex_id* vertex) {
-  return capi::guard("dsw_body_get_vertex", [&] {
-    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
+  return capi::guarded_body("dsw_body_get_vertex", scene, body, [&](const auto& of) {
+    const auto& b = of.body;
     capi::require(vertex, "vertex");
     if (!b.has_vertex(index)) {
       fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, which names no vertex; there are %zu slots", index,
@@ -276,8 +284,8 @@ dsw_status dsw_body_get_vertex(const dsw_scene* scene, dsw_body_id body, uint32_
 
 dsw_status dsw_body_get_edge_vertices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
                                       size_t* count) {
-  return capi::guard("dsw_body_get_edge_vertices", [&] {
-    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
+  return capi::guarded_body("dsw_body_get_edge_vertices", scene, body, [&](const auto& of) {
+    const auto& b = of.body;
     capi::check_capacity(b.edges.size(), capacity, vertices, count);
     for (size_t e = 0; e < b.edges.size(); ++e) std::copy_n(b.edges[e].ends, 2, vertices + 2 * e);
   });
@@ -285,8 +293,8 @@ dsw_status dsw_body_get_edge_vertices(const dsw_scene* scene, dsw_body_id body, 
 
 dsw_status dsw_body_get_face_vertices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
                                       size_t* count) {
-  return capi::guard("dsw_body_get_face_vertices", [&] {
-    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
+  return capi::guarded_body("dsw_body_get_face_vertices", scene, body, [&](const auto& of) {
+    const auto& b = of.body;
     capi::check_capacity(b.faces.size(), capacity, vertices, count);
     for (size_t f = 0; f < b.faces.size(); ++f) std::copy_n(b.faces[f].corners, 3, vertices + 3 * f);
   });
@@ -294,8 +302,8 @@ dsw_status dsw_body_get_face_vertices(const dsw_scene* scene, dsw_body_id body, 
 
 dsw_status dsw_body_get_edge(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge,
                              dsw_body_vertex_id* vertices) {
-  return capi::guard("dsw_body_get_edge", [&] {
-    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
+  return capi::guarded_body("dsw_body_get_edge", scene, body, [&](const auto& of) {
+    const auto& b = of.body;
     capi::require(vertices, "vertices");
     const uint32_t e = capi::to_edge(b, edge, "edge");
     for (int k = 0; k < 2; ++k) vertices[k] = vertex_id(b, b.edges[e].ends[k]);
@@ -304,8 +312,8 @@ dsw_status dsw_body_get_edge(const dsw_scene* scene, dsw_body_id body, dsw_body_
 
 dsw_status dsw_body_get_face(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id face,
                              dsw_body_vertex_id* vertices) {
-  return capi::guard("dsw_body_get_face", [&] {
-    const dsw::Body<3>& b = capi::BodyAccess(scene, body).body;
+  return capi::guarded_body("dsw_body_get_face", scene, body, [&](const auto& of) {
+    const auto& b = of.body;
     capi::require(vertices, "vertices");
     const uint32_t f = capi::to_face(b, face, "face");
     for (int k = 0; k < 3; ++k) vertices[k] = vertex_id(b, b.faces[f].corners[k]);

@@ -6,18 +6,25 @@
 
 namespace dsw::capi {
 
-/** The scene and one of its bodies; throws what is wrong with either. */
+/** A scene and one of its bodies. */
+template <int D>
 struct BodyAccess {
-  Scene<3>& scene;
-  BodyRecord<3>& record;
-  Body<3>& body;
+  static constexpr int kDimension = D;
 
-  BodyAccess(dsw_scene* handle, dsw_body_id id)
-      : scene(space(check_handle(handle, "scene"))),
-        record(check_body(scene, id, {"body", false})),
-        body(record.body) {}
-  BodyAccess(const dsw_scene* handle, dsw_body_id id) : BodyAccess(const_cast<dsw_scene*>(handle), id) {}
+  Scene<D>& scene;
+  BodyRecord<D>& record;
+  Body<D>& body;
 };
+
+/** Runs the body of the entry point named `function`, a template on BodyAccess, with a scene and one of its bodies, whatever the dimension;
+ * fails with what is wrong with either. */
+template <class Use>
+dsw_status guarded_body(const char* function, const dsw_scene* scene, dsw_body_id body, const Use& use) noexcept {
+  return guarded_visit(function, const_cast<dsw_scene*>(scene), "scene", [&](auto& s) {
+    auto& record = check_body(s, body, {"body", false});
+    use(BodyAccess<kDimension<decltype(s)>>{s, record, record.body});
+  });
+}
 
 /** What a host says of a new body besides its shape, see dsw_body_desc. */
 struct BodyOptions {
@@ -27,11 +34,24 @@ struct BodyOptions {
   uint32_t category, mask;
 };
 /** A description without vertices. */
-BodyDescription to_description(const Scene<3>& scene, const BodyOptions& options);
+template <int D>
+BodyDescription to_description(const Scene<D>& scene, const BodyOptions& options);
 
-uint32_t to_vertex(const Body<3>& body, dsw_body_vertex_id id, const char* name);
-uint32_t to_edge(const Body<3>& body, dsw_body_edge_id id, const char* name);
-uint32_t to_face(const Body<3>& body, dsw_body_face_id id, const char* name);
+/** The level of a body: one in the plane has no faces, and so no level for them. */
+template <int D>
+SweepLevel to_body_level(const dsw_level& given, const char* name) {
+  if (D == 2 && raw_value(given) == DSW_LEVEL_FACES) {
+    fail(DSW_STATUS_UNSUPPORTED, "%s is DSW_LEVEL_FACES: bodies in the plane have no faces", name);
+  }
+  return to_level(given, DSW_LEVEL_FACES, name);
+}
+
+template <int D>
+uint32_t to_vertex(const Body<D>& body, dsw_body_vertex_id id, const char* name);
+template <int D>
+uint32_t to_edge(const Body<D>& body, dsw_body_edge_id id, const char* name);
+template <int D>
+uint32_t to_face(const Body<D>& body, dsw_body_face_id id, const char* name);
 
 /** Throws NOT_NAMED unless the scene was made with a feature. */
 void check_named(bool named, const char* feature);

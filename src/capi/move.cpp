@@ -56,7 +56,8 @@ dsw::MoveSettings to_settings(const dsw_move_options& o) {
   return s;
 }
 
-dsw::MoveOrder to_order(const dsw::Scene<3>& scene, const dsw::Body<3>& body, const dsw_move_options& o) {
+template <int D>
+dsw::MoveOrder to_order(const dsw::Scene<D>& scene, const dsw::Body<D>& body, const dsw_move_options& o) {
   if (o.order == nullptr) {
     if (o.order_count != 0) fail(DSW_STATUS_NULL_ARGUMENT, "options->order is null and order_count %zu", o.order_count);
     return {};
@@ -72,13 +73,14 @@ dsw::MoveOrder to_order(const dsw::Scene<3>& scene, const dsw::Body<3>& body, co
 }
 
 /** Targets of the vertices that move are finite; those of others are not read. */
-void check_targets(const dsw::Body<3>& body, dsw::PointArray targets, const dsw::MoveOrder& order, size_t first) {
+template <int D>
+void check_targets(const dsw::Body<D>& body, dsw::PointArray targets, const dsw::MoveOrder& order, size_t first) {
   const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
   for (size_t i = 0; i < count; ++i) {
     const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
     if (!body.has_vertex(v)) continue;
     const double* const t = targets[first + v];
-    if (!dsw::is_finite(t)) dsw::fail_non_finite(targets, first + v, 3, {"targets", true});
+    if (!dsw::is_finite<D>(t)) dsw::fail_non_finite(targets, first + v, D, {"targets", true});
   }
 }
 
@@ -103,13 +105,14 @@ dsw_move_options recorded(const dsw_move_options& o) { return capi::without(o, &
 capi::Items<uint32_t> order_of(const dsw_move_options& o) { return {o.order, o.order_count}; }
 
 /** What has become of bodies. */
+template <int D>
 struct Moved {
-  dsw::BodyRecord<3>* const* records;
+  dsw::BodyRecord<D>* const* records;
   size_t count;
 };
 
-template <class Use>
-void for_each_part(const Moved& of, const Use& use) {
+template <int D, class Use>
+void for_each_part(const Moved<D>& of, const Use& use) {
   for (size_t i = 0; i < of.count; ++i) {
     const dsw_move_report report = to_report(of.records[i]->record);
     use(&report, sizeof report);
@@ -117,7 +120,20 @@ void for_each_part(const Moved& of, const Use& use) {
   }
 }
 
+/** Only what keeps the plane in place: a rotation about its normal and a translation in it. */
+void check_planar(const dsw_rigid_motion& motion) {
+  if (motion.rotation[0] != 0 || motion.rotation[1] != 0) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "motion->rotation is (%g, %g, ...), x and y must be 0 in the plane",
+         motion.rotation[0], motion.rotation[1]);
+  }
+  if (motion.centre[2] != 0 || motion.translation[2] != 0) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "motion->centre[2] is %g, motion->translation[2] %g, both must be 0 in the plane",
+         motion.centre[2], motion.translation[2]);
+  }
+}
+
 /** A rigid motion with its quaternion of length 1. */
+template <int D>
 struct Rigid {
   double rotation[4], centre[3], translation[3];
 
@@ -136,6 +152,7 @@ struct Rigid {
       if (!std::isfinite(q[k])) fail(DSW_STATUS_NON_FINITE, "motion->rotation[%d] is %g", k, q[k]);
     }
     if (!(largest > 0)) fail(DSW_STATUS_OUT_OF_RANGE, "motion->rotation is zero");
+    if (D == 2) check_planar(motion);
     for (int k = 0; k < 4; ++k) rotation[k] = q[k] / largest;
     normalise(rotation);
     if (rotation[3] < 0) {  // the shorter way round
@@ -144,16 +161,16 @@ struct Rigid {
   }
 
   /** A box around all that a part of it does to a body: points keep their distance from the centre, which goes along a line. */
-  dsw::Box<3> reach(const dsw::Body<3>& body) const noexcept {
+  dsw::Box<D> reach(const dsw::Body<D>& body) const noexcept {
     double radius = 0;
-    for (const dsw::BodyVertex<3>& each : body.vertices) {
-      if (each.cell.valid()) radius = std::max(radius, length(dsw::difference<3>(each.position, centre)));
+    for (const dsw::BodyVertex<D>& each : body.vertices) {
+      if (each.cell.valid()) radius = std::max(radius, length(dsw::difference<D>(each.position, centre)));
     }
     radius *= 1 + 0x1p-20;
-    dsw::Box<3> box;
+    dsw::Box<D> box;
     for (const double way : {0.0, 1.0}) {
-      double low[3], high[3];
-      for (int k = 0; k < 3; ++k) {
+      double low[D], high[D];
+      for (int k = 0; k < D; ++k) {
         const double at = centre[k] + way * translation[k], room = radius + 0x1p-40 * std::fabs(at);
         low[k] = at - room;
         high[k] = at + room;
@@ -176,11 +193,12 @@ struct Rigid {
     for (int k = 0; k < 3; ++k) q[k] = fraction * m.rotation[k];
     q[3] = (1 - fraction) + fraction * m.rotation[3];
     normalise(q);
-    const double x[3] = {from[0] - m.centre[0], from[1] - m.centre[1], from[2] - m.centre[2]};
+    double x[3] = {};
+    for (int k = 0; k < D; ++k) x[k] = from[k] - m.centre[k];
     // x + 2 w (v x x) + 2 v x (v x x)
     const double c[3] = {q[1] * x[2] - q[2] * x[1], q[2] * x[0] - q[0] * x[2], q[0] * x[1] - q[1] * x[0]};
     const double d[3] = {q[1] * c[2] - q[2] * c[1], q[2] * c[0] - q[0] * c[2], q[0] * c[1] - q[1] * c[0]};
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < D; ++k) {
       // Added to where it was, so that no motion leaves it there to the bit.
       to[k] = from[k] + (2 * (q[3] * c[k] + d[k]) + fraction * m.translation[k]);
     }
@@ -195,19 +213,19 @@ void dsw_move_options_init(dsw_move_options* options, size_t size) {
 
 dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targets, size_t target_count,
                          size_t stride_bytes, const dsw_move_options* options, dsw_move_report* report) {
-  return capi::guard("dsw_body_move", [&] {
-    const capi::BodyAccess of(scene, body);
+  return capi::guarded_body("dsw_body_move", scene, body, [&](const auto& of) {
+    constexpr int D = capi::kDimension<decltype(of)>;
     const dsw_move_options o = read_options(options);
     const dsw::MoveSettings settings = to_settings(o);
     check_target_count(target_count, of.body.vertices.size());
-    const dsw::PointArray points = capi::to_points(targets, target_count, stride_bytes, "targets");
+    const dsw::PointArray points = capi::to_points<D>(targets, target_count, stride_bytes, "targets");
     const dsw::MoveOrder order = to_order(of.scene, of.body, o);
     check_targets(of.body, points, order, 0);
-    capi::Recorded call(scene, capi::Call::kMoveBody, body, capi::Points{points, target_count}, recorded(o),
+    capi::Recorded call(scene, capi::Call::kMoveBody, body, capi::Points{points, target_count, D}, recorded(o),
                         order_of(o));
     move_body(of.scene, of.record, points, order, settings);
-    dsw::BodyRecord<3>* const record = &of.record;
-    call.done(Moved{&record, 1});
+    dsw::BodyRecord<D>* const record = &of.record;
+    call.done(Moved<D>{&record, 1});
     if (report != nullptr) *report = to_report(of.record.record);
   });
 }
@@ -215,14 +233,14 @@ dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targe
 dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, size_t count, const double* targets,
                                  size_t target_count, size_t stride_bytes, const dsw_move_options* options,
                                  dsw_move_report* reports) {
-  return capi::guard("dsw_scene_move_bodies", [&] {
-    dsw::Scene<3>& s = capi::space(capi::check_handle(scene, "scene"));
+  return capi::guarded_visit("dsw_scene_move_bodies", scene, "scene", [&](auto& s) {
+    constexpr int D = capi::kDimension<decltype(s)>;
     capi::require_array(bodies, count, "bodies");
     const dsw_move_options o = read_options(options);
     const dsw::MoveSettings settings = to_settings(o);
     if (o.order != nullptr || o.order_count != 0)
       fail(DSW_STATUS_UNSUPPORTED, "options->order must be null for many bodies");
-    dsw::Array<dsw::BodyRecord<3>*> records{dsw::Allocator<dsw::BodyRecord<3>*>(s.memory)};
+    dsw::Array<dsw::BodyRecord<D>*> records{dsw::Allocator<dsw::BodyRecord<D>*>(s.memory)};
     dsw::Array<bool> seen(s.bodies.size(), false, dsw::Allocator<bool>(s.memory));
     records.reserve(count);
     size_t needed = 0;
@@ -233,24 +251,24 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
       needed += records[i]->body.vertices.size();
     }
     check_target_count(target_count, needed);
-    const dsw::PointArray points = capi::to_points(targets, target_count, stride_bytes, "targets");
+    const dsw::PointArray points = capi::to_points<D>(targets, target_count, stride_bytes, "targets");
     size_t first = 0;
-    for (const dsw::BodyRecord<3>* each : records) {
+    for (const dsw::BodyRecord<D>* each : records) {
       check_targets(each->body, points, {}, first);
       first += each->body.vertices.size();
     }
     capi::Recorded call(scene, capi::Call::kMoveBodies, capi::Items<dsw_body_id>{bodies, count},
-                        capi::Points{points, target_count}, recorded(o));
+                        capi::Points{points, target_count, D}, recorded(o));
     move_bodies(s, records.data(), count, points, settings);
-    call.done(Moved{records.data(), count});
+    call.done(Moved<D>{records.data(), count});
     for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = to_report(records[i]->record);
   });
 }
 
 dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rigid_motion* motion,
                                const dsw_move_options* options, dsw_move_report* report) {
-  return capi::guard("dsw_body_move_rigid", [&] {
-    const capi::BodyAccess of(scene, body);
+  return capi::guarded_body("dsw_body_move_rigid", scene, body, [&](const auto& of) {
+    constexpr int D = capi::kDimension<decltype(of)>;
     capi::require(motion, "motion");
     const dsw_move_options o = read_options(options);
     to_settings(o);
@@ -259,27 +277,26 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
       fail(DSW_STATUS_WRONG_SIZE, "options->order has %zu vertices of %zu: a rigid body moves as a whole", order.count,
            of.body.vertex_slots.alive_count());
     }
-    const Rigid rigid(*motion);
-    for (const dsw::BodyVertex<3>& each : of.body.vertices) {
-      double to[3];
+    const Rigid<D> rigid(*motion);
+    for (const dsw::BodyVertex<D>& each : of.body.vertices) {
+      double to[D];
       if (!each.cell.valid()) continue;
-      Rigid::place(&rigid, each.position, 1, to);
-      if (!dsw::is_finite(to)) {
+      Rigid<D>::place(&rigid, each.position, 1, to);
+      if (!dsw::is_finite<D>(to)) {
         fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
       }
     }
     capi::Recorded call(scene, capi::Call::kMoveRigid, body, *motion, recorded(o), order_of(o));
-    move_body_together(of.scene, of.record, Rigid::place, &rigid, order, rigid.reach(of.body));
-    dsw::BodyRecord<3>* const record = &of.record;
-    call.done(Moved{&record, 1});
+    move_body_together(of.scene, of.record, Rigid<D>::place, &rigid, order, rigid.reach(of.body));
+    dsw::BodyRecord<D>* const record = &of.record;
+    call.done(Moved<D>{&record, 1});
     if (report != nullptr) *report = to_report(of.record.record);
   });
 }
 
 dsw_status dsw_body_get_contacts(const dsw_scene* scene, dsw_body_id body, const dsw_contact** contacts,
                                  size_t* count) {
-  return capi::guard("dsw_body_get_contacts", [&] {
-    const capi::BodyAccess of(scene, body);
+  return capi::guarded_body("dsw_body_get_contacts", scene, body, [&](const auto& of) {
     capi::require(contacts, "contacts");
     capi::require(count, "count");
     *contacts = of.record.record.contacts.data();
@@ -289,8 +306,7 @@ dsw_status dsw_body_get_contacts(const dsw_scene* scene, dsw_body_id body, const
 
 dsw_status dsw_body_get_contact_partners(const dsw_scene* scene, dsw_body_id body, const dsw_contact_partner** partners,
                                          size_t* count) {
-  return capi::guard("dsw_body_get_contact_partners", [&] {
-    const capi::BodyAccess of(scene, body);
+  return capi::guarded_body("dsw_body_get_contact_partners", scene, body, [&](const auto& of) {
     capi::require(partners, "partners");
     capi::require(count, "count");
     capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
@@ -300,8 +316,7 @@ dsw_status dsw_body_get_contact_partners(const dsw_scene* scene, dsw_body_id bod
 }
 
 dsw_status dsw_body_get_edits(const dsw_scene* scene, dsw_body_id body, const dsw_body_edit** edits, size_t* count) {
-  return capi::guard("dsw_body_get_edits", [&] {
-    const capi::BodyAccess of(scene, body);
+  return capi::guarded_body("dsw_body_get_edits", scene, body, [&](const auto& of) {
     capi::require(edits, "edits");
     capi::require(count, "count");
     *edits = of.record.record.edits.data();

@@ -141,9 +141,9 @@ void for_each_part(const MovedPoints& of, const Use& use) {
   use(&kNullArray, sizeof kNullArray);
 }
 /** Where a body is. */
-template <class Use>
-void for_each_part(const Body<3>& body, const Use& use) {
-  for (const BodyVertex<3>& v : body.vertices) use(v.position, sizeof v.position);
+template <int D, class Use>
+void for_each_part(const Body<D>& body, const Use& use) {
+  for (const BodyVertex<D>& v : body.vertices) use(v.position, sizeof v.position);
 }
 
 /** A recording of a scene that is being made. */

@@ -212,6 +212,7 @@ void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter) {
   template void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter);                          \
   template void check_face(const Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32_t c);                 \
   template void check_free(Scene<D>& scene, const Body<D>& body, SweepLevel level)
+DSW_BODIES(2);
 DSW_BODIES(3);
 #undef DSW_BODIES
 

@@ -59,7 +59,7 @@ template <int D>
 uint32_t add_body_vertex(Scene<D>& scene, BodyRecord<D>& of, const double* position, dsw_volume_id hint) {
   Body<D>& body = of.body;
   Cell cell;
-  place_points(scene, PointArray{position, 3}, 1, &hint, false, &cell, nullptr);
+  place_points(scene, PointArray{position, D}, 1, &hint, false, &cell, nullptr);
   Box<D> box;
   box.add(position);
   Neighbours<D>(scene, body, box).check_segment({position, kNone}, {position, kNone});
@@ -113,7 +113,7 @@ void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double s
   check_keeps_vertices(body);
   follow_changes(scene, of);
   const BodyEdge& e = body.edges[edge];
-  double point[3];
+  double point[D];
   point_at<D>(body.position(e.ends[0]), body.position(e.ends[1]), share, point);
   const Neighbours<D> neighbours(scene, body);
   StarSweep<D> sweeps(scene.env);
@@ -147,11 +147,12 @@ void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint3
 #define DSW_BODY_EDITS(D)                                                                                              \
   template uint32_t add_body_vertex(Scene<D>& scene, BodyRecord<D>& of, const double* position, dsw_volume_id hint);   \
   template uint32_t add_body_edge(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b);                             \
-  template uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, uint32_t c);                 \
   template void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double share, dsw_body_edit* edit); \
   template void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint32_t vertex,                 \
                                    dsw_body_edit* edit)
+DSW_BODY_EDITS(2);
 DSW_BODY_EDITS(3);
 #undef DSW_BODY_EDITS
+template uint32_t add_body_face(Scene<3>& scene, Body<3>& body, uint32_t a, uint32_t b, uint32_t c);
 
 }  // namespace dsw

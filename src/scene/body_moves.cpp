@@ -158,6 +158,7 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count_of_
                                    MoveOrder order, const Box<D>& reach);                                    \
   template void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, PointArray targets, \
                             const MoveSettings& settings)
+DSW_BODY_MOVES(2);
 DSW_BODY_MOVES(3);
 #undef DSW_BODY_MOVES
 

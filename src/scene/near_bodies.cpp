@@ -65,6 +65,7 @@ const Places<D>& NearBodies<D>::places_of(uint32_t slot) const {
 }
 
 #define DSW_NEAR_BODIES(D) template class NearBodies<D>
+DSW_NEAR_BODIES(2);
 DSW_NEAR_BODIES(3);
 #undef DSW_NEAR_BODIES
 

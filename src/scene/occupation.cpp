@@ -39,11 +39,7 @@ template <int D>
 Box<D> box_of(const Environment<D>& env, HalfFacet h) noexcept {
   Box<D> box;
   const Cell c = env.map.cell_of(h);
-  const Shape shape = env.map.shape(c);
-  const uint32_t facet = env.map.local_of(h, c);
-  for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
-    box.add(env.point(c, shape.dart_vertex(d)));
-  }
+  for_each_facet_vertex<D>(env.map.shape(c), env.map.local_of(h, c), [&](uint32_t i) { box.add(env.point(c, i)); });
   return box;
 }
 template <int D>
@@ -132,8 +128,7 @@ size_t set_marks(Environment<D>& env, Scene<D>* scene, bool marked, bool skip_oc
   try {
     looked_at = find_particles();
     if (scene->body_slots.alive_count() != 0) {
-      // There are none in the plane.
-      if constexpr (D == 3) left_out = try_marks<Item>(env, *scene, skip_occupied, for_each);
+      left_out = try_marks<Item>(env, *scene, skip_occupied, for_each);
     } else {
       if (!scene->occupants.empty() && !skip_occupied) refuse(*scene);
       set_all();
@@ -241,6 +236,7 @@ size_t mark_between(Environment<D>& env, Scene<D>* scene, int32_t a, int32_t b, 
 
 #define DSW_OCCUPATION(D)                                                                  \
   template void refuse(const Scene<D>&);                                                   \
+  template void find_occupant_bodies(Scene<D>&, const NearBodies<D>&, BodyProbe<D>&);      \
   template void count_looked_at(Scene<D>&, uint64_t) noexcept;                             \
   template void clear_occupants(Scene<D>*) noexcept;                                       \
   template size_t mark_cells(Environment<D>&, Scene<D>*, const Cell*, size_t, bool, bool); \
@@ -251,10 +247,6 @@ DSW_OCCUPATION(2);
 DSW_OCCUPATION(3);
 #undef DSW_OCCUPATION
 
-#define DSW_OCCUPATION(D)                                                                              \
-  template void find_occupant_bodies(Scene<D>& scene, const NearBodies<D>& near, BodyProbe<D>& probe); \
-  template void mark_edges(Environment<D>& env, Scene<D>* scene, const Dart* edges, size_t count, bool marked)
-DSW_OCCUPATION(3);
-#undef DSW_OCCUPATION
+template void mark_edges(Environment<3>&, Scene<3>*, const Dart*, size_t, bool);
 
 }  // namespace dsw

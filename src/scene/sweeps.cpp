@@ -22,14 +22,22 @@ void report_contact(const Environment<D>& env, const EdgeMotion& m, const SweepC
   std::copy_n(geometry.point, 3, sweep.point);
   std::copy_n(geometry.normal, 3, sweep.normal);
   sweep.front = volume_id(env.map, contact.front);
-  sweep.kind = contact.dart == kNoFacet ? DSW_CONTACT_PLANE : DSW_CONTACT_EDGE;
-  sweep.obstacle = DSW_CELL_EDGE;
+  sweep.kind = DSW_CONTACT_PLANE;
+  sweep.obstacle = D == 2 ? DSW_CELL_VERTEX : DSW_CELL_EDGE;
   if (contact.facet.valid()) {
     sweep.face = face_id(env.map, canonical(env.map, contact.facet));
     sweep.obstacle = obstacle_kind(env, contact.facet);
     sweep.tag = obstacle_tag(env, contact.facet, contact.front);
   }
-  if (contact.dart != kNoFacet) sweep.edge = edge_id(env.map, {contact.front, contact.dart});
+  if constexpr (D == 2) {
+    if (contact.vertex == kNoVertex) return;
+    sweep.kind = DSW_CONTACT_VERTEX;
+    sweep.edge = {contact.vertex, env.map.vertex_generation(contact.vertex), 0};
+  } else {
+    if (contact.dart == kNoFacet) return;
+    sweep.kind = DSW_CONTACT_EDGE;
+    sweep.edge = edge_id(env.map, {contact.front, contact.dart});
+  }
 }
 
 /** The sweeps of one thread. */
@@ -40,7 +48,7 @@ class Sweeper {
 
   void sweep(const EdgeMotion& m, Cell start, dsw_sweep& sweep) {
     sweep = dsw_sweep{};
-    std::copy_n(m.p, 3, sweep.position);
+    std::copy_n(m.p, D, sweep.position);
     sweep.volume = volume_id(env_.map, start);
     if (!is_passable(env_, start)) {
       sweep.outcome = start.valid() ? DSW_OUTCOME_IMPASSABLE : DSW_OUTCOME_OUTSIDE;
@@ -68,7 +76,7 @@ class Sweeper {
     sweep.outcome = DSW_OUTCOME_REACHED;
     sweep.time = 1;
     sweep.volume = volume_id(env_.map, path.cell);
-    std::copy_n(m.to, 3, sweep.position);
+    std::copy_n(m.to, D, sweep.position);
   }
 
  private:
@@ -128,6 +136,7 @@ void sweep_edges(const Environment<D>& env, const Parallel& parallel, size_t cou
   template void sweep_edges(const Environment<D>& env, const Parallel& parallel, size_t count,             \
                             const dsw_volume_id* starts, PointArray from, PointArray to, PointArray fixed, \
                             const SweepOptions& options, dsw_sweep* sweeps)
+DSW_SWEEPS(2);
 DSW_SWEEPS(3);
 #undef DSW_SWEEPS
 

@@ -86,6 +86,23 @@ dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny
   return environment;
 }
 
+dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny) {
+  grid g = grid_create(nx, ny, 1);
+  dsw_environment_desc d = grid_desc(&g);
+  dsw_environment *environment = NULL;
+  size_t c;
+  /* The points and the face below, which is first in each cube. */
+  for (c = 0; c < g.cell_count; ++c) memmove(g.cells + 4 * c, g.cells + 8 * c, 4 * sizeof *g.cells);
+  d.dimension = 2;
+  d.point_count /= 2;
+  d.point_stride_bytes = 24;
+  d.uniform_cell_type = DSW_CELL_TYPE_QUAD;
+  d.connectivity_count /= 2;
+  stop_unless(dsw_environment_create(context, &d, &environment, NULL) == DSW_STATUS_OK, "squares");
+  grid_destroy(&g);
+  return environment;
+}
+
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features) {
   dsw_scene_desc d;
   dsw_scene *scene = NULL;
@@ -93,6 +110,23 @@ dsw_scene *make_scene(dsw_environment *environment, uint32_t features) {
   d.features = features;
   stop_unless(dsw_scene_create(environment, &d, &scene) == DSW_STATUS_OK, "scene");
   return scene;
+}
+
+dsw_body_desc line_desc(const double *positions, size_t count, int closed, dsw_level level) {
+  static uint32_t open[32], loop[32];
+  dsw_body_desc d;
+  size_t i;
+  stop_unless(count >= 1 && count <= 16, "line");
+  for (i = 0; i < 32; ++i) open[i] = (uint32_t)((i + 1) / 2);
+  memcpy(loop, open, sizeof loop);
+  loop[2 * count - 1] = 0;
+  dsw_body_desc_init(&d, sizeof d);
+  d.level = level;
+  d.positions = positions;
+  d.vertex_count = count;
+  d.edges = closed ? loop : open;
+  d.edge_count = closed ? count : count - 1;
+  return d;
 }
 
 dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level level) {
@@ -107,6 +141,21 @@ dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level 
   d.edge_count = 1;
   stop_unless(dsw_body_create(scene, &d, &id) == DSW_STATUS_OK, "body");
   return id;
+}
+
+dsw_status set_volume_mark(dsw_environment *environment, uint32_t index, dsw_mark mark) {
+  const dsw_volume_id id = volume_at(index);
+  return dsw_environment_mark_volumes(environment, &id, 1, mark, 0, NULL);
+}
+
+dsw_status set_face_mark(dsw_environment *environment, uint32_t volume, uint32_t local, dsw_mark mark) {
+  const dsw_face_id id = face_at(volume, local);
+  return dsw_environment_mark_faces(environment, &id, 1, mark);
+}
+
+dsw_status set_vertex_mark(dsw_environment *environment, uint32_t index, dsw_mark mark) {
+  const dsw_vertex_id id = vertex_at(index);
+  return dsw_environment_mark_vertices(environment, &id, 1, mark);
 }
 
 dsw_volume_id volume_at(uint32_t index) {

@@ -21,9 +21,19 @@ uint32_t grid_point(const grid *g, unsigned x, unsigned y, unsigned z);
 dsw_environment_desc grid_desc(const grid *g);
 /* An environment of the grid; stops the program if that fails. */
 dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny, unsigned nz);
+/* nx * ny unit squares in the plane; square (x, y) is cell x + nx * y, its region is x and its tag 100 + cell. Its sides run along y = 0,
+   x = 1, y = 1 and x = 0 of it. */
+dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny);
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features);
+/* A line of up to 16 vertices that edges join in their order, the last with the first if it is closed. */
+dsw_body_desc line_desc(const double *positions, size_t count, int closed, dsw_level level);
 /* A body of one edge between two points; stops the program if that fails. */
 dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level level);
+
+/* The mark of one cell. */
+dsw_status set_volume_mark(dsw_environment *environment, uint32_t index, dsw_mark mark);
+dsw_status set_face_mark(dsw_environment *environment, uint32_t volume, uint32_t local, dsw_mark mark);
+dsw_status set_vertex_mark(dsw_environment *environment, uint32_t index, dsw_mark mark);
 
 dsw_volume_id volume_at(uint32_t index);
 dsw_face_id face_at(uint32_t volume, uint32_t local);
