@@ -68,9 +68,13 @@ class Sweeper {
       if (!work_left(sweep, left)) return;
       const SweepResult swept = flood_.sweep(m, start, left);
       sweep.cells_visited += swept.cells_visited;
-      if (swept.end == SweepEnd::kWorkLimit) sweep.outcome = DSW_OUTCOME_WORK_LIMIT;
-      if (swept.end == SweepEnd::kContact) report_contact(env_, m, swept.contact, sweep);
-      if (swept.end != SweepEnd::kFree) return;
+      if (swept.end == SweepEnd::kWorkLimit) {
+        sweep.outcome = DSW_OUTCOME_WORK_LIMIT;
+        return;
+      }
+      if (swept.end == SweepEnd::kContact && !is_path_first(m, path, swept.contact)) {
+        return report_contact(env_, m, swept.contact, sweep);
+      }
     }
     if (path.end == CastEnd::kHit) return report_contact(env_, m, path_contact(env_, path), sweep);
     sweep.outcome = DSW_OUTCOME_REACHED;
@@ -80,6 +84,12 @@ class Sweeper {
   }
 
  private:
+  /** Whether the path meets something before the rest does. In space the flood has seen that, too. */
+  bool is_path_first(const EdgeMotion& m, const CastResult& path, const SweepContact& rest) const {
+    if constexpr (D == 3) return false;
+    return path.end == CastEnd::kHit && comes_before(env_.map, m.p, m.to, path_contact(env_, path), rest);
+  }
+
   /** How many cells may still be looked at; 0: as many as it takes. False, and the outcome is set, if none may. */
   bool work_left(dsw_sweep& sweep, uint32_t& left) const {
     left = options_.max_cells == 0 ? 0 : options_.max_cells - sweep.cells_visited;

@@ -268,7 +268,7 @@ static void marks_leave_bodies_free(void) {
 
 static void edges_are_swept_without_a_body(void) {
   const double from[6] = {0.5, 0.25, NAN, 1.5, 1.25, NAN}, to[6] = {0.5, 3.75, NAN, 2.5, 1.5, NAN};
-  const double fixed[6] = {3.75, 1.75, NAN, 1.25, 3.5, NAN};
+  const double fixed[6] = {3.75, 0.5, NAN, 1.25, 3.5, NAN};
   const uint32_t pillar = PILLAR;
   dsw_sweep_options o;
   dsw_sweep s[2];
@@ -280,7 +280,7 @@ static void edges_are_swept_without_a_body(void) {
   CHECK_OK(mark_square(PILLAR, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 24, NULL, s));
   CHECK(s[0].outcome == DSW_OUTCOME_CONTACT && s[0].kind == DSW_CONTACT_VERTEX && s[0].obstacle == DSW_CELL_VOLUME);
-  CHECK(s[0].edge.volume == point_at(3, 1) && s[0].edge.generation == 1 && s[0].tag == 100 + PILLAR);
+  CHECK(s[0].edge.volume == point_at(2, 1) && s[0].edge.generation == 1 && s[0].tag == 100 + PILLAR);
   CHECK(s[0].face.generation == 1 && s[0].normal[1] < 0 && s[0].normal[2] == 0 && fabs(s[0].point[1] - 1) < 1e-14);
   CHECK(s[1].outcome == DSW_OUTCOME_CONTACT && s[1].kind == DSW_CONTACT_PLANE && s[1].time == 0.5);
   CHECK(s[1].edge.generation == 0 && s[1].face.volume == PILLAR - 1 && s[1].normal[0] == -1);

@@ -135,7 +135,7 @@ static void small_obstacles_are_met_when_swept(void) {
       } else if (level == DSW_LEVEL_EDGES_SWEPT) {
         CHECK(r.vertices_stopped == 1 && r.contact_count == 1 && contacts_of(body, &c) == 1);
         CHECK(c->kind == DSW_CONTACT_VERTEX && c->obstacle.kind == DSW_CELL_VERTEX);
-        CHECK(c->obstacle.index == (small != 0 ? point_at(2, 2) : point_at(3, 2)));
+        CHECK(c->obstacle.index == point_at(2, 2));
         CHECK(c->cause == (small != 0 ? DSW_CELL_VERTEX : DSW_CELL_VOLUME));
         CHECK((c->wall.generation == 0) == (small != 0) && (c->tag == 0) == (small != 0));
         CHECK(c->normal[1] < 0 && c->normal[2] == 0 && c->edge.generation == 1);

@@ -367,23 +367,16 @@ static int write_nothing(void *user, const void *bytes, size_t size) {
 static void what_is_not_there_yet_says_so(void) {
   dsw_environment *const environment = make_plane();
   dsw_scene *scene = make_scene(environment, 0), *other = NULL;
-  const double points[6] = {0.5, 0.5, 0, 0.6, 0.5, 0}, flat[3] = {0.5, 0.5, NAN};
+  const double flat[3] = {0.5, 0.5, NAN};
   dsw_volumes_desc volumes;
   dsw_scene_desc desc;
-  dsw_body_desc body;
-  dsw_body_id id;
   dsw_recording_desc recording;
-  dsw_sweep sweep;
   dsw_scene_desc_init(&desc, sizeof desc);
   desc.features = DSW_FEATURE_DEFORMING;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_create(environment, &desc, &other));
   CHECK_MESSAGE("plane");
   desc.features = DSW_FEATURE_BODY_CONTACTS;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_create(environment, &desc, &other));
-  dsw_body_desc_init(&body, sizeof body);
-  body.positions = points;
-  body.vertex_count = 2;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_create(scene, &body, &id));
   dsw_recording_desc_init(&recording, sizeof recording);
   recording.write = write_nothing;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_start_recording(scene, &recording));
@@ -391,11 +384,6 @@ static void what_is_not_there_yet_says_so(void) {
   recording.write = NULL;
   recording.path = "no/such/folder/recording";
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_start_recording(scene, &recording));
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED,
-              dsw_environment_sweep_edges(environment, 1, NULL, points, points, points, 0, NULL, &sweep));
-  /* Points of the plane are not read as points of space. */
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED,
-              dsw_environment_sweep_edges(environment, 1, NULL, flat, flat, flat, 0, NULL, &sweep));
   dsw_volumes_desc_init(&volumes, sizeof volumes);
   volumes.points = flat;
   volumes.point_count = 1;
