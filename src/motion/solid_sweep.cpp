@@ -182,18 +182,11 @@ SweepResult SolidSweep<D>::sweep(const SolidMotion<D>& m, Cell start, uint32_t m
   collect_ = collect;
   const Solid solid(m);
   if (solid.turn == 0) return result_;
-  cells_.insert(start);
-  for (size_t i = 0; i < cells_.size(); ++i) {
-    if (max_cells != 0 && i == max_cells) {
-      result_.end = SweepEnd::kWorkLimit;
-      result_.contact = {};
-      break;
-    }
-    ++result_.cells_visited;
-    read_vertices(cells_[i], solid);
-    look_at_inside_vertices(solid, cells_[i]);
-    enter_neighbours(solid, cells_[i]);
-  }
+  flood(start, max_cells, [&](Cell c) {
+    read_vertices(c, solid);
+    look_at_inside_vertices(solid, c);
+    enter_neighbours(solid, c);
+  });
   std::sort(found_.begin(), found_.end(), [&](const SweepContact& a, const SweepContact& b) {
     return comes_before(map_, solid.at[0], solid.at[1], a, b);
   });

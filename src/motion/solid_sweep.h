@@ -63,6 +63,20 @@ class SolidSweep {
       corners_[i] = {at, vertex, swept.beyond_box(at), kUnknown};
     }
   }
+  /** Calls look(cell) for each cell that is met, up to the work limit; look inserts more into cells_. */
+  template <class Look>
+  void flood(Cell start, uint32_t max_cells, Look look) {
+    cells_.insert(start);
+    for (size_t i = 0; i < cells_.size(); ++i) {
+      if (max_cells != 0 && i == max_cells) {
+        result_.end = SweepEnd::kWorkLimit;
+        result_.contact = {};
+        return;
+      }
+      ++result_.cells_visited;
+      look(cells_[i]);
+    }
+  }
   /** Forgets the last sweep. */
   void clear();
 

@@ -46,20 +46,12 @@ SweepResult SweepFlood<3>::sweep(const EdgeMotion& m, Cell start, uint32_t max_c
   triangle_ = &triangle;
   clear();
   collect_ = collect;
-  cells_.insert(start);
-  for (size_t i = 0; i < cells_.size(); ++i) {
-    if (max_cells != 0 && i == max_cells) {
-      result_.end = SweepEnd::kWorkLimit;
-      result_.contact = {};
-      break;
-    }
-    ++result_.cells_visited;
-    const Cell c = cells_[i];
-    if (!read_corners(c)) continue;
+  flood(start, max_cells, [&](Cell c) {
+    if (!read_corners(c)) return;
     const Shape shape = map_.shape(c);
     look_at_facets(c, shape);
     if (env_.marked_edges != 0) look_at_wires(c, shape);
-  }
+  });
   if (collect_) sort_found();
   return result_;
 }
