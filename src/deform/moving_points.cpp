@@ -40,7 +40,7 @@ template <int D>
 void MovingPoints<D>::take_back() noexcept {
   if (next_ == nullptr) return;
   for (size_t i = 0; i < touched_.size(); ++i) {
-    std::copy_n(&targets_[3 * i], 3, next_ + size_t{3} * touched_[i]);
+    std::copy_n(&targets_[D * i], D, next_ + size_t{D} * touched_[i]);
     place_[touched_[i]] = kUntouched;
   }
   touched_.clear();
@@ -54,37 +54,38 @@ void MovingPoints<D>::take_back() noexcept {
 template <int D>
 void MovingPoints<D>::touch(uint32_t v, double fraction) {
   if (is_touched(v)) return;
-  const double* const target = next_ + size_t{3} * v;
-  if (!is_finite(target)) fail_non_finite({next_, 3}, v, 3, {"next", true});
+  const double* const target = next_ + size_t{D} * v;
+  if (!is_finite<D>(target)) fail_non_finite({next_, D}, v, D, {"next", true});
   reserve_more(touched_, 1);
-  targets_.insert(targets_.end(), target, target + 3);
+  targets_.insert(targets_.end(), target, target + D);
   place_[v] = static_cast<uint32_t>(touched_.size());
   touched_.push_back(v);
-  double position[3];
+  double position[D];
   at(v, fraction, position);
   put(v, position);
 }
 
 template <int D>
 void MovingPoints<D>::at(uint32_t v, double fraction, double* out) const noexcept {
-  point_on_way<D>(start_ + size_t{3} * v, &targets_[size_t{3} * place_[v]], fraction, out);
+  point_on_way<D>(start_ + size_t{D} * v, &targets_[size_t{D} * place_[v]], fraction, out);
 }
 
 template <int D>
 void MovingPoints<D>::put(uint32_t v, const double* position) noexcept {
-  std::copy_n(position, 3, next_ + size_t{3} * v);
+  std::copy_n(position, D, next_ + size_t{D} * v);
   env_.renew_version();
 }
 
 template <int D>
 void MovingPoints<D>::shorten(double fraction) noexcept {
   for (uint32_t v = 0; v < env_.map.vertex_count; ++v) {
-    double* const to = next_ + size_t{3} * v;
-    if (!is_touched(v)) point_on_way<D>(start_ + size_t{3} * v, to, fraction, to);
+    double* const to = next_ + size_t{D} * v;
+    if (!is_touched(v)) point_on_way<D>(start_ + size_t{D} * v, to, fraction, to);
   }
 }
 
 #define DSW_MOVING_POINTS(D) template class MovingPoints<D>
+DSW_MOVING_POINTS(2);
 DSW_MOVING_POINTS(3);
 #undef DSW_MOVING_POINTS
 

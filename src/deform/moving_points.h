@@ -11,7 +11,7 @@ namespace dsw {
 template <int D>
 inline void point_on_way(const double* start, const double* target, double fraction, double* out) noexcept {
   if (fraction == 0 || fraction == 1) {
-    std::copy_n(fraction == 0 ? start : target, 3, out);
+    std::copy_n(fraction == 0 ? start : target, D, out);
   } else {
     point_at<D>(start, target, fraction, out);
   }

@@ -53,10 +53,12 @@ void for_each_cell_at_vertex(const Map<D>& map, uint32_t vertex, CellQueue& arou
     const Cell at = around[i];
     visit(at);
     const Shape shape = map.shape(at);
-    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-      if (map.vertex(at, shape.dart_vertex(d)) != vertex) continue;
-      const HalfFacet o = map.opposite(map.half_facet(at, shape.dart_facet(d)));
-      if (o.valid()) around.insert(map.cell_of(o));
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      for_each_facet_vertex<D>(shape, f, [&](uint32_t local) {
+        if (map.vertex(at, local) != vertex) return;
+        const HalfFacet o = map.opposite(map.half_facet(at, f));
+        if (o.valid()) around.insert(map.cell_of(o));
+      });
     }
   }
 }

@@ -70,8 +70,9 @@ bool sees_all(const Environment<D>& env, Cell cell, const double* point, CastCou
   return kWalk<D>.sees_all(env, cell, point);
 }
 
-bool admits_with_centre(const Environment<3>& env, Cell cell, double* centre) noexcept {
-  return kWalk<3>.admits_with_centre(env, cell, centre);
+template <int D>
+bool admits_with_centre(const Environment<D>& env, Cell cell, double* centre) noexcept {
+  return kWalk<D>.admits_with_centre(env, cell, centre);
 }
 
 template <int D>
@@ -92,6 +93,8 @@ template void cast_side_by_side(const Environment<3>&, const CastRequest*, uint3
 template bool contains(const Environment<3>&, Cell, const double*) noexcept;
 template bool sees_all(const Environment<2>&, Cell, const double*, CastCounters*) noexcept;
 template bool sees_all(const Environment<3>&, Cell, const double*, CastCounters*) noexcept;
+template bool admits_with_centre(const Environment<2>&, Cell, double*) noexcept;
+template bool admits_with_centre(const Environment<3>&, Cell, double*) noexcept;
 template double crossing_time(const Environment<2>&, Cell, uint32_t, const double*, const double*) noexcept;
 template double crossing_time(const Environment<3>&, Cell, uint32_t, const double*, const double*) noexcept;
 

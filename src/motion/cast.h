@@ -88,7 +88,8 @@ template <int D>
 bool sees_all(const Environment<D>& env, Cell cell, const double* point, CastCounters* counters) noexcept;
 
 /** As `admits`; gives the cell's centre, too. Looking at a hexahedron of moving points takes half the time. */
-bool admits_with_centre(const Environment<3>& env, Cell cell, double* centre) noexcept;
+template <int D>
+bool admits_with_centre(const Environment<D>& env, Cell cell, double* centre) noexcept;
 
 /** Largest double not later than the time at which the segment crosses simplex `simplex` of `cell`. */
 template <int D>

@@ -16,10 +16,10 @@ HalfFacet seen_from(const Environment<D>& env, HalfFacet wall, const double* nor
   if (!o.valid() || env.map.marked(env.map.cell_of(o))) return wall;
   const Cell c = env.map.cell_of(wall);
   const Shape shape = env.map.shape(c);
-  const double* triangle[3];
-  simplex_points(env, c, shape, shape.simplex_first(env.map.local_of(wall, c)), triangle);
-  double outward[3];
-  unit_normal<D>(triangle, outward);
+  const double* simplex[D];
+  simplex_points(env, c, shape, shape.simplex_first(env.map.local_of(wall, c)), simplex);
+  double outward[D];
+  unit_normal<D>(simplex, outward);
   return dot(to_vec<D>(outward), to_vec<D>(normal)) > 0 ? o : wall;
 }
 
@@ -30,15 +30,16 @@ dsw_wall_contact describe(const Environment<D>& env, const Occupants<D>& all, co
                           const double* from, const double* to, dsw_wall_response done) noexcept {
   const WallTouch touch = describe_touch(env, all, hit, from, to);
   dsw_wall_contact c{};
-  std::copy_n(from, 3, c.from);
-  std::copy_n(to, 3, c.to);
+  std::copy_n(from, D, c.from);
+  std::copy_n(to, D, c.to);
   c.time = hit.time;
-  std::copy_n(touch.point, 3, c.point);
-  std::copy_n(touch.normal, 3, c.normal);
+  std::copy_n(touch.point, D, c.point);
+  std::copy_n(touch.normal, D, c.normal);
   c.along = touch.along;
   c.moving = {vertex, env.map.vertex_generation(vertex)};
-  if (hit.q != kNone) c.others[0] = {hit.q, env.map.vertex_generation(hit.q)};
-  if (hit.r != kNone) c.others[1] = {hit.r, env.map.vertex_generation(hit.r)};
+  for (int k = 0; k < 2 && hit.others[k] != kNone; ++k) {
+    c.others[k] = {hit.others[k], env.map.vertex_generation(hit.others[k])};
+  }
   c.response = done;
   name_wall(env, seen_from(env, hit.wall, touch.normal), c);
   name_feature(all, hit.feature, c);
@@ -71,6 +72,7 @@ void name_wall(const Environment<D>& env, HalfFacet wall, dsw_wall_contact& cont
                                      dsw_wall_response done) noexcept;                                             \
   template void name_feature(const Occupants<D>& all, const Feature& feature, dsw_wall_contact& contact) noexcept; \
   template void name_wall(const Environment<D>& env, HalfFacet wall, dsw_wall_contact& contact) noexcept
+DSW_DESCRIBE(2);
 DSW_DESCRIBE(3);
 #undef DSW_DESCRIBE
 

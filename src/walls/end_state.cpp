@@ -27,8 +27,8 @@ void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& re
   const auto take_back = [&] { read_points(start); };
   const auto restore_next = [&] { std::copy(targets.begin(), targets.end(), next); };
   const auto try_way = [&](double way) {
-    if (way != 1 && targets.empty()) targets.assign(next, next + 3 * count);
-    for (size_t v = 0; v < count && way != 1; ++v) point_on_way<D>(start + 3 * v, &targets[3 * v], way, next + 3 * v);
+    if (way != 1 && targets.empty()) targets.assign(next, next + D * count);
+    for (size_t v = 0; v < count && way != 1; ++v) point_on_way<D>(start + D * v, &targets[D * v], way, next + D * v);
     read_points(next);
     const Went went = try_seats(settings, record);
     if (went != Went::kInvalid) return went;
@@ -94,7 +94,7 @@ Went EndState<D>::run_seats(const WallSettings& settings, WallRecord& record) {
     if (!admits_with_centre(env_, c, centres_[k])) {
       for (uint32_t i = 0, corners = env_.map.vertices_of(c); i < corners; ++i) {
         const uint32_t v = env_.map.vertex(c, i);
-        if (!is_finite(env_.point(v))) fail_non_finite({env_.points, 3}, v, 3, {"next", true});
+        if (!is_finite<D>(env_.point(v))) fail_non_finite({env_.points, D}, v, D, {"next", true});
       }
       record.invalid.push_back(volume_id(env_.map, c));
       return Went::kInvalid;
@@ -135,11 +135,11 @@ bool EndState<D>::put_before(const CastRequest& request, const CastResult& fligh
   }
   const MoveResult<D> move = finish_move(env_, request, flight, true, nullptr);
   dsw_wall_contact contact{};
-  std::copy_n(request.from, 3, contact.from);
-  std::copy_n(request.to, 3, contact.to);
+  std::copy_n(request.from, D, contact.from);
+  std::copy_n(request.to, D, contact.to);
   contact.time = move.time;
-  std::copy_n(move.position, 3, contact.point);
-  std::copy_n(move.normal, 3, contact.normal);
+  std::copy_n(move.position, D, contact.point);
+  std::copy_n(move.normal, D, contact.normal);
   contact.response = done;
   name_wall(env_, flight.facet, contact);
   name_feature(all_, point, contact);
@@ -150,6 +150,7 @@ bool EndState<D>::put_before(const CastRequest& request, const CastResult& fligh
 }
 
 #define DSW_END_STATE(D) template class EndState<D>
+DSW_END_STATE(2);
 DSW_END_STATE(3);
 #undef DSW_END_STATE
 

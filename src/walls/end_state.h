@@ -59,7 +59,7 @@ class EndState {
   Wave<D> wave_;
   Array<Feature> points_;  // of the wave
   WaveCells<D> cells_;
-  double centres_[kWave][3];  // of these
+  double centres_[kWave][D];  // of these
   BodyProbe<D> probe_;
 };
 

@@ -87,7 +87,7 @@ template <int D>
 void Neighbourhood<D>::end_step(double fraction) noexcept {
   for (size_t i = 0; i < near_.size(); ++i) {
     if (near_[i].is_near) continue;
-    double position[3];
+    double position[D];
     points_.at(points_.touched()[i], fraction, position);
     points_.put(points_.touched()[i], position);
   }
@@ -125,11 +125,13 @@ void Neighbourhood<D>::enter(void* user, Cell, uint32_t, Cell to) noexcept {
 template <int D>
 bool Neighbourhood<D>::trace(const Feature& feature) {
   const Body<D>& body = *all_.bodies[feature.owner].body;
-  if (feature.kind == Feature::kFace) {
-    const bool free = is_face_free(env_, flood_, body, feature.index);
-    traced_.clear();
-    for (size_t i = 0; i < flood_.cells().size(); ++i) traced_.push_back(flood_.cells()[i]);
-    return free;
+  if constexpr (D == 3) {
+    if (feature.kind == Feature::kFace) {
+      const bool free = is_face_free(env_, flood_, body, feature.index);
+      traced_.clear();
+      for (size_t i = 0; i < flood_.cells().size(); ++i) traced_.push_back(flood_.cells()[i]);
+      return free;
+    }
   }
   const BodyVertex<D>&p = body.vertices[body.edges[feature.index].ends[0]],
         &q = body.vertices[body.edges[feature.index].ends[1]];
@@ -231,6 +233,7 @@ uint64_t Neighbourhood<D>::memory_bytes() const noexcept {
 }
 
 #define DSW_NEIGHBOURHOOD(D) template class Neighbourhood<D>
+DSW_NEIGHBOURHOOD(2);
 DSW_NEIGHBOURHOOD(3);
 #undef DSW_NEIGHBOURHOOD
 

@@ -46,6 +46,7 @@ uint64_t Occupants<D>::memory_bytes() const noexcept {
 }
 
 #define DSW_OCCUPANTS(D) template class Occupants<D>
+DSW_OCCUPANTS(2);
 DSW_OCCUPANTS(3);
 #undef DSW_OCCUPANTS
 

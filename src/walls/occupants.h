@@ -72,7 +72,7 @@ inline void seat(Occupants<D>& all, const Feature& point, const double* at, Cell
   if (point.kind == Feature::kParticle) {
     ParticleState<D>& p = all.particles[point.index];
     if (p.cell != cell) p.forecast = kNoFacet;
-    std::copy_n(at, 3, p.position);
+    std::copy_n(at, D, p.position);
     p.cell = cell;
   } else {
     put_vertex(*all.bodies[point.owner].body, point.index, at, cell);

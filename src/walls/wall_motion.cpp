@@ -45,7 +45,7 @@ Went WallMotion<D>::try_steps(double* next, double way, uint32_t halvings, const
     around_.begin_step(before);
     while (around_.find_turns(turns_)) {
       for (const uint32_t v : turns_) {
-        double to[3];
+        double to[D];
         around_.points().at(v, after, to);
         const typename WallMove<D>::Moved moved = move_.move(v, to, settings, record);
         if (moved == WallMove<D>::Moved::kStopped) {
@@ -69,9 +69,9 @@ void WallMotion<D>::finish(WallRecord& record) {
   const double way = record.fraction;
   record.near = static_cast<uint32_t>(around_.near_count());
   for (const uint32_t v : points.touched()) {
-    double to[3];
+    double to[D];
     points.at(v, way, to);
-    if (!std::equal(to, to + 3, env_.point(v))) record.held.push_back({v, env_.map.vertex_generation(v)});
+    if (!std::equal(to, to + D, env_.point(v))) record.held.push_back({v, env_.map.vertex_generation(v)});
   }
   record.outcome = way != 1 ? DSW_DEFORM_FRACTION : record.held.empty() ? DSW_DEFORM_DONE : DSW_DEFORM_HELD;
   if (way != 1) points.shorten(way);
@@ -79,6 +79,7 @@ void WallMotion<D>::finish(WallRecord& record) {
 }
 
 #define DSW_WALL_MOTION(D) template class WallMotion<D>
+DSW_WALL_MOTION(2);
 DSW_WALL_MOTION(3);
 #undef DSW_WALL_MOTION
 

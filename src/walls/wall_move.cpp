@@ -27,9 +27,9 @@ WallMove<D>::WallMove(Environment<D>& env, Occupants<D>& all, Neighbourhood<D>& 
 template <int D>
 typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, const WallSettings& settings,
                                               WallRecord& record) {
-  double from[3];
-  std::copy_n(env_.point(v), 3, from);
-  if (std::equal(from, from + 3, to)) return Moved::kYes;
+  double from[D];
+  std::copy_n(env_.point(v), D, from);
+  if (std::equal(from, from + D, to)) return Moved::kYes;
   look_round(v);
   for (int pushes = 0; walls_.has_walls() && find_hits(from, to); ++pushes) {
     record.contacts.push_back(describe(env_, all_, hits_.front(), v, from, to, settings.response));
@@ -123,9 +123,9 @@ bool WallMove<D>::make_room(const double* from, const double* to, const WallSett
 template <int D>
 bool WallMove<D>::push(const Feature& point, const double* from, const double* to) {
   const double* const at = position(all_, point);
-  double target[3];
+  double target[D];
   store<D>(to_vec<D>(at) + difference<D>(to, from), target);
-  if (!is_finite(target)) return false;
+  if (!is_finite<D>(target)) return false;
   if (point.kind == Feature::kParticle) {
     const CastResult way = cast(env_, at, target, cell_of(all_, point));
     if (way.end != CastEnd::kReached) return false;
@@ -204,8 +204,8 @@ Cell WallMove<D>::find_cell(const Feature& point) const {
 
 template <int D>
 void WallMove<D>::find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& invalid) {
-  double from[3];
-  std::copy_n(env_.point(v), 3, from);
+  double from[D];
+  std::copy_n(env_.point(v), D, from);
   put(v, to);
   for (const Cell c : *star_) {
     if (!admits(env_, c)) invalid.push_back(volume_id(env_.map, c));
@@ -214,6 +214,7 @@ void WallMove<D>::find_invalid(uint32_t v, const double* to, Array<dsw_volume_id
 }
 
 #define DSW_WALL_MOVE(D) template class WallMove<D>
+DSW_WALL_MOVE(2);
 DSW_WALL_MOVE(3);
 #undef DSW_WALL_MOVE
 

@@ -8,8 +8,9 @@ namespace dsw {
 namespace {
 
 /** Whether two sets of points lie strictly apart along an axis: then no shift brings their hulls together. */
+template <int D>
 bool are_apart(const double* const* a, int count_a, const double* const* b, int count_b) noexcept {
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < D; ++k) {
     double low_a = a[0][k], high_a = low_a, low_b = b[0][k], high_b = low_b;
     for (int i = 1; i < count_a; ++i) low_a = std::min(low_a, a[i][k]), high_a = std::max(high_a, a[i][k]);
     for (int i = 1; i < count_b; ++i) low_b = std::min(low_b, b[i][k]), high_b = std::max(high_b, b[i][k]);
@@ -18,29 +19,55 @@ bool are_apart(const double* const* a, int count_a, const double* const* b, int 
   return false;
 }
 
-/** Whether a body point, shifted, lies inside of a tetrahedron of the environment; in a flat one there is nothing. */
+/** Whether a body point, shifted, lies inside of D + 1 points of the environment; in a flat simplex there is nothing. */
 template <int D>
-bool is_inside(const double* a, const double* b, const double* q, const double* r, const double* x) noexcept {
-  NoTally none;
-  const double *const aqr[3] = {a, q, r}, *const bqr[3] = {b, q, r}, *const abq[3] = {a, b, q},
-                      *const abr[3] = {a, b, r};
-  const int turn = orient<D>(aqr, b);
-  return turn != 0 && plane_side<D>(aqr, x, none).sign == turn && plane_side<D>(bqr, x, none).sign == -turn &&
-         plane_side<D>(abq, x, none).sign == turn && plane_side<D>(abr, x, none).sign == -turn;
-}
-
-/** Whether a segment between body points, shifted, pierces a triangle of the environment. */
-template <int D>
-bool pierces(const double* x, const double* y, const double* const* abc) noexcept {
-  NoTally none;
-  const int side_x = plane_side<D>(abc, x, none).sign, side_y = plane_side<D>(abc, y, none).sign;
-  if (side_x * side_y >= 0) return false;
-  const double *const inner = side_x < 0 ? x : y, *const outer = side_x < 0 ? y : x;
-  for (int k = 0; k < 3; ++k) {
-    const double* const ridge[2] = {abc[k], abc[(k + 1) % 3]};
-    if (line_side<D>(inner, outer, ridge, none).sign <= 0) return false;
+bool is_inside(const double* const (&simplex)[D + 1], const double* x) noexcept {
+  // Of a corner against the others in their order: it turns round from each corner to the one before.
+  int side = orient<D>(simplex, simplex[D]);
+  if (side == 0) return false;
+  for (int corner = D; corner >= 0; --corner, side = -side) {
+    const double* others[D];
+    for (int k = 0; k < D; ++k) others[k] = simplex[k < corner ? k : k + 1];
+    if (plane_side<D>(others, x, NoTally{}).sign != side) return false;
   }
   return true;
+}
+
+/** Whether a segment between body points, shifted, pierces D points of the environment. */
+template <int D>
+bool pierces(const double* x, const double* y, const double* const (&simplex)[D]) noexcept {
+  NoTally none;
+  const int side_x = plane_side<D>(simplex, x, none).sign, side_y = plane_side<D>(simplex, y, none).sign;
+  if (side_x * side_y >= 0) return false;
+  const double *const inner = side_x < 0 ? x : y, *const outer = side_x < 0 ? y : x;
+  for (int k = 0; k < D; ++k) {
+    if (ridge_side<D>(inner, outer, simplex, k, none) <= 0) return false;
+  }
+  return true;
+}
+
+/** What a part of a wall sweeps: the way of the moving vertex, and the others. */
+template <int D, size_t Count>
+void read_swept(const Environment<D>& env, const WallPart<Count>& part, const double* from, const double* to,
+                const double* (&swept)[Count + 2]) noexcept {
+  swept[0] = from;
+  swept[1] = to;
+  for (size_t k = 0; k < Count; ++k) swept[2 + k] = env.point(part.others[k]);
+}
+
+/** When that touches D - Count points of a body, with which it makes the event of a moving body that has as many at rest. */
+template <int D, size_t Count>
+WallHit hit_of(const WallPart<Count>& part, const double* const (&swept)[Count + 2],
+               const double* const* touched) noexcept {
+  SweepEvent event;
+  event.kind = static_cast<EventKind>(Count);
+  std::copy_n(swept + 2, Count, event.points);
+  std::copy_n(touched, D - Count, event.points + Count);
+  WallHit hit;
+  hit.time = event_time<D>(swept[0], swept[1], event);
+  hit.wall = part.facet;
+  std::copy_n(part.others.data(), Count, hit.others);
+  return hit;
 }
 
 void keep_first(const WallHit& found, WallHit* hit, bool* any) noexcept {
@@ -53,62 +80,76 @@ void keep_first(const WallHit& found, WallHit* hit, bool* any) noexcept {
 
 template <int D>
 WallSweep<D>::WallSweep(const Environment<D>& env)
-    : env_(env), triangles_(Allocator<Triangle>(env.memory)), edges_(Allocator<Edge>(env.memory)) {}
+    : env_(env), simplices_(Allocator<WallPart<D - 1>>(env.memory)), ridges_(Allocator<WallPart<D - 2>>(env.memory)) {}
 
 template <int D>
 void WallSweep<D>::start(uint32_t vertex, const Array<Cell>& star) {
   const Map<D>& map = env_.map;
   vertex_ = vertex;
-  triangles_.clear();
-  edges_.clear();
+  simplices_.clear();
+  ridges_.clear();
   for (const Cell c : star) {
     if (map.marked(c)) continue;
     const Shape shape = map.shape(c);
-    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-      if (map.vertex(c, shape.dart_vertex(d)) != vertex) continue;
-      const uint32_t facet = shape.dart_facet(d);
+    for (uint32_t facet = 0; facet < shape.facet_count(); ++facet) {
+      bool is_at_vertex = false;
+      for_each_facet_vertex<D>(shape, facet,
+                               [&](uint32_t local) { is_at_vertex = is_at_vertex || map.vertex(c, local) == vertex; });
+      if (!is_at_vertex) continue;
       const HalfFacet h = map.half_facet(c, facet), o = map.opposite(h);
       // One that is passable on both sides is met from both.
       const bool twice = o.valid() && !map.marked(map.cell_of(o)) && canonical(map, h) != h;
       if (!twice && is_impassable(map, h)) add_facet(h, shape, c, facet);
     }
   }
-  if (env_.marked_edges != 0) {
-    for (const Cell c : star) {
-      const Shape shape = map.shape(c);
-      for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-        if (map.vertex(c, shape.dart_vertex(d)) != vertex) continue;
-        const uint32_t ends[2] = {map.vertex(c, shape.dart_vertex(shape.beta1(d))),
-                                  map.vertex(c, shape.dart_vertex(shape.beta0(d)))};
-        for (const uint32_t q : ends) {
-          if (edge_marked(env_, vertex, q)) add_edge(q, {});
-        }
-      }
-    }
-  }
-  marked_ = !edges_.empty() || vertex_marked(env_, vertex);
+  add_lone_ridges(star);
+  impassable_ = !ridges_.empty() || vertex_marked(env_, vertex);
 }
 
 template <int D>
 void WallSweep<D>::add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t facet) {
   for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
-    uint32_t corners[3];
-    for (int k = 0; k < 3; ++k) corners[k] = env_.map.vertex(c, shape.simplices()[3 * s + static_cast<uint32_t>(k)]);
-    const auto at = std::find(corners, corners + 3, vertex_);
-    if (at == corners + 3) continue;
-    std::rotate(corners, at, corners + 3);
-    triangles_.push_back({corners[1], corners[2], h});
-    add_edge(corners[1], h);
-    add_edge(corners[2], h);
+    std::array<uint32_t, D> corners;
+    for (uint32_t k = 0; k < D; ++k) corners[k] = env_.map.vertex(c, shape.simplices()[D * s + k]);
+    const auto at = std::find(corners.begin(), corners.end(), vertex_);
+    if (at == corners.end()) continue;
+    std::rotate(corners.begin(), at, corners.end());
+    WallPart<D - 1> simplex{{}, h};
+    std::copy(corners.begin() + 1, corners.end(), simplex.others.begin());
+    simplices_.push_back(simplex);
+    if constexpr (D == 3) {
+      for (const uint32_t q : simplex.others) add_ridge({q}, h);
+    } else {
+      add_ridge({}, h);
+    }
+  }
+}
+
+/** Those that are impassable by their own marks. */
+template <int D>
+void WallSweep<D>::add_lone_ridges(const Array<Cell>& star) {
+  if constexpr (D == 2) {
+    if (vertex_marked(env_, vertex_)) add_ridge({}, {});
+  } else if (env_.marked_edges != 0) {
+    for (const Cell c : star) {
+      const Shape shape = env_.map.shape(c);
+      for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+        if (env_.map.vertex(c, shape.dart_vertex(d)) != vertex_) continue;
+        for (const uint32_t end : {shape.beta1(d), shape.beta0(d)}) {
+          const uint32_t q = env_.map.vertex(c, shape.dart_vertex(end));
+          if (edge_marked(env_, vertex_, q)) add_ridge({q}, {});
+        }
+      }
+    }
   }
 }
 
 template <int D>
-void WallSweep<D>::add_edge(uint32_t q, HalfFacet facet) {
-  for (const Edge& edge : edges_) {
-    if (edge.q == q) return;
+void WallSweep<D>::add_ridge(const std::array<uint32_t, D - 2>& others, HalfFacet facet) {
+  for (const WallPart<D - 2>& ridge : ridges_) {
+    if (ridge.others == others) return;
   }
-  edges_.push_back({q, facet});
+  ridges_.push_back({others, facet});
 }
 
 template <int D>
@@ -125,12 +166,11 @@ bool WallSweep<D>::meets(const Occupants<D>& all, const Feature& feature, const 
 template <int D>
 bool WallSweep<D>::meets_point(const double* x, const double* from, const double* to, WallHit* hit) const {
   bool any = false;
-  for (const Triangle& t : triangles_) {
-    const double *const q = env_.point(t.q), *const r = env_.point(t.r);
-    const double* const swept[4] = {from, to, q, r};
-    if (are_apart(swept, 4, &x, 1) || !is_inside<D>(from, to, q, r, x)) continue;
-    const SweepEvent event{{q, r, x}, EventKind::kFace};
-    keep_first({event_time<D>(from, to, event), {}, t.facet, t.q, t.r}, hit, &any);
+  for (const WallPart<D - 1>& simplex : simplices_) {
+    const double* swept[D + 1];
+    read_swept(env_, simplex, from, to, swept);
+    if (are_apart<D>(swept, D + 1, &x, 1) || !is_inside<D>(swept, x)) continue;
+    keep_first(hit_of<D>(simplex, swept, &x), hit, &any);
   }
   return any;
 }
@@ -140,58 +180,71 @@ bool WallSweep<D>::meets_edge(const Body<D>& body, uint32_t e, const double* fro
                               WallHit* hit) const {
   bool any = false;
   const double* const ends[2] = {body.position(body.edges[e].ends[0]), body.position(body.edges[e].ends[1])};
-  for (const Edge& edge : edges_) {
-    if (!edge.facet.valid() && body.level < SweepLevel::kEdgesSwept) continue;
-    const double* const q = env_.point(edge.q);
-    const double* const swept[3] = {from, to, q};
-    if (are_apart(swept, 3, ends, 2) || !pierces<D>(ends[0], ends[1], swept)) continue;
-    const SweepEvent event{{q, ends[0], ends[1]}, EventKind::kEdge};
-    keep_first({event_time<D>(from, to, event), {}, edge.facet, edge.q, kNone}, hit, &any);
+  for (const WallPart<D - 2>& ridge : ridges_) {
+    if (!ridge.facet.valid() && body.level < SweepLevel::kEdgesSwept) continue;
+    const double* swept[D];
+    read_swept(env_, ridge, from, to, swept);
+    if (are_apart<D>(swept, D, ends, 2) || !pierces<D>(ends[0], ends[1], swept)) continue;
+    keep_first(hit_of<D>(ridge, swept, ends), hit, &any);
   }
   return any;
 }
 
 template <int D>
-bool WallSweep<D>::meets_face(const Body<D>& body, uint32_t f, const double* from, const double* to,
-                              WallHit* hit) const {
-  if (!marked_) return false;
-  const uint32_t(&corners)[3] = body.faces[f].corners;
-  const double* const face[3] = {body.position(corners[0]), body.position(corners[1]), body.position(corners[2])};
-  const double* const way[2] = {from, to};
-  if (are_apart(way, 2, face, 3)) return false;
-  const SweptTriangle triangle({face[0], face[1], face[2]});
-  const int side = triangle.side(to);
-  if (side * triangle.side(from) >= 0 || triangle.outside(from, to, side) != 0) return false;
-  *hit = {event_time<D>(from, to, {{face[0], face[1], face[2]}, EventKind::kVertex}), {}, {}, kNone, kNone};
-  if (!triangles_.empty()) hit->wall = triangles_.front().facet;
-  return true;
+bool WallSweep<D>::meets_face([[maybe_unused]] const Body<D>& body, [[maybe_unused]] uint32_t f,
+                              [[maybe_unused]] const double* from, [[maybe_unused]] const double* to,
+                              [[maybe_unused]] WallHit* hit) const {
+  if constexpr (D == 3) {
+    if (!impassable_) return false;
+    const uint32_t(&corners)[3] = body.faces[f].corners;
+    const double* const face[3] = {body.position(corners[0]), body.position(corners[1]), body.position(corners[2])};
+    const double* const way[2] = {from, to};
+    if (are_apart<D>(way, 2, face, 3)) return false;
+    const SweptTriangle triangle({face[0], face[1], face[2]});
+    const int side = triangle.side(to);
+    if (side * triangle.side(from) >= 0 || triangle.outside(from, to, side) != 0) return false;
+    const WallPart<0> vertex{{}, simplices_.empty() ? HalfFacet{} : simplices_.front().facet};
+    *hit = hit_of<D>(vertex, way, face);
+    return true;
+  }
+  return false;
 }
 
 template <int D>
 WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,
                          const double* to) {
   WallTouch touch;
-  double at[3];
+  double at[D];
   point_at<D>(from, to, hit.time, at);
   const Vec way = difference<D>(to, from);
+  const auto to_other = [&](int k) { return difference<D>(env.point(hit.others[k]), at); };
   Vec normal;
   if (hit.feature.is_point()) {
-    std::copy_n(position(all, hit.feature), 3, touch.point);
-    normal = unit(cross(difference<D>(env.point(hit.q), at), difference<D>(env.point(hit.r), at)));
+    std::copy_n(position(all, hit.feature), D, touch.point);
+    normal = unit(D == 3 ? cross(to_other(0), to_other(1)) : turned(to_other(0)));
   } else if (hit.feature.kind == Feature::kEdge) {
     const Body<D>& body = *all.bodies[hit.feature.owner].body;
     const double *const x = body.position(body.edges[hit.feature.index].ends[0]),
                         *const y = body.position(body.edges[hit.feature.index].ends[1]);
-    const Vec wall = unit(difference<D>(env.point(hit.q), at)), edge = difference<D>(y, x), across = cross(edge, wall);
-    const double size = dot(across, across);
-    const double along = size > 0 ? dot(cross(difference<D>(at, x), wall), across) / size : 0.5;
+    const Vec edge = difference<D>(y, x);
+    double along;
+    if constexpr (D == 3) {
+      const Vec wall = unit(to_other(0)), across = cross(edge, wall);
+      const double size = dot(across, across);
+      along = size > 0 ? dot(cross(difference<D>(at, x), wall), across) / size : 0.5;
+      normal = unit(cross(wall, unit(edge)));
+    } else {
+      const int k = std::fabs(edge.x) < std::fabs(edge.y) ? 1 : 0;
+      const double size = y[k] / 2 - x[k] / 2;  // halves, which do not overflow
+      along = size != 0 ? (at[k] / 2 - x[k] / 2) / size : 0.5;
+      normal = unit(turned(edge));
+    }
     touch.along = std::min(std::max(along, 0.0), 1.0);
     point_at<D>(x, y, touch.along, touch.point);
-    normal = unit(cross(wall, unit(edge)));
   } else {
     const Body<D>& body = *all.bodies[hit.feature.owner].body;
     const uint32_t(&corners)[3] = body.faces[hit.feature.index].corners;
-    std::copy_n(at, 3, touch.point);
+    std::copy_n(at, D, touch.point);
     normal = unit(cross(difference<D>(body.position(corners[1]), body.position(corners[0])),
                         difference<D>(body.position(corners[2]), body.position(corners[0]))));
   }
@@ -204,6 +257,7 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
   template class WallSweep<D>;                                                                              \
   template WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, \
                                     const double* from, const double* to)
+DSW_WALL_SWEEP(2);
 DSW_WALL_SWEEP(3);
 #undef DSW_WALL_SWEEP
 

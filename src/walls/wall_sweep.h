@@ -1,6 +1,9 @@
 #pragma once
 // What the walls at one vertex of the environment sweep when it moves, against what lies there: the sweeps of a body turned round,
-// and exact like them. Only the vertex moves, so a wall triangle sweeps a tetrahedron, a wall's edge a triangle, the vertex a segment.
+// and exact like them. Only the vertex moves, so that a part of a wall that has n other vertices sweeps a simplex of n + 2: in space a
+// triangle sweeps a tetrahedron, an edge a triangle, the vertex a segment; in the plane a side sweeps a triangle, the vertex a segment.
+
+#include <array>
 
 #include "walls/occupants.h"
 
@@ -10,10 +13,17 @@ namespace dsw {
 struct WallHit {
   double time = 0;  // fraction of the vertex's way, rounded down
   Feature feature;
-  HalfFacet wall;                 // impassable; invalid for a wire and a marked vertex
-  uint32_t q = kNone, r = kNone;  // with the vertex the wall's triangle or edge that touches; kNone beyond that
+  HalfFacet wall;                       // impassable; invalid for a wire and a marked vertex
+  uint32_t others[2] = {kNone, kNone};  // with the vertex the part of the wall that touches; kNone beyond that
 
   bool operator<(const WallHit& o) const { return time != o.time ? time < o.time : feature < o.feature; }
+};
+
+/** A part of a wall at the moving vertex: `Count` other vertices, and the facet that makes it one; invalid for a wire and a marked vertex. */
+template <size_t Count>
+struct WallPart {
+  std::array<uint32_t, Count> others;
+  HalfFacet facet;
 };
 
 template <int D>
@@ -23,33 +33,25 @@ class WallSweep {
 
   /** Finds the walls at a vertex, among the cells round it. Throws std::bad_alloc. */
   void start(uint32_t vertex, const Array<Cell>& star);
-  bool has_walls() const noexcept { return !triangles_.empty() || !edges_.empty() || marked_; }
+  bool has_walls() const noexcept { return impassable_; }
 
-  /** Whether a feature is touched when the vertex goes from `from` to `to`; fills *hit with the first touch. At EDGES wires and marked
-   * vertices are not met, below FACES vertices are not. */
+  /** Whether a feature is touched when the vertex goes from `from` to `to`; fills *hit with the first touch. At EDGES a wire, in the
+   * plane a marked vertex, is not met; in space vertices are met by faces alone. */
   bool meets(const Occupants<D>& all, const Feature& feature, const double* from, const double* to, WallHit* hit) const;
 
  private:
-  struct Triangle {
-    uint32_t q, r;
-    HalfFacet facet;
-  };
-  struct Edge {
-    uint32_t q;
-    HalfFacet facet;  // invalid: a wire
-  };
-
   void add_facet(HalfFacet h, const Shape& shape, Cell c, uint32_t facet);
-  void add_edge(uint32_t q, HalfFacet facet);
+  void add_lone_ridges(const Array<Cell>& star);
+  void add_ridge(const std::array<uint32_t, D - 2>& others, HalfFacet facet);
   bool meets_point(const double* x, const double* from, const double* to, WallHit* hit) const;
   bool meets_edge(const Body<D>& body, uint32_t e, const double* from, const double* to, WallHit* hit) const;
   bool meets_face(const Body<D>& body, uint32_t f, const double* from, const double* to, WallHit* hit) const;
 
   const Environment<D>& env_;
   uint32_t vertex_ = kNone;
-  bool marked_ = false;  // the vertex is impassable: by its mark, or by an edge, as every wall has two at it
-  Array<Triangle> triangles_;
-  Array<Edge> edges_;
+  bool impassable_ = false;           // the vertex: by its mark, or by a ridge, as every wall has one at it
+  Array<WallPart<D - 1>> simplices_;  // of facets: met by points
+  Array<WallPart<D - 2>> ridges_;     // of those, and wires; in the plane the vertex: met by edges
 };
 
 /** Where and how a hit touches. */
