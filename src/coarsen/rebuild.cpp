@@ -131,7 +131,7 @@ class Rebuild {
   uint32_t units_of(uint32_t root) const {
     const Polyhedron* const p = merging_.polyhedron(root);
     if (p == nullptr) return record_units(from_, from_.record(from_.cell(root))[0]);
-    return (p->facet_count + 6) / 7 + (p->vertex_count + 6) / 7;
+    return units_for<3>(p->facet_count) + units_for<3>(p->vertex_count);
   }
   bool is_general(uint32_t root) const {
     return merging_.polyhedron(root) != nullptr || from_.form(from_.cell(root)) == Form::kGeneral;
@@ -147,7 +147,7 @@ class Rebuild {
       units += units_of(root);
     }
     if (units >= kMostUnits) fail(DSW_STATUS_TOO_LARGE, "the merged cells need more than 2^28 records");
-    map_.words.assign(units * kUnitWords, 0);
+    map_.words.assign(units * kUnitWords<3>, 0);
     map_.units_per_cell = uniform ? first_units : 0;
     if (uniform) return;
     map_.unit_of_cell.reserve(roots_.size());
@@ -162,18 +162,18 @@ class Rebuild {
 
   void write(Cell c, const Polyhedron& p, uint32_t shape) {
     uint32_t* const w = map_.record(c);
-    const uint32_t link_units = (p.facet_count + 6) / 7, units = link_units + (p.vertex_count + 6) / 7;
+    const uint32_t link_units = units_for<3>(p.facet_count), units = link_units + units_for<3>(p.vertex_count);
     w[0] = static_cast<uint32_t>(Form::kGeneral) << kFormShift | shape;
     for (uint32_t u = 1; u < units; ++u) {
-      w[u * kUnitWords] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | u;
+      w[u * kUnitWords<3>] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | u;
     }
-    for (uint32_t k = 0; k < p.vertex_count; ++k) w[(link_units + k / 7) * kUnitWords + 1 + k % 7] = p.vertices[k];
+    for (uint32_t k = 0; k < p.vertex_count; ++k) w[link_units * kUnitWords<3> + item_word<3>(k)] = p.vertices[k];
     for (uint32_t f = 0; f < p.facet_count; ++f) new_word_[p.facets[f]] = map_.half_facet(c, f).word;
   }
 
   void copy(Cell c, Cell old) {
     const uint32_t* const w = from_.record(old);
-    std::copy_n(w, size_t{record_units(from_, w[0])} * kUnitWords, map_.record(c));
+    std::copy_n(w, size_t{record_units(from_, w[0])} * kUnitWords<3>, map_.record(c));
     if (form_of(w[0]) == Form::kGeneral) {
       const uint16_t* const table = from_.shape(old).table();
       const auto number = static_cast<uint32_t>(map_.shape_offsets.size());

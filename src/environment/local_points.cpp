@@ -10,8 +10,8 @@ void keep_local_points(Environment<3>& env) {
   for_each_cell(env.map, [&](Cell c) {
     if (env.map.form(c) != Form::kGeneral) return;
     const uint32_t count = env.map.vertices_of(c), units = record_units(env.map, env.map.record(c)[0]);
-    float* out = env.local_points.data() + size_t{c.unit} * kUnitWords;
-    const bool fits = count <= kMostLocalPoints && kOriginWords + 3 * (count - 1) <= units * kUnitWords;
+    float* out = env.local_points.data() + size_t{c.unit} * kUnitWords<3>;
+    const bool fits = count <= kMostLocalPoints && kOriginWords + 3 * (count - 1) <= units * kUnitWords<3>;
     constexpr double kNone[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     const double* const origin = env.point(c, 0);
     std::memcpy(out, fits ? origin : kNone, sizeof kNone);

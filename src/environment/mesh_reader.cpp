@@ -111,7 +111,7 @@ class Reader {
     }
     if (units >= kMaxUnits)
       fail(DSW_STATUS_TOO_LARGE, "the cells need %llu records, more than 2^28", static_cast<unsigned long long>(units));
-    map_.words.assign(units * kUnitWords, 0);
+    map_.words.assign(units * kUnitWords<D>, 0);
     laid_out_ = true;
     if (uniform) {
       map_.units_per_cell = first_units;
@@ -132,7 +132,7 @@ class Reader {
       vertices = static_cast<uint32_t>(local_to_point_.size());
       facets = static_cast<uint32_t>(loop_first_.size() - 1);
     }
-    return std::max(1u, (facets + 6) / 7) + (vertices + 6) / 7;
+    return std::max(1u, units_for<D>(facets)) + units_for<D>(vertices);
   }
 
   /** A point index, or recorded as an offence of cell i. */
@@ -160,12 +160,12 @@ class Reader {
       }
     }
     uint32_t* w = map_.record(map_.cell(i));
-    for (uint32_t k = 0; k < Map<D>::standard_facet_count(form); ++k) w[kUnitWords - 1 - k] = kNoFacet;
+    for (uint32_t k = 0; k < Map<D>::standard_facet_count(form); ++k) w[kUnitWords<D> - 1 - k] = kNoFacet;
     if (form == Form::kSimplex) {
       std::copy(vertices, vertices + n, w);
       return;
     }
-    std::copy(vertices, vertices + n, w + kUnitWords);
+    std::copy(vertices, vertices + n, w + kUnitWords<D>);
     w[0] = static_cast<uint32_t>(form) << kFormShift;
     if (D == 3) w[0] |= cuts_of(form, vertices);
   }
@@ -262,13 +262,13 @@ class Reader {
     const Cell c = map_.cell(i);
     uint32_t* w = map_.record(c);
     const Shape shape(map_.shape_tables.data() + map_.shape_offsets[number]);
-    const uint32_t link_units = (shape.facet_count() + 6) / 7, vertices = shape.vertex_count();
-    const uint32_t units = link_units + (vertices + 6) / 7;
+    const uint32_t link_units = units_for<D>(shape.facet_count()), vertices = shape.vertex_count();
+    const uint32_t units = link_units + units_for<D>(vertices);
     w[0] = (static_cast<uint32_t>(Form::kGeneral) << kFormShift) | number;
     for (uint32_t u = 1; u < units; ++u)
-      w[u * kUnitWords] = (static_cast<uint32_t>(Form::kContinuation) << kFormShift) | u;
-    for (uint32_t f = 0; f < shape.facet_count(); ++f) w[(f / 7) * kUnitWords + 1 + f % 7] = kNoFacet;
-    for (uint32_t k = 0; k < vertices; ++k) w[(link_units + k / 7) * kUnitWords + 1 + k % 7] = local_to_point_[k];
+      w[u * kUnitWords<D>] = (static_cast<uint32_t>(Form::kContinuation) << kFormShift) | u;
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) w[item_word<D>(f)] = kNoFacet;
+    for (uint32_t k = 0; k < vertices; ++k) w[link_units * kUnitWords<D> + item_word<D>(k)] = local_to_point_[k];
   }
 
   Environment<D>& env_;
@@ -372,13 +372,14 @@ void mirror_cell(Environment<D>& env, Cell c) {
       append_polyhedron({vertices.data(), first.data(), shape.facet_count(), shape.vertex_count()}, base.data(), table);
       std::copy(table.begin(), table.end(), map.shape_tables.begin() + map.shape_offsets[w[0] & kShapeMask]);
     } else {
-      const uint32_t link_units = (shape.facet_count() + 6) / 7, n = shape.vertex_count();
-      const auto slot = [&](uint32_t k) -> uint32_t& { return w[(link_units + k / 7) * kUnitWords + 1 + k % 7]; };
+      uint32_t* const vertices_at = w + units_for<D>(shape.facet_count()) * kUnitWords<D>;
+      const uint32_t n = shape.vertex_count();
+      const auto slot = [&](uint32_t k) -> uint32_t& { return vertices_at[item_word<D>(k)]; };
       for (uint32_t k = 0; k < n / 2; ++k) std::swap(slot(k), slot(n - 1 - k));
     }
     return;
   }
-  uint32_t* v = w + kUnitWords;
+  uint32_t* v = w + kUnitWords<D>;
   if (D == 2 || form == Form::kPyramid) {
     std::swap(v[1], v[3]);
   } else {

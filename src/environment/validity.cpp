@@ -90,7 +90,7 @@ bool is_plainly_valid(const Environment<3>& env, Cell c) noexcept {
   centre(env, c, apex);
   filter::Vec<3> of[8], m{0, 0, 0};
   for (uint32_t i = 0; i < 8; ++i) {
-    of[i] = filter::difference<3>(env.point(w[kUnitWords + i]), apex);
+    of[i] = filter::difference<3>(env.point(w[kUnitWords<3> + i]), apex);
     m = filter::extent(m, of[i]);
   }
   if (!(filter::lowest(m) >= kFilterMin && filter::highest(m) <= kFilterMax)) return false;

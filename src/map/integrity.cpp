@@ -88,7 +88,7 @@ bool shapes_sound(const Map<D>& map) {
 /** Links end at the first unit's last word in standard records. */
 template <int D>
 uint32_t first_link_slot(Form form) {
-  return kUnitWords - Map<D>::standard_facet_count(form);
+  return kUnitWords<D> - Map<D>::standard_facet_count(form);
 }
 
 /** Checks the record of one cell, whose units lie inside of the words. */
@@ -105,21 +105,22 @@ const char* check_record(const Map<D>& map, Cell c, uint32_t units) {
     for (uint32_t k = 1; k <= static_cast<uint32_t>(D); ++k) clear = clear && w[k] <= kVertexMask;
     clear = clear && all_zero(D + 1, first_link_slot<D>(form));
   } else if (form == Form::kGeneral) {
-    const uint32_t link_units = (map.facets_of(c) + 6) / 7;
+    const uint32_t link_units = units_for<D>(map.facets_of(c));
     for (uint32_t u = 1; u < units; ++u) {
-      if (w[u * kUnitWords] != ((static_cast<uint32_t>(Form::kContinuation) << kFormShift) | u)) {
+      if (w[u * kUnitWords<D>] != ((static_cast<uint32_t>(Form::kContinuation) << kFormShift) | u)) {
         return "a continuation does not lead back to its record";
       }
     }
-    const uint32_t links_end = link_units * 7, facets = map.facets_of(c), vertices_end = (units - link_units) * 7;
-    for (uint32_t k = facets; k < links_end; ++k) clear = clear && w[(k / 7) * kUnitWords + 1 + k % 7] == 0;
+    const uint32_t facets = map.facets_of(c), links_end = link_units * kUnitItems<D>;
+    const uint32_t vertices_end = (units - link_units) * kUnitItems<D>;
+    for (uint32_t k = facets; k < links_end; ++k) clear = clear && w[item_word<D>(k)] == 0;
     for (uint32_t k = vertices; k < vertices_end; ++k) {
-      clear = clear && w[(link_units + k / 7) * kUnitWords + 1 + k % 7] == 0;
+      clear = clear && w[link_units * kUnitWords<D> + item_word<D>(k)] == 0;
     }
   } else {
     const uint32_t cuts = w[0] & kShapeMask;
     if (cuts >= (D == 3 ? 1u << quad_count(form) : 1u)) return "a record has cuts that its form does not have";
-    clear = all_zero(1, first_link_slot<D>(form)) && all_zero(kUnitWords + vertices, 2 * kUnitWords);
+    clear = all_zero(1, first_link_slot<D>(form)) && all_zero(kUnitWords<D> + vertices, 2 * kUnitWords<D>);
   }
   if (!clear) return "an unused word of a record is not zero";
   return nullptr;
@@ -152,10 +153,10 @@ template <int D>
 const char* check_free(const Map<D>& map, size_t records, size_t shapes) {
   const auto units_of_free = [&](uint32_t unit) {
     if (unit >= map.cell_of_unit.size() || map.cell_of_unit[unit] != kNoCell) return 0u;
-    const uint32_t word0 = map.words[size_t{unit} * kUnitWords];
+    const uint32_t word0 = map.words[size_t{unit} * kUnitWords<D>];
     return form_of(word0) == Form::kFree ? word0 & kShapeMask : 0u;
   };
-  const auto next_record = [&](uint32_t unit) { return map.words[size_t{unit} * kUnitWords + 1]; };
+  const auto next_record = [&](uint32_t unit) { return map.words[size_t{unit} * kUnitWords<D> + 1]; };
   if (!lists_sound(map.free_records, records, units_of_free, next_record)) return "a free record is in no list";
   const auto length_of_free = [&](uint32_t number) -> size_t {
     if (number >= map.shape_offsets.size() || map.shape_tables[map.shape_offsets[number]] != kFreeShape) return 0;
@@ -195,7 +196,7 @@ const char* check_slots(const Map<D>& map) {
 /** Records follow each other without gaps and the tables say where; before the first change also in the order of cells. */
 template <int D>
 const char* check_records(const Map<D>& map) {
-  const uint64_t units = map.words.size() / kUnitWords;
+  const uint64_t units = map.words.size() / kUnitWords<D>;
   const bool uniform = map.unit_of_cell.empty();
   if (uniform) {
     const uint32_t n = map.units_per_cell;
@@ -219,7 +220,7 @@ const char* check_records(const Map<D>& map) {
     if (is_free) {
       const uint32_t* const w = map.record(c);
       if ((word0 & kMarkBit) != 0 || map.cell_of_unit[c.unit] != kNoCell) return "a free record has a cell";
-      if (std::any_of(w + 2, w + size_t{n} * kUnitWords, [](uint32_t word) { return word != 0; })) {
+      if (std::any_of(w + 2, w + size_t{n} * kUnitWords<D>, [](uint32_t word) { return word != 0; })) {
         return "an unused word of a record is not zero";
       }
       for (uint32_t u = 1; u < n; ++u) {
@@ -259,22 +260,22 @@ const char* check_records(const Map<D>& map) {
 template <int D>
 Cell owner_of_link(const Map<D>& map, HalfFacet h) {
   if (h.word >= map.words.size()) return {};
-  uint32_t unit = h.word / kUnitWords;
+  uint32_t unit = h.word / kUnitWords<D>;
   if (map.unit_of_cell.empty()) {
     unit -= unit % map.units_per_cell;
   } else if (map.cell_of_unit[unit] == kNoCell) {
     // A vertex, which is what the second unit of a standard record begins with, is too small to look like this.
-    const uint32_t word0 = map.words[size_t{unit} * kUnitWords];
+    const uint32_t word0 = map.words[size_t{unit} * kUnitWords<D>];
     if (form_of(word0) != Form::kContinuation) return {};
     unit -= word0 & kShapeMask;
   }
   const Cell c{unit};
   const Form form = map.form(c);
-  const uint32_t slot = h.word - unit * kUnitWords;
+  const uint32_t slot = h.word - unit * kUnitWords<D>;
   if (form == Form::kGeneral) {
-    return slot % kUnitWords != 0 && map.local_of(h, c) < map.facets_of(c) ? c : Cell{};
+    return slot % kUnitWords<D> != 0 && map.local_of(h, c) < map.facets_of(c) ? c : Cell{};
   }
-  return slot >= first_link_slot<D>(form) && slot < kUnitWords ? c : Cell{};
+  return slot >= first_link_slot<D>(form) && slot < kUnitWords<D> ? c : Cell{};
 }
 
 /** Whether two facets with the same vertices, more than three, have the same triangles. */
@@ -376,7 +377,7 @@ uint32_t record_units(const Map<D>& map, uint32_t word0) {
     case Form::kGeneral: {
       if ((word0 & kShapeMask) >= map.shape_offsets.size()) return 0;
       const Shape shape(map.shape_tables.data() + map.shape_offsets[word0 & kShapeMask]);
-      return (shape.facet_count() + 6) / 7 + (shape.vertex_count() + 6) / 7;
+      return units_for<D>(shape.facet_count()) + units_for<D>(shape.vertex_count());
     }
     default:
       return 0;
@@ -397,7 +398,7 @@ void count_facets(const Map<D>& map, uint32_t* facets, uint32_t* boundary_facets
 
 template <int D>
 const char* check_integrity(const Map<D>& map) {
-  if (map.words.size() % kUnitWords != 0 || map.words.size() / kUnitWords >= kMostUnits)
+  if (map.words.size() % kUnitWords<D> != 0 || map.words.size() / kUnitWords<D> >= kMostUnits)
     return "records are cut off, or too many";
   if (map.cell_count == 0 || map.vertex_count > kVertexMask) return "no cells, or too many vertices";
   if (!shapes_sound(map)) return "a shape is not sound";

@@ -1,13 +1,13 @@
 #pragma once
 // The combinatorial map: cells as records in one array of 32-bit words, linked facet to facet.
 //
-// Records are made of units of 8 words (32 bytes) and start on one. Word 0 of every unit that can be pointed at tells
+// Records are made of units of 2 (D + 1) words and start on one: a simplex fills a unit. Word 0 of every unit that can be pointed at tells
 // what it is: bit 31 the cell's own impassable mark, bits 28 to 30 its Form; of the rest a simplex keeps the index of its
 // vertex 0, any other form bit 27 "convex with flat facets" and in bits 0 to 26 its cuts or its shape number.
-//   simplex            1 unit:  w0..wD vertices, then up to w7 the facets' links (D + 1 of them, ending at w7)
-//   pyramid .. box     2 units: links ending at w7, vertices from w8
-//   general            links in words 1..7 of the first units, then vertices in words 1..7 of the following ones; word 0
-//                      of every unit but the first is a continuation that counts back to the first
+//   simplex            1 unit:  w0..wD vertices, then as many links of facets
+//   pyramid .. box     2 units: links at the end of the first, vertices from the second on
+//   general            links in all words but word 0 of the first units, then vertices likewise in the following ones; word
+//                      0 of every unit but the first is a continuation that counts back to the first
 //   free               units that a cell has left: their number in bits 0 to 26, in w1 the next free record of that size
 // A facet of a cell (a "half-facet") is named by the address of its link word, which is why a link needs no decoding: it is
 // the address of the half-facet on the other side, with bit 31 for the facet's own mark. kNoFacet: the outer boundary.
@@ -24,13 +24,27 @@ namespace dsw {
 
 constexpr uint32_t kMarkBit = 0x80000000u;
 constexpr uint32_t kNoFacet = 0x7fffffffu;
-constexpr uint32_t kUnitWords = 8;
 constexpr uint64_t kMostUnits = uint64_t{1} << 28;
 constexpr uint32_t kVertexMask = 0x0fffffffu;
 constexpr uint32_t kConvexBit = 0x08000000u;
 constexpr uint32_t kShapeMask = 0x07ffffffu;
 constexpr uint32_t kFormShift = 28;
 constexpr uint32_t kNoCell = 0xffffffffu;
+
+/** 32 bytes in space, 24 in the plane. */
+template <int D>
+constexpr uint32_t kUnitWords = 2 * (D + 1);
+/** Links or vertices of a general cell in one unit; the units that so many take; the word of one behind the first of its units. */
+template <int D>
+constexpr uint32_t kUnitItems = kUnitWords<D> - 1;
+template <int D>
+constexpr uint32_t units_for(uint32_t items) {
+  return (items + kUnitItems<D> - 1) / kUnitItems<D>;
+}
+template <int D>
+constexpr uint32_t item_word(uint32_t item) {
+  return item / kUnitItems<D> * kUnitWords<D> + 1 + item % kUnitItems<D>;
+}
 
 /** A cell of full dimension: the unit its record starts at. */
 struct Cell {
@@ -104,8 +118,8 @@ struct Map {
   Cell cell(uint32_t index) const { return {unit_of_cell.empty() ? index * units_per_cell : unit_of_cell[index]}; }
   uint32_t index(Cell c) const { return cell_of_unit.empty() ? c.unit >> (units_per_cell - 1) : cell_of_unit[c.unit]; }
 
-  const uint32_t* record(Cell c) const { return words.data() + size_t{c.unit} * kUnitWords; }
-  uint32_t* record(Cell c) { return words.data() + size_t{c.unit} * kUnitWords; }
+  const uint32_t* record(Cell c) const { return words.data() + size_t{c.unit} * kUnitWords<D>; }
+  uint32_t* record(Cell c) { return words.data() + size_t{c.unit} * kUnitWords<D>; }
   Form form(Cell c) const { return form_of(record(c)[0]); }
   bool marked(Cell c) const { return (record(c)[0] & kMarkBit) != 0; }
   /** Exactly convex with exactly flat facets: simplices always, others by a bit set when they were validated. */
@@ -135,18 +149,18 @@ struct Map {
 
   HalfFacet half_facet(Cell c, uint32_t local) const {
     const Form f = form(c);
-    if (f == Form::kGeneral) return {(c.unit + local / 7u) * kUnitWords + 1u + local % 7u};
-    return {c.unit * kUnitWords + kUnitWords - standard_facet_count(f) + local};
+    if (f == Form::kGeneral) return {c.unit * kUnitWords<D> + item_word<D>(local)};
+    return {c.unit * kUnitWords<D> + kUnitWords<D> - standard_facet_count(f) + local};
   }
   Cell cell_of(HalfFacet h) const {
-    const uint32_t unit = h.word / kUnitWords, word0 = words[size_t{unit} * kUnitWords];
+    const uint32_t unit = h.word / kUnitWords<D>, word0 = words[size_t{unit} * kUnitWords<D>];
     return {form_of(word0) == Form::kContinuation ? unit - (word0 & kShapeMask) : unit};
   }
   uint32_t local_of(HalfFacet h, Cell c) const {
     const Form f = form(c);
-    const uint32_t slot = h.word % kUnitWords;
-    if (f == Form::kGeneral) return (h.word / kUnitWords - c.unit) * 7u + slot - 1u;
-    return slot - (kUnitWords - standard_facet_count(f));
+    const uint32_t slot = h.word % kUnitWords<D>;
+    if (f == Form::kGeneral) return (h.word / kUnitWords<D> - c.unit) * kUnitItems<D> + slot - 1u;
+    return slot - (kUnitWords<D> - standard_facet_count(f));
   }
   /** beta_D as a facet: the same facet seen from the other cell; invalid at the outer boundary. */
   HalfFacet opposite(HalfFacet h) const { return {words[h.word] & ~kMarkBit}; }
@@ -156,9 +170,8 @@ struct Map {
     const uint32_t* w = record(c);
     const Form f = form_of(w[0]);
     if (f == Form::kSimplex) return w[local] & kVertexMask;
-    if (f != Form::kGeneral) return w[kUnitWords + local];
-    const uint32_t link_units = (shape(c).facet_count() + 6u) / 7u;
-    return w[(link_units + local / 7u) * kUnitWords + 1u + local % 7u];
+    if (f != Form::kGeneral) return w[kUnitWords<D> + local];
+    return w[units_for<D>(shape(c).facet_count()) * kUnitWords<D> + item_word<D>(local)];
   }
   uint64_t memory_bytes() const {
     return array_bytes(words) + array_bytes(shape_tables) + array_bytes(shape_offsets) + array_bytes(unit_of_cell) +

@@ -17,7 +17,7 @@ uint32_t next_shape(const uint16_t* table) { return table[1] | static_cast<uint3
 
 void push_record(Map<3>& map, uint32_t unit, uint32_t units) noexcept {
   uint32_t* const w = map.record({unit});
-  std::fill(w, w + size_t{units} * kUnitWords, 0u);
+  std::fill(w, w + size_t{units} * kUnitWords<3>, 0u);
   w[0] = static_cast<uint32_t>(Form::kFree) << kFormShift | units;
   w[1] = map.free_records[units];
   map.free_records[units] = unit;
@@ -83,7 +83,7 @@ void make_ready(Map<3>& map) {
   SlotPool cells(allocator.memory), vertices(allocator.memory);
   if (uniform) {
     unit_of_cell.resize(map.cell_count);
-    cell_of_unit.assign(map.words.size() / kUnitWords, kNoCell);
+    cell_of_unit.assign(map.words.size() / kUnitWords<3>, kNoCell);
     for (uint32_t i = 0; i < map.cell_count; ++i) {
       unit_of_cell[i] = map.cell(i).unit;
       cell_of_unit[unit_of_cell[i]] = i;
@@ -114,11 +114,11 @@ uint32_t take_record(Map<3>& map, uint32_t units) {
     w[0] = w[1] = 0;
     return unit;
   }
-  const size_t first = map.words.size() / kUnitWords;
+  const size_t first = map.words.size() / kUnitWords<3>;
   if (first + units >= kMostUnits) fail(DSW_STATUS_TOO_LARGE, "the volumes need more than 2^28 records");
-  reserve_more(map.words, size_t{units} * kUnitWords);
+  reserve_more(map.words, size_t{units} * kUnitWords<3>);
   reserve_more(map.cell_of_unit, units);
-  map.words.resize(map.words.size() + size_t{units} * kUnitWords, 0u);
+  map.words.resize(map.words.size() + size_t{units} * kUnitWords<3>, 0u);
   map.cell_of_unit.resize(map.cell_of_unit.size() + units, kNoCell);
   return static_cast<uint32_t>(first);
 }
@@ -157,7 +157,7 @@ void give_back(Map<3>& map, Cell c) noexcept {
 }
 
 Room room_of(const Map<3>& map) noexcept {
-  return {map.words.size() / kUnitWords, map.shape_offsets.size(), map.shape_tables.size(), map.free_records.size(),
+  return {map.words.size() / kUnitWords<3>, map.shape_offsets.size(), map.shape_tables.size(), map.free_records.size(),
           map.free_shapes.size()};
 }
 
@@ -171,7 +171,7 @@ void untake_shape(Map<3>& map, uint32_t number, const Room& before) noexcept {
 }
 
 void shrink(Map<3>& map, const Room& before) noexcept {
-  map.words.resize(before.units * kUnitWords);
+  map.words.resize(before.units * kUnitWords<3>);
   map.cell_of_unit.resize(before.units);
   map.shape_offsets.resize(before.shapes);
   map.shape_tables.resize(before.shape_words);

@@ -42,7 +42,7 @@ DSW_COLD uint32_t settle_flat_box(const Environment<3>& env, const uint32_t* w, 
 template <class Tally>
 inline uint32_t outside_flat_box(const Environment<3>& env, const uint32_t* w, const double* q, uint32_t known,
                                  Tally& tally) noexcept {
-  const FlatBoxVertices v(env.points, w + kUnitWords, q);
+  const FlatBoxVertices v(env.points, w + kUnitWords<3>, q);
   const Points a = corner<0>(v), b = corner<1>(v), c = corner<2>(v);
   const Lanes det = dot(cross(a, c), b), bound = Lanes::all(v.extent.bound());
   const uint32_t outside = Lanes::bits(Lanes::greater(det, bound)) & ~known;
@@ -112,7 +112,7 @@ struct BoxExits {
 
 inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const double* p, const double* q) noexcept {
   BoxExits exits;
-  const BoxVertices v(env.points, w + kUnitWords, q);
+  const BoxVertices v(env.points, w + kUnitWords<3>, q);
   const Points c0 = corner<0>(v), c1 = corner<1>(v), c2 = corner<2>(v), c3 = corner<3>(v);
   if (__builtin_expect(!v.extent.in_range(), 0)) return exits;
   const Quads quads = make_quads(c0, c1, c2, c3, Lanes::spread(w[0] & kShapeMask));
@@ -139,7 +139,7 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
 
 /** Whether a hexahedron with this centre is so clearly valid that the filter sees it, as is_plainly_valid in environment/validity.cpp asks. */
 inline bool is_plainly_valid(const Environment<3>& env, const uint32_t* w, const double* apex) noexcept {
-  const BoxVertices v(env.points, w + kUnitWords, apex);
+  const BoxVertices v(env.points, w + kUnitWords<3>, apex);
   const Points c0 = corner<0>(v), c1 = corner<1>(v), c2 = corner<2>(v), c3 = corner<3>(v);
   const Points across02 = cross(c0, c2), across13 = cross(c1, c3);
   const Lanes bound = Lanes::all(v.extent.bound()), minus_bound = Lanes::all(0) - bound;

@@ -49,8 +49,8 @@ bool BoxProbe<D>::enter_neighbours(const Bounds<D>& box, Cell c) noexcept {
   const Map<D>& map = env_.map;
   if constexpr (D == 3) {
     const uint32_t* const w = map.record(c);
-    for (uint32_t met = kFacetsInBox(env_.points, w + kUnitWords, box); met != 0; met &= met - 1) {
-      if (!enter_beyond(w[kUnitWords - 6 + static_cast<uint32_t>(__builtin_ctz(met))])) return false;
+    for (uint32_t met = kFacetsInBox(env_.points, w + kUnitWords<3>, box); met != 0; met &= met - 1) {
+      if (!enter_beyond(w[kUnitWords<3> - 6 + static_cast<uint32_t>(__builtin_ctz(met))])) return false;
     }
   } else {
     const uint32_t count = map.vertices_of(c);

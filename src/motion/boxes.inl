@@ -56,8 +56,8 @@ struct BoxesVertices {
       const __m512d q = load_two(boxes.q[l], boxes.q[m]);
 #pragma GCC unroll 8
       for (uint32_t i = 0; i < Count; ++i) {
-        const double* const a = points + size_t{boxes.records[l][kUnitWords + local[i]]} * 3;
-        const double* const b = points + size_t{boxes.records[m][kUnitWords + local[i]]} * 3;
+        const double* const a = points + size_t{boxes.records[l][kUnitWords<3> + local[i]]} * 3;
+        const double* const b = points + size_t{boxes.records[m][kUnitWords<3> + local[i]]} * 3;
         pairs[j][i] = _mm512_sub_pd(load_two(a, b), q);
       }
     }

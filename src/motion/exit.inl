@@ -20,7 +20,7 @@ struct Entry {
   /** The facet crossed has the target inside, since the segment came in through it: its bit, for a form whose links end a
    * unit. Nothing is asked about it. */
   uint32_t known_inside(uint32_t facet_count) const noexcept {
-    return through.valid() ? 1u << (through.word % kUnitWords - (kUnitWords - facet_count)) : 0;
+    return through.valid() ? 1u << (through.word % kUnitWords<3> - (kUnitWords<3> - facet_count)) : 0;
   }
 };
 
@@ -192,7 +192,7 @@ class ExitFinder {
                          : form == Form::kPyramid ? kPyramidRidges.of[f][g]
                                                   : kBoxRidges.of[f][g];
     if (shared.a == shared.b) return 0;
-    w += form == Form::kSimplex ? 0 : kUnitWords;
+    w += form == Form::kSimplex ? 0 : kUnitWords<D>;
     const double* ridge[2] = {env_.point(w[shared.a] & kVertexMask), env_.point(w[shared.b] & kVertexMask)};
     return line_side<3>(p_, q_, ridge, tally_).sign;
   }

@@ -12,8 +12,8 @@ class ConvexPolygon {
     const Form form = form_of(w[0]);
     is_general_ = form == Form::kGeneral;
     size_ = is_general_ ? env.map.general_shape(w[0]).vertex_count() : Map<2>::standard_vertex_count(form);
-    const uint32_t link_units = is_general_ ? (size_ + 6u) / 7u : form == Form::kSimplex ? 0u : 1u;
-    vertices_ = w + link_units * kUnitWords;
+    const uint32_t link_units = is_general_ ? units_for<2>(size_) : form == Form::kSimplex ? 0u : 1u;
+    vertices_ = w + link_units * kUnitWords<2>;
   }
 
   /** The side through which the segment leaves; kNoFacet: it ends in the cell. `entered`: the side through which it came in; kNoFacet: p
@@ -42,7 +42,7 @@ class ConvexPolygon {
  private:
   uint32_t next(uint32_t i) const noexcept { return i + 1 == size_ ? 0 : i + 1; }
   const double* at(uint32_t i) const noexcept {
-    return env_.point((is_general_ ? vertices_[i / 7u * kUnitWords + 1u + i % 7u] : vertices_[i]) & kVertexMask);
+    return env_.point((is_general_ ? vertices_[item_word<2>(i)] : vertices_[i]) & kVertexMask);
   }
   bool is_outside(uint32_t f) noexcept {
     const double* side[2] = {at(f), at(next(f))};
@@ -71,7 +71,7 @@ class ConvexPolygon {
   const double* p_;
   const double* q_;
   Tally& tally_;
-  const uint32_t* vertices_;  // of a general cell by sevens
+  const uint32_t* vertices_;  // of a general cell as item_word has them
   uint32_t size_;
   bool is_general_;
 };

@@ -20,7 +20,7 @@ struct VertexWords {
     for (uint32_t count = 0; count <= kMostCorners; ++count) {
       for (uint32_t v = 0; v < kMostCorners; ++v) {
         const uint32_t at = v < count ? v : 0;
-        of[count][v] = static_cast<uint8_t>(at / 7 * kUnitWords + 1 + at % 7);
+        of[count][v] = static_cast<uint8_t>(item_word<3>(at));
       }
     }
   }
@@ -145,7 +145,7 @@ template <uint32_t Corners, uint32_t Triangles>
 DSW_HOT LineExits line_exits_of(const Environment<3>& env, const uint32_t* w, const Shape& shape,
                                 const Shear& line) noexcept {
   ShearedPoints sheared;
-  sheared.load<Corners>(line, env.points, w + (shape.facet_count() + 6) / 7 * kUnitWords,
+  sheared.load<Corners>(line, env.points, w + units_for<3>(shape.facet_count()) * kUnitWords<3>,
                         kVertexWords.of[shape.vertex_count()]);
   const Lanes bound = Lanes::all(Shear::bound(sheared.largest)), minus_bound = Lanes::all(0) - bound;
   const uint32_t count = shape.simplex_count();
@@ -258,7 +258,7 @@ __attribute__((noinline)) inline LineExits near_exits(const Environment<3>& env,
 /** For shapes that have_line_exits. */
 __attribute__((noinline)) inline LineExits line_exits(const Environment<3>& env, const uint32_t* w, const Shape& shape,
                                                       const Shear& line) noexcept {
-  const uint32_t* const vertices = w + (shape.facet_count() + 6) / 7 * kUnitWords;
+  const uint32_t* const vertices = w + units_for<3>(shape.facet_count()) * kUnitWords<3>;
   const uint8_t* const words = kVertexWords.of[shape.vertex_count()];
   Shear shear = line;
   Shear::Point corners[kMostCorners];

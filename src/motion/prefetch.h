@@ -41,7 +41,7 @@ inline void prefetch_polyhedron(const Environment<D>& env, Cell c) noexcept {
   const auto* const table = reinterpret_cast<const char*>(env.map.general_shape(word).table());
   for (const uint32_t at : {0u, kTriangles, kTriangles + kLine}) __builtin_prefetch(table + at);
   if (env.local_points.empty()) return;
-  const auto* const local = reinterpret_cast<const char*>(env.local_points.data() + size_t{c.unit} * kUnitWords);
+  const auto* const local = reinterpret_cast<const char*>(env.local_points.data() + size_t{c.unit} * kUnitWords<D>);
   for (const uint32_t at : {0u, kLine, 2 * kLine}) __builtin_prefetch(local + at);
 }
 

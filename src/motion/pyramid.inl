@@ -20,7 +20,7 @@ DSW_COLD uint32_t settle_pyramid(const Environment<3>& env, const uint32_t* w, c
     const uint32_t f = static_cast<uint32_t>(__builtin_ctz(unsure));
     const uint16_t* local = shape.simplices() + 3 * shape.simplex_first(f);
     const double* facet[3];
-    for (uint32_t k = 0; k < 3; ++k) facet[k] = env.point(w[kUnitWords + local[k]]);
+    for (uint32_t k = 0; k < 3; ++k) facet[k] = env.point(w[kUnitWords<3> + local[k]]);
     outside |= (plane_side<3>(facet, q, tally).sign > 0 ? 1u : 0u) << f;
   }
   return outside;
@@ -33,7 +33,7 @@ inline uint32_t outside_flat_pyramid(const Environment<3>& env, const uint32_t* 
   RelativePyramid v;
   double mx = 0, my = 0, mz = 0;
   for (uint32_t i = 0; i < 5; ++i) {
-    const double* point = env.point(w[kUnitWords + i]);
+    const double* point = env.point(w[kUnitWords<3> + i]);
     v.x[i] = point[0] - q[0];
     v.y[i] = point[1] - q[1];
     v.z[i] = point[2] - q[2];

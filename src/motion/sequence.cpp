@@ -29,8 +29,8 @@ struct Corners {
 
   Corners(const Map<D>& map, uint32_t facet) noexcept {
     if constexpr (D == 3) {
-      const uint32_t* const w = map.words.data() + facet / kUnitWords * size_t{kUnitWords};
-      const uint8_t(&local)[3] = kTetrahedronFacets[facet % kUnitWords - (kUnitWords - 4)];
+      const uint32_t* const w = map.words.data() + facet / kUnitWords<3> * size_t{kUnitWords<3>};
+      const uint8_t(&local)[3] = kTetrahedronFacets[facet % kUnitWords<3> - (kUnitWords<3> - 4)];
       for (int i = 0; i < 3; ++i) vertices[i] = w[local[i]] & kVertexMask;
     } else {
       const Cell c = map.cell_of({facet});
@@ -61,7 +61,7 @@ bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noex
   const Map<D>& map = env.map;
   uint32_t marks = 0;
   for (const uint32_t f : facets) {
-    const Cell c = D == 3 ? Cell{f / kUnitWords} : map.cell_of({f});
+    const Cell c = D == 3 ? Cell{f / kUnitWords<3>} : map.cell_of({f});
     if (D == 2 && !map.convex(c)) return false;
     marks |= map.record(c)[0] | map.words[f];
   }
@@ -83,7 +83,7 @@ bool pass(const Environment<3>& env, Shear& shear, const Array<uint32_t>& facets
     if (form_of(w[0]) == Form::kBox) {
       const uint8_t(&local)[4] = kBoxFacets[facet];
       Shear::Point corners[4];
-      for (int i = 0; i < 4; ++i) corners[i] = shear(env.point(w[kUnitWords + local[i]]));
+      for (int i = 0; i < 4; ++i) corners[i] = shear(env.point(w[kUnitWords<3> + local[i]]));
       for (int i = 0; i < 4; ++i) shear.pass(corners[i], corners[(i + 1) % 4]);
       continue;
     }

@@ -199,7 +199,7 @@ void SolidSweep<D>::enter_neighbours(const Solid& solid, Cell c) {
   const Shape shape = map_.shape(c);
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
-    if (!o.valid() || map_.facet_marked(h) || cells_.contains(Cell{o.word / kUnitWords})) continue;
+    if (!o.valid() || map_.facet_marked(h) || cells_.contains(Cell{o.word / kUnitWords<D>})) continue;
     for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
       if (!simplex_met(solid, shape.simplices() + D * s)) continue;
       if (!is_impassable(env_, h)) cells_.insert(map_.cell_of(o));

@@ -56,7 +56,7 @@ class SolidSweep {
     const Form form = form_of(w[0]);
     const uint32_t count = map_.vertices_of(c);
     corners_.resize(count);
-    const uint32_t* const words = form == Form::kSimplex ? w : w + kUnitWords;
+    const uint32_t* const words = form == Form::kSimplex ? w : w + kUnitWords<D>;
     for (uint32_t i = 0; i < count; ++i) {
       const uint32_t vertex = form == Form::kGeneral ? map_.vertex(c, i) : words[i] & kVertexMask;
       const double* const at = env_.point(vertex);

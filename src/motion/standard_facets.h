@@ -49,9 +49,9 @@ constexpr RidgeTable<5> kPyramidRidges = make_ridges(kPyramidFacets);
 inline void box_triangle(const Environment<3>& env, const uint32_t* w, uint32_t f, uint32_t half,
                          const double* (&triangle)[3]) noexcept {
   const uint32_t base = w[0] >> f & 1u;
-  triangle[0] = env.point(w[kUnitWords + kBoxFacets[f][base]]);
-  triangle[1] = env.point(w[kUnitWords + kBoxFacets[f][base + 1 + half]]);
-  triangle[2] = env.point(w[kUnitWords + kBoxFacets[f][(base + 2 + half) & 3u]]);
+  triangle[0] = env.point(w[kUnitWords<3> + kBoxFacets[f][base]]);
+  triangle[1] = env.point(w[kUnitWords<3> + kBoxFacets[f][base + 1 + half]]);
+  triangle[2] = env.point(w[kUnitWords<3> + kBoxFacets[f][(base + 2 + half) & 3u]]);
 }
 
 /** Points of simplex `simplex` of a cell, without its shape where that is a standard one. */

@@ -85,7 +85,7 @@ void SweepFlood<3>::look_at_facets(Cell c, const Shape& shape) {
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
     const bool wall = !o.valid() || map_.facet_marked(h);
-    if ((!wall && cells_.contains(Cell{o.word / kUnitWords})) || !facet_met(shape, f)) continue;
+    if ((!wall && cells_.contains(Cell{o.word / kUnitWords<3>})) || !facet_met(shape, f)) continue;
     if (wall || is_impassable(env_, h)) {
       look_at_obstacle(c, shape, f);
     } else {

@@ -226,7 +226,8 @@ class Walkers {
     flight(i).at = at;
     flight(i).link = link;
     if (beyond != kNoFacet) {
-      __builtin_prefetch(&map_.words[beyond & ~(kUnitWords - 1)]);
+      __builtin_prefetch(&map_.words[beyond - beyond % kUnitWords<D>]);
+      if (D == 2) __builtin_prefetch(&map_.words[beyond]);  // its record may lie in two lines
       if (looks_[i].kind == LookKind::kLines) prefetch_round(env_, {beyond});
     }
     return true;

@@ -65,15 +65,18 @@ BlockReader::BlockReader(const BlockKind& kind, uint32_t dimension, const uint8_
     fail(DSW_STATUS_TRUNCATED, "the snapshot has %zu bytes, its header alone needs %zu", size, header_bytes(kind));
   }
   if (std::memcmp(block, kind.magic, 8) != 0) fail_corrupt("it does not begin like one of its kind");
-  uint32_t version, of_dimension, sections;
+  uint32_t of_dimension, sections;
   uint64_t total, sum;
-  fetch(&version, block + kAtVersion, 1);
+  fetch(&version_, block + kAtVersion, 1);
   fetch(&of_dimension, block + kAtDimension, 1);
   fetch(&sections, block + kAtSectionCount, 1);
   fetch(&total, block + kAtSize, 1);
   fetch(&sum, block + kAtChecksum, 1);
-  if (version != kind.version) {
-    fail(DSW_STATUS_BAD_VERSION, "the snapshot has format version %u, this library reads %u", version, kind.version);
+  // Versions are those of a dimension.
+  if (of_dimension != dimension) fail_corrupt("it has another dimension");
+  if (version_ < kind.oldest || version_ > kind.version) {
+    fail(DSW_STATUS_BAD_VERSION, "the snapshot has format version %u, this library reads %u to %u", version_,
+         kind.oldest, kind.version);
   }
   if (size < total || size < header_bytes(kind)) {
     fail(DSW_STATUS_TRUNCATED, "the snapshot has %zu of %llu bytes", size,
@@ -82,7 +85,6 @@ BlockReader::BlockReader(const BlockKind& kind, uint32_t dimension, const uint8_
   if (size > total) fail_corrupt("there are bytes behind its end");
   if (size % 8 != 0) fail_corrupt("its size is no multiple of 8");
   if (block_checksum(block, size) != sum) fail_corrupt("its checksum is wrong");
-  if (of_dimension != dimension) fail_corrupt("it has another dimension");
   if (sections != kind.sections) fail_corrupt("it has another number of sections");
   fetch(&header_.flags, block + kAtFlags, 1);
   fetch(header_.counts, block + kAtCounts, 2);

@@ -11,7 +11,8 @@ namespace dsw {
 /** What tells one kind of block from another. */
 struct BlockKind {
   char magic[9];      // 8 bytes
-  uint32_t version;   // of the format
+  uint32_t version;   // of the format that is written
+  uint32_t oldest;    // of those that are read
   uint32_t sections;  // how many there are
 };
 
@@ -65,6 +66,8 @@ class BlockReader {
   BlockReader(const BlockKind& kind, uint32_t dimension, const uint8_t* block, size_t size);
 
   const BlockHeader& header() const noexcept { return header_; }
+  /** Of the block's format. */
+  uint32_t version() const noexcept { return version_; }
 
   /** The next section, whole. Throws std::bad_alloc too. */
   template <class T>
@@ -79,6 +82,7 @@ class BlockReader {
   void end_section();
 
   BlockHeader header_;
+  uint32_t version_;
   const uint8_t* at_;
   uint32_t section_ = 0;
 };

@@ -12,7 +12,7 @@
 namespace dsw {
 namespace {
 
-constexpr BlockKind kKind = {"DSWSCN\x1a\n", 2, SceneImage::kSections};
+constexpr BlockKind kKind = {"DSWSCN\x1a\n", 2, 2, SceneImage::kSections};
 constexpr uint32_t kStatistics = 1, kCrossings = 2, kDeforming = 4, kContacts = 8, kLive = 16, kAllFeatures = 31;
 
 constexpr size_t kCounters = 9, kExtents = 3;

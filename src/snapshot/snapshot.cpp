@@ -13,6 +13,7 @@
 #include "map/dart.h"
 #include "map/integrity.h"
 #include "snapshot/block.h"
+#include "snapshot/wide_records.h"
 
 namespace dsw {
 namespace {
@@ -37,7 +38,10 @@ enum Section {
   kSectionCount
 };
 
-constexpr BlockKind kKind = {"DSWENV\x1a\n", 2, kSectionCount};
+/** Those of the plane have been narrow since version 3; space has no reason to leave version 2. */
+template <int D>
+constexpr BlockKind kKind = {"DSWENV\x1a\n", D == 2 ? 3 : 2, 2, kSectionCount};
+constexpr uint32_t kLastWideVersion = 2;
 constexpr uint32_t kHasGrid = 1, kHasChanged = 2, kPointsMove = 4;
 constexpr uint64_t kMostUnits = uint64_t{1} << 28;
 
@@ -78,15 +82,17 @@ BlockHeader header_of(const Environment<D>& env) {
 
 /** Whether each section has the size that the counts ask for. */
 template <int D>
-void check_sizes(const BlockHeader& h) {
+void check_sizes(const BlockHeader& h, uint32_t unit_words) {
   const bool changed = (h.flags & kHasChanged) != 0, moving = (h.flags & kPointsMove) != 0;
-  const uint64_t units = h.bytes[kWords] / (kUnitWords * sizeof(uint32_t));
+  const uint64_t units = h.bytes[kWords] / (unit_words * sizeof(uint32_t));
   const uint64_t vertices = h.counts[0], cells = h.counts[1];
   if ((h.flags & ~(kHasGrid | kHasChanged | kPointsMove)) != 0) fail_corrupt("it has unknown flags");
-  if (((changed || moving) && D != 3) || (moving && (h.flags & kHasGrid) != 0))
+  const bool wide = unit_words != kUnitWords<D>;
+  if (((changed || moving) && wide) || (moving && (h.flags & kHasGrid) != 0)) {
     fail_corrupt("flags that do not go together");
+  }
   if (vertices > kVertexMask) fail_corrupt("it has too many vertices");
-  if (h.bytes[kWords] % (kUnitWords * sizeof(uint32_t)) != 0 || units >= kMostUnits) fail_corrupt("records: size");
+  if (h.bytes[kWords] % (unit_words * sizeof(uint32_t)) != 0 || units >= kMostUnits) fail_corrupt("records: size");
   if (cells == 0 || cells > units) fail_corrupt("number of cells");
   if (h.bytes[kShapes] / sizeof(uint16_t) > UINT32_MAX) fail_corrupt("shapes: size");
   if (h.bytes[kPoints] != vertices * D * sizeof(double)) fail_corrupt("points: size");
@@ -134,12 +140,12 @@ void restore_shapes(Map<D>& map, bool changed) {
 /** Finds where each record starts, by the rules of creation. */
 template <int D>
 void restore_layout(Map<D>& map) {
-  const uint32_t units = static_cast<uint32_t>(map.words.size() / kUnitWords);
-  const auto units_at = [&](uint32_t unit) { return record_units(map, map.words[size_t{unit} * kUnitWords]); };
+  const uint32_t units = static_cast<uint32_t>(map.words.size() / kUnitWords<D>);
+  const auto units_at = [&](uint32_t unit) { return record_units(map, map.words[size_t{unit} * kUnitWords<D>]); };
   const uint32_t first_units = units_at(0);
   bool uniform = first_units != 0 && uint64_t{map.cell_count} * first_units == units;
   for (uint32_t unit = 0; uniform && unit < units; unit += first_units) {
-    const uint32_t word0 = map.words[size_t{unit} * kUnitWords];
+    const uint32_t word0 = map.words[size_t{unit} * kUnitWords<D>];
     uniform = form_of(word0) != Form::kGeneral && units_at(unit) == first_units;
   }
   if (uniform) {
@@ -164,7 +170,7 @@ void restore_layout(Map<D>& map) {
  * is sound, check_integrity says. */
 template <int D>
 void restore_changes(Map<D>& map) {
-  const size_t units = map.words.size() / kUnitWords;
+  const size_t units = map.words.size() / kUnitWords<D>;
   map.cell_of_unit.assign(units, kNoCell);
   map.vertex_uses.assign(map.vertex_count, 0);
   for (uint32_t i = 0; i < map.unit_of_cell.size(); ++i) {
@@ -275,7 +281,7 @@ void read_slots(BlockReader& reader, SlotPool& slots, const Memory* memory) {
 
 template <int D>
 size_t snapshot_bytes(const Environment<D>& env) {
-  return block_bytes(kKind, header_of(env));
+  return block_bytes(kKind<D>, header_of(env));
 }
 
 template <int D>
@@ -286,7 +292,7 @@ void save(const Environment<D>& env, uint8_t* out) {
   edges.reserve(env.edge_marks.size());
   env.edge_marks.copy_sorted(edges);
 
-  BlockWriter writer(kKind, h, D, out);
+  BlockWriter writer(kKind<D>, h, D, out);
   const auto write = [&](Section section, const auto* values) {
     writer.write(values, static_cast<size_t>(h.bytes[section] / sizeof(*values)));
     writer.end_section();
@@ -316,9 +322,10 @@ void save(const Environment<D>& env, uint8_t* out) {
 
 template <int D>
 void load(Environment<D>& env, const uint8_t* block, size_t size) {
-  BlockReader reader(kKind, D, block, size);
+  BlockReader reader(kKind<D>, D, block, size);
   const BlockHeader& h = reader.header();
-  check_sizes<D>(h);
+  const bool wide = D == 2 && reader.version() <= kLastWideVersion;
+  check_sizes<D>(h, wide ? kWideUnitWords : kUnitWords<D>);
   const bool changed = (h.flags & kHasChanged) != 0, moving = (h.flags & kPointsMove) != 0;
   Map<D>& map = env.map;
   map.vertex_count = h.counts[0];
@@ -345,6 +352,9 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
     fail_corrupt("a point is not finite");
   }
   restore_shapes(map, changed);
+  if constexpr (D == 2) {
+    if (wide) narrow_records(map);
+  }
   if (changed) {
     restore_changes(map);
   } else {

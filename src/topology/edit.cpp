@@ -247,7 +247,7 @@ bool Edit<D>::write_record(size_t i) {
   uint32_t* const w = map_.record(made.cell);
   const uint32_t count = Map<D>::standard_vertex_count(match.form);
   for (uint32_t k = 0; k < count; ++k)
-    w[(match.form == Form::kSimplex ? 0 : kUnitWords) + k] = vertices[match.vertex[k]];
+    w[(match.form == Form::kSimplex ? 0 : kUnitWords<D>)+k] = vertices[match.vertex[k]];
   if (match.form != Form::kSimplex) w[0] = static_cast<uint32_t>(match.form) << kFormShift | match.cuts;
   for (uint32_t f = 0; f < facet_count; ++f) made.words[match.facet[f]] = map_.half_facet(made.cell, f).word;
   return true;
@@ -257,16 +257,16 @@ template <int D>
 void Edit<D>::write_general(const CellDraft& draft, Made& made, const Array<uint16_t>& table,
                             const Array<uint32_t>& vertices) {
   const auto facets = static_cast<uint32_t>(draft.facets.size()), count = static_cast<uint32_t>(vertices.size());
-  const uint32_t link_units = (facets + 6) / 7;
+  const uint32_t link_units = units_for<D>(facets);
   made.shape = take_shape(map_, table);
-  made.units = link_units + (count + 6) / 7;
+  made.units = link_units + units_for<D>(count);
   made.cell = {take_record(map_, made.units)};
   uint32_t* const w = map_.record(made.cell);
   w[0] = static_cast<uint32_t>(Form::kGeneral) << kFormShift | made.shape;
   for (uint32_t u = 1; u < made.units; ++u) {
-    w[u * kUnitWords] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | u;
+    w[u * kUnitWords<D>] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | u;
   }
-  for (uint32_t k = 0; k < count; ++k) w[(link_units + k / 7) * kUnitWords + 1 + k % 7] = vertices[k];
+  for (uint32_t k = 0; k < count; ++k) w[link_units * kUnitWords<D> + item_word<D>(k)] = vertices[k];
   for (uint32_t f = 0; f < facets; ++f) made.words[f] = map_.half_facet(made.cell, f).word;
 }
 

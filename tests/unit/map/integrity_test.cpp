@@ -69,7 +69,7 @@ TEST(Integrity, EveryInvariantIsMissed) {
     expect_broken(
         mesh, [](Map<3>& m) { m.words.pop_back(); }, "a record cut off");
     expect_broken(
-        mesh, [](Map<3>& m) { m.words.resize(m.words.size() + kUnitWords, 0); }, "words behind");
+        mesh, [](Map<3>& m) { m.words.resize(m.words.size() + kUnitWords<3>, 0); }, "words behind");
     expect_broken(
         mesh, [](Map<3>& m) { m.words.clear(); }, "no words");
     expect_broken(
@@ -100,9 +100,9 @@ TEST(Integrity, EveryInvariantIsMissed) {
   expect_broken(
       boxes(), [](Map<3>& m) { m.words[0] ^= 2; }, "cut unlike the neighbour");
   expect_broken(
-      boxes(), [](Map<3>& m) { std::swap(m.words[kUnitWords], m.words[kUnitWords + 1]); }, "vertices swapped");
+      boxes(), [](Map<3>& m) { std::swap(m.words[kUnitWords<3>], m.words[kUnitWords<3> + 1]); }, "vertices swapped");
   expect_broken(
-      boxes(), [](Map<3>& m) { m.words[kUnitWords] = m.words[kUnitWords + 1]; }, "a vertex twice");
+      boxes(), [](Map<3>& m) { m.words[kUnitWords<3>] = m.words[kUnitWords<3> + 1]; }, "a vertex twice");
 }
 
 TEST(Integrity, MarksAreNoDamage) {
@@ -126,7 +126,7 @@ TEST(Integrity, NoBitOfAMapIsFree) {
     Map<3>& map = env->map;
     std::vector<bool> allowed(32 * map.words.size(), false);
     for (uint32_t i = 0; i < map.cell_count; ++i) {
-      const size_t word0 = size_t{map.cell(i).unit} * kUnitWords;
+      const size_t word0 = size_t{map.cell(i).unit} * kUnitWords<3>;
       allowed[32 * word0 + 31] = true;
       if (map.form(map.cell(i)) != Form::kSimplex) allowed[32 * word0 + 27] = true;
       for (uint32_t f = 0; f < map.facets_of(map.cell(i)); ++f) {

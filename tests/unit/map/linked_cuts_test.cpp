@@ -116,7 +116,7 @@ TEST(LinkedCuts, LinkedToAFacetWithOtherVertices) {
   build_mesh(env, pair_of(kHexahedron, kHexahedron));
   Map<3>& map = env.map;
   const HalfFacet h = inner_facet(map), o = map.opposite(h);
-  const HalfFacet other{o.word % kUnitWords == 7 ? o.word - 1 : o.word + 1};
+  const HalfFacet other{o.word % kUnitWords<3> == 7 ? o.word - 1 : o.word + 1};
   ASSERT_FALSE(map.opposite(other).valid());
   map.words[o.word] = kNoFacet;
   map.words[h.word] = other.word;

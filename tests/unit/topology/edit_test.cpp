@@ -165,10 +165,10 @@ TEST(Edit, DamageToAMapThatHasChangedIsSeen) {
   };
   const auto free_record = [](Map<3>& m) { return m.free_records[2]; };
   expect_broken([&](Map<3>& m) { m.free_records[2] = kNoCell; }, "a free record in no list");
-  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords + 1] = free_record(m); }, "a list in a circle");
-  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords + 1] = 1u << 30; }, "a list that leads away");
-  expect_broken([&](Map<3>& m) { ++m.words[free_record(m) * kUnitWords]; }, "a free record of another size");
-  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords + 5] = 1; }, "words in a free record");
+  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords<3> + 1] = free_record(m); }, "a list in a circle");
+  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords<3> + 1] = 1u << 30; }, "a list that leads away");
+  expect_broken([&](Map<3>& m) { ++m.words[free_record(m) * kUnitWords<3>]; }, "a free record of another size");
+  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords<3> + 5] = 1; }, "words in a free record");
   expect_broken([&](Map<3>& m) { m.cell_of_unit[free_record(m)] = 0; }, "a cell in a free record");
   expect_broken([](Map<3>& m) { m.vertex_uses[0] += 1; }, "uses of a vertex");
   expect_broken([](Map<3>& m) { m.cell_slots.release(0); }, "a cell whose slot is free");

@@ -1,0 +1,137 @@
+// Snapshots of the plane, also those of version 1.0.0, whose records were wider.
+#include "record_support.h"
+#include "snapshot/bytes.h"
+#include "wheel.h"
+
+namespace dsw::oracle {
+namespace {
+
+EnvironmentPtr make_wheel(const dsw_environment_desc& desc) {
+  dsw_environment* environment = nullptr;
+  EXPECT_EQ(dsw_environment_create(nullptr, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+  return EnvironmentPtr(environment);
+}
+
+/// With a volume, vertices and sides of the hub that are impassable.
+EnvironmentPtr make_marked_wheel() {
+  const Wheel wheel;
+  EnvironmentPtr environment = make_wheel(wheel.describe());
+  dsw_volume_id hub, volume;
+  EXPECT_EQ(dsw_environment_get_volume(environment.get(), 0, &hub), DSW_STATUS_OK);
+  EXPECT_EQ(dsw_environment_get_volume(environment.get(), 3, &volume), DSW_STATUS_OK);
+  EXPECT_EQ(dsw_environment_mark_volumes(environment.get(), &volume, 1, DSW_MARK_IMPASSABLE, 0, nullptr),
+            DSW_STATUS_OK);
+  for (const uint32_t i : {0u, 7u}) {
+    dsw_vertex_id vertex;
+    EXPECT_EQ(dsw_environment_get_vertex(environment.get(), i, &vertex), DSW_STATUS_OK);
+    EXPECT_EQ(dsw_environment_mark_vertices(environment.get(), &vertex, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+  }
+  for (const uint32_t i : {2u, 11u, 19u}) {
+    dsw_face_id face;
+    EXPECT_EQ(dsw_environment_get_volume_face(environment.get(), hub, i, &face), DSW_STATUS_OK);
+    EXPECT_EQ(dsw_environment_mark_faces(environment.get(), &face, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+  }
+  return environment;
+}
+
+template <class Save>
+std::string saved(const Save& save) {
+  size_t size = 0;
+  EXPECT_EQ(save(nullptr, 0, &size), DSW_STATUS_OK);
+  std::string block(size, 0);
+  EXPECT_EQ(save(block.data(), size, &size), DSW_STATUS_OK);
+  return block;
+}
+std::string saved(const EnvironmentPtr& environment) {
+  return saved([&](void* block, size_t room, size_t* size) {
+    return dsw_environment_save(environment.get(), block, room, size);
+  });
+}
+std::string saved(const ScenePtr& scene) {
+  return saved([&](void* block, size_t room, size_t* size) { return dsw_scene_save(scene.get(), block, room, size); });
+}
+
+EnvironmentPtr load(const std::string& block) {
+  dsw_environment* environment = nullptr;
+  EXPECT_EQ(dsw_environment_load(nullptr, block.data(), block.size(), &environment), DSW_STATUS_OK)
+      << dsw_last_error_message();
+  return EnvironmentPtr(environment);
+}
+
+std::string kept(const char* name) {
+  const std::string block = read_all(std::string(DSW_RECORDINGS "/1.0.0/plane/") + name);
+  EXPECT_FALSE(block.empty()) << name;
+  return block;
+}
+
+TEST(PlaneSnapshotTest, WhatVersion1HasSavedComesBack) {
+  const EnvironmentPtr environment = load(kept("environment.snapshot")), made = make_marked_wheel();
+  EXPECT_EQ(saved(environment), saved(made)) << "saved anew it is what is saved today";
+  EXPECT_EQ(saved(load(saved(made))), saved(made));
+  // Particles go on in either.
+  const std::string block = kept("scene.snapshot");
+  std::vector<dsw_flight> flights[2];
+  for (const dsw_environment* each : {environment.get(), made.get()}) {
+    dsw_scene* scene = nullptr;
+    ASSERT_EQ(dsw_scene_load(const_cast<dsw_environment*>(each), block.data(), block.size(), &scene), DSW_STATUS_OK)
+        << dsw_last_error_message();
+    const ScenePtr owner(scene);
+    EXPECT_EQ(saved(owner), block);
+    std::vector<dsw_particle_id> particles(3);
+    size_t count = 0;
+    ASSERT_EQ(dsw_scene_get_particle_ids(scene, particles.data(), 3, &count), DSW_STATUS_OK);
+    ASSERT_EQ(count, 3u);
+    const double targets[6] = {-2, 0.25, -2.5, -0.5, 0.125, -3};
+    std::vector<dsw_flight>& out = flights[each == made.get()];
+    out.resize(3);
+    ASSERT_EQ(dsw_scene_move_particles(scene, particles.data(), 3, targets, 0, nullptr, out.data()), DSW_STATUS_OK);
+  }
+  EXPECT_EQ(std::memcmp(flights[0].data(), flights[1].data(), 3 * sizeof(dsw_flight)), 0);
+  // Cells of one kind need no tables of records.
+  for (const char* name : {"triangles.snapshot", "quad.snapshot"}) {
+    const EnvironmentPtr uniform = load(kept(name));
+    EXPECT_EQ(saved(load(saved(uniform))), saved(uniform));
+    EXPECT_EQ(dsw_environment_check(uniform.get(), nullptr), DSW_STATUS_OK);
+  }
+}
+
+/// With its checksum right.
+std::string sealed(std::string block) {
+  constexpr size_t kAt = 24;
+  auto* const bytes = reinterpret_cast<uint8_t*>(&block[0]);
+  const uint64_t sum = checksum(checksum(0, bytes, kAt), bytes + kAt + 8, block.size() - kAt - 8);
+  std::memcpy(bytes + kAt, &sum, sizeof sum);
+  return block;
+}
+
+TEST(PlaneSnapshotTest, DamagedRecordsOfVersion1AreRefusedOrSound) {
+  const std::string block = kept("environment.snapshot");
+  Rng rng(3);
+  size_t refused = 0, accepted = 0;
+  for (int i = 0; i < 4000; ++i) {
+    std::string damaged = block;
+    const size_t at = 32 + 4 * rng.below((block.size() - 32) / 4);
+    uint32_t word = 0;
+    std::memcpy(&word, &block[at], 4);
+    const uint32_t values[] = {word ^ (1u << rng.below(32)), static_cast<uint32_t>(rng.below(64)), word + 8,
+                               0xffffffffu};
+    std::memcpy(&damaged[at], &values[rng.below(4)], 4);
+    damaged = sealed(damaged);
+    dsw_environment* environment = nullptr;
+    const dsw_status status = dsw_environment_load(nullptr, damaged.data(), damaged.size(), &environment);
+    if (status != DSW_STATUS_OK) {
+      EXPECT_TRUE(status == DSW_STATUS_CORRUPT || status == DSW_STATUS_TRUNCATED) << dsw_last_error_message();
+      ++refused;
+      continue;
+    }
+    const EnvironmentPtr owner(environment);
+    EXPECT_EQ(saved(load(saved(owner))), saved(owner));
+    ++accepted;
+  }
+  RecordProperty("refused", std::to_string(refused));
+  RecordProperty("accepted", std::to_string(accepted));
+  EXPECT_GT(refused, 1000u);
+}
+
+}  // namespace
+}  // namespace dsw::oracle
