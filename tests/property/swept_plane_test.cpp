@@ -99,10 +99,13 @@ bool pass(const Environment<2>& env, const double* from, const double* to, Cell*
   request.from = from;
   request.to = to;
   request.start = *cell;
-  writer.attach(env, request);
-  const CastResult result = cast(env, request, nullptr);
+  CastResult result;
+  do {  // again where there was no room for all
+    writer.attach(env, request);
+    result = cast(env, request, nullptr);
+    if (result.end == CastEnd::kReached) writer.finish(sequence);
+  } while (!sequence.known());
   *cell = result.cell;
-  if (result.end == CastEnd::kReached) writer.finish(sequence);
   return result.end == CastEnd::kReached;
 }
 

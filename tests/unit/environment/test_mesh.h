@@ -102,6 +102,24 @@ inline void add_boxes(Mesh3& mesh, int nx, int ny, int nz, double x = 0, double 
   add_boxes(mesh, nx, ny, nz, x, y, z, spacing, [](int, int, int) { return true; });
 }
 
+/** A lattice of nx * ny unit squares, or of triangles, two to a square. */
+inline void add_squares(Mesh2& mesh, int nx, int ny, bool cut = false) {
+  for (int y = 0; y <= ny; ++y) {
+    for (int x = 0; x <= nx; ++x) mesh.point({x * 1.0, y * 1.0});
+  }
+  for (int y = 0; y < ny; ++y) {
+    for (int x = 0; x < nx; ++x) {
+      const int64_t a = x + int64_t{nx + 1} * y, b = a + 1, d = a + nx + 1, c = d + 1;
+      if (cut) {
+        mesh.cell(kTriangle, {a, b, c});
+        mesh.cell(kTriangle, {a, c, d});
+      } else {
+        mesh.cell(kQuad, {a, b, c, d});
+      }
+    }
+  }
+}
+
 /** One box with points of its own. */
 inline void add_box(Mesh3& mesh, const double* lower, const double* upper) {
   std::vector<int64_t> corners;

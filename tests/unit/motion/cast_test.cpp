@@ -75,29 +75,30 @@ TEST(Cast, LeavesASlantedFaceWithAStraightCorner) {
   expect_contact(env, from, to);
 }
 
-/** What joins a point from which all of a hexahedron is seen to another point in it lies in it. In the middle are most of these points; not
- * all of a warped cell is. */
-TEST(Cast, StaysInACellThatItsStartSeesAllOf) {
-  const SmallMesh mesh = lattice(5, kHexahedron, 0.15);
-  Environment<3> env(nullptr);
+/** What joins a point from which all of a cell is seen to another point in it lies in it. In the middle are most of these points; not all of
+ * a cell that is not convex is. `ends`: vertices that lie about all round vertex 0. */
+template <int D>
+void expect_to_stay(const SmallMesh& mesh, const uint32_t (&ends)[D]) {
+  Environment<D> env(nullptr);
   build_mesh(env, mesh);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> part(-0.2, 1.2);
   uint32_t seen = 0, unseen = 0;
   for_each_cell(env.map, [&](Cell c) {
     if (env.map.convex(c)) return;
-    double points[12][3];
+    double points[12][D];
     uint32_t count = 0;
     for (int tries = 0; tries < 200 && count < 12; ++tries) {
-      double weights[3] = {part(random), part(random), part(random)};
-      const double *o = env.point(c, 0), *ends[3] = {env.point(c, 1), env.point(c, 3), env.point(c, 4)};
-      for (int k = 0; k < 3; ++k) {
+      double weights[D];
+      for (double& w : weights) w = part(random);
+      const double* const o = env.point(c, 0);
+      for (int k = 0; k < D; ++k) {
         points[count][k] = o[k];
-        for (int i = 0; i < 3; ++i) points[count][k] += weights[i] * (ends[i][k] - o[k]);
+        for (int i = 0; i < D; ++i) points[count][k] += weights[i] * (env.point(c, ends[i])[k] - o[k]);
       }
       count += contains(env, c, points[count]) ? 1 : 0;
     }
-    double apex[3];
+    double apex[D];
     centre(env, c, apex);
     EXPECT_TRUE(sees_all(env, c, apex, nullptr));
     for (uint32_t i = 0; i < count; ++i) {
@@ -111,6 +112,21 @@ TEST(Cast, StaysInACellThatItsStartSeesAllOf) {
   });
   EXPECT_GT(seen, 200u);
   EXPECT_GT(unseen, 20u);
+}
+
+TEST(Cast, StaysInACellThatItsStartSeesAllOf) { expect_to_stay<3>(lattice(5, kHexahedron, 0.15), {1, 3, 4}); }
+
+TEST(Cast, StaysInAPolygonThatItsStartSeesAllOf) {
+  SmallMesh mesh;
+  mesh.dimension = 2;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> depth(0.05, 0.3), height(0.4, 0.6);
+  for (int64_t i = 0; i < 60; ++i) {  // arrowheads
+    const double x = 2.0 * static_cast<double>(i);
+    mesh.point(x, 0), mesh.point(x + 1, height(random)), mesh.point(x, 1), mesh.point(x + depth(random), 0.5);
+    mesh.cell(kQuad, {4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3});
+  }
+  expect_to_stay<2>(mesh, {1, 2});
 }
 
 }  // namespace

@@ -91,15 +91,7 @@ TEST(Locate, EveryPointHasExactlyOneCell) {
 
 TEST(Locate, InThePlane) {
   Mesh2 mesh;
-  for (int y = 0; y <= 3; ++y) {
-    for (int x = 0; x <= 3; ++x) mesh.point({x * 1.0, y * 1.0});
-  }
-  for (int64_t y = 0; y < 3; ++y) {
-    for (int64_t x = 0; x < 3; ++x) {
-      const int64_t a = x + 4 * y;
-      mesh.cell(kQuad, {a, a + 1, a + 5, a + 4});
-    }
-  }
+  add_squares(mesh, 3, 3);
   const auto env = mesh.build();
   for (int code = 0; code < 81; ++code) {
     const double p[2] = {code % 9 * 0.5 - 0.5, code / 9 * 0.5 - 0.5};
