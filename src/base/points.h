@@ -34,7 +34,7 @@ struct PointText {
 };
 
 /** Of a point of D coordinates. */
-template <int D = 3>
+template <int D>
 bool is_finite(const double* point) noexcept {
   if constexpr (D == 3) {
     if (!std::isfinite(point[2])) return false;

@@ -85,7 +85,7 @@ bool Opening::place_copies(const Crack::Parting& parting, const Way& way, double
   const double* const p = env_.point(parting.vertex);
   store<3>(to_vec<3>(p) - way.length(0) * settings_.width * parting.normal, places[0]);
   store<3>(to_vec<3>(p) + way.length(1) * settings_.width * parting.normal, places[1]);
-  return is_finite(places[0]) && is_finite(places[1]);
+  return is_finite<3>(places[0]) && is_finite<3>(places[1]);
 }
 
 uint32_t Opening::vertex_of(uint32_t copy, uint32_t before) const {

@@ -29,7 +29,7 @@ class OtherPoints {
 
 bool has_finite_points(const Environment<3>& env, const double* points, Cell c) {
   for (uint32_t k = 0, n = env.map.vertices_of(c); k < n; ++k) {
-    if (!is_finite(points + size_t{env.map.vertex(c, k)} * 3)) return false;
+    if (!is_finite<3>(points + size_t{env.map.vertex(c, k)} * 3)) return false;
   }
   return true;
 }

@@ -116,7 +116,7 @@ bool BodyMove<D>::try_together(Body<D>& body, PlaceFn where, const void* user, d
     std::copy_n(before_[v].position, D, to);
     if (!body.has_vertex(v)) continue;
     where(user, before_[v].position, fraction, to);
-    if (!is_finite(to)) return false;  // a part of a motion can lead further than the whole
+    if (!is_finite<D>(to)) return false;  // a part of a motion can lead further than the whole
   }
   start(body, order, targets);
   sweep_all(body, targets, false);

@@ -375,8 +375,6 @@ static void what_is_not_there_yet_says_so(void) {
   desc.features = DSW_FEATURE_DEFORMING;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_create(environment, &desc, &other));
   CHECK_MESSAGE("plane");
-  desc.features = DSW_FEATURE_BODY_CONTACTS;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_create(environment, &desc, &other));
   dsw_recording_desc_init(&recording, sizeof recording);
   recording.write = write_nothing;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_start_recording(scene, &recording));

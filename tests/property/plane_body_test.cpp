@@ -1,0 +1,345 @@
+// Bodies in a triangulation of the plane do what they do between walls that stand on it: in a layer of prisms, at one height, to the bit.
+
+#include "support.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace {
+
+using namespace dsw::oracle;
+
+constexpr uint32_t kSide = 6;       // squares along the layer's sides
+constexpr double kHeight = 0x1p-5;  // of the layer: less than any coordinate in the plane
+constexpr double kLevel = kHeight / 2;
+
+/// Points and triangles of the plane.
+struct Floor {
+  std::vector<double> points;
+  std::vector<int32_t> corners;
+  size_t count() const { return points.size() / 2; }
+};
+
+Floor make_floor(Rng& rng) {
+  Floor floor;
+  for (uint32_t y = 0; y <= kSide; ++y) {
+    for (uint32_t x = 0; x <= kSide; ++x) {
+      const double jitter = x == 0 || y == 0 || x == kSide || y == kSide ? 0 : 0.3;
+      floor.points.insert(floor.points.end(), {1 + x + rng.range(-jitter, jitter), 1 + y + rng.range(-jitter, jitter)});
+    }
+  }
+  for (uint32_t y = 0; y < kSide; ++y) {
+    for (uint32_t x = 0; x < kSide; ++x) {
+      const auto a = static_cast<int32_t>(x + (kSide + 1) * y), b = a + 1;
+      const auto d = a + static_cast<int32_t>(kSide) + 1, c = d + 1;
+      floor.corners.insert(floor.corners.end(), {a, b, c, a, c, d});
+    }
+  }
+  return floor;
+}
+
+dsw_environment_desc description(const std::vector<double>& points, const std::vector<int32_t>& corners,
+                                 uint32_t dimension) {
+  dsw_environment_desc desc;
+  dsw_environment_desc_init(&desc, sizeof desc);
+  desc.dimension = dimension;
+  desc.points = points.data();
+  desc.point_count = points.size() / dimension;
+  desc.uniform_cell_type = dimension == 2 ? DSW_CELL_TYPE_TRIANGLE : DSW_CELL_TYPE_WEDGE;
+  desc.cell_count = corners.size() / (dimension == 2 ? 3 : 6);
+  desc.index_bytes = 4;
+  desc.connectivity = corners.data();
+  desc.connectivity_count = corners.size();
+  return desc;
+}
+
+EnvironmentPtr create(const dsw_environment_desc& desc) {
+  dsw_environment* environment = nullptr;
+  EXPECT_EQ(dsw_environment_create(nullptr, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+  return EnvironmentPtr(environment);
+}
+
+EnvironmentPtr make_plane(const Floor& floor) { return create(description(floor.points, floor.corners, 2)); }
+
+/// Cell i stands on triangle i, vertex i + count above vertex i.
+EnvironmentPtr make_layer(const Floor& floor) {
+  std::vector<double> points;
+  std::vector<int32_t> corners;
+  for (const double z : {0.0, kHeight}) {
+    for (size_t i = 0; i < floor.count(); ++i) {
+      points.insert(points.end(), {floor.points[2 * i], floor.points[2 * i + 1], z});
+    }
+  }
+  const auto up = static_cast<int32_t>(floor.count());
+  for (size_t i = 0; i < floor.corners.size(); i += 3) {
+    const int32_t* const c = floor.corners.data() + i;
+    corners.insert(corners.end(), {c[0] + up, c[1] + up, c[2] + up, c[0], c[1], c[2]});
+  }
+  return create(description(points, corners, 3));
+}
+
+/// A scene in the plane, or in the layer over it.
+struct Side {
+  int dimension;
+  EnvironmentPtr environment;
+  ScenePtr scene;
+  std::vector<dsw_body_id> bodies;
+
+  Side(int d, const Floor& floor, uint32_t features)
+      : dimension(d),
+        environment(d == 2 ? make_plane(floor) : make_layer(floor)),
+        scene(make_scene(environment.get(), features)) {}
+
+  /// Points of the plane where this side has them.
+  std::vector<double> placed(const std::vector<double>& flat) const {
+    if (dimension == 2) return flat;
+    std::vector<double> out;
+    for (size_t i = 0; i < flat.size(); i += 2) out.insert(out.end(), {flat[i], flat[i + 1], kLevel});
+    return out;
+  }
+  std::vector<double> positions(dsw_body_id body) const {
+    size_t count = 0;
+    dsw_body_get_positions(scene.get(), body, nullptr, 0, 0, nullptr, &count);
+    std::vector<double> all(static_cast<size_t>(dimension) * count), flat;
+    std::vector<dsw_volume_id> volumes(count);
+    EXPECT_EQ(dsw_body_get_positions(scene.get(), body, all.data(), count, 0, volumes.data(), &count), DSW_STATUS_OK);
+    for (size_t i = 0; i < count; ++i) {
+      const double* const p = all.data() + static_cast<size_t>(dimension) * i;
+      flat.insert(flat.end(), {p[0], p[1], static_cast<double>(volumes[i].index)});
+      EXPECT_TRUE(dimension == 2 || volumes[i].generation == 0 || p[2] == kLevel);
+    }
+    return flat;
+  }
+};
+
+/// What was touched: the vertex under a wall's edge, or the side under a face, by its vertices.
+std::vector<uint32_t> foot(const Side& side, const dsw_cell& cell, size_t floor_count) {
+  dsw_vertex_id vertices[8];
+  size_t count = 1;
+  if (cell.kind == DSW_CELL_VERTEX) {
+    vertices[0].index = cell.index;
+  } else {
+    EXPECT_EQ(dsw_environment_copy_vertices(side.environment.get(), cell, vertices, 8, &count), DSW_STATUS_OK);
+  }
+  std::vector<uint32_t> found;
+  for (size_t i = 0; i < count; ++i) found.push_back(vertices[i].index % static_cast<uint32_t>(floor_count));
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// In the layer walls have edges where the plane has vertices.
+int flattened(int kind) { return kind == DSW_CELL_EDGE ? static_cast<int>(DSW_CELL_VERTEX) : kind; }
+int flattened_contact(int kind) { return kind == DSW_CONTACT_EDGE ? static_cast<int>(DSW_CONTACT_VERTEX) : kind; }
+
+class PlaneBodies : public testing::TestWithParam<int> {
+ protected:
+  void begin(uint32_t features) {
+    floor_ = make_floor(rng_);
+    for (const int d : {2, 3}) sides_.emplace_back(d, floor_, features);
+  }
+
+  /// A polyline or a closed curve somewhere, of short edges or long ones.
+  void add_body(dsw_level level, uint32_t flags) {
+    const size_t count = 1 + rng_.below(6u);
+    std::vector<double> flat;
+    double x = rng_.range(1.2, kSide + 0.8), y = rng_.range(1.2, kSide + 0.8);
+    const double step = rng_.chance(0.5) ? 0.4 : 2.5;
+    for (size_t i = 0; i < count; ++i) {
+      flat.insert(flat.end(), {x, y});
+      x = std::min(std::max(x + rng_.range(-step, step), 1.1), kSide + 0.9);
+      y = std::min(std::max(y + rng_.range(-step, step), 1.1), kSide + 0.9);
+    }
+    std::vector<uint32_t> edges;
+    for (uint32_t i = 0; i + 1 < count; ++i) edges.insert(edges.end(), {i, i + 1});
+    if (count > 2 && rng_.chance(0.5)) edges.insert(edges.end(), {static_cast<uint32_t>(count) - 1, 0});
+    both([&](Side& side, int* status) {
+      const std::vector<double> points = side.placed(flat);
+      dsw_body_desc desc;
+      dsw_body_desc_init(&desc, sizeof desc);
+      desc.level = level;
+      desc.flags = flags;
+      desc.positions = points.data();
+      desc.vertex_count = count;
+      desc.edges = edges.data();
+      desc.edge_count = edges.size() / 2;
+      dsw_body_id body;
+      *status = dsw_body_create(side.scene.get(), &desc, &body);
+      if (*status == DSW_STATUS_OK) side.bodies.push_back(body);
+    });
+  }
+
+  void mark_something() {
+    const uint32_t cell = rng_.below(floor_.corners.size() / 3), corner = rng_.below(3u);
+    const auto a = static_cast<uint32_t>(floor_.corners[3 * cell + corner]);
+    const auto b = static_cast<uint32_t>(floor_.corners[3 * cell + (corner + 1) % 3]);
+    const auto up = static_cast<uint32_t>(floor_.count());
+    const uint32_t what = rng_.below(3u);
+    const dsw_mark mark = rng_.chance(0.3) ? DSW_MARK_PASSABLE : DSW_MARK_IMPASSABLE;
+    both([&](Side& side, int* status) {
+      dsw_environment* const environment = side.environment.get();
+      if (what == 0) {
+        const dsw_volume_id volume{cell, 1};
+        *status = dsw_environment_mark_volumes(environment, &volume, 1, mark, 0, nullptr);
+      } else if (what == 1) {
+        const size_t offsets[] = {0, side.dimension == 2 ? 2u : 4u};
+        const uint32_t around[] = {a, b, b + up, a + up};
+        dsw_face_id face;
+        EXPECT_EQ(dsw_environment_find_faces(environment, 1, offsets, around, &face, nullptr), DSW_STATUS_OK);
+        *status = dsw_environment_mark_faces(environment, &face, 1, mark);
+      } else if (side.dimension == 2) {
+        const dsw_vertex_id vertex{a, 1};
+        *status = dsw_environment_mark_vertices(environment, &vertex, 1, mark);
+      } else {
+        const uint32_t ends[] = {a, a + up};
+        dsw_edge_id edge;
+        EXPECT_EQ(dsw_environment_find_edges(environment, 1, ends, &edge, nullptr), DSW_STATUS_OK);
+        *status = dsw_environment_mark_edges(environment, &edge, 1, mark);
+      }
+    });
+  }
+
+  dsw_move_options random_options() {
+    dsw_move_options o;
+    dsw_move_options_init(&o, sizeof o);
+    o.vertex_response = rng_.chance(0.5) ? DSW_RESPONSE_SLIDE : DSW_RESPONSE_STOP;
+    o.edge_response = static_cast<dsw_response>(rng_.below(5u));
+    o.search = static_cast<dsw_search>(rng_.below(3u));
+    o.min_part = 0.05;
+    o.min_length = 0.05;
+    o.stand_off = rng_.chance(0.5) ? -1 : 1e-6;
+    o.noise_share = rng_.chance(0.5) ? 1e-3 : 0;
+    return o;
+  }
+
+  void move(size_t b) {
+    const std::vector<double> at = sides_[0].positions(sides_[0].bodies[b]);
+    std::vector<double> targets;
+    const double step = rng_.chance(0.5) ? 0.3 : 3, dx = rng_.range(-step, step), dy = rng_.range(-step, step);
+    for (size_t i = 0; i < at.size(); i += 3) {
+      const double wobble = rng_.chance(0.5) ? 0 : step / 2;
+      targets.push_back(at[i] + dx + rng_.range(-wobble, wobble));
+      targets.push_back(at[i + 1] + dy + rng_.range(-wobble, wobble));
+    }
+    const dsw_move_options o = random_options();
+    both([&](Side& side, int* status) {
+      const std::vector<double> points = side.placed(targets);
+      const size_t count = targets.size() / 2;
+      *status =
+          dsw_body_move(side.scene.get(), side.bodies[b], points.data(), count, 0, &o, &reports_[side.dimension - 2]);
+    });
+    compare_reports(b);
+  }
+
+  void turn(size_t b) {
+    dsw_rigid_motion motion{};
+    motion.rotation[2] = rng_.range(-1, 1);
+    motion.rotation[3] = 1;
+    motion.centre[0] = rng_.range(1, kSide + 1);
+    motion.centre[1] = rng_.range(1, kSide + 1);
+    motion.translation[0] = rng_.range(-0.5, 0.5);
+    both([&](Side& side, int* status) {
+      *status = dsw_body_move_rigid(side.scene.get(), side.bodies[b], &motion, nullptr, &reports_[side.dimension - 2]);
+    });
+    compare_reports(b);
+  }
+
+  void compare_reports(size_t b) {
+    const dsw_move_report &flat = reports_[0], &tall = reports_[1];
+    EXPECT_EQ(flat.fraction, tall.fraction);
+    EXPECT_EQ(flat.vertices_moved, tall.vertices_moved);
+    EXPECT_EQ(flat.vertices_stopped, tall.vertices_stopped);
+    const dsw_contact* contacts[2];
+    const dsw_body_edit* edits[2];
+    size_t contact_counts[2], edit_counts[2];
+    for (int k = 0; k < 2; ++k) {
+      dsw_scene* const scene = sides_[k].scene.get();
+      ASSERT_EQ(dsw_body_get_contacts(scene, sides_[k].bodies[b], &contacts[k], &contact_counts[k]), DSW_STATUS_OK);
+      ASSERT_EQ(dsw_body_get_edits(scene, sides_[k].bodies[b], &edits[k], &edit_counts[k]), DSW_STATUS_OK);
+    }
+    ASSERT_EQ(edit_counts[0], edit_counts[1]);
+    EXPECT_EQ(std::memcmp(edits[0], edits[1], edit_counts[0] * sizeof(dsw_body_edit)), 0);
+    ASSERT_EQ(contact_counts[0], contact_counts[1]);
+    for (size_t i = 0; i < contact_counts[0]; ++i) compare_contacts(contacts[0][i], contacts[1][i]);
+    contacts_ += contact_counts[0];
+    edits_ += edit_counts[0];
+  }
+
+  void compare_contacts(const dsw_contact& flat, const dsw_contact& tall) {
+    EXPECT_EQ(flat.time, tall.time);
+    EXPECT_EQ(flat.kind, flattened_contact(tall.kind));
+    // At a vertex the plane names the lowest wall there, an edge in space one that the moving end looks at.
+    const bool chosen = flat.kind == DSW_CONTACT_VERTEX && flat.wall.generation != 0;
+    EXPECT_TRUE(chosen || flat.cause == flattened(tall.cause));
+    EXPECT_EQ(flat.vertex.index, tall.vertex.index);
+    EXPECT_EQ(flat.edge.index, tall.edge.index);
+    EXPECT_EQ(flat.edge.generation, tall.edge.generation);
+    EXPECT_EQ(flat.obstacle.kind, flattened(tall.obstacle.kind));
+    EXPECT_EQ(foot(sides_[0], flat.obstacle, floor_.count()), foot(sides_[1], tall.obstacle, floor_.count()));
+    EXPECT_EQ(flat.wall.generation, tall.wall.generation);
+    EXPECT_EQ(flat.history, tall.history);
+    EXPECT_EQ(flat.distance_left, tall.distance_left);
+    for (int k = 0; k < 2; ++k) {
+      EXPECT_EQ(flat.from[k], tall.from[k]);
+      EXPECT_EQ(flat.to[k], tall.to[k]);
+      EXPECT_EQ(flat.fixed[0][k], tall.fixed[0][k]);
+      EXPECT_EQ(flat.position[k], tall.position[k]);
+      EXPECT_NEAR(flat.point[k], tall.point[k], 1e-12);
+      EXPECT_NEAR(flat.normal[k], tall.normal[k], 1e-9);
+    }
+    EXPECT_EQ(flat.point[2], 0);
+    EXPECT_EQ(flat.normal[2], 0);
+    EXPECT_EQ(flat.fixed[1][0], 0);
+    EXPECT_NEAR(flat.along, tall.along, 1e-9);
+  }
+
+  /// What a level covers is free: raising it again finds nothing.
+  void check_free(size_t b) {
+    dsw_scene* const scene = sides_[0].scene.get();
+    const dsw_body_id body = sides_[0].bodies[b];
+    dsw_level level;
+    ASSERT_EQ(dsw_body_get_level(scene, body, &level), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_body_set_level(scene, body, DSW_LEVEL_POINTS), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_body_set_level(scene, body, level), DSW_STATUS_OK) << dsw_last_error_message();
+  }
+
+  /// Does something on both sides, which has to answer the same.
+  template <class Do>
+  void both(const Do& what) {
+    int status[2] = {-1, -1};
+    for (int k = 0; k < 2; ++k) what(sides_[k], &status[k]);
+    EXPECT_EQ(status[0], status[1]) << dsw_last_error_message();
+  }
+
+  Rng rng_{static_cast<uint64_t>(GetParam())};
+  Floor floor_;
+  std::vector<Side> sides_;
+  dsw_move_report reports_[2];
+  size_t contacts_ = 0, edits_ = 0;
+};
+
+TEST_P(PlaneBodies, DoWhatTheyDoBetweenWallsInSpace) {
+  begin(GetParam() % 2 == 0 ? 0 : DSW_FEATURE_LIVE_CHANGES);
+  const auto level = static_cast<dsw_level>(DSW_LEVEL_POINTS + GetParam() % 3);
+  const uint32_t flags =
+      GetParam() % 4 < 2 ? 0 : DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE;
+  for (int i = 0; i < 25; ++i) mark_something();
+  for (int i = 0; i < 12; ++i) add_body(level, flags);
+  ASSERT_EQ(sides_[0].bodies.size(), sides_[1].bodies.size());
+  ASSERT_FALSE(sides_[0].bodies.empty());
+  for (int step = 0; step < 200 && !HasFailure(); ++step) {
+    SCOPED_TRACE(step);
+    if (rng_.chance(0.2)) mark_something();
+    const size_t b = rng_.below(sides_[0].bodies.size());
+    rng_.chance(0.15) ? turn(b) : move(b);
+    check_free(b);
+    EXPECT_EQ(sides_[0].positions(sides_[0].bodies[b]), sides_[1].positions(sides_[1].bodies[b]));
+  }
+  EXPECT_GT(contacts_, 20u);
+  RecordProperty("contacts", static_cast<int>(contacts_));
+  RecordProperty("edits", static_cast<int>(edits_));
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, PlaneBodies, testing::Range(0, 24));
+
+}  // namespace
