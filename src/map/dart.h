@@ -64,8 +64,17 @@ void for_each_volume_round_edge(const Map<3>& map, Dart d, Visit visit) {
   }
 }
 
-/** First dart of the edge number `edge` of a cell. */
-inline Dart dart_of_edge(const Map<3>& map, Cell c, uint32_t edge) {
+/** The same for a side of a polygon: its dart, and that on the other side unless that is the outside. */
+template <class Visit>
+void for_each_volume_round_edge(const Map<2>& map, Dart d, Visit visit) {
+  if (!visit(d)) return;
+  const Dart e = cross(map, d);
+  if (e.cell.valid()) visit(e);
+}
+
+/** First dart of the edge number `edge` of a cell; in the plane of the side. */
+template <int D>
+Dart dart_of_edge(const Map<D>& map, Cell c, uint32_t edge) {
   const Shape shape = map.shape(c);
   uint32_t d = 0;
   while (shape.dart_edge(d) != edge) ++d;

@@ -7,6 +7,8 @@
 #include <array>
 #include <vector>
 
+#include "map/records.h"
+
 namespace dsw {
 namespace {
 
@@ -77,7 +79,7 @@ bool shapes_sound(const Map<D>& map) {
     const bool last = i + 1 == map.shape_offsets.size();
     const size_t end = last ? map.shape_tables.size() : map.shape_offsets[i + 1];
     if (end <= at || end > map.shape_tables.size()) return false;
-    const bool is_free = map.has_changed() && map.shape_tables[at] == kFreeShape;
+    const bool is_free = D == 3 && map.has_changed() && map.shape_tables[at] == kFreeShape;
     if (is_free ? end - at < 3 : sound_table_length<D>(&map.shape_tables[at], end - at, scratch) != end - at)
       return false;
     at = end;
@@ -147,6 +149,20 @@ bool lists_sound(const Array<uint32_t>& heads, size_t count, SizeOf size_of, Nex
   return count == 0;
 }
 
+/** Of a map of the plane that has changed: where there are shapes of a length, one of them is noted. */
+template <int D>
+bool shared_shapes_sound(const Map<D>& map) {
+  for (uint32_t i = 0; i < map.shape_offsets.size(); ++i) {
+    const uint32_t length = shape_length(map, i);
+    if (length >= map.free_shapes.size() || map.free_shapes[length] == kNoCell) return false;
+  }
+  for (size_t length = 0; length < map.free_shapes.size(); ++length) {
+    const uint32_t i = map.free_shapes[length];
+    if (i != kNoCell && (i >= map.shape_offsets.size() || shape_length(map, i) != length)) return false;
+  }
+  return true;
+}
+
 /** Of a map that has changed: what is free is in the lists of what is free. Records are sound; `records` of them and `shapes` of
  * their shapes are free. */
 template <int D>
@@ -158,10 +174,10 @@ const char* check_free(const Map<D>& map, size_t records, size_t shapes) {
   };
   const auto next_record = [&](uint32_t unit) { return map.words[size_t{unit} * kUnitWords<D> + 1]; };
   if (!lists_sound(map.free_records, records, units_of_free, next_record)) return "a free record is in no list";
+  if (D == 2) return shared_shapes_sound(map) ? nullptr : "a shape is not found by its length";
   const auto length_of_free = [&](uint32_t number) -> size_t {
-    if (number >= map.shape_offsets.size() || map.shape_tables[map.shape_offsets[number]] != kFreeShape) return 0;
-    const bool last = number + 1 == map.shape_offsets.size();
-    return (last ? map.shape_tables.size() : map.shape_offsets[number + 1]) - map.shape_offsets[number];
+    const bool is_free = number < map.shape_offsets.size() && map.shape_tables[map.shape_offsets[number]] == kFreeShape;
+    return is_free ? shape_length(map, number) : 0;
   };
   const auto next_shape = [&](uint32_t number) {
     const uint16_t* const table = map.shape_tables.data() + map.shape_offsets[number];
@@ -242,7 +258,7 @@ const char* check_records(const Map<D>& map) {
     }
     if (form_of(word0) == Form::kGeneral) {
       uint8_t& used = shape_used[word0 & kShapeMask];
-      if (used != 0 && map.has_changed()) return "two cells of a map that changes share a shape";
+      if (D == 3 && used != 0 && map.has_changed()) return "two cells of a map that changes share a shape";
       shapes += used == 0 ? 1u : 0u;
       used = 1;
     }

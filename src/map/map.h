@@ -82,7 +82,7 @@ struct Map {
   SlotPool vertex_slots;          // likewise by vertex
   Array<uint32_t> vertex_uses;    // how many cells have a vertex; empty likewise
   Array<uint32_t> free_records;   // by size in units: the first free record, or kNoCell
-  Array<uint32_t> free_shapes;    // by length: the first free table's number, or kNoCell
+  Array<uint32_t> free_shapes;  // by length: the first free table's number, or kNoCell; in the plane that of all cells
   uint32_t cell_count = 0;
   uint32_t units_per_cell = 0;  // 1 or 2, when there are no such tables
   uint32_t vertex_count = 0;

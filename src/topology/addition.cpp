@@ -12,9 +12,10 @@ struct Place {
   uint32_t cell, facet;
 };
 
+template <int D>
 class Addition {
  public:
-  Addition(Edit<3>& edit, const NewCells& input)
+  Addition(Edit<D>& edit, const NewCells& input)
       : edit_(edit),
         env_(edit.environment()),
         in_(input),
@@ -26,7 +27,7 @@ class Addition {
     for (uint32_t i = 0; i < in_.cell_count; ++i) read(i);
     join();
     for (size_t i = 0; i < in_.sew_count; ++i) sew_to(in_.sew_to[i], i);
-    cut();
+    if constexpr (D == 3) cut();
   }
 
  private:
@@ -43,7 +44,7 @@ class Addition {
   }
 
   void read(uint32_t i) {
-    const CellType type = cell_type<3>(in_.cell_types != nullptr ? in_.cell_types[i] : in_.uniform_cell_type);
+    const CellType type = cell_type<D>(in_.cell_types != nullptr ? in_.cell_types[i] : in_.uniform_cell_type);
     if (!type.known) fail(DSW_STATUS_BAD_CELL_TYPE, "new volume %u has a type that is not supported", i);
     const bool uniform = in_.offsets == nullptr;
     const int64_t begin = uniform ? int64_t{i} * type.vertex_count : offsets_[i];
@@ -56,7 +57,9 @@ class Addition {
     CellDraft draft(env_.memory);
     draft.region = in_.regions == nullptr ? 0 : in_.regions[i];
     draft.tag = in_.tags == nullptr ? 0 : in_.tags[i];
-    if (type.form == Form::kGeneral) {
+    if constexpr (D == 2) {
+      read_polygon(i, static_cast<size_t>(begin), static_cast<size_t>(end), draft);
+    } else if (type.form == Form::kGeneral) {
       read_stream(i, static_cast<size_t>(begin), static_cast<size_t>(end), draft);
     } else {
       read_standard(i, static_cast<size_t>(begin), type.form, draft);
@@ -67,12 +70,12 @@ class Addition {
   void add_facet(uint32_t i, CellDraft& draft, FacetDraft&& facet) {
     Array<uint32_t> sorted = facet.loop;
     std::sort(sorted.begin(), sorted.end());
-    if (sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-      fail(DSW_STATUS_BAD_CELL, "a face of new volume %u has less than three vertices, or one twice", i);
+    if (sorted.size() < D || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+      fail(DSW_STATUS_BAD_CELL, "a face of new volume %u has less than %d vertices, or one twice", i, D);
     }
     // From the lowest vertex, as at creation.
     const size_t base = facet.place_of(sorted[0]);
-    for (size_t k = 1; k + 1 < sorted.size(); ++k) {
+    for (size_t k = 1; D == 3 && k + 1 < sorted.size(); ++k) {
       for (const size_t step : {size_t{0}, k, k + 1}) {
         facet.triangles.push_back(facet.after(static_cast<uint32_t>(base), step));
       }
@@ -88,6 +91,14 @@ class Addition {
         facet.loop.push_back(vertex(i, begin + shape.dart_vertex(d)));
       }
       add_facet(i, draft, std::move(facet));
+    }
+  }
+
+  void read_polygon(uint32_t i, size_t begin, size_t end, CellDraft& draft) {
+    for (size_t at = begin; at < end; ++at) {
+      FacetDraft side(env_.memory);
+      for (const size_t corner : {at, at + 1 == end ? begin : at + 1}) side.loop.push_back(vertex(i, corner));
+      add_facet(i, draft, std::move(side));
     }
   }
 
@@ -138,7 +149,7 @@ class Addition {
   }
 
   void sew_to(HalfFacet h, size_t i) {
-    const Map<3>& map = env_.map;
+    const Map<D>& map = env_.map;
     if (map.opposite(h).valid()) {
       fail(DSW_STATUS_BAD_TOPOLOGY, "sew_to[%zu]: face %u of volume %u is not on the outer boundary", i,
            map.local_of(h, map.cell_of(h)), map.index(map.cell_of(h)));
@@ -174,8 +185,8 @@ class Addition {
     }
   }
 
-  Edit<3>& edit_;
-  const Environment<3>& env_;
+  Edit<D>& edit_;
+  const Environment<D>& env_;
   const NewCells& in_;
   Integers offsets_, connectivity_;
   Array<Place> places_;  // sorted by vertices
@@ -183,6 +194,12 @@ class Addition {
 
 }  // namespace
 
-void add_cells(Edit<3>& edit, const NewCells& input) { Addition(edit, input).run(); }
+template <int D>
+void add_cells(Edit<D>& edit, const NewCells& input) {
+  Addition<D>(edit, input).run();
+}
+
+template void add_cells(Edit<3>& edit, const NewCells& input);
+template void add_cells(Edit<2>& edit, const NewCells& input);
 
 }  // namespace dsw

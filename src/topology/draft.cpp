@@ -1,5 +1,7 @@
 #include "topology/draft.h"
 
+#include <numeric>
+
 #include "base/error.h"
 #include "environment/recut.h"
 #include "predicates/filtered.h"
@@ -22,19 +24,34 @@ void sort_triangles(const FacetDraft& facet, Array<uint32_t>& out) {
   }
 }
 
+/** The sides of a polygon on the way from the second of two corners to the first, and the rest. */
+bool part_between(const CellDraft& whole, const Array<uint32_t>& ends, CellDraft& left, CellDraft& right) {
+  Array<uint32_t> sides(ends.get_allocator());
+  const auto starts = [&](const FacetDraft& side) { return side.loop[0] == ends[1]; };
+  const auto first = std::find_if(whole.facets.begin(), whole.facets.end(), starts);
+  if (first == whole.facets.end() || !order_sides(whole, static_cast<uint32_t>(first - whole.facets.begin()), sides)) {
+    return false;
+  }
+  bool is_left = true;
+  for (const uint32_t side : sides) {
+    is_left = is_left && whole.facets[side].loop[0] != ends[0];
+    (is_left ? left : right).facets.push_back(whole.facets[side]);
+  }
+  return !right.facets.empty();
+}
+
 }  // namespace
 
-FacetDraft draft_of(const Environment<3>& env, HalfFacet h) {
-  const Map<3>& map = env.map;
+template <int D>
+FacetDraft draft_of(const Environment<D>& env, HalfFacet h) {
+  const Map<D>& map = env.map;
   const Cell c = map.cell_of(h);
   const Shape shape = map.shape(c);
   const uint32_t f = map.local_of(h, c);
   FacetDraft facet(env.memory);
-  for (uint32_t d = shape.facet_first(f); d < shape.facet_first(f + 1); ++d) {
-    facet.loop.push_back(map.vertex(c, shape.dart_vertex(d)));
-  }
+  for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { facet.loop.push_back(map.vertex(c, local)); });
   const uint16_t* const local = shape.simplices();
-  for (uint32_t k = 3 * shape.simplex_first(f); k < 3 * shape.simplex_first(f + 1); ++k) {
+  for (uint32_t k = 3 * shape.simplex_first(f); D == 3 && k < 3 * shape.simplex_first(f + 1); ++k) {
     facet.triangles.push_back(map.vertex(c, local[k]));
   }
   facet.near = h;
@@ -43,7 +60,8 @@ FacetDraft draft_of(const Environment<3>& env, HalfFacet h) {
   return facet;
 }
 
-CellDraft draft_of(const Environment<3>& env, Cell c) {
+template <int D>
+CellDraft draft_of(const Environment<D>& env, Cell c) {
   CellDraft draft(env.memory);
   const uint32_t facets = env.map.facets_of(c);
   draft.facets.reserve(facets);
@@ -58,6 +76,7 @@ CellDraft draft_of(const Environment<3>& env, Cell c) {
 bool face_each_other(const FacetDraft& a, const FacetDraft& b) {
   const size_t n = a.loop.size();
   if (b.loop.size() != n) return false;
+  if (n == 2) return b.loop[0] == a.loop[1] && b.loop[1] == a.loop[0];  // of the plane: no cycle
   const uint32_t start = b.place_of(a.loop[0]);
   if (start == n) return false;
   for (size_t k = 1; k < n; ++k) {
@@ -109,11 +128,12 @@ void list_vertices(const CellDraft& draft, Array<uint32_t>& out) {
   }
 }
 
-void centre(const Environment<3>& env, const CellDraft& draft, double* out) {
+template <int D>
+void centre(const Environment<D>& env, const CellDraft& draft, double* out) {
   Array<uint32_t> vertices{Allocator<uint32_t>(env.memory)};
   list_vertices(draft, vertices);
   const double count = static_cast<double>(vertices.size());
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < D; ++k) {
     out[k] = 0;
     for (const uint32_t v : vertices) out[k] += env.point(v)[k] / count;
   }
@@ -168,7 +188,41 @@ bool insert_between(FacetDraft& facet, uint32_t a, uint32_t b, uint32_t middle) 
   return true;
 }
 
+void insert_vertex(CellDraft& draft, uint32_t a, uint32_t b, uint32_t middle) {
+  for (FacetDraft& facet : draft.facets) {
+    if (facet.loop.size() != 2) {
+      insert_between(facet, a, b, middle);
+    } else if (facet.has(a) && facet.has(b)) {
+      FacetDraft rest = facet;
+      rest.loop[0] = facet.loop[1] = middle;
+      draft.facets.push_back(std::move(rest));
+      return;
+    }
+  }
+}
+
+bool order_sides(const CellDraft& draft, uint32_t first, Array<uint32_t>& out) {
+  const auto& sides = draft.facets;
+  Array<uint32_t> by_start(sides.size(), 0, out.get_allocator());
+  std::iota(by_start.begin(), by_start.end(), 0u);
+  const auto less = [&](uint32_t a, uint32_t b) { return sides[a].loop[0] < sides[b].loop[0]; };
+  std::sort(by_start.begin(), by_start.end(), less);
+  const auto not_less = [&](uint32_t a, uint32_t b) { return !less(a, b); };
+  if (std::adjacent_find(by_start.begin(), by_start.end(), not_less) != by_start.end()) return false;
+  out.clear();
+  uint32_t side = first;
+  do {
+    out.push_back(side);
+    const auto next = std::lower_bound(by_start.begin(), by_start.end(), sides[side].loop[1],
+                                       [&](uint32_t i, uint32_t vertex) { return sides[i].loop[0] < vertex; });
+    if (next == by_start.end() || sides[*next].loop[0] != sides[side].loop[1]) return false;
+    side = *next;
+  } while (side != first && out.size() < sides.size());
+  return side == first && out.size() == sides.size();
+}
+
 bool part_along(const CellDraft& whole, const Array<uint32_t>& loop, CellDraft& left, CellDraft& right) {
+  if (loop.size() == 2) return part_between(whole, loop, left, right);
   // Every edge with the facet that runs along it from `a` to `b`.
   struct Side {
     uint32_t a, b, facet;
@@ -208,5 +262,13 @@ bool part_along(const CellDraft& whole, const Array<uint32_t>& loop, CellDraft& 
   for (uint32_t f = 0; f < facets; ++f) (is_left[f] != 0 ? left : right).facets.push_back(whole.facets[f]);
   return !right.facets.empty();
 }
+
+#define DSW_DRAFT(D)                                                    \
+  template FacetDraft draft_of(const Environment<D>& env, HalfFacet h); \
+  template CellDraft draft_of(const Environment<D>& env, Cell c);       \
+  template void centre(const Environment<D>& env, const CellDraft& draft, double* out)
+DSW_DRAFT(3);
+DSW_DRAFT(2);
+#undef DSW_DRAFT
 
 }  // namespace dsw

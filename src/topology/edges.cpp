@@ -1,4 +1,5 @@
-// Edges split by a vertex, merged where a vertex goes, and collapsed. All volumes round the edge, or the vertex, change.
+// Edges split by a vertex, merged where a vertex goes, and collapsed. All volumes round the edge, or the vertex, change. In the plane edges
+// are the sides of polygons.
 
 #include "base/error.h"
 #include "base/vec.h"
@@ -45,7 +46,8 @@ bool find_neighbours(const Map<3>& map, Cell c, uint32_t vertex, uint32_t* ends)
 }
 
 /** The other end of an edge, one end of which has to be `vertex`. */
-uint32_t other_end(const Map<3>& map, Dart d, uint32_t vertex) {
+template <int D>
+uint32_t other_end(const Map<D>& map, Dart d, uint32_t vertex) {
   const uint32_t a = dart_vertex(map, d), b = dart_target(map, d);
   if (a != vertex && b != vertex) {
     fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u is no end of the edge between vertices %u and %u", vertex, a, b);
@@ -53,13 +55,15 @@ uint32_t other_end(const Map<3>& map, Dart d, uint32_t vertex) {
   return a == vertex ? b : a;
 }
 
-void check_alone(const Map<3>& map, uint32_t vertex, size_t cells) {
+template <int D>
+void check_alone(const Map<D>& map, uint32_t vertex, size_t cells) {
   if (map.vertex_uses[vertex] == cells) return;
   fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u has %u volumes, only %zu of them are joined through faces with the edge's",
        vertex, map.vertex_uses[vertex], cells);
 }
 
 /** Moves a facet's vertex to another one. Whether a facet is left. */
+template <int D>
 bool move_vertex(FacetDraft& facet, uint32_t from, uint32_t to) {
   const uint32_t at = facet.place_of(from);
   if (at == facet.loop.size()) return true;
@@ -81,13 +85,14 @@ bool move_vertex(FacetDraft& facet, uint32_t from, uint32_t to) {
       t += 3;
     }
   }
-  return facet.loop.size() >= 3;
+  return facet.loop.size() >= static_cast<size_t>(D);
 }
 
 /** Collapses one edge: the cells at its end that goes, some of which come to nothing. */
+template <int D>
 class Collapse {
  public:
-  Collapse(Edit<3>& edit, uint32_t from, uint32_t to)
+  Collapse(Edit<D>& edit, uint32_t from, uint32_t to)
       : edit_(edit),
         env_(edit.environment()),
         map_(env_.map),
@@ -105,7 +110,7 @@ class Collapse {
     move_marks();
     for (const Cell c : cells_) {
       CellDraft draft = draft_of(env_, c);
-      const auto is_gone = [&](FacetDraft& facet) { return !move_vertex(facet, from_, to_); };
+      const auto is_gone = [&](FacetDraft& facet) { return !move_vertex<D>(facet, from_, to_); };
       draft.facets.erase(std::remove_if(draft.facets.begin(), draft.facets.end(), is_gone), draft.facets.end());
       edit_.remove(c);
       if (draft.facets.size() == 2 && face_each_other(draft.facets[0], draft.facets[1]) &&
@@ -128,19 +133,19 @@ class Collapse {
     HalfFacet sides[2];
   };
 
-  /** The outer boundary keeps its form exactly if no triangle of it that moves sweeps a volume. */
+  /** The outer boundary keeps its form exactly if no triangle of it that moves sweeps a volume (no side an area). */
   void check_boundary() const {
     for (const Cell c : cells_) {
       const Shape shape = map_.shape(c);
       for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
-        const uint16_t* const local = shape.simplices() + 3 * s;
+        const uint16_t* const local = shape.simplices() + D * s;
         const auto has = [&](uint32_t v) {
-          return map_.vertex(c, local[0]) == v || map_.vertex(c, local[1]) == v || map_.vertex(c, local[2]) == v;
+          return std::any_of(local, local + D, [&](uint32_t corner) { return map_.vertex(c, corner) == v; });
         };
-        if (!has(from_) || has(to_) || map_.opposite(map_.half_facet(c, shape.simplex_facets(3)[s])).valid()) continue;
-        const double* triangle[3];
-        simplex_points(env_, c, shape, s, triangle);
-        if (orient<3>(triangle, env_.point(to_)) == 0) continue;
+        if (!has(from_) || has(to_) || map_.opposite(map_.half_facet(c, shape.simplex_facets(D)[s])).valid()) continue;
+        const double* simplex[D];
+        simplex_points(env_, c, shape, s, simplex);
+        if (orient<D>(simplex, env_.point(to_)) == 0) continue;
         fail(DSW_STATUS_BAD_TOPOLOGY, "the outer boundary at vertex %u would change its form", from_);
       }
     }
@@ -170,9 +175,9 @@ class Collapse {
     }
   }
 
-  Edit<3>& edit_;
-  const Environment<3>& env_;
-  const Map<3>& map_;
+  Edit<D>& edit_;
+  const Environment<D>& env_;
+  const Map<D>& map_;
   uint32_t from_, to_;
   Array<Cell> cells_;
   Array<Flat> flat_;
@@ -180,13 +185,13 @@ class Collapse {
 
 }  // namespace
 
-uint32_t split_edge(Edit<3>& edit, Dart d, double share) {
-  const Environment<3>& env = edit.environment();
-  const Map<3>& map = env.map;
+template <int D>
+uint32_t split_edge(Edit<D>& edit, Dart d, double share) {
+  const Map<D>& map = edit.environment().map;
   const uint32_t a = dart_vertex(map, d), b = dart_target(map, d);
   const uint32_t middle = edit.add_vertex(a, b, share);
   for_each_volume_round_edge(map, d, [&](Dart e) {
-    for (FacetDraft& facet : edit.draft(edit.replace(e.cell)).facets) insert_between(facet, a, b, middle);
+    insert_vertex(edit.draft(edit.replace(e.cell)), a, b, middle);
     return true;
   });
   return middle;
@@ -245,10 +250,42 @@ MergedEdge merge_edges(Edit<3>& edit, Dart d, uint32_t vertex) {
   return {ends[0], ends[1]};
 }
 
-void collapse_edge(Edit<3>& edit, Dart d, uint32_t vertex) {
-  const Map<3>& map = edit.environment().map;
-  const uint32_t to = other_end(map, d, vertex);
-  Collapse(edit, vertex, to).run(d.cell);
+MergedEdge merge_edges(Edit<2>& edit, Dart d, uint32_t vertex) {
+  const Environment<2>& env = edit.environment();
+  const Map<2>& map = env.map;
+  other_end(map, d, vertex);
+  const uint32_t n = map.facets_of(d.cell), at = dart_vertex(map, d) == vertex ? d.local : (d.local + 1) % n;
+  const uint32_t before = (at + n - 1) % n, after = (at + 1) % n;
+  const HalfFacet h = map.half_facet(d.cell, before), g = map.half_facet(d.cell, at);
+  const auto beyond = [&](HalfFacet side) {
+    return map.opposite(side).valid() ? map.cell_of(map.opposite(side)) : Cell{};
+  };
+  const Cell other = beyond(h);
+  if (beyond(g) != other) fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u has more than two edges", vertex);
+  check_alone(map, vertex, other.valid() ? 2 : 1);
+  for (const Cell c : {d.cell, other}) {
+    if (!c.valid() || map.facets_of(c) > 3) continue;
+    fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u at vertex %u is a triangle: nothing would be left of it", map.index(c),
+         vertex);
+  }
+  Array<uint32_t> ends{Allocator<uint32_t>(env.memory)};
+  for (const uint32_t corner : {before, after}) ends.push_back(map.vertex(d.cell, corner));
+  edit.replace(d.cell);
+  unite(edit, h, g, ends);
+  return {ends[0], ends[1]};
 }
+
+template <int D>
+void collapse_edge(Edit<D>& edit, Dart d, uint32_t vertex) {
+  const uint32_t to = other_end(edit.environment().map, d, vertex);
+  Collapse<D>(edit, vertex, to).run(d.cell);
+}
+
+#define DSW_EDGES(D)                                                 \
+  template uint32_t split_edge(Edit<D>& edit, Dart d, double share); \
+  template void collapse_edge(Edit<D>& edit, Dart d, uint32_t vertex)
+DSW_EDGES(3);
+DSW_EDGES(2);
+#undef DSW_EDGES
 
 }  // namespace dsw

@@ -5,7 +5,7 @@
 #include "environment/marking.h"
 #include "environment/validity.h"
 #include "map/integrity.h"
-#include "topology/standard_form.h"
+#include "topology/layout.h"
 
 namespace dsw {
 
@@ -50,7 +50,7 @@ Edit<D>::~Edit<D>() {
   if (made_tags_) env_.tags.clear();
   if (vertices_.empty()) return;
   for (size_t i = 0; i < vertices_.size(); ++i) {
-    std::copy_n(&points_before_[i * 3], 3, env_.writable_points() + size_t{vertices_[i]} * 3);
+    std::copy_n(&points_before_[i * D], D, env_.writable_points() + size_t{vertices_[i]} * D);
   }
   if (!env_.owned_points.empty()) env_.owned_points.resize(point_doubles_);
   env_.vertex_marks.resize(vertex_mark_words_);
@@ -104,7 +104,7 @@ uint32_t Edit<D>::add_vertex(const double* position) {
   if (v >= kVertexMask) fail(DSW_STATUS_TOO_LARGE, "there are 2^28 vertices already");
   reserve_more(vertices_, 1);
   if (!env_.vertex_marks.empty()) reserve_more(env_.vertex_marks, 1);
-  std::copy_n(position, 3, room_for(v));
+  std::copy_n(position, D, room_for(v));
   if (!env_.vertex_marks.empty()) env_.vertex_marks.resize(std::max(env_.vertex_marks.size(), size_t{v} / 64 + 1), 0);
   vertices_.push_back(v);
   return v;
@@ -113,23 +113,23 @@ uint32_t Edit<D>::add_vertex(const double* position) {
 /** Where the position of a new vertex is written; what is there now is kept. */
 template <int D>
 double* Edit<D>::room_for(uint32_t v) {
-  const size_t at = size_t{v} * 3;
-  reserve_more(points_before_, 3);
+  const size_t at = size_t{v} * D;
+  reserve_more(points_before_, D);
   if (env_.owned_points.empty()) {
     if (v >= env_.point_room) fail(DSW_STATUS_BORROWED, "the points are the host's, without room for vertex %u", v);
   } else if (at == env_.owned_points.size()) {
-    reserve_more(env_.owned_points, 3);
+    reserve_more(env_.owned_points, D);
     env_.points = env_.owned_points.data();
-    env_.owned_points.resize(at + 3);
+    env_.owned_points.resize(at + D);
   }
   double* const point = env_.writable_points() + at;
-  points_before_.insert(points_before_.end(), point, point + 3);
+  points_before_.insert(points_before_.end(), point, point + D);
   return point;
 }
 
 template <int D>
 uint32_t Edit<D>::add_vertex(uint32_t a, uint32_t b, double share) {
-  double point[3];
+  double point[D];
   point_at<D>(env_.point(a), env_.point(b), share, point);
   const uint32_t v = add_vertex(point);
   if (edge_marked(env_, a, b)) {
@@ -191,8 +191,9 @@ void Edit<D>::prepare(Array<uint32_t>* invalid) {
     if (write_record(i)) continue;
     if (invalid == nullptr) {
       const Cell from = drafts_[i].from;
-      fail(DSW_STATUS_BAD_CELL, "the faces of what comes of volume %u would not close a sphere",
-           from.valid() ? map_.index(from) : map_.index_count());
+      const char* const what = D == 3 ? "a sphere" : "a loop";
+      if (!from.valid()) fail(DSW_STATUS_BAD_CELL, "the faces of new volume %u would not close %s", i, what);
+      fail(DSW_STATUS_BAD_CELL, "the faces of what comes of volume %u would not close %s", map_.index(from), what);
     }
     invalid->push_back(i);
   }
@@ -207,58 +208,36 @@ void Edit<D>::prepare(Array<uint32_t>* invalid) {
   reserve();
 }
 
-/** False: its faces would not close a sphere. */
+/** False: its facets would not close a sphere, in the plane a loop. */
 template <int D>
 bool Edit<D>::write_record(size_t i) {
-  const CellDraft& draft = drafts_[i];
-  Array<uint32_t> vertices{Allocator<uint32_t>(env_.memory)};
-  Array<uint16_t> loops{Allocator<uint16_t>(env_.memory)}, first(loops), table(loops);
-  list_vertices(draft, vertices);
-  const auto local = [&](uint32_t v) {
-    return static_cast<uint16_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
-  };
-  size_t corners = 0;
-  for (const FacetDraft& facet : draft.facets) corners += facet.loop.size();
-  if (corners >= UINT16_MAX) fail(DSW_STATUS_TOO_LARGE, "a volume would have %zu corners of faces", corners);
-  first.push_back(0);
-  for (const FacetDraft& facet : draft.facets) {
-    for (const uint32_t v : facet.loop) loops.push_back(local(v));
-    first.push_back(static_cast<uint16_t>(loops.size()));
-  }
-  const auto facet_count = static_cast<uint32_t>(draft.facets.size());
-  const FacetLoops faces{loops.data(), first.data(), facet_count, static_cast<uint32_t>(vertices.size())};
-  if (append_polyhedron(faces, nullptr, table) != ShapeDefect::kNone) return false;
-  for (uint32_t f = 0; f < facet_count; ++f) {
-    Array<uint16_t> triangles{Allocator<uint16_t>(env_.memory)};
-    for (const uint32_t v : draft.facets[f].triangles) triangles.push_back(local(v));
-    set_triangles(table.data(), f, triangles.data());
-  }
-  const Shape shape(table.data());
-  const StandardMatch match = match_standard_form(shape);
+  Layout layout(env_.memory);
+  if (!lay_out<D>(drafts_[i], layout)) return false;
   made_.emplace_back(env_.memory);
   Made& made = made_.back();
-  made.words.resize(facet_count);
-  if (match.form == Form::kGeneral) {
-    write_general(draft, made, table, vertices);
-    return true;
+  made.words.resize(layout.facets.size());
+  if (layout.form == Form::kGeneral) {
+    write_general(layout, made);
+  } else {
+    const bool is_simplex = layout.form == Form::kSimplex;
+    made.units = is_simplex ? 1 : 2;
+    made.cell = {take_record(map_, made.units)};
+    uint32_t* const w = map_.record(made.cell);
+    std::copy(layout.vertices.begin(), layout.vertices.end(), w + (is_simplex ? 0 : kUnitWords<D>));
+    if (!is_simplex) w[0] = static_cast<uint32_t>(layout.form) << kFormShift | layout.cuts;
   }
-  made.units = match.form == Form::kSimplex ? 1 : 2;
-  made.cell = {take_record(map_, made.units)};
-  uint32_t* const w = map_.record(made.cell);
-  const uint32_t count = Map<D>::standard_vertex_count(match.form);
-  for (uint32_t k = 0; k < count; ++k)
-    w[(match.form == Form::kSimplex ? 0 : kUnitWords<D>)+k] = vertices[match.vertex[k]];
-  if (match.form != Form::kSimplex) w[0] = static_cast<uint32_t>(match.form) << kFormShift | match.cuts;
-  for (uint32_t f = 0; f < facet_count; ++f) made.words[match.facet[f]] = map_.half_facet(made.cell, f).word;
+  for (size_t f = 0; f < layout.facets.size(); ++f) {
+    made.words[f] = map_.half_facet(made.cell, layout.facets[f]).word;
+  }
   return true;
 }
 
 template <int D>
-void Edit<D>::write_general(const CellDraft& draft, Made& made, const Array<uint16_t>& table,
-                            const Array<uint32_t>& vertices) {
-  const auto facets = static_cast<uint32_t>(draft.facets.size()), count = static_cast<uint32_t>(vertices.size());
+void Edit<D>::write_general(const Layout& layout, Made& made) {
+  const auto facets = static_cast<uint32_t>(layout.facets.size());
+  const auto count = static_cast<uint32_t>(layout.vertices.size());
   const uint32_t link_units = units_for<D>(facets);
-  made.shape = take_shape(map_, table);
+  made.shape = take_shape(map_, layout.table);
   made.units = link_units + units_for<D>(count);
   made.cell = {take_record(map_, made.units)};
   uint32_t* const w = map_.record(made.cell);
@@ -266,8 +245,7 @@ void Edit<D>::write_general(const CellDraft& draft, Made& made, const Array<uint
   for (uint32_t u = 1; u < made.units; ++u) {
     w[u * kUnitWords<D>] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | u;
   }
-  for (uint32_t k = 0; k < count; ++k) w[link_units * kUnitWords<D> + item_word<D>(k)] = vertices[k];
-  for (uint32_t f = 0; f < facets; ++f) made.words[f] = map_.half_facet(made.cell, f).word;
+  for (uint32_t k = 0; k < count; ++k) w[link_units * kUnitWords<D> + item_word<D>(k)] = layout.vertices[k];
 }
 
 /** A cell that only changes keeps its index and gets the next generation. */
@@ -462,131 +440,9 @@ void Edit<D>::reserve_labels() {
       env_.tags, [](const CellDraft& draft) { return draft.tag; }, made_tags_);
 }
 
-template <int D>
-void Edit<D>::set_marks(bool back) noexcept {
-  const auto set = [&](MarkChange& mark, bool marked) {
-    return mark.b == kNoCell ? set_vertex_mark(env_, mark.a, marked) : set_edge_mark(env_, mark.a, mark.b, marked);
-  };
-  if (!back) {
-    for (MarkChange& mark : marks_) mark.done = set(mark, mark.marked);
-    for (CellMark& mark : cell_marks_) mark.done = set_cell_mark(env_, mark.cell, mark.marked);
-    return;
-  }
-  for (size_t i = marks_.size(); i-- != 0;) {
-    if (marks_[i].done) set(marks_[i], !marks_[i].marked);
-  }
-  for (const CellMark& mark : cell_marks_) {
-    if (mark.done) set_cell_mark(env_, mark.cell, !mark.marked);
-  }
-}
-
-template <int D>
-void Edit<D>::apply() noexcept {
-  version_ = env_.obstacle_version;
-  env_.renew_version();
-  for (const Link& link : links_) map_.words[link.word] = link.after;
-  set_marks(false);
-  forget_cells();
-  applied_ = true;
-}
-
-template <int D>
-void Edit<D>::revert() noexcept {
-  for (const Link& link : links_) map_.words[link.word] = link.before;
-  set_marks(true);
-  forget_cells();
-  env_.obstacle_version = version_;
-  applied_ = false;
-}
-
-/** What is known of cells may be so no more. */
-template <int D>
-void Edit<D>::forget_cells() noexcept {
-  if (!env_.checked.active()) return;
-  for (const Made& made : made_) env_.checked.open(made.index);
-}
-
-/** Ids from before, then those from after: slots are released last, so that no index is given out twice. */
-template <int D>
-void Edit<D>::log_changes() noexcept {
-  const auto id = [&](Cell c) { return SlotPool::Slot{map_.index(c), map_.generation(c)}; };
-  for (const CellDraft& draft : drafts_) {
-    changes_.push_back({draft.from.valid() ? id(draft.from) : SlotPool::Slot{0, 0}, {0, 0}});
-    for (const Cell c : draft.also) changes_.push_back({id(c), {0, 0}});
-  }
-  for (const Cell c : removed_) {
-    if (ancestors_.find(c.unit) == KeyTable::kNone) changes_.push_back({id(c), {0, 0}});
-  }
-}
-
-template <int D>
-void Edit<D>::move_uses() noexcept {
-  double* const points = env_.writable_points();
-  for (const uint32_t v : vertices_) {
-    map_.vertex_slots.acquire();
-    if (v == map_.vertex_uses.size()) map_.vertex_uses.push_back(0);
-  }
-  map_.vertex_count = static_cast<uint32_t>(map_.vertex_slots.slot_count());
-  for (const Made& made : made_) {
-    for (uint32_t k = 0, n = map_.vertices_of(made.cell); k < n; ++k) {
-      const uint32_t v = map_.vertex(made.cell, k);
-      ++map_.vertex_uses[v];
-      for (int axis = 0; axis < 3; ++axis) {
-        env_.lower[axis] = std::min(env_.lower[axis], env_.point(v)[axis]);
-        env_.upper[axis] = std::max(env_.upper[axis], env_.point(v)[axis]);
-      }
-    }
-  }
-  for (const Cell c : removed_) {
-    for (uint32_t k = 0, n = map_.vertices_of(c); k < n; ++k) {
-      const uint32_t v = map_.vertex(c, k);
-      if (--map_.vertex_uses[v] != 0 || points == nullptr) continue;
-      set_vertex_mark(env_, v, false);
-      map_.vertex_slots.release(v);
-      std::fill_n(points + size_t{v} * 3, 3, 0.0);
-    }
-  }
-}
-
-template <int D>
-void Edit<D>::finish() noexcept {
-  log_changes();
-  for (const Cell c : removed_) env_.marked_cells -= map_.marked(c) ? 1u : 0u;
-  move_uses();
-  size_t at = 0;
-  for (uint32_t k = 0; k < fresh_; ++k) {
-    const uint32_t index = map_.cell_slots.acquire().index;
-    if (index < map_.unit_of_cell.size()) continue;
-    map_.unit_of_cell.push_back(kNoCell);
-    if (!env_.regions.empty()) env_.regions.push_back(0);
-    if (!env_.tags.empty()) env_.tags.push_back(0);
-  }
-  for (const Cell c : removed_) map_.unit_of_cell[map_.index(c)] = kNoCell;
-  for (size_t i = 0; i < made_.size(); ++i) {
-    const CellDraft& draft = drafts_[i];
-    const uint32_t index = made_[i].index;
-    map_.unit_of_cell[index] = made_[i].cell.unit;
-    if (draft.from.valid() && map_.index(draft.from) == index) map_.cell_slots.renew(index);
-    if (!env_.regions.empty()) env_.regions[index] = draft.region;
-    if (!env_.tags.empty()) env_.tags[index] = draft.tag;
-    env_.marked_cells += draft.marked ? 1u : 0u;
-    const SlotPool::Slot after{index, map_.cell_slots.generation(index)};
-    changes_[at++].after = after;
-    for (size_t k = 0; k < draft.also.size(); ++k) changes_[at++].after = after;
-  }
-  for (const Cell c : removed_) {
-    if (map_.unit_of_cell[map_.index(c)] == kNoCell) map_.cell_slots.release(map_.index(c));
-    give_back(map_, c);
-  }
-  map_.cell_count = static_cast<uint32_t>(map_.cell_count + cells_);
-  map_.facet_count = static_cast<uint32_t>(map_.facet_count + (sides_ + boundary_) / 2);
-  map_.boundary_facet_count = static_cast<uint32_t>(map_.boundary_facet_count + boundary_);
-  env_.marked_facets = static_cast<uint64_t>(static_cast<int64_t>(env_.marked_facets) + marked_ / 2);
-  finished_ = true;
-}
-
 #define DSW_EDIT(D) template class Edit<D>
 DSW_EDIT(3);
+DSW_EDIT(2);
 #undef DSW_EDIT
 
 }  // namespace dsw

@@ -8,7 +8,7 @@
 
 #include "base/key_table.h"
 #include "map/records.h"
-#include "topology/draft.h"
+#include "topology/layout.h"
 
 namespace dsw {
 
@@ -124,7 +124,7 @@ class Edit {
   double* room_for(uint32_t v);
   void note_heir(Cell c, uint32_t draft);
   bool write_record(size_t i);
-  void write_general(const CellDraft& draft, Made& made, const Array<uint16_t>& table, const Array<uint32_t>& vertices);
+  void write_general(const Layout& layout, Made& made);
   void collect_links();
   void connect();
   void connect(size_t i, uint32_t facet, const Array<Origin>& origins);

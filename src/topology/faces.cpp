@@ -1,4 +1,4 @@
-// Faces split by an edge, and merged where an edge goes.
+// Faces split by an edge, and merged where an edge goes; in the plane sides merged where a vertex goes.
 
 #include <utility>
 
@@ -47,41 +47,53 @@ SplitFacet split_facet(Edit<3>& edit, HalfFacet h, uint32_t a, uint32_t b) {
   return {i, place, static_cast<uint32_t>(draft.facets.size() - 1)};
 }
 
-MergedFacet merge_facets(Edit<3>& edit, Dart d) {
-  const Environment<3>& env = edit.environment();
-  const Map<3>& map = env.map;
-  const Dart e = beta2(map, d);
-  const HalfFacet h = half_facet(map, d), g = half_facet(map, e);
-  const Dart across_d = beta3(map, d), across_e = beta3(map, e);
-  const bool two = across_d.cell.valid() && across_e.cell.valid() && beta2(map, across_d) == across_e;
-  if (!two && (across_d.cell.valid() || across_e.cell.valid())) {
-    fail(DSW_STATUS_BAD_TOPOLOGY, "the edge between vertices %u and %u has more than two faces", dart_vertex(map, d),
-         dart_target(map, d));
-  }
+template <int D>
+MergedFacet unite(Edit<D>& edit, HalfFacet h, HalfFacet g, const Array<uint32_t>& loop) {
+  const Environment<D>& env = edit.environment();
+  const Map<D>& map = env.map;
   if (map.facet_marked(h) != map.facet_marked(g)) {
     fail(DSW_STATUS_BAD_TOPOLOGY, "one of the two faces is marked, the other is not");
   }
   const FacetDraft first = draft_of(env, h), second = draft_of(env, g);
-  const uint32_t a = dart_vertex(map, d), b = dart_target(map, d);
+  const bool two = first.far.valid();
   // Both sides have to name the merged face after the same one of the two.
   const bool after_first =
       !two || std::min(first.near.word, first.far.word) < std::min(second.near.word, second.far.word);
-  FacetDraft merged = part_of(first, b, a);
-  const FacetDraft rest = part_of(second, a, b);
-  merged.loop.insert(merged.loop.end(), rest.loop.begin() + 1, rest.loop.end() - 1);
+  FacetDraft merged(env.memory);
+  merged.loop = loop;
   merged.triangles = first.triangles;
   merged.triangles.insert(merged.triangles.end(), second.triangles.begin(), second.triangles.end());
   merged.near = after_first ? first.near : second.near;
   merged.far = after_first ? first.far : second.far;
-  const auto put = [&](Cell c, HalfFacet kept, HalfFacet gone, const FacetDraft& facet) {
-    const size_t i = edit.replace(c);
+  merged.marked = first.marked;
+  const auto put = [&](HalfFacet kept, HalfFacet gone, const FacetDraft& facet) {
+    const size_t i = edit.replace(map.cell_of(kept));
     CellDraft& draft = edit.draft(i);
     draft.facets[facet_from(draft, kept)] = facet;
     draft.facets.erase(draft.facets.begin() + facet_from(draft, gone));
     return MergedFacet{i, facet_from(draft, kept)};
   };
-  if (two) put(across_d.cell, merged.far, after_first ? second.far : first.far, turned(merged));
-  return put(d.cell, merged.near, after_first ? second.near : first.near, merged);
+  if (two) put(merged.far, after_first ? second.far : first.far, turned(merged));
+  return put(merged.near, after_first ? second.near : first.near, merged);
 }
+
+MergedFacet merge_facets(Edit<3>& edit, Dart d) {
+  const Environment<3>& env = edit.environment();
+  const Map<3>& map = env.map;
+  const Dart e = beta2(map, d);
+  const Dart across_d = beta3(map, d), across_e = beta3(map, e);
+  const bool two = across_d.cell.valid() && across_e.cell.valid() && beta2(map, across_d) == across_e;
+  const uint32_t a = dart_vertex(map, d), b = dart_target(map, d);
+  if (!two && (across_d.cell.valid() || across_e.cell.valid())) {
+    fail(DSW_STATUS_BAD_TOPOLOGY, "the edge between vertices %u and %u has more than two faces", a, b);
+  }
+  const HalfFacet h = half_facet(map, d), g = half_facet(map, e);
+  Array<uint32_t> loop = part_of(draft_of(env, h), b, a).loop;
+  const Array<uint32_t> rest = part_of(draft_of(env, g), a, b).loop;
+  loop.insert(loop.end(), rest.begin() + 1, rest.end() - 1);
+  return unite(edit, h, g, loop);
+}
+
+template MergedFacet unite(Edit<2>& edit, HalfFacet h, HalfFacet g, const Array<uint32_t>& loop);
 
 }  // namespace dsw

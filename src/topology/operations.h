@@ -13,9 +13,11 @@ struct FacetPair {
 
 /** Each pair becomes one face: both on the outer boundary, with the same vertices. Where they are cut differently one of the two
  * volumes is cut anew, if it stays valid. */
-void sew(Edit<3>& edit, const FacetPair* pairs, size_t count);
+template <int D>
+void sew(Edit<D>& edit, const FacetPair* pairs, size_t count);
 /** A face between two volumes becomes two on the outer boundary. */
-void unsew(Edit<3>& edit, HalfFacet h);
+template <int D>
+void unsew(Edit<D>& edit, HalfFacet h);
 
 /** The host's arrays, read in place; see dsw_volumes_desc. */
 struct NewCells {
@@ -35,18 +37,22 @@ struct NewCells {
 };
 /** Adds volumes, joined with each other where they share faces, and with given faces on the outer boundary. Drafts are theirs, in
  * order. Also throws BAD_CELL_TYPE, WRONG_SIZE, INDEX_OUT_OF_RANGE, DUPLICATE_CELL, SHARED_FACE, NOT_FOUND. */
-void add_cells(Edit<3>& edit, const NewCells& input);
+template <int D>
+void add_cells(Edit<D>& edit, const NewCells& input);
 
-void remove_cells(Edit<3>& edit, const Cell* cells, size_t count);
+template <int D>
+void remove_cells(Edit<D>& edit, const Cell* cells, size_t count);
 /** Two volumes become one: all faces that they share go. Returns its draft. */
-size_t merge_cells(Edit<3>& edit, HalfFacet h);
-/** What a volume was split into: `left` lies to the left of the loop seen from outside, and keeps the index. */
+template <int D>
+size_t merge_cells(Edit<D>& edit, HalfFacet h);
+/** What a volume was split into: `left` lies to the left of the loop (seen from outside), and keeps the index. */
 struct SplitCell {
   size_t left, right;
   uint32_t left_facet, right_facet;  // the new face
 };
-/** Inserts a face along a closed loop of edges of a volume. */
-SplitCell split_cell(Edit<3>& edit, Cell c, const uint32_t* loop, size_t count);
+/** Inserts a face along a closed loop of edges of a volume; in the plane a side from one of two corners of a polygon to the other. */
+template <int D>
+SplitCell split_cell(Edit<D>& edit, Cell c, const uint32_t* loop, size_t count);
 
 /** Inserts an edge between two vertices of a face, on both of its sides. Returns the facets on the side of `h`: that from a to b, and
  * that from b to a, in its draft. */
@@ -61,15 +67,23 @@ struct MergedFacet {
   uint32_t facet;
 };
 MergedFacet merge_facets(Edit<3>& edit, Dart d);
+/** Puts one facet with this loop in the place of two of a cell that lie beside each other and have the same cell behind them, or none: on
+ * both of their sides. Returns it on this side. */
+template <int D>
+MergedFacet unite(Edit<D>& edit, HalfFacet h, HalfFacet g, const Array<uint32_t>& loop);
 
-/** Inserts a vertex at a share of the way along an edge, rounded. Returns it. */
-uint32_t split_edge(Edit<3>& edit, Dart d, double share);
-/** Removes a vertex that has two edges; `d` is one of them. Returns the ends of the edge that they become. */
+/** Inserts a vertex at a share of the way along an edge, in the plane a side, rounded. Returns it. Draft 0 is that of the dart's cell. */
+template <int D>
+uint32_t split_edge(Edit<D>& edit, Dart d, double share);
+/** Removes a vertex that has two edges, in the plane sides; `d` is one of them. Returns the ends of the edge that they become, in draft 0
+ * that of the dart's cell. */
 struct MergedEdge {
   uint32_t a, b;
 };
 MergedEdge merge_edges(Edit<3>& edit, Dart d, uint32_t vertex);
+MergedEdge merge_edges(Edit<2>& edit, Dart d, uint32_t vertex);
 /** Merges `vertex` into the other end of its edge `d`. */
-void collapse_edge(Edit<3>& edit, Dart d, uint32_t vertex);
+template <int D>
+void collapse_edge(Edit<D>& edit, Dart d, uint32_t vertex);
 
 }  // namespace dsw

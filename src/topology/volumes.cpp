@@ -14,8 +14,9 @@ bool can_cut_like(const Environment<3>& env, Cell c, FacetDraft facet, const Fac
   return is_cut_well(env, facet, apex, nullptr);
 }
 
-void check_pair(const Environment<3>& env, const FacetPair& pair, size_t i) {
-  const Map<3>& map = env.map;
+template <int D>
+void check_pair(const Environment<D>& env, const FacetPair& pair, size_t i) {
+  const Map<D>& map = env.map;
   for (const HalfFacet h : {pair.a, pair.b}) {
     if (!map.opposite(h).valid()) continue;
     fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: face %u of volume %u is not on the outer boundary", i,
@@ -27,46 +28,79 @@ void check_pair(const Environment<3>& env, const FacetPair& pair, size_t i) {
 }
 
 /** A facet as it will be. */
-FacetDraft current(Edit<3>& edit, HalfFacet h) {
+template <int D>
+FacetDraft current(Edit<D>& edit, HalfFacet h) {
   const CellDraft* const draft = edit.find_draft(edit.environment().map.cell_of(h));
   return draft == nullptr ? draft_of(edit.environment(), h) : draft->facets[facet_from(*draft, h)];
 }
 
 /** Makes the two facets of a pair have the same triangles. */
-void fit(Edit<3>& edit, const FacetPair& pair, size_t i) {
-  const Environment<3>& env = edit.environment();
+template <int D>
+void fit(Edit<D>& edit, const FacetPair& pair, size_t i) {
+  const Environment<D>& env = edit.environment();
   const FacetDraft a = current(edit, pair.a), b = current(edit, pair.b);
   if (!face_each_other(a, b)) {
     fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: the faces do not have the same vertices in opposite order", i);
   }
-  if (cut_alike(a, b)) return;
-  const auto cut = [&](HalfFacet h, const FacetDraft& like) {
-    CellDraft& draft = edit.draft(edit.replace(env.map.cell_of(h)));
-    cut_like(draft.facets[facet_from(draft, h)], like);
-  };
-  if (can_cut_like(env, env.map.cell_of(pair.b), b, a)) {
-    cut(pair.b, a);
-  } else if (can_cut_like(env, env.map.cell_of(pair.a), a, b)) {
-    cut(pair.a, b);
-  } else {
-    fail(DSW_STATUS_INVALID_CELL, "pair %zu: the faces are cut differently, and neither volume can be cut anew", i);
+  if constexpr (D == 3) {
+    if (cut_alike(a, b)) return;
+    const auto cut = [&](HalfFacet h, const FacetDraft& like) {
+      CellDraft& draft = edit.draft(edit.replace(env.map.cell_of(h)));
+      cut_like(draft.facets[facet_from(draft, h)], like);
+    };
+    if (can_cut_like(env, env.map.cell_of(pair.b), b, a)) {
+      cut(pair.b, a);
+    } else if (can_cut_like(env, env.map.cell_of(pair.a), a, b)) {
+      cut(pair.a, b);
+    } else {
+      fail(DSW_STATUS_INVALID_CELL, "pair %zu: the faces are cut differently, and neither volume can be cut anew", i);
+    }
   }
 }
 
-/** Whether a loop vertex is followed by another one in some facet of the shape: that dart, or dart_count(). */
-uint32_t find_dart(const Map<3>& map, Cell c, const Shape& shape, uint32_t from, uint32_t to) {
+/** Whether a cell has an edge that runs from one vertex to another. */
+template <int D>
+bool has_edge(const Map<D>& map, Cell c, uint32_t from, uint32_t to) {
   uint32_t d = 0;
-  while (d < shape.dart_count() &&
-         (map.vertex(c, shape.dart_vertex(d)) != from || map.vertex(c, shape.dart_vertex(shape.beta1(d))) != to)) {
-    ++d;
+  const uint32_t darts = map.shape(c).dart_count();
+  while (d < darts && (dart_vertex(map, {c, d}) != from || dart_target(map, {c, d}) != to)) ++d;
+  return d < darts;
+}
+
+/** Throws unless a loop runs along edges of a cell. */
+void check_loop(const Map<3>& map, Cell c, const uint32_t* loop, size_t count) {
+  if (count < 3) fail(DSW_STATUS_BAD_TOPOLOGY, "the loop has %zu vertices, must have 3 at least", count);
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t from = loop[i], to = loop[(i + 1) % count];
+    if (!has_edge(map, c, from, to)) {
+      fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u has no edge from vertex %u to vertex %u", map.index(c), from, to);
+    }
+    if (std::find(loop, loop + i, from) != loop + i) {
+      fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u stands twice in the loop", from);
+    }
   }
-  return d;
+}
+
+/** Throws unless it leads from one corner of a polygon to another that is not next to it. */
+void check_loop(const Map<2>& map, Cell c, const uint32_t* loop, size_t count) {
+  if (count != 2) fail(DSW_STATUS_BAD_TOPOLOGY, "the loop has %zu vertices, in the plane it must have 2", count);
+  for (size_t i = 0; i < 2; ++i) {
+    uint32_t k = 0;
+    while (k < map.vertices_of(c) && map.vertex(c, k) != loop[i]) ++k;
+    if (k == map.vertices_of(c)) {
+      fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u does not have vertex %u", map.index(c), loop[i]);
+    }
+  }
+  if (loop[0] == loop[1] || has_edge(map, c, loop[0], loop[1]) || has_edge(map, c, loop[1], loop[0])) {
+    fail(DSW_STATUS_BAD_TOPOLOGY, "vertices %u and %u are the same, or joined already", loop[0], loop[1]);
+  }
 }
 
 }  // namespace
 
-void sew(Edit<3>& edit, const FacetPair* pairs, size_t count) {
-  const Environment<3>& env = edit.environment();
+template <int D>
+void sew(Edit<D>& edit, const FacetPair* pairs, size_t count) {
+  const Environment<D>& env = edit.environment();
   Array<uint32_t> words{Allocator<uint32_t>(env.memory)};
   for (size_t i = 0; i < count; ++i) {
     check_pair(env, pairs[i], i);
@@ -95,8 +129,9 @@ void sew(Edit<3>& edit, const FacetPair* pairs, size_t count) {
   }
 }
 
-void unsew(Edit<3>& edit, HalfFacet h) {
-  const Map<3>& map = edit.environment().map;
+template <int D>
+void unsew(Edit<D>& edit, HalfFacet h) {
+  const Map<D>& map = edit.environment().map;
   const HalfFacet o = map.opposite(h);
   if (!o.valid()) fail(DSW_STATUS_BAD_TOPOLOGY, "the face is on the outer boundary already");
   const bool marked = map.facet_marked(h);
@@ -104,16 +139,18 @@ void unsew(Edit<3>& edit, HalfFacet h) {
   edit.set_link(o, {}, marked);
 }
 
-void remove_cells(Edit<3>& edit, const Cell* cells, size_t count) {
+template <int D>
+void remove_cells(Edit<D>& edit, const Cell* cells, size_t count) {
   for (size_t i = 0; i < count; ++i) edit.remove(cells[i]);
   if (edit.removed().size() == edit.environment().map.cell_count) {
     fail(DSW_STATUS_BAD_TOPOLOGY, "an environment keeps one volume at least");
   }
 }
 
-size_t merge_cells(Edit<3>& edit, HalfFacet h) {
-  const Environment<3>& env = edit.environment();
-  const Map<3>& map = env.map;
+template <int D>
+size_t merge_cells(Edit<D>& edit, HalfFacet h) {
+  const Environment<D>& env = edit.environment();
+  const Map<D>& map = env.map;
   const HalfFacet o = map.opposite(h);
   if (!o.valid()) fail(DSW_STATUS_BAD_TOPOLOGY, "the face is on the outer boundary: there is nothing to merge with");
   const Cell a = map.cell_of(h), b = map.cell_of(o);
@@ -136,20 +173,10 @@ size_t merge_cells(Edit<3>& edit, HalfFacet h) {
   return edit.add(std::move(merged));
 }
 
-SplitCell split_cell(Edit<3>& edit, Cell c, const uint32_t* loop, size_t count) {
-  const Environment<3>& env = edit.environment();
-  const Map<3>& map = env.map;
-  const Shape shape = map.shape(c);
-  if (count < 3) fail(DSW_STATUS_BAD_TOPOLOGY, "the loop has %zu vertices, must have 3 at least", count);
-  for (size_t i = 0; i < count; ++i) {
-    const uint32_t from = loop[i], to = loop[(i + 1) % count];
-    if (find_dart(map, c, shape, from, to) == shape.dart_count()) {
-      fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u has no edge from vertex %u to vertex %u", map.index(c), from, to);
-    }
-    if (std::find(loop, loop + i, from) != loop + i) {
-      fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u stands twice in the loop", from);
-    }
-  }
+template <int D>
+SplitCell split_cell(Edit<D>& edit, Cell c, const uint32_t* loop, size_t count) {
+  const Environment<D>& env = edit.environment();
+  check_loop(env.map, c, loop, count);
   const CellDraft whole = draft_of(env, c);
   CellDraft left = whole, right = whole;
   left.facets.clear();
@@ -163,13 +190,17 @@ SplitCell split_cell(Edit<3>& edit, Cell c, const uint32_t* loop, size_t count) 
   }
   FacetDraft turned = inserted;
   std::reverse(turned.loop.begin(), turned.loop.end());
-  double left_apex[3], right_apex[3];
-  centre(env, left, left_apex);
-  centre(env, right, right_apex);
-  if (!cut_anew(env, turned, turned.loop, left_apex, right_apex)) {
-    fail(DSW_STATUS_INVALID_CELL, "the new face can't be cut into triangles that leave both volumes valid");
+  if constexpr (D == 3) {
+    double left_apex[3], right_apex[3];
+    centre(env, left, left_apex);
+    centre(env, right, right_apex);
+    if (!cut_anew(env, turned, turned.loop, left_apex, right_apex)) {
+      fail(DSW_STATUS_INVALID_CELL, "the new face can't be cut into triangles that leave both volumes valid");
+    }
+    cut_like(inserted, turned);
+  } else {
+    std::swap(turned, inserted);  // a side has its polygon on its left, a loop of edges the facets seen from outside
   }
-  cut_like(inserted, turned);
   left.facets.push_back(std::move(turned));
   right.facets.push_back(std::move(inserted));
   const auto left_facet = static_cast<uint32_t>(left.facets.size() - 1);
@@ -178,5 +209,15 @@ SplitCell split_cell(Edit<3>& edit, Cell c, const uint32_t* loop, size_t count) 
   const size_t first = edit.add(std::move(left));
   return {first, edit.add(std::move(right)), left_facet, right_facet};
 }
+
+#define DSW_VOLUMES(D)                                                        \
+  template void sew(Edit<D>& edit, const FacetPair* pairs, size_t count);     \
+  template void unsew(Edit<D>& edit, HalfFacet h);                            \
+  template void remove_cells(Edit<D>& edit, const Cell* cells, size_t count); \
+  template size_t merge_cells(Edit<D>& edit, HalfFacet h);                    \
+  template SplitCell split_cell(Edit<D>& edit, Cell c, const uint32_t* loop, size_t count)
+DSW_VOLUMES(3);
+DSW_VOLUMES(2);
+#undef DSW_VOLUMES
 
 }  // namespace dsw

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
+#include <type_traits>
 
 #include "base/error.h"
 #include "environment/test_mesh.h"
@@ -15,20 +17,27 @@ namespace {
 using namespace dsw;
 using namespace dsw::test;
 
-Mesh3 boxes() {
-  Mesh3 mesh;
-  add_boxes(mesh, 4, 2, 2);
-  return mesh;
+template <int D>
+std::unique_ptr<Environment<D>> boxes() {
+  TestMesh<D> mesh;
+  if constexpr (D == 3) {
+    add_boxes(mesh, 4, 2, 2);
+  } else {
+    add_squares(mesh, 4, 4);
+  }
+  return mesh.build();
 }
 
-void carry_out(Edit<3>& edit) {
+template <int D>
+void carry_out(Edit<D>& edit) {
   edit.prepare();
   edit.apply();
   edit.finish();
 }
 
 /** A facet between two cells. */
-HalfFacet inner_facet(const Map<3>& map) {
+template <int D>
+HalfFacet inner_facet(const Map<D>& map) {
   HalfFacet found;
   for_each_cell(map, [&](Cell c) {
     for (uint32_t f = 0; f < map.facets_of(c); ++f) {
@@ -38,15 +47,28 @@ HalfFacet inner_facet(const Map<3>& map) {
   return found;
 }
 
-TEST(Edit, UsesRecordsShapesAndIndicesAgain) {
-  const auto env = boxes().build();
+/** What is the same in space and in the plane. */
+template <class Dimension>
+class EditOfDimension : public testing::Test {};
+struct DimensionName {
+  template <class Dimension>
+  static std::string GetName(int) {
+    return std::to_string(Dimension::value) + "D";
+  }
+};
+using Dimensions = testing::Types<std::integral_constant<int, 3>, std::integral_constant<int, 2>>;
+TYPED_TEST_SUITE(EditOfDimension, Dimensions, DimensionName);
+
+TYPED_TEST(EditOfDimension, UsesRecordsShapesAndIndicesAgain) {
+  constexpr int D = TypeParam::value;
+  const auto env = boxes<D>();
   size_t words = 0, tables = 0;
   uint32_t indices = 0;
   for (int round = 0; round < 50; ++round) {
     Cell merged;
     std::vector<uint32_t> loop;
     {
-      Edit<3> edit(*env);
+      Edit<D> edit(*env);
       const HalfFacet h = inner_facet(env->map);
       const FacetDraft shared = draft_of(*env, h);
       loop.assign(shared.loop.begin(), shared.loop.end());
@@ -57,7 +79,7 @@ TEST(Edit, UsesRecordsShapesAndIndicesAgain) {
     ASSERT_EQ(check_integrity(env->map), nullptr);
     EXPECT_EQ(env->map.form(merged), Form::kGeneral);
     {
-      Edit<3> edit(*env);
+      Edit<D> edit(*env);
       split_cell(edit, merged, loop.data(), loop.size());
       carry_out(edit);
       EXPECT_EQ(env->map.form(edit.cell(0)), Form::kBox);
@@ -76,14 +98,15 @@ TEST(Edit, UsesRecordsShapesAndIndicesAgain) {
   EXPECT_EQ(indices, 16u);
 }
 
-TEST(Edit, TakenBackLeavesEveryWordAsItWas) {
-  const auto env = boxes().build();
-  Edit<3>(*env).prepare();  // the tables are there from now on
+TYPED_TEST(EditOfDimension, TakenBackLeavesEveryWordAsItWas) {
+  constexpr int D = TypeParam::value;
+  const auto env = boxes<D>();
+  Edit<D>(*env).prepare();  // the tables are there from now on
   const Array<uint32_t> words = env->map.words, cell_of_unit = env->map.cell_of_unit;
   const uint64_t version = env->obstacle_version;
   uint64_t in_between[2] = {};
   for (uint64_t& each : in_between) {
-    Edit<3> edit(*env);
+    Edit<D> edit(*env);
     merge_cells(edit, inner_facet(env->map));
     edit.prepare();
     edit.apply();
@@ -97,12 +120,13 @@ TEST(Edit, TakenBackLeavesEveryWordAsItWas) {
   EXPECT_EQ(check_integrity(env->map), nullptr);
 }
 
-TEST(Edit, CountsPartsAndBoundaryOfAFaceThatOpens) {
-  const auto env = boxes().build();
+TYPED_TEST(EditOfDimension, CountsPartsAndBoundaryOfAFaceThatOpens) {
+  constexpr int D = TypeParam::value;
+  const auto env = boxes<D>();
   const uint32_t facets = env->map.facet_count, boundary = env->map.boundary_facet_count;
   const HalfFacet h = inner_facet(env->map), o = env->map.opposite(h);
   {
-    Edit<3> edit(*env);
+    Edit<D> edit(*env);
     unsew(edit, h);
     carry_out(edit);
   }
@@ -110,7 +134,7 @@ TEST(Edit, CountsPartsAndBoundaryOfAFaceThatOpens) {
   EXPECT_EQ(env->map.boundary_facet_count, boundary + 2);
   EXPECT_FALSE(env->map.opposite(h).valid());
   {
-    Edit<3> edit(*env);
+    Edit<D> edit(*env);
     const FacetPair pair{h, o};
     sew(edit, &pair, 1);
     carry_out(edit);
@@ -122,7 +146,7 @@ TEST(Edit, CountsPartsAndBoundaryOfAFaceThatOpens) {
 
 TEST(Edit, FacesCutDifferentlyAreSewnByCuttingOneAnew) {
   // Two cubes whose common quad is cut along different diagonals.
-  const auto env = boxes().build();
+  const auto env = boxes<3>();
   const HalfFacet h = inner_facet(env->map), o = env->map.opposite(h);
   {
     Edit<3> edit(*env);
@@ -152,34 +176,44 @@ TEST(Edit, FacesCutDifferentlyAreSewnByCuttingOneAnew) {
   EXPECT_EQ(check_integrity(env->map), nullptr);
 }
 
-TEST(Edit, DamageToAMapThatHasChangedIsSeen) {
-  const auto expect_broken = [](const std::function<void(Map<3>&)>& damage, const char* what) {
-    const auto env = boxes().build();
-    Edit<3> edit(*env);
+TYPED_TEST(EditOfDimension, DamageToAMapThatHasChangedIsSeen) {
+  constexpr int D = TypeParam::value;
+  const auto expect_broken = [](const std::function<void(Map<D>&)>& damage, const char* what) {
+    const auto env = boxes<D>();
+    Edit<D> edit(*env);
     merge_cells(edit, inner_facet(env->map));
     carry_out(edit);
-    Edit<3>(*env).prepare();
+    Edit<D>(*env).prepare();
     ASSERT_EQ(check_integrity(env->map), nullptr);
     damage(env->map);
     EXPECT_NE(check_integrity(env->map), nullptr) << what;
   };
-  const auto free_record = [](Map<3>& m) { return m.free_records[2]; };
-  expect_broken([&](Map<3>& m) { m.free_records[2] = kNoCell; }, "a free record in no list");
-  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords<3> + 1] = free_record(m); }, "a list in a circle");
-  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords<3> + 1] = 1u << 30; }, "a list that leads away");
-  expect_broken([&](Map<3>& m) { ++m.words[free_record(m) * kUnitWords<3>]; }, "a free record of another size");
-  expect_broken([&](Map<3>& m) { m.words[free_record(m) * kUnitWords<3> + 5] = 1; }, "words in a free record");
-  expect_broken([&](Map<3>& m) { m.cell_of_unit[free_record(m)] = 0; }, "a cell in a free record");
-  expect_broken([](Map<3>& m) { m.vertex_uses[0] += 1; }, "uses of a vertex");
-  expect_broken([](Map<3>& m) { m.cell_slots.release(0); }, "a cell whose slot is free");
-  expect_broken([](Map<3>& m) { m.shape_tables[0] = kFreeShape; }, "a shape in use that is free");
-  expect_broken([](Map<3>& m) { m.unit_of_cell[0] = m.unit_of_cell[1]; }, "a cell without a record");
-  expect_broken([](Map<3>& m) { m.vertex_slots.release(m.vertex(m.cell(0), 0)); }, "a vertex that is gone");
+  const auto free_record = [](Map<D>& m) { return m.free_records[2]; };
+  expect_broken([&](Map<D>& m) { m.free_records[2] = kNoCell; }, "a free record in no list");
+  expect_broken([&](Map<D>& m) { m.words[free_record(m) * kUnitWords<D> + 1] = free_record(m); }, "a list in a circle");
+  expect_broken([&](Map<D>& m) { m.words[free_record(m) * kUnitWords<D> + 1] = 1u << 30; }, "a list that leads away");
+  expect_broken([&](Map<D>& m) { ++m.words[free_record(m) * kUnitWords<D>]; }, "a free record of another size");
+  expect_broken([&](Map<D>& m) { m.words[free_record(m) * kUnitWords<D> + 5] = 1; }, "words in a free record");
+  expect_broken([&](Map<D>& m) { m.cell_of_unit[free_record(m)] = 0; }, "a cell in a free record");
+  expect_broken([](Map<D>& m) { m.vertex_uses[0] += 1; }, "uses of a vertex");
+  expect_broken([](Map<D>& m) { m.cell_slots.release(0); }, "a cell whose slot is free");
+  expect_broken([](Map<D>& m) { m.shape_tables[0] = kFreeShape; }, "a shape in use that is free");
+  if (D == 2) {
+    const auto noted = [](Map<D>& m) -> uint32_t& {
+      return *std::find_if(m.free_shapes.begin(), m.free_shapes.end(), [](uint32_t i) { return i != kNoCell; });
+    };
+    expect_broken([&](Map<D>& m) { noted(m) = kNoCell; }, "a shape that is not noted");
+    expect_broken([&](Map<D>& m) { noted(m) = 7; }, "a shape noted that does not exist");
+    expect_broken([&](Map<D>& m) { m.free_shapes[0] = 0; }, "a shape noted by another length");
+  }
+  expect_broken([](Map<D>& m) { m.unit_of_cell[0] = m.unit_of_cell[1]; }, "a cell without a record");
+  expect_broken([](Map<D>& m) { m.vertex_slots.release(m.vertex(m.cell(0), 0)); }, "a vertex that is gone");
 }
 
-TEST(Edit, VerticesGoWithTheirLastCell) {
-  const auto env = boxes().build();
-  Edit<3> edit(*env);
+TYPED_TEST(EditOfDimension, VerticesGoWithTheirLastCell) {
+  constexpr int D = TypeParam::value;
+  const auto env = boxes<D>();
+  Edit<D> edit(*env);
   const Cell corner = env->map.cell(0);
   remove_cells(edit, &corner, 1);
   carry_out(edit);
