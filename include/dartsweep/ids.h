@@ -5,7 +5,8 @@
  *
  * In the plane ids are read by codimension. A volume id names a cell of full dimension, a polygon; a face id what lies between two of
  * them, a side, face number i running from the polygon's vertex i to the next; a vertex id a vertex. There are no edges: what takes an edge
- * id, or DSW_CELL_EDGE, answers DSW_STATUS_UNSUPPORTED. Words in these headers are to be read alike.
+ * id, or DSW_CELL_EDGE, answers DSW_STATUS_UNSUPPORTED, but for topology.h, where sides are split, merged and collapsed as edges are. Words
+ * in these headers are to be read alike.
  */
 #ifndef DARTSWEEP_IDS_H
 #define DARTSWEEP_IDS_H

@@ -30,6 +30,11 @@
  * DSW_STATUS_BAD_CELL: the faces of a new volume would not close a sphere; DSW_STATUS_INVALID_CELL: a new volume would be flat, folded,
  * inside out, or cover a part of itself twice. The message says which.
  * Thread: writer of the environment and of its scene. Source: [JCD10] 5.2.
+ *
+ * In the plane (see ids.h) volumes are polygons and faces their sides, and all of this holds. Sides are the edges, too: where a function
+ * here takes an edge id it takes the numbers of a side's face id, and gives ids of edges back as such. What comes out with three or four
+ * corners is a triangle or a quad, anything else a polygon, its corners counter-clockwise; new polygons have to be stars of the mean of their
+ * corners.
  */
 #ifndef DARTSWEEP_TOPOLOGY_H
 #define DARTSWEEP_TOPOLOGY_H
@@ -66,9 +71,10 @@ typedef struct dsw_volumes_desc {
   uint32_t index_bytes;          /**< Size of the signed integers in offsets and connectivity: 4 or 8; 0 means 8. */
   const dsw_vertex_id *vertices; /**< Vertices that the environment has: 0 .. vertex_count-1 in connectivity. */
   size_t vertex_count;           /**< How many. */
-  const double *points;      /**< New vertices, 3 doubles each, finite: vertex_count and following in connectivity. */
+  const double *points;      /**< New vertices, 3 doubles each (in the plane 2), finite: vertex_count and following in
+                                connectivity. */
   size_t point_count;        /**< 0 where the points of the environment are borrowed without room (deform.h). */
-  size_t point_stride_bytes; /**< Distance of two points; 0 means 24. */
+  size_t point_stride_bytes; /**< Distance of two points; 0 means 24, in the plane 16. */
   const uint8_t *cell_types; /**< dsw_cell_type of each volume; null: all are uniform_cell_type. */
   size_t cell_count;         /**< At least 1. */
   const void *offsets;       /**< As in dsw_environment_desc; null is allowed with uniform_cell_type. */
@@ -80,7 +86,7 @@ typedef struct dsw_volumes_desc {
       *sew_to;      /**< Faces on the outer boundary to which the new volumes are sewn; each has the vertices of a
                                    face of one of these. Others stay apart, also where they have the same vertices. */
   size_t sew_count; /**< How many. */
-  uint32_t uniform_cell_type; /**< dsw_cell_type of all volumes when cell_types is null; not polyhedron. */
+  uint32_t uniform_cell_type; /**< dsw_cell_type of all volumes when cell_types is null; not polyhedron or polygon. */
   uint32_t reserved;          /**< 0. */
 } dsw_volumes_desc;
 
@@ -107,6 +113,7 @@ DSW_API dsw_status dsw_environment_remove_volumes(dsw_environment *environment, 
                                                   size_t count);
 
 /** Merges the two volumes of a face: it goes, with all other faces that the two share, and with edges and vertices that only those had.
+ * In the plane the sides that the two share have to be one chain.
  * @param environment [in,out] @param face [in]
  * @param volume [out] the volume that they become, with region, tag and index of the one that `face` names; may be
  * null.
@@ -114,18 +121,19 @@ DSW_API dsw_status dsw_environment_remove_volumes(dsw_environment *environment, 
 DSW_API dsw_status dsw_environment_merge_volumes(dsw_environment *environment, dsw_face_id face, dsw_volume_id *volume);
 
 /** Splits a volume: inserts a face along a closed loop of its edges. It is cut into triangles that leave both parts valid, if there
- * are such.
+ * are such. In the plane it inserts a side from one corner of a polygon to another.
  * @param environment [in,out] @param volume [in]
  * @param loop [in] `count` >= 3 different vertices, each joined with the next by an edge of the volume, the last with
- * the first. @param count [in]
- * @param volumes [out] 2 ids, may be null: the part to the left of the loop, seen from outside, which keeps the index;
- * the other. @param face [out] the new face; may be null.
+ * the first. In the plane two corners that no side joins. @param count [in] in the plane 2.
+ * @param volumes [out] 2 ids, may be null: the part to the left of the loop, seen from outside (in the plane of the way from the first
+ * corner to the second), which keeps the index; the other. @param face [out] the new face; may be null.
  * @return DSW_STATUS_BAD_TOPOLOGY, DSW_STATUS_BAD_CELL (the loop is that of a face), DSW_STATUS_INVALID_CELL. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_volume(dsw_environment *environment, dsw_volume_id volume,
                                                 const dsw_vertex_id *loop, size_t count, dsw_volume_id *volumes,
                                                 dsw_face_id *face);
 
-/** Merges the two faces of an edge that has no others: the edge goes. The triangles stay, and so the space of every volume.
+/** Merges the two faces of an edge that has no others: the edge goes. The triangles stay, and so the space of every volume. Not in the
+ * plane, where dsw_environment_merge_edges does this to sides: DSW_STATUS_UNSUPPORTED.
  * @param environment [in,out] @param edge [in] @param face [out] the face that they become; may be null.
  * @return DSW_STATUS_BAD_TOPOLOGY: the edge has more faces, or one of the two is marked and the other is not; DSW_STATUS_BAD_CELL:
  * the two faces share more than this edge. @since 1.0 */
@@ -133,7 +141,8 @@ DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw
 
 /** Splits a face, on both of its sides: inserts an edge between two of its vertices. Where the edge crosses the triangles of a face that
  * is not flat, both parts are cut anew, and the space of its volumes (on the outer boundary that of the environment) changes
- * between the old triangles and the new ones.
+ * between the old triangles and the new ones. Not in the plane, where dsw_environment_split_edge does this to sides:
+ * DSW_STATUS_UNSUPPORTED.
  * @param environment [in,out] @param face [in] @param a, b [in] vertices of the face that no edge of it joins.
  * @param faces [out] 2 ids, may be null: the part from a to b, seen from outside of the volume that `face` names; the
  * other. @param edge [out] the new edge; may be null.
@@ -143,7 +152,8 @@ DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_
                                               dsw_vertex_id b, dsw_face_id *faces, dsw_edge_id *edge);
 
 /** Splits an edge: inserts a vertex at the rounded place `share` of the way from the first to the second of its vertices (in the order of
- * dsw_environment_copy_vertices), in all of its volumes. On the outer boundary the surface moves by that rounding.
+ * dsw_environment_copy_vertices), in all of its volumes. On the outer boundary the surface moves by that rounding. In the plane it splits a side, whose mark both parts get;
+ * the first of its vertices is where it begins in the polygon that `edge` names.
  * @param environment [in,out] @param edge [in] @param share [in] 0 < share < 1.
  * @param vertex [out] the new vertex; may be null.
  * @param edges [out] 2 ids, may be null: the parts at the first and at the second vertex.
@@ -152,7 +162,7 @@ DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_
                                               dsw_vertex_id *vertex, dsw_edge_id *edges);
 
 /** Merges the two edges of a vertex that has no others: the vertex goes, the edge then runs straight between the two others, and so
- * does the outer boundary there.
+ * does the outer boundary there. In the plane these are sides, both marked or both not, and none of their polygons is a triangle.
  * @param environment [in,out] @param edge [in] one of the two. @param vertex [in] the end of it that goes.
  * @param merged [out] the edge that they become; may be null.
  * @return DSW_STATUS_BAD_TOPOLOGY: the vertex is no end of the edge, has other edges or other volumes, or a triangle there would come to
@@ -160,8 +170,8 @@ DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_
 DSW_API dsw_status dsw_environment_merge_edges(dsw_environment *environment, dsw_edge_id edge, dsw_vertex_id vertex,
                                                dsw_edge_id *merged);
 
-/** Collapses an edge: one of its ends is merged into the other. Volumes that come to nothing (tetrahedra at the edge) go, with their
- * marks; their two faces that are left become one, marked if one of them was. The outer boundary keeps its form exactly, or the
+/** Collapses an edge: one of its ends is merged into the other. Volumes that come to nothing (tetrahedra at the edge, triangles in the
+ * plane) go, with their marks; their two faces that are left become one, marked if one of them was. The outer boundary keeps its form exactly, or the
  * call is refused.
  * @param environment [in,out] @param edge [in] @param vertex [in] the end that goes.
  * @return DSW_STATUS_BAD_TOPOLOGY: the vertex is no end of the edge, or has volumes that are not joined through its faces, or lies on

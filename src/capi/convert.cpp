@@ -40,7 +40,8 @@ HalfFacet to_half_facet(const Map<D>& map, dsw_face_id id, ArgumentName argument
   return map.half_facet(c, id.local);
 }
 
-Dart to_dart(const Map<3>& map, dsw_edge_id id, ArgumentName argument, size_t index) {
+template <int D>
+Dart to_dart(const Map<D>& map, dsw_edge_id id, ArgumentName argument, size_t index) {
   const Cell c = owner_of(map, id, argument, index);
   const uint32_t edges = map.shape(c).edge_count();
   if (id.local >= edges) fail_local(id, edges, "edges", argument, index);
@@ -134,7 +135,8 @@ dsw_level to_public(SweepLevel level) noexcept {
   return static_cast<dsw_level>(static_cast<uint32_t>(level) + DSW_LEVEL_POINTS);
 }
 
-void append_changes(Edit<3>& edit, Array<dsw_volume_change>& changes) noexcept {
+template <int D>
+void append_changes(Edit<D>& edit, Array<dsw_volume_change>& changes) noexcept {
   for (const VolumeChange& c : edit.changes()) {
     changes.push_back({{c.before.index, c.before.generation}, {c.after.index, c.after.generation}});
   }
@@ -153,7 +155,9 @@ void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* 
 #define DSW_CONVERT(D)                                                                 \
   template Cell to_cell(const Map<D>&, dsw_volume_id, ArgumentName, size_t);           \
   template HalfFacet to_half_facet(const Map<D>&, dsw_face_id, ArgumentName, size_t);  \
+  template Dart to_dart(const Map<D>&, dsw_edge_id, ArgumentName, size_t);             \
   template uint32_t to_vertex(const Map<D>&, dsw_vertex_id, ArgumentName, size_t);     \
+  template void append_changes(Edit<D>&, Array<dsw_volume_change>&) noexcept;          \
   template void check_hint(const Map<D>&, dsw_volume_id, const char*);                 \
   template void check_hints(const Map<D>&, const dsw_volume_id*, size_t, const char*); \
   template size_t to_step<D>(size_t, size_t);                                          \

@@ -19,8 +19,9 @@ template <int D>
 Cell to_cell(const Map<D>& map, dsw_volume_id id, ArgumentName argument, size_t index = 0);
 template <int D>
 HalfFacet to_half_facet(const Map<D>& map, dsw_face_id id, ArgumentName argument, size_t index = 0);
-/** One dart of the edge. */
-Dart to_dart(const Map<3>& map, dsw_edge_id id, ArgumentName argument, size_t index = 0);
+/** One dart of the edge, in the plane of the side with the numbers of its face id. */
+template <int D>
+Dart to_dart(const Map<D>& map, dsw_edge_id id, ArgumentName argument, size_t index = 0);
 template <int D>
 uint32_t to_vertex(const Map<D>& map, dsw_vertex_id id, ArgumentName argument, size_t index = 0);
 
@@ -125,6 +126,7 @@ void copy_ids(size_t slot_count, const SlotPool& slots, Id* out, size_t capacity
 }
 
 /** What became of volumes, by an edit that is finished. There is room for it. */
-void append_changes(Edit<3>& edit, Array<dsw_volume_change>& changes) noexcept;
+template <int D>
+void append_changes(Edit<D>& edit, Array<dsw_volume_change>& changes) noexcept;
 
 }  // namespace dsw::capi

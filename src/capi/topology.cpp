@@ -4,6 +4,7 @@
 
 #include "capi/convert.h"
 #include "capi/recorded.h"
+#include "environment/mesh_reader.h"
 #include "scene/edits.h"
 #include "topology/operations.h"
 
@@ -13,27 +14,28 @@ using dsw::fail;
 namespace {
 
 /** One call: an edit of an environment that no more than one scene uses. */
+template <int D>
 class Change {
  public:
-  explicit Change(dsw_environment* environment)
-      : handle_(capi::check_handle(environment, "environment")), scene_(capi::only_scene(handle_)) {
-    capi::space(handle_);  // first: points of the plane have two coordinates
-  }
+  static constexpr int kDimension = D;
 
-  const dsw::Map<3>& map() const { return capi::space(handle_).map; }
+  Change(dsw_environment& handle, dsw::Environment<D>& env)
+      : handle_(handle), scene_(capi::only_scene(handle)), env_(env) {}
+
+  const dsw::Map<D>& map() const { return env_.map; }
   const dsw::Memory* memory() const { return capi::memory_of(handle_); }
 
   /** Arguments have been checked; what was asked for is written if the scene is recorded. */
   template <class... Arguments>
-  dsw::Edit<3>& begin(capi::Call number, const Arguments&... arguments) {
+  dsw::Edit<D>& begin(capi::Call number, const Arguments&... arguments) {
     call_.emplace(scene_, number, arguments...);
-    return edit_.emplace(capi::space(handle_));
+    return edit_.emplace(env_);
   }
 
   void carry_out() {
     dsw::Array<dsw_volume_change> changes{dsw::Allocator<dsw_volume_change>(memory())};
     changes.reserve(edit_->most_changes());
-    dsw::carry_out(*edit_, capi::engine_of(scene_));
+    dsw::carry_out(*edit_, capi::engine_of<D>(scene_));
     capi::append_changes(*edit_, changes);
     handle_.changes.swap(changes);
     call_->done(capi::items_of(handle_.changes));
@@ -54,10 +56,29 @@ class Change {
  private:
   dsw_environment& handle_;
   dsw_scene* scene_;
+  dsw::Environment<D>& env_;
   std::optional<capi::Recorded> call_;
-  std::optional<dsw::Edit<3>> edit_;
+  std::optional<dsw::Edit<D>> edit_;
 };
 
+/** Runs the body of the entry point named `function` with the change that it is to make. */
+template <class Body>
+dsw_status guarded_change(const char* function, dsw_environment* environment, const Body& body) noexcept {
+  return capi::guarded_visit(function, environment, "environment", [&](auto& env) {
+    Change<capi::kDimension<decltype(env)>> change(*environment, env);
+    body(change);
+  });
+}
+
+/** The engine for what is done to faces by edges; `instead`: the function for sides of the plane, which refuses this one. */
+dsw::Environment<3>& with_edges(dsw_environment& handle, const char* instead) {
+  if (capi::is_planar(handle)) {
+    fail(DSW_STATUS_UNSUPPORTED, "in the plane a face is a side, which has no edges inside: see %s", instead);
+  }
+  return capi::space(handle);
+}
+
+template <int D>
 void check_arrays(const dsw_volumes_desc& d) {
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
   if (d.index_bytes != 0 && d.index_bytes != 4 && d.index_bytes != 8) {
@@ -71,7 +92,8 @@ void check_arrays(const dsw_volumes_desc& d) {
   capi::require_array(d.vertices, d.vertex_count, "desc->vertices");
   capi::require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
   capi::require_array(d.sew_to, d.sew_count, "desc->sew_to");
-  if (d.offsets == nullptr && (d.cell_types != nullptr || d.uniform_cell_type == DSW_CELL_TYPE_POLYHEDRON)) {
+  const dsw::CellType type = dsw::cell_type<D>(d.uniform_cell_type);
+  if (d.offsets == nullptr && (d.cell_types != nullptr || (type.known && type.vertex_count == 0))) {
     fail(DSW_STATUS_NULL_ARGUMENT, "desc->offsets is null, which needs one uniform type with a fixed number of points");
   }
 }
@@ -87,13 +109,13 @@ void dsw_volumes_desc_init(dsw_volumes_desc* desc, size_t size) {
 
 dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_volumes_desc* desc,
                                        dsw_volume_id* volumes, dsw_vertex_id* vertices) {
-  return capi::guard("dsw_environment_add_volumes", [&] {
-    Change change(environment);
+  return guarded_change("dsw_environment_add_volumes", environment, [&](auto& change) {
+    constexpr int D = std::decay_t<decltype(change)>::kDimension;
     capi::require(desc, "desc");
     const dsw_volumes_desc d = capi::read_struct(desc, "desc");
-    check_arrays(d);
-    const dsw::PointArray points = capi::to_points(d.points, d.point_count, d.point_stride_bytes, "desc->points");
-    dsw::check_finite(points, d.point_count, 3, {"desc->points", true});
+    check_arrays<D>(d);
+    const dsw::PointArray points = capi::to_points<D>(d.points, d.point_count, d.point_stride_bytes, "desc->points");
+    dsw::check_finite(points, d.point_count, D, {"desc->points", true});
     dsw::Array<uint32_t> all{dsw::Allocator<uint32_t>(change.memory())};
     all.reserve(d.vertex_count + d.point_count);
     for (size_t i = 0; i < d.vertex_count; ++i) {
@@ -107,12 +129,12 @@ dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_v
     const auto text = [&](const void* integers, size_t count) {
       return capi::Items<uint8_t>{static_cast<const uint8_t*>(integers), count * index_bytes};
     };
-    dsw::Edit<3>& edit = change.begin(
+    auto& edit = change.begin(
         capi::Call::kAddVolumes,
         capi::without(d, &dsw_volumes_desc::vertices, &dsw_volumes_desc::points, &dsw_volumes_desc::cell_types,
                       &dsw_volumes_desc::offsets, &dsw_volumes_desc::connectivity, &dsw_volumes_desc::regions,
                       &dsw_volumes_desc::tags, &dsw_volumes_desc::sew_to),
-        capi::Items<dsw_vertex_id>{d.vertices, d.vertex_count}, capi::Points{points, d.point_count},
+        capi::Items<dsw_vertex_id>{d.vertices, d.vertex_count}, capi::Points{points, d.point_count, D},
         capi::Items<uint8_t>{d.cell_types, d.cell_count}, text(d.offsets, d.cell_count + 1),
         text(d.connectivity, d.connectivity_count), capi::Items<int32_t>{d.regions, d.cell_count},
         capi::Items<uint32_t>{d.tags, d.cell_count}, capi::Items<dsw_face_id>{d.sew_to, d.sew_count});
@@ -131,8 +153,7 @@ dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_v
 
 dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_face_id* faces_a,
                                      const dsw_face_id* faces_b, size_t count) {
-  return capi::guard("dsw_environment_sew_faces", [&] {
-    Change change(environment);
+  return guarded_change("dsw_environment_sew_faces", environment, [&](auto& change) {
     capi::require_array(faces_a, count, "faces_a");
     capi::require_array(faces_b, count, "faces_b");
     dsw::Array<dsw::FacetPair> pairs(count, dsw::FacetPair{}, dsw::Allocator<dsw::FacetPair>(change.memory()));
@@ -140,16 +161,15 @@ dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_fac
       pairs[i].a = capi::to_half_facet(change.map(), faces_a[i], {"faces_a", true}, i);
       pairs[i].b = capi::to_half_facet(change.map(), faces_b[i], {"faces_b", true}, i);
     }
-    dsw::Edit<3>& edit = change.begin(capi::Call::kSewFaces, capi::Items<dsw_face_id>{faces_a, count},
-                                      capi::Items<dsw_face_id>{faces_b, count});
+    auto& edit = change.begin(capi::Call::kSewFaces, capi::Items<dsw_face_id>{faces_a, count},
+                              capi::Items<dsw_face_id>{faces_b, count});
     sew(edit, pairs.data(), count);
     change.carry_out();
   });
 }
 
 dsw_status dsw_environment_unsew_face(dsw_environment* environment, dsw_face_id face) {
-  return capi::guard("dsw_environment_unsew_face", [&] {
-    Change change(environment);
+  return guarded_change("dsw_environment_unsew_face", environment, [&](auto& change) {
     const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
     unsew(change.begin(capi::Call::kUnsewFace, face), h);
     change.carry_out();
@@ -157,8 +177,7 @@ dsw_status dsw_environment_unsew_face(dsw_environment* environment, dsw_face_id 
 }
 
 dsw_status dsw_environment_remove_volumes(dsw_environment* environment, const dsw_volume_id* volumes, size_t count) {
-  return capi::guard("dsw_environment_remove_volumes", [&] {
-    Change change(environment);
+  return guarded_change("dsw_environment_remove_volumes", environment, [&](auto& change) {
     capi::require_array(volumes, count, "volumes");
     dsw::Array<dsw::Cell> cells(count, dsw::Cell{}, dsw::Allocator<dsw::Cell>(change.memory()));
     for (size_t i = 0; i < count; ++i) cells[i] = capi::to_cell(change.map(), volumes[i], {"volumes", true}, i);
@@ -169,8 +188,7 @@ dsw_status dsw_environment_remove_volumes(dsw_environment* environment, const ds
 }
 
 dsw_status dsw_environment_merge_volumes(dsw_environment* environment, dsw_face_id face, dsw_volume_id* volume) {
-  return capi::guard("dsw_environment_merge_volumes", [&] {
-    Change change(environment);
+  return guarded_change("dsw_environment_merge_volumes", environment, [&](auto& change) {
     const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
     const size_t merged = merge_cells(change.begin(capi::Call::kMergeVolumes, face), h);
     change.carry_out();
@@ -180,13 +198,12 @@ dsw_status dsw_environment_merge_volumes(dsw_environment* environment, dsw_face_
 
 dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume_id volume, const dsw_vertex_id* loop,
                                         size_t count, dsw_volume_id* volumes, dsw_face_id* face) {
-  return capi::guard("dsw_environment_split_volume", [&] {
-    Change change(environment);
+  return guarded_change("dsw_environment_split_volume", environment, [&](auto& change) {
     const dsw::Cell c = capi::to_cell(change.map(), volume, {"volume", false});
     capi::require_array(loop, count, "loop");
     dsw::Array<uint32_t> vertices(count, 0u, dsw::Allocator<uint32_t>(change.memory()));
     for (size_t i = 0; i < count; ++i) vertices[i] = capi::to_vertex(change.map(), loop[i], {"loop", true}, i);
-    dsw::Edit<3>& edit = change.begin(capi::Call::kSplitVolume, volume, capi::Items<dsw_vertex_id>{loop, count});
+    auto& edit = change.begin(capi::Call::kSplitVolume, volume, capi::Items<dsw_vertex_id>{loop, count});
     const dsw::SplitCell split = split_cell(edit, c, vertices.data(), count);
     change.carry_out();
     if (volumes != nullptr) {
@@ -199,7 +216,8 @@ dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume
 
 dsw_status dsw_environment_merge_faces(dsw_environment* environment, dsw_edge_id edge, dsw_face_id* face) {
   return capi::guard("dsw_environment_merge_faces", [&] {
-    Change change(environment);
+    dsw_environment& handle = capi::check_handle(environment, "environment");
+    Change<3> change(handle, with_edges(handle, "dsw_environment_merge_edges"));
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
     const dsw::MergedFacet merged = merge_facets(change.begin(capi::Call::kMergeFaces, edge), d);
     change.carry_out();
@@ -210,7 +228,8 @@ dsw_status dsw_environment_merge_faces(dsw_environment* environment, dsw_edge_id
 dsw_status dsw_environment_split_face(dsw_environment* environment, dsw_face_id face, dsw_vertex_id a, dsw_vertex_id b,
                                       dsw_face_id* faces, dsw_edge_id* edge) {
   return capi::guard("dsw_environment_split_face", [&] {
-    Change change(environment);
+    dsw_environment& handle = capi::check_handle(environment, "environment");
+    Change<3> change(handle, with_edges(handle, "dsw_environment_split_edge"));
     const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
     const uint32_t from = capi::to_vertex(change.map(), a, {"a", false});
     const uint32_t to = capi::to_vertex(change.map(), b, {"b", false});
@@ -226,9 +245,8 @@ dsw_status dsw_environment_split_face(dsw_environment* environment, dsw_face_id 
 
 dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id edge, double share,
                                       dsw_vertex_id* vertex, dsw_edge_id* edges) {
-  return capi::guard("dsw_environment_split_edge", [&] {
-    Change change(environment);
-    const dsw::Map<3>& map = change.map();
+  return guarded_change("dsw_environment_split_edge", environment, [&](auto& change) {
+    const auto& map = change.map();
     const dsw::Dart d = capi::to_dart(map, edge, {"edge", false});
     if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must be above 0 and below 1", share);
     const uint32_t ends[2] = {dart_vertex(map, d), dart_target(map, d)};
@@ -244,8 +262,7 @@ dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id 
 
 dsw_status dsw_environment_merge_edges(dsw_environment* environment, dsw_edge_id edge, dsw_vertex_id vertex,
                                        dsw_edge_id* merged) {
-  return capi::guard("dsw_environment_merge_edges", [&] {
-    Change change(environment);
+  return guarded_change("dsw_environment_merge_edges", environment, [&](auto& change) {
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
     const uint32_t middle = capi::to_vertex(change.map(), vertex, {"vertex", false});
     const dsw::MergedEdge ends = merge_edges(change.begin(capi::Call::kMergeEdges, edge, vertex), d, middle);
@@ -255,8 +272,7 @@ dsw_status dsw_environment_merge_edges(dsw_environment* environment, dsw_edge_id
 }
 
 dsw_status dsw_environment_collapse_edge(dsw_environment* environment, dsw_edge_id edge, dsw_vertex_id vertex) {
-  return capi::guard("dsw_environment_collapse_edge", [&] {
-    Change change(environment);
+  return guarded_change("dsw_environment_collapse_edge", environment, [&](auto& change) {
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
     const uint32_t v = capi::to_vertex(change.map(), vertex, {"vertex", false});
     collapse_edge(change.begin(capi::Call::kCollapseEdge, edge, vertex), d, v);

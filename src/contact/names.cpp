@@ -14,6 +14,7 @@ dsw_edge_id edge_id(const Map<D>& map, Dart d) noexcept {
 
 #define DSW_NAMES(D) template dsw_edge_id edge_id(const Map<D>& map, Dart d) noexcept
 DSW_NAMES(3);
+DSW_NAMES(2);
 #undef DSW_NAMES
 
 }  // namespace dsw

@@ -289,6 +289,7 @@ bool carry_out_prepared(Edit<D>& edit, Scene<D>& scene, const Meanwhile* meanwhi
   template void carry_out_prepared(Edit<D>& edit, Scene<D>* scene); \
   template bool carry_out_prepared(Edit<D>& edit, Scene<D>& scene, const Meanwhile* meanwhile)
 DSW_EDITS(3);
+DSW_EDITS(2);
 #undef DSW_EDITS
 
 }  // namespace dsw
