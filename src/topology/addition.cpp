@@ -70,12 +70,12 @@ class Addition {
   void add_facet(uint32_t i, CellDraft& draft, FacetDraft&& facet) {
     Array<uint32_t> sorted = facet.loop;
     std::sort(sorted.begin(), sorted.end());
-    if (sorted.size() < D || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-      fail(DSW_STATUS_BAD_CELL, "a face of new volume %u has less than %d vertices, or one twice", i, D);
+    if (sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+      fail(DSW_STATUS_BAD_CELL, "a face of new volume %u has less than three vertices, or one twice", i);
     }
     // From the lowest vertex, as at creation.
     const size_t base = facet.place_of(sorted[0]);
-    for (size_t k = 1; D == 3 && k + 1 < sorted.size(); ++k) {
+    for (size_t k = 1; k + 1 < sorted.size(); ++k) {
       for (const size_t step : {size_t{0}, k, k + 1}) {
         facet.triangles.push_back(facet.after(static_cast<uint32_t>(base), step));
       }
@@ -98,7 +98,11 @@ class Addition {
     for (size_t at = begin; at < end; ++at) {
       FacetDraft side(env_.memory);
       for (const size_t corner : {at, at + 1 == end ? begin : at + 1}) side.loop.push_back(vertex(i, corner));
-      add_facet(i, draft, std::move(side));
+      draft.facets.push_back(std::move(side));
+    }
+    Array<uint32_t> order{Allocator<uint32_t>(env_.memory)};
+    if (draft.facets.size() < 3 || !order_sides(draft, 0, order)) {
+      fail(DSW_STATUS_BAD_CELL, "new volume %u has less than three vertices, or one twice", i);
     }
   }
 
