@@ -367,8 +367,6 @@ static int write_nothing(void *user, const void *bytes, size_t size) {
 static void what_is_not_there_yet_says_so(void) {
   dsw_environment *const environment = make_plane();
   dsw_scene *scene = make_scene(environment, 0), *other = NULL;
-  const double flat[3] = {0.5, 0.5, NAN};
-  dsw_volumes_desc volumes;
   dsw_scene_desc desc;
   dsw_recording_desc recording;
   dsw_scene_desc_init(&desc, sizeof desc);
@@ -382,15 +380,6 @@ static void what_is_not_there_yet_says_so(void) {
   recording.write = NULL;
   recording.path = "no/such/folder/recording";
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_start_recording(scene, &recording));
-  dsw_volumes_desc_init(&volumes, sizeof volumes);
-  volumes.points = flat;
-  volumes.point_count = 1;
-  volumes.cell_count = 1;
-  volumes.connectivity = g_cells;
-  volumes.connectivity_count = 4;
-  volumes.uniform_cell_type = DSW_CELL_TYPE_TETRA;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_add_volumes(environment, &volumes, NULL, NULL));
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_remove_volumes(environment, &no_volume, 0));
   CHECK_OK(dsw_scene_destroy(scene));
   CHECK_OK(dsw_environment_destroy(environment));
 }
