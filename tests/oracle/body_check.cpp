@@ -3,50 +3,11 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <cstring>
 
 namespace dsw::oracle {
 namespace {
 
 bool same(const Vec& a, const double* b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
-
-std::string name(const SweepEvent& e) {
-  if (e.triangle >= 0) return "the path through triangle " + std::to_string(e.triangle);
-  if (e.edge >= 0) {
-    return "edge " + std::to_string(e.edge) + " on " + std::to_string(e.a) + "-" + std::to_string(e.b);
-  }
-  return "face " + std::to_string(e.face) + " on vertex " + std::to_string(e.vertex);
-}
-
-template <class Id>
-std::string name(Id id) {
-  return std::to_string(id.index) + "." + std::to_string(id.generation);
-}
-
-template <class Id>
-bool same_id(Id a, Id b) {
-  return a.index == b.index && a.generation == b.generation;
-}
-
-/// The wall of a contact in the words of a swept edge's report.
-dsw_sweep as_sweep(const dsw_contact& c) {
-  dsw_sweep s;
-  std::memset(&s, 0, sizeof s);
-  for (size_t k = 0; k < 3; ++k) {
-    s.position[k] = c.position[k];
-    s.point[k] = c.point[k];
-    s.normal[k] = c.normal[k];
-  }
-  s.time = c.time;
-  s.along = c.along;
-  s.front = c.front;
-  s.face = c.wall;
-  if (c.kind == DSW_CONTACT_EDGE) s.edge = {c.obstacle.index, c.obstacle.generation, c.obstacle.local};
-  s.kind = c.kind;
-  s.obstacle = c.cause;
-  s.tag = c.tag;
-  return s;
-}
 
 double relative_error(const SweepEvent& e, double time) {
   if (!(e.time >= DBL_MIN)) return 0;
@@ -66,18 +27,18 @@ std::string describe(const VertexMove& f) {
 std::string BodyChecker::not_free(const BodyState& s, dsw_level level) {
   for (size_t v = 0; v < s.at.size(); ++v) {
     if (s.vertices[v].generation == 0) continue;
-    const int cell = world_.locate(world_.body(s.at[v].data()));
-    if (cell < 0 || world_.cell_marked[static_cast<size_t>(cell)] != 0) {
+    const int cell = arena_.locate(s.at[v]);
+    if (!arena_.passable(cell)) {
       return "vertex " + std::to_string(v) + " " + hex(s.at[v]) + " lies in cell " + std::to_string(cell);
     }
   }
   if (level == DSW_LEVEL_POINTS) return "";
   for (const auto& e : s.edges) {
-    if (exact_.blocked(s.at[e[0]], s.at[e[1]])) return "edge " + hex(s.at[e[0]]) + " " + hex(s.at[e[1]]);
+    if (arena_.exact.blocked(s.at[e[0]], s.at[e[1]])) return "edge " + hex(s.at[e[0]]) + " " + hex(s.at[e[1]]);
   }
   if (level != DSW_LEVEL_FACES) return "";
   for (const auto& f : s.faces) {
-    if (exact_.blocked(s.at[f[0]], s.at[f[1]], s.at[f[2]])) {
+    if (arena_.exact.blocked(s.at[f[0]], s.at[f[1]], s.at[f[2]])) {
       return "face " + hex(s.at[f[0]]) + " " + hex(s.at[f[1]]) + " " + hex(s.at[f[2]]);
     }
   }
@@ -87,7 +48,7 @@ std::string BodyChecker::not_free(const BodyState& s, dsw_level level) {
 std::vector<size_t> BodyChecker::blocked_edges(const BodyState& s, dsw_level level) {
   std::vector<std::array<uint32_t, 2>> of_faces;
   for (const auto& f : s.faces) {
-    if (level != DSW_LEVEL_FACES || !exact_.blocked(s.at[f[0]], s.at[f[1]], s.at[f[2]])) continue;
+    if (level != DSW_LEVEL_FACES || !arena_.exact.blocked(s.at[f[0]], s.at[f[1]], s.at[f[2]])) continue;
     for (size_t k = 0; k < 3; ++k) of_faces.push_back({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
   }
   std::vector<size_t> list;
@@ -95,7 +56,7 @@ std::vector<size_t> BodyChecker::blocked_edges(const BodyState& s, dsw_level lev
     const std::array<uint32_t, 2> ends = {std::min(s.edges[e][0], s.edges[e][1]),
                                           std::max(s.edges[e][0], s.edges[e][1])};
     const bool of_face = std::find(of_faces.begin(), of_faces.end(), ends) != of_faces.end();
-    if (of_face || exact_.blocked(s.at[ends[0]], s.at[ends[1]])) list.push_back(e);
+    if (of_face || arena_.exact.blocked(s.at[ends[0]], s.at[ends[1]])) list.push_back(e);
   }
   return list;
 }
@@ -105,71 +66,11 @@ void BodyChecker::placed(const BodyState& s, dsw_level level, const std::string&
   if (!fault.empty()) report_.fault(SweepReport::kNotFreeAfter, how + ": " + fault);
   for (size_t v = 0; v < s.at.size(); ++v) {
     if (s.vertices[v].generation == 0) continue;
-    const int cell = world_.locate(world_.body(s.at[v].data()));
-    if (cell >= 0 && same_id(s.volumes[v], world_.ids[static_cast<size_t>(cell)])) continue;
+    const int cell = arena_.locate(s.at[v]);
+    if (cell >= 0 && arena_.same_volume(s.volumes[v], cell)) continue;
     report_.fault(SweepReport::kWrong, how + ": vertex " + std::to_string(v) + " " + hex(s.at[v]) + " has volume " +
                                            name(s.volumes[v]) + " for " + std::to_string(cell));
   }
-}
-
-/// A face's inside on a vertex of the environment.
-std::string BodyChecker::wrong_at_vertex(const VertexMove& f, const SweepEvent& e, const dsw_contact& c,
-                                         const dsw_sweep& wall) const {
-  const auto v = static_cast<size_t>(e.vertex);
-  const Vec& site = world_.mesh.points[v];
-  if (c.kind != DSW_CONTACT_VERTEX || c.obstacle.kind != DSW_CELL_VERTEX || c.obstacle.index != v ||
-      c.obstacle.generation != 1 || c.obstacle.local != 0) {
-    return " kind " + std::to_string(c.kind) + " obstacle " + std::to_string(c.obstacle.index);
-  }
-  if (wall.front.index >= world_.ids.size()) return " front " + name(wall.front);
-  std::string wrong = walls_.wrong_wall(wall, around_.at(e.vertex), {DSW_CELL_EDGE, DSW_CELL_VERTEX});
-  if (c.along != 0) wrong += " along is set";
-  double most = 0;
-  for (const Vec* p : {&f.from, &f.to, &f.fixed[0], &f.fixed[1], &site}) {
-    for (double x : *p) most = std::max(most, std::fabs(x));
-  }
-  if (!(most < DBL_MAX / 4)) return wrong;
-  for (size_t k = 0; k < 3; ++k) {
-    if (!(std::fabs(c.point[k] - site[k]) <= 32 * DBL_EPSILON * most)) wrong += " point " + hex(c.point);
-  }
-  const int scale = -std::ilogb(most);
-  Vec n, sides[2], motion;
-  for (size_t k = 0; k < 3; ++k) {
-    motion[k] = std::ldexp(f.to[k], scale) - std::ldexp(f.from[k], scale);
-    const double at = std::ldexp(f.from[k], scale) + e.time * motion[k];
-    for (size_t i = 0; i < 2; ++i) sides[i][k] = std::ldexp(f.fixed[i][k], scale) - at;
-  }
-  double square = 0, against = 0, lengths[2] = {0, 0};
-  for (size_t k = 0; k < 3; ++k) {
-    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    n[k] = sides[0][i] * sides[1][j] - sides[0][j] * sides[1][i];
-    square += n[k] * n[k];
-    against += n[k] * motion[k];
-    for (size_t s = 0; s < 2; ++s) lengths[s] += sides[s][k] * sides[s][k];
-  }
-  const double size = std::sqrt(square);
-  const double tolerance = 1e-14 * (std::sqrt(lengths[0]) + std::sqrt(lengths[1])) / size + 1e-13;
-  // A motion in the face's plane, and a face that is no wider than rounding, leave the side to rounding.
-  if (!(size > 0) || !(tolerance < 1e-4) || !(std::fabs(against) > tolerance * size)) return wrong;
-  for (size_t k = 0; k < 3; ++k) {
-    const double want = against > 0 ? -n[k] / size : n[k] / size;
-    if (!(std::fabs(c.normal[k] - want) <= tolerance)) wrong += " normal " + hex(c.normal);
-  }
-  return wrong;
-}
-
-/// Empty if `event` may be what the contact tells of. `flight` has the event's own edge or face alone.
-std::string BodyChecker::wrong_contact(const VertexMove& f, const SweepEvent& e, const dsw_contact& c) const {
-  const dsw_sweep wall = as_sweep(c);
-  if (e.vertex >= 0) return wrong_at_vertex(f, e, c, wall);
-  const dsw_cell& o = c.obstacle;
-  const bool face = c.kind == DSW_CONTACT_PLANE && o.kind == DSW_CELL_FACE && o.index == c.wall.volume &&
-                    o.generation == c.wall.generation && o.local == c.wall.local;
-  if (!face && !(c.kind == DSW_CONTACT_EDGE && o.kind == DSW_CELL_EDGE)) {
-    return " kind " + std::to_string(c.kind) + " with an obstacle of kind " + std::to_string(o.kind);
-  }
-  const Sweep sweep = {f.from, f.to, f.fixed.empty() ? f.from : f.fixed[0], {}};
-  return walls_.wrong_event(sweep, e, wall);
 }
 
 /// A reported contact against the true first events. Ids of edges and faces, by number, or null where they are not known.
@@ -197,7 +98,8 @@ void BodyChecker::judge(const VertexMove& flight, const MoveTruth& truth, const 
           faces == nullptr ? c.face.generation != 0 : same_id((*faces)[static_cast<size_t>(e.face)], c.face);
     }
     right_feature = right_feature && (e.edge >= 0 || c.edge.generation == 0) && (e.face >= 0 || c.face.generation == 0);
-    std::string fault = right_feature ? wrong_contact(own, e, c) : " edge " + name(c.edge) + " face " + name(c.face);
+    std::string fault =
+        right_feature ? arena_.wrong_contact(own, e, c) : " edge " + name(c.edge) + " face " + name(c.face);
     Vec fixed[2] = {{0, 0, 0}, {0, 0, 0}};
     std::copy(own.fixed.begin(), own.fixed.end(), fixed);
     const bool in_order = same(fixed[0], c.fixed[0]) && same(fixed[1], c.fixed[1]);
@@ -226,7 +128,7 @@ void BodyChecker::alone(const dsw_contact& c, const std::string& how) {
       if (!std::isfinite(x)) return report_.fault(SweepReport::kWrong, what + " a flight without end");
     }
   }
-  const MoveTruth truth = exact_.move(flight, level);
+  const MoveTruth truth = arena_.exact.move(flight, level);
   if (truth.events.empty()) return report_.fault(SweepReport::kEarly, what + " a contact where there is none");
   judge(flight, truth, c, what, nullptr, nullptr);
 }
@@ -248,7 +150,7 @@ void BodyChecker::step(const BodyState& now, size_t vertex, const Vec& to, dsw_l
                        const dsw_contact* contact, const Vec& reached, const std::string& how) {
   std::vector<size_t> edges_of, faces_of;
   VertexMove flight = now.flight(vertex, to, &edges_of, &faces_of);
-  const MoveTruth truth = exact_.move(flight, level);
+  const MoveTruth truth = arena_.exact.move(flight, level);
   report_.step(truth);
   const std::string what = "vertex " + std::to_string(vertex) + " " + describe(flight) + how + ":";
   const auto wrong = [&](const std::string& text) { report_.fault(SweepReport::kWrong, what + text); };
@@ -277,7 +179,7 @@ void BodyChecker::step(const BodyState& now, size_t vertex, const Vec& to, dsw_l
     judge(flight, truth, *contact, what, &edges, &faces);
   }
   flight.to = reached;
-  if (!move.drops && !exact_.move(flight, level).events.empty()) {
+  if (!move.drops && !arena_.exact.move(flight, level).events.empty()) {
     report_.fault(SweepReport::kNotFreeAfter, what + " the way to " + hex(reached) + " is not free");
   }
   double way = 0, left = 0, most = 0;
@@ -290,7 +192,7 @@ void BodyChecker::step(const BodyState& now, size_t vertex, const Vec& to, dsw_l
   if (contact->distance_left != left &&
       !(std::fabs(contact->distance_left - left) <= 1e-12 * left + 4 * DBL_EPSILON * most + 4 * DBL_TRUE_MIN))
     wrong(" distance left");
-  const bool room = contact->time * way > 1e-3 * world_.size;
+  const bool room = contact->time * way > 1e-3 * arena_.size();
   if (room && !move.stand_off && same(reached, contact->from)) report_.stuck();
 }
 

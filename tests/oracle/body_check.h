@@ -18,12 +18,7 @@ struct BodyMove {
 
 class BodyChecker {
  public:
-  BodyChecker(World& world, SweepWorld& exact, const SweepChecker& walls, SweepReport& report)
-      : world_(world), exact_(exact), walls_(walls), report_(report) {
-    for (size_t t = 0; t < world.triangles.size(); ++t) {
-      for (int v : world.triangles[t].v) around_[v].push_back(static_cast<int>(t));
-    }
-  }
+  BodyChecker(Arena& arena, SweepReport& report) : arena_(arena), report_(report) {}
 
   /// What of a body is not free at a level, or in no passable volume; empty if all is free.
   std::string not_free(const BodyState& state, dsw_level level);
@@ -47,15 +42,9 @@ class BodyChecker {
             const dsw_contact* contact, const Vec& reached, const std::string& how);
   void judge(const VertexMove& flight, const MoveTruth& truth, const dsw_contact& contact, const std::string& what,
              const std::vector<dsw_body_edge_id>* edges, const std::vector<dsw_body_face_id>* faces);
-  std::string wrong_contact(const VertexMove& flight, const SweepEvent& event, const dsw_contact& contact) const;
-  std::string wrong_at_vertex(const VertexMove& flight, const SweepEvent& event, const dsw_contact& contact,
-                              const dsw_sweep& wall) const;
 
-  World& world_;
-  SweepWorld& exact_;
-  const SweepChecker& walls_;
+  Arena& arena_;
   SweepReport& report_;
-  std::map<int, std::vector<int>> around_;  // triangles by vertex
 };
 
 std::string describe(const VertexMove& flight);

@@ -29,7 +29,7 @@ bool Course::create(BodyChecker& checker, Bodies& source, SweepReport& faults, u
     plan = source.next();
     const BodyState want = state_of(plan);
     std::vector<dsw_volume_id> hints;
-    const std::vector<dsw_volume_id>& ids = stage_.world.ids;
+    const std::vector<dsw_volume_id>& ids = arena_.ids();
     if (rng_.chance(0.5)) {
       for (size_t v = 0; v < plan.at.size(); ++v) {
         hints.push_back(rng_.chance(0.4) ? dsw_volume_id{0, 0} : ids[rng_.below(ids.size())]);
@@ -38,9 +38,9 @@ bool Course::create(BodyChecker& checker, Bodies& source, SweepReport& faults, u
     const dsw_status status = create_body(scene_, plan, level_, flags, hints, &body);
     bool outside = false, impassable = false;
     for (const Vec& p : plan.at) {
-      const int cell = stage_.world.locate(stage_.world.body(p.data()));
+      const int cell = arena_.locate(p);
       outside = outside || cell < 0;
-      impassable = impassable || (cell >= 0 && stage_.world.cell_marked[static_cast<size_t>(cell)] != 0);
+      impassable = impassable || (cell >= 0 && arena_.marked(cell));
     }
     const std::vector<size_t> blocked = checker.blocked_edges(want, level_);
     const bool right = outside || impassable ? (outside && status == DSW_STATUS_OUTSIDE) ||
@@ -101,7 +101,7 @@ bool Course::create(BodyChecker& checker, Bodies& source, SweepReport& faults, u
 dsw_move_options Course::options_of(const BodyMove& move) {
   dsw_move_options options;
   dsw_move_options_init(&options, sizeof options);
-  const double distances[] = {0, 0, -1, 1e-3 * stage_.world.size};
+  const double distances[] = {0, 0, -1, 1e-3 * arena_.size()};
   options.stand_off = distances[rng_.below(4)];
   if (move.all) options.search = DSW_SEARCH_ALL;
   options.order = move.order.data();
@@ -114,7 +114,8 @@ bool Course::moved(dsw_body_id body, const BodyMove& move, const dsw_move_option
   const std::string fault = move_body(scene_, body, move.targets, &options, answer);
   if (!fault.empty()) faults.fault(SweepReport::kWrong, fault);
   for (const dsw_contact& contact : answer.contacts) {
-    if (report_.opinions.ask(stage_.environment.get(), contact)) continue;
+    if (arena_.dimension == 2) break;  // libccd knows space alone
+    if (report_.opinions.ask(environment_, contact)) continue;
     faults.fault(SweepReport::kWrong, std::string("a question for a second opinion: ") + dsw_last_error_message());
   }
   return fault.empty();
@@ -122,8 +123,8 @@ bool Course::moved(dsw_body_id body, const BodyMove& move, const dsw_move_option
 
 void Course::stopping() {
   SweepReport& faults = report_.at(level_);
-  BodyChecker checker(stage_.world, exact_, walls_, faults);
-  Bodies source(stage_, exact_, rng_, level_);
+  BodyChecker checker(arena_, faults);
+  Bodies source(arena_, places_, rng_, level_);
   BodyPlan plan;
   BodyState state;
   dsw_body_id body;
@@ -174,8 +175,8 @@ void Course::stopping() {
 
 void Course::responding() {
   SweepReport& faults = report_.at(level_);
-  BodyChecker checker(stage_.world, exact_, walls_, faults);
-  Bodies source(stage_, exact_, rng_, level_);
+  BodyChecker checker(arena_, faults);
+  Bodies source(arena_, places_, rng_, level_);
   BodyPlan plan;
   BodyState state;
   dsw_body_id body;
@@ -201,8 +202,8 @@ void Course::responding() {
 }
 
 void Course::eliminating() {
-  BodyChecker checker(stage_.world, exact_, walls_, report_.hybrid);
-  Bodies source(stage_, exact_, rng_, level_);
+  BodyChecker checker(arena_, report_.hybrid);
+  Bodies source(arena_, places_, rng_, level_);
   BodyPlan plan;
   BodyState state;
   dsw_body_id body;

@@ -9,9 +9,15 @@ namespace dsw::oracle {
 /// Bodies of one level in one scene.
 class Course {
  public:
-  Course(Stage& stage, SweepWorld& exact, const SweepChecker& walls, dsw_scene* scene, dsw_level level, Rng& rng,
+  Course(Arena& arena, Places& places, dsw_environment* environment, dsw_scene* scene, dsw_level level, Rng& rng,
          BodyReport& report)
-      : stage_(stage), exact_(exact), walls_(walls), scene_(scene), level_(level), rng_(rng), report_(report) {}
+      : arena_(arena),
+        places_(places),
+        environment_(environment),
+        scene_(scene),
+        level_(level),
+        rng_(rng),
+        report_(report) {}
 
   /// A body that stops at what it touches, beside others that leave out work, all of the same bits.
   void stopping();
@@ -30,9 +36,9 @@ class Course {
   bool moved(dsw_body_id body, const BodyMove& move, const dsw_move_options& options, BodyAnswer& answer,
              SweepReport& faults);
 
-  Stage& stage_;
-  SweepWorld& exact_;
-  const SweepChecker& walls_;
+  Arena& arena_;
+  Places& places_;
+  dsw_environment* environment_;
   dsw_scene* scene_;
   dsw_level level_;
   Rng& rng_;

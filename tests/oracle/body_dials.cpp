@@ -1,6 +1,7 @@
 // Bisection: how much earlier than the exact time the reported one is, at every depth.
 #include "body_run.h"
 #include "body_scenes.h"
+#include "sweep_scenes.h"
 
 #include <cmath>
 #include <cstdio>
@@ -18,7 +19,7 @@ double bisection_slope(uint64_t seed, BodyReport& report) {
   dsw_scene* made = nullptr;
   if (dsw_scene_create(stage.environment.get(), nullptr, &made) != DSW_STATUS_OK) return 0;
   const ScenePtr scene(made);
-  SweepWorld exact(stage.world, {});
+  SpaceArena arena(stage.world);
   Rng rng(seed);
   const auto inside = [&]() { return Vec{rng.range(0.1, 0.9), rng.range(0.1, 0.9), rng.range(0.1, 0.9)}; };
   double errors[kLast + 1] = {0};
@@ -29,7 +30,7 @@ double bisection_slope(uint64_t seed, BodyReport& report) {
     plan.edges = {{0, 1}};
     std::vector<Vec> targets = {inside(), plan.at[1]};
     targets[0][rng.below(3)] += rng.chance(0.5) ? 1.5 : -1.5;
-    const MoveTruth truth = exact.move({plan.at[0], targets[0], {plan.at[1]}, {}}, DSW_LEVEL_EDGES_SWEPT);
+    const MoveTruth truth = arena.exact.move({plan.at[0], targets[0], {plan.at[1]}, {}}, DSW_LEVEL_EDGES_SWEPT);
     if (truth.events.empty() || truth.events[0].triangle < 0) continue;
     const SweepEvent& e = truth.events[0];
     const mpq_class time = mpq_class(e.numerator.c[e.order]) / mpq_class(e.denominator.c[e.order]);

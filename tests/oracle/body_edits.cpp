@@ -8,8 +8,8 @@ namespace dsw::oracle {
 void Course::editing() {
   const uint32_t flags = rng_.chance(0.5) ? 0 : DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_CLEARANCE;
   SweepReport& faults = report_.at(level_);
-  BodyChecker checker(stage_.world, exact_, walls_, faults);
-  Bodies source(stage_, exact_, rng_, level_);
+  BodyChecker checker(arena_, faults);
+  Bodies source(arena_, places_, rng_, level_);
   BodyPlan plan;
   BodyState state;
   dsw_body_id body;
@@ -56,7 +56,7 @@ dsw_status Course::edit(dsw_body_id body, Bodies& source, const BodyState& state
       const size_t e = rng_.below(state.edges.size());
       const uint32_t from = state.edges[e][rng_.below(2)], to = state.edges[e][state.edges[e][0] == from ? 1 : 0];
       const dsw_status status = dsw_body_collapse_edge(scene_, body, state.edge_ids[e], state.vertices[from], nullptr);
-      const bool free = exact_.move(state.flight(from, state.at[to]), level_).events.empty();
+      const bool free = arena_.exact.move(state.flight(from, state.at[to]), level_).events.empty();
       if (status == DSW_STATUS_BAD_CELL || status == (free ? DSW_STATUS_OK : DSW_STATUS_OCCUPIED)) return status;
       faults.fault(free ? SweepReport::kEarly : SweepReport::kMissed,
                    "collapsing " + describe(state.flight(from, state.at[to])) + ": " + dsw_status_string(status));
@@ -70,7 +70,12 @@ dsw_status Course::edit(dsw_body_id body, Bodies& source, const BodyState& state
     case 6: {
       dsw_body_face_id face;
       const uint32_t a = any(), b = any(), c = any();
-      return dsw_body_add_face(scene_, body, state.vertices[a], state.vertices[b], state.vertices[c], &face);
+      const dsw_status status =
+          dsw_body_add_face(scene_, body, state.vertices[a], state.vertices[b], state.vertices[c], &face);
+      if (arena_.dimension == 2 && status == DSW_STATUS_OK) {
+        faults.fault(SweepReport::kWrong, "a face in the plane: " + std::string(dsw_status_string(status)));
+      }
+      return status;
     }
     case 7: {
       dsw_body_vertex_id vertex;
@@ -83,7 +88,7 @@ dsw_status Course::edit(dsw_body_id body, Bodies& source, const BodyState& state
       for (size_t k = 0; k < 3; ++k) {
         m.centre[k] = state.at[any()][k];
         m.translation[k] = rng_.chance(0.5) ? 0.1 * (to[k] - m.centre[k]) : 0;
-        m.rotation[k] = rng_.range(-1, 1);
+        m.rotation[k] = k == 2 || arena_.dimension == 3 ? rng_.range(-1, 1) : 0;
       }
       m.rotation[3] = rng_.range(-1, 1);
       return dsw_body_move_rigid(scene_, body, &m, nullptr, nullptr);
@@ -97,10 +102,13 @@ dsw_status Course::edit(dsw_body_id body, Bodies& source, const BodyState& state
       }
       // To another level and back.
       const auto other = static_cast<dsw_level>(rng_.between(1, 4));
-      BodyChecker checker(stage_.world, exact_, walls_, faults);
+      BodyChecker checker(arena_, faults);
       const bool free = other <= level_ || checker.blocked_edges(state, other).empty();
+      const dsw_status want = arena_.dimension == 2 && other == DSW_LEVEL_FACES ? DSW_STATUS_UNSUPPORTED
+                              : free                                            ? DSW_STATUS_OK
+                                                                                : DSW_STATUS_OCCUPIED;
       const dsw_status status = dsw_body_set_level(scene_, body, other);
-      if (status != (free ? DSW_STATUS_OK : DSW_STATUS_OCCUPIED)) {
+      if (status != want) {
         faults.fault(free ? SweepReport::kEarly : SweepReport::kMissed,
                      "level " + std::to_string(other) + " answers " + dsw_status_string(status));
       }

@@ -1,6 +1,8 @@
 #include "body_run.h"
 
 #include "body_course.h"
+#include "rounds.h"
+#include "sweep_scenes.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -19,21 +21,28 @@ ScenePtr scene_of(dsw_environment* environment) {
 void one_scene(const SweepTurn& turn, uint64_t seed, uint64_t steps, const BodyRunOptions& options,
                BodyReport& report) {
   Rng rng(seed);
-  for (SweepReport& r : report.levels)
-    r.begin(turn.kind->name,
-            std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " + std::to_string(seed));
-  report.hybrid.begin(turn.kind->name, "scene seed " + std::to_string(seed));
+  report.begin(turn.kind->name,
+               std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " + std::to_string(seed));
   const std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, report.levels[0]);
   if (stage == nullptr) return;
   stage->mark_vertices(rng, report.levels[0]);
-  SweepWorld exact(stage->world, stage->wires, stage->marked_vertices);
-  const SweepChecker walls(stage->world, exact, report.levels[0]);
-  const ScenePtr scene = scene_of(stage->environment.get());
+  SpaceArena arena(stage->world, stage->wires, stage->marked_vertices);
+  const auto places_for = [&](Rng& own) { return std::make_unique<StagePlaces>(*stage, own); };
+  bodies_in_arena(arena, places_for, stage->environment.get(), seed, steps, options, report);
+}
+
+}  // namespace
+
+void bodies_in_arena(Arena& arena, const std::function<std::unique_ptr<Places>(Rng&)>& places_for,
+                     dsw_environment* environment, uint64_t seed, uint64_t steps, const BodyRunOptions& options,
+                     BodyReport& report) {
+  const ScenePtr scene = scene_of(environment);
   for (dsw_level level : kLevels) {
-    if (options.level != 0 && options.level != level) continue;
+    if ((options.level != 0 && options.level != level) || (arena.dimension == 2 && level == DSW_LEVEL_FACES)) continue;
     // A level's sequence is its own: it can be run alone.
     Rng own(seed ^ static_cast<uint64_t>(level) << 40);
-    Course course(*stage, exact, walls, scene.get(), level, own, report);
+    const std::unique_ptr<Places> places = places_for(own);
+    Course course(arena, *places, environment, scene.get(), level, own, report);
     const uint64_t before = report.at(level).total.sweeps;
     for (int bodies = 0; bodies < 40 && report.at(level).total.sweeps < before + steps; ++bodies) course.stopping();
     if (options.responses) {
@@ -44,12 +53,24 @@ void one_scene(const SweepTurn& turn, uint64_t seed, uint64_t steps, const BodyR
   }
 }
 
-}  // namespace
+void BodyReport::begin(const std::string& scene, const std::string& reproduce) {
+  for (SweepReport& r : levels) r.begin(scene, reproduce);
+  hybrid.begin(scene, reproduce);
+}
 
 uint64_t BodyReport::faults() const {
   uint64_t sum = hybrid.total.faults() + (opinions.quantile(0.99) <= Opinions::kMostDegrees ? 0 : 1);
   for (const SweepReport& level : levels) sum += level.total.faults();
   return sum;
+}
+
+uint64_t least_steps(const BodyRunOptions& options, BodyReport& report, dsw_level last) {
+  uint64_t steps = UINT64_MAX;
+  for (dsw_level level : kLevels) {
+    if (level > last || (options.level != 0 && options.level != level)) continue;
+    steps = std::min(steps, report.at(level).total.sweeps);
+  }
+  return steps;
 }
 
 void run_bodies(const BodyRunOptions& options, BodyReport& report) {
@@ -58,27 +79,15 @@ void run_bodies(const BodyRunOptions& options, BodyReport& report) {
     const bool with_ties = turn.kind->integer && turn.transform == Transform::kNone;
     turns.insert(turns.end(), with_ties ? 5 : 1, turn);
   }
-  Rng rng(options.seed << 20);  // sequences of neighbouring seeds are one step apart
   const uint64_t each = std::min<uint64_t>(150, std::max<uint64_t>(20, options.steps / (turns.size() + 1)));
-  const auto least = [&]() {
-    uint64_t steps = UINT64_MAX;
-    for (dsw_level level : kLevels) {
-      if (options.level == 0 || options.level == level) steps = std::min(steps, report.at(level).total.sweeps);
-    }
-    return steps;
-  };
   if (options.scene_seed != 0) {
     for (const SweepTurn& turn : sweep_turns(options.only)) one_scene(turn, options.scene_seed, each, options, report);
     return;
   }
-  while (least() < options.steps && !turns.empty()) {
-    const uint64_t before = least();
-    for (const SweepTurn& turn : turns) {
-      const uint64_t seed = rng.next() >> 1;
-      if (least() < options.steps) one_scene(turn, seed, each, options, report);
-    }
-    if (least() == before) break;  // a defect that keeps every body from being made
-  }
+  // Sequences of neighbouring seeds are one step apart.
+  run_rounds(
+      turns, Rng(options.seed << 20), options.steps, [&] { return least_steps(options, report); },
+      [&](const SweepTurn& turn, uint64_t seed) { one_scene(turn, seed, each, options, report); });
   report.bisection_slope = bisection_slope(options.seed, report);
 }
 

@@ -3,6 +3,9 @@
 
 #include "body_check.h"
 #include "opinions.h"
+#include "places.h"
+
+#include <functional>
 
 namespace dsw::oracle {
 
@@ -21,6 +24,7 @@ struct BodyReport {
         hybrid(print_most) {}
   SweepReport& at(dsw_level level) { return levels[static_cast<size_t>(level) - 1]; }
   uint64_t faults() const;
+  void begin(const std::string& scene, const std::string& reproduce);
 
   std::array<SweepReport, 4> levels;
   SweepReport hybrid;  // elimination by motion; what it drops is no fault
@@ -30,6 +34,12 @@ struct BodyReport {
   Opinions opinions;  // on contacts of all bodies
 };
 
+/// Bodies of some levels in one arena; `places_for` gives the places that a level's own sequence of numbers chooses.
+void bodies_in_arena(Arena& arena, const std::function<std::unique_ptr<Places>(Rng&)>& places_for,
+                     dsw_environment* environment, uint64_t seed, uint64_t steps, const BodyRunOptions& options,
+                     BodyReport& report);
+/// The least number of steps at one of the levels that are run, of those up to `last`.
+uint64_t least_steps(const BodyRunOptions& options, BodyReport& report, dsw_level last = DSW_LEVEL_FACES);
 void run_bodies(const BodyRunOptions& options, BodyReport& report);
 std::string to_json(const BodyReport& report);
 

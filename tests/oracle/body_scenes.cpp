@@ -1,20 +1,10 @@
 #include "body_scenes.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
-#include <set>
 
 namespace dsw::oracle {
 namespace {
-
-Vec between(const Vec& a, const Vec& b, double by) {
-  Vec p;
-  for (size_t k = 0; k < 3; ++k) p[k] = a[k] + by * (b[k] - a[k]);
-  return p;
-}
-
-bool finite(const Vec& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
 /// n triangles round vertex 0; closed: the last is joined to the first.
 void add_fan(BodyPlan& plan, uint32_t n, bool closed) {
@@ -25,33 +15,10 @@ void add_fan(BodyPlan& plan, uint32_t n, bool closed) {
 
 }  // namespace
 
-Bodies::Bodies(Stage& stage, SweepWorld& exact, Rng& rng, dsw_level level)
-    : stage_(stage), exact_(exact), rng_(rng), level_(level), motions_(stage.world, rng) {
-  // Vertices of something impassable that is no closed wall.
-  const World& world = stage.world;
-  std::set<int> ends(stage.marked_vertices.begin(), stage.marked_vertices.end());
-  for (const auto& wire : stage.wires) ends.insert({wire[0], wire[1]});
-  for (int f : stage.free_standing) {
-    for (int v : world.faces[static_cast<size_t>(f)].loop) ends.insert(v);
-  }
-  for (const Face& f : world.faces) {
-    const auto marked = [&](int cell) { return cell < 0 || world.cell_marked[static_cast<size_t>(cell)] != 0; };
-    if (!marked(f.cell[0]) && !marked(f.cell[1])) continue;
-    for (int v : f.loop) ends.erase(v);
-  }
-  spikes_.assign(ends.begin(), ends.end());
-}
-
-Vec Bodies::near(const Vec& from, double share) {
-  Vec p;
-  for (size_t k = 0; k < 3; ++k) p[k] = from[k] + rng_.range(-share, share) * stage_.world.size;
-  return p;
-}
-
 /// Lattice scenes: coordinates that are exactly on the planes of many faces.
 Vec Bodies::on_lattice(Vec p) {
-  if (!stage_.world.lattice) return p;
-  const double step = std::ldexp(1, std::ilogb(stage_.world.size) - 5);
+  if (!arena_.lattice()) return p;
+  const double step = std::ldexp(1, std::ilogb(arena_.size()) - 5);
   for (double& x : p) x = std::isfinite(x / step) ? step * std::round(x / step) : x;
   return p;
 }
@@ -62,7 +29,10 @@ void Bodies::shape(BodyPlan& plan) {
     plan.at.resize(n);
     for (uint32_t i = 0; i + 1 < n; ++i) plan.edges.push_back({i, i + 1});
   };
-  switch (rng_.below(level_ != DSW_LEVEL_FACES || rng_.chance(0.2) ? 11 : rng_.chance(0.4) ? 1 : 5)) {
+  const uint32_t kind = arena_.dimension == 2                           ? 5 + rng_.below(6)
+                        : level_ != DSW_LEVEL_FACES || rng_.chance(0.2) ? rng_.below(11)
+                                                                        : rng_.below(rng_.chance(0.4) ? 1 : 5);
+  switch (kind) {
     case 0:
       return add_fan(plan, 1, false);
     case 1:
@@ -110,19 +80,19 @@ void Bodies::shape(BodyPlan& plan) {
 }
 
 Vec Bodies::place(const BodyPlan& plan, size_t vertex, double scale) {
-  if (has_focus_ && rng_.chance(0.7)) return rng_.chance(0.5) ? on_lattice(near(focus_, scale)) : near(focus_, scale);
-  if (vertex == 0) return motions_.start();
+  if (has_focus_ && rng_.chance(0.7))
+    return rng_.chance(0.5) ? on_lattice(places_.near(focus_, scale)) : places_.near(focus_, scale);
+  if (vertex == 0) return places_.start();
   const Vec& other = plan.at[rng_.below(vertex)];
-  Vec p = near(other, scale);
+  Vec p = places_.near(other, scale);
   switch (rng_.below(8)) {
     case 0:  // along an axis
-      p = other;
-      p[rng_.below(3)] += rng_.range(-scale, scale) * stage_.world.size;
+      p = places_.along_axis(other, scale);
       break;
     case 1:
-      return motions_.site();
+      return places_.site();
     case 2:
-      return rng_.chance(0.3) ? other : motions_.target(other);
+      return rng_.chance(0.3) ? other : places_.target(other);
     case 3: {  // in a row
       if (vertex < 2) break;
       static const double by[] = {-1, 0.5, 2};
@@ -143,15 +113,14 @@ BodyPlan Bodies::next() {
   const int most = rng_.chance(0.1) ? 1 : 12;  // some may be refused
   // Round what its inside is to meet.
   has_focus_ = level_ > DSW_LEVEL_EDGES && rng_.chance(0.6);
-  if (has_focus_) focus_ = obstacle(level_ == DSW_LEVEL_FACES ? 0.8 : 0.2);
+  if (has_focus_) focus_ = places_.obstacle(level_ == DSW_LEVEL_FACES ? 0.8 : 0.2);
   for (size_t v = 0; v < plan.at.size(); ++v) {
     for (int tries = 0; tries < most; ++tries) {
       plan.at[v] = place(plan, v, scale);
-      if (!finite(plan.at[v])) plan.at[v] = motions_.start();
-      const int cell = stage_.world.locate(stage_.world.body(plan.at[v].data()));
-      if (cell < 0 || stage_.world.cell_marked[static_cast<size_t>(cell)] != 0) continue;
+      if (!finite(plan.at[v])) plan.at[v] = places_.start();
+      if (!arena_.passable(arena_.locate(plan.at[v]))) continue;
       const bool free = std::none_of(edges.begin(), edges.end(), [&](const auto& e) {
-        return std::max(e[0], e[1]) == v && exact_.blocked(plan.at[e[0]], plan.at[e[1]]);
+        return std::max(e[0], e[1]) == v && arena_.exact.blocked(plan.at[e[0]], plan.at[e[1]]);
       });
       if (free) break;
       scale *= 0.7;
@@ -160,26 +129,10 @@ BodyPlan Bodies::next() {
   return plan;
 }
 
-/// A vertex with room around it, or a place on a wire or near the corner of a free-standing face.
-Vec Bodies::obstacle(double exactly) {
-  const auto point = [&](int v) { return stage_.world.mesh.points[static_cast<size_t>(v)]; };
-  if (!spikes_.empty() && rng_.chance(exactly)) return point(spikes_[rng_.below(spikes_.size())]);
-  if (!stage_.wires.empty() && (stage_.free_standing.empty() || rng_.chance(0.5))) {
-    const auto& wire = stage_.wires[rng_.below(stage_.wires.size())];
-    return between(point(wire[0]), point(wire[1]), rng_.chance(0.2) ? 0.5 : rng_.unit());
-  }
-  if (stage_.free_standing.empty()) return motions_.site();
-  const auto f = static_cast<size_t>(stage_.free_standing[rng_.below(stage_.free_standing.size())]);
-  const Loop& loop = stage_.world.faces[f].loop;
-  const size_t i = rng_.below(loop.size()), n = loop.size();
-  const Vec middle = between(point(loop[(i + 1) % n]), point(loop[(i + n - 1) % n]), 0.5);
-  return between(point(loop[i]), middle, rng_.chance(0.3) ? 0 : rng_.range(0.01, 0.3));
-}
-
 /// So that the obstacle comes to lie inside of what an edge or a face of the vertex sweeps, and the rest is free if possible.
 Vec Bodies::round_obstacle(const BodyState& s, size_t vertex) {
   const VertexMove all = s.flight(vertex, s.at[vertex]);
-  Vec best = motions_.target(s.at[vertex]);
+  Vec best = places_.target(s.at[vertex]);
   if (all.fixed.empty()) return best;
   const bool face = !all.faces.empty() && level_ == DSW_LEVEL_FACES && rng_.chance(0.8);
   const auto close = [&]() {
@@ -187,7 +140,7 @@ Vec Bodies::round_obstacle(const BodyState& s, size_t vertex) {
     Vec chosen = s.at[vertex];
     double nearest = HUGE_VAL;
     for (int i = 0; i < 6; ++i) {
-      const Vec site = obstacle(face ? 1 : 0.3);
+      const Vec site = places_.obstacle(face ? 1 : 0.3);
       double far = 0;
       for (size_t k = 0; k < 3; ++k) far = std::max(far, std::fabs(site[k] - all.from[k]));
       if (far < nearest) {
@@ -212,7 +165,7 @@ Vec Bodies::round_obstacle(const BodyState& s, size_t vertex) {
     if (rng_.chance(0.5)) move.to = on_lattice(move.to);
     if (!finite(move.to)) continue;
     best = move.to;
-    const MoveTruth truth = exact_.move(move, level_);
+    const MoveTruth truth = arena_.exact.move(move, level_);
     if (face ? !truth.events.empty() && truth.events[0].face >= 0 : truth.inside_only()) break;
     if (tries % 4 == 3) site = close();
   }
@@ -224,17 +177,17 @@ Vec Bodies::target(const BodyState& s, size_t vertex) {
   static const double along[] = {-2, -1, -0.5, 0.25, 0.5, 1, 1.5, 2};
   const Vec& from = s.at[vertex];
   const uint32_t kind = rng_.below(20);
-  Vec to = motions_.target(from);
+  Vec to = places_.target(from);
   if (kind < 1) return from;
   if (kind < 3) {  // along an edge, or as if there were one
     const VertexMove all = s.flight(vertex, from);
     const Vec& other = all.fixed.empty() ? s.at[rng_.below(s.at.size())] : all.fixed[rng_.below(all.fixed.size())];
     to = between(from, other, along[rng_.below(8)]);
   } else if (kind < 4) {  // a million cells
-    to = near(from, 1e6);
+    to = places_.near(from, 1e6);
     if (rng_.chance(0.5)) to = {to[0], from[1], from[2]};
   } else if (kind < 8) {
-    to = near(from, steps[rng_.below(4)]);
+    to = places_.near(from, steps[rng_.below(4)]);
     if (rng_.chance(0.5)) to = on_lattice(to);
   } else if (kind < 16) {
     if (level_ > DSW_LEVEL_EDGES) return round_obstacle(s, vertex);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "body_check.h"
-#include "sweep_scenes.h"
+#include "places.h"
 
 namespace dsw::oracle {
 
@@ -10,7 +10,8 @@ namespace dsw::oracle {
 /// or a face only.
 class Bodies {
  public:
-  Bodies(Stage& stage, SweepWorld& exact, Rng& rng, dsw_level level);
+  Bodies(Arena& arena, Places& places, Rng& rng, dsw_level level)
+      : arena_(arena), places_(places), rng_(rng), level_(level) {}
   /// Free as a rule.
   BodyPlan next();
   BodyMove move(const BodyState& state);
@@ -20,16 +21,12 @@ class Bodies {
   void shape(BodyPlan& plan);
   Vec place(const BodyPlan& plan, size_t vertex, double scale);
   Vec on_lattice(Vec p);
-  Vec near(const Vec& from, double share);
-  Vec obstacle(double exactly);
   Vec round_obstacle(const BodyState& state, size_t vertex);
 
-  Stage& stage_;
-  SweepWorld& exact_;
+  Arena& arena_;
+  Places& places_;
   Rng& rng_;
   dsw_level level_;
-  Motions motions_;
-  std::vector<int> spikes_;
   bool has_focus_ = false;
   Vec focus_ = {0, 0, 0};  // of the body at hand
 };

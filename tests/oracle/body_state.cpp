@@ -80,6 +80,7 @@ dsw_status create_body(dsw_scene* scene, const BodyPlan& plan, dsw_level level, 
   desc.level = level;
   desc.positions = plan.at[0].data();
   desc.vertex_count = plan.at.size();
+  desc.stride_bytes = sizeof(Vec);
   desc.hints = hints.empty() ? nullptr : hints.data();
   desc.edges = plan.edges.empty() ? nullptr : plan.edges[0].data();
   desc.edge_count = plan.edges.size();
@@ -101,7 +102,8 @@ std::string read_body(const dsw_scene* scene, dsw_body_id body, BodyState& s) {
   size_t count = 0;
   s.at.assign(slots, {0, 0, 0});
   s.volumes.assign(slots, {0, 0});
-  if (dsw_body_get_positions(scene, body, s.at[0].data(), slots, 0, s.volumes.data(), &count) != DSW_STATUS_OK ||
+  if (dsw_body_get_positions(scene, body, s.at[0].data(), slots, sizeof(Vec), s.volumes.data(), &count) !=
+          DSW_STATUS_OK ||
       count != slots) {
     return std::string("positions: ") + dsw_last_error_message();
   }
@@ -146,7 +148,8 @@ std::string read_body(const dsw_scene* scene, dsw_body_id body, BodyState& s) {
 std::string move_body(dsw_scene* scene, dsw_body_id body, const std::vector<Vec>& targets,
                       const dsw_move_options* options, BodyAnswer& answer) {
   std::memset(&answer.report, 0xee, sizeof answer.report);
-  if (dsw_body_move(scene, body, targets[0].data(), targets.size(), 0, options, &answer.report) != DSW_STATUS_OK) {
+  if (dsw_body_move(scene, body, targets[0].data(), targets.size(), sizeof(Vec), options, &answer.report) !=
+      DSW_STATUS_OK) {
     return std::string("move: ") + dsw_last_error_message();
   }
   const dsw_contact* contacts = nullptr;

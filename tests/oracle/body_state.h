@@ -1,7 +1,7 @@
 // Bodies as the public interface tells of them, and the calls that make, move and read one.
 #pragma once
 
-#include "sweep_truth.h"
+#include "exact.h"
 
 #include <string>
 

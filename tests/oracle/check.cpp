@@ -8,22 +8,9 @@
 namespace dsw::oracle {
 namespace {
 
-std::string number(double x) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%a", x);
-  return text;
-}
-
-std::string name(dsw_volume_id v) { return std::to_string(v.index) + "." + std::to_string(v.generation); }
-std::string name(dsw_face_id f) {
-  return std::to_string(f.volume) + "." + std::to_string(f.generation) + "/" + std::to_string(f.local);
-}
-
 bool same_bits(const double* a, const double* b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 
 }  // namespace
-
-std::string hex(const double* v) { return "{" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + "}"; }
 
 void Report::begin(const std::string& scene, const std::string& reproduce) {
   scene_ = &scenes[scene];

@@ -1,6 +1,7 @@
 // Compares what the library answers with the oracle's answer, one flight at a time.
 #pragma once
 
+#include "names.h"
 #include "rng.h"
 #include "scenes.h"
 #include "world.h"
@@ -50,9 +51,6 @@ using ScenePtr = std::unique_ptr<dsw_scene, SceneDelete>;
 /// Creates the environment of a mesh; null with a message on stderr if the library refuses it.
 EnvironmentPtr create_environment(const Mesh& mesh, const Layout& layout = {}, uint32_t flags = 0,
                                   dsw_context* context = nullptr);
-
-std::string hex(const double* xyz);
-inline std::string hex(const Vec& v) { return hex(v.data()); }
 
 /// Checks single calls against a World.
 class Checker {

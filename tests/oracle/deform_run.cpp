@@ -1,5 +1,8 @@
 #include "deform_run.h"
 
+#include "rounds.h"
+#include "sweep_scenes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,10 +27,14 @@ struct Picture {
 
 class Deformer {
  public:
-  Deformer(Stage& stage, SweepWorld& exact, Rng& rng, DeformReport& report)
-      : stage_(stage), exact_(exact), rng_(rng), report_(report) {}
+  Deformer(Stage& stage, Rng& rng, DeformReport& report)
+      : stage_(stage),
+        arena_(stage.world, stage.wires, stage.marked_vertices),
+        places_(stage, rng),
+        rng_(rng),
+        report_(report) {}
 
-  void run(const SweepChecker& walls, int count);
+  void run(int count);
 
  private:
   struct Lodger {
@@ -40,7 +47,7 @@ class Deformer {
   std::vector<Vec> next_points();
   void move_towards_body(std::vector<Vec>& points);
   dsw_deform_options next_options();
-  bool step(const SweepChecker& walls);
+  bool step();
   void check(const std::string& how);
   void check_vertex(Picture& now, const Vec& at, dsw_volume_id volume, int chamber, const std::string& what);
   int chamber_of(const BodyState& before, const BodyState& now, size_t vertex) const;
@@ -51,7 +58,8 @@ class Deformer {
   }
 
   Stage& stage_;
-  SweepWorld& exact_;
+  SpaceArena arena_;
+  StagePlaces places_;
   Rng& rng_;
   DeformReport& report_;
   ScenePtr scene_;
@@ -94,7 +102,7 @@ void Deformer::settle() {
   const uint32_t bodies = 1 + rng_.below(3u);
   for (uint32_t i = 0; i < bodies; ++i) {
     const auto level = static_cast<dsw_level>(1 + rng_.below(4u));
-    Bodies source(stage_, exact_, rng_, level);
+    Bodies source(arena_, places_, rng_, level);
     for (int tries = 0; tries < 10; ++tries) {
       Lodger lodger{{0, 0}, level, {}};
       if (create_body(scene_.get(), source.next(), level, rng_.chance(0.5) ? uint32_t{DSW_BODY_SEQUENCES} : 0u, {},
@@ -221,7 +229,7 @@ void Deformer::check(const std::string& how) {
   const bool whole =
       now.world.fault().empty() && dsw_environment_check(stage_.environment.get(), nullptr) == DSW_STATUS_OK;
   report_.whole += whole ? 1 : 0;
-  SweepWorld exact(now.world, stage_.wires, stage_.marked_vertices);
+  SpaceArena arena(now.world, stage_.wires, stage_.marked_vertices);
   for (Lodger& lodger : lodgers_) {
     BodyState state;
     const std::string fault = read_body(scene_.get(), lodger.id, state);
@@ -237,9 +245,7 @@ void Deformer::check(const std::string& how) {
     }
     lodger.state = state;
     if (!whole) continue;
-    SweepChecker walls(now.world, exact, report_.faults);
-    BodyChecker checker(now.world, exact, walls, report_.faults);
-    const std::string blocked = checker.not_free(state, lodger.level);
+    const std::string blocked = BodyChecker(arena, report_.faults).not_free(state, lodger.level);
     if (blocked.empty()) continue;
     ++report_.not_free;
     report_.faults.fault(SweepReport::kNotFreeAfter, how + ": level " + std::to_string(lodger.level) + " " + blocked);
@@ -255,7 +261,7 @@ void Deformer::check(const std::string& how) {
   }
 }
 
-bool Deformer::step(const SweepChecker&) {
+bool Deformer::step() {
   const std::vector<Vec> target = next_points();
   const dsw_deform_options options = next_options();
   std::vector<double> next = flat(target);
@@ -291,7 +297,7 @@ bool Deformer::step(const SweepChecker&) {
   return true;
 }
 
-void Deformer::run(const SweepChecker& walls, int count) {
+void Deformer::run(int count) {
   dsw_scene_desc desc;
   dsw_scene_desc_init(&desc, sizeof desc);
   desc.features = DSW_FEATURE_DEFORMING;
@@ -304,7 +310,7 @@ void Deformer::run(const SweepChecker& walls, int count) {
   now_ = stage_.world.mesh.points;
   find_chambers();
   settle();
-  for (int i = 0; i < count && step(walls); ++i) {
+  for (int i = 0; i < count && step(); ++i) {
   }
 }
 
@@ -315,9 +321,7 @@ void one_scene(const SweepTurn& turn, uint64_t seed, DeformReport& report) {
   const std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, report.faults);
   if (stage == nullptr) return;
   stage->mark_vertices(rng, report.faults);
-  SweepWorld exact(stage->world, stage->wires, stage->marked_vertices);
-  const SweepChecker walls(stage->world, exact, report.faults);
-  Deformer(*stage, exact, rng, report).run(walls, 8);
+  Deformer(*stage, rng, report).run(8);
 }
 
 }  // namespace
@@ -328,15 +332,9 @@ void run_deformations(const DeformRunOptions& options, DeformReport& report) {
     for (const SweepTurn& turn : turns) one_scene(turn, options.scene_seed, report);
     return;
   }
-  Rng rng(options.seed << 20);
-  while (report.steps < options.steps && !turns.empty()) {
-    const uint64_t before = report.steps;
-    for (const SweepTurn& turn : turns) {
-      const uint64_t seed = rng.next() >> 1;
-      if (report.steps < options.steps) one_scene(turn, seed, report);
-    }
-    if (report.steps == before) break;
-  }
+  run_rounds(
+      turns, Rng(options.seed << 20), options.steps, [&] { return report.steps; },
+      [&](const SweepTurn& turn, uint64_t seed) { one_scene(turn, seed, report); });
 }
 
 std::string to_json(const DeformReport& r) {

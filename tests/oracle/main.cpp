@@ -1,6 +1,7 @@
-// dartsweep_oracle [--casts N] [--plane N] [--sweeps N] [--bodies N [--level L] [--scene-seed S]] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
+// dartsweep_oracle [--casts N] [--plane N] [--plane-sweeps N] [--sweeps N] [--bodies N [--level L] [--scene-seed S]] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
 // Casts, locates and particle moves, swept edges, and moves of bodies (N: of single vertices, at each level), in many
-// small environments, each compared with exact arithmetic; --plane: casts and particle moves in the plane. Without any of these: casts.
+// small environments, each compared with exact arithmetic; --plane: casts and particle moves in the plane;
+// --plane-sweeps: swept edges and bodies there. Without any of these: casts.
 #include "body_run.h"
 #include "deform_run.h"
 #include "plane_run.h"
@@ -18,7 +19,6 @@ int main(int argc, char** argv) {
   dsw::oracle::BodyRunOptions bodies;
   dsw::oracle::DeformRunOptions deformations;
   dsw::oracle::PlaneRunOptions plane;
-  plane.casts = 0;
   const char* json = nullptr;
   int print_most = 20;
   bool casts_given = false, quick = false, show_stuck = false;
@@ -29,6 +29,8 @@ int main(int argc, char** argv) {
       casts_given = true;
     } else if (std::strcmp(argv[i], "--plane") == 0 && more) {
       plane.casts = std::strtoull(argv[++i], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--plane-sweeps") == 0 && more) {
+      plane.sweeps = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--sweeps") == 0 && more) {
       sweeps.sweeps = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--bodies") == 0 && more) {
@@ -36,13 +38,13 @@ int main(int argc, char** argv) {
     } else if (std::strcmp(argv[i], "--deformations") == 0 && more) {
       deformations.steps = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--scene-seed") == 0 && more) {
-      bodies.scene_seed = deformations.scene_seed = std::strtoull(argv[++i], nullptr, 10);
+      bodies.scene_seed = deformations.scene_seed = plane.scene_seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--level") == 0 && more) {
-      bodies.level = std::atoi(argv[++i]);
+      bodies.level = plane.level = std::atoi(argv[++i]);
     } else if (std::strcmp(argv[i], "--seed") == 0 && more) {
       options.seed = plane.seed = sweeps.seed = bodies.seed = deformations.seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--only") == 0 && more) {
-      options.only = sweeps.only = bodies.only = deformations.only = argv[++i];
+      options.only = plane.only = sweeps.only = bodies.only = deformations.only = argv[++i];
     } else if (std::strcmp(argv[i], "--quick") == 0) {
       quick = true;
       if (!casts_given) options.casts = 120000;
@@ -54,7 +56,7 @@ int main(int argc, char** argv) {
       json = argv[++i];
     } else {
       std::fprintf(stderr,
-                   "usage: %s [--casts N] [--plane N] [--sweeps N] [--bodies N [--level 1..4]] "
+                   "usage: %s [--casts N] [--plane N] [--plane-sweeps N] [--sweeps N] [--bodies N [--level 1..4]] "
                    "[--deformations N] [--scene-seed S] [--seed S] "
                    "[--quick] [--only SCENE] "
                    "[--print N] [--stuck] [--json FILE]\n",
@@ -64,10 +66,13 @@ int main(int argc, char** argv) {
   }
   dsw::oracle::Report report(print_most);
   report.show_stuck = show_stuck;
-  const bool with_casts = casts_given || quick || plane.casts + sweeps.sweeps + bodies.steps + deformations.steps == 0;
+  const bool with_casts =
+      casts_given || quick || plane.casts + plane.sweeps + sweeps.sweeps + bodies.steps + deformations.steps == 0;
   if (with_casts) dsw::oracle::run(options, report);
   dsw::oracle::PlaneReport plane_report;
   if (plane.casts != 0) dsw::oracle::run_plane(plane, print_most, plane_report);
+  if (plane.sweeps != 0) dsw::oracle::run_plane_sweeps(plane, print_most, plane_report);
+  const bool with_plane = plane.casts + plane.sweeps != 0;
   dsw::oracle::SweepReport sweep_report(print_most);
   if (sweeps.sweeps != 0) dsw::oracle::run_sweeps(sweeps, sweep_report);
   dsw::oracle::BodyReport body_report(print_most);
@@ -78,7 +83,7 @@ int main(int argc, char** argv) {
   const auto join = [&](const std::string& more) {  // one flat object
     text = text.empty() ? more : text.substr(0, text.rfind("\n}")) + "," + more.substr(1);
   };
-  if (plane.casts != 0) join(dsw::oracle::to_json(plane_report));
+  if (with_plane) join(dsw::oracle::to_json(plane_report));
   if (sweeps.sweeps != 0) join(dsw::oracle::to_json(sweep_report));
   if (bodies.steps != 0) join(dsw::oracle::to_json(body_report));
   if (deformations.steps != 0) join(dsw::oracle::to_json(deform_report));
@@ -91,7 +96,7 @@ int main(int argc, char** argv) {
     }
   }
   const bool casts_right = report.total.mismatches == 0 && report.total.lost == 0 && report.total.casts > 0;
-  const bool plane_right = plane.casts == 0 || (plane_report.faults() == 0 && plane_report.contacts > 0);
+  const bool plane_right = !with_plane || (plane_report.faults() == 0 && plane_report.contacts > 0);
   const bool sweeps_right = sweep_report.total.faults() == 0 && sweep_report.total.sweeps > 0;
   const bool bodies_right = body_report.faults() == 0 && body_report.bodies > 0;
   const bool deformations_right =

@@ -1,8 +1,7 @@
 #include "plane_run.h"
 
 #include "plane_scenes.h"
-
-#include "check.h"
+#include "rounds.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -16,51 +15,22 @@ using plane::Side;
 using plane::Vec;
 using plane::World;
 
-/// An environment of a world; null if the library refuses it.
-EnvironmentPtr make_environment(const World& world, Rng& rng) {
-  const size_t stride = rng.chance(0.5) ? 2 : 3;
-  std::vector<double> points;
-  for (const Vec& p : world.points) {
-    points.insert(points.end(), p.begin(), p.end());
-    points.resize(points.size() + stride - 2);
-  }
-  std::vector<uint8_t> types;
-  std::vector<int64_t> offsets = {0}, connectivity;
-  for (const std::vector<int>& cell : world.cells) {
-    const int own = cell.size() == 3   ? DSW_CELL_TYPE_TRIANGLE
-                    : cell.size() == 4 ? DSW_CELL_TYPE_QUAD
-                                       : DSW_CELL_TYPE_POLYGON;
-    types.push_back(static_cast<uint8_t>(rng.chance(0.2) ? int{DSW_CELL_TYPE_POLYGON} : own));
-    connectivity.insert(connectivity.end(), cell.begin(), cell.end());
-    offsets.push_back(static_cast<int64_t>(connectivity.size()));
-  }
-  dsw_environment_desc desc;
-  dsw_environment_desc_init(&desc, sizeof desc);
-  desc.dimension = 2;
-  desc.points = points.data();
-  desc.point_count = world.points.size();
-  desc.point_stride_bytes = stride * sizeof(double);
-  desc.cell_types = types.data();
-  desc.cell_count = types.size();
-  desc.offsets = offsets.data();
-  desc.connectivity = connectivity.data();
-  desc.connectivity_count = connectivity.size();
-  desc.flags = rng.chance(0.5) ? uint32_t{DSW_ENVIRONMENT_LOCATE_GRID} : 0;
-  if (rng.chance(0.5)) desc.flags |= uint32_t{DSW_ENVIRONMENT_CHECK_BOUNDARY};
-  dsw_environment* environment = nullptr;
-  dsw_environment_create(nullptr, &desc, &environment, nullptr);
-  return EnvironmentPtr(environment);
-}
-
 class Scene {
  public:
-  Scene(uint64_t seed, int& print_left, PlaneReport& report)
-      : seed_(seed), rng_(seed), world_(plane::make_world(rng_)), report_(report), print_left_(print_left) {}
+  Scene(const plane::Turn& turn, uint64_t seed, int& print_left, PlaneReport& report)
+      : turn_(turn),
+        seed_(seed),
+        rng_(seed),
+        world_(plane::make_world(turn, rng_)),
+        report_(report),
+        print_left_(print_left) {}
 
   void run(uint64_t casts) {
-    environment_ = make_environment(world_, rng_);
-    if (environment_ == nullptr) return wrong(dsw_last_error_message());
-    mark();
+    environment_ = make_environment(turn_, world_, rng_);
+    if (environment_ == nullptr) return turn_.may_be_refused() ? void() : wrong(dsw_last_error_message());
+    std::vector<int> vertices;
+    const std::string fault = plane::mark(world_, environment_.get(), {0.1, 0.1, 0}, rng_, vertices);
+    if (!fault.empty()) return wrong(fault);
     dsw_scene* scene = nullptr;
     dsw_scene_desc desc;
     dsw_scene_desc_init(&desc, sizeof desc);
@@ -85,7 +55,8 @@ class Scene {
  private:
   void say(const std::string& text) {
     if (print_left_-- > 0)
-      std::fprintf(stderr, "plane, scene seed %llu: %s\n", static_cast<unsigned long long>(seed_), text.c_str());
+      std::fprintf(stderr, "plane, %s scene seed %llu: %s\n", turn_.name().c_str(),
+                   static_cast<unsigned long long>(seed_), text.c_str());
   }
   void wrong(const std::string& text) {
     ++report_.wrong;
@@ -95,22 +66,6 @@ class Scene {
     char text[64];
     std::snprintf(text, sizeof text, "(%a, %a)", p[0], p[1]);
     return text;
-  }
-
-  void mark() {
-    for (size_t c = 0; c < world_.cells.size(); ++c) {
-      if (!rng_.chance(0.1)) continue;
-      const dsw_volume_id id = {static_cast<uint32_t>(c), 1};
-      dsw_environment_mark_volumes(environment_.get(), &id, 1, DSW_MARK_IMPASSABLE, 0, nullptr);
-      world_.cell_marked[c] = 1;
-    }
-    for (Side& side : world_.sides) {
-      if (!rng_.chance(0.1)) continue;
-      const int end = side.cell[1] >= 0 && rng_.chance(0.5) ? 1 : 0;
-      const dsw_face_id id = {static_cast<uint32_t>(side.cell[end]), 1, static_cast<uint32_t>(side.local[end])};
-      dsw_environment_mark_faces(environment_.get(), &id, 1, DSW_MARK_IMPASSABLE);
-      side.marked = true;
-    }
   }
 
   /// With a bias to vertices, sides and lines through them.
@@ -268,6 +223,7 @@ class Scene {
     if (truth.outcome == Flight::kReached && reached != q) wrong("not where it was to go: " + what);
   }
 
+  const plane::Turn& turn_;
   uint64_t seed_;
   Rng rng_;
   World world_;
@@ -279,29 +235,40 @@ class Scene {
 }  // namespace
 
 void run_plane(const PlaneRunOptions& options, int print_most, PlaneReport& report) {
-  Rng seeds(options.seed << 32);  // neighbours would share all scenes but one
-  constexpr uint64_t kEach = 40;
-  for (uint64_t scenes = 0; report.casts < options.casts && scenes < options.casts; ++scenes) {
-    Scene(seeds.next() >> 1, print_most, report).run(kEach);
-  }
+  const std::vector<plane::Turn> turns = plane::turns(options.only);
+  // Sequences of neighbouring seeds share all scenes but one.
+  run_rounds(
+      turns, Rng(options.seed << 32), options.casts, [&] { return report.casts; },
+      [&](const plane::Turn& turn, uint64_t seed) { Scene(turn, seed, print_most, report).run(40); });
 }
 
 std::string to_json(const PlaneReport& report) {
-  const std::pair<const char*, uint64_t> values[] = {
-      {"casts", report.casts},
-      {"moves", report.moves},
-      {"contacts", report.contacts},
-      {"ties", report.ties},
-      {"missed", report.missed},
-      {"late", report.late},
-      {"not_free_after", report.not_free_after},
-      {"wrong", report.wrong},
-  };
+  std::vector<std::pair<const char*, double>> values;
+  const auto add = [&](const char* key, uint64_t value) { values.push_back({key, static_cast<double>(value)}); };
+  if (report.casts != 0) {
+    add("casts", report.casts);
+    add("moves", report.moves);
+  }
+  if (report.sweeps != 0) {
+    add("sweeps", report.sweeps);
+    add("vertex_contacts", report.vertex_contacts);
+    add("inside_only", report.inside_only);
+    add("bodies", report.bodies);
+    add("twins", report.twins);
+    add("responses", report.responses);
+    add("edits", report.edits);
+    values.push_back({"time_error", report.time_error});
+  }
+  add("contacts", report.contacts);
+  add("ties", report.ties);
+  add("missed", report.missed);
+  add("late", report.late);
+  add("not_free_after", report.not_free_after);
+  add("wrong", report.wrong);
   std::string text;
   for (const auto& [key, value] : values) {
     char line[128];
-    std::snprintf(line, sizeof line, "%s  \"plane.oracle.%s\": %llu", text.empty() ? "{\n" : ",\n", key,
-                  static_cast<unsigned long long>(value));
+    std::snprintf(line, sizeof line, "%s  \"plane.oracle.%s\": %.10g", text.empty() ? "{\n" : ",\n", key, value);
     text += line;
   }
   return text + "\n}\n";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace dsw::oracle::plane {
 namespace {
@@ -26,13 +27,13 @@ struct Point {
 /// Coordinates as integers over one power of two that suits all of them.
 class Numbers {
  public:
-  Numbers(const World& world, const Vec& p, const Vec& q) {
+  Numbers(const std::vector<Vec>& points, const Vec& p, const Vec& q) {
     int lowest = 0;
     const auto see = [&](const Vec& v) { lowest = std::min({lowest, lowest_exponent(v[0]), lowest_exponent(v[1])}); };
-    for (const Vec& v : world.points) see(v);
+    for (const Vec& v : points) see(v);
     see(p), see(q);
     const auto to_point = [&](const Vec& v) { return Point{to_big(v[0], -lowest), to_big(v[1], -lowest)}; };
-    for (const Vec& v : world.points) at.push_back(to_point(v));
+    for (const Vec& v : points) at.push_back(to_point(v));
     from = to_point(p);
     to = to_point(q);
   }
@@ -54,20 +55,6 @@ Shifted right_of(const Point& a, const Point& b, const Point& x) {
 Shifted left_of(const Point& p, const Point& q, const Point& a) {
   const Big ux = q.x - p.x, uy = q.y - p.y;
   return {{cross(ux, uy, a.x - p.x, a.y - p.y), uy, -ux}};
-}
-
-/// Whether a polygon encloses the shifted point: how often a ray to the right leaves it.
-bool contains(const World& world, const Numbers& n, size_t cell) {
-  bool inside = false;
-  const std::vector<int>& loop = world.cells[cell];
-  for (size_t i = 0; i < loop.size(); ++i) {
-    const Point &a = n[loop[i]], &b = n[loop[(i + 1) % loop.size()]];
-    const bool a_above = a.y > n.from.y, b_above = b.y > n.from.y;  // one as high as the point lies below its shift
-    if (a_above == b_above) continue;
-    const int side = right_of(a, b, n.from).sign();
-    if ((b_above ? -side : side) > 0) inside = !inside;
-  }
-  return inside;
 }
 
 struct Hit {
@@ -109,6 +96,8 @@ void World::link() {
     }
   }
   cell_marked.assign(cells.size(), 0);
+  tags.resize(cells.size());
+  std::iota(tags.begin(), tags.end(), 1u);
 }
 
 bool World::impassable(const Side& s) const {
@@ -116,15 +105,24 @@ bool World::impassable(const Side& s) const {
          cell_marked[static_cast<size_t>(s.cell[1])] != 0;
 }
 
+/// Cells that a ray to the right of the shifted point leaves an odd number of times. A point as high as the ray starts lies below it.
 int locate(const World& world, const Vec& p) {
-  const Numbers n(world, p, p);
-  int found = -1;
-  for (size_t c = 0; c < world.cells.size(); ++c) {
-    if (!contains(world, n, c)) continue;
-    if (found >= 0) return -2;
-    found = static_cast<int>(c);
+  std::vector<char> odd(world.cells.size(), 0);
+  for (const Side& side : world.sides) {
+    const Vec &a = world.points[static_cast<size_t>(side.a)], &b = world.points[static_cast<size_t>(side.b)];
+    const bool up = b[1] > p[1];
+    if ((a[1] > p[1]) == up || std::max(a[0], b[0]) < p[0]) continue;
+    if (std::min(a[0], b[0]) <= p[0]) {
+      const Numbers n({a, b}, p, p);
+      if ((right_of(n[0], n[1], n.from).sign() < 0) != up) continue;
+    }
+    for (int cell : side.cell) {
+      if (cell >= 0) odd[static_cast<size_t>(cell)] ^= 1;
+    }
   }
-  return found;
+  const auto found = std::find(odd.begin(), odd.end(), 1);
+  if (found == odd.end()) return -1;
+  return std::find(found + 1, odd.end(), 1) == odd.end() ? static_cast<int>(found - odd.begin()) : -2;
 }
 
 Flight cast(const World& world, int start, const Vec& p, const Vec& q) {
@@ -132,7 +130,7 @@ Flight cast(const World& world, int start, const Vec& p, const Vec& q) {
   flight.cells.push_back(start);
   flight.times.push_back(0);
   if (p == q) return flight;
-  const Numbers n(world, p, q);
+  const Numbers n(world.points, p, q);
   std::vector<int> left(world.points.size());
   for (size_t v = 0; v < left.size(); ++v) {
     const Shifted value = left_of(n.from, n.to, n.at[v]);

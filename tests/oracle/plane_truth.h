@@ -23,9 +23,11 @@ struct World {
   std::vector<Vec> points;
   std::vector<std::vector<int>> cells;
   std::vector<char> cell_marked;
+  std::vector<uint32_t> tags;
   std::vector<Side> sides;
+  bool lattice = false;  // small integers, scaled
 
-  /// Finds the sides. Every side has one cell or two.
+  /// Finds the sides, and gives each cell its number as its tag. Every side has one cell or two.
   void link();
   bool impassable(const Side& s) const;
 };

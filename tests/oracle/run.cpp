@@ -204,59 +204,10 @@ Vec Motions::start() {
   return p;
 }
 
-Vec Motions::target(const Vec& from) {
-  const Vec q = any_target(from);
-  return std::isfinite(q[0]) && std::isfinite(q[1]) && std::isfinite(q[2]) ? q : site();
-}
-
-Vec Motions::any_target(const Vec& from) {
-  Vec q = from;
-  switch (rng_.below(14)) {
-    case 0:
-      return from;
-    case 1:
-    case 2: {  // through a vertex
-      const Vec v = rng_.chance(0.7) ? vertex() : site();
-      const double k = 1 + rng_.below(3);
-      for (size_t i = 0; i < 3; ++i) q[i] = from[i] + k * (v[i] - from[i]);
-      return q;
-    }
-    case 3: {  // along an axis
-      const size_t k = rng_.below(3);
-      q[k] = rng_.chance(0.5) ? site()[k] : from[k] + (rng_.chance(0.5) ? 3 : -3) * world_.size;
-      return q;
-    }
-    case 4: {  // along an edge or a diagonal of the mesh
-      const Face& f = world_.faces[rng_.below(world_.faces.size())];
-      const Vec& a = world_.mesh.points[static_cast<size_t>(f.loop[0])];
-      const Vec& b = world_.mesh.points[static_cast<size_t>(f.loop[1 + rng_.below(f.loop.size() - 1)])];
-      const double k = rng_.between(-3, 3);
-      for (size_t i = 0; i < 3; ++i) q[i] = from[i] + k * (b[i] - a[i]);
-      return q;
-    }
-    case 5: {  // a tiny step
-      for (size_t i = 0; i < 3; ++i) {
-        if (rng_.chance(0.6)) q[i] = std::nextafter(q[i], rng_.chance(0.5) ? DBL_MAX : -DBL_MAX);
-      }
-      return q;
-    }
-    case 6: {
-      if (!rng_.chance(0.15)) return site();
-      static const double extremes[] = {1e300, -1e300, 1e-300, -1e-300, 0, -0.0, 1.7e308, DBL_TRUE_MIN};
-      for (size_t i = 0; i < 3; ++i) {
-        if (rng_.chance(0.6)) q[i] = extremes[rng_.below(8)];
-      }
-      return q;
-    }
-    case 7:  // far out
-      for (size_t i = 0; i < 3; ++i) q[i] = from[i] + rng_.range(-10, 10) * world_.size;
-      return q;
-    case 8:  // a short step in any direction
-      for (size_t i = 0; i < 3; ++i) q[i] = from[i] + rng_.range(-0.1, 0.1) * world_.size;
-      return q;
-    default:
-      return site();
-  }
+std::array<Vec, 2> Motions::ends() {
+  const Face& f = world_.faces[rng_.below(world_.faces.size())];
+  const int other = f.loop[1 + rng_.below(f.loop.size() - 1)];
+  return {world_.mesh.points[static_cast<size_t>(f.loop[0])], world_.mesh.points[static_cast<size_t>(other)]};
 }
 
 void run(const RunOptions& options, Report& report) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "check.h"
+#include "places.h"
 
 namespace dsw::oracle {
 
@@ -15,19 +16,18 @@ struct RunOptions {
 void run(const RunOptions& options, Report& report);
 std::string to_json(const Report& report);
 
-/// Body points with a bias to everything that is exactly on something.
-class Motions {
+/// In a mesh in space.
+class Motions : public Places {
  public:
-  Motions(const World& world, Rng& rng) : world_(world), rng_(rng) {}
-  Vec start();
-  Vec site();
-  Vec target(const Vec& from);
+  Motions(const World& world, Rng& rng) : Places(3, world.size, rng), world_(world) {}
+  Vec start() override;
+  Vec site() override;
 
- private:
-  Vec vertex();
-  Vec any_target(const Vec& from);
+ protected:
+  Vec vertex() override;
+  std::array<Vec, 2> ends() override;
+
   const World& world_;
-  Rng& rng_;
 };
 
 }  // namespace dsw::oracle

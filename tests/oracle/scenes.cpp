@@ -343,37 +343,41 @@ const char* transform_name(Transform t) {
       return "*2^-1074";
     case Transform::kCoarse:
       return "+2^52";
+    case Transform::kVast:
+      return "*1e300";
+    case Transform::kTiny:
+      return "*1e-300";
     default:
       return "";
   }
 }
 
+double transformed(double x, Transform t) {
+  switch (t) {
+    case Transform::kFar:
+      return x + 1e8;
+    case Transform::kLarge:
+      return x * 1e100;
+    case Transform::kSmall:
+      return x * 1e-100;
+    case Transform::kPower:
+      return std::ldexp(x, 900);
+    case Transform::kDenormal:
+      return std::ldexp(x, -1074);
+    case Transform::kCoarse:  // neighbouring doubles are 1 apart
+      return x + (0x1p52 + 0x1p20);
+    case Transform::kVast:
+      return x * 1e300;
+    case Transform::kTiny:
+      return x * 1e-300;
+    default:
+      return x;
+  }
+}
+
 void apply_transform(Mesh& mesh, Transform t) {
   for (Vec& p : mesh.points) {
-    for (double& x : p) {
-      switch (t) {
-        case Transform::kFar:
-          x += 1e8;
-          break;
-        case Transform::kLarge:
-          x *= 1e100;
-          break;
-        case Transform::kSmall:
-          x *= 1e-100;
-          break;
-        case Transform::kPower:
-          x = std::ldexp(x, 900);
-          break;
-        case Transform::kDenormal:
-          x = std::ldexp(x, -1074);
-          break;
-        case Transform::kCoarse:  // neighbouring doubles are 1 apart
-          x += 0x1p52 + 0x1p20;
-          break;
-        default:
-          break;
-      }
-    }
+    for (double& x : p) x = transformed(x, t);
   }
 }
 

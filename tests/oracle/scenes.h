@@ -10,8 +10,9 @@
 namespace dsw::oracle {
 
 /// What is done to all points after a scene was made.
-enum class Transform { kNone, kFar, kLarge, kSmall, kPower, kDenormal, kCoarse };
+enum class Transform { kNone, kFar, kLarge, kSmall, kPower, kDenormal, kCoarse, kVast, kTiny };
 const char* transform_name(Transform t);
+double transformed(double x, Transform t);
 
 struct SceneKind {
   const char* name;

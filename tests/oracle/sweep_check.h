@@ -1,8 +1,9 @@
 // Compares what the library answers about a swept edge with the truth, one report at a time.
 #pragma once
 
-#include "check.h"
-#include "sweep_truth.h"
+#include "arena.h"
+
+#include <map>
 
 namespace dsw::oracle {
 
@@ -34,15 +35,9 @@ class SweepReport {
   int printed_ = 0, print_most_;
 };
 
-struct Sweep {
-  Vec from, to, fixed;
-  SweepTruth truth;
-};
-
 class SweepChecker {
  public:
-  /// Marks must be set. Wires are pairs of vertices.
-  SweepChecker(World& world, SweepWorld& exact, SweepReport& report);
+  SweepChecker(Arena& arena, SweepReport& report) : arena_(arena), report_(report) {}
 
   /// Whether the edge may start at all.
   bool may_start(const SweepTruth& truth) const;
@@ -54,26 +49,10 @@ class SweepChecker {
                        const std::string& how);
   /// The truth against the oracle of casts, and against itself with the triangle's corners exchanged or its path cut.
   void check_truth(const Sweep& sweep);
-  /// What is wrong with a reported contact if `event` is the true one; empty if nothing is.
-  std::string wrong_event(const Sweep& sweep, const SweepEvent& event, const dsw_sweep& got) const;
-  /// The same of front, face, obstacle and tag alone, at an obstacle round which these triangles lie. `alone`: what it may
-  /// be where none of them is impassable.
-  std::string wrong_wall(const dsw_sweep& got, const std::vector<int>& around,
-                         const std::vector<dsw_cell_kind>& alone) const;
 
  private:
-  std::string wrong_contact(const Sweep& sweep, const SweepEvent& event, const dsw_sweep& got) const;
-  std::string wrong_across(const Sweep& sweep, const SweepEvent& event, const dsw_sweep& got) const;
-  std::string wrong_place(const Sweep& sweep, const SweepEvent* event, const dsw_sweep& got) const;
-  bool normal_of(int triangle, bool into_first, const dsw_sweep& got) const;
-  bool same_volume(dsw_volume_id id, int cell) const;
-  int face_of(dsw_face_id id) const;
-
-  World& world_;
-  SweepWorld& exact_;
+  Arena& arena_;
   SweepReport& report_;
-  std::map<std::pair<int, int>, dsw_edge_id> edges_;              // canonical names
-  std::map<std::pair<int, int>, std::vector<int>> triangles_at_;  // of edges and diagonals
 };
 
 }  // namespace dsw::oracle

@@ -1,6 +1,8 @@
 #include "sweep_run.h"
 
+#include "rounds.h"
 #include "sweep_scenes.h"
+#include "sweeps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,18 +13,18 @@ namespace dsw::oracle {
 namespace {
 
 /// Hands sweeps of like flags over in one call for each level, and compares.
-void call(const Stage& stage, const std::vector<const Sweep*>& sweeps, uint32_t flags, Rng& rng, SweepChecker& checker,
-          SweepReport& report) {
+void call(const Arena& arena, const dsw_environment* environment, const std::vector<const Sweep*>& sweeps,
+          uint32_t flags, Rng& rng, SweepChecker& checker, SweepReport& report) {
   if (sweeps.empty()) return;
-  const size_t stride = rng.chance(0.3) ? 5 : 3;
+  const size_t dimension = arena.dimension, stride = dimension + (rng.chance(0.3) ? 2 : 0);
   std::vector<double> from, to, fixed;
   std::vector<dsw_volume_id> starts;
   for (const Sweep* s : sweeps) {
     for (auto [list, p] : {std::pair{&from, &s->from}, {&to, &s->to}, {&fixed, &s->fixed}}) {
-      list->insert(list->end(), p->begin(), p->end());
-      list->resize(list->size() + stride - 3, NAN);
+      list->insert(list->end(), p->begin(), p->begin() + static_cast<ptrdiff_t>(dimension));
+      list->resize(list->size() + stride - dimension, NAN);
     }
-    const std::vector<dsw_volume_id>& ids = stage.world.ids;
+    const std::vector<dsw_volume_id>& ids = arena.ids();
     const dsw_volume_id right = s->truth.start >= 0 ? ids[static_cast<size_t>(s->truth.start)] : dsw_volume_id{0, 0};
     const bool known = (flags & DSW_SWEEP_START_KNOWN) != 0 || rng.chance(0.3);
     starts.push_back(known ? right : rng.chance(0.4) ? dsw_volume_id{0, 0} : ids[rng.below(ids.size())]);
@@ -37,8 +39,8 @@ void call(const Stage& stage, const std::vector<const Sweep*>& sweeps, uint32_t 
     const bool defaults =
         flags == 0 && options.level == DSW_LEVEL_EDGES_SWEPT && options.max_cells == 0 && rng.chance(0.5);
     const dsw_status status = dsw_environment_sweep_edges(
-        stage.environment.get(), count, any_start ? starts.data() + first : nullptr, from.data() + at, to.data() + at,
-        fixed.data() + at, stride == 3 ? 0 : stride * sizeof(double), defaults ? nullptr : &options, reports);
+        environment, count, any_start ? starts.data() + first : nullptr, from.data() + at, to.data() + at,
+        fixed.data() + at, stride == dimension ? 0 : stride * sizeof(double), defaults ? nullptr : &options, reports);
     if (status != DSW_STATUS_OK) {
       report.fault(SweepReport::kWrong, std::string(dsw_status_string(status)) + ": " + dsw_last_error_message());
     }
@@ -64,12 +66,19 @@ void call(const Stage& stage, const std::vector<const Sweep*>& sweeps, uint32_t 
 
 void one_scene(const SweepTurn& turn, uint64_t seed, uint64_t sweeps, SweepReport& report) {
   Rng rng(seed);
-  const std::unique_ptr<Stage> made = make_stage(turn, seed, rng, report);
-  if (made == nullptr) return;
-  Stage& stage = *made;
-  SweepWorld exact(stage.world, stage.wires);
-  SweepChecker checker(stage.world, exact, report);
-  Sweeps source(stage, exact, rng);
+  const std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, report);
+  if (stage == nullptr) return;
+  SpaceArena arena(stage->world, stage->wires);
+  StagePlaces places(*stage, rng);
+  sweep_arena(arena, places, stage->environment.get(), sweeps, rng, report);
+}
+
+}  // namespace
+
+void sweep_arena(Arena& arena, Places& places, dsw_environment* environment, uint64_t sweeps, Rng& rng,
+                 SweepReport& report) {
+  SweepChecker checker(arena, report);
+  Sweeps source(arena, places, rng);
   std::vector<Sweep> all;
   for (uint64_t i = 0; i < sweeps; ++i) {
     all.push_back(source.next());
@@ -82,23 +91,17 @@ void one_scene(const SweepTurn& turn, uint64_t seed, uint64_t sweeps, SweepRepor
     const uint32_t free = s.truth.start_free && rng.chance(0.3) ? uint32_t{DSW_SWEEP_START_FREE} : 0;
     by_flags[known | free].push_back(&s);
   }
-  for (uint32_t flags = 0; flags < by_flags.size(); ++flags) call(stage, by_flags[flags], flags, rng, checker, report);
+  for (uint32_t flags = 0; flags < by_flags.size(); ++flags) {
+    call(arena, environment, by_flags[flags], flags, rng, checker, report);
+  }
 }
-
-}  // namespace
 
 void run_sweeps(const SweepRunOptions& options, SweepReport& report) {
   const std::vector<SweepTurn> turns = sweep_turns(options.only);
-  Rng rng(options.seed);
   const uint64_t each = std::min<uint64_t>(100, std::max<uint64_t>(10, options.sweeps / (turns.size() + 1)));
-  while (report.total.sweeps < options.sweeps && !turns.empty()) {
-    const uint64_t before = report.total.sweeps;
-    for (const SweepTurn& turn : turns) {
-      const uint64_t seed = rng.next() >> 1;
-      if (report.total.sweeps < options.sweeps) one_scene(turn, seed, each, report);
-    }
-    if (report.total.sweeps == before) break;  // a defect that keeps every scene from being made
-  }
+  run_rounds(
+      turns, Rng(options.seed), options.sweeps, [&] { return report.total.sweeps; },
+      [&](const SweepTurn& turn, uint64_t seed) { one_scene(turn, seed, each, report); });
 }
 
 std::string to_json(const SweepReport& report) {

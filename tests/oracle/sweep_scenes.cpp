@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace dsw::oracle {
 namespace {
@@ -136,155 +137,82 @@ void Stage::mark_vertices(Rng& rng, SweepReport& report) {
   }
 }
 
-Vec Sweeps::near(const Vec& from, double share) {
-  Vec p;
-  for (size_t k = 0; k < 3; ++k) p[k] = from[k] + rng_.range(-share, share) * stage_.world.size;
-  return p;
+StagePlaces::StagePlaces(const Stage& stage, Rng& rng) : Motions(stage.world, rng), stage_(stage) {
+  std::set<int> ends(stage.marked_vertices.begin(), stage.marked_vertices.end());
+  for (const auto& wire : stage.wires) ends.insert({wire[0], wire[1]});
+  for (int f : stage.free_standing) {
+    for (int v : world_.faces[static_cast<size_t>(f)].loop) ends.insert(v);
+  }
+  for (const Face& f : world_.faces) {
+    const auto marked = [&](int cell) { return cell < 0 || world_.cell_marked[static_cast<size_t>(cell)] != 0; };
+    if (!marked(f.cell[0]) && !marked(f.cell[1])) continue;
+    for (int v : f.loop) ends.erase(v);
+  }
+  spikes_.assign(ends.begin(), ends.end());
 }
 
-Vec Sweeps::along(const Vec& from, const Vec& to, double by) const {
-  Vec p;
-  for (size_t k = 0; k < 3; ++k) p[k] = from[k] + by * (to[k] - from[k]);
-  return p;
+Vec StagePlaces::corner(const Loop& loop, size_t i) const {
+  return world_.mesh.points[static_cast<size_t>(loop[i % loop.size()])];
 }
 
-Vec Sweeps::corner(const Loop& loop, size_t i) const {
-  return stage_.world.mesh.points[static_cast<size_t>(loop[i % loop.size()])];
+/// A vertex with room around it, or a place on a wire or near the corner of a free-standing face.
+Vec StagePlaces::obstacle(double exactly) {
+  const auto point = [&](int v) { return world_.mesh.points[static_cast<size_t>(v)]; };
+  if (!spikes_.empty() && rng_.chance(exactly)) return point(spikes_[rng_.below(spikes_.size())]);
+  if (!stage_.wires.empty() && (stage_.free_standing.empty() || rng_.chance(0.5))) {
+    const auto& wire = stage_.wires[rng_.below(stage_.wires.size())];
+    return between(point(wire[0]), point(wire[1]), rng_.chance(0.2) ? 0.5 : rng_.unit());
+  }
+  if (stage_.free_standing.empty()) return site();
+  const auto f = static_cast<size_t>(stage_.free_standing[rng_.below(stage_.free_standing.size())]);
+  const Loop& loop = world_.faces[f].loop;
+  const size_t i = rng_.below(loop.size()), n = loop.size();
+  const Vec middle = between(corner(loop, i + 1), corner(loop, i + n - 1), 0.5);
+  return between(corner(loop, i), middle, rng_.chance(0.3) ? 0 : rng_.range(0.01, 0.3));
 }
 
-/// A triangle round a place on a wire, or round the corner of a free-standing face, so that its sides may be free.
-void Sweeps::round_obstacle(Sweep& s) {
-  Vec site;
-  std::array<Vec, 2> span;  // two directions of the triangle's plane
+/// On a wire, or at the corner of a free-standing face, so that the triangle's sides may be free.
+bool StagePlaces::round_obstacle(Vec& place, std::array<Vec, 2>& span) {
+  const std::vector<int>& faces = stage_.free_standing;
+  if (stage_.wires.empty() && faces.empty()) return Motions::round_obstacle(place, span);
   const double reach = rng_.chance(0.5) ? 0.1 : 0.3;
   for (Vec& d : span) d = near({0, 0, 0}, reach);
-  const std::vector<int>& faces = stage_.free_standing;
   const bool wire = !stage_.wires.empty() && (faces.empty() || rng_.chance(0.5));
   const bool exactly = rng_.chance(0.2);
   if (wire) {
     const auto& e = stage_.wires[rng_.below(stage_.wires.size())];
-    const std::vector<Vec>& points = stage_.world.mesh.points;
-    site = along(points[static_cast<size_t>(e[0])], points[static_cast<size_t>(e[1])], exactly ? 0.5 : rng_.unit());
-  } else if (!faces.empty()) {
-    const Loop& loop = stage_.world.faces[static_cast<size_t>(faces[rng_.below(faces.size())])].loop;
-    const size_t i = rng_.below(loop.size()), n = loop.size();
-    const Vec middle = along(corner(loop, i + 1), corner(loop, i + n - 1), 0.5);
-    site = along(corner(loop, i), middle, exactly ? 0 : rng_.range(0.02, 0.4));
-    // Most of the plane lies across the corner: what it cuts off is short.
-    Vec w = along(corner(loop, i), middle, 1);
-    double square = 0;
-    for (size_t k = 0; k < 3; ++k) square += (w[k] -= corner(loop, i)[k]) * w[k];
-    for (Vec& d : span) {
-      double part = 0;
-      for (size_t k = 0; k < 3; ++k) part += d[k] * w[k];
-      if (!std::isnormal(square) || !std::isfinite(part)) break;
-      for (size_t k = 0; k < 3; ++k) d[k] -= 0.9 * part / square * w[k];
-    }
-  } else {
-    site = motions_.site();
+    const std::vector<Vec>& points = world_.mesh.points;
+    place = between(points[static_cast<size_t>(e[0])], points[static_cast<size_t>(e[1])], exactly ? 0.5 : rng_.unit());
+    return exactly;
   }
-  // Corners so that the site has positive weights.
-  const double w[3] = {rng_.range(0.2, 1), rng_.range(0.2, 1), rng_.range(0.2, 1)};
-  const double scale = exactly && stage_.world.lattice ? std::ldexp(1, std::ilogb(stage_.world.size) - 6) : 0;
-  for (size_t k = 0; k < 3; ++k) {
-    double a = span[0][k], b = span[1][k], c = -(w[0] * a + w[1] * b) / w[2];
-    if (scale > 0) {
-      a = scale * std::round(a / scale);
-      b = scale * std::round(b / scale);
-      c = -a - b;
-    }
-    s.from[k] = site[k] + a;
-    s.to[k] = site[k] + b;
-    s.fixed[k] = site[k] + c;
+  const Loop& loop = world_.faces[static_cast<size_t>(faces[rng_.below(faces.size())])].loop;
+  const size_t i = rng_.below(loop.size()), n = loop.size();
+  const Vec middle = between(corner(loop, i + 1), corner(loop, i + n - 1), 0.5);
+  place = between(corner(loop, i), middle, exactly ? 0 : rng_.range(0.02, 0.4));
+  // Most of the plane lies across the corner: what it cuts off is short.
+  Vec w = middle;
+  double square = 0;
+  for (size_t k = 0; k < 3; ++k) square += (w[k] -= corner(loop, i)[k]) * w[k];
+  for (Vec& d : span) {
+    double part = 0;
+    for (size_t k = 0; k < 3; ++k) part += d[k] * w[k];
+    if (!std::isnormal(square) || !std::isfinite(part)) break;
+    for (size_t k = 0; k < 3; ++k) d[k] -= 0.9 * part / square * w[k];
   }
-  if (rng_.chance(0.5)) std::swap(s.to, s.fixed);
+  return exactly;
 }
 
-/// One or more ends on the vertices or edges of what is impassable.
-void Sweeps::anchored(Sweep& s) {
-  const World& world = stage_.world;
-  const auto anchor = [&]() {
-    for (int tries = 0; tries < 30; ++tries) {
-      const auto& faces = stage_.free_standing;
-      const size_t f = faces.empty() || rng_.chance(0.2) ? rng_.below(world.faces.size())
-                                                         : static_cast<size_t>(faces[rng_.below(faces.size())]);
-      if (!world.impassable(static_cast<int>(f))) continue;
-      const size_t i = rng_.below(world.faces[f].loop.size());
-      const double by = rng_.chance(0.7) ? 0 : 0.25 * rng_.between(0, 4);
-      return along(corner(world.faces[f].loop, i), corner(world.faces[f].loop, i + 1), by);
-    }
-    return motions_.site();
-  };
-  s.fixed = anchor();
-  s.from = rng_.chance(0.3) ? anchor() : rng_.chance(0.5) ? near(s.fixed, 0.3) : motions_.start();
-  s.to = rng_.chance(0.4) ? anchor() : rng_.chance(0.5) ? near(s.from, 0.3) : motions_.target(s.from);
-  if (rng_.chance(0.2)) std::swap(s.from, s.fixed);
-}
-
-/// p, p' and q in a row, or falling together.
-void Sweeps::in_line(Sweep& s) {
-  s.from = motions_.start();
-  switch (rng_.below(5)) {
-    case 0:
-      s.to = s.from;
-      s.fixed = motions_.target(s.from);
-      return;
-    case 1:
-      s.fixed = s.from;
-      s.to = motions_.target(s.from);
-      return;
-    case 2:
-      s.fixed = motions_.target(s.from);
-      s.to = s.fixed;
-      return;
-    case 3: {  // along an axis
-      s.to = s.fixed = s.from;
-      const size_t k = rng_.below(3);
-      s.to[k] = motions_.site()[k];
-      s.fixed[k] = motions_.site()[k];
-      return;
-    }
-    default: {
-      static const double by[] = {-1, -0.5, 0.25, 0.5, 1.5, 2};
-      s.fixed = motions_.target(s.from);
-      s.to = along(s.from, s.fixed, by[rng_.below(6)]);
-      return;
-    }
+Vec StagePlaces::anchor() {
+  for (int tries = 0; tries < 30; ++tries) {
+    const auto& faces = stage_.free_standing;
+    const size_t f = faces.empty() || rng_.chance(0.2) ? rng_.below(world_.faces.size())
+                                                       : static_cast<size_t>(faces[rng_.below(faces.size())]);
+    if (!world_.impassable(static_cast<int>(f))) continue;
+    const size_t i = rng_.below(world_.faces[f].loop.size());
+    const double by = rng_.chance(0.7) ? 0 : 0.25 * rng_.between(0, 4);
+    return between(corner(world_.faces[f].loop, i), corner(world_.faces[f].loop, i + 1), by);
   }
-}
-
-Sweep Sweeps::next() {
-  static const double steps[] = {1e-6, 0.01, 0.1, 0.3, 1, 4};
-  Sweep s;
-  const uint32_t kind = rng_.below(20);
-  const int most = rng_.chance(0.1) ? 1 : 12;  // some may start as they fall
-  for (int tries = 0; tries < most; ++tries) {
-    if (kind < 5) {
-      s.from = motions_.start();
-      s.fixed = rng_.chance(0.5) ? near(s.from, 0.2) : motions_.start();
-      s.to = near(s.from, steps[rng_.below(6)]);
-    } else if (kind < 9) {
-      s.from = motions_.site();
-      s.fixed = motions_.site();
-      s.to = rng_.chance(0.5) ? motions_.site() : motions_.target(s.from);
-    } else if (kind < 11) {
-      in_line(s);
-    } else if (kind < 14) {
-      anchored(s);
-    } else {
-      round_obstacle(s);
-    }
-    for (Vec* p : {&s.from, &s.to, &s.fixed}) {
-      for (double& x : *p) x = std::isfinite(x) ? x : 0;
-    }
-    const int start = stage_.world.locate(stage_.world.body(s.from.data()));
-    if (start < 0 || stage_.world.cell_marked[static_cast<size_t>(start)] != 0) continue;
-    if (exact_.blocked(s.from, s.fixed)) continue;
-    // What is to be met inside only needs three free sides.
-    if (kind < 14 || tries + 2 > most || (!exact_.blocked(s.from, s.to) && !exact_.blocked(s.to, s.fixed))) break;
-  }
-  s.truth = exact_.sweep(s.from, s.to, s.fixed);
-  return s;
+  return site();
 }
 
 }  // namespace dsw::oracle

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "run.h"
+#include "space_arena.h"
 #include "sweep_check.h"
 
 namespace dsw::oracle {
@@ -34,25 +35,19 @@ struct Stage {
 /// Builds and marks; null if creation may refuse the mesh (the casts' concern), or with a fault reported.
 std::unique_ptr<Stage> make_stage(const SweepTurn& turn, uint64_t seed, Rng& rng, SweepReport& report);
 
-/// Triangles with a bias to what is exactly on something, and to what holds a small obstacle.
-class Sweeps {
+/// Among the walls of a stage.
+class StagePlaces : public Motions {
  public:
-  Sweeps(Stage& stage, SweepWorld& exact, Rng& rng)
-      : stage_(stage), exact_(exact), rng_(rng), motions_(stage.world, rng) {}
-  Sweep next();
+  StagePlaces(const Stage& stage, Rng& rng);
+  Vec obstacle(double exactly) override;
+  bool round_obstacle(Vec& site, std::array<Vec, 2>& span) override;
+  Vec anchor() override;
 
  private:
-  Vec near(const Vec& from, double share);
-  Vec along(const Vec& from, const Vec& to, double by) const;
   Vec corner(const Loop& loop, size_t i) const;
-  void round_obstacle(Sweep& s);
-  void anchored(Sweep& s);
-  void in_line(Sweep& s);
 
-  Stage& stage_;
-  SweepWorld& exact_;
-  Rng& rng_;
-  Motions motions_;
+  const Stage& stage_;
+  std::vector<int> spikes_;  // vertices of something impassable that is no closed wall
 };
 
 }  // namespace dsw::oracle

@@ -6,8 +6,6 @@
 namespace dsw::oracle {
 namespace {
 
-constexpr size_t kP = 0, kTo = 1, kQ = 2;
-
 using Point = std::array<Big, 3>;
 
 Point difference(const Point& x, const Point& y) {
@@ -33,147 +31,31 @@ void negate(Point& x) {
   for (Big& k : x) k = -k;
 }
 
-void take(const Vec& p, Vec& low, Vec& high) {
-  for (size_t k = 0; k < 3; ++k) {
-    low[k] = std::min(low[k], p[k]);
-    high[k] = std::max(high[k], p[k]);
-  }
-}
-
-/// Strictly apart: then no shift makes them meet.
-template <class Box>
-bool apart(const Box& x, const Box& y) {
-  for (size_t k = 0; k < 3; ++k) {
-    if (x.high[k] < y.low[k] || y.high[k] < x.low[k]) return true;
-  }
-  return false;
-}
-
-/// The standard part of a ratio of polynomials 0 <= n <= d, d > 0, is that of the coefficients where d begins.
-void set_time(SweepEvent& e) {
-  while (sgn(e.denominator.c[e.order]) == 0) ++e.order;
-  e.time = std::min(1.0, floor_to_double(e.numerator.c[e.order], e.denominator.c[e.order]));
-}
-
 }  // namespace
-
-int Shifted::sign() const {
-  for (const Big& x : c) {
-    if (sgn(x) != 0) return sgn(x);
-  }
-  return 0;
-}
-
-void Shifted::negate() {
-  for (Big& x : c) x = -x;
-}
-
-int compare_times(const SweepEvent& a, const SweepEvent& b) {
-  for (size_t degree = 0; degree <= 6; ++degree) {
-    Big sum = 0;
-    for (size_t i = degree < 3 ? 0 : degree - 3; i <= std::min<size_t>(degree, 3); ++i) {
-      const size_t j = degree - i;
-      sum += a.numerator.c[i] * b.denominator.c[j];
-      sum -= b.numerator.c[i] * a.denominator.c[j];
-    }
-    if (sgn(sum) != 0) return sgn(sum);
-  }
-  return 0;
-}
-
-bool MoveTruth::inside_only() const {
-  return !events.empty() && !path_hit && std::find(new_edge_hit.begin(), new_edge_hit.end(), 1) == new_edge_hit.end();
-}
 
 SweepWorld::SweepWorld(World& world, const std::vector<std::array<int, 2>>& wires, const std::vector<int>& marked)
     : world_(world) {
   const std::vector<Vec>& raw = world.mesh.points;
   std::set<std::pair<int, int>> edges;
   const auto add_edge = [&](int a, int b) { edges.insert({std::min(a, b), std::max(a, b)}); };
-  const auto box_of = [&](std::initializer_list<int> vertices) {
-    const Vec& first = raw[static_cast<size_t>(*vertices.begin())];
-    Box box = {first, first};
-    for (int v : vertices) take(raw[static_cast<size_t>(v)], box.low, box.high);
-    return box;
-  };
   for (size_t t = 0; t < world.triangles.size(); ++t) {
     const int* v = world.triangles[t].v;
     if (!world.impassable(world.triangles[t].face)) continue;
-    normals_.push_back({static_cast<int>(t), box_of({v[0], v[1], v[2]}), {}});
+    normals_.push_back({static_cast<int>(t), box_of(raw, {v[0], v[1], v[2]}), {}});
     for (size_t k = 0; k < 3; ++k) add_edge(v[k], v[(k + 1) % 3]);
   }
   for (const auto& wire : wires) add_edge(wire[0], wire[1]);
   std::set<int> used(marked.begin(), marked.end());
   for (const auto& [a, b] : edges) {
-    edges_.push_back({a, b, box_of({a, b})});
+    edges_.push_back({a, b, box_of(raw, {a, b})});
     used.insert({a, b});
   }
-  // One unit is an integer too: the shift is measured in the coordinates' units.
-  for (int v : used) {
-    for (double x : raw[static_cast<size_t>(v)]) need_ = std::max(need_, x == 0 ? 0 : -lowest_exponent(x));
-  }
-  points_.resize(raw.size());
-  scaled_.resize(raw.size());
-  stamp_.assign(raw.size(), 0);
-  for (int v : used) {
-    vertices_.push_back({v, box_of({v})});
-    for (size_t k = 0; k < 3; ++k) {
-      points_[static_cast<size_t>(v)][k] = to_big(raw[static_cast<size_t>(v)][k], need_);
-    }
-  }
+  take_points(raw, {used.begin(), used.end()});
   for (Normal& n : normals_) {
     const int* v = world.triangles[static_cast<size_t>(n.triangle)].v;
     const Point& a = points_[static_cast<size_t>(v[0])];
     n.n = cross(difference(points_[static_cast<size_t>(v[1])], a), difference(points_[static_cast<size_t>(v[2])], a));
   }
-}
-
-void SweepWorld::load(const std::vector<Vec>& points) {
-  int need = need_;
-  for (const Vec& p : points) {
-    for (double x : p) need = std::max(need, x == 0 ? 0 : -lowest_exponent(x));
-  }
-  raw_ = points;
-  body_.resize(points.size());
-  for (size_t i = 0; i < points.size(); ++i) {
-    for (size_t k = 0; k < 3; ++k) body_[i][k] = to_big(points[i][k], need);
-  }
-  delta_ = static_cast<unsigned>(need - need_);
-  unit_ = Big(1) << static_cast<unsigned>(need);
-  ++now_;
-  tie_ = false;
-}
-
-SweepWorld::Box SweepWorld::body_box(std::initializer_list<size_t> points) const {
-  Box box = {raw_[*points.begin()], raw_[*points.begin()]};
-  for (size_t i : points) take(raw_[i], box.low, box.high);
-  return box;
-}
-
-const SweepWorld::Point& SweepWorld::at(int vertex) {
-  const auto v = static_cast<size_t>(vertex);
-  if (delta_ == 0) return points_[v];
-  if (stamp_[v] != now_) {
-    stamp_[v] = now_;
-    for (size_t k = 0; k < 3; ++k) scaled_[v][k] = points_[v][k] << delta_;
-  }
-  return scaled_[v];
-}
-
-Shifted SweepWorld::shifted(const Big& unshifted, const Point& coefficients) const {
-  Shifted x;
-  x.c[0] = unshifted;
-  for (size_t k = 0; k < 3; ++k) x.c[k + 1] = coefficients[k] * unit_;
-  return x;
-}
-
-int SweepWorld::sign_with_ties(const Big& unshifted, const Point& coefficients) {
-  if (sgn(unshifted) != 0) return sgn(unshifted);
-  tie_ = true;
-  for (const Big& c : coefficients) {
-    if (sgn(c) != 0) return sgn(c);
-  }
-  return 0;
 }
 
 // det(y - x, a - x, b - x); the shift of x and y adds s.((y - x) x (b - a)).
@@ -224,11 +106,6 @@ bool SweepWorld::any_pierced(size_t x, size_t y) {
                      [&](const Normal& t) { return !apart(t.box, box) && pierce(x, y, t) != 0; });
 }
 
-bool SweepWorld::blocked(const Vec& x, const Vec& y) {
-  load({x, y});
-  return any_pierced(0, 1);
-}
-
 bool SweepWorld::blocked(const Vec& x, const Vec& y, const Vec& z) {
   load({x, y, z});
   const Point n = normal(0, 1, 2);
@@ -253,12 +130,7 @@ void SweepWorld::add_path_events(std::vector<SweepEvent>& events) {
     negate(shift);
     e.numerator = shifted(dot(t.n, difference(a, body_[kP])), shift);
     e.denominator = shifted(dot(t.n, difference(body_[kTo], body_[kP])), {});
-    if (e.denominator.sign() < 0) {
-      e.numerator.negate();
-      e.denominator.negate();
-    }
-    set_time(e);
-    events.push_back(std::move(e));
+    add(std::move(e), events);
   }
 }
 
@@ -276,21 +148,16 @@ void SweepWorld::add_edge_events(size_t number, std::vector<SweepEvent>& events)
   if (is_zero(n)) return;
   const Box box = body_box({kP, kTo, q});
   for (const Edge& edge : edges_) {
-    const int sign = apart(edge.box, box) ? 0 : goes_through(edge, kP, kTo, q, n);
-    if (sign == 0) continue;
+    if (apart(edge.box, box) || goes_through(edge, kP, kTo, q, n) == 0) continue;
     SweepEvent e;
     e.edge = static_cast<int>(number);
     e.a = edge.a;
     e.b = edge.b;
     // Weights of p and p' where the edge goes through: they have one sign, and that of q.
-    Shifted weight[2] = {line(kTo, q, e.a, e.b), line(q, kP, e.a, e.b)};
-    for (Shifted& w : weight) {
-      if (sign < 0) w.negate();
-    }
-    for (size_t k = 0; k < 4; ++k) e.denominator.c[k] = weight[0].c[k] + weight[1].c[k];
-    e.numerator = weight[1];
-    set_time(e);
-    events.push_back(std::move(e));
+    const Shifted weight = line(kTo, q, e.a, e.b);
+    e.numerator = line(q, kP, e.a, e.b);
+    for (size_t k = 0; k < 4; ++k) e.denominator.c[k] = weight.c[k] + e.numerator.c[k];
+    add(std::move(e), events);
   }
 }
 
@@ -318,69 +185,8 @@ void SweepWorld::add_face_events(size_t number, const std::array<size_t, 2>& end
     e.numerator = plane(normals[0], q, v.vertex);
     const Shifted after = plane(normals[1], q, v.vertex);
     for (size_t k = 0; k < 4; ++k) e.denominator.c[k] = e.numerator.c[k] - after.c[k];
-    if (inner[0] < 0) {
-      e.numerator.negate();
-      e.denominator.negate();
-    }
-    set_time(e);
-    events.push_back(std::move(e));
+    add(std::move(e), events);
   }
-}
-
-/// Keeps the first and what has exactly its time. Whether several have its standard part: a tie too.
-bool SweepWorld::keep_first(std::vector<SweepEvent>& events) {
-  std::vector<SweepEvent> first;
-  for (const SweepEvent& e : events) {
-    const int c = first.empty() ? 0 : compare_times(e, first[0]);
-    if (c > 0) continue;
-    if (c < 0) first.clear();
-    first.push_back(e);
-  }
-  int at_once = 0;
-  for (const SweepEvent& e : events) {
-    if (first[0].order > 0 || e.order > 0) continue;
-    at_once += first[0].numerator.c[0] * e.denominator.c[0] == e.numerator.c[0] * first[0].denominator.c[0];
-  }
-  events = std::move(first);
-  return at_once > 1;
-}
-
-SweepTruth SweepWorld::sweep(const Vec& from, const Vec& to, const Vec& fixed) {
-  load({from, to, fixed});
-  SweepTruth truth;
-  truth.start = world_.locate(world_.body(from.data()));
-  truth.start_free = !any_pierced(kP, kQ);
-  truth.new_edge_hit = any_pierced(kTo, kQ);
-  add_path_events(truth.path);
-  truth.path_hit = !truth.path.empty();
-  truth.swept = truth.path;
-  add_edge_events(0, truth.swept);
-  keep_first(truth.path);
-  const bool at_once = keep_first(truth.swept);
-  truth.tie = tie_ || at_once;
-  return truth;
-}
-
-MoveTruth SweepWorld::move(const VertexMove& move, dsw_level level) {
-  std::vector<Vec> points = {move.from, move.to};
-  points.insert(points.end(), move.fixed.begin(), move.fixed.end());
-  load(points);
-  MoveTruth truth;
-  add_path_events(truth.events);
-  truth.path_hit = !truth.events.empty();
-  if (level > DSW_LEVEL_POINTS) {
-    truth.new_edge_hit.resize(move.fixed.size());
-    for (size_t i = 0; i < move.fixed.size(); ++i) truth.new_edge_hit[i] = any_pierced(kTo, kQ + i) ? 1 : 0;
-    for (size_t i = 0; i < move.fixed.size(); ++i) {
-      if (level > DSW_LEVEL_EDGES || truth.path_hit || truth.new_edge_hit[i] != 0) add_edge_events(i, truth.events);
-    }
-  }
-  if (level == DSW_LEVEL_FACES) {
-    for (size_t i = 0; i < move.faces.size(); ++i) add_face_events(i, move.faces[i], truth.events);
-  }
-  const bool at_once = keep_first(truth.events);
-  truth.tie = tie_ || at_once;
-  return truth;
 }
 
 }  // namespace dsw::oracle

@@ -1,5 +1,6 @@
 // Many bodies in one call: the same bits as one after the other, for any number of threads and any order of tasks.
 #include "body_scenes.h"
+#include "sweep_scenes.h"
 #include "threads.h"
 
 #include <cstring>
@@ -33,13 +34,14 @@ std::vector<std::string> answers(const std::string& name, dsw_context* context, 
   stage.mark(rng, faults);
   stage.mark_vertices(rng, faults);
   EXPECT_EQ(faults.total.faults(), 0u);
-  SweepWorld exact(stage.world, stage.wires, stage.marked_vertices);
+  SpaceArena arena(stage.world, stage.wires, stage.marked_vertices);
+  StagePlaces places(stage, rng);
   const ScenePtr scene = make_scene(stage.environment.get());
   std::vector<dsw_body_id> bodies;
   std::vector<dsw_level> levels;
   for (size_t tries = 0; tries < 8 * kBodies && bodies.size() < kBodies; ++tries) {
     const auto level = static_cast<dsw_level>(1 + tries % 4);
-    Bodies source(stage, exact, rng, level);
+    Bodies source(arena, places, rng, level);
     dsw_body_id body;
     const uint32_t flags = tries % 3 == 0 ? DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_CLEARANCE : 0;
     if (create_body(scene.get(), source.next(), level, flags, {}, &body) != DSW_STATUS_OK) continue;

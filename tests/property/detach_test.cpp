@@ -6,6 +6,7 @@
 
 #include "body_check.h"
 #include "body_support.h"
+#include "space_arena.h"
 
 namespace dsw::oracle {
 namespace {
@@ -180,9 +181,8 @@ class DetachTest : public SceneTest {
   std::string not_free(const BodyState& state, dsw_level level) {
     if (sound_ != DSW_STATUS_OK) return "";
     SweepReport report(0);
-    SweepWorld exact(world(), {});
-    const SweepChecker walls(world(), exact, report);
-    return BodyChecker(world(), exact, walls, report).not_free(state, level);
+    SpaceArena arena(world());
+    return BodyChecker(arena, report).not_free(state, level);
   }
 
   /// Off it goes, as far as it gets, and a particle through where it was.

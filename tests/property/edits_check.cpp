@@ -7,6 +7,7 @@
 #include "environment/validity.h"
 #include "map/integrity.h"
 #include "random_edits.h"
+#include "space_arena.h"
 #include "sweep/body_probe.h"
 
 namespace dsw::oracle {
@@ -181,9 +182,8 @@ std::string RandomEdits::check_exactly() {
   std::vector<std::array<int, 2>> wires;
   for (const uint64_t key : keys) wires.push_back({static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffffu)});
   SweepReport report(0);
-  SweepWorld exact(world, wires);
-  const SweepChecker walls(world, exact, report);
-  BodyChecker checker(world, exact, walls, report);
+  SpaceArena arena(world, wires);
+  BodyChecker checker(arena, report);
   for (const ParticleState<3>& p : scene().particles) {
     if (p.cell.valid() && !world.contains(static_cast<int>(place.at(p.cell.unit)), world.body(p.position))) {
       return "a particle is not in its volume";

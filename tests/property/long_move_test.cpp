@@ -1,6 +1,7 @@
 // Moves to targets far beyond the walls: however long the way, what stops is next to what it met, and free.
 #include "body_check.h"
 #include "body_support.h"
+#include "space_arena.h"
 
 #include <cfloat>
 
@@ -109,10 +110,7 @@ TEST_P(LongMoveTest, AParticleStopsNextToTheWall) {
 class LongBodyMoves {
  public:
   LongBodyMoves(Place& place, dsw_scene* scene, const std::vector<std::array<int, 2>>& wires)
-      : scene_(scene),
-        exact_(*place.world, wires),
-        walls_(*place.world, exact_, report_),
-        checker_(*place.world, exact_, walls_, report_) {
+      : scene_(scene), arena_(*place.world, wires), checker_(arena_, report_) {
     report_.begin("box", "box");
   }
 
@@ -139,8 +137,7 @@ class LongBodyMoves {
  private:
   SweepReport report_;
   dsw_scene* scene_;
-  SweepWorld exact_;
-  SweepChecker walls_;
+  SpaceArena arena_;
   BodyChecker checker_;
 };
 
