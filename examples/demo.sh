@@ -62,9 +62,9 @@ echo "building the library and the examples"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 quietly "configuring" \
   cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON
-quietly "building" cmake --build "$tree" --target dartsweep_insertion example_demo example_replay
+quietly "building" cmake --build "$tree" --target dartsweep_insertion example_demo example_plane example_replay
 
-rm -rf "$out"/*.png "$out"/*.vtu "$out"/*.csv "$out"/*.html "$out"/summary.txt "$out/insertion" "$out/haptic.txt"
+rm -rf "$out"/*.png "$out"/*.svg "$out"/*.vtu "$out"/*.csv "$out"/*.html "$out"/summary.txt "$out/insertion" "$out/haptic.txt"
 mkdir "$out/insertion"
 if [ -n "$mesh" ]; then
   title=$(basename "$mesh")
@@ -108,6 +108,9 @@ if [ -n "$organ" ]; then
 fi
 "$tree/examples/dartsweep_demo" "${input[@]}" --threads "$(nproc)" --out "$out" | tee "$out/summary.txt"
 "$venv/bin/python" "$source/draw.py" "$out" "Dartsweep: a cloud and catheters in $title" "$organ_title"
+echo
+echo "in the plane:"
+"$tree/examples/dartsweep_plane" "$out"
 rm -f "$out/mesh.bin" "$out/organ.bin" "$out/filled.vtu"
 
 echo
@@ -120,5 +123,6 @@ echo "  ParaView $out/insertion/catheter.vtu, contacts.vtu, wall.vtu"
 echo "the other scenes:"
 echo "  tables   $out/summary.txt, steps.csv (every step of the bodies)"
 echo "  pictures $out/demo.png, surface.png, scalpel.png, beating.png, box.png"
+echo "  plane    $out/city.svg, rope.svg"
 echo "  ParaView $out/demo.vtu (cloud), catheter_*.vtu, surface.vtu, wall.vtu, outer.vtu, obstacles.vtu, *contacts.vtu,"
 echo "           tissue.vtu, scalpel.vtu, probe.vtu, beating.vtu, box.vtu, ring_*.vtu"
