@@ -39,6 +39,7 @@ needs_header gmpxx.h libgmp-dev
 needs_header bullet/btBulletCollisionCommon.h libbullet-dev
 needs_header embree3/rtcore.h libembree-dev
 needs_header CGAL/version.h libcgal-dev
+needs_header box2d/box2d.h libbox2d-dev
 needs_header CLI/CLI.hpp libcli11-dev
 needs_header nlohmann/json.hpp nlohmann-json3-dev
 needs_header fcl/fcl.h libfcl-dev

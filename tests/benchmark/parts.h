@@ -26,6 +26,7 @@ void run_obstacles(const Options& options, Report& report);
 void run_self(const Options& options, Report& report);
 void run_remesh(const Options& options, Report& report);
 void run_plane(const Options& options, Report& report);
+void run_plane_rays(const Options& options, Report& report);
 void run_create(const Options& options, Report& report);
 void run_fig12(const Options& options, Report& report);
 void run_catheter(const Options& options, Report& report);
