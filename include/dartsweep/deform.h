@@ -4,6 +4,9 @@
  *
  * Volumes can become invalid (see environment.h). Those that hold bodies never do; of the others nobody knows until something is about to
  * enter them. An invalid volume counts as impassable, cause DSW_CELL_VOLUME; dsw_environment_check looks at all of them.
+ *
+ * In the plane volumes are polygons and walls their sides; positions are two doubles, and of three the third is 0. Only mending
+ * (DSW_INVALID_REMESH) is of space alone.
  */
 #ifndef DARTSWEEP_DEFORM_H
 #define DARTSWEEP_DEFORM_H
@@ -46,7 +49,7 @@ typedef enum dsw_invalid_response {
   DSW_INVALID_HOLD = 0,   /**< The vertex that would make it so stays. END_STATE: as DSW_WALL_STOP. */
   DSW_INVALID_REFUSE = 1, /**< Nothing moves; see dsw_scene_get_invalid_volumes. */
   /** Before anything moves, volumes that are met, and those at their vertices, are mended if they would be invalid at the end of the way,
-   * as by dsw_environment_remesh with `next`; volumes that are invalid already stay. Then as HOLD. */
+   * as by dsw_environment_remesh with `next`; volumes that are invalid already stay. Then as HOLD. Not in the plane. */
   DSW_INVALID_REMESH = 2,
   DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_invalid_response;
@@ -99,12 +102,14 @@ typedef struct dsw_wall_contact {
   double to[3];   /**< Where it was to go. */
   double time;    /**< Fraction of that way; the largest double not later than the exact time (its limit where the shift
                          decides). */
-  double point[3];            /**< Where it is touched, rounded. */
-  double normal[3];           /**< Unit, out of the wall. */
-  double along;               /**< A touched edge: from its first end (0) to its second (1); else 0. */
-  dsw_vertex_id moving;       /**< The vertex of the environment that moved. */
-  dsw_vertex_id others[2];    /**< With it the wall's triangle (two) or edge (one) that touches; null beyond that. */
-  dsw_face_id wall;           /**< Canonical; null for a wire and a marked vertex. */
+  double point[3];      /**< Where it is touched, rounded. */
+  double normal[3];     /**< Unit, out of the wall. */
+  double along;         /**< A touched edge: from its first end (0) to its second (1); else 0. */
+  dsw_vertex_id moving; /**< The vertex of the environment that moved. */
+  dsw_vertex_id
+      others[2];    /**< With it the wall's triangle (two) or edge (one) that touches, in the plane its side (one); null
+                                   beyond that. */
+  dsw_face_id wall; /**< Canonical; null for a wire and a marked vertex. */
   dsw_particle_id particle;   /**< The particle that was touched; null if it was a body. */
   dsw_body_id body;           /**< The body; null if it was a particle. */
   dsw_body_vertex_id vertex;  /**< Its vertex that was touched, */
@@ -122,13 +127,13 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
 /** Takes the environment of a scene, made with DSW_FEATURE_DEFORMING, to new positions. Bodies and particles keep theirs, but for those that
  * walls push; all stay in their cells and free at their levels. Body edits by INSERT are those of dsw_body_get_edits.
  * @param scene [in,out]
- * @param next [in,out] 3 doubles for each vertex of the environment, lent from now on until the next deformation or
+ * @param next [in,out] 3 doubles, in the plane 2, for each vertex of the environment, lent from now on until the next deformation or
  * the environment is destroyed: it reads positions here, and the array before is the host's again, to be written next.
  * Written where a vertex could not go all of its way. Must not be the array that the environment reads now.
  * @param point_count [in] vertices of the environment. @param options [in] may be null.
  * @param report [out] may be null.
  * @return DSW_STATUS_NOT_NAMED, IN_USE (`next` is the array that it reads), WRONG_SIZE (also point_room, if below point_count), NON_FINITE (a vertex near a body or particle; others make their volumes invalid),
- * OUT_OF_RANGE, UNSUPPORTED, OUT_OF_MEMORY: nothing has changed, `next` is as it was and not retained; that also holds for the
+ * OUT_OF_RANGE, UNSUPPORTED (also REMESH in the plane), OUT_OF_MEMORY: nothing has changed, `next` is as it was and not retained; that also holds for the
  * outcome REFUSED.
  * @note O(bodies, particles, volumes they meet); STOP, once something is met, O(vertices of the environment). Thread: writer of the
  * environment. Certain: what the levels cover is free, nothing is lost from its cell, and with SWEPT no wall passed anything. Source: [JCD10]
@@ -159,7 +164,7 @@ DSW_API dsw_status dsw_scene_get_invalid_volumes(const dsw_scene *scene, const d
  * @return DSW_STATUS_STALE_ID. @note O(its faces), O(1) where it is known. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_is_valid(const dsw_environment *environment, dsw_volume_id volume, int *valid);
 
-/** The positions that an environment reads: 3 doubles for each vertex.
+/** The positions that an environment reads: 3 doubles, in the plane 2, for each vertex.
  * @param environment [in]
  * @param points [out] owned by the environment, or what the host has lent; valid until its next deformation or change.
  * @param count [out] how many there are.

@@ -62,7 +62,7 @@ typedef struct dsw_statistics {
 DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 
 /** Creates a scene.
- * @param environment [in] retained until the scene is destroyed; may be shared with other scenes. In the plane without DSW_FEATURE_DEFORMING.
+ * @param environment [in] retained until the scene is destroyed; may be shared with other scenes.
  * @param desc [in] null: no features. @param scene [out] owned by the caller.
  * @return DSW_STATUS_NULL_ARGUMENT, DSW_STATUS_BAD_STRUCT_SIZE, DSW_STATUS_UNSUPPORTED, DSW_STATUS_OUT_OF_MEMORY,
  * DSW_STATUS_IN_USE: one of two scenes of an environment is to deform it.

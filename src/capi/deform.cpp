@@ -9,10 +9,17 @@ using dsw::fail;
 
 namespace {
 
-dsw::Deformation<3>& deformation_of(const dsw_scene* scene) {
-  dsw::Deformation<3>* const of = capi::space(capi::check_handle(scene, "scene")).deformation.get();
+/** Throws where a scene was not made to deform its environment. */
+template <int D>
+dsw::Deformation<D>& deformation_of(const dsw::Scene<D>& scene) {
+  dsw::Deformation<D>* const of = scene.deformation.get();
   if (of == nullptr) fail(DSW_STATUS_NOT_NAMED, "scene was made without DSW_FEATURE_DEFORMING");
   return *of;
+}
+
+const dsw::WallRecord& record_of(const dsw_scene* scene) {
+  return capi::visit(capi::check_handle(scene, "scene"),
+                     [](const auto& engine) -> const dsw::WallRecord& { return deformation_of(engine).record; });
 }
 
 void check_number(uint32_t value, uint32_t last, const char* name) {
@@ -77,8 +84,9 @@ void dsw_deform_options_init(dsw_deform_options* options, size_t size) {
 
 dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, const dsw_deform_options* options,
                             dsw_deform_report* report) {
-  return capi::guard("dsw_scene_deform", [&] {
-    const dsw::Deformation<3>& of = deformation_of(scene);
+  return capi::guarded_visit("dsw_scene_deform", scene, "scene", [&](auto& engine) {
+    constexpr int D = capi::kDimension<decltype(engine)>;
+    const dsw::Deformation<D>& of = deformation_of(engine);
     capi::require(next, "next");
     if (point_count != of.env.map.vertex_count) {
       fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, the environment has %u vertices", point_count,
@@ -90,16 +98,18 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
       fail(DSW_STATUS_WRONG_SIZE, "options->point_room is %zu, point_count is %zu", settings.point_room, point_count);
     }
     if (next == of.env.points) fail(DSW_STATUS_IN_USE, "next is the array that the environment reads now");
-    const dsw::MendSettings mend = capi::to_mend_settings(o.remesh_radius, o.remesh_max_faces);
+    [[maybe_unused]] const dsw::MendSettings mend = capi::to_mend_settings(o.remesh_radius, o.remesh_max_faces);
+    if (D == 2 && o.invalid == DSW_INVALID_REMESH) {
+      fail(DSW_STATUS_UNSUPPORTED, "options->invalid is DSW_INVALID_REMESH, in the plane it must be HOLD or REFUSE");
+    }
     dsw_deform_options written = capi::without(o);
     if (scene->watch != nullptr) written.point_room = scene->watch->offered;
-    capi::Recorded call(scene, capi::Call::kDeform, written, capi::MovedPoints{next, of.env});
+    capi::Recorded call(scene, capi::Call::kDeform, written, capi::MovedPoints<D>{next, of.env});
     uint32_t remeshed = 0;
-    if (o.invalid == DSW_INVALID_REMESH) {
-      remeshed = mend_and_deform(*scene, next, settings, mend);
-    } else {
-      deform(capi::space(*scene), next, settings);
+    if constexpr (D == 3) {
+      if (o.invalid == DSW_INVALID_REMESH) remeshed = mend_and_deform(*scene, next, settings, mend);
     }
+    if (o.invalid != DSW_INVALID_REMESH) deform(engine, next, settings);
     const dsw::WallRecord& record = of.record;
     const dsw_deform_report done{record.fraction,
                                  record.outcome,
@@ -117,22 +127,21 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
 
 dsw_status dsw_scene_get_wall_contacts(const dsw_scene* scene, const dsw_wall_contact** contacts, size_t* count) {
   return capi::guard("dsw_scene_get_wall_contacts",
-                     [&] { capi::hand_out(deformation_of(scene).record.contacts, contacts, count, "contacts"); });
+                     [&] { capi::hand_out(record_of(scene).contacts, contacts, count, "contacts"); });
 }
 
 dsw_status dsw_scene_get_held_vertices(const dsw_scene* scene, const dsw_vertex_id** vertices, size_t* count) {
   return capi::guard("dsw_scene_get_held_vertices",
-                     [&] { capi::hand_out(deformation_of(scene).record.held, vertices, count, "vertices"); });
+                     [&] { capi::hand_out(record_of(scene).held, vertices, count, "vertices"); });
 }
 
 dsw_status dsw_scene_get_invalid_volumes(const dsw_scene* scene, const dsw_volume_id** volumes, size_t* count) {
   return capi::guard("dsw_scene_get_invalid_volumes",
-                     [&] { capi::hand_out(deformation_of(scene).record.invalid, volumes, count, "volumes"); });
+                     [&] { capi::hand_out(record_of(scene).invalid, volumes, count, "volumes"); });
 }
 
 dsw_status dsw_environment_is_valid(const dsw_environment* environment, dsw_volume_id volume, int* valid) {
-  return capi::guard("dsw_environment_is_valid", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+  return capi::guarded_visit("dsw_environment_is_valid", environment, "environment", [&](const auto& env) {
     const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
     capi::require(valid, "valid");
     *valid = admits(env, c) ? 1 : 0;
@@ -140,8 +149,7 @@ dsw_status dsw_environment_is_valid(const dsw_environment* environment, dsw_volu
 }
 
 dsw_status dsw_environment_get_points(const dsw_environment* environment, const double** points, size_t* count) {
-  return capi::guard("dsw_environment_get_points", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+  return capi::guarded_visit("dsw_environment_get_points", environment, "environment", [&](const auto& env) {
     capi::require(points, "points");
     capi::require(count, "count");
     *points = env.points;

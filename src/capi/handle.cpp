@@ -70,17 +70,18 @@ SceneOwner::~SceneOwner() {
 }
 
 dsw_scene* SceneOwner::enter() {
-  const bool deforming = features_of(*handle_).deforming;
-  if (deforming) space(*handle_).deformation.make(space(*handle_->environment));
-  attach(*handle_);
-  if (deforming) {
+  visit(*handle_, [&](auto& scene) {
+    auto& env = std::get<Environment<kDimension<decltype(scene)>>>(handle_->environment->engine);
+    if (scene.features.deforming) scene.deformation.make(env);
+    attach(*handle_);
+    if (!scene.features.deforming) return;
     try {
-      let_points_move(space(*handle_->environment));
+      let_points_move(env);
     } catch (...) {
       detach(*handle_);
       throw;
     }
-  }
+  });
   return std::exchange(handle_, nullptr);
 }
 

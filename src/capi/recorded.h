@@ -95,9 +95,10 @@ struct Points {
 };
 
 /** The points of a deformation: those that are elsewhere than where the environment has them. */
+template <int D>
 struct MovedPoints {
   const double* next;
-  const Environment<3>& env;
+  const Environment<D>& env;
 };
 
 /** A struct of the interface, whose pointers are written as null: what they point at is written after it. */
@@ -129,14 +130,14 @@ void for_each_part(const Points& array, const Use& use) {
     use(array.points[i], array.dimension * sizeof(double));
   }
 }
-template <class Use>
-void for_each_part(const MovedPoints& of, const Use& use) {
+template <int D, class Use>
+void for_each_part(const MovedPoints<D>& of, const Use& use) {
   for (uint32_t v = 0; v < of.env.map.vertex_count; ++v) {
-    const double* const to = of.next + 3 * size_t{v};
-    if (std::memcmp(to, of.env.point(v), 3 * sizeof(double)) == 0) continue;
+    const double* const to = of.next + D * size_t{v};
+    if (std::memcmp(to, of.env.point(v), D * sizeof(double)) == 0) continue;
     const uint64_t vertex = v;
     use(&vertex, sizeof vertex);
-    use(to, 3 * sizeof(double));
+    use(to, D * sizeof(double));
   }
   use(&kNullArray, sizeof kNullArray);
 }

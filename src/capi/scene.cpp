@@ -30,10 +30,6 @@ dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* 
         (d.features & DSW_FEATURE_STATISTICS) != 0, (d.features & DSW_FEATURE_CROSSINGS) != 0,
         (d.features & DSW_FEATURE_DEFORMING) != 0, (d.features & DSW_FEATURE_BODY_CONTACTS) != 0,
         (d.features & DSW_FEATURE_LIVE_CHANGES) != 0};
-    if (features.deforming && capi::is_planar(home)) {
-      fail(DSW_STATUS_UNSUPPORTED, "desc->features is 0x%x, DSW_FEATURE_DEFORMING is not available in the plane",
-           d.features);
-    }
     capi::SceneOwner owner(home, features);
     *scene = owner.enter();
   });

@@ -70,10 +70,9 @@ void deform(Scene<D>& scene, double* next, const WallSettings& settings) {
   for (uint32_t slot = 0; scene.features.live && slot < scene.particles.size(); ++slot) note_particle(scene, slot);
 }
 
-template <int D>
-void want_near(Scene<D>& scene, Mending& mending) {
+void want_near(Scene<3>& scene, Mending& mending) {
   gather(scene);
-  const Map<D>& map = scene.deformation.get()->env.map;
+  const Map<3>& map = scene.deformation.get()->env.map;
   CellQueue near(scene.memory), around(scene.memory);
   for (const Cell c : scene.deformation.get()->swept.find_occupied()) {
     for (uint32_t k = 0, n = map.vertices_of(c); k < n; ++k) {
@@ -85,9 +84,8 @@ void want_near(Scene<D>& scene, Mending& mending) {
   for (size_t i = 0; i < near.size(); ++i) mending.want(near[i]);
 }
 
-template <int D>
-void renew_ids(Deformation<D>& deformation) noexcept {
-  const Map<D>& map = deformation.env.map;
+void renew_ids(Deformation<3>& deformation) noexcept {
+  const Map<3>& map = deformation.env.map;
   for (dsw_volume_id& id : deformation.record.invalid) id.generation = map.cell_slots.generation(id.index);
   for (dsw_wall_contact& contact : deformation.record.contacts) {
     dsw_face_id& wall = contact.wall;
@@ -95,11 +93,10 @@ void renew_ids(Deformation<D>& deformation) noexcept {
   }
 }
 
-#define DSW_DEFORMATION(D)                                                           \
-  template class Deformation<D>;                                                     \
-  template void deform(Scene<D>& scene, double* next, const WallSettings& settings); \
-  template void want_near(Scene<D>& scene, Mending& mending);                        \
-  template void renew_ids(Deformation<D>& deformation) noexcept
+#define DSW_DEFORMATION(D)       \
+  template class Deformation<D>; \
+  template void deform(Scene<D>& scene, double* next, const WallSettings& settings)
+DSW_DEFORMATION(2);
 DSW_DEFORMATION(3);
 #undef DSW_DEFORMATION
 

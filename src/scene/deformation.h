@@ -29,10 +29,8 @@ template <int D>
 void deform(Scene<D>& scene, double* next, const WallSettings& settings);
 
 /** Wants those cells mended that hold something, and those at their vertices. Throws std::bad_alloc. */
-template <int D>
-void want_near(Scene<D>& scene, Mending& mending);
+void want_near(Scene<3>& scene, Mending& mending);
 /** What the last deformation left names cells as they are called now; for one in the course of a change of the topology. */
-template <int D>
-void renew_ids(Deformation<D>& deformation) noexcept;
+void renew_ids(Deformation<3>& deformation) noexcept;
 
 }  // namespace dsw

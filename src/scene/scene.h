@@ -106,8 +106,7 @@ struct Scene {
     uint64_t of_bodies = array_bytes(bodies) + array_bytes(mover) + body_slots.memory_bytes() +
                          body_boxes.memory_bytes() + array_bytes(offending);
     for (const BodyRecord<D>& each : bodies) of_bodies += each.memory_bytes();
-    if constexpr (D == 3)
-      if (deformation.get() != nullptr) of_bodies += deformation.get()->memory_bytes();
+    if (deformation.get() != nullptr) of_bodies += deformation.get()->memory_bytes();
     if (live.get() != nullptr) of_bodies += live.get()->memory_bytes();
     return sizeof(*this) + array_bytes(particles) + slots.memory_bytes() + array_bytes(stamps) +
            array_bytes(chunk_statistics) + array_bytes(crossings) + array_bytes(crossing_first) +

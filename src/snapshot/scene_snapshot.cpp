@@ -172,7 +172,6 @@ SceneFeatures saved_features(const uint8_t* block, size_t size) {
   const BlockReader reader(kKind, D, block, size);
   const uint32_t flags = reader.header().flags;
   if (flags > kAllFeatures) fail_corrupt("it has unknown flags");
-  if (D == 2 && (flags & (kDeforming | kContacts)) != 0) fail_corrupt("flags that scenes in the plane don't have");
   SceneFeatures features;
   features.statistics = (flags & kStatistics) != 0;
   features.crossings = (flags & kCrossings) != 0;

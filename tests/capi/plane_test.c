@@ -366,13 +366,8 @@ static int write_nothing(void *user, const void *bytes, size_t size) {
 
 static void what_is_not_there_yet_says_so(void) {
   dsw_environment *const environment = make_plane();
-  dsw_scene *scene = make_scene(environment, 0), *other = NULL;
-  dsw_scene_desc desc;
+  dsw_scene *const scene = make_scene(environment, 0);
   dsw_recording_desc recording;
-  dsw_scene_desc_init(&desc, sizeof desc);
-  desc.features = DSW_FEATURE_DEFORMING;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_create(environment, &desc, &other));
-  CHECK_MESSAGE("plane");
   dsw_recording_desc_init(&recording, sizeof recording);
   recording.write = write_nothing;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_start_recording(scene, &recording));
