@@ -13,8 +13,11 @@ namespace {
 /** Across a body's edge and the obstacle's, in the plane across the body's; zero if it has no direction. */
 template <int D>
 Vec across_edge(const EdgeMotion& m, const double* position, const SweepEvent& event) {
-  const Vec edge = unit(difference<D>(m.q, position));
-  return unit(D == 2 ? turned(edge) : cross(edge, unit(difference<D>(event.points[2], event.points[1]))));
+  if constexpr (D == 2) {  // the edge lies on the vertex, which is not rounded, unless that is its other end
+    const Vec part = unit(difference<D>(m.q, event.points[1]));
+    return turned(is_zero(part) ? unit(difference<D>(m.q, position)) : part);
+  }
+  return unit(cross(unit(difference<D>(m.q, position)), unit(difference<D>(event.points[2], event.points[1]))));
 }
 
 /** Where segment ab pierces the swept plane, by the exact ratio. It does not lie in it: shifted, both ends of a line in that

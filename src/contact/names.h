@@ -30,6 +30,13 @@ bool is_alive(const Map<D>& map, dsw_volume_id id) noexcept {
   return map.is_alive(id.index, id.generation);
 }
 
+/** A facet as it is seen from one of its cells; from another place as it is given. */
+template <int D>
+HalfFacet seen_from(const Map<D>& map, Cell front, HalfFacet facet) noexcept {
+  const HalfFacet other = map.opposite(facet);
+  return other.valid() && map.cell_of(other) == front ? other : facet;
+}
+
 /** Host tag of what stands behind an impassable facet; at the outer boundary that of `in_front`. */
 template <int D>
 uint32_t obstacle_tag(const Environment<D>& env, HalfFacet facet, Cell in_front) noexcept {

@@ -27,7 +27,7 @@ void report_contact(const Environment<D>& env, const EdgeMotion& m, const SweepC
   if (contact.facet.valid()) {
     sweep.face = face_id(env.map, canonical(env.map, contact.facet));
     sweep.obstacle = obstacle_kind(env, contact.facet);
-    sweep.tag = obstacle_tag(env, contact.facet, contact.front);
+    sweep.tag = obstacle_tag(env, seen_from(env.map, contact.front, contact.facet), contact.front);
   }
   if constexpr (D == 2) {
     if (contact.vertex == kNoVertex) return;
@@ -63,7 +63,7 @@ class Sweeper {
     if (path.end == CastEnd::kWorkLimit) return;
     const bool flooded = needs_flood(m, path, sweep);
     if (sweep.outcome == DSW_OUTCOME_WORK_LIMIT) return;
-    if (flooded) {
+    if (flooded && !is_flat(m)) {
       uint32_t left = 0;
       if (!work_left(sweep, left)) return;
       const SweepResult swept = flood_.sweep(m, start, left);
@@ -84,6 +84,12 @@ class Sweeper {
   }
 
  private:
+  /** Whether the path is all there is: a flood in the plane would look at nothing, and there may be no work left for it. */
+  static bool is_flat(const EdgeMotion& m) {
+    const double* const path[2] = {m.p, m.to};
+    return D == 2 && orient<2>(path, m.q) == 0;
+  }
+
   /** Whether the path meets something before the rest does. In space the flood has seen that, too. */
   bool is_path_first(const EdgeMotion& m, const CastResult& path, const SweepContact& rest) const {
     if constexpr (D == 3) return false;

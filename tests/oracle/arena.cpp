@@ -53,7 +53,7 @@ dsw_sweep as_sweep(const dsw_contact& c) {
   s.along = c.along;
   s.front = c.front;
   s.face = c.wall;
-  if (c.kind == DSW_CONTACT_EDGE) s.edge = {c.obstacle.index, c.obstacle.generation, c.obstacle.local};
+  if (c.kind != DSW_CONTACT_PLANE) s.edge = {c.obstacle.index, c.obstacle.generation, c.obstacle.local};
   s.kind = c.kind;
   s.obstacle = c.cause;
   s.tag = c.tag;
@@ -125,7 +125,7 @@ std::string Arena::wrong_wall(const dsw_sweep& got, const std::vector<int>& arou
     if (got.tag == tag(behind >= 0 ? behind : other)) return "";
     if (other < 0 && got.tag == tag(static_cast<int>(got.front.index))) return "";
   }
-  return " tag " + std::to_string(got.tag);
+  return " tag " + std::to_string(got.tag) + " of face " + name(got.face) + " from " + name(got.front) + " cells " + std::to_string(w.cell[0]) + " " + std::to_string(w.cell[1]) + " marked " + std::to_string(w.marked) + " tags " + std::to_string(tag(w.cell[0])) + " " + std::to_string(w.cell[1] < 0 ? 0u : tag(w.cell[1]))+ " " + std::to_string(tag(got.front.index));
 }
 
 /// The moving end on a face.

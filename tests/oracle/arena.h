@@ -38,8 +38,8 @@ class Arena {
   std::string wrong_event(const Sweep& sweep, const SweepEvent& event, const dsw_sweep& got) const;
   /// The same of a body's; `flight` has the event's own edge or face alone.
   std::string wrong_contact(const VertexMove& flight, const SweepEvent& event, const dsw_contact& contact) const;
-  /// The path's truth against the oracle of casts.
-  virtual bool path_fits(const Sweep& sweep) = 0;
+  /// What is wrong with a sweep's truth in the eyes of another oracle; empty if nothing is.
+  virtual std::string second_opinion(const Sweep& sweep) = 0;
 
  protected:
   struct Wall {

@@ -1,5 +1,7 @@
 #include "plane_arena.h"
 
+#include "plane_shift.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -23,7 +25,10 @@ double size_of(const std::vector<plane::Vec>& points) {
 }  // namespace
 
 PlaneArena::PlaneArena(const plane::World& world, const std::vector<int>& marked_vertices)
-    : Arena(2, std::make_unique<PlaneSweeps>(world, marked_vertices)), world_(world), size_(size_of(world.points)) {
+    : Arena(2, std::make_unique<PlaneSweeps>(world, marked_vertices)),
+      world_(world),
+      obstacles_(static_cast<PlaneSweeps&>(exact).obstacles()),
+      size_(size_of(world.points)) {
   for (const auto& cell : world.cells) {
     ids_.push_back({static_cast<uint32_t>(ids_.size()), 1});
     sides_of_.emplace_back(cell.size());
@@ -68,15 +73,18 @@ std::array<Vec, 2> PlaneArena::ends_of(const SweepEvent& event) const {
   return {at, at};
 }
 
-std::string PlaneArena::wrong_name(const SweepEvent&, const dsw_sweep& got) const {
-  return got.kind == DSW_CONTACT_VERTEX && none(got.edge) ? "" : " kind " + std::to_string(got.kind) + " at a vertex";
+std::string PlaneArena::wrong_name(const SweepEvent& event, const dsw_sweep& got) const {
+  const bool right = got.kind == DSW_CONTACT_VERTEX && got.edge.volume == static_cast<uint32_t>(event.vertex) &&
+                     got.edge.generation == 1 && got.edge.local == 0;
+  return right ? "" : " kind " + std::to_string(got.kind) + " " + name(got.edge) + " at a vertex";
 }
 
-bool PlaneArena::path_fits(const Sweep& s) {
+std::string PlaneArena::second_opinion(const Sweep& s) {
   const SweepTruth& t = s.truth;
   const plane::Flight flight = plane::cast(world_, t.start, flat(s.from), flat(s.to));
-  return t.path_hit == (flight.outcome == plane::Flight::kContact) && t.path.size() <= 1 &&
-         (!t.path_hit || (flight.side == t.path[0].triangle && flight.time == t.path[0].time));
+  const bool fits = t.path_hit == (flight.outcome == plane::Flight::kContact) && t.path.size() <= 1 &&
+                    (!t.path_hit || (flight.side == t.path[0].triangle && flight.time == t.path[0].time));
+  return fits ? differs_by_small_shift(world_, obstacles_, s) : " the path is not that of the oracle's cast";
 }
 
 PlanePlaces::PlanePlaces(const plane::World& world, const Arena& arena, const std::vector<int>& marked_vertices,

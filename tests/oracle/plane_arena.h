@@ -16,7 +16,7 @@ class PlaneArena : public Arena {
   bool lattice() const override { return world_.lattice; }
   const std::vector<dsw_volume_id>& ids() const override { return ids_; }
   bool marked(int cell) const override { return world_.cell_marked[static_cast<size_t>(cell)] != 0; }
-  bool path_fits(const Sweep& sweep) override;
+  std::string second_opinion(const Sweep& sweep) override;
 
  private:
   Wall wall(int face) const override;
@@ -30,6 +30,7 @@ class PlaneArena : public Arena {
   std::string wrong_name(const SweepEvent& event, const dsw_sweep& got) const override;
 
   const plane::World& world_;
+  std::vector<int> obstacles_;  // vertices of what is impassable
   double size_;
   std::vector<dsw_volume_id> ids_;
   std::vector<std::vector<int>> sides_of_;

@@ -107,11 +107,12 @@ std::string SpaceArena::wrong_at_face(const VertexMove& f, const SweepEvent& e, 
   return wrong;
 }
 
-bool SpaceArena::path_fits(const Sweep& s) {
+std::string SpaceArena::second_opinion(const Sweep& s) {
   const SweepTruth& t = s.truth;
   const Walk walk = world_.cast(world_.body(s.from.data()), world_.body(s.to.data()), t.start);
-  return t.path_hit == (walk.outcome == Walk::kContact) && t.path.size() <= 1 &&
-         (!t.path_hit || (walk.triangle == t.path[0].triangle && walk.time == t.path[0].time));
+  const bool fits = t.path_hit == (walk.outcome == Walk::kContact) && t.path.size() <= 1 &&
+                    (!t.path_hit || (walk.triangle == t.path[0].triangle && walk.time == t.path[0].time));
+  return fits ? "" : " the path is not that of the oracle's cast";
 }
 
 }  // namespace dsw::oracle

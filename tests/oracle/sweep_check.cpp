@@ -138,7 +138,8 @@ void SweepChecker::check_truth(const Sweep& s) {
   const auto wrong = [&](const std::string& text) { report_.fault(SweepReport::kWrong, what + text); };
   if (t.start == -2) return wrong(" several cells contain the start");
   if (!may_start(t)) return;
-  if (!arena_.path_fits(s)) wrong(" the path is not that of the oracle's cast");
+  const std::string opinion = arena_.second_opinion(s);
+  if (!opinion.empty()) wrong(opinion);
   if (t.new_edge_hit && t.swept.empty()) wrong(" the new edge meets something, the triangle nothing");
   if (!t.swept.empty() && t.path_hit && compare_times(t.swept[0], t.path[0]) > 0) wrong(" the path is met first");
   // With three free sides the corners may change places.
