@@ -125,7 +125,7 @@ std::string Arena::wrong_wall(const dsw_sweep& got, const std::vector<int>& arou
     if (got.tag == tag(behind >= 0 ? behind : other)) return "";
     if (other < 0 && got.tag == tag(static_cast<int>(got.front.index))) return "";
   }
-  return " tag " + std::to_string(got.tag) + " of face " + name(got.face) + " from " + name(got.front) + " cells " + std::to_string(w.cell[0]) + " " + std::to_string(w.cell[1]) + " marked " + std::to_string(w.marked) + " tags " + std::to_string(tag(w.cell[0])) + " " + std::to_string(w.cell[1] < 0 ? 0u : tag(w.cell[1]))+ " " + std::to_string(tag(got.front.index));
+  return " tag " + std::to_string(got.tag) + " of face " + name(got.face) + " from " + name(got.front);
 }
 
 /// The moving end on a face.
@@ -164,7 +164,8 @@ std::string Arena::wrong_across(const Sweep& s, const SweepEvent& event, const d
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
     n[k] = swept[i] * edge[j] - swept[j] * edge[i];
   }
-  const double size = length(n), tolerance = 1e-14 * (length(edge) + length(swept)) / size + 1e-13;
+  const double size = length(n), grain = std::ldexp(DBL_TRUE_MIN, e) * length(edge);
+  const double tolerance = (1e-14 * (length(edge) + length(swept)) + 4 * grain) / size + 1e-13;
   if (!(size > 0) || !(tolerance < 1e-4)) return "";
   const double against = dot(n, move);
   for (double& x : n) x /= against > 0 ? -size : size;
@@ -187,7 +188,7 @@ std::string Arena::wrong_place(const Sweep& s, const SweepEvent& event, const ds
   const std::string wrong = wrong_position(s, got);
   if (!wrong.empty()) return wrong;
   if (!(got.along >= 0 && got.along <= 1)) return " along " + number(got.along);
-  const double allowed = 32 * DBL_EPSILON * most;
+  const double allowed = 32 * DBL_EPSILON * most + 4 * DBL_TRUE_MIN;
   Vec there;
   for (size_t k = 0; k < 3; ++k) there[k] = got.position[k] + got.along * (s.fixed[k] - got.position[k]);
   const double off = distance(there, there, got.point);
