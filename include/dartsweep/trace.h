@@ -1,6 +1,7 @@
 /** @file trace.h
  * Geometry for viewers: a trace collects points, segments and triangles of cells, walks and contacts into plain
- * arrays that any viewer can draw.
+ * arrays that any viewer can draw. In the plane what else is triangles is segments, sides of polygons as they turn, and points have the third
+ * coordinate 0.
  */
 #ifndef DARTSWEEP_TRACE_H
 #define DARTSWEEP_TRACE_H

@@ -58,9 +58,13 @@ void add_struct(Text& text, Arguments& a) {
 void add_moved_points(Text& text, Arguments& a) {
   size_t count = 0;
   for (auto v = a.get<uint64_t>(); v != capi::kNullArray; v = a.get<uint64_t>(), ++count) {
-    double to[3];
-    for (double& each : to) each = a.get<double>();
-    if (count < 20) text.add(" %" PRIu64 " to (%.17g %.17g %.17g)", v, to[0], to[1], to[2]);
+    const bool is_told = count < 20;
+    if (is_told) text.add(" %" PRIu64 " to (", v);
+    for (uint32_t k = 0; k < a.dimension(); ++k) {
+      const auto to = a.get<double>();
+      if (is_told) text.add(k == 0 ? "%.17g" : " %.17g", to);
+    }
+    if (is_told) text.add(")");
   }
   text.add("; %zu vertices in all", count);
 }

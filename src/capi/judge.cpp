@@ -11,17 +11,21 @@ namespace {
 
 constexpr uint32_t kNoRank = UINT32_MAX;
 
-template <class T>
-Array<T> array_for(const Scene<3>& scene) {
+template <class T, int D>
+Array<T> array_for(const Scene<D>& scene) {
   return Array<T>(Allocator<T>(scene.memory));
 }
 
-bool are_equal(const double* a, const double* b) noexcept { return std::equal(a, a + 3, b); }
+template <int D>
+bool are_equal(const double* a, const double* b) noexcept {
+  return std::equal(a, a + D, b);
+}
 
 }  // namespace
 
-CallJudge::CallJudge(const dsw_scene& scene)
-    : scene_(space(scene)),
+template <int D>
+CallJudge<D>::CallJudge(const Scene<D>& scene)
+    : scene_(scene),
       before_(array_for<double>(scene_)),
       orders_(array_for<uint32_t>(scene_)),
       particles_(array_for<Mover>(scene_)),
@@ -29,7 +33,8 @@ CallJudge::CallJudge(const dsw_scene& scene)
       subjects_(array_for<Subject>(scene_)),
       judge_(scene_.env) {}
 
-void CallJudge::remember(Call call, Arguments a) {
+template <int D>
+void CallJudge<D>::remember(Call call, Arguments a) {
   if (call == Call::kMoveParticle) {
     const auto particle = a.get<dsw_particle_id>();
     const double* const target = a.get_points(1);
@@ -39,7 +44,7 @@ void CallJudge::remember(Call call, Arguments a) {
     const double* const targets = a.get_points(all.count);
     const auto options = a.get_struct<dsw_cast_options>();
     for (size_t i = 0; targets != nullptr && i < all.count; ++i) {
-      remember_particle(all.items[i], targets + 3 * i, options);
+      remember_particle(all.items[i], targets + D * i, options);
     }
   } else if (call == Call::kMoveBody || call == Call::kMoveRigid) {
     const auto body = a.get<dsw_body_id>();
@@ -56,20 +61,22 @@ void CallJudge::remember(Call call, Arguments a) {
   }
 }
 
-void CallJudge::remember_particle(dsw_particle_id particle, const double* target, const dsw_cast_options& options) {
+template <int D>
+void CallJudge<D>::remember_particle(dsw_particle_id particle, const double* target, const dsw_cast_options& options) {
   if (target == nullptr || !scene_.slots.alive(particle.index, particle.generation)) return;  // the call will fail
   particles_.push_back({particle.index, options.max_cells == 0, before_.size(), 0, 0});
   const auto& from = scene_.particles[particle.index].position;
-  before_.insert(before_.end(), from, from + 3);
-  before_.insert(before_.end(), target, target + 3);
+  before_.insert(before_.end(), from, from + D);
+  before_.insert(before_.end(), target, target + D);
 }
 
-void CallJudge::remember_body(dsw_body_id id, const dsw_move_options& options) {
+template <int D>
+void CallJudge<D>::remember_body(dsw_body_id id, const dsw_move_options& options) {
   if (!scene_.body_slots.alive(id.index, id.generation)) return;  // the call will fail
-  const Body<3>& body = scene_.bodies[id.index].body;
+  const Body<D>& body = scene_.bodies[id.index].body;
   const bool is_exact = options.search == DSW_SEARCH_EXACT && options.max_cells == 0;
   bodies_.push_back({id.index, is_exact, before_.size(), orders_.size(), body.vertices.size()});
-  for (const BodyVertex<3>& v : body.vertices) before_.insert(before_.end(), v.position, v.position + 3);
+  for (const BodyVertex<D>& v : body.vertices) before_.insert(before_.end(), v.position, v.position + D);
   const bool is_ordered = options.order != nullptr;
   for (uint32_t v = 0; v < body.vertices.size(); ++v) orders_.push_back(is_ordered ? kNoRank : v);
   for (uint32_t i = 0; is_ordered && i < options.order_count; ++i) {
@@ -78,16 +85,19 @@ void CallJudge::remember_body(dsw_body_id id, const dsw_move_options& options) {
   }
 }
 
-void CallJudge::note(const char* format, uint32_t one, uint32_t other) {
+template <int D>
+void CallJudge<D>::note(const char* format, uint32_t one, uint32_t other) {
   if (verdict_.text[0] == 0) std::snprintf(verdict_.text, sizeof verdict_.text, format, one, other);
 }
 
-uint32_t CallJudge::add_subject(Said said, uint32_t owner, uint32_t part, double time) {
+template <int D>
+uint32_t CallJudge<D>::add_subject(Said said, uint32_t owner, uint32_t part, double time) {
   subjects_.push_back({said, owner, part, time});
   return static_cast<uint32_t>(subjects_.size() - 1);
 }
 
-void CallJudge::look_at_places() {
+template <int D>
+void CallJudge<D>::look_at_places() {
   const auto is_lost = [&](Cell c, const double* point) {
     ++verdict_.places;
     const bool lost = !c.valid() || is_closed(scene_.env, c) || !exactly_contains(scene_.env, c, point);
@@ -95,13 +105,13 @@ void CallJudge::look_at_places() {
     return lost;
   };
   for (uint32_t i = 0; i < scene_.particles.size(); ++i) {
-    const ParticleState<3>& state = scene_.particles[i];
+    const ParticleState<D>& state = scene_.particles[i];
     if (!scene_.slots.alive(i, scene_.slots.generation(i))) continue;
     if (is_lost(state.cell, state.position)) note("particle %u is not where it is said to be", i, 0);
   }
   for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
     if (!scene_.body_slots.alive(slot, scene_.body_slots.generation(slot))) continue;
-    const Body<3>& body = scene_.bodies[slot].body;
+    const Body<D>& body = scene_.bodies[slot].body;
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (body.has_vertex(v) && is_lost(body.vertices[v].cell, body.position(v))) {
         note("body %u: vertex %u is not where it is said to be", slot, v);
@@ -111,8 +121,9 @@ void CallJudge::look_at_places() {
   }
 }
 
-void CallJudge::look_at_body(uint32_t slot) {
-  const Body<3>& body = scene_.bodies[slot].body;
+template <int D>
+void CallJudge<D>::look_at_body(uint32_t slot) {
+  const Body<D>& body = scene_.bodies[slot].body;
   for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
     if (!body.has_edge(e)) continue;
     const BodyEdge& edge = body.edges[e];
@@ -128,12 +139,13 @@ void CallJudge::look_at_body(uint32_t slot) {
   }
 }
 
-void CallJudge::claim_flight(const Mover& mover) {
-  const double *const from = &before_[mover.first], *const target = from + 3;
+template <int D>
+void CallJudge<D>::claim_flight(const Mover& mover) {
+  const double *const from = &before_[mover.first], *const target = from + D;
   const auto& now = scene_.particles[mover.slot].position;
   judge_.add(add_subject(Said::kWayIsFree, mover.slot, kNone), from, now);
   ++verdict_.ways;
-  if (are_equal(now, target)) return;
+  if (are_equal<D>(now, target)) return;
   if (!mover.is_exact) {
     ++verdict_.not_judged;
     return;
@@ -142,8 +154,9 @@ void CallJudge::claim_flight(const Mover& mover) {
   ++verdict_.contacts;
 }
 
-void CallJudge::claim_way(const Mover& mover, const Body<3>& body, uint32_t vertex) {
-  const auto at = [&](uint32_t v) { return &before_[mover.first + 3 * size_t{v}]; };
+template <int D>
+void CallJudge<D>::claim_way(const Mover& mover, const Body<D>& body, uint32_t vertex) {
+  const auto at = [&](uint32_t v) { return &before_[mover.first + D * size_t{v}]; };
   const uint32_t* const ranks = &orders_[mover.order_first];
   const uint32_t subject = add_subject(Said::kWayIsFree, mover.slot, vertex);
   judge_.add(subject, at(vertex), body.position(vertex));
@@ -157,7 +170,8 @@ void CallJudge::claim_way(const Mover& mover, const Body<3>& body, uint32_t vert
   });
 }
 
-void CallJudge::claim_contact(const Mover& mover, const dsw_contact& contact) {
+template <int D>
+void CallJudge<D>::claim_contact(const Mover& mover, const dsw_contact& contact) {
   const bool is_wall = contact.obstacle.kind != DSW_CELL_NONE, is_of_face = contact.face.generation != 0;
   if (!is_wall || is_of_face || !mover.is_exact) {
     ++verdict_.not_judged;
@@ -169,22 +183,24 @@ void CallJudge::claim_contact(const Mover& mover, const dsw_contact& contact) {
   ++verdict_.contacts;
 }
 
-void CallJudge::claim_move(const Mover& mover) {
-  const BodyRecord<3>& of = scene_.bodies[mover.slot];
+template <int D>
+void CallJudge<D>::claim_move(const Mover& mover) {
+  const BodyRecord<D>& of = scene_.bodies[mover.slot];
   for (const dsw_contact& contact : of.record.contacts) claim_contact(mover, contact);
   for (uint32_t v = 0; v < mover.order_count; ++v) {
     if (!of.record.edits.empty()) {
       ++verdict_.not_judged;
       continue;
     }
-    if (!of.body.has_vertex(v) || are_equal(of.body.position(v), &before_[mover.first + 3 * size_t{v}])) continue;
+    if (!of.body.has_vertex(v) || are_equal<D>(of.body.position(v), &before_[mover.first + D * size_t{v}])) continue;
     const auto is_its = [v](const dsw_contact& contact) { return contact.vertex.index == v; };
     if (std::any_of(of.record.contacts.begin(), of.record.contacts.end(), is_its)) continue;
     claim_way(mover, of.body, v);
   }
 }
 
-void CallJudge::count_wrong(const Subject& s) {
+template <int D>
+void CallJudge<D>::count_wrong(const Subject& s) {
   switch (s.said) {
     case Said::kEdgeIsFree:
       ++verdict_.crossing;
@@ -203,7 +219,8 @@ void CallJudge::count_wrong(const Subject& s) {
   }
 }
 
-dsw_verdict CallJudge::judge(bool was_done) {
+template <int D>
+dsw_verdict CallJudge<D>::judge(bool was_done) {
   look_at_places();
   for (const Mover& mover : particles_) {
     if (was_done) claim_flight(mover);
@@ -235,5 +252,8 @@ dsw_verdict CallJudge::judge(bool was_done) {
   verdict_.is_right = v.lost + v.crossing + v.pierced + v.missed + v.wrong == 0 ? 1 : 0;
   return verdict_;
 }
+
+template class CallJudge<2>;
+template class CallJudge<3>;
 
 }  // namespace dsw::capi

@@ -6,9 +6,10 @@
 
 namespace dsw::capi {
 
+template <int D>
 class CallJudge {
  public:
-  explicit CallJudge(const dsw_scene& scene);
+  explicit CallJudge(const Scene<D>& scene);
 
   /** Before the call: where what it moves is. */
   void remember(Call call, Arguments arguments);
@@ -37,18 +38,18 @@ class CallJudge {
   void look_at_body(uint32_t slot);
   void claim_flight(const Mover& mover);
   void claim_move(const Mover& mover);
-  void claim_way(const Mover& mover, const Body<3>& body, uint32_t vertex);
+  void claim_way(const Mover& mover, const Body<D>& body, uint32_t vertex);
   void claim_contact(const Mover& mover, const dsw_contact& contact);
   uint32_t add_subject(Said said, uint32_t owner, uint32_t part, double time = 0);
   void count_wrong(const Subject& subject);
   void note(const char* format, uint32_t one, uint32_t other);
 
-  const Scene<3>& scene_;
+  const Scene<D>& scene_;
   Array<double> before_;    // points
   Array<uint32_t> orders_;  // ranks of vertices
   Array<Mover> particles_, bodies_;
   Array<Subject> subjects_;
-  Judge judge_;
+  Judge<D> judge_;
   dsw_verdict verdict_{};
 };
 

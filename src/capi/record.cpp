@@ -43,8 +43,8 @@ struct Lending {
 
 uint64_t room_of(const dsw_scene& scene) {
   if (scene.watch != nullptr) return scene.watch->room;
-  const dsw::Environment<3>& env = capi::space(*scene.environment);
-  return env.lent == nullptr ? 0 : env.point_room;
+  return capi::visit(*scene.environment,
+                     [](const auto& env) -> uint64_t { return env.lent == nullptr ? 0 : env.point_room; });
 }
 
 template <class Saved>
@@ -64,15 +64,16 @@ void write_snapshot(const Saved& saved, dsw::EntryKind kind, const Lending* lend
 }
 
 void write_beginning(const dsw_scene& scene, capi::Recording& recording) {
-  const dsw::Environment<3>& env = capi::space(*scene.environment);
   const uint32_t maker[2] = {dsw_version(), recording.flags};
-  const Lending lending{env.owned_points.empty() ? 1u : 0u, room_of(scene)};
   recording.writer.write_header();
   recording.writer.begin(dsw::EntryKind::kMaker, sizeof maker);
   recording.writer.put(maker, sizeof maker);
   recording.writer.end();
-  write_snapshot(env, dsw::EntryKind::kEnvironment, &lending, recording.writer);
-  write_snapshot(capi::space(scene), dsw::EntryKind::kScene, nullptr, recording.writer);
+  capi::visit(scene, [&](const auto& engine) {
+    const Lending lending{engine.env.owned_points.empty() ? 1u : 0u, room_of(scene)};
+    write_snapshot(engine.env, dsw::EntryKind::kEnvironment, &lending, recording.writer);
+    write_snapshot(engine, dsw::EntryKind::kScene, nullptr, recording.writer);
+  });
   recording.most_kept = recording.kept.size() + std::max(kLeastKept, 2 * recording.kept.size());
 }
 
@@ -136,11 +137,13 @@ bool end_recording(dsw_scene& scene) noexcept {
 }
 
 uint64_t state_of(const dsw_scene& scene, bool with_environment) {
-  const Array<uint8_t> block = saved_block(capi::space(scene));
-  uint64_t sum = checksum(0, block.data(), block.size());
-  if (!with_environment) return sum;
-  const Array<uint8_t> whole = saved_block(capi::space(*scene.environment));
-  return checksum(sum, whole.data(), whole.size());
+  return visit(scene, [&](const auto& engine) {
+    const Array<uint8_t> block = saved_block(engine);
+    const uint64_t sum = checksum(0, block.data(), block.size());
+    if (!with_environment) return sum;
+    const Array<uint8_t> whole = saved_block(engine.env);
+    return checksum(sum, whole.data(), whole.size());
+  });
 }
 
 void Recorded::finish(bool failed, uint64_t digest) noexcept {
@@ -185,7 +188,6 @@ dsw_status dsw_scene_start_recording(dsw_scene* scene, const dsw_recording_desc*
     }
     if (d.path == nullptr && !is_kept) capi::require(reinterpret_cast<const void*>(d.write), "desc->write");
     if (handle.recording != nullptr) fail(DSW_STATUS_IN_USE, "the scene is being recorded");
-    capi::space(handle);  // refused before a file is written anew
     dsw::Owned<capi::Recording> owner(capi::memory_of(*handle.environment));
     capi::begin_recording(handle, d, owner);
     handle.recording = owner.release();

@@ -100,6 +100,8 @@ struct MovedPoints {
   const double* next;
   const Environment<D>& env;
 };
+template <int D>
+MovedPoints(const double*, const Environment<D>&) -> MovedPoints<D>;
 
 /** A struct of the interface, whose pointers are written as null: what they point at is written after it. */
 template <class T, class... Pointers>

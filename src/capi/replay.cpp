@@ -3,10 +3,12 @@
 #include "capi/judge.h"
 #include "dartsweep/record.h"
 #include "environment/moving.h"
+#include "snapshot/block.h"
 #include "snapshot/scene_snapshot.h"
 #include "snapshot/snapshot.h"
 
 namespace capi = dsw::capi;
+using capi::dimension_of;
 using capi::made_room;
 using dsw::fail;
 
@@ -28,21 +30,24 @@ void read_words(const dsw::Entry& entry, T (&words)[N], const char* what) {
 
 /** The environment reads one of our arrays as if the host had lent it. */
 void lend(dsw_replay& replay, dsw::Array<double>& points) noexcept {
-  dsw::Environment<3>& env = capi::space(*replay.environment);
-  env.points = points.data();
-  env.point_room = made_room(replay, replay.watch.room);
-  env.lent = env.point_room == 0 ? nullptr : points.data();
+  capi::visit(*replay.environment, [&](auto& env) {
+    env.points = points.data();
+    env.point_room = made_room(replay, replay.watch.room);
+    env.lent = env.point_room == 0 ? nullptr : points.data();
+  });
 }
 
 void lend_points(dsw_replay& replay, uint64_t room) {
-  dsw::Environment<3>& env = capi::space(*replay.environment);
-  const size_t count = env.map.vertex_count;
-  if (room != 0 && room < count) fail(DSW_STATUS_CORRUPT, "the recording is damaged: points");
-  replay.watch.room = room;
-  replay.points[0].resize(3 * std::max(count, made_room(replay, room)));
-  std::copy_n(env.points, 3 * count, replay.points[0].data());
-  lend(replay, replay.points[0]);
-  release_owned_points(env);
+  capi::visit(*replay.environment, [&](auto& env) {
+    constexpr size_t D = capi::kDimension<decltype(env)>;
+    const size_t count = env.map.vertex_count;
+    if (room != 0 && room < count) fail(DSW_STATUS_CORRUPT, "the recording is damaged: points");
+    replay.watch.room = room;
+    replay.points[0].resize(D * std::max(count, made_room(replay, room)));
+    std::copy_n(env.points, D * count, replay.points[0].data());
+    lend(replay, replay.points[0]);
+    release_owned_points(env);
+  });
 }
 
 /** Whether the host's points had more room than ours. */
@@ -53,10 +58,10 @@ bool lacks_room(const dsw_replay& replay) {
 
 void make_room(dsw_replay& replay) {
   replay.needed_room = 2 * made_room(replay, std::max(replay.watch.room, replay.watch.offered));
-  const dsw::Environment<3>& env = capi::space(*replay.environment);
-  if (env.lent == nullptr) return;
-  dsw::Array<double>& points = replay.points[env.lent == replay.points[0].data() ? 0 : 1];
-  points.resize(3 * made_room(replay, replay.watch.room));
+  const double* const lent = capi::visit(*replay.environment, [](const auto& env) { return env.lent; });
+  if (lent == nullptr) return;
+  dsw::Array<double>& points = replay.points[lent == replay.points[0].data() ? 0 : 1];
+  points.resize(dimension_of(replay) * made_room(replay, replay.watch.room));
   lend(replay, points);
 }
 
@@ -68,12 +73,17 @@ void load_beginning(dsw_replay& replay) {
   const dsw::Entry first = next_entry(replay, dsw::EntryKind::kEnvironment, "its environment");
   uint64_t lending[2];
   read_words(first, lending, "its environment");
-  capi::EnvironmentOwner environment(replay.context, 3);
-  load(capi::space(*environment), first.bytes + sizeof lending, first.size - sizeof lending);
+  const uint8_t* const block = first.bytes + sizeof lending;
+  const size_t size = first.size - sizeof lending;
+  capi::EnvironmentOwner environment(replay.context, dsw::saved_dimension(block, size));
+  capi::visit(*environment, [&](auto& env) { load(env, block, size); });
   replay.environment = environment.take();
   const dsw::Entry second = next_entry(replay, dsw::EntryKind::kScene, "its scene");
-  capi::SceneOwner scene(*replay.environment, dsw::saved_features<3>(second.bytes, second.size));
-  load(capi::space(*scene), second.bytes, second.size);
+  const dsw::SceneFeatures features = capi::visit(*replay.environment, [&](const auto& env) {
+    return dsw::saved_features<capi::kDimension<decltype(env)>>(second.bytes, second.size);
+  });
+  capi::SceneOwner scene(*replay.environment, features);
+  capi::visit(*scene, [&](auto& engine) { load(engine, second.bytes, second.size); });
   replay.scene = scene.enter();
   replay.scene->watch = &replay.watch;
   if (lending[0] != 0) lend_points(replay, lending[1]);
@@ -125,10 +135,12 @@ uint32_t what_differs(const capi::CallResult& recorded, const capi::CallResult& 
 
 namespace dsw::capi {
 
+uint32_t dimension_of(const dsw_replay& replay) noexcept { return is_planar(*replay.environment) ? 2 : 3; }
+
 size_t made_room(const dsw_replay& replay, uint64_t room) noexcept {
   constexpr size_t kSpare = 1024;
-  const size_t made =
-      std::max(replay.needed_room, 2 * size_t{capi::space(*replay.environment).map.vertex_count} + kSpare);
+  const size_t vertices = visit(*replay.environment, [](const auto& env) { return size_t{env.map.vertex_count}; });
+  const size_t made = std::max(replay.needed_room, 2 * vertices + kSpare);
   return room < made ? static_cast<size_t>(room) : made;
 }
 
@@ -154,7 +166,7 @@ bool read_next(dsw_replay& replay, std::optional<NextCall>& next) {
     }
     replay.words.resize(call.size / sizeof(uint64_t));
     std::memcpy(replay.words.data(), call.bytes, call.size);
-    Arguments arguments(replay.words);
+    Arguments arguments(replay.words, dimension_of(replay));
     const auto number = arguments.get<uint64_t>();
     const Call known = number < static_cast<uint64_t>(Call::kCount) ? static_cast<Call>(number) : Call::kCount;
     ReplayRow row = environment_row(known);
@@ -280,18 +292,20 @@ dsw_status dsw_replay_step_judged(dsw_replay* replay, dsw_replay_report* report,
     capi::require(report, "report");
     capi::require(verdict, "verdict");
     capi::check_size(verdict, "verdict");
-    dsw_replay_report step{};
-    step.call = handle.calls;
-    step.outcome = DSW_REPLAY_END;
-    std::optional<capi::NextCall> next;
-    capi::CallJudge judge(*handle.scene);
-    if (read_next(handle, next)) {
-      step.function = next->row.function;
-      judge.remember(next->call, next->arguments);
-      make_again(handle, *next, &step);
-    }
-    *report = step;
-    const bool was_done = step.function != nullptr && handle.watch.last.made && !handle.watch.last.failed;
-    capi::write_struct(verdict, judge.judge(was_done));
+    capi::visit(*handle.scene, [&](const auto& scene) {
+      dsw_replay_report step{};
+      step.call = handle.calls;
+      step.outcome = DSW_REPLAY_END;
+      std::optional<capi::NextCall> next;
+      capi::CallJudge<capi::kDimension<decltype(scene)>> judge(scene);
+      if (read_next(handle, next)) {
+        step.function = next->row.function;
+        judge.remember(next->call, next->arguments);
+        make_again(handle, *next, &step);
+      }
+      *report = step;
+      const bool was_done = step.function != nullptr && handle.watch.last.made && !handle.watch.last.failed;
+      capi::write_struct(verdict, judge.judge(was_done));
+    });
   });
 }

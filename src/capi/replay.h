@@ -33,7 +33,11 @@ namespace dsw::capi {
 /** The arguments of a recorded call, in the order in which for_each_part wrote them. Throws CORRUPT where there are none left. */
 class Arguments {
  public:
-  explicit Arguments(const Array<uint64_t>& words) : at_(words.data()), end_(words.data() + words.size()) {}
+  explicit Arguments(const Array<uint64_t>& words, uint32_t dimension = 3)
+      : at_(words.data()), end_(words.data() + words.size()), dimension_(dimension) {}
+
+  /** Doubles of a point. */
+  uint32_t dimension() const noexcept { return dimension_; }
 
   /** A plain value; of an enum one that it can hold. */
   template <class T>
@@ -71,9 +75,15 @@ class Arguments {
     return items.items;
   }
   const double* get_points(size_t count) {
+    const Items<double> points = get_points();
+    if (points.items != nullptr && points.count != count) fail_short();
+    return points.items;
+  }
+  /** With the number of points. */
+  Items<double> get_points() {
     const Items<double> items = get_items<double>();
-    if (items.items != nullptr && (items.count % 3 != 0 || items.count / 3 != count)) fail_short();
-    return items.items;
+    if (items.count % dimension_ != 0) fail_short();
+    return {items.items, items.count / dimension_};
   }
   template <class T>
   Items<T> get_items() {
@@ -99,6 +109,7 @@ class Arguments {
 
   const uint64_t* at_;
   const uint64_t* end_;
+  uint32_t dimension_;
 };
 
 /** How a call is made again. */
@@ -109,6 +120,9 @@ struct ReplayRow {
 /** Calls that change the environment, and all others. */
 ReplayRow environment_row(Call call) noexcept;
 ReplayRow body_row(Call call) noexcept;
+
+/** Of what is made again. */
+uint32_t dimension_of(const dsw_replay& replay) noexcept;
 
 /** Vertices for which there is memory where the host had room for `room`: recordings are not trusted, so there is as much as calls have
  * needed. 0: its points were not to be written. */

@@ -19,11 +19,10 @@ dsw_status create_particle(dsw_replay& r, Arguments& a) {
 }
 
 dsw_status create_many_particles(dsw_replay& r, Arguments& a) {
-  const auto points = a.get_items<double>();
-  const size_t count = points.count / 3;
-  const auto* const hints = a.get_items<dsw_volume_id>(count);
-  auto particles = room_for<dsw_particle_id>(r, count);
-  return dsw_scene_create_particles(r.scene, points.items, count, 0, hints, particles.data(), nullptr);
+  const auto points = a.get_points();
+  const auto* const hints = a.get_items<dsw_volume_id>(points.count);
+  auto particles = room_for<dsw_particle_id>(r, points.count);
+  return dsw_scene_create_particles(r.scene, points.items, points.count, 0, hints, particles.data(), nullptr);
 }
 
 dsw_status destroy_one_particle(dsw_replay& r, Arguments& a) {
@@ -147,16 +146,16 @@ dsw_move_options get_ordered(Arguments& a) {
 
 dsw_status move_one_body(dsw_replay& r, Arguments& a) {
   const auto body = a.get<dsw_body_id>();
-  const auto targets = a.get_items<double>();
+  const auto targets = a.get_points();
   const dsw_move_options o = get_ordered(a);
-  return dsw_body_move(r.scene, body, targets.items, targets.count / 3, 0, &o, nullptr);
+  return dsw_body_move(r.scene, body, targets.items, targets.count, 0, &o, nullptr);
 }
 
 dsw_status move_many_bodies(dsw_replay& r, Arguments& a) {
   const auto bodies = a.get_items<dsw_body_id>();
-  const auto targets = a.get_items<double>();
+  const auto targets = a.get_points();
   const auto o = a.get_struct<dsw_move_options>();
-  return dsw_scene_move_bodies(r.scene, bodies.items, bodies.count, targets.items, targets.count / 3, 0, &o, nullptr);
+  return dsw_scene_move_bodies(r.scene, bodies.items, bodies.count, targets.items, targets.count, 0, &o, nullptr);
 }
 
 dsw_status move_rigid(dsw_replay& r, Arguments& a) {

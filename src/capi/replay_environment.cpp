@@ -161,20 +161,22 @@ dsw_status remesh(dsw_replay& r, Arguments& a) {
 /** Into the array that the environment does not read. */
 dsw_status deform(dsw_replay& r, Arguments& a) {
   auto o = a.get_struct<dsw_deform_options>();
-  const Environment<3>& env = space(*r.environment);
-  const size_t count = env.map.vertex_count;
-  Array<double>& next = r.points[env.points == r.points[0].data() ? 1 : 0];
-  r.watch.offered = o.point_room;
-  o.point_room = made_room(r, r.watch.offered);
-  next.resize(3 * std::max(count, o.point_room));
-  std::copy_n(env.points, 3 * count, next.data());
-  for (auto v = a.get<uint64_t>(); v != kNullArray; v = a.get<uint64_t>()) {
-    if (v >= count) fail(DSW_STATUS_CORRUPT, "the recording is damaged: a vertex that moves");
-    for (size_t k = 0; k < 3; ++k) next[3 * static_cast<size_t>(v) + k] = a.get<double>();
-  }
-  const dsw_status status = dsw_scene_deform(r.scene, next.data(), count, &o, nullptr);
-  if (env.points == next.data()) r.watch.room = r.watch.offered;
-  return status;
+  return visit(*r.environment, [&](const auto& env) {
+    constexpr size_t D = kDimension<decltype(env)>;
+    const size_t count = env.map.vertex_count;
+    Array<double>& next = r.points[env.points == r.points[0].data() ? 1 : 0];
+    r.watch.offered = o.point_room;
+    o.point_room = made_room(r, r.watch.offered);
+    next.resize(D * std::max(count, o.point_room));
+    std::copy_n(env.points, D * count, next.data());
+    for (auto v = a.get<uint64_t>(); v != kNullArray; v = a.get<uint64_t>()) {
+      if (v >= count) fail(DSW_STATUS_CORRUPT, "the recording is damaged: a vertex that moves");
+      for (size_t k = 0; k < D; ++k) next[D * static_cast<size_t>(v) + k] = a.get<double>();
+    }
+    const dsw_status status = dsw_scene_deform(r.scene, next.data(), count, &o, nullptr);
+    if (env.points == next.data()) r.watch.room = r.watch.offered;
+    return status;
+  });
 }
 
 }  // namespace

@@ -53,11 +53,12 @@ dsw_status dsw_trace_add_volumes(dsw_trace* trace, const dsw_environment* enviro
                                  size_t count, uint32_t label) {
   return capi::guard("dsw_trace_add_volumes", [&] {
     dsw::Trace& engine = engine_of(trace);
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
-    capi::require_array(volumes, count, "volumes");
-    dsw::Array<dsw::Cell> cells(count, dsw::Cell{}, dsw::Allocator<dsw::Cell>(engine.memory()));
-    for (size_t i = 0; i < count; ++i) cells[i] = capi::to_cell(env.map, volumes[i], {"volumes", true}, i);
-    add_cells(engine, env, cells.data(), count, label);
+    capi::visit(capi::check_handle(environment, "environment"), [&](const auto& env) {
+      capi::require_array(volumes, count, "volumes");
+      dsw::Array<dsw::Cell> cells(count, dsw::Cell{}, dsw::Allocator<dsw::Cell>(engine.memory()));
+      for (size_t i = 0; i < count; ++i) cells[i] = capi::to_cell(env.map, volumes[i], {"volumes", true}, i);
+      add_cells(engine, env, cells.data(), count, label);
+    });
   });
 }
 
@@ -65,7 +66,8 @@ dsw_status dsw_trace_add_impassable(dsw_trace* trace, const dsw_environment* env
                                     uint32_t label) {
   return capi::guard("dsw_trace_add_impassable", [&] {
     dsw::Trace& engine = engine_of(trace);
-    add_impassable(engine, capi::space(capi::check_handle(environment, "environment")), with_boundary != 0, label);
+    capi::visit(capi::check_handle(environment, "environment"),
+                [&](const auto& env) { add_impassable(engine, env, with_boundary != 0, label); });
   });
 }
 
@@ -74,12 +76,14 @@ dsw_status dsw_trace_add_walk(dsw_trace* trace, const dsw_environment* environme
                               double normal_length, uint32_t label) {
   return capi::guard("dsw_trace_add_walk", [&] {
     dsw::Trace& engine = engine_of(trace);
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
-    capi::check_point(from, "from");
-    capi::check_point(to, "to");
-    check_length(normal_length);
-    capi::check_hint(env.map, start, "start");
-    add_walk(engine, env, start, from, to, capi::to_options(options), normal_length, label);
+    capi::visit(capi::check_handle(environment, "environment"), [&](const auto& env) {
+      constexpr int D = capi::kDimension<decltype(env)>;
+      capi::check_point<D>(from, "from");
+      capi::check_point<D>(to, "to");
+      check_length(normal_length);
+      capi::check_hint(env.map, start, "start");
+      add_walk(engine, env, start, from, to, capi::to_options(options), normal_length, label);
+    });
   });
 }
 

@@ -131,7 +131,7 @@ class Rebuild {
   uint32_t units_of(uint32_t root) const {
     const Polyhedron* const p = merging_.polyhedron(root);
     if (p == nullptr) return record_units(from_, from_.record(from_.cell(root))[0]);
-    return units_for<3>(p->facet_count) + units_for<3>(p->vertex_count);
+    return general_units<3>(p->facet_count, p->vertex_count);
   }
   bool is_general(uint32_t root) const {
     return merging_.polyhedron(root) != nullptr || from_.form(from_.cell(root)) == Form::kGeneral;
@@ -162,12 +162,10 @@ class Rebuild {
 
   void write(Cell c, const Polyhedron& p, uint32_t shape) {
     uint32_t* const w = map_.record(c);
-    const uint32_t link_units = units_for<3>(p.facet_count), units = link_units + units_for<3>(p.vertex_count);
     w[0] = static_cast<uint32_t>(Form::kGeneral) << kFormShift | shape;
-    for (uint32_t u = 1; u < units; ++u) {
-      w[u * kUnitWords<3>] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | u;
-    }
-    for (uint32_t k = 0; k < p.vertex_count; ++k) w[link_units * kUnitWords<3> + item_word<3>(k)] = p.vertices[k];
+    write_continuations<3>(w, general_units<3>(p.facet_count, p.vertex_count));
+    for (uint32_t k = 0; k < p.vertex_count; ++k)
+      w[item_word<3>(first_vertex_item<3>(p.facet_count) + k)] = p.vertices[k];
     for (uint32_t f = 0; f < p.facet_count; ++f) new_word_[p.facets[f]] = map_.half_facet(c, f).word;
   }
 

@@ -132,7 +132,7 @@ class Reader {
       vertices = static_cast<uint32_t>(local_to_point_.size());
       facets = static_cast<uint32_t>(loop_first_.size() - 1);
     }
-    return std::max(1u, units_for<D>(facets)) + units_for<D>(vertices);
+    return general_units<D>(std::max(1u, facets), vertices);
   }
 
   /** A point index, or recorded as an offence of cell i. */
@@ -262,13 +262,11 @@ class Reader {
     const Cell c = map_.cell(i);
     uint32_t* w = map_.record(c);
     const Shape shape(map_.shape_tables.data() + map_.shape_offsets[number]);
-    const uint32_t link_units = units_for<D>(shape.facet_count()), vertices = shape.vertex_count();
-    const uint32_t units = link_units + units_for<D>(vertices);
+    const uint32_t facets = shape.facet_count(), vertices = shape.vertex_count();
     w[0] = (static_cast<uint32_t>(Form::kGeneral) << kFormShift) | number;
-    for (uint32_t u = 1; u < units; ++u)
-      w[u * kUnitWords<D>] = (static_cast<uint32_t>(Form::kContinuation) << kFormShift) | u;
-    for (uint32_t f = 0; f < shape.facet_count(); ++f) w[item_word<D>(f)] = kNoFacet;
-    for (uint32_t k = 0; k < vertices; ++k) w[link_units * kUnitWords<D> + item_word<D>(k)] = local_to_point_[k];
+    write_continuations<D>(w, general_units<D>(facets, vertices));
+    for (uint32_t f = 0; f < facets; ++f) w[item_word<D>(f)] = kNoFacet;
+    for (uint32_t k = 0; k < vertices; ++k) w[item_word<D>(first_vertex_item<D>(facets) + k)] = local_to_point_[k];
   }
 
   Environment<D>& env_;
@@ -372,9 +370,8 @@ void mirror_cell(Environment<D>& env, Cell c) {
       append_polyhedron({vertices.data(), first.data(), shape.facet_count(), shape.vertex_count()}, base.data(), table);
       std::copy(table.begin(), table.end(), map.shape_tables.begin() + map.shape_offsets[w[0] & kShapeMask]);
     } else {
-      uint32_t* const vertices_at = w + units_for<D>(shape.facet_count()) * kUnitWords<D>;
-      const uint32_t n = shape.vertex_count();
-      const auto slot = [&](uint32_t k) -> uint32_t& { return vertices_at[item_word<D>(k)]; };
+      const uint32_t n = shape.vertex_count(), offset = first_vertex_item<D>(shape.facet_count());
+      const auto slot = [&](uint32_t k) -> uint32_t& { return w[item_word<D>(offset + k)]; };
       for (uint32_t k = 0; k < n / 2; ++k) std::swap(slot(k), slot(n - 1 - k));
     }
     return;

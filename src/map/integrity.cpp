@@ -107,17 +107,15 @@ const char* check_record(const Map<D>& map, Cell c, uint32_t units) {
     for (uint32_t k = 1; k <= static_cast<uint32_t>(D); ++k) clear = clear && w[k] <= kVertexMask;
     clear = clear && all_zero(D + 1, first_link_slot<D>(form));
   } else if (form == Form::kGeneral) {
-    const uint32_t link_units = units_for<D>(map.facets_of(c));
     for (uint32_t u = 1; u < units; ++u) {
       if (w[u * kUnitWords<D>] != ((static_cast<uint32_t>(Form::kContinuation) << kFormShift) | u)) {
         return "a continuation does not lead back to its record";
       }
     }
-    const uint32_t facets = map.facets_of(c), links_end = link_units * kUnitItems<D>;
-    const uint32_t vertices_end = (units - link_units) * kUnitItems<D>;
-    for (uint32_t k = facets; k < links_end; ++k) clear = clear && w[item_word<D>(k)] == 0;
-    for (uint32_t k = vertices; k < vertices_end; ++k) {
-      clear = clear && w[link_units * kUnitWords<D> + item_word<D>(k)] == 0;
+    const uint32_t facets = map.facets_of(c), first = first_vertex_item<D>(facets);
+    for (uint32_t item = facets; item < first; ++item) clear = clear && w[item_word<D>(item)] == 0;
+    for (uint32_t item = first + vertices; item < units * kUnitItems<D>; ++item) {
+      clear = clear && w[item_word<D>(item)] == 0;
     }
   } else {
     const uint32_t cuts = w[0] & kShapeMask;
@@ -393,7 +391,7 @@ uint32_t record_units(const Map<D>& map, uint32_t word0) {
     case Form::kGeneral: {
       if ((word0 & kShapeMask) >= map.shape_offsets.size()) return 0;
       const Shape shape(map.shape_tables.data() + map.shape_offsets[word0 & kShapeMask]);
-      return units_for<D>(shape.facet_count()) + units_for<D>(shape.vertex_count());
+      return general_units<D>(shape.facet_count(), shape.vertex_count());
     }
     default:
       return 0;

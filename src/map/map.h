@@ -6,8 +6,8 @@
 // vertex 0, any other form bit 27 "convex with flat facets" and in bits 0 to 26 its cuts or its shape number.
 //   simplex            1 unit:  w0..wD vertices, then as many links of facets
 //   pyramid .. box     2 units: links at the end of the first, vertices from the second on
-//   general            links in all words but word 0 of the first units, then vertices likewise in the following ones; word
-//                      0 of every unit but the first is a continuation that counts back to the first
+//   general            links, then vertices, in all words but word 0 of its units, vertices in space from a new unit on; word 0
+//                      of every unit but the first is a continuation that counts back to the first
 //   free               units that a cell has left: their number in bits 0 to 26, in w1 the next free record of that size
 // A facet of a cell (a "half-facet") is named by the address of its link word, which is why a link needs no decoding: it is
 // the address of the half-facet on the other side, with bit 31 for the facet's own mark. kNoFacet: the outer boundary.
@@ -34,7 +34,7 @@ constexpr uint32_t kNoCell = 0xffffffffu;
 /** 32 bytes in space, 24 in the plane. */
 template <int D>
 constexpr uint32_t kUnitWords = 2 * (D + 1);
-/** Links or vertices of a general cell in one unit; the units that so many take; the word of one behind the first of its units. */
+/** Of a general cell: how many links and vertices are in a unit, the units that so many take, the word of one. */
 template <int D>
 constexpr uint32_t kUnitItems = kUnitWords<D> - 1;
 template <int D>
@@ -44,6 +44,22 @@ constexpr uint32_t units_for(uint32_t items) {
 template <int D>
 constexpr uint32_t item_word(uint32_t item) {
   return item / kUnitItems<D> * kUnitWords<D> + 1 + item % kUnitItems<D>;
+}
+/** Which of them is its first vertex. In space that begins a unit; polygons, which have few, would waste room so. */
+template <int D>
+constexpr uint32_t first_vertex_item(uint32_t facets) {
+  return D == 3 ? units_for<D>(facets) * kUnitItems<D> : facets;
+}
+template <int D>
+constexpr uint32_t general_units(uint32_t facets, uint32_t vertices) {
+  return units_for<D>(first_vertex_item<D>(facets) + vertices);
+}
+/** Writes word 0 of all units of a general record but the first. */
+template <int D>
+void write_continuations(uint32_t* record, uint32_t units) {
+  for (uint32_t u = 1; u < units; ++u) {
+    record[u * kUnitWords<D>] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | u;
+  }
 }
 
 /** A cell of full dimension: the unit its record starts at. */
@@ -171,7 +187,7 @@ struct Map {
     const Form f = form_of(w[0]);
     if (f == Form::kSimplex) return w[local] & kVertexMask;
     if (f != Form::kGeneral) return w[kUnitWords<D> + local];
-    return w[units_for<D>(shape(c).facet_count()) * kUnitWords<D> + item_word<D>(local)];
+    return w[item_word<D>(first_vertex_item<D>(shape(c).facet_count()) + local)];
   }
   uint64_t memory_bytes() const {
     return array_bytes(words) + array_bytes(shape_tables) + array_bytes(shape_offsets) + array_bytes(unit_of_cell) +

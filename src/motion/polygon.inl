@@ -12,8 +12,8 @@ class ConvexPolygon {
     const Form form = form_of(w[0]);
     is_general_ = form == Form::kGeneral;
     size_ = is_general_ ? env.map.general_shape(w[0]).vertex_count() : Map<2>::standard_vertex_count(form);
-    const uint32_t link_units = is_general_ ? units_for<2>(size_) : form == Form::kSimplex ? 0u : 1u;
-    vertices_ = w + link_units * kUnitWords<2>;
+    vertices_ = w + (form == Form::kBox ? kUnitWords<2> : 0);
+    first_ = is_general_ ? first_vertex_item<2>(size_) : 0;
   }
 
   /** The side through which the segment leaves; kNoFacet: it ends in the cell. `entered`: the side through which it came in; kNoFacet: p
@@ -23,26 +23,27 @@ class ConvexPolygon {
       const uint32_t f = pierced(next(entered), size_ - 1);
       return is_outside(f) ? f : kNoFacet;
     }
-    if (is_general_ && forecast < size_ && is_outside(forecast) && !is_left(forecast) && is_left(next(forecast))) {
-      return forecast;
+    // Sides with q outside follow each other, and not all are such.
+    uint32_t first = forecast < size_ ? forecast : 0, last = first, inside = first;
+    if (is_outside(first)) {
+      for (inside = previous(first); inside != next(last) && is_outside(inside); inside = previous(first))
+        first = inside;
+    } else {
+      do {
+        first = next(first);
+        if (first == inside) return kNoFacet;
+      } while (!is_outside(first));
+      last = first;
     }
-    // Sides with q outside follow each other.
-    uint32_t first = kNoFacet, count = 0;
-    const bool last = is_outside(size_ - 1);
-    bool before = last;
-    for (uint32_t f = 0; f < size_; ++f) {
-      const bool outside = f + 1 == size_ ? last : is_outside(f);
-      first = outside && !before ? f : first;
-      count += outside ? 1u : 0u;
-      before = outside;
-    }
-    return count == 0 ? kNoFacet : pierced(first, count);
+    while (next(last) != inside && is_outside(next(last))) last = next(last);
+    return pierced(first, (last + size_ - first) % size_ + 1);
   }
 
  private:
   uint32_t next(uint32_t i) const noexcept { return i + 1 == size_ ? 0 : i + 1; }
+  uint32_t previous(uint32_t i) const noexcept { return i == 0 ? size_ - 1 : i - 1; }
   const double* at(uint32_t i) const noexcept {
-    return env_.point((is_general_ ? vertices_[item_word<2>(i)] : vertices_[i]) & kVertexMask);
+    return env_.point(vertices_[is_general_ ? item_word<2>(first_ + i) : i] & kVertexMask);
   }
   bool is_outside(uint32_t f) noexcept {
     const double* side[2] = {at(f), at(next(f))};
@@ -71,8 +72,8 @@ class ConvexPolygon {
   const double* p_;
   const double* q_;
   Tally& tally_;
-  const uint32_t* vertices_;  // of a general cell as item_word has them
-  uint32_t size_;
+  const uint32_t* vertices_;
+  uint32_t size_, first_;  // item of a general cell
   bool is_general_;
 };
 

@@ -49,7 +49,8 @@ To bits_as(const From& from) {
   return to;
 }
 
-uint64_t flags_of(const Body<3>& body) {
+template <int D>
+uint64_t flags_of(const Body<D>& body) {
   const Skipping& s = body.skipping;
   return (body.filter.self ? kSelfFlag : 0) | (s.sequences ? kSequencesFlag : 0) |
          (s.by_environment ? kEnvironmentFlag : 0) | (s.by_clearance ? kClearanceFlag : 0) |
@@ -89,7 +90,8 @@ constexpr size_t kContactWords = 19, kAtObstacleKind = 6, kAtKind = 15;  // then
 constexpr size_t kPartnerWords = 8;
 
 /** Whether each facet leads to the cell of the next. One that has lost its other side since it was passed makes what is known worthless. */
-bool is_whole(const Map<3>& map, const Array<uint32_t>& facets) {
+template <int D>
+bool is_whole(const Map<D>& map, const Array<uint32_t>& facets) {
   for (size_t i = 0; i < facets.size(); ++i) {
     const HalfFacet beyond = map.opposite({facets[i]});
     if (!beyond.valid()) return false;
@@ -100,7 +102,8 @@ bool is_whole(const Map<3>& map, const Array<uint32_t>& facets) {
 
 constexpr uint32_t kUnknown = 0xffffffffu;  // instead of a sequence's count
 
-void append_sequence(const Map<3>& map, const EdgeSequence<3>& sequence, Array<uint32_t>& out) {
+template <int D>
+void append_sequence(const Map<D>& map, const EdgeSequence<D>& sequence, Array<uint32_t>& out) {
   if (!sequence.known() || !is_whole(map, sequence.facets)) return append(out, {kUnknown});
   append(out, {2 * static_cast<uint32_t>(sequence.facets.size()) + (sequence.in_rows ? 1 : 0)});
   for (const uint32_t facet : sequence.facets) {
@@ -116,13 +119,12 @@ bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexce
   const bool finite = std::all_of(point, point + D, [](double x) { return std::isfinite(x); });
   return finite && cell.valid() && !is_closed(env, cell) && contains(env, cell, point);
 }
-template bool can_be_at(const Environment<2>&, Cell, const double*) noexcept;
-template bool can_be_at(const Environment<3>&, Cell, const double*) noexcept;
 
-void append(const Scene<3>& scene, const BodyRecord<3>& of, SceneImage& image) {
-  const Environment<3>& env = scene.env;
-  const Map<3>& map = env.map;
-  const Body<3>& body = of.body;
+template <int D>
+void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
+  const Environment<D>& env = scene.env;
+  const Map<D>& map = env.map;
+  const Body<D>& body = of.body;
   const size_t edges = body.edges.size(), vertices = body.vertices.size();
   const size_t sequences =
       std::min(body.sequences.size(), edges);  // there can be room for more, or they are no longer kept
@@ -149,8 +151,8 @@ void append(const Scene<3>& scene, const BodyRecord<3>& of, SceneImage& image) {
   const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
     append(to, from.data(), from.size());
   };
-  for (const BodyVertex<3>& vertex : body.vertices) {
-    append(image.vertex_places, vertex.position, 3);
+  for (const BodyVertex<D>& vertex : body.vertices) {
+    append(image.vertex_places, vertex.position, D);
     append(image.vertices, {to_index(map, vertex.cell), vertex.first_edge});
   }
   append_all(image.vertex_slots, body.vertex_slots.words());
@@ -165,7 +167,7 @@ void append(const Scene<3>& scene, const BodyRecord<3>& of, SceneImage& image) {
   append_all(image.free_faces, body.face_slots.free_slots());
   append_all(image.inserted, body.inserted);
   for (size_t e = 0; e < sequences; ++e) {
-    const EdgeSequence<3>& sequence = body.sequences[e];
+    const EdgeSequence<D>& sequence = body.sequences[e];
     const bool gone = scene.features.live && scene.live.get()->gone.are_in(sequence, of.followed);
     if (gone) {
       append(image.sequences, {kUnknown});
@@ -174,8 +176,9 @@ void append(const Scene<3>& scene, const BodyRecord<3>& of, SceneImage& image) {
     }
   }
   for (size_t v = 0; v < balls; ++v) {
-    const Clearance<3>& ball = body.clearances[v];
-    append(image.balls, {ball.centre[0], ball.centre[1], ball.centre[2], ball.radius, ball.wanted});
+    const Clearance<D>& ball = body.clearances[v];
+    append(image.balls, ball.centre, D);
+    append(image.balls, {ball.radius, ball.wanted});
     append(image.ball_words,
            {ball.wait, ball.patience, ball.radius > 0 && ball.version == env.obstacle_version ? 1u : 0u});
   }
@@ -189,16 +192,18 @@ void append(const Scene<3>& scene, const BodyRecord<3>& of, SceneImage& image) {
   }
 }
 
+template <int D>
 template <class T>
-const T* BodyReader::take(const Array<T>& from, size_t& at, uint64_t count) {
+const T* BodyReader<D>::take(const Array<T>& from, size_t& at, uint64_t count) {
   if (count > from.size() - at) fail_corrupt("a body ends early");
   const T* const first = from.data() + at;
   at += static_cast<size_t>(count);
   return first;
 }
 
-SlotPool BodyReader::read_slots(const Array<uint32_t>& words, size_t& at, uint64_t count, const Array<uint32_t>& free,
-                                size_t& free_at, uint64_t free_count) {
+template <int D>
+SlotPool BodyReader<D>::read_slots(const Array<uint32_t>& words, size_t& at, uint64_t count,
+                                   const Array<uint32_t>& free, size_t& free_at, uint64_t free_count) {
   const Allocator<uint32_t> allocator(env_.memory);
   const uint32_t *const first = take(words, at, count), *const first_free = take(free, free_at, free_count);
   SlotPool slots(env_.memory);
@@ -209,18 +214,19 @@ SlotPool BodyReader::read_slots(const Array<uint32_t>& words, size_t& at, uint64
   return slots;
 }
 
-void BodyReader::read_parts(Body<3>& body, const uint64_t* n) {
+template <int D>
+void BodyReader<D>::read_parts(Body<D>& body, const uint64_t* n) {
   const uint64_t vertices = n[kVertices], edges = n[kEdges], faces = n[kFaces];
   if (std::max({vertices, edges, faces}) >= kNone) fail_corrupt("a body is too large");
-  const double* place = take(image_.vertex_places, vertex_place_, 3 * vertices);
+  const double* place = take(image_.vertex_places, vertex_place_, D * vertices);
   const uint32_t* words = take(image_.vertices, vertex_, 2 * vertices);
   body.vertices.resize(static_cast<size_t>(vertices));
-  for (BodyVertex<3>& vertex : body.vertices) {
-    std::copy_n(place, 3, vertex.position);
+  for (BodyVertex<D>& vertex : body.vertices) {
+    std::copy_n(place, D, vertex.position);
     vertex.cell = to_cell(env_.map, words[0]);
     if (words[0] != kNoIndex && !vertex.cell.valid()) fail_corrupt("the cell of a vertex");
     vertex.first_edge = words[1];
-    place += 3;
+    place += D;
     words += 2;
   }
   words = take(image_.edges, edge_, 6 * edges);
@@ -245,13 +251,14 @@ void BodyReader::read_parts(Body<3>& body, const uint64_t* n) {
   body.inserted.assign(words, words + n[kInserted]);
 }
 
-void BodyReader::read_sequences(Body<3>& body, uint64_t count) {
-  const Map<3>& map = env_.map;
+template <int D>
+void BodyReader<D>::read_sequences(Body<D>& body, uint64_t count) {
+  const Map<D>& map = env_.map;
   const bool fits = body.keeps_sequences() ? count == body.edges.size() : count <= body.edges.size();
   if (!fits) fail_corrupt("the number of sequences");
   keep_sequences(body, static_cast<size_t>(count));
   Array<uint32_t> facets{Allocator<uint32_t>(env_.memory)};
-  for (EdgeSequence<3>& sequence : body.sequences) {
+  for (EdgeSequence<D>& sequence : body.sequences) {
     const uint32_t word = *take(image_.sequences, sequence_, 1);
     if (word == kUnknown) {
       sequence.facets.reserve(1);
@@ -274,20 +281,21 @@ void BodyReader::read_sequences(Body<3>& body, uint64_t count) {
 }
 
 /** A ball that is said to be free has to be. */
-void BodyReader::read_balls(Body<3>& body, uint64_t count) {
+template <int D>
+void BodyReader<D>::read_balls(Body<D>& body, uint64_t count) {
   if (count != (body.skipping.by_clearance ? body.vertices.size() : 0)) fail_corrupt("the number of clearances");
-  const double* place = take(image_.balls, ball_, 5 * count);
+  const double* place = take(image_.balls, ball_, (D + 2) * count);
   const uint32_t* words = take(image_.ball_words, ball_word_, 3 * count);
   body.clearances.resize(static_cast<size_t>(count));
-  for (size_t v = 0; v < count; ++v, place += 5, words += 3) {
-    Clearance<3>& ball = body.clearances[v];
-    std::copy_n(place, 3, ball.centre);
-    ball.radius = place[3];
-    ball.wanted = place[4];
+  for (size_t v = 0; v < count; ++v, place += D + 2, words += 3) {
+    Clearance<D>& ball = body.clearances[v];
+    std::copy_n(place, D, ball.centre);
+    ball.radius = place[D];
+    ball.wanted = place[D + 1];
     ball.wait = words[0];
     ball.patience = words[1];
-    ball.version = words[2] == 1 ? env_.obstacle_version : EdgeSequence<3>::kNever;
-    const bool finite = std::all_of(place, place + 4, [](double x) { return std::isfinite(x); });
+    ball.version = words[2] == 1 ? env_.obstacle_version : EdgeSequence<D>::kNever;
+    const bool finite = std::all_of(place, place + D + 1, [](double x) { return std::isfinite(x); });
     if (!finite || std::isnan(ball.wanted) || words[2] > 1 || !(ball.radius > 0 || (ball.radius == 0 && words[2] == 0)))
       fail_corrupt("a clearance");
     if (words[2] == 0) continue;
@@ -299,7 +307,8 @@ void BodyReader::read_balls(Body<3>& body, uint64_t count) {
   }
 }
 
-void BodyReader::read_contacts(BodyRecord<3>& of, uint64_t count) {
+template <int D>
+void BodyReader<D>::read_contacts(BodyRecord<D>& of, uint64_t count) {
   if (count > image_.contacts.size()) fail_corrupt("the number of contacts");
   const double* place = take(image_.contact_places, contact_place_, kContactPlaces * count);
   const uint32_t* words = take(image_.contacts, contact_, kContactWords * count);
@@ -317,7 +326,8 @@ void BodyReader::read_contacts(BodyRecord<3>& of, uint64_t count) {
   }
 }
 
-void BodyReader::read_partners(BodyRecord<3>& of, uint64_t count) {
+template <int D>
+void BodyReader<D>::read_partners(BodyRecord<D>& of, uint64_t count) {
   if (count > image_.partners.size() || (count != 0 && count != of.record.contacts.size())) {
     fail_corrupt("the number of partners");
   }
@@ -329,19 +339,21 @@ void BodyReader::read_partners(BodyRecord<3>& of, uint64_t count) {
   }
 }
 
-void BodyReader::check(const Body<3>& body) {
+template <int D>
+void BodyReader<D>::check(const Body<D>& body) {
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     if (body.has_vertex(v) && !can_be_at(env_, body.vertices[v].cell, body.position(v))) {
       fail_corrupt("a vertex is not where it is said to be, or that was in another environment");
     }
   }
   Array<uint32_t> blocked{Allocator<uint32_t>(env_.memory)};
-  BodyProbe<3>(env_, Obstacle::kCells).find_blocked(body, body.level, blocked);
+  BodyProbe<D>(env_, Obstacle::kCells).find_blocked(body, body.level, blocked);
   if (!blocked.empty()) fail_corrupt("a body is not free, or that was in another environment");
 }
 
-void BodyReader::read(BodyRecord<3>& of) {
-  Body<3>& body = of.body;
+template <int D>
+void BodyReader<D>::read(BodyRecord<D>& of) {
+  Body<D>& body = of.body;
   const uint64_t* const n = take(image_.bodies, body_, kNumbers);
   if (n[kLevel] > static_cast<uint64_t>(SweepLevel::kFaces) || n[kFlags] > kAllFlags) fail_corrupt("a body's level");
   body.level = static_cast<SweepLevel>(n[kLevel]);
@@ -364,7 +376,8 @@ void BodyReader::read(BodyRecord<3>& of) {
   reserve(body, 0, 0, 0);
 }
 
-void BodyReader::skip() {
+template <int D>
+void BodyReader<D>::skip() {
   const uint64_t* const n = take(image_.bodies, body_, kNumbers);
   uint64_t numbers[kNumbers] = {};
   const Skipping none;
@@ -376,7 +389,8 @@ void BodyReader::skip() {
   if (!std::equal(n, n + kNumbers, numbers)) fail_corrupt("a slot without a body");
 }
 
-void BodyReader::finish() const {
+template <int D>
+void BodyReader<D>::finish() const {
   const SceneImage& i = image_;
   const bool all =
       body_ == i.bodies.size() && vertex_place_ == i.vertex_places.size() && vertex_ == i.vertices.size() &&
@@ -387,5 +401,13 @@ void BodyReader::finish() const {
       contact_place_ == i.contact_places.size() && contact_ == i.contacts.size() && partner_ == i.partners.size();
   if (!all) fail_corrupt("more of bodies than there are");
 }
+
+#define DSW_BODY_IMAGE(D)                                                                      \
+  template bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexcept; \
+  template void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image);     \
+  template class BodyReader<D>
+DSW_BODY_IMAGE(2);
+DSW_BODY_IMAGE(3);
+#undef DSW_BODY_IMAGE
 
 }  // namespace dsw

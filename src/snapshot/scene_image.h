@@ -33,7 +33,7 @@ struct SceneImage {
 
   explicit SceneImage(const Memory* memory);
 
-  static constexpr uint32_t kSections = 25, kFirstOfBodies = 5;
+  static constexpr uint32_t kSections = 25;
 
   /** Calls visit(array) for all arrays in the order of their sections. */
   template <class Visit>
@@ -70,16 +70,18 @@ template <int D>
 bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexcept;
 
 /** Appends a body, or a slot without one. Throws std::bad_alloc. */
-void append(const Scene<3>& scene, const BodyRecord<3>& of, SceneImage& image);
+template <int D>
+void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image);
 
 /** Takes bodies from an image, which is not trusted: Error with CORRUPT, or std::bad_alloc. */
+template <int D>
 class BodyReader {
  public:
-  BodyReader(const Environment<3>& env, const SceneImage& image) : env_(env), image_(image) {}
+  BodyReader(const Environment<D>& env, const SceneImage& image) : env_(env), image_(image) {}
 
   /** The next one, into an empty record; it is sound, in its cells and free at its level. Whether it is apart from other bodies is not
    * looked at. */
-  void read(BodyRecord<3>& of);
+  void read(BodyRecord<D>& of);
   /** The next one, which must be empty. */
   void skip();
   /** After the last one: nothing may be left. */
@@ -91,14 +93,14 @@ class BodyReader {
   const T* take(const Array<T>& from, size_t& at, uint64_t count);
   SlotPool read_slots(const Array<uint32_t>& words, size_t& at, uint64_t count, const Array<uint32_t>& free,
                       size_t& free_at, uint64_t free_count);
-  void read_parts(Body<3>& body, const uint64_t* numbers);
-  void read_sequences(Body<3>& body, uint64_t count);
-  void read_balls(Body<3>& body, uint64_t count);
-  void read_contacts(BodyRecord<3>& of, uint64_t count);
-  void read_partners(BodyRecord<3>& of, uint64_t count);
-  void check(const Body<3>& body);
+  void read_parts(Body<D>& body, const uint64_t* numbers);
+  void read_sequences(Body<D>& body, uint64_t count);
+  void read_balls(Body<D>& body, uint64_t count);
+  void read_contacts(BodyRecord<D>& of, uint64_t count);
+  void read_partners(BodyRecord<D>& of, uint64_t count);
+  void check(const Body<D>& body);
 
-  const Environment<3>& env_;
+  const Environment<D>& env_;
   const SceneImage& image_;
   // Where the next body begins in each array.
   size_t body_ = 0, vertex_place_ = 0, vertex_ = 0, vertex_slot_ = 0, free_vertex_ = 0, edge_ = 0, edge_slot_ = 0,

@@ -57,9 +57,7 @@ SceneImage image_of(const Scene<D>& scene) {
   image.free_particles = scene.slots.free_slots();
   image.body_slots = scene.body_slots.words();
   image.free_bodies = scene.body_slots.free_slots();
-  if constexpr (D == 3) {
-    for (const BodyRecord<3>& each : scene.bodies) append(scene, each, image);
-  }
+  for (const BodyRecord<D>& each : scene.bodies) append(scene, each, image);
   return image;
 }
 
@@ -101,31 +99,33 @@ void load_particles(Scene<D>& scene, SceneImage& image) {
 }
 
 /** Gives loaded bodies what those of the scene keep, and lets them meet each other if they are apart. */
-void join_bodies(Scene<3>& scene) {
+template <int D>
+void join_bodies(Scene<D>& scene) {
   const auto for_each_body = [&](auto visit) {
     for (uint32_t slot = 0; slot < scene.bodies.size(); ++slot) {
       if (scene.body_slots.alive(slot, scene.body_slots.generation(slot))) visit(slot, scene.bodies[slot]);
     }
   };
   if (scene.keeps_boxes()) scene.body_boxes.reserve(scene.bodies.size());
-  for_each_body([&](uint32_t slot, BodyRecord<3>& of) {
+  for_each_body([&](uint32_t slot, BodyRecord<D>& of) {
     const size_t partners = scene.features.contacts ? of.record.contacts.size() : 0;
     if (of.record.partners.size() != partners) fail_corrupt("the number of partners");
     prepare_body(scene, of);
     note_body(scene, slot);
   });
   if (!scene.features.contacts) return;
-  for_each_body([&](uint32_t, const BodyRecord<3>& of) {
-    Partners<3> partners(scene.memory);
+  for_each_body([&](uint32_t, const BodyRecord<D>& of) {
+    Partners<D> partners(scene.memory);
     find_partners(scene, of.body, reach_of(of.body), partners);
     const auto stop = [](uint32_t, uint32_t) { return false; };
     if (!is_body_apart(partners, of.body, of.body.level, stop)) fail_corrupt("bodies touch");
   });
 }
 
-void load_bodies(Scene<3>& scene, SceneImage& image) {
+template <int D>
+void load_bodies(Scene<D>& scene, SceneImage& image) {
   restore(scene.body_slots, image.body_slots, image.free_bodies);
-  BodyReader reader(scene.env, image);
+  BodyReader<D> reader(scene.env, image);
   const size_t count = scene.body_slots.slot_count();
   if (count > image.bodies.size()) fail_corrupt("bodies: size");
   scene.bodies.reserve(count);
@@ -195,13 +195,7 @@ void load(Scene<D>& scene, const uint8_t* block, size_t size) {
   }
   scene.statistics = to_statistics(image.numbers.data());
   load_particles(scene, image);
-  if constexpr (D == 3) {
-    load_bodies(scene, image);
-  } else {
-    for (uint32_t s = SceneImage::kFirstOfBodies; s < SceneImage::kSections; ++s) {
-      if (reader.header().bytes[s] != 0) fail_corrupt("bodies in the plane");
-    }
-  }
+  load_bodies(scene, image);
 }
 
 #define DSW_SCENE_SNAPSHOT(D)                                       \

@@ -59,13 +59,11 @@ class Narrowing {
       std::copy_n(from + (apart ? kWideUnitWords : 0), vertices, to + (apart ? kUnitWords<2> : 0));
       return;
     }
-    const uint32_t link_units = units_for<2>(vertices);  // there are as many sides
-    for (uint32_t u = 1; u < 2 * link_units; ++u) {
-      to[u * kUnitWords<2>] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | u;
-    }
-    const uint32_t* const from_vertices = from + wide_units_for(vertices) * kWideUnitWords;
+    const uint32_t sides = vertices;  // as many
+    write_continuations<2>(to, general_units<2>(sides, vertices));
+    const uint32_t* const from_vertices = from + wide_units_for(sides) * kWideUnitWords;
     for (uint32_t k = 0; k < vertices; ++k) {
-      to[link_units * kUnitWords<2> + item_word<2>(k)] = from_vertices[wide_item_word(k)];
+      to[item_word<2>(first_vertex_item<2>(sides) + k)] = from_vertices[wide_item_word(k)];
     }
   }
 

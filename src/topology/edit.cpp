@@ -236,16 +236,13 @@ template <int D>
 void Edit<D>::write_general(const Layout& layout, Made& made) {
   const auto facets = static_cast<uint32_t>(layout.facets.size());
   const auto count = static_cast<uint32_t>(layout.vertices.size());
-  const uint32_t link_units = units_for<D>(facets);
   made.shape = take_shape(map_, layout.table);
-  made.units = link_units + units_for<D>(count);
+  made.units = general_units<D>(facets, count);
   made.cell = {take_record(map_, made.units)};
   uint32_t* const w = map_.record(made.cell);
   w[0] = static_cast<uint32_t>(Form::kGeneral) << kFormShift | made.shape;
-  for (uint32_t u = 1; u < made.units; ++u) {
-    w[u * kUnitWords<D>] = static_cast<uint32_t>(Form::kContinuation) << kFormShift | u;
-  }
-  for (uint32_t k = 0; k < count; ++k) w[link_units * kUnitWords<D> + item_word<D>(k)] = layout.vertices[k];
+  write_continuations<D>(w, made.units);
+  for (uint32_t k = 0; k < count; ++k) w[item_word<D>(first_vertex_item<D>(facets) + k)] = layout.vertices[k];
 }
 
 /** A cell that only changes keeps its index and gets the next generation. */

@@ -27,11 +27,14 @@ class Addition {
   Addition(const Addition&) = delete;
   Addition& operator=(const Addition&) = delete;
 
+  /** Of the plane with 0 as its third coordinate. */
+  template <int D>
   uint32_t point(const double* p) {
     const size_t index = trace_.point_count();
     if (index >= UINT32_MAX) fail(DSW_STATUS_TOO_LARGE, "a trace holds at most 2^32 - 1 points");
     reserve_more(trace_.points, 3);
-    trace_.points.insert(trace_.points.end(), p, p + 3);
+    trace_.points.insert(trace_.points.end(), p, p + D);
+    trace_.points.insert(trace_.points.end(), 3 - D, 0.0);
     return static_cast<uint32_t>(index);
   }
   void dot(uint32_t a) { primitive(trace_.vertices, trace_.vertex_labels, {a}); }
@@ -62,42 +65,50 @@ class Addition {
 };
 
 /** Points of one addition, each added once. */
+template <int D>
 class SharedPoints {
  public:
-  SharedPoints(Addition& addition, const Environment<3>& env)
+  SharedPoints(Addition& addition, const Environment<D>& env)
       : addition_(addition), env_(env), index_(env.map.vertex_count, kNone, Allocator<uint32_t>(env.memory)) {}
   uint32_t operator[](uint32_t vertex) {
-    if (index_[vertex] == kNone) index_[vertex] = addition_.point(env_.point(vertex));
+    if (index_[vertex] == kNone) index_[vertex] = addition_.point<D>(env_.point(vertex));
     return index_[vertex];
   }
 
  private:
   static constexpr uint32_t kNone = UINT32_MAX;
   Addition& addition_;
-  const Environment<3>& env_;
+  const Environment<D>& env_;
   Array<uint32_t> index_;
 };
 
-/** Adds triangles `begin` .. `end` - 1 of a cell; `point` gives the trace's point of a local vertex. */
-template <class Point>
-void add_triangles(Addition& addition, const Shape& shape, uint32_t begin, uint32_t end, const Point& point) {
+/** Adds simplices `begin` .. `end` - 1 of a cell: triangles, or the segments that sides are; `point` gives the trace's point of a local
+ * vertex. */
+template <int D, class Point>
+void add_simplices(Addition& addition, const Shape& shape, uint32_t begin, uint32_t end, const Point& point) {
   for (uint32_t s = begin; s < end; ++s) {
-    const uint16_t* local = shape.simplices() + 3 * s;
-    const uint32_t a = point(local[0]), b = point(local[1]), c = point(local[2]);
-    addition.triangle(a, b, c);
+    const uint16_t* local = shape.simplices() + static_cast<uint32_t>(D) * s;
+    const uint32_t a = point(local[0]), b = point(local[1]);
+    if constexpr (D == 3) {
+      addition.triangle(a, b, point(local[2]));
+    } else {
+      addition.segment(a, b);
+    }
   }
 }
 
 /** A marked facet between two passable cells is added from its canonical side only. */
-bool is_shown(const Map<3>& map, HalfFacet h, bool with_boundary) {
+template <int D>
+bool is_shown(const Map<D>& map, HalfFacet h, bool with_boundary) {
   if (!is_impassable(map, h)) return false;
   const HalfFacet o = map.opposite(h);
   if (!o.valid()) return with_boundary;
   return map.marked(map.cell_of(o)) || canonical(map, h) == h;
 }
 
+template <int D>
 void point_on(const double* from, const double* to, double time, double* out) {
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < D; ++k) {
     const double step = to[k] - from[k];
     out[k] = std::isfinite(step) ? from[k] + time * step : (1 - time) * from[k] + time * to[k];
   }
@@ -107,9 +118,9 @@ void add_contact(Addition& addition, const dsw_flight& flight, double normal_len
   if (flight.outcome != DSW_OUTCOME_CONTACT) return;
   double end[3];
   for (int k = 0; k < 3; ++k) end[k] = flight.position[k] + normal_length * flight.normal[k];
-  const uint32_t a = addition.point(flight.position);
+  const uint32_t a = addition.point<3>(flight.position);
   addition.dot(a);
-  addition.segment(a, addition.point(end));
+  addition.segment(a, addition.point<3>(end));
 }
 
 }  // namespace
@@ -124,22 +135,24 @@ void clear(Trace& trace) noexcept {
   trace.triangle_labels.clear();
 }
 
-void add_cells(Trace& trace, const Environment<3>& env, const Cell* cells, size_t count, uint32_t label) {
+template <int D>
+void add_cells(Trace& trace, const Environment<D>& env, const Cell* cells, size_t count, uint32_t label) {
   Addition addition(trace, label);
   Array<uint32_t> points{Allocator<uint32_t>(trace.memory())};
   for (size_t i = 0; i < count; ++i) {
     const Shape shape = env.map.shape(cells[i]);
     points.clear();
-    for (uint32_t k = 0; k < shape.vertex_count(); ++k) points.push_back(addition.point(env.point(cells[i], k)));
-    add_triangles(addition, shape, 0, shape.simplex_count(), [&](uint32_t local) { return points[local]; });
+    for (uint32_t k = 0; k < shape.vertex_count(); ++k) points.push_back(addition.point<D>(env.point(cells[i], k)));
+    add_simplices<D>(addition, shape, 0, shape.simplex_count(), [&](uint32_t local) { return points[local]; });
   }
   addition.keep();
 }
 
-void add_impassable(Trace& trace, const Environment<3>& env, bool with_boundary, uint32_t label) {
-  const Map<3>& map = env.map;
+template <int D>
+void add_impassable(Trace& trace, const Environment<D>& env, bool with_boundary, uint32_t label) {
+  const Map<D>& map = env.map;
   Addition addition(trace, label);
-  SharedPoints points(addition, env);
+  SharedPoints<D> points(addition, env);
   Array<uint64_t> edges{Allocator<uint64_t>(env.memory)};
   edges.reserve(env.edge_marks.size());
   env.edge_marks.copy_sorted(edges);
@@ -150,8 +163,8 @@ void add_impassable(Trace& trace, const Environment<3>& env, bool with_boundary,
     const Shape shape = map.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
       if (!is_shown(map, map.half_facet(c, f), with_boundary)) continue;
-      add_triangles(addition, shape, shape.simplex_first(f), shape.simplex_first(f + 1),
-                    [&](uint32_t local) { return points[map.vertex(c, local)]; });
+      add_simplices<D>(addition, shape, shape.simplex_first(f), shape.simplex_first(f + 1),
+                       [&](uint32_t local) { return points[map.vertex(c, local)]; });
     }
     for (uint32_t d = 0; !edges.empty() && d < shape.dart_count(); ++d) {
       const uint64_t a = dart_vertex(map, {c, d}), b = dart_target(map, {c, d});
@@ -175,7 +188,8 @@ void add_impassable(Trace& trace, const Environment<3>& env, bool with_boundary,
   addition.keep();
 }
 
-void add_walk(Trace& trace, const Environment<3>& env, dsw_volume_id start, const double* from, const double* to,
+template <int D>
+void add_walk(Trace& trace, const Environment<D>& env, dsw_volume_id start, const double* from, const double* to,
               const SegmentOptions& options, double normal_length, uint32_t label) {
   SegmentOptions detailed = options;
   detailed.detail = true;  // a walk without times and places could not be drawn
@@ -189,14 +203,14 @@ void add_walk(Trace& trace, const Environment<3>& env, dsw_volume_id start, cons
   Addition addition(trace, label);
   uint32_t last = 0;
   for (size_t i = 0; i < count; ++i) {
-    double p[3];
-    point_on(from, to, crossings[i].time, p);
-    const uint32_t next = addition.point(p);
+    double p[D];
+    point_on<D>(from, to, crossings[i].time, p);
+    const uint32_t next = addition.point<D>(p);
     addition.dot(next);
     if (i != 0) addition.segment(last, next);
     last = next;
   }
-  addition.segment(last, addition.point(flight.position));
+  addition.segment(last, addition.point<3>(flight.position));
   add_contact(addition, flight, normal_length);
   addition.keep();
 }
@@ -206,5 +220,14 @@ void add_contact(Trace& trace, const dsw_flight& flight, double normal_length, u
   add_contact(addition, flight, normal_length);
   addition.keep();
 }
+
+#define DSW_TRACE(D)                                                                                                 \
+  template void add_cells(Trace& trace, const Environment<D>& env, const Cell* cells, size_t count, uint32_t label); \
+  template void add_impassable(Trace& trace, const Environment<D>& env, bool with_boundary, uint32_t label);         \
+  template void add_walk(Trace& trace, const Environment<D>& env, dsw_volume_id start, const double* from,           \
+                         const double* to, const SegmentOptions& options, double normal_length, uint32_t label)
+DSW_TRACE(2);
+DSW_TRACE(3);
+#undef DSW_TRACE
 
 }  // namespace dsw

@@ -29,15 +29,18 @@ struct Trace {
 /** Empties a trace; its memory stays. */
 void clear(Trace& trace) noexcept;
 
-/** Adds the boundary triangles of cells, counter-clockwise seen from outside. */
-void add_cells(Trace& trace, const Environment<3>& env, const Cell* cells, size_t count, uint32_t label);
+/** Adds the boundary triangles of cells, counter-clockwise seen from outside; in the plane their sides, as they turn. */
+template <int D>
+void add_cells(Trace& trace, const Environment<D>& env, const Cell* cells, size_t count, uint32_t label);
 
-/** Adds what is impassable and borders a passable cell: triangles of facets, counter-clockwise seen from outside of the
- * passable cell (of the canonical one where both are); marked edges; marked vertices. */
-void add_impassable(Trace& trace, const Environment<3>& env, bool with_boundary, uint32_t label);
+/** Adds what is impassable and borders a passable cell: simplices of facets as add_cells has them, of the passable cell (of the canonical
+ * one where both are); marked edges; marked vertices. */
+template <int D>
+void add_impassable(Trace& trace, const Environment<D>& env, bool with_boundary, uint32_t label);
 
 /** Adds the walk of a segment, and its contact. Arguments have been checked; a walk that cannot start adds nothing. */
-void add_walk(Trace& trace, const Environment<3>& env, dsw_volume_id start, const double* from, const double* to,
+template <int D>
+void add_walk(Trace& trace, const Environment<D>& env, dsw_volume_id start, const double* from, const double* to,
               const SegmentOptions& options, double normal_length, uint32_t label);
 
 /** Adds a dot at a contact and a segment along its normal; nothing for a flight without. */

@@ -8,10 +8,11 @@
 namespace dsw {
 
 /** Whether a body point is in a cell, under the shift. */
-bool exactly_contains(const Environment<3>& env, Cell c, const double* point) noexcept;
+template <int D>
+bool exactly_contains(const Environment<D>& env, Cell c, const double* point) noexcept;
 
 /** A segment or a triangle of body points and what of the environment it meets: a segment impassable faces, a triangle edges of these and
- * wires. Two points that are equal meet nothing. */
+ * wires; in the plane a segment impassable sides, a triangle vertices of these and single ones. Two points that are equal meet nothing. */
 struct Claim {
   const double* points[3] = {};  // lent; the third is null for a segment
   uint32_t subject = 0;          // whom it is about
@@ -20,10 +21,11 @@ struct Claim {
   double time = 2;
 };
 
+template <int D>
 class Judge {
  public:
-  explicit Judge(const Environment<3>& env)
-      : env_(env), claims_(Allocator<Claim>(env.memory)), boxes_(Allocator<Box<3>>(env.memory)) {}
+  explicit Judge(const Environment<D>& env)
+      : env_(env), claims_(Allocator<Claim>(env.memory)), boxes_(Allocator<Box<D>>(env.memory)) {}
 
   void add(uint32_t subject, const double* p, const double* q, const double* r = nullptr);
   /** Holds all claims against all obstacles. O(obstacles * claims), but only boxes where they are apart. */
@@ -33,13 +35,14 @@ class Judge {
   bool is_folded(size_t claim) const noexcept;
 
  private:
-  void meet_triangle(const double* const* triangle) noexcept;
-  void meet_line(const double* a, const double* b) noexcept;
+  /** A simplex of a facet; a ridge of one, which is D - 1 points. */
+  void meet_simplex(const double* const* simplex) noexcept;
+  void meet_ridge(const double* const* ridge) noexcept;
 
-  const Environment<3>& env_;
+  const Environment<D>& env_;
   Array<Claim> claims_;
-  Array<Box<3>> boxes_;  // of claims
-  Box<3> all_;
+  Array<Box<D>> boxes_;  // of claims
+  Box<D> all_;
 };
 
 }  // namespace dsw
