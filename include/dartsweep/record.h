@@ -47,8 +47,8 @@ DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
  * written before it is made, and after it what came of it. Calls that are refused change nothing: they are not written, or as calls that
  * failed. Of a deformation those points are written that move. To record one call is to begin, call and end.
  * @param scene [in,out] @param desc [in] with a path or a function, or DSW_RECORDING_LATEST.
- * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, UNSUPPORTED (flags; more than one of path, function and LATEST; the plane), IN_USE (it
- * is being recorded), OUT_OF_MEMORY, WRITE_FAILED: nothing is recorded, though something may have been written.
+ * @return DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, UNSUPPORTED (flags; more than one of path, function and LATEST), IN_USE (it is being
+ * recorded), OUT_OF_MEMORY, WRITE_FAILED: nothing is recorded, though something may have been written.
  * @note O(environment). Each call then costs the writing of its arguments; a scene that is not recorded pays nothing. Thread: writer of the
  * environment. @since 1.0 */
 DSW_API dsw_status dsw_scene_start_recording(dsw_scene *scene, const dsw_recording_desc *desc);

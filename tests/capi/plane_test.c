@@ -359,22 +359,65 @@ static void snapshots_come_back(void) {
   CHECK_OK(dsw_environment_destroy(environment));
 }
 
-static int write_nothing(void *user, const void *bytes, size_t size) {
-  (void)user, (void)bytes, (void)size;
+typedef struct tape {
+  unsigned char bytes[65536];
+  size_t size;
+} tape;
+
+static int write_tape(void *user, const void *bytes, size_t size) {
+  tape *const t = user;
+  if (t->size + size > sizeof t->bytes) return 1;
+  memcpy(t->bytes + t->size, bytes, size);
+  t->size += size;
   return 0;
 }
 
-static void what_is_not_there_yet_says_so(void) {
+static void recordings_are_made_again(void) {
+  static const double rope[3][2] = {{0.25, 0.25}, {0.5, 0.5}, {0.75, 0.25}};
+  static const double pulled[3][2] = {{0.5, 0.25}, {2.5, 0.5}, {0.75, -3}};
+  static const uint32_t edges[] = {0, 1, 1, 2};
+  const double start[2] = {0.5, 0.75}, target[2] = {1.5, 9};
+  const dsw_face_id side = face_at(0, 2);
   dsw_environment *const environment = make_plane();
-  dsw_scene *const scene = make_scene(environment, 0);
+  dsw_scene *const scene = make_scene(environment, DSW_FEATURE_STATISTICS);
+  static tape one;
   dsw_recording_desc recording;
+  dsw_body_desc body;
+  dsw_body_id id;
+  dsw_particle_id particle;
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  dsw_verdict verdict = {0};
+  char text[200];
+  size_t size, calls = 0;
+  verdict.struct_size = sizeof verdict;
   dsw_recording_desc_init(&recording, sizeof recording);
-  recording.write = write_nothing;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_start_recording(scene, &recording));
-  /* No file is written anew for nothing. */
-  recording.write = NULL;
-  recording.path = "no/such/folder/recording";
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_start_recording(scene, &recording));
+  recording.write = write_tape;
+  recording.user = &one;
+  recording.flags = DSW_RECORDING_STATES;
+  CHECK_OK(dsw_scene_start_recording(scene, &recording));
+  CHECK_OK(dsw_environment_mark_faces(environment, &side, 1, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_particle_create(scene, start, no_volume, &particle));
+  CHECK_OK(dsw_particle_move(scene, particle, target, NULL, NULL));
+  dsw_body_desc_init(&body, sizeof body);
+  body.positions = rope[0];
+  body.vertex_count = 3;
+  body.edges = edges;
+  body.edge_count = 2;
+  CHECK_OK(dsw_body_create(scene, &body, &id));
+  CHECK_OK(dsw_body_move(scene, id, pulled[0], 3, 0, NULL, NULL));
+  CHECK_OK(dsw_scene_stop_recording(scene));
+  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  for (;; ++calls) {
+    CHECK_OK(dsw_replay_describe_next(replay, text, sizeof text, &size));
+    if (calls == 2) CHECK(strncmp(text, "particle 0.1 target [ 1.5 9 ]", 29) == 0);
+    CHECK_OK(dsw_replay_step_judged(replay, &report, &verdict));
+    CHECK(verdict.is_right && strcmp(verdict.text, "") == 0);
+    if (report.outcome != DSW_REPLAY_SAME) break;
+  }
+  CHECK(report.outcome == DSW_REPLAY_END && calls == 5);
+  CHECK(verdict.places == 4 && verdict.edges == 2);
+  CHECK_OK(dsw_replay_destroy(replay));
   CHECK_OK(dsw_scene_destroy(scene));
   CHECK_OK(dsw_environment_destroy(environment));
 }
@@ -426,7 +469,7 @@ int main(void) {
   cells_are_marked();
   particles_move();
   snapshots_come_back();
-  what_is_not_there_yet_says_so();
+  recordings_are_made_again();
   refused_memory_changes_nothing();
   return check_result();
 }
