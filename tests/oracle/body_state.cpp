@@ -79,6 +79,7 @@ dsw_status create_body(dsw_scene* scene, const BodyPlan& plan, dsw_level level, 
   desc.flags = flags;
   desc.level = level;
   desc.positions = plan.at[0].data();
+  desc.stride_bytes = sizeof(Vec);
   desc.vertex_count = plan.at.size();
   desc.stride_bytes = sizeof(Vec);
   desc.hints = hints.empty() ? nullptr : hints.data();

@@ -7,7 +7,7 @@
 
 namespace dsw::oracle {
 
-/// What a body is made from.
+/// What a body is made from. In the plane the last of three coordinates is 0.
 struct BodyPlan {
   std::vector<Vec> at;
   std::vector<std::array<uint32_t, 2>> edges;

@@ -1,8 +1,7 @@
 // Two bodies in easy places: filters, levels, touching, responses, rigid moves, edits, walls, memory, threads.
 #include "deform_support.h"
 #include "host_memory.h"
-#include "pairs_support.h"
-#include "threads.h"
+#include "pairs_crowd.h"
 
 namespace dsw::oracle {
 namespace {
@@ -301,75 +300,17 @@ TEST_F(TwoBodiesTest, MemoryThatRunsOutLeavesAllAsItWas) {
   until_it_succeeds([&] { return dsw_body_set_filter(scene(), bodies[0], 1, 0); }, [&] { return state() == before; });
 }
 
-/// Many bodies that push each other, moved together or one after the other.
-std::string answers(dsw_context* context, bool together) {
+/// Many bodies in space, see Crowd.
+std::string space_answers(dsw_context* context, bool together) {
   const Place place = place_of(hex_grid(axis(8, 1), axis(8, 1), axis(8, 1)), 0, context);
-  const ScenePtr scene = make_scene(place.get(), DSW_FEATURE_BODY_CONTACTS);
-  Rng rng(5);
-  std::vector<dsw_body_id> bodies;
-  for (int tries = 0; tries < 400 && bodies.size() < 90; ++tries) {
+  Crowd crowd(place.get(), 3, DSW_LEVEL_FACES);
+  return crowd.answers(60, 6, together, [](Rng& rng, size_t i) {
     const Vec at = {rng.range(0.1, 7), rng.range(0.1, 7), rng.range(0.1, 7)};
-    const BodyPlan plan = tries % 3 == 0 ? segment(at, {at[0] + 0.7, at[1] + 0.3, at[2] + 0.5}) : tetrahedron(at, 0.6);
-    dsw_body_id body;
-    if (create_body(scene.get(), plan, DSW_LEVEL_FACES, tries % 2 == 0 ? DSW_BODY_SELF_CONTACTS : 0, {}, &body) ==
-        DSW_STATUS_OK) {
-      bodies.push_back(body);
-    }
-  }
-  EXPECT_GT(bodies.size(), 60u);
-  std::string text;
-  size_t contacts = 0;
-  for (int round = 0; round < 6; ++round) {
-    dsw_move_options options = default_options();
-    if (round % 2 == 1) options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
-    std::vector<double> targets;
-    std::vector<size_t> first;
-    for (dsw_body_id body : bodies) {
-      BodyState state;
-      EXPECT_EQ(read_body(scene.get(), body, state), "");
-      first.push_back(targets.size() / 3);
-      const Vec way = {rng.range(-0.5, 0.5), rng.range(-0.5, 0.5), rng.range(-0.5, 0.5)};
-      for (const Vec& p : state.at) {
-        for (size_t k = 0; k < 3; ++k) targets.push_back(p[k] + way[k]);
-      }
-    }
-    first.push_back(targets.size() / 3);
-    if (together) {
-      EXPECT_EQ(dsw_scene_move_bodies(scene.get(), bodies.data(), bodies.size(), targets.data(), targets.size() / 3, 0,
-                                      &options, nullptr),
-                DSW_STATUS_OK);
-    }
-    for (size_t i = 0; i < bodies.size(); ++i) {
-      if (!together) {
-        EXPECT_EQ(dsw_body_move(scene.get(), bodies[i], targets.data() + 3 * first[i], first[i + 1] - first[i], 0,
-                                &options, nullptr),
-                  DSW_STATUS_OK);
-      }
-      BodyAnswer answer;
-      const dsw_contact* found = nullptr;
-      const dsw_contact_partner* partners = nullptr;
-      size_t count = 0;
-      EXPECT_EQ(dsw_body_get_contacts(scene.get(), bodies[i], &found, &count), DSW_STATUS_OK);
-      answer.contacts.assign(found, found + count);
-      EXPECT_EQ(dsw_body_get_contact_partners(scene.get(), bodies[i], &partners, &count), DSW_STATUS_OK);
-      contacts += count;
-      EXPECT_EQ(read_body(scene.get(), bodies[i], answer.after), "");
-      text += bits_of(answer);
-      text += std::string(reinterpret_cast<const char*>(partners), count * sizeof *partners);
-    }
-  }
-  EXPECT_GT(contacts, 150u);
-  return text;
+    return i % 3 == 0 ? segment(at, {at[0] + 0.7, at[1] + 0.3, at[2] + 0.5}) : tetrahedron(at, 0.6);
+  });
 }
 
-TEST(PairsThreadsTest, TheSameBitsForAnyNumberOfThreads) {
-  const std::string alone = answers(context_with(1, nullptr).get(), false);
-  EXPECT_EQ(answers(context_with(1, nullptr).get(), true), alone);
-  EXPECT_EQ(answers(context_with(4, nullptr).get(), true), alone);
-  Shuffler shuffler;
-  shuffler.threads = 3;
-  EXPECT_EQ(answers(context_with(0, &shuffler).get(), true), alone);
-}
+TEST(PairsThreadsTest, TheSameBitsForAnyNumberOfThreads) { check_threads(space_answers); }
 
 }  // namespace
 }  // namespace dsw::oracle

@@ -17,6 +17,7 @@ struct Meeting {
   dsw_body_id id;
   dsw_level level = DSW_LEVEL_FACES;
   bool self = false;
+  int dimension = 3;
   BodyState state;
 
   std::vector<Part> parts() const {
@@ -67,7 +68,7 @@ inline TouchTruth truth_of_parts(const Meeting& mover, const Part& moving, uint3
   for (size_t k = 0; k < 3; ++k) {
     if (most(swept, k) < least(fixed, k) || most(fixed, k) < least(swept, k)) return {};
   }
-  return touch_truth<3>(mover.at(v), to.data(), others, fixed);
+  return (mover.dimension == 2 ? touch_truth<2> : touch_truth<3>)(mover.at(v), to.data(), others, fixed);
 }
 
 inline TouchTruth truth_of_move(const std::vector<Meeting>& bodies, size_t mover, uint32_t v, const Vec& to) {

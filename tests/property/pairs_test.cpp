@@ -1,5 +1,6 @@
 // Bodies against bodies and against themselves: every move of a vertex is compared with all parts against all parts, over GMP.
 #include "pairs_support.h"
+#include "plane_support.h"
 
 #include <cstdlib>
 
@@ -11,11 +12,12 @@ struct Kind {
   int exponent;  // coordinates are scaled by 2^exponent
   bool lattice;  // they are multiples of a quarter
   bool self;
+  int dimension = 3;
 };
 std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << kind.name; }
 
 struct Counts {
-  int moves = 0, contacts = 0, missed = 0, false_ones = 0, late = 0, not_free = 0, wrong_part = 0;
+  int moves = 0, contacts = 0, missed = 0, false_ones = 0, late = 0, not_free = 0, wrong_part = 0, wrong_normal = 0;
 };
 
 /// Rationals are slow: DSW_PAIR_MOVES and DSW_PAIR_SEED ask for more and for others.
@@ -28,35 +30,46 @@ class PairsTest : public testing::TestWithParam<Kind> {
  protected:
   void SetUp() override {
     scale_ = std::ldexp(1.0, GetParam().exponent);
-    place_ = place_of(hex_grid(axis(4, scale_), axis(4, scale_), axis(4, scale_)));
-    ASSERT_PLACE(place_);
+    if (plane()) {
+      place_.environment = make_triangles(4, scale_, nullptr);
+    } else {
+      place_ = place_of(hex_grid(axis(4, scale_), axis(4, scale_), axis(4, scale_)));
+      ASSERT_PLACE(place_);
+    }
     scene_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS);
   }
 
+  static bool plane() { return GetParam().dimension == 2; }
+  static dsw_level highest_level() { return plane() ? DSW_LEVEL_EDGES_SWEPT : DSW_LEVEL_FACES; }
+
   Vec place() {
     const bool lattice = GetParam().lattice || rng_.below(3) == 0;
-    Vec p;
-    for (double& x : p)
-      x = scale_ * (lattice ? 0.25 * static_cast<double>(1 + rng_.below(15)) : rng_.range(0.01, 3.99));
+    Vec p = {0, 0, 0};
+    for (size_t k = 0; k < static_cast<size_t>(GetParam().dimension); ++k)
+      p[k] = scale_ * (lattice ? 0.25 * static_cast<double>(1 + rng_.below(15)) : rng_.range(0.01, 3.99));
     return p;
   }
   Vec near(const Vec& p, double reach) {
     Vec q = place();
-    for (size_t k = 0; k < 3; ++k) {
+    for (size_t k = 0; k < static_cast<size_t>(GetParam().dimension); ++k) {
       q[k] = p[k] + std::max(-reach * scale_, std::min(reach * scale_, q[k] - p[k]));
       q[k] = std::max(0.01 * scale_, std::min(3.99 * scale_, q[k]));
     }
     return q;
   }
 
-  /// Points, a wire, a strip of triangles or the surface of a tetrahedron.
+  /// Points, a wire, a strip of triangles or the surface of a tetrahedron; in the plane also what branches, and a polygon.
   BodyPlan plan() {
     const Vec at = place();
     const uint64_t kind = rng_.below(5);
     BodyPlan plan;
     const size_t count = kind == 3 ? 4 : 3 + rng_.below(4);
     for (size_t i = 0; i < count; ++i) plan.at.push_back(i == 0 ? at : near(plan.at.back(), 0.75));
-    if (kind == 3) {
+    if (plane()) {
+      const uint32_t edges = kind == 0 ? 2 : static_cast<uint32_t>(count);
+      for (uint32_t i = 1; i < edges; ++i) plan.edges.push_back({kind == 3 ? 0 : i - 1, i});
+      if (kind == 4) plan.edges.push_back({edges - 1, 0});
+    } else if (kind == 3) {
       plan.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
     } else if (kind == 0) {
       plan.edges = {{0, 1}};  // and vertices alone
@@ -74,7 +87,8 @@ class PairsTest : public testing::TestWithParam<Kind> {
     for (int tries = 0; tries < 300 && bodies_.size() < count; ++tries) {
       Meeting body;
       const BodyPlan made = plan();
-      body.level = tries % 4 == 0 ? static_cast<dsw_level>(1 + rng_.below(4)) : DSW_LEVEL_FACES;
+      body.level = tries % 4 == 0 ? static_cast<dsw_level>(1 + rng_.below(highest_level())) : highest_level();
+      body.dimension = GetParam().dimension;
       body.self = GetParam().self;
       const dsw_status status =
           create_body(scene_.get(), made, body.level, body.self ? DSW_BODY_SELF_CONTACTS : 0, {}, &body.id);
@@ -113,6 +127,7 @@ class PairsTest : public testing::TestWithParam<Kind> {
       const dsw_contact& contact = answer.contacts[0];
       counts_.late += is_time(contact.time, truth.time) ? 0 : 1;
       counts_.wrong_part += is_named_part(body, v, to, contact, partners[0]) ? 0 : 1;
+      counts_.wrong_normal += !plane() || is_normal(contact, partners[0]) ? 0 : 1;
       const Vec reached = answer.after.at[v];
       if (reached != body.state.at[v]) counts_.not_free += truth_of_move(bodies_, b, v, reached).touches ? 1 : 0;
     } else {
@@ -124,25 +139,50 @@ class PairsTest : public testing::TestWithParam<Kind> {
   /// Whether the parts that are named touch at that time.
   bool is_named_part(const Meeting& body, uint32_t v, const Vec& to, const dsw_contact& contact,
                      const dsw_contact_partner& partner) {
-    const auto other = std::find_if(bodies_.begin(), bodies_.end(), [&](const Meeting& each) {
-      return each.id.index == partner.body.index && each.id.generation == partner.body.generation;
-    });
-    if (other == bodies_.end() || contact.vertex.index != v) return false;
-    const auto part = [](const BodyState& s, dsw_body_vertex_id vertex, dsw_body_edge_id edge, dsw_body_face_id face) {
-      for (size_t e = 0; e < s.edges.size(); ++e) {
-        if (edge.generation != 0 && s.edge_ids[e].index == edge.index) return Part{{s.edges[e][0], s.edges[e][1]}};
-      }
-      for (size_t f = 0; f < s.faces.size(); ++f) {
-        if (face.generation != 0 && s.face_ids[f].index == face.index) {
-          return Part{{s.faces[f][0], s.faces[f][1], s.faces[f][2]}};
-        }
-      }
-      return Part{{vertex.index}};
-    };
+    const Meeting* const other = find(partner.body);
+    if (other == nullptr || contact.vertex.index != v) return false;
     const Part moving = part(body.state, contact.vertex, contact.edge, contact.face);
     const Part still = part(other->state, partner.vertex, partner.edge, partner.face);
     const TouchTruth truth = truth_of_parts(body, moving, v, to, *other, still);
     return truth.touches && is_time(contact.time, truth.time);
+  }
+  const Meeting* find(dsw_body_id id) const {
+    const auto found = std::find_if(bodies_.begin(), bodies_.end(), [&](const Meeting& each) {
+      return each.id.index == id.index && each.id.generation == id.generation;
+    });
+    return found == bodies_.end() ? nullptr : &*found;
+  }
+  static Part part(const BodyState& s, dsw_body_vertex_id vertex, dsw_body_edge_id edge, dsw_body_face_id face) {
+    for (size_t e = 0; e < s.edges.size(); ++e) {
+      if (edge.generation != 0 && s.edge_ids[e].index == edge.index) return Part{{s.edges[e][0], s.edges[e][1]}};
+    }
+    for (size_t f = 0; f < s.faces.size(); ++f) {
+      if (face.generation != 0 && s.face_ids[f].index == face.index) {
+        return Part{{s.faces[f][0], s.faces[f][1], s.faces[f][2]}};
+      }
+    }
+    return Part{{vertex.index}};
+  }
+
+  /// In the plane: across the edge, moving or not, and against the motion; where that is along the edge, or there is none, the motion
+  /// turned round.
+  bool is_normal(const dsw_contact& contact, const dsw_contact_partner& partner) {
+    const auto way = [this](const double* from, const double* to) {
+      return std::array<mpq_class, 2>{(mpq_class(to[0]) - from[0]) / scale_, (mpq_class(to[1]) - from[1]) / scale_};
+    };
+    const BodyState& other = find(partner.body)->state;
+    const Part still = part(other, partner.vertex, partner.edge, partner.face);
+    const double *const first = other.at[still.vertices.front()].data(), *const last =
+                                                                             other.at[still.vertices.back()].data();
+    const bool moves = contact.edge.generation != 0;
+    const auto move = way(contact.from, contact.to), edge = way(first, moves ? contact.fixed[0] : last);
+    const auto start = moves ? way(contact.from, contact.fixed[0]) : edge;  // it turns round one of its ends
+    const int into = sgn(mpq_class(start[1] * move[0] - start[0] * move[1]));
+    double x = -into * edge[1].get_d(), y = into * edge[0].get_d();
+    if (into == 0) x = -move[0].get_d(), y = -move[1].get_d();
+    const double length = std::hypot(x, y);
+    return std::fabs(contact.normal[0] - x / length) < 1e-14 && std::fabs(contact.normal[1] - y / length) < 1e-14 &&
+           contact.normal[2] == 0;
   }
 
   double scale_ = 1;
@@ -153,22 +193,25 @@ class PairsTest : public testing::TestWithParam<Kind> {
   Counts counts_;
   int refused_ = 0;
 };
-INSTANTIATE_TEST_SUITE_P(All, PairsTest,
-                         testing::Values(Kind{"Places", 0, false, false}, Kind{"Lattice", 0, true, false},
-                                         Kind{"Huge", 332, false, false}, Kind{"Tiny", -332, true, false},
-                                         Kind{"Self", 0, false, true}, Kind{"SelfOnLattice", 0, true, true}),
-                         [](const auto& i) { return i.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    All, PairsTest,
+    testing::Values(Kind{"Places", 0, false, false}, Kind{"Lattice", 0, true, false}, Kind{"Huge", 332, false, false},
+                    Kind{"Tiny", -332, true, false}, Kind{"Self", 0, false, true}, Kind{"SelfOnLattice", 0, true, true},
+                    Kind{"PlanePlaces", 0, false, false, 2}, Kind{"PlaneLattice", 0, true, false, 2},
+                    Kind{"PlaneHuge", 1000, false, false, 2}, Kind{"PlaneTiny", -1000, true, false, 2},
+                    Kind{"PlaneSelf", 0, false, true, 2}, Kind{"PlaneSelfOnLattice", 0, true, true, 2}),
+    [](const auto& i) { return i.param.name; });
 
 TEST_P(PairsTest, EveryMoveEndsAsAllPartsAgainstAllPartsSay) {
   fill(12);
   ASSERT_GT(bodies_.size(), 4u);
   EXPECT_GT(refused_, 0);
-  const int moves = static_cast<int>(from_environment("DSW_PAIR_MOVES", 80));
+  const int moves = static_cast<int>(from_environment("DSW_PAIR_MOVES", plane() ? 400 : 80));
   for (int i = 0; i < moves && !HasFatalFailure(); ++i) {
     SCOPED_TRACE(i);
     const size_t b = rng_.below(bodies_.size());
     const auto v = static_cast<uint32_t>(rng_.below(bodies_[b].state.at.size()));
-    move(b, v, near(bodies_[b].state.at[v], 1.5));
+    move(b, v, near(bodies_[b].state.at[v], plane() ? 0.75 : 1.5));
   }
   EXPECT_GT(counts_.contacts, moves / 10);
   EXPECT_GT(counts_.moves - counts_.contacts, moves / 10);
@@ -177,6 +220,7 @@ TEST_P(PairsTest, EveryMoveEndsAsAllPartsAgainstAllPartsSay) {
   EXPECT_EQ(counts_.late, 0);
   EXPECT_EQ(counts_.not_free, 0);
   EXPECT_EQ(counts_.wrong_part, 0);
+  EXPECT_EQ(counts_.wrong_normal, 0);
 }
 
 TEST_P(PairsTest, BodiesStayApartWhateverTheResponse) {
@@ -201,8 +245,8 @@ TEST_P(PairsTest, BodiesStayApartWhateverTheResponse) {
       }
     }
     std::vector<dsw_move_report> reports(ids.size());
-    ASSERT_EQ(dsw_scene_move_bodies(scene_.get(), ids.data(), ids.size(), targets.data(), targets.size() / 3, 0,
-                                    &options, reports.data()),
+    ASSERT_EQ(dsw_scene_move_bodies(scene_.get(), ids.data(), ids.size(), targets.data(), targets.size() / 3,
+                                    sizeof(Vec), &options, reports.data()),
               DSW_STATUS_OK)
         << dsw_last_error_message();
     for (size_t i = 0; i < bodies_.size(); ++i) {

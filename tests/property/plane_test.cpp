@@ -1,5 +1,6 @@
 // Particles in a large triangulation of the plane: what a short move costs, and that threads do not matter.
 
+#include "plane_support.h"
 #include "threads.h"
 
 #include <cmath>
@@ -9,38 +10,6 @@ namespace {
 
 using namespace dsw::oracle;
 
-/// A grid of n * n unit squares whose inner points have been moved, each cut into two triangles.
-EnvironmentPtr make_triangles(uint32_t n, dsw_context* context) {
-  Rng rng(n);
-  std::vector<double> points;
-  std::vector<int32_t> corners;
-  for (uint32_t y = 0; y <= n; ++y) {
-    for (uint32_t x = 0; x <= n; ++x) {
-      const double jitter = x == 0 || y == 0 || x == n || y == n ? 0 : 0.2;
-      points.insert(points.end(), {x + rng.range(-jitter, jitter), y + rng.range(-jitter, jitter)});
-    }
-  }
-  for (uint32_t y = 0; y < n; ++y) {
-    for (uint32_t x = 0; x < n; ++x) {
-      const auto a = static_cast<int32_t>(x + (n + 1) * y), b = a + 1, d = a + static_cast<int32_t>(n) + 1, c = d + 1;
-      corners.insert(corners.end(), {a, b, c, a, c, d});
-    }
-  }
-  dsw_environment_desc desc;
-  dsw_environment_desc_init(&desc, sizeof desc);
-  desc.dimension = 2;
-  desc.points = points.data();
-  desc.point_count = points.size() / 2;
-  desc.uniform_cell_type = DSW_CELL_TYPE_TRIANGLE;
-  desc.cell_count = corners.size() / 3;
-  desc.index_bytes = 4;
-  desc.connectivity = corners.data();
-  desc.connectivity_count = corners.size();
-  dsw_environment* environment = nullptr;
-  EXPECT_EQ(dsw_environment_create(context, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
-  return EnvironmentPtr(environment);
-}
-
 /// Particles spread over a grid, and their walk in steps of one length.
 struct Course {
   EnvironmentPtr environment;
@@ -49,7 +18,7 @@ struct Course {
   std::vector<dsw_flight> flights;
   Rng rng{7};
 
-  Course(uint32_t n, size_t count, dsw_context* context) : environment(make_triangles(n, context)) {
+  Course(uint32_t n, size_t count, dsw_context* context) : environment(make_triangles(n, 1, context)) {
     dsw_scene_desc desc;
     dsw_scene_desc_init(&desc, sizeof desc);
     desc.features = DSW_FEATURE_STATISTICS;
@@ -99,7 +68,7 @@ TEST(Plane, AShortMoveTakesFewTests) {
 
 /// A record of 24 bytes, and half a vertex of 16; a rim has a few vertices more.
 TEST(Plane, TrianglesTakeLessThanFortyBytes) {
-  const EnvironmentPtr environment = make_triangles(300, nullptr);
+  const EnvironmentPtr environment = make_triangles(300, 1, nullptr);
   dsw_environment_info info{};
   info.struct_size = sizeof info;
   ASSERT_EQ(dsw_environment_get_info(environment.get(), &info), DSW_STATUS_OK);

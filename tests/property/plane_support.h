@@ -1,0 +1,40 @@
+// Environments of the plane for property tests.
+#pragma once
+
+#include "support.h"
+
+namespace dsw::oracle {
+
+/// A grid of n * n squares whose inner points have been moved, each cut into two triangles.
+inline EnvironmentPtr make_triangles(uint32_t n, double size, dsw_context* context) {
+  Rng rng(n);
+  std::vector<double> points;
+  std::vector<int32_t> corners;
+  for (uint32_t y = 0; y <= n; ++y) {
+    for (uint32_t x = 0; x <= n; ++x) {
+      const double jitter = x == 0 || y == 0 || x == n || y == n ? 0 : 0.2;
+      for (const uint32_t at : {x, y}) points.push_back(size * (at + rng.range(-jitter, jitter)));
+    }
+  }
+  for (uint32_t y = 0; y < n; ++y) {
+    for (uint32_t x = 0; x < n; ++x) {
+      const auto a = static_cast<int32_t>(x + (n + 1) * y), b = a + 1, d = a + static_cast<int32_t>(n) + 1, c = d + 1;
+      corners.insert(corners.end(), {a, b, c, a, c, d});
+    }
+  }
+  dsw_environment_desc desc;
+  dsw_environment_desc_init(&desc, sizeof desc);
+  desc.dimension = 2;
+  desc.points = points.data();
+  desc.point_count = points.size() / 2;
+  desc.uniform_cell_type = DSW_CELL_TYPE_TRIANGLE;
+  desc.cell_count = corners.size() / 3;
+  desc.index_bytes = 4;
+  desc.connectivity = corners.data();
+  desc.connectivity_count = corners.size();
+  dsw_environment* environment = nullptr;
+  EXPECT_EQ(dsw_environment_create(context, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
+  return EnvironmentPtr(environment);
+}
+
+}  // namespace dsw::oracle
