@@ -135,7 +135,9 @@ typedef struct dsw_contact {
 
 /** The other body of a contact, and its part that was touched: one of vertex, edge and face; the rest is null. All is null in a
  * contact with the environment. In a contact of bodies `obstacle`, `wall`, `cause` and `tag` of dsw_contact are null, `front` is the
- * volume that the moving vertex started in, and `kind` is that of the part: DSW_CONTACT_VERTEX, EDGE or (a face) PLANE. */
+ * volume that the moving vertex started in, and `kind` is that of the part: DSW_CONTACT_VERTEX, EDGE or (a face) PLANE. In the plane a
+ * vertex touches edges and an edge vertices, and `normal` is that of the edge, against the motion; of a vertex on a lone vertex, and of a
+ * vertex that moves in the line of the edge, it is the motion turned round. */
 typedef struct dsw_contact_partner {
   dsw_body_id body;          /**< The body itself where it touches itself. */
   dsw_body_vertex_id vertex; /**< Its vertex, */

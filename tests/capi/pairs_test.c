@@ -118,6 +118,44 @@ static void what_is_not_named_is_refused(void) {
   CHECK_OK(dsw_environment_destroy(environment));
 }
 
+/* A line meets a square with an end and with an edge, and itself. */
+static void bodies_of_the_plane_meet(void) {
+  static const double corners[8] = {2, 1, 3, 1, 3, 2, 2, 2}, line[6] = {0.5, 0.5, 0.5, 1.5, 0.5, 2.5};
+  static const double end_first[6] = {2.5, 1.5, 0.5, 1.5, 0.5, 2.5}, edge_first[6] = {3.5, 0.5, 0.5, 1.5, 0.5, 2.5};
+  static const double folded[6] = {0.5, 3.5, 0.5, 1.5, 0.5, 2.5};
+  dsw_environment *environment = make_squares(NULL, 4, 4);
+  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_body_desc d = line_desc(corners, 4, 1, DSW_LEVEL_EDGES);
+  dsw_body_id block, wire;
+  const dsw_contact *contacts = NULL;
+  const dsw_contact_partner *partners = NULL;
+  size_t count = 0;
+  CHECK_OK(dsw_body_create(scene, &d, &block));
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_create(scene, &d, &wire));
+  d = line_desc(line, 3, 0, DSW_LEVEL_EDGES);
+  d.flags = DSW_BODY_SELF_CONTACTS;
+  CHECK_OK(dsw_body_create(scene, &d, &wire));
+  CHECK_OK(dsw_body_move(scene, wire, end_first, 3, 0, NULL, NULL));
+  CHECK_OK(dsw_body_get_contacts(scene, wire, &contacts, &count));
+  CHECK(count == 1 && contacts[0].kind == DSW_CONTACT_EDGE && contacts[0].time == 0.75);
+  CHECK(contacts[0].edge.generation == 0 && contacts[0].normal[0] == -1 && contacts[0].normal[2] == 0);
+  CHECK_OK(dsw_body_get_contact_partners(scene, wire, &partners, &count));
+  CHECK(count == 1 && partners[0].body.index == block.index && partners[0].edge.index == 3);
+  CHECK_OK(dsw_body_move(scene, wire, line, 3, 0, NULL, NULL));
+  CHECK_OK(dsw_body_move(scene, wire, edge_first, 3, 0, NULL, NULL));
+  CHECK_OK(dsw_body_get_contacts(scene, wire, &contacts, &count));
+  CHECK(count == 1 && contacts[0].kind == DSW_CONTACT_VERTEX && contacts[0].edge.generation == 1);
+  CHECK(contacts[0].point[0] == 2 && contacts[0].point[1] == 1 && contacts[0].fixed[0][1] == 1.5);
+  CHECK_OK(dsw_body_get_contact_partners(scene, wire, &partners, &count));
+  CHECK(count == 1 && partners[0].vertex.index == 0 && partners[0].vertex.generation == 1);
+  CHECK_OK(dsw_body_move(scene, wire, line, 3, 0, NULL, NULL));
+  CHECK_OK(dsw_body_move(scene, wire, folded, 3, 0, NULL, NULL));
+  CHECK_OK(dsw_body_get_contact_partners(scene, wire, &partners, &count));
+  CHECK(count == 1 && partners[0].body.index == wire.index);
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
 /* A description of the time before filters. */
 static void a_shorter_description_still_works(void) {
   dsw_environment *environment = make_environment(NULL, 4, 3, 3);
@@ -138,6 +176,7 @@ int main(void) {
   a_contact_names_the_other_body();
   filters_are_read_and_changed();
   what_is_not_named_is_refused();
+  bodies_of_the_plane_meet();
   a_shorter_description_still_works();
   return check_result();
 }
