@@ -30,7 +30,7 @@ std::vector<Turn> turns(const std::string& only);
 
 World make_world(const Turn& turn, Rng& rng);
 /// With everything that is left open chosen at random; null if the library refuses it.
-EnvironmentPtr make_environment(const Turn& turn, const World& world, Rng& rng);
+EnvironmentPtr make_environment(const Turn& turn, const World& world, Rng& rng, dsw_context* context = nullptr);
 
 /// The shares of cells, sides and vertices that become impassable.
 struct Shares {

@@ -3,7 +3,7 @@
 
 namespace dsw::oracle::plane {
 
-EnvironmentPtr make_environment(const Turn& turn, const World& world, Rng& rng) {
+EnvironmentPtr make_environment(const Turn& turn, const World& world, Rng& rng, dsw_context* context) {
   const size_t stride = rng.chance(0.5) ? 2 : 3;
   std::vector<double> points;
   for (const Vec& p : world.points) {
@@ -35,7 +35,7 @@ EnvironmentPtr make_environment(const Turn& turn, const World& world, Rng& rng) 
   desc.flags = rng.chance(0.5) ? uint32_t{DSW_ENVIRONMENT_LOCATE_GRID} : 0;
   if (rng.chance(0.5)) desc.flags |= uint32_t{DSW_ENVIRONMENT_CHECK_BOUNDARY};
   dsw_environment* environment = nullptr;
-  dsw_environment_create(nullptr, &desc, &environment, nullptr);
+  dsw_environment_create(context, &desc, &environment, nullptr);
   return EnvironmentPtr(environment);
 }
 

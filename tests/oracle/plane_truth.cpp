@@ -57,6 +57,16 @@ Shifted left_of(const Point& p, const Point& q, const Point& a) {
   return {{cross(ux, uy, a.x - p.x, a.y - p.y), uy, -ux}};
 }
 
+/// Whether a ray to the right of the shifted point crosses a side. A point as high as the ray starts lies below it.
+bool is_right_of(const World& world, const Side& side, const Vec& p) {
+  const Vec &a = world.points[static_cast<size_t>(side.a)], &b = world.points[static_cast<size_t>(side.b)];
+  const bool up = b[1] > p[1];
+  if ((a[1] > p[1]) == up || std::max(a[0], b[0]) < p[0]) return false;
+  if (std::min(a[0], b[0]) > p[0]) return true;
+  const Numbers n({a, b}, p, p);
+  return (right_of(n[0], n[1], n.from).sign() < 0) == up;
+}
+
 struct Hit {
   int side, toward;  // +1: out of cell[0]
   Shifted numerator;
@@ -105,17 +115,19 @@ bool World::impassable(const Side& s) const {
          cell_marked[static_cast<size_t>(s.cell[1])] != 0;
 }
 
-/// Cells that a ray to the right of the shifted point leaves an odd number of times. A point as high as the ray starts lies below it.
+bool contains(const World& world, int cell, const Vec& p) {
+  bool odd = false;
+  for (const Side& side : world.sides) {
+    if ((side.cell[0] == cell || side.cell[1] == cell) && is_right_of(world, side, p)) odd = !odd;
+  }
+  return odd;
+}
+
+/// Cells that the ray leaves an odd number of times.
 int locate(const World& world, const Vec& p) {
   std::vector<char> odd(world.cells.size(), 0);
   for (const Side& side : world.sides) {
-    const Vec &a = world.points[static_cast<size_t>(side.a)], &b = world.points[static_cast<size_t>(side.b)];
-    const bool up = b[1] > p[1];
-    if ((a[1] > p[1]) == up || std::max(a[0], b[0]) < p[0]) continue;
-    if (std::min(a[0], b[0]) <= p[0]) {
-      const Numbers n({a, b}, p, p);
-      if ((right_of(n[0], n[1], n.from).sign() < 0) != up) continue;
-    }
+    if (!is_right_of(world, side, p)) continue;
     for (int cell : side.cell) {
       if (cell >= 0) odd[static_cast<size_t>(cell)] ^= 1;
     }
@@ -168,6 +180,31 @@ Flight cast(const World& world, int start, const Vec& p, const Vec& q) {
     flight.times.push_back(floor_time(hit));
   }
   return flight;
+}
+
+bool is_star_of(const World& world, int cell, const Vec& centre) {
+  const Numbers n(world.points, centre, centre);
+  const std::vector<int>& loop = world.cells[static_cast<size_t>(cell)];
+  if (loop.size() == 3) return right_of(n[loop[0]], n[loop[1]], n[loop[2]]).c[0] < 0;
+  int rounds = 0;  // how often the way round crosses the ray to the right
+  for (size_t i = 0; i < loop.size(); ++i) {
+    const Point &a = n[loop[i]], &b = n[loop[(i + 1) % loop.size()]];
+    if (right_of(a, b, n.from).c[0] >= 0) return false;
+    rounds += a.y <= n.from.y && b.y > n.from.y ? 1 : 0;
+  }
+  return rounds == 1;
+}
+
+void double_areas(const World& world, Big* cells, Big* enclosed) {
+  const Numbers n(world.points, world.points[0], world.points[0]);
+  const auto area = [&](int a, int b) { return cross(n[a].x, n[a].y, n[b].x, n[b].y); };
+  *cells = *enclosed = 0;
+  for (const std::vector<int>& loop : world.cells) {
+    for (size_t i = 0; i < loop.size(); ++i) *cells += area(loop[i], loop[(i + 1) % loop.size()]);
+  }
+  for (const Side& side : world.sides) {
+    if (side.cell[1] < 0) *enclosed += area(side.a, side.b);
+  }
 }
 
 bool is_star(const std::vector<Vec>& points, const std::vector<int>& cell) {

@@ -42,10 +42,16 @@ struct Flight {
   bool tie = false;
 };
 
+/// Whether a cell encloses the shifted point.
+bool contains(const World& world, int cell, const Vec& p);
 /// The cell that contains the shifted point, or -1; -2 if there are several.
 int locate(const World& world, const Vec& p);
 /// Follows p -> q from the cell of p, which is passable.
 Flight cast(const World& world, int start, const Vec& p, const Vec& q);
+/// Whether each side of a cell has this point strictly on its left, and all of them go round it once; a triangle needs no such point.
+bool is_star_of(const World& world, int cell, const Vec& centre);
+/// Twice the area of all cells and twice what the sides on the outer boundary enclose, over a common power of two.
+void double_areas(const World& world, Big* cells, Big* enclosed);
 /// Whether a cell is exactly the star of the mean of its vertices over its sides, each of them well seen.
 bool is_star(const std::vector<Vec>& points, const std::vector<int>& cell);
 

@@ -6,6 +6,7 @@
 #include "environment/marking.h"
 #include "environment/validity.h"
 #include "map/integrity.h"
+#include "plane_truth.h"
 #include "random_edits.h"
 #include "space_arena.h"
 #include "sweep/body_probe.h"
@@ -41,8 +42,9 @@ void append_slots(std::string& out, const SlotPool& slots) {
 }  // namespace
 
 /// Everything that a failed call must leave as it was, byte for byte.
-std::string RandomEdits::state() const {
-  const Environment<3>& e = env();
+template <int D>
+std::string RandomEdits<D>::state() const {
+  const Environment<D>& e = env();
   std::string out;
   append(out, e.map.words);
   append(out, e.map.shape_tables);
@@ -64,38 +66,41 @@ std::string RandomEdits::state() const {
   const uint64_t counts[] = {e.map.cell_count, e.map.vertex_count, e.map.facet_count, e.map.boundary_facet_count,
                              e.marked_cells,   e.marked_facets,    e.marked_edges,    e.marked_vertices};
   append(out, counts, std::size(counts));
-  append(out, e.lower, 3);
-  append(out, e.upper, 3);
+  append(out, e.lower, D);
+  append(out, e.upper, D);
   append(out, scene().particles);
-  for (const BodyRecord<3>& record : scene().bodies) {
+  for (const BodyRecord<D>& record : scene().bodies) {
     append(out, record.body.vertices);
-    for (const EdgeSequence<3>& sequence : record.body.sequences) append(out, sequence.facets);
+    for (const EdgeSequence<D>& sequence : record.body.sequences) append(out, sequence.facets);
   }
   return out + saved();
 }
 
-double RandomEdits::volume() const {
+template <int D>
+double RandomEdits<D>::volume() const {
   double sum = 0;
+  const double unit = D == 3 ? 1 : place_.size();  // whose square may be out of range
   for_each_cell(env().map, [&](dsw::Cell c) {
     const Shape shape = env().map.shape(c);
-    double apex[3];
+    double apex[D];
     centre(env(), c, apex);
     for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
-      const double* p[3];
+      const double* p[D];
       simplex_points(env(), c, shape, s, p);
-      double d[3][3];
-      for (int i = 0; i < 3; ++i) {
-        for (int k = 0; k < 3; ++k) d[i][k] = p[i][k] - apex[k];
+      double d[3][3] = {{}, {}, {0, 0, 1}};
+      for (int i = 0; i < D; ++i) {
+        for (int k = 0; k < D; ++k) d[i][k] = (p[i][k] - apex[k]) / unit;
       }
       sum += d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) - d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
              d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
     }
   });
-  return std::fabs(sum) / 6;
+  return std::fabs(sum) / (D == 3 ? 6 : 2);
 }
 
-std::string RandomEdits::check_counts() const {
-  const Environment<3>& e = env();
+template <int D>
+std::string RandomEdits<D>::check_counts() const {
+  const Environment<D>& e = env();
   uint64_t cells = 0, sides = 0;
   for_each_cell(e.map, [&](dsw::Cell c) {
     cells += e.map.marked(c) ? 1u : 0u;
@@ -118,8 +123,9 @@ std::string RandomEdits::check_counts() const {
   return keys.empty() ? "" : "an edge that is none is marked";
 }
 
-std::string RandomEdits::check() const {
-  const Environment<3>& e = env();
+template <int D>
+std::string RandomEdits<D>::check() const {
+  const Environment<D>& e = env();
   if (const char* const broken = check_integrity(e.map)) return broken;
   std::string wrong = check_counts();
   const auto test = [&](dsw::Cell c, const double* at, const char* what, uint32_t i) {
@@ -127,13 +133,13 @@ std::string RandomEdits::check() const {
     if (!alive || e.map.marked(c) || !contains(e, c, at)) wrong = what + std::to_string(i) + " is not in its volume";
   };
   for (uint32_t i = 0; i < scene().particles.size(); ++i) {
-    const ParticleState<3>& p = scene().particles[i];
+    const ParticleState<D>& p = scene().particles[i];
     if (p.cell.valid()) test(p.cell, p.position, "particle ", i);
   }
-  BodyProbe<3> probe(e, Obstacle::kCells);
+  BodyProbe<D> probe(e, Obstacle::kCells);
   for (uint32_t b = 0; b < scene().bodies.size(); ++b) {
-    const Body<3>& body = scene().bodies[b].body;
-    for (const BodyVertex<3>& v : body.vertices) {
+    const Body<D>& body = scene().bodies[b].body;
+    for (const BodyVertex<D>& v : body.vertices) {
       if (v.cell.valid()) test(v.cell, v.position, "a vertex of body ", b);
     }
     if (wrong.empty() && !probe.is_free(body, {})) wrong = "body " + std::to_string(b) + " is not free";
@@ -141,7 +147,8 @@ std::string RandomEdits::check() const {
   return wrong;
 }
 
-std::string RandomEdits::check_exactly() {
+template <>
+std::string RandomEdits<3>::check_exactly() {
   const Environment<3>& e = env();
   Mesh mesh;
   mesh.points.resize(e.map.vertex_count);
@@ -208,5 +215,90 @@ std::string RandomEdits::check_exactly() {
   }
   return "";
 }
+
+template <>
+std::string RandomEdits<2>::check_exactly() {
+  const Environment<2>& e = env();
+  const Map<2>& map = e.map;
+  plane::World world;
+  for (uint32_t v = 0; v < map.vertex_count; ++v) world.points.push_back({e.point(v)[0], e.point(v)[1]});
+  std::map<uint32_t, int> place;  // unit -> cell of the world
+  for_each_cell(map, [&](dsw::Cell c) {
+    place[c.unit] = static_cast<int>(world.cells.size());
+    world.cells.emplace_back();
+    for (uint32_t k = 0; k < map.vertices_of(c); ++k) world.cells.back().push_back(static_cast<int>(map.vertex(c, k)));
+    world.cell_marked.push_back(map.marked(c) ? 1 : 0);
+  });
+  std::string wrong;
+  for_each_cell(map, [&](dsw::Cell c) {
+    plane::Vec middle;
+    centre(e, c, middle.data());
+    const int here = place.at(c.unit);
+    if (!plane::is_star_of(world, here, middle)) wrong = "a polygon is not valid";
+    const CellState state = check_cell(e, c);
+    if (map.convex(c) != (state == CellState::kValidConvex)) wrong = "a polygon is wrongly called convex, or not";
+    const std::vector<int>& loop = world.cells[static_cast<size_t>(here)];
+    for (uint32_t f = 0; f < loop.size(); ++f) {
+      const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
+      const dsw::Cell other = o.valid() ? map.cell_of(o) : dsw::Cell{};
+      if (o.valid() && place.at(other.unit) < here) continue;
+      const int local = o.valid() ? static_cast<int>(map.local_of(o, other)) : -1;
+      world.sides.push_back({loop[f],
+                             loop[(f + 1) % loop.size()],
+                             {here, o.valid() ? place.at(other.unit) : -1},
+                             {static_cast<int>(f), local},
+                             map.facet_marked(h)});
+    }
+  });
+  if (!wrong.empty()) return wrong;
+  const auto cell_at = [&](dsw::Cell c) { return place.at(c.unit); };
+  for (const ParticleState<2>& p : scene().particles) {
+    if (!p.cell.valid()) continue;
+    if (map.marked(p.cell) || !plane::contains(world, cell_at(p.cell), {p.position[0], p.position[1]})) {
+      return "a particle is not in its volume";
+    }
+  }
+  for (const BodyRecord<2>& record : scene().bodies) {
+    const Body<2>& body = record.body;
+    const auto at = [&](uint32_t v) { return plane::Vec{body.position(v)[0], body.position(v)[1]}; };
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (!body.has_vertex(v)) continue;
+      const dsw::Cell c = body.vertices[v].cell;
+      if (map.marked(c) || !plane::contains(world, cell_at(c), at(v))) return "a vertex is not in its volume";
+    }
+    for (uint32_t edge = 0; edge < body.edges.size() && body.level >= SweepLevel::kEdges; ++edge) {
+      if (!body.has_edge(edge)) continue;
+      const uint32_t p = body.edges[edge].ends[0], q = body.edges[edge].ends[1];
+      const plane::Flight flight = plane::cast(world, cell_at(body.vertices[p].cell), at(p), at(q));
+      if (flight.outcome != plane::Flight::kReached || flight.cells.back() != cell_at(body.vertices[q].cell)) {
+        return "an edge is not free";
+      }
+    }
+  }
+  // Where the outer boundary has been moved through itself, polygons lie over each other there.
+  const dsw_status partition = dsw_environment_check(place_.get(), nullptr);
+  if (partition == DSW_STATUS_BOUNDARY_CROSSES) return "";
+  if (partition != DSW_STATUS_OK) return dsw_last_error_message();
+  ++exact_checks;
+  Big sum, enclosed;
+  plane::double_areas(world, &sum, &enclosed);
+  if (sum != enclosed) return "the polygons do not fill what the outer boundary encloses";
+  for (int i = 0; i < 20; ++i) {
+    const plane::Vec p = place_.start(rng_);
+    dsw_volume_id volume;
+    const int found = plane::locate(world, p);
+    dsw_environment_locate(place_.get(), p.data(), {0, 0}, &volume, nullptr);
+    const int answer = volume.generation == 0 ? -1 : cell_at(map.cell(volume.index));
+    if (found != answer) return "a point is in another polygon than said, or in two";
+  }
+  return "";
+}
+
+template std::string RandomEdits<3>::check() const;
+template std::string RandomEdits<2>::check() const;
+template std::string RandomEdits<3>::state() const;
+template std::string RandomEdits<2>::state() const;
+template double RandomEdits<3>::volume() const;
+template double RandomEdits<2>::volume() const;
 
 }  // namespace dsw::oracle

@@ -9,24 +9,29 @@
 namespace dsw::oracle {
 namespace {
 
+template <int D>
 size_t wanted_edits() {
   const char* const text = std::getenv("DSW_EDITS");
   const size_t all = text == nullptr ? 4000 : std::strtoull(text, nullptr, 10);
-  return all / scene_kinds().size() + 1;
+  return all / (D == 2 ? plane::kinds().size() : scene_kinds().size()) + 1;
 }
 
-class EditsTest : public SceneTest {};
-DSW_FOR_ALL_SCENES(EditsTest);
+std::vector<std::string> plane_names() {
+  std::vector<std::string> names;
+  for (const plane::Kind& kind : plane::kinds()) names.emplace_back(kind.name);
+  return names;
+}
 
-TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) {
-  const size_t wanted = wanted_edits();
+template <int D>
+void keeps_everything_in_its_place(const std::string& scene) {
+  const size_t wanted = wanted_edits<D>();
   constexpr size_t kRound = 150;  // changes of one environment
   constexpr size_t kExact = 50;   // and how often that is checked in exact integers
   EditTally sums[static_cast<size_t>(Operation::kCount)];
   size_t done = 0, exact_checks = 0;
   // Cuts can leave an outer boundary that crosses itself by a rounding, and then there is no partition to check: on to another one.
   for (uint64_t seed = 1; done < wanted || (exact_checks == 0 && seed < 30); ++seed) {
-    RandomEdits edits(GetParam(), seed);
+    RandomEdits<D> edits(scene, seed);
     if (edits.environment() == nullptr) continue;
     size_t round = 0, exact = 0;
     const size_t goal = done < wanted ? std::min(kRound, wanted - done) : kRound;
@@ -51,9 +56,9 @@ TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) {
     }
   }
   EXPECT_GT(exact_checks, 0u);
-  RecordProperty("changes", static_cast<int>(done));
+  testing::Test::RecordProperty("changes", static_cast<int>(done));
   for (size_t i = 0; i < std::size(sums); ++i) {
-    RecordProperty(name_of(static_cast<Operation>(i)), static_cast<int>(sums[i].done));
+    testing::Test::RecordProperty(name_of(static_cast<Operation>(i)), static_cast<int>(sums[i].done));
   }
   if (std::getenv("DSW_EDITS") == nullptr) return;
   for (size_t i = 0; i < std::size(sums); ++i) {
@@ -62,10 +67,11 @@ TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) {
   }
 }
 
-TEST_P(EditsTest, RunningOutOfMemoryAnywhereChangesNothing) {
+template <int D>
+void changes_nothing_out_of_memory(const std::string& scene) {
   for (const uint32_t features : {0u, uint32_t{DSW_FEATURE_LIVE_CHANGES}}) {
     FailingMemory memory;
-    RandomEdits edits(GetParam(), 3, &memory, features);
+    RandomEdits<D> edits(scene, 3, &memory, features);
     if (edits.environment() == nullptr) GTEST_SKIP() << "creation may refuse this mesh";
     size_t done = 0;
     for (size_t calls = 0; done < 20 && calls < 1000; ++calls) {
@@ -81,7 +87,8 @@ TEST_P(EditsTest, RunningOutOfMemoryAnywhereChangesNothing) {
 }
 
 /// As bytes, but for the flags that name the features of the scene, and the checksum.
-std::string saved_without_features(const RandomEdits& edits) {
+template <int D>
+std::string saved_without_features(const RandomEdits<D>& edits) {
   constexpr size_t kAtChecksum = 24, kAtFlags = 32;
   size_t scene = 0;
   EXPECT_EQ(dsw_environment_save(edits.environment(), nullptr, 0, &scene), DSW_STATUS_OK);
@@ -90,12 +97,13 @@ std::string saved_without_features(const RandomEdits& edits) {
   return blocks;
 }
 
-TEST_P(EditsTest, WhatIsKeptToFindOccupantsChangesNoAnswer) {
+template <int D>
+void answers_alike_whatever_is_kept(const std::string& scene) {
   size_t occupied = 0;
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     const uint32_t features = seed % 3 == 0 ? DSW_FEATURE_BODY_CONTACTS : 0;
-    RandomEdits plain(GetParam(), seed, nullptr, features);
-    RandomEdits kept(GetParam(), seed, nullptr, features | DSW_FEATURE_LIVE_CHANGES);
+    RandomEdits<D> plain(scene, seed, nullptr, features);
+    RandomEdits<D> kept(scene, seed, nullptr, features | DSW_FEATURE_LIVE_CHANGES);
     if (plain.environment() == nullptr) continue;
     for (int call = 0; call < 60; ++call) {
       const auto same = [&](const std::string& a, const std::string& b) {
@@ -113,10 +121,11 @@ TEST_P(EditsTest, WhatIsKeptToFindOccupantsChangesNoAnswer) {
   EXPECT_GT(occupied, 0u);
 }
 
-TEST_P(EditsTest, WhatIsLoadedGoesOnWithTheSameBits) {
+template <int D>
+void goes_on_with_the_same_bits(const std::string& scene) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     const uint32_t features = seed > 2 ? DSW_FEATURE_LIVE_CHANGES : 0;
-    RandomEdits edits(GetParam(), seed, nullptr, features), copy(GetParam(), seed, nullptr, features);
+    RandomEdits<D> edits(scene, seed, nullptr, features), copy(scene, seed, nullptr, features);
     if (edits.environment() == nullptr) continue;
     for (int round = 0; round < 5; ++round) {
       for (int calls = 0; calls < 20; ++calls) {
@@ -131,8 +140,9 @@ TEST_P(EditsTest, WhatIsLoadedGoesOnWithTheSameBits) {
 }
 
 /// Words changed behind a right checksum: refused, or sound and saved as they are.
-TEST_P(EditsTest, DamageOfWhatHasChangedIsRefusedOrSound) {
-  RandomEdits edits(GetParam(), 2);
+template <int D>
+void refuses_damage(const std::string& scene) {
+  RandomEdits<D> edits(scene, 2);
   if (edits.environment() == nullptr) GTEST_SKIP() << "creation may refuse this mesh";
   for (int calls = 0; calls < 40; ++calls) ASSERT_EQ(edits.step(), "");
   constexpr size_t kAtChecksum = 24, kAtFlags = 32;
@@ -165,6 +175,24 @@ TEST_P(EditsTest, DamageOfWhatHasChangedIsRefusedOrSound) {
     ASSERT_TRUE(again == block) << round;
   }
 }
+
+class EditsTest : public SceneTest {};
+DSW_FOR_ALL_SCENES(EditsTest);
+class PlaneEditsTest : public SceneTest {};
+INSTANTIATE_TEST_SUITE_P(All, PlaneEditsTest, testing::ValuesIn(plane_names()),
+                         [](const testing::TestParamInfo<std::string>& i) { return i.param; });
+
+TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) { keeps_everything_in_its_place<3>(GetParam()); }
+TEST_P(EditsTest, RunningOutOfMemoryAnywhereChangesNothing) { changes_nothing_out_of_memory<3>(GetParam()); }
+TEST_P(EditsTest, WhatIsKeptToFindOccupantsChangesNoAnswer) { answers_alike_whatever_is_kept<3>(GetParam()); }
+TEST_P(EditsTest, WhatIsLoadedGoesOnWithTheSameBits) { goes_on_with_the_same_bits<3>(GetParam()); }
+TEST_P(EditsTest, DamageOfWhatHasChangedIsRefusedOrSound) { refuses_damage<3>(GetParam()); }
+
+TEST_P(PlaneEditsTest, EveryChangeKeepsEverythingInItsPlace) { keeps_everything_in_its_place<2>(GetParam()); }
+TEST_P(PlaneEditsTest, RunningOutOfMemoryAnywhereChangesNothing) { changes_nothing_out_of_memory<2>(GetParam()); }
+TEST_P(PlaneEditsTest, WhatIsKeptToFindOccupantsChangesNoAnswer) { answers_alike_whatever_is_kept<2>(GetParam()); }
+TEST_P(PlaneEditsTest, WhatIsLoadedGoesOnWithTheSameBits) { goes_on_with_the_same_bits<2>(GetParam()); }
+TEST_P(PlaneEditsTest, DamageOfWhatHasChangedIsRefusedOrSound) { refuses_damage<2>(GetParam()); }
 
 }  // namespace
 }  // namespace dsw::oracle

@@ -130,7 +130,7 @@ dsw_status RandomEdits<2>::split_volume() {
 /// Along the boundary of some faces that hang together, when that is one loop.
 template <>
 dsw_status RandomEdits<3>::split_volume() {
-  const Map<D>& map = env().map;
+  const Map<3>& map = env().map;
   for (;;) {
     const dsw::Cell c = some_cell();
     const Shape shape = map.shape(c);
@@ -163,7 +163,7 @@ dsw_status RandomEdits<3>::split_volume() {
 
 template <>
 dsw_status RandomEdits<3>::split_face() {
-  const Map<D>& map = env().map;
+  const Map<3>& map = env().map;
   dsw_face_id face = some_face();
   for (int tries = 0; tries < 30 && map.shape(map.cell(face.volume)).facet_size(face.local) == 3; ++tries)
     face = some_face();
@@ -181,7 +181,7 @@ dsw_status RandomEdits<3>::split_face() {
 /// For a deformation that some vertices of a cell will not come through.
 template <>
 dsw_status RandomEdits<3>::remesh() {
-  const Map<D>& map = env().map;
+  const Map<3>& map = env().map;
   std::vector<double> next(env().points, env().points + 3 * size_t{map.vertex_count});
   const dsw::Cell c = some_cell();
   const double reach = rng_.range(0.1, 0.8) * place_.size();

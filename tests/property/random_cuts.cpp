@@ -8,12 +8,13 @@
 namespace dsw::oracle {
 
 /// Through the environment somewhere, or through its vertices; flat, bent, folded, or of no extent; much smaller or larger than volumes.
-std::vector<double> RandomEdits::some_blade(uint32_t rows, uint32_t columns) {
+template <>
+std::vector<double> RandomEdits<3>::some_blade(uint32_t rows, uint32_t columns) {
   double at[3], across[3], along[3];
   const dsw::Cell c = some_cell();
   const auto vertex = [&] { return env().point(c, rng_.below(env().map.vertices_of(c))); };
   const double sizes[] = {1e-6, 0.02, 0.2, 0.5, 2, 100, 1e9};
-  const double size = place_.world->size * sizes[rng_.below(7)];
+  const double size = place_.size() * sizes[rng_.below(7)];
   if (rng_.chance(0.4)) {
     // The plane of three vertices: along a face, or through edges.
     const double *const p = vertex(), *const q = vertex(), *const r = vertex();
@@ -47,7 +48,8 @@ std::vector<double> RandomEdits::some_blade(uint32_t rows, uint32_t columns) {
   return points;
 }
 
-dsw_status RandomEdits::cut() {
+template <>
+dsw_status RandomEdits<3>::cut() {
   dsw_cut_desc desc;
   dsw_cut_desc_init(&desc, sizeof desc);
   desc.rows = 2 + rng_.below(3);
@@ -68,8 +70,9 @@ dsw_status RandomEdits::cut() {
   return status;
 }
 
-dsw_status RandomEdits::carve() {
-  const ClosedSurface surface = some_surface(env(), place_.world->size, rng_);
+template <>
+dsw_status RandomEdits<3>::carve() {
+  const ClosedSurface surface = some_surface(env(), place_.size(), rng_);
   dsw_carve_desc desc;
   dsw_carve_desc_init(&desc, sizeof desc);
   desc.points = surface.points.data();
@@ -83,8 +86,9 @@ dsw_status RandomEdits::carve() {
 }
 
 /// What stays whole becomes impassable; carving makes up for it.
-dsw_status RandomEdits::tie() {
-  const std::vector<double> loop = some_loop(env(), place_.world->size, rng_);
+template <>
+dsw_status RandomEdits<3>::tie() {
+  const std::vector<double> loop = some_loop(env(), place_.size(), rng_);
   dsw_tie_desc desc;
   dsw_tie_desc_init(&desc, sizeof desc);
   desc.points = loop.data();
@@ -95,7 +99,8 @@ dsw_status RandomEdits::tie() {
 }
 
 /// What is impassable somewhere; if nothing is, a volume with some that hang together with it becomes so.
-dsw_status RandomEdits::detach() {
+template <>
+dsw_status RandomEdits<3>::detach() {
   const Map<3> &map = env().map;
   dsw::Cell c = some_cell();
   for (int tries = 0; tries < 100 && !map.marked(c); ++tries) c = some_cell();
@@ -120,7 +125,8 @@ dsw_status RandomEdits::detach() {
 }
 
 /// Else there would be more and more bodies.
-void RandomEdits::drop_pieces() {
+template <>
+void RandomEdits<3>::drop_pieces() {
   for (size_t b = first_bodies_; b < scene().bodies.size(); ++b) {
     const auto slot = static_cast<uint32_t>(b);
     dsw_body_destroy(scene_.get(), {slot, scene().body_slots.generation(slot)});

@@ -1,10 +1,9 @@
 // Random changes of an environment's topology with particles and bodies inside, and what has to hold after each.
 #pragma once
 
-#include "support.h"
+#include "edit_ground.h"
 
 #include "capi/handle.h"
-#include "run.h"
 
 namespace dsw::oracle {
 
@@ -41,8 +40,12 @@ struct FailingMemory {
   ContextPtr make_context();
 };
 
+/// In space, or in the plane: then without what this has not.
+template <int D>
 class RandomEdits {
  public:
+  using Point = std::array<double, D>;
+
   /// With `memory`, every call is first made with each of its allocations refused in turn. `features`: of the scene, beside those that
   /// it has anyhow.
   RandomEdits(const std::string& scene, uint64_t seed, FailingMemory* memory = nullptr, uint32_t features = 0);
@@ -70,8 +73,8 @@ class RandomEdits {
   EditTally tallies[static_cast<size_t>(Operation::kCount)];
 
  private:
-  const Environment<3>& env() const { return dsw::capi::space(*place_.get()); }
-  const Scene<3>& scene() const { return dsw::capi::space(*scene_); }
+  const Environment<D>& env() const { return std::get<Environment<D>>(place_.get()->engine); }
+  const Scene<D>& scene() const { return std::get<Scene<D>>(scene_->engine); }
 
   std::string bend();
   std::string bend_to(const double* from, uint32_t vertex, double by);
@@ -80,6 +83,7 @@ class RandomEdits {
   void add_bodies();
   Operation choose();
   dsw_status call(Operation operation);
+  dsw_status call_in_space(Operation operation);
   dsw_status call_without_memory(Operation operation, const std::string& before, std::string& wrong);
   dsw_status sew();
   dsw_status remove();
@@ -108,7 +112,7 @@ class RandomEdits {
   struct Gone {
     std::vector<std::vector<size_t>> faces;  // places in `vertices`
     std::vector<dsw_vertex_id> vertices;
-    std::vector<Vec> positions;
+    std::vector<Point> positions;
   };
   /// What a call with the same arguments needs again.
   struct Choices {
@@ -119,7 +123,7 @@ class RandomEdits {
 
   FailingMemory* memory_;
   ContextPtr context_;
-  Place place_;
+  Ground<D> place_;
   ScenePtr scene_;
   std::vector<double> lent_[2];  // points of an environment that bends
   Choices choices_;
@@ -129,5 +133,32 @@ class RandomEdits {
   double volume_ = 0;
   bool may_change_ = false;  // the last call: the space that all volumes fill
 };
+
+template <>
+dsw_status RandomEdits<3>::call_in_space(Operation operation);
+template <>
+dsw_status RandomEdits<3>::split_volume();
+template <>
+dsw_status RandomEdits<2>::split_volume();
+template <>
+dsw_status RandomEdits<3>::split_face();
+template <>
+dsw_status RandomEdits<3>::remesh();
+template <>
+dsw_status RandomEdits<3>::cut();
+template <>
+dsw_status RandomEdits<3>::carve();
+template <>
+dsw_status RandomEdits<3>::tie();
+template <>
+dsw_status RandomEdits<3>::open();
+template <>
+dsw_status RandomEdits<3>::detach();
+template <>
+void RandomEdits<3>::drop_pieces();
+template <>
+std::string RandomEdits<3>::check_exactly();
+template <>
+std::string RandomEdits<2>::check_exactly();
 
 }  // namespace dsw::oracle

@@ -7,7 +7,8 @@
 namespace dsw::oracle {
 
 /// Faces between volumes of a random cluster that lie on different sides of a random plane; at times some are left out, or all but one.
-std::vector<dsw_cut_face> RandomEdits::some_crack() {
+template <>
+std::vector<dsw_cut_face> RandomEdits<3>::some_crack() {
   const Map<3>& map = env().map;
   std::vector<dsw::Cell> cells{some_cell()};
   const size_t wanted = 2 + rng_.below(rng_.chance(0.3) ? 200 : 30);
@@ -40,7 +41,8 @@ std::vector<dsw_cut_face> RandomEdits::some_crack() {
   return faces;
 }
 
-dsw_status RandomEdits::open() {
+template <>
+dsw_status RandomEdits<3>::open() {
   const Map<3>& map = env().map;
   std::vector<dsw_cut_face> faces;
   if (rng_.chance(0.6)) faces = some_crack();
@@ -60,7 +62,7 @@ dsw_status RandomEdits::open() {
   dsw_open_desc_init(&desc, sizeof desc);
   desc.faces = faces.data();
   desc.face_count = faces.size();
-  desc.width = place_.world->size * widths[rng_.below(5)];
+  desc.width = place_.size() * widths[rng_.below(5)];
   desc.region = rng_.chance(0.5) ? 99 : 0;
   may_change_ = true;
   return dsw_environment_open(place_.get(), &desc, nullptr);

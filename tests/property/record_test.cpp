@@ -29,7 +29,7 @@ TEST_P(RecordTest, WhatWasRecordedIsMadeAgainWithTheSameBits) {
     const uint32_t features = seed == 2   ? uint32_t{DSW_FEATURE_LIVE_CHANGES}
                               : seed == 3 ? DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_STATISTICS
                                           : 0u;
-    RandomEdits edits(GetParam(), seed, nullptr, features);
+    RandomEdits<3> edits(GetParam(), seed, nullptr, features);
     if (edits.environment() == nullptr) continue;
     std::string recording, later;
     const auto change = [&](int times) {
@@ -176,7 +176,7 @@ TEST(RecordedCallsTest, EveryCallIsMadeAgain) {
   std::set<std::string> functions;
   for (const char* kind : {"hex", "tet_kuhn", "polyhedra"}) {
     for (uint64_t seed = 1; seed <= 8; ++seed) {
-      RandomEdits edits(kind, seed, nullptr, DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_STATISTICS);
+      RandomEdits<3> edits(kind, seed, nullptr, DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_STATISTICS);
       if (edits.environment() == nullptr) continue;
       std::string recording;
       ASSERT_EQ(start(edits.handle(), &recording), DSW_STATUS_OK);
@@ -203,7 +203,7 @@ TEST(RecordedCallsTest, EveryCallIsMadeAgain) {
 
 // A wrong byte anywhere is found, and a recording that ends anywhere is replayed up to there.
 TEST(DamagedRecordingTest, IsFoundOrReplayedUpToWhereItEnds) {
-  RandomEdits edits("tet_kuhn", 5);
+  RandomEdits<3> edits("tet_kuhn", 5);
   ASSERT_NE(edits.environment(), nullptr);
   std::string recording;
   ASSERT_EQ(start(edits.handle(), &recording), DSW_STATUS_OK);

@@ -17,7 +17,7 @@ namespace {
 
 /// Records changes of a scene into a file for ever.
 [[noreturn]] void record_until_killed(const std::string& path, uint64_t seed) {
-  RandomEdits edits("prisms", seed);
+  RandomEdits<3> edits("prisms", seed);
   dsw_recording_desc desc;
   dsw_recording_desc_init(&desc, sizeof desc);
   desc.path = path.c_str();
@@ -94,7 +94,7 @@ class Entries {
 };
 
 TEST(ReplayTest, TheFirstCallThatDiffersIsTold) {
-  RandomEdits edits("hex", 3);
+  RandomEdits<3> edits("hex", 3);
   std::string recording;
   ASSERT_EQ(start(edits.handle(), &recording, DSW_RECORDING_STATES), DSW_STATUS_OK);
   for (int i = 0; i < 4; ++i) edits.move_all();
@@ -218,7 +218,7 @@ TEST(ReplayTest, RoomOfTheHostsIsMadeAsItIsNeeded) {
 
 // A parallel-for of the host's and any number of threads: the same bits.
 TEST(ReplayTest, ThreadsDoNotMatter) {
-  RandomEdits edits("tet_kuhn", 2);
+  RandomEdits<3> edits("tet_kuhn", 2);
   std::string recording;
   ASSERT_EQ(start(edits.handle(), &recording, DSW_RECORDING_STATES), DSW_STATUS_OK);
   for (int i = 0; i < 6; ++i) {

@@ -45,7 +45,7 @@ DSW_FOR_ALL_SCENES(ReportTest);
 TEST_P(ReportTest, TheLastCallIsJudged) {
   const std::string path = ::testing::TempDir() + "dartsweep_report_" + std::to_string(getpid()) + ".dswrec";
   for (uint64_t seed = 1; seed <= 2; ++seed) {
-    RandomEdits edits(GetParam(), seed);
+    RandomEdits<3> edits(GetParam(), seed);
     if (edits.environment() == nullptr) continue;
     dsw_recording_desc desc;
     dsw_recording_desc_init(&desc, sizeof desc);
@@ -69,7 +69,7 @@ TEST_P(ReportTest, TheLastCallIsJudged) {
 }
 
 TEST(BundleTest, OfASceneThatIsNotRecordedIsWhatIsThere) {
-  RandomEdits edits("hex", 1);
+  RandomEdits<3> edits("hex", 1);
   std::string report;
   dsw_verdict verdict;
   ASSERT_EQ(write_bundle(edits.handle(), &report, &verdict), DSW_STATUS_OK) << dsw_last_error_message();
@@ -79,7 +79,7 @@ TEST(BundleTest, OfASceneThatIsNotRecordedIsWhatIsThere) {
 
 // A recording in memory begins anew before it gets long.
 TEST(BundleTest, OnlyTheLatestCallsAreKept) {
-  RandomEdits edits("hex", 4);
+  RandomEdits<3> edits("hex", 4);
   ASSERT_EQ(edits.step(), "");
   dsw_recording_desc desc;
   dsw_recording_desc_init(&desc, sizeof desc);
@@ -106,7 +106,7 @@ TEST(BundleTest, OnlyTheLatestCallsAreKept) {
 // A vertex that something has put behind a wall: the scene is not what its calls have made, and the verdict names what is wrong.
 TEST(BundleTest, WhatIsWrongIsNamed) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
-    RandomEdits edits("hex", seed);
+    RandomEdits<3> edits("hex", seed);
     dsw_scene& scene = *edits.handle();
     std::string report;
     ASSERT_EQ(start(&scene, &report), DSW_STATUS_OK);
