@@ -39,6 +39,15 @@ void append_slots(std::string& out, const SlotPool& slots) {
   }
 }
 
+template <int D>
+const char* fault_of(const Environment<D>& env, dsw::Cell c) {
+  const CellState state = check_cell(env, c);
+  if (state != CellState::kValid && state != CellState::kValidConvex) return "a volume is not valid";
+  // Of points that may move it is not said.
+  const bool convex = state == CellState::kValidConvex && (!env.checked.active() || env.map.form(c) == Form::kSimplex);
+  return env.map.convex(c) == convex ? nullptr : "a volume is wrongly called convex, or not";
+}
+
 }  // namespace
 
 /// Everything that a failed call must leave as it was, byte for byte.
@@ -158,11 +167,7 @@ std::string RandomEdits<3>::check_exactly() {
   std::map<uint32_t, size_t> place;  // unit -> cell of the mesh
   std::string wrong;
   for_each_cell(e.map, [&](dsw::Cell c) {
-    const CellState state = check_cell(e, c);
-    if (state != CellState::kValid && state != CellState::kValidConvex) wrong = "a volume is not valid";
-    // Of points that may move it is not said.
-    const bool convex = state == CellState::kValidConvex && (!e.checked.active() || e.map.form(c) == Form::kSimplex);
-    if (e.map.convex(c) != convex) wrong = "a volume is wrongly called convex, or not";
+    if (const char* const what = fault_of(e, c)) wrong = what;
     const Shape shape = e.map.shape(c);
     std::vector<Loop> loops(shape.facet_count());
     changed.outer.emplace_back();
@@ -235,8 +240,7 @@ std::string RandomEdits<2>::check_exactly() {
     centre(e, c, middle.data());
     const int here = place.at(c.unit);
     if (!plane::is_star_of(world, here, middle)) wrong = "a polygon is not valid";
-    const CellState state = check_cell(e, c);
-    if (map.convex(c) != (state == CellState::kValidConvex)) wrong = "a polygon is wrongly called convex, or not";
+    if (const char* const what = fault_of(e, c)) wrong = what;
     const std::vector<int>& loop = world.cells[static_cast<size_t>(here)];
     for (uint32_t f = 0; f < loop.size(); ++f) {
       const HalfFacet h = map.half_facet(c, f), o = map.opposite(h);
