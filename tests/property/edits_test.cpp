@@ -191,6 +191,7 @@ TEST_P(EditsTest, DamageOfWhatHasChangedIsRefusedOrSound) { refuses_damage<3>(Ge
 TEST_P(PlaneEditsTest, EveryChangeKeepsEverythingInItsPlace) { keeps_everything_in_its_place<2>(GetParam()); }
 TEST_P(PlaneEditsTest, RunningOutOfMemoryAnywhereChangesNothing) { changes_nothing_out_of_memory<2>(GetParam()); }
 TEST_P(PlaneEditsTest, WhatIsKeptToFindOccupantsChangesNoAnswer) { answers_alike_whatever_is_kept<2>(GetParam()); }
+TEST_P(PlaneEditsTest, WhatIsLoadedGoesOnWithTheSameBits) { goes_on_with_the_same_bits<2>(GetParam()); }
 TEST_P(PlaneEditsTest, DamageOfWhatHasChangedIsRefusedOrSound) { refuses_damage<2>(GetParam()); }
 
 }  // namespace
