@@ -5,7 +5,10 @@
 namespace dsw_fuzz {
 
 Calls::Calls(dsw_scene* scene, const World& world, Bytes* bytes)
-    : scene_(scene), environment_(dsw_scene_get_environment(scene)), bytes_(*bytes) {
+    : scene_(scene),
+      environment_(dsw_scene_get_environment(scene)),
+      bytes_(*bytes),
+      dimension_(world.is_planar() ? 2 : 3) {
   for (int k = 0; k < 3; ++k) size_[k] = world.boxes[k];
   const dsw_environment_info info = info_of(environment_);
   most_volumes_ = 2 * info.volume_count + 10;
@@ -87,11 +90,10 @@ dsw_body_face_id Calls::body_face(dsw_body_id of) {
 }
 
 void Calls::place(double* xyz) {
-  if (wild()) {
-    bytes_.point(xyz);
-    return;
+  const bool any = wild();
+  for (size_t k = 0; k < dimension_; ++k) {
+    xyz[k] = any ? bytes_.number() : bytes_.byte() * size_[k] / 240;  // a little beyond, too
   }
-  for (int k = 0; k < 3; ++k) xyz[k] = bytes_.byte() * size_[k] / 240;  // a little beyond, too
 }
 
 dsw_status Calls::change_marks(uint32_t which) {
@@ -173,27 +175,28 @@ dsw_status Calls::change_topology(uint32_t which) {
   }
 }
 
-/** A tetrahedron on three corners of a face of the outer boundary, or somewhere else. */
+/** A tetrahedron or triangle on the corners of a face of the outer boundary, or somewhere else. */
 dsw_status Calls::add_volumes() {
   const dsw_face_id id = face();
   const dsw_cell cell = {DSW_CELL_FACE, id.volume, id.generation, id.local};
   dsw_vertex_id corners[32];
   size_t count = 0;
   if (dsw_environment_copy_vertices(environment_, cell, corners, 32, &count) != DSW_STATUS_OK) count = 0;
-  count = std::min<size_t>(count, 3);
+  const size_t needed = dimension_ + 1;
+  count = std::min(count, dimension_);
   double points[12];
-  for (size_t i = 0; i + count < 4; ++i) place(points + 3 * i);
-  const int64_t connectivity[] = {0, 2, 1, 3};
+  for (size_t i = 0; i + count < needed; ++i) place(points + dimension_ * i);
+  const int64_t tetrahedron[] = {0, 2, 1, 3}, triangle[] = {1, 0, 2};
   dsw_volumes_desc desc;
   dsw_volumes_desc_init(&desc, sizeof desc);
   desc.vertices = corners;
   desc.vertex_count = count;
   desc.points = points;
-  desc.point_count = 4 - count;
-  desc.uniform_cell_type = DSW_CELL_TYPE_TETRA;
+  desc.point_count = needed - count;
+  desc.uniform_cell_type = dimension_ == 3 ? DSW_CELL_TYPE_TETRA : DSW_CELL_TYPE_TRIANGLE;
   desc.cell_count = 1;
-  desc.connectivity = connectivity;
-  desc.connectivity_count = 4;
+  desc.connectivity = dimension_ == 3 ? tetrahedron : triangle;
+  desc.connectivity_count = needed;
   if (bytes_.below(2) == 0) {
     desc.sew_to = &id;
     desc.sew_count = 1;
@@ -203,7 +206,7 @@ dsw_status Calls::add_volumes() {
 
 dsw_status Calls::cut(uint32_t which) {
   double points[27];
-  for (int i = 0; i < 9; ++i) place(points + 3 * i);
+  places(points);
   const uint32_t flags = bytes_.below(3);
   const double snap = bytes_.below(5) / 16.0;
   const dsw_volume_id start = bytes_.below(2) == 0 ? dsw_volume_id{0, 0} : volume();
@@ -297,13 +300,13 @@ dsw_status Calls::deform() {
   o.invalid = static_cast<dsw_invalid_response>(bytes_.below(3));
   o.most_halvings = 1 + bytes_.below(4);
   o.point_room = bytes_.below(2) == 0 ? 0 : count + 40;
-  next.assign(3 * (count + 40), 0);
-  std::copy_n(now, 3 * count, next.begin());
+  next.assign(dimension_ * (count + 40), 0);
+  std::copy_n(now, dimension_ * count, next.begin());
   for (uint32_t i = 0, moved = bytes_.below(6); i < moved; ++i) {
     const size_t v = bytes_.byte() % count;
-    for (size_t k = 0; k < 3; ++k) next[3 * v + k] += static_cast<int8_t>(bytes_.byte()) / 100.0;
+    for (size_t k = 0; k < dimension_; ++k) next[dimension_ * v + k] += static_cast<int8_t>(bytes_.byte()) / 100.0;
   }
-  if (wild()) next[3 * (bytes_.byte() % count)] = bytes_.number();
+  if (wild()) next[dimension_ * (bytes_.byte() % count)] = bytes_.number();
   return dsw_scene_deform(scene_, next.data(), count, &o, nullptr);
 }
 

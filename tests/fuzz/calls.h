@@ -43,7 +43,11 @@ class Calls {
   dsw_body_vertex_id body_vertex(dsw_body_id of);
   dsw_body_edge_id body_edge(dsw_body_id of);
   dsw_body_face_id body_face(dsw_body_id of);
-  /** A number in the box of the environment, or any. */
+  /** Some points, one after the other, in the box of the environment or anywhere. */
+  template <size_t N>
+  void places(double (&points)[N]) {
+    for (size_t i = 0; i + dimension_ <= N / 3 * dimension_; i += dimension_) place(points + i);
+  }
   void place(double* xyz);
   dsw_mark mark() { return bytes_.below(4) == 0 ? DSW_MARK_PASSABLE : DSW_MARK_IMPASSABLE; }
   bool wild() { return bytes_.below(16) == 15; }
@@ -52,6 +56,7 @@ class Calls {
   dsw_scene* scene_;
   dsw_environment* environment_;
   Bytes& bytes_;
+  size_t dimension_;                       // doubles of a point
   double size_[3];                         // of the world
   uint32_t most_volumes_, most_vertices_;  // indices that are tried are below
   std::vector<double> lent_[2];

@@ -6,7 +6,7 @@ namespace dsw_fuzz {
 
 dsw_status Calls::use_particles(uint32_t which) {
   double points[9];
-  for (int i = 0; i < 3; ++i) place(points + 3 * i);
+  places(points);
   dsw_flight flights[3];
   dsw_cast_options o;
   dsw_cast_options_init(&o, sizeof o);
@@ -44,9 +44,11 @@ dsw_status Calls::make_bodies(uint32_t which) {
     case 2: {
       double positions[12];
       place(positions);
-      for (int i = 3; i < 12; ++i) positions[i] = positions[i % 3] + static_cast<int8_t>(bytes_.byte()) / 300.0;
+      for (size_t i = dimension_; i < 4 * dimension_; ++i) {
+        positions[i] = positions[i % dimension_] + static_cast<int8_t>(bytes_.byte()) / 300.0;
+      }
       const uint32_t edges[] = {0, 1, 1, 2, 2, 3}, offsets[] = {0, 3, 6}, corners[] = {0, 1, 2, 0, 2, 3};
-      const bool with_faces = bytes_.below(2) == 0;
+      const bool with_faces = bytes_.below(dimension_ == 3 ? 2 : 16) == 0;
       dsw_body_desc d;
       dsw_body_desc_init(&d, sizeof d);
       d.level = static_cast<dsw_level>(bytes_.below(5));
@@ -122,6 +124,7 @@ dsw_status Calls::move_bodies(uint32_t which) {
     for (double& q : motion.rotation) q += static_cast<int8_t>(bytes_.byte()) / 256.0;
     place(motion.centre);
     for (double& t : motion.translation) t = static_cast<int8_t>(bytes_.byte()) / 100.0;
+    if (dimension_ == 2 && !wild()) motion.rotation[0] = motion.rotation[1] = motion.translation[2] = 0;
     return dsw_body_move_rigid(scene_, ids[0], &motion, nullptr, nullptr);
   }
   const uint32_t count = which == 1 ? 2 : 1;
@@ -130,21 +133,21 @@ dsw_status Calls::move_bodies(uint32_t which) {
     dsw_body_counts counts;
     counts.struct_size = sizeof counts;
     if (dsw_body_get_counts(scene_, ids[i], &counts) != DSW_STATUS_OK) continue;
-    std::vector<double> positions(3 * size_t{counts.vertex_slots});
+    std::vector<double> positions(dimension_ * counts.vertex_slots);
     size_t got = 0;
     dsw_body_get_positions(scene_, ids[i], positions.data(), counts.vertex_slots, 0, nullptr, &got);
     const bool together = bytes_.below(2) == 0;
     double by[3] = {};
     for (size_t k = 0; k < positions.size(); ++k) {
-      if (k < 3 || !together) by[k % 3] = static_cast<int8_t>(bytes_.byte()) / 50.0;
-      positions[k] += by[k % 3];
+      if (k < dimension_ || !together) by[k % dimension_] = static_cast<int8_t>(bytes_.byte()) / 50.0;
+      positions[k] += by[k % dimension_];
     }
     if (wild() && !positions.empty()) positions[bytes_.byte() % positions.size()] = bytes_.number();
     targets.insert(targets.end(), positions.begin(), positions.end());
   }
   dsw_move_options o = options();
   if (count == 2) {
-    return dsw_scene_move_bodies(scene_, ids, 2, targets.data(), targets.size() / 3, 0, &o, nullptr);
+    return dsw_scene_move_bodies(scene_, ids, 2, targets.data(), targets.size() / dimension_, 0, &o, nullptr);
   }
   order_.clear();
   for (uint32_t i = 0, n = bytes_.below(8); i < n && n > 4; ++i) order_.push_back(bytes_.below(8));
@@ -152,7 +155,7 @@ dsw_status Calls::move_bodies(uint32_t which) {
     o.order = order_.data();
     o.order_count = order_.size();
   }
-  return dsw_body_move(scene_, ids[0], targets.data(), targets.size() / 3, 0, &o, nullptr);
+  return dsw_body_move(scene_, ids[0], targets.data(), targets.size() / dimension_, 0, &o, nullptr);
 }
 
 }  // namespace dsw_fuzz

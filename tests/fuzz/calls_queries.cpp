@@ -204,8 +204,8 @@ dsw_status Calls::look_at_body() {
 dsw_status Calls::ask() {
   const dsw_environment* const e = environment_;
   double points[18];
-  for (int i = 0; i < 6; ++i) place(points + 3 * i);
-  const double *const from = points, *const to = points + 6, *const fixed = points + 12;
+  places(points);
+  const double *const from = points, *const to = points + 2 * dimension_, *const fixed = points + 4 * dimension_;
   const dsw_volume_id starts[] = {volume(), {0, 0}};
   dsw_cast_options cast;
   dsw_cast_options_init(&cast, sizeof cast);
@@ -237,8 +237,7 @@ dsw_status Calls::ask() {
 /** A trace of everything, and second opinions on contacts. */
 dsw_status Calls::draw() {
   double points[6];
-  place(points);
-  place(points + 3);
+  places(points);
   const dsw_volume_id ids[] = {volume(), volume()};
   dsw_trace* trace = nullptr;
   dsw_flight flight;
@@ -248,8 +247,8 @@ dsw_status Calls::draw() {
   Answers answers;
   answers << dsw_trace_add_volumes(trace, environment_, ids, 2, 1)
           << dsw_trace_add_impassable(trace, environment_, bytes_.below(2) == 0, 2)
-          << dsw_trace_add_walk(trace, environment_, {0, 0}, points, points + 3, nullptr, bytes_.number(), 3);
-  if (dsw_environment_cast(environment_, {0, 0}, points, points + 3, nullptr, &flight) == DSW_STATUS_OK) {
+          << dsw_trace_add_walk(trace, environment_, {0, 0}, points, points + dimension_, nullptr, bytes_.number(), 3);
+  if (dsw_environment_cast(environment_, {0, 0}, points, points + dimension_, nullptr, &flight) == DSW_STATUS_OK) {
     answers << dsw_trace_add_contact(trace, &flight, bytes_.number(), 4);
   }
   require(dsw_trace_get(trace, &data) == DSW_STATUS_OK, "a trace can be read");

@@ -57,16 +57,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   dsw_scene* scene = nullptr;
   dsw_fuzz::require(dsw_scene_create(home, &desc, &scene) == DSW_STATUS_OK, "a scene");
   std::vector<uint8_t> recording;
-  dsw_recording_desc to;
-  dsw_recording_desc_init(&to, sizeof to);
-  to.write = append;
-  to.user = &recording;
   {
     dsw_fuzz::Calls calls(scene, world, &bytes);
     for (int i = 0; i < kMostCalls && !bytes.empty(); ++i) {
-      if (i == first_recorded) {
-        dsw_fuzz::require(dsw_scene_start_recording(scene, &to) == DSW_STATUS_OK, "a recording");
-      }
+      if (i == first_recorded) dsw_fuzz::record(scene, append, &recording);
       dsw_fuzz::require(calls.make() != DSW_STATUS_INTERNAL, dsw_last_error_message());
     }
     dsw_fuzz::require(dsw_scene_stop_recording(scene) == DSW_STATUS_OK, "its end");

@@ -1,4 +1,4 @@
-// Any bytes as the snapshot of a scene in one environment. What is accepted must save to the same bytes, and move. A block with a wrong size
+// Any bytes as the snapshot of a scene in an environment of space or the plane. What is accepted must save to the same bytes, and move. A block with a wrong size
 // or checksum is also tried with both set right, or the fuzzer would never get past them.
 
 #include "use.h"
@@ -6,9 +6,9 @@
 namespace {
 
 /** Loads, compares, uses. Returns whether the block was accepted. */
-bool run(const uint8_t* data, size_t size) {
+bool run(bool is_planar, const uint8_t* data, size_t size) {
   if (size == 0) return false;  // where nothing is, data is null
-  dsw_environment* const home = dsw_fuzz::make_home();
+  dsw_environment* const home = dsw_fuzz::make_home(is_planar);
   dsw_scene* scene = nullptr;
   const dsw_status status = dsw_scene_load(home, data, size, &scene);
   dsw_fuzz::require(status == DSW_STATUS_OK || status == DSW_STATUS_TRUNCATED || status == DSW_STATUS_CORRUPT ||
@@ -30,6 +30,8 @@ bool run(const uint8_t* data, size_t size) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  dsw_fuzz::try_block(data, size, run);
+  for (const bool is_planar : {false, true}) {
+    dsw_fuzz::try_block(data, size, [=](const uint8_t* block, size_t length) { return run(is_planar, block, length); });
+  }
   return 0;
 }

@@ -222,7 +222,7 @@ std::vector<uint8_t> snapshot(const Mesh& mesh, uint32_t flags, bool marked, boo
     dsw_environment_mark_vertices(environment, &vertex, 1, DSW_MARK_IMPASSABLE);
     dsw_environment_mark_volumes(environment, &volume, 1, DSW_MARK_IMPASSABLE, 0, nullptr);
   }
-  if (changed && !mesh.is_planar) change(environment);
+  if (changed) change(environment);
   const std::vector<uint8_t> block = dsw_fuzz::save(environment);
   dsw_environment_destroy(environment);
   return block;
@@ -231,7 +231,7 @@ std::vector<uint8_t> snapshot(const Mesh& mesh, uint32_t flags, bool marked, boo
 /** A program of calls can be any bytes. Most are short: many of them are made in the time of a long one. */
 constexpr uint32_t kPrograms = 32;
 std::vector<uint8_t> some_bytes(uint32_t seed) {
-  std::vector<uint8_t> bytes = {static_cast<uint8_t>(seed)};
+  std::vector<uint8_t> bytes = {static_cast<uint8_t>(8 * seed + seed / 8)};  // worlds of every kind
   uint64_t state = seed;
   for (uint32_t i = 0; i < 16 + seed * seed / 2; ++i) {
     state = state * 6364136223846793005u + 1442695040888963407u;
@@ -279,11 +279,13 @@ int main(int argc, char** argv) {
     write(folder / "snapshot" / seed.name, snapshot(seed.mesh, flags, marked, false));
     write(folder / "snapshot" / (std::string(seed.name) + "_changed"), snapshot(seed.mesh, flags, marked, true));
   }
-  dsw_environment* const home = dsw_fuzz::make_home();
-  dsw_scene* const scene = dsw_fuzz::make_inhabited(home);
-  write(folder / "scene" / "bodies", dsw_fuzz::save(scene));
-  dsw_scene_destroy(scene);
-  dsw_environment_destroy(home);
+  for (const bool is_planar : {false, true}) {
+    dsw_environment* const home = dsw_fuzz::make_home(is_planar);
+    dsw_scene* const scene = dsw_fuzz::make_inhabited(home);
+    write(folder / "scene" / (is_planar ? "planar_bodies" : "bodies"), dsw_fuzz::save(scene));
+    dsw_scene_destroy(scene);
+    dsw_environment_destroy(home);
+  }
   for (uint32_t i = 0; i < kPrograms; ++i) {
     write(folder / "calls" / std::to_string(i), some_bytes(i));
     write(folder / "replay" / std::to_string(i), some_bytes(i));

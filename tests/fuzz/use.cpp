@@ -55,7 +55,8 @@ void check_sweep(const dsw_sweep& s, bool is_limited) {
   require((s.outcome == DSW_OUTCOME_OUTSIDE) == (s.volume.generation == 0), "the moving end has a volume");
   const bool contact = s.outcome == DSW_OUTCOME_CONTACT;
   require(contact == (s.kind != DSW_CONTACT_NONE) && contact == (s.front.generation != 0), "a contact, or none");
-  require(s.kind == DSW_CONTACT_EDGE || s.edge.generation == 0, "an edge with that kind only");
+  require(s.kind == DSW_CONTACT_EDGE || s.kind == DSW_CONTACT_VERTEX || s.edge.generation == 0,
+          "an edge or vertex with that kind only");
   require((s.obstacle == DSW_CELL_FACE || s.obstacle == DSW_CELL_VOLUME) == (s.face.generation != 0), "met a face");
   require((s.obstacle == DSW_CELL_NONE) != contact && s.reserved == 0, "a contact has an obstacle");
   if (!contact) return;
@@ -69,9 +70,7 @@ void sweep_something(const dsw_environment* environment, bool is_partition, Byte
   dsw_sweep_options options;
   dsw_sweep_options_init(&options, sizeof options);
   options.max_cells = bytes->below(16) * 2;
-  bytes->point(from);
-  bytes->point(to);
-  bytes->point(fixed);
+  for (double* each : {from, to, fixed}) read_point(environment, bytes, each);
   const bool is_limited = options.max_cells != 0;
   dsw_sweep found[DSW_LEVEL_EDGES_SWEPT + 1];
   for (int level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES_SWEPT; ++level) {
@@ -174,14 +173,13 @@ void mark_something(dsw_environment* environment, Bytes* bytes) {
 void use_environment(dsw_environment* environment, bool is_partition, Bytes* bytes) {
   dsw_scene* scene = nullptr;
   require(dsw_scene_create(environment, nullptr, &scene) == DSW_STATUS_OK, "a scene");
-  const bool is_planar = info_of(environment).dimension == 2;
   for (int step = 0; step < 24 && !bytes->empty(); ++step) {
     const uint8_t choice = bytes->byte();
-    if (choice >= kSweep && !is_planar) {
+    if (choice >= kSweep) {
       sweep_something(environment, is_partition, bytes);
       continue;
     }
-    if (choice >= kBody && !is_planar) {
+    if (choice >= kBody) {
       use_body(scene, is_partition, bytes);
       continue;
     }
@@ -205,6 +203,17 @@ void use_environment(dsw_environment* environment, bool is_partition, Bytes* byt
     }
   }
   require(dsw_scene_destroy(scene) == DSW_STATUS_OK, "the scene goes");
+}
+
+bool record(dsw_scene* scene, dsw_write_fn write, void* user) {
+  dsw_recording_desc to;
+  dsw_recording_desc_init(&to, sizeof to);
+  to.write = write;
+  to.user = user;
+  const dsw_status status = dsw_scene_start_recording(scene, &to);
+  const bool is_planar = dimension_of(dsw_scene_get_environment(scene)) == 2;
+  require(status == (is_planar ? DSW_STATUS_UNSUPPORTED : DSW_STATUS_OK), "a recording");
+  return !is_planar;
 }
 
 std::vector<uint8_t> save(const dsw_environment* environment) {

@@ -25,6 +25,9 @@ inline bool is_unit(const double* v) {
   return std::fabs(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1) < 1e-12;
 }
 
+/** Starts one. False in the plane, where there are none. */
+bool record(dsw_scene* scene, dsw_write_fn write, void* user);
+
 /** Snapshots. */
 std::vector<uint8_t> save(const dsw_environment* environment);
 std::vector<uint8_t> save(const dsw_scene* scene);
@@ -42,22 +45,26 @@ void try_block(const uint8_t* data, size_t size, Run run) {
   }
 }
 
-/** A block of boxes of unit size, each cut into cells of one type. */
+/** A block of boxes of unit size, or without layers of boxes squares in the plane, each cut into cells of one type. */
 struct World {
   uint32_t boxes[3];
   dsw_cell_type type;
+
+  bool is_planar() const { return boxes[2] == 0; }
 };
 /** One of a few, by a byte. */
 World world_of(uint8_t byte);
 /** Some of its corners are moved, so that faces are warped; the cell in the middle is a wall. */
 dsw_environment* make_world(const World& world);
-/** The environment of all saved scenes: hexahedra. */
-dsw_environment* make_home();
+/** The environment of all saved scenes: hexahedra, or quads. */
+dsw_environment* make_home(bool is_planar);
 /** Bodies at every level and particles in it, moved a little; some are gone again. */
 dsw_scene* make_inhabited(dsw_environment* home);
 /** Moves all that can be in a scene made by make_inhabited, whatever has been made of it. */
 void use_scene(dsw_scene* scene);
 
 dsw_environment_info info_of(const dsw_environment* environment);
+/** Doubles of a point. */
+inline size_t dimension_of(const dsw_environment* environment) { return info_of(environment).dimension; }
 
 }  // namespace dsw_fuzz

@@ -21,6 +21,7 @@ struct Subject {
   dsw_scene* scene;
   dsw_body_id id;
   bool is_partition;
+  size_t dimension;  // doubles of a point
   std::vector<double> positions;
   std::vector<dsw_volume_id> volumes;
   std::vector<dsw_body_vertex_id> vertices;
@@ -31,7 +32,7 @@ struct Subject {
     dsw_body_counts counts = {};
     counts.struct_size = sizeof counts;
     require(dsw_body_get_counts(scene, id, &counts) == DSW_STATUS_OK, "a body has counts");
-    positions.resize(3 * size_t{counts.vertex_slots});
+    positions.resize(dimension * counts.vertex_slots);
     volumes.resize(counts.vertex_slots);
     vertices.resize(counts.vertex_count);
     edges.resize(counts.edge_count);
@@ -44,7 +45,7 @@ struct Subject {
     require(dsw_body_get_edges(scene, id, edges.data(), edges.size(), &n) == DSW_STATUS_OK, "edges");
     require(dsw_body_get_faces(scene, id, faces.data(), faces.size(), &n) == DSW_STATUS_OK, "faces");
   }
-  const double* at(uint32_t vertex) const { return positions.data() + 3 * size_t{vertex}; }
+  const double* at(uint32_t vertex) const { return positions.data() + dimension * vertex; }
 
   /** Ids of living things mostly; the one beyond the last is null. */
   template <class Id>
@@ -142,7 +143,8 @@ void check_results(const Subject& s, const dsw_move_report& report, dsw_search s
 void move_body(Subject* s, Bytes* bytes) {
   std::vector<double> targets = s->positions;
   for (const dsw_body_vertex_id vertex : s->vertices) {
-    if (bytes->below(4) != 0) bytes->point(targets.data() + 3 * size_t{vertex.index});
+    if (bytes->below(4) == 0) continue;
+    for (size_t k = 0; k < s->dimension; ++k) targets[s->dimension * vertex.index + k] = bytes->number();
   }
   dsw_move_options options;
   dsw_move_options_init(&options, sizeof options);
@@ -163,7 +165,7 @@ void move_body(Subject* s, Bytes* bytes) {
   bool finite = true;
   for (const dsw_body_vertex_id vertex : s->vertices) {
     const bool moves = options.order == nullptr || vertex.index != s->vertices[0].index;
-    finite = finite && (!moves || all_finite(targets.data() + 3 * size_t{vertex.index}, 3));
+    finite = finite && (!moves || all_finite(targets.data() + s->dimension * vertex.index, s->dimension));
   }
   if (order.empty()) options.order = nullptr, finite = all_finite(targets.data(), targets.size());
   dsw_move_report report = {};
@@ -176,9 +178,8 @@ void move_body(Subject* s, Bytes* bytes) {
   now.read();
   for (const dsw_body_vertex_id vertex : s->vertices) {
     if (options.order != nullptr && vertex.index == s->vertices[0].index) continue;
-    for (int k = 0; k < 3; ++k) {
-      require(now.at(vertex.index)[k] == targets[3 * size_t{vertex.index} + static_cast<size_t>(k)],
-              "who did not stop is there");
+    for (size_t k = 0; k < s->dimension; ++k) {
+      require(now.at(vertex.index)[k] == targets[s->dimension * vertex.index + k], "who did not stop is there");
     }
   }
 }
@@ -188,6 +189,7 @@ void move_rigid(Subject* s, Bytes* bytes) {
   for (double& each : motion.rotation) each = bytes->number();
   bytes->point(motion.centre);
   bytes->point(motion.translation);
+  if (s->dimension == 2) motion.rotation[0] = motion.rotation[1] = motion.centre[2] = motion.translation[2] = 0;
   dsw_move_report report = {};
   if (dsw_body_move_rigid(s->scene, s->id, &motion, nullptr, &report) != DSW_STATUS_OK) return;
   check_results(*s, report, DSW_SEARCH_EXACT);
@@ -245,10 +247,10 @@ void edit_body(Subject* s, Bytes* bytes) {
           "what fails changes nothing");
 }
 
-bool create_body(dsw_scene* scene, Bytes* bytes, dsw_body_id* body) {
+bool create_body(dsw_scene* scene, size_t dimension, Bytes* bytes, dsw_body_id* body) {
   const uint32_t vertex_count = 1 + bytes->below(kMostVertices), edge_count = bytes->below(7),
-                 face_count = bytes->below(7);
-  std::vector<double> positions(3 * size_t{vertex_count});
+                 face_count = dimension == 3 ? bytes->below(7) : 0;
+  std::vector<double> positions(dimension * vertex_count);
   for (double& each : positions) each = bytes->number();
   std::vector<uint32_t> edges(2 * size_t{edge_count}), offsets = {0}, corners;
   for (uint32_t& end : edges) end = bytes->below(vertex_count);
@@ -259,7 +261,7 @@ bool create_body(dsw_scene* scene, Bytes* bytes, dsw_body_id* body) {
   dsw_body_desc desc;
   dsw_body_desc_init(&desc, sizeof desc);
   desc.flags = bytes->below(17);
-  desc.level = static_cast<dsw_level>(1 + bytes->below(4));
+  desc.level = static_cast<dsw_level>(1 + bytes->below(dimension == 3 ? 4 : 3));
   desc.positions = positions.data();
   desc.vertex_count = vertex_count;
   desc.edges = edges.data();
@@ -280,8 +282,9 @@ bool create_body(dsw_scene* scene, Bytes* bytes, dsw_body_id* body) {
 }  // namespace
 
 void use_body(dsw_scene* scene, bool is_partition, Bytes* bytes) {
-  Subject subject = {scene, {0, 0}, is_partition, {}, {}, {}, {}, {}};
-  if (!create_body(scene, bytes, &subject.id)) return;
+  const size_t dimension = dimension_of(dsw_scene_get_environment(scene));
+  Subject subject = {scene, {0, 0}, is_partition, dimension, {}, {}, {}, {}, {}};
+  if (!create_body(scene, dimension, bytes, &subject.id)) return;
   check_body(&subject);
   for (int step = 0; step < 8 && !bytes->empty(); ++step) {
     switch (bytes->below(4)) {

@@ -8,9 +8,10 @@ namespace {
 /** A body of four vertices round a place. */
 void add_body(dsw_scene* scene, const double (&at)[3], dsw_level level, uint32_t flags) {
   const double size = 0.3;
+  const size_t dimension = dimension_of(dsw_scene_get_environment(scene));
   double positions[12];
-  for (int v = 0; v < 4; ++v) {
-    for (int k = 0; k < 3; ++k) positions[3 * v + k] = at[k] + (v == k + 1 ? size : 0);
+  for (size_t v = 0; v < 4; ++v) {
+    for (size_t k = 0; k < dimension; ++k) positions[dimension * v + k] = at[k] + (v == k + 1 ? size : 0);
   }
   const uint32_t edges[] = {0, 1, 1, 2, 2, 3}, offsets[] = {0, 3, 6}, corners[] = {0, 1, 2, 0, 2, 3};
   dsw_body_desc desc;
@@ -34,11 +35,12 @@ void move_body(dsw_scene* scene, dsw_body_id body, const double (&by)[3]) {
   dsw_body_counts counts;
   counts.struct_size = sizeof counts;
   if (dsw_body_get_counts(scene, body, &counts) != DSW_STATUS_OK) return;
-  std::vector<double> targets(3 * size_t{counts.vertex_slots});
+  const size_t dimension = dimension_of(dsw_scene_get_environment(scene));
+  std::vector<double> targets(dimension * counts.vertex_slots);
   size_t count = 0;
   require(dsw_body_get_positions(scene, body, targets.data(), counts.vertex_slots, 0, nullptr, &count) == DSW_STATUS_OK,
           "positions of a body");
-  for (size_t i = 0; i < targets.size(); ++i) targets[i] += by[i % 3];
+  for (size_t i = 0; i < targets.size(); ++i) targets[i] += by[i % dimension];
   const dsw_status status = dsw_body_move(scene, body, targets.data(), counts.vertex_slots, 0, nullptr, nullptr);
   require(status == DSW_STATUS_OK || status == DSW_STATUS_NON_FINITE, "a body moves");
   const dsw_contact* contacts = nullptr;
@@ -54,7 +56,8 @@ dsw_scene* make_inhabited(dsw_environment* home) {
   dsw_scene* scene = nullptr;
   require(dsw_scene_create(home, &desc, &scene) == DSW_STATUS_OK, "a scene");
   const dsw_level levels[] = {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES};
-  for (int i = 0; i < 4; ++i) {
+  const int count = dimension_of(home) == 3 ? 4 : 3;
+  for (int i = 0; i < count; ++i) {
     const double at[3] = {0.25 + 0.5 * i, 0.25, 0.4};
     add_body(scene, at, levels[i], i == 1 ? DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_CLEARANCE : 0);
     dsw_particle_id particle;
