@@ -189,12 +189,16 @@ void Course::responding() {
     options.edge_response = static_cast<dsw_response>(rng_.below(5));
     options.min_part = rng_.chance(0.5) ? 0 : 0.02;
     options.noise_share = rng_.chance(0.5) ? 0 : 0.05;
+    const bool bisects = rng_.chance(0.15);  // then it is free all the same, and no more is promised
+    if (bisects) options.search = DSW_SEARCH_BISECTION;
     if (!moved(body, move, options, answer, faults)) break;
     ++report_.responses;
     report_.edits += answer.report.edit_count;
     const std::string how = " responses " + std::to_string(options.vertex_response) + " and " +
                             std::to_string(options.edge_response) + " move " + std::to_string(i);
-    for (const dsw_contact& c : answer.contacts) checker.alone(c, how);
+    for (const dsw_contact& c : answer.contacts) {
+      if (!bisects) checker.alone(c, how);
+    }
     checker.placed(answer.after, level_, "after" + how);
     state = answer.after;
   }

@@ -25,6 +25,7 @@ Vec Bodies::on_lattice(Vec p) {
 
 /// Vertices without a place, edges and faces.
 void Bodies::shape(BodyPlan& plan) {
+  const int most = arena_.dimension == 2 ? 12 : 6;
   const auto chain = [&](uint32_t n) {
     plan.at.resize(n);
     for (uint32_t i = 0; i + 1 < n; ++i) plan.edges.push_back({i, i + 1});
@@ -58,14 +59,14 @@ void Bodies::shape(BodyPlan& plan) {
     case 6:
       return chain(2);
     case 7:
-      return chain(static_cast<uint32_t>(rng_.between(3, 6)));
+      return chain(static_cast<uint32_t>(rng_.between(3, most)));
     case 8:  // a star, or a ring
       if (rng_.chance(0.5)) {
-        chain(static_cast<uint32_t>(rng_.between(3, 4)));
+        chain(static_cast<uint32_t>(rng_.between(3, most - 2)));
         plan.edges.push_back({static_cast<uint32_t>(plan.at.size()) - 1, 0});
         return;
       }
-      plan.at.resize(static_cast<size_t>(rng_.between(4, 6)));
+      plan.at.resize(static_cast<size_t>(rng_.between(4, most)));
       for (uint32_t i = 1; i < plan.at.size(); ++i) plan.edges.push_back({0, i});
       return;
     case 9:  // two pieces

@@ -257,6 +257,7 @@ std::string to_json(const PlaneReport& report) {
     add("twins", report.twins);
     add("responses", report.responses);
     add("edits", report.edits);
+    add("stuck", report.stuck);
     values.push_back({"time_error", report.time_error});
   }
   add("contacts", report.contacts);

@@ -18,6 +18,7 @@ struct PlaneRunOptions {
 struct PlaneReport {
   uint64_t casts = 0, moves = 0;  // a cast is either
   uint64_t sweeps = 0, bodies = 0, vertex_contacts = 0, inside_only = 0, responses = 0, edits = 0, twins = 0;
+  uint64_t stuck = 0;  // stopped, and did not move although there was a way
   uint64_t contacts = 0, ties = 0, missed = 0, late = 0, not_free_after = 0;
   uint64_t wrong = 0;  // anything else that differs
   double time_error = 0;

@@ -70,6 +70,7 @@ void run_plane_sweeps(const PlaneRunOptions& options, int print_most, PlaneRepor
     report.vertex_contacts += t.edge_contacts;
     report.inside_only += t.inside_only;
     report.ties += t.ties;
+    report.stuck += t.stuck;
     report.missed += t.missed;
     report.late += t.late;
     report.not_free_after += t.not_free_after;
