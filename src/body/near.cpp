@@ -69,7 +69,7 @@ void find_overlapping(const BoxGrid<D>& grid, const Places<D>& places, Array<uin
 
 #define DSW_NEAR(D)            \
   template class BoxGroups<D>; \
-  template class Places<D>;    \
+  template struct Places<D>;   \
   template void find_overlapping(const BoxGrid<D>& grid, const Places<D>& places, Array<uint32_t>& found)
 DSW_NEAR(2);
 DSW_NEAR(3);

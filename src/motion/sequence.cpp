@@ -266,7 +266,7 @@ void SequenceWriter<D>::write(void* user, Cell from, uint32_t simplex, Cell) noe
 }
 
 #define DSW_SEQUENCE(D)                                                                                             \
-  template class EdgeSequence<D>;                                                                                   \
+  template struct EdgeSequence<D>;                                                                                  \
   template class SequenceWriter<D>;                                                                                 \
   template bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, \
                         Cell first, Cell last) noexcept;                                                            \

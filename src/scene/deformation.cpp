@@ -93,8 +93,8 @@ void renew_ids(Deformation<3>& deformation) noexcept {
   }
 }
 
-#define DSW_DEFORMATION(D)       \
-  template class Deformation<D>; \
+#define DSW_DEFORMATION(D)        \
+  template struct Deformation<D>; \
   template void deform(Scene<D>& scene, double* next, const WallSettings& settings)
 DSW_DEFORMATION(2);
 DSW_DEFORMATION(3);

@@ -205,15 +205,12 @@ void use_environment(dsw_environment* environment, bool is_partition, Bytes* byt
   require(dsw_scene_destroy(scene) == DSW_STATUS_OK, "the scene goes");
 }
 
-bool record(dsw_scene* scene, dsw_write_fn write, void* user) {
+void record(dsw_scene* scene, dsw_write_fn write, void* user) {
   dsw_recording_desc to;
   dsw_recording_desc_init(&to, sizeof to);
   to.write = write;
   to.user = user;
-  const dsw_status status = dsw_scene_start_recording(scene, &to);
-  const bool is_planar = dimension_of(dsw_scene_get_environment(scene)) == 2;
-  require(status == (is_planar ? DSW_STATUS_UNSUPPORTED : DSW_STATUS_OK), "a recording");
-  return !is_planar;
+  require(dsw_scene_start_recording(scene, &to) == DSW_STATUS_OK, "a recording");
 }
 
 std::vector<uint8_t> save(const dsw_environment* environment) {

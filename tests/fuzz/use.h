@@ -25,8 +25,8 @@ inline bool is_unit(const double* v) {
   return std::fabs(std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1) < 1e-12;
 }
 
-/** Starts one. False in the plane, where there are none. */
-bool record(dsw_scene* scene, dsw_write_fn write, void* user);
+/** Starts a recording. */
+void record(dsw_scene* scene, dsw_write_fn write, void* user);
 
 /** Snapshots. */
 std::vector<uint8_t> save(const dsw_environment* environment);
