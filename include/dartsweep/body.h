@@ -25,11 +25,11 @@ extern "C" {
 
 /** Flags of a body: ways to leave out work. Those marked lossless change no result by a bit. */
 enum {
-  /** Edges keep the faces that they cross, 4 bytes for each: a sweep that crosses the same ones is done [lossless]. From
-   * DSW_LEVEL_EDGES_SWEPT on they do so anyway; the flag says it for DSW_LEVEL_EDGES. */
+  /** Edges keep the faces that they cross, 4 bytes for each, of tetrahedra 76, of convex polygons in the plane 36: a sweep that crosses
+   * the same ones is done [lossless]. From DSW_LEVEL_EDGES_SWEPT on they do so anyway; the flag says it for DSW_LEVEL_EDGES. */
   DSW_BODY_SEQUENCES = 0x1,
-  /** Skip edges that sweep inside of one volume [JCD10] 6.1: an exactly convex one, or a hexahedron that is seen whole from where they
-   * end [lossless]. */
+  /** Skip edges that sweep inside of one volume [JCD10] 6.1: an exactly convex one, or a hexahedron, in the plane any polygon, that is
+   * seen whole from where they end [lossless]. */
   DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,
   /** Skip edges that sweep inside of a ball known to hold nothing impassable [lossless]. */
   DSW_BODY_SKIP_BY_CLEARANCE = 0x4,

@@ -1,7 +1,7 @@
 // Why a free box is enough. The flood of a sweep goes through passable facets that are met by what is swept, so by the box: this one
 // goes through them too. An impassable facet that the sweep meets would have been met here, from the same cell. A vertex inside of what
-// a face sweeps, in the plane an edge, is in the box, so all facets at it meet the box: going round it through passable ones the flood
-// has entered all cells there, or met an impassable one.
+// a face sweeps is in the box, so all facets at it meet the box: going round it through passable ones the flood has entered all cells
+// there, or met an impassable one.
 
 #include "motion/box_probe.h"
 
@@ -12,21 +12,9 @@ namespace {
 
 const FacetsInBox kFacetsInBox = choose_facets_in_box();
 
-/** The sides of a box that a point lies strictly beyond, a bit each. */
-template <int D>
-uint32_t sides_beyond(const double* v, const Bounds<D>& box) noexcept {
-  uint32_t beyond = 0;
-  for (int k = 0; k < D; ++k) {
-    beyond |= static_cast<uint32_t>(v[k] < box.low[k]) << (2 * k);
-    beyond |= static_cast<uint32_t>(v[k] > box.high[k]) << (2 * k + 1);
-  }
-  return beyond;
-}
-
 }  // namespace
 
-template <int D>
-bool BoxProbe<D>::is_free(const Bounds<D>& box, Cell start) noexcept {
+bool BoxProbe<3>::is_free(const Bounds<3>& box, Cell start) noexcept {
   count_ = 0;
   // Wires and lone vertices are not seen on the facets there.
   if ((env_.marked_edges | env_.marked_vertices) != 0 || !enter(start)) return false;
@@ -36,44 +24,35 @@ bool BoxProbe<D>::is_free(const Bounds<D>& box, Cell start) noexcept {
   return true;
 }
 
-/** False: there is no room, or it does not suit, or may not be entered. */
-template <int D>
-bool BoxProbe<D>::enter(Cell c) noexcept {
+/** False: there is no room, or it is no hexahedron that may be entered. */
+bool BoxProbe<3>::enter(Cell c) noexcept {
   if (count_ == kMost || !suits(env_, c) || is_closed(env_, c)) return false;
   cells_[count_++] = c;
   return true;
 }
 
-template <int D>
-bool BoxProbe<D>::enter_neighbours(const Bounds<D>& box, Cell c) noexcept {
-  const Map<D>& map = env_.map;
-  if constexpr (D == 3) {
-    const uint32_t* const w = map.record(c);
-    for (uint32_t met = kFacetsInBox(env_.points, w + kUnitWords<3>, box); met != 0; met &= met - 1) {
-      if (!enter_beyond(w[kUnitWords<3> - 6 + static_cast<uint32_t>(__builtin_ctz(met))])) return false;
-    }
-  } else {
-    const uint32_t count = map.vertices_of(c);
-    uint32_t next = sides_beyond(env_.point(c, 0), box);
-    for (uint32_t f = count; f-- > 0;) {
-      const uint32_t here = sides_beyond(env_.point(c, f), box);
-      if ((here & next) == 0 && !enter_beyond(map.words[map.half_facet(c, f).word])) return false;
-      next = here;
-    }
+bool BoxProbe<3>::enter_neighbours(const Bounds<3>& box, Cell c) noexcept {
+  const Map<3>& map = env_.map;
+  const uint32_t* const w = map.record(c);
+  for (uint32_t met = kFacetsInBox(env_.points, w + kUnitWords<3>, box); met != 0; met &= met - 1) {
+    const uint32_t link = w[kUnitWords<3> - 6 + static_cast<uint32_t>(__builtin_ctz(met))];
+    if (link >= kNoFacet) return false;  // the boundary, or marked
+    const Cell next = map.cell_of(HalfFacet{link});
+    if (!has_entered(next) && !enter(next)) return false;
   }
   return true;
 }
 
-template <int D>
-bool BoxProbe<D>::enter_beyond(uint32_t link) noexcept {
-  if (link >= kNoFacet) return false;  // the boundary, or marked
-  const Cell next = env_.map.cell_of(HalfFacet{link});
-  return has_entered(next) || enter(next);
-}
-
 uint32_t facets_in_box(const double* points, const uint32_t* vertices, const Bounds<3>& box) noexcept {
   uint32_t beyond[8];
-  for (int i = 0; i < 8; ++i) beyond[i] = sides_beyond(points + size_t{vertices[i]} * 3, box);
+  for (int i = 0; i < 8; ++i) {
+    const double* const v = points + size_t{vertices[i]} * 3;
+    beyond[i] = 0;
+    for (int k = 0; k < 3; ++k) {
+      beyond[i] |= static_cast<uint32_t>(v[k] < box.low[k]) << (2 * k);
+      beyond[i] |= static_cast<uint32_t>(v[k] > box.high[k]) << (2 * k + 1);
+    }
+  }
   uint32_t met = 0;
   for (uint32_t f = 0; f < 6; ++f) {
     const uint8_t(&corner)[4] = kBoxFacets[f];
@@ -90,10 +69,5 @@ FacetsInBox choose_facets_in_box() noexcept {
 #endif
   return facets_in_box;
 }
-
-#define DSW_BOX_PROBE(D) template class BoxProbe<D>
-DSW_BOX_PROBE(2);
-DSW_BOX_PROBE(3);
-#undef DSW_BOX_PROBE
 
 }  // namespace dsw

@@ -1,6 +1,6 @@
 #pragma once
 // Boxes that hold nothing impassable: what a body sweeps inside of one is free, whatever it is. Found out by comparisons alone,
-// in hexahedra, which are often larger than what is swept, and in the plane in any polygons.
+// in hexahedra, which are often larger than what is swept.
 
 #include <cstdint>
 
@@ -34,16 +34,19 @@ Bounds<D> bounds(const double* first, Points... others) noexcept {
 /** Floods a box as SweepFlood does what is swept; one for each thread. The flood of anything inside of the box enters only cells
  * that this one enters, if it starts in one of them, and meets only what this one meets. */
 template <int D>
-class BoxProbe {
+class BoxProbe;
+
+template <>
+class BoxProbe<3> {
  public:
-  explicit BoxProbe(const Environment<D>& env) noexcept : env_(env) {}
+  explicit BoxProbe(const Environment<3>& env) noexcept : env_(env) {}
 
   /** Whether it looks at cells like this one at all. */
-  static bool suits(const Environment<D>& env, Cell c) noexcept { return D == 2 || env.map.form(c) == Form::kBox; }
+  static bool suits(const Environment<3>& env, Cell c) noexcept { return env.map.form(c) == Form::kBox; }
 
   /** Whether no obstacle is met in the box, from `start`, which is passable. False also where that would take long to find out: at
-   * cells that do not suit, and in a box that meets more than eight. */
-  bool is_free(const Bounds<D>& box, Cell start) noexcept;
+   * other cells than hexahedra, and in a box that meets more than eight. */
+  bool is_free(const Bounds<3>& box, Cell start) noexcept;
 
   /** Whether the last flood entered a cell. */
   bool has_entered(Cell c) const noexcept {
@@ -56,12 +59,22 @@ class BoxProbe {
   static constexpr uint32_t kMost = 8;  // as many as meet in a vertex of a lattice
 
   bool enter(Cell c) noexcept;
-  bool enter_neighbours(const Bounds<D>& box, Cell c) noexcept;
-  bool enter_beyond(uint32_t link) noexcept;
+  bool enter_neighbours(const Bounds<3>& box, Cell c) noexcept;
 
-  const Environment<D>& env_;
+  const Environment<3>& env_;
   Cell cells_[kMost];
   uint32_t count_ = 0;
+};
+
+/** Says nothing: in the plane an edge's sequence tells as much sooner. Measured with boxes of eight polygons, moves of edges that are
+ * 0.2 to 2 cells long took up to 1.7 times as long. */
+template <>
+class BoxProbe<2> {
+ public:
+  explicit BoxProbe(const Environment<2>&) noexcept {}
+  static bool suits(const Environment<2>&, Cell) noexcept { return false; }
+  bool is_free(const Bounds<2>&, Cell) noexcept { return false; }
+  bool has_entered(Cell) const noexcept { return false; }
 };
 
 /** The facets of a hexahedron that may meet a box, a bit each: no side of it has all of their vertices strictly beyond, so that no shift

@@ -13,7 +13,7 @@ class PlanePairsTest : public MemoryTest {
   void SetUp() override {
     MemoryTest::SetUp();
     scene_.reset();
-    place_.environment = make_triangles(4, 1, context_.get());
+    place_.environment = make_squares(4, true, context_.get());
     scene_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS);
   }
   BodyAnswer move(dsw_body_id body, const std::vector<Vec>& targets, const dsw_move_options* options = nullptr) {
@@ -300,7 +300,7 @@ TEST_F(PlanePairsTest, MemoryThatRunsOutLeavesAllAsItWas) {
 
 /// Rings and lines, see Crowd.
 std::string plane_answers(dsw_context* context, bool together) {
-  const EnvironmentPtr environment = make_triangles(8, 1, context);
+  const EnvironmentPtr environment = make_squares(8, true, context);
   Crowd crowd(environment.get(), 2, DSW_LEVEL_EDGES_SWEPT);
   return crowd.answers(40, 8, together, [](Rng& rng, size_t i) {
     const Vec at = {rng.range(0.1, 7), rng.range(0.1, 7), 0};

@@ -31,7 +31,7 @@ class PairsTest : public testing::TestWithParam<Kind> {
   void SetUp() override {
     scale_ = std::ldexp(1.0, GetParam().exponent);
     if (plane()) {
-      place_.environment = make_triangles(4, scale_, nullptr);
+      place_.environment = make_squares(4, true, nullptr, scale_);
     } else {
       place_ = place_of(hex_grid(axis(4, scale_), axis(4, scale_), axis(4, scale_)));
       ASSERT_PLACE(place_);

@@ -3,10 +3,12 @@
 
 #include "support.h"
 
+#include <vector>
+
 namespace dsw::oracle {
 
-/// A grid of n * n squares whose inner points have been moved, each cut into two triangles.
-inline EnvironmentPtr make_triangles(uint32_t n, double size, dsw_context* context) {
+/// A grid of n * n squares whose inner points have been moved, each cut into two triangles or left as a quadrilateral.
+inline EnvironmentPtr make_squares(uint32_t n, bool cut, dsw_context* context = nullptr, double size = 1) {
   Rng rng(n);
   std::vector<double> points;
   std::vector<int32_t> corners;
@@ -19,7 +21,11 @@ inline EnvironmentPtr make_triangles(uint32_t n, double size, dsw_context* conte
   for (uint32_t y = 0; y < n; ++y) {
     for (uint32_t x = 0; x < n; ++x) {
       const auto a = static_cast<int32_t>(x + (n + 1) * y), b = a + 1, d = a + static_cast<int32_t>(n) + 1, c = d + 1;
-      corners.insert(corners.end(), {a, b, c, a, c, d});
+      if (cut) {
+        corners.insert(corners.end(), {a, b, c, a, c, d});
+      } else {
+        corners.insert(corners.end(), {a, b, c, d});
+      }
     }
   }
   dsw_environment_desc desc;
@@ -27,8 +33,8 @@ inline EnvironmentPtr make_triangles(uint32_t n, double size, dsw_context* conte
   desc.dimension = 2;
   desc.points = points.data();
   desc.point_count = points.size() / 2;
-  desc.uniform_cell_type = DSW_CELL_TYPE_TRIANGLE;
-  desc.cell_count = corners.size() / 3;
+  desc.uniform_cell_type = cut ? DSW_CELL_TYPE_TRIANGLE : DSW_CELL_TYPE_QUAD;
+  desc.cell_count = corners.size() / (cut ? 3 : 4);
   desc.index_bytes = 4;
   desc.connectivity = corners.data();
   desc.connectivity_count = corners.size();

@@ -18,7 +18,7 @@ struct Course {
   std::vector<dsw_flight> flights;
   Rng rng{7};
 
-  Course(uint32_t n, size_t count, dsw_context* context) : environment(make_triangles(n, 1, context)) {
+  Course(uint32_t n, size_t count, dsw_context* context) : environment(make_squares(n, true, context)) {
     dsw_scene_desc desc;
     dsw_scene_desc_init(&desc, sizeof desc);
     desc.features = DSW_FEATURE_STATISTICS;
@@ -68,7 +68,7 @@ TEST(Plane, AShortMoveTakesFewTests) {
 
 /// A record of 24 bytes, and half a vertex of 16; a rim has a few vertices more.
 TEST(Plane, TrianglesTakeLessThanFortyBytes) {
-  const EnvironmentPtr environment = make_triangles(300, 1, nullptr);
+  const EnvironmentPtr environment = make_squares(300, true);
   dsw_environment_info info{};
   info.struct_size = sizeof info;
   ASSERT_EQ(dsw_environment_get_info(environment.get(), &info), DSW_STATUS_OK);

@@ -8,7 +8,6 @@
 
 #include "environment/builder.h"
 #include "environment/marking.h"
-#include "motion/box_probe.h"
 #include "motion/cast.h"
 #include "motion/hop.h"
 #include "motion/locate.h"
@@ -147,9 +146,6 @@ class Edge {
     pass(env_, x_.to.data(), x_.q.data(), &at, anew);
     return anew.facets == body_.sequences[0].facets;
   }
-  bool is_boxed(StarSweep<2>& star) {
-    return star.is_boxed(bounds<2>(x_.p.data(), x_.to.data(), x_.q.data()), start_, fixed_);
-  }
 
  private:
   const Environment<2>& env_;
@@ -215,23 +211,6 @@ TEST(SweptPlane, WhatIsSettledMeetsNothing) {
     EXPECT_GT(long_ones, share_of(1000));
     EXPECT_GT(hit, share_of(500));
   }
-}
-
-TEST(SweptPlane, WhatLiesInAFreeBoxMeetsNothing) {
-  int boxed = 0, of_more_cells = 0, open = 0;
-  for_each_draw(share_of(300), 300, [&](const Environment<2>& env, const Draw& x, int) {
-    StarSweep<2> star(env);
-    SweepFlood<2> flood(env);
-    Edge edge(env, x, SweepLevel::kEdgesSwept);
-    if (!edge.is_legal()) return;
-    if (!edge.is_boxed(star)) return static_cast<void>(open += edge.is_free(flood) ? 1 : 0);
-    ++boxed;
-    of_more_cells += edge.facets() > 1 ? 1 : 0;
-    ASSERT_TRUE(edge.is_free(flood));
-  });
-  EXPECT_GT(boxed, share_of(1000));
-  EXPECT_GT(of_more_cells, share_of(100));
-  EXPECT_GT(open, share_of(1000));
 }
 
 TEST(SweptPlane, ALineBetweenNeighboursPassesOneSide) {

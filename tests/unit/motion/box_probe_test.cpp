@@ -73,57 +73,6 @@ TEST_F(BoxProbeTest, WiresAndLoneVerticesAreNotLookedFor) {
   EXPECT_FALSE(probe.is_free(inside, cell(1, 1, 1)));
 }
 
-/** Squares and triangles, as EntersWhatTheBoxMeets and IsNotFreeWhereSomethingImpassableIsMet. */
-class PlaneBoxProbe : public testing::TestWithParam<bool> {
- protected:
-  PlaneBoxProbe() {
-    add_squares(mesh_, kSize, kSize, GetParam());
-    env_ = mesh_.build();
-    reserve_vertex_marks(*env_);
-  }
-  /** That of a square, or the one of its triangles at its lower right corner. */
-  Cell cell(uint32_t x, uint32_t y) const { return env_->map.cell((x + kSize * y) * (GetParam() ? 2 : 1)); }
-  static Bounds<2> box(double x0, double y0, double x1, double y1) {
-    const double low[2] = {x0, y0}, high[2] = {x1, y1};
-    return bounds<2>(low, high);
-  }
-
-  Mesh2 mesh_;
-  std::unique_ptr<Environment<2>> env_;
-};
-INSTANTIATE_TEST_SUITE_P(Cut, PlaneBoxProbe, testing::Bool());
-
-TEST_P(PlaneBoxProbe, EntersWhatTheBoxMeets) {
-  BoxProbe<2> probe(*env_);
-  EXPECT_TRUE(probe.is_free(box(1.7, 1.2, 1.9, 1.4), cell(1, 1)));
-  EXPECT_TRUE(probe.has_entered(cell(1, 1)));
-  EXPECT_FALSE(probe.has_entered(cell(2, 1)));
-  EXPECT_TRUE(probe.is_free(box(1.8, 1.7, 2, 2.1), cell(1, 1)));
-  for (uint32_t i = 0; i < 4; ++i)
-    EXPECT_TRUE(probe.has_entered(cell(1 + i % 2, 1 + i / 2))) << "also where it touches a side";
-  EXPECT_FALSE(probe.is_free(box(0.1, 0.2, 2.9, 2.8), cell(0, 0))) << "nine squares";
-}
-
-TEST_P(PlaneBoxProbe, IsNotFreeWhereSomethingImpassableIsMet) {
-  BoxProbe<2> probe(*env_);
-  const Bounds<2> two = box(1.8, 1.1, 2.2, 1.2), touching = box(1.8, 1.1, 2, 1.2), beside = box(1.8, 1.1, 1.99, 1.2);
-  EXPECT_TRUE(probe.is_free(two, cell(1, 1)));
-  const HalfFacet right = env_->map.half_facet(cell(1, 1), 1);
-  set_facet_mark(*env_, right, true);
-  EXPECT_FALSE(probe.is_free(two, cell(1, 1)));
-  EXPECT_FALSE(probe.is_free(touching, cell(1, 1)));
-  EXPECT_TRUE(probe.is_free(beside, cell(1, 1)));
-  set_facet_mark(*env_, right, false);
-  const Cell next = env_->map.cell_of(env_->map.opposite(right));
-  set_cell_mark(*env_, next, true);
-  EXPECT_FALSE(probe.is_free(two, cell(1, 1)));
-  EXPECT_TRUE(probe.is_free(beside, cell(1, 1)));
-  EXPECT_FALSE(probe.is_free(box(0.3, -0.1, 0.8, 0.2), cell(0, 0))) << "the boundary";
-  set_cell_mark(*env_, next, false);
-  set_vertex_mark(*env_, 0, true);
-  EXPECT_FALSE(probe.is_free(two, cell(1, 1))) << "lone vertices are not looked for";
-}
-
 TEST(FacetsInBox, AreTheSameForAllInstructionSets) {
 #if defined(__x86_64__)
   __builtin_cpu_init();
