@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "base/error.h"
 #include "environment/builder.h"
 #include "environment/marking.h"
 #include "motion/cast.h"
@@ -24,7 +25,8 @@ using oracle::plane::Vec;
 using oracle::plane::World;
 using Settled = StarSweep<2>::Settled;
 
-std::unique_ptr<Environment<2>> environment_of(const World& world) {
+/// Null where creation may refuse the world, and does.
+std::unique_ptr<Environment<2>> environment_of(const World& world, bool may_be_refused) {
   std::vector<double> points;
   for (const Vec& p : world.points) points.insert(points.end(), p.begin(), p.end());
   std::vector<int64_t> offsets = {0}, connectivity;
@@ -47,7 +49,12 @@ std::unique_ptr<Environment<2>> environment_of(const World& world) {
   input.connectivity_count = connectivity.size();
   auto env = std::make_unique<Environment<2>>(nullptr);
   BuildReport report;
-  build(*env, input, report);
+  try {
+    build(*env, input, report);
+  } catch (const Error&) {
+    EXPECT_TRUE(may_be_refused);
+    return nullptr;
+  }
   return env;
 }
 
@@ -71,6 +78,10 @@ struct Draw {
     }
     for (size_t k = 0; k < 2; ++k) to[k] = p[k] + rng.range(-step, step) * size[k];
     if (rng.chance(0.2)) lay_on_lattice(rng, size);
+  }
+
+  bool is_finite() const {
+    return std::isfinite(p[0] + p[1]) && std::isfinite(to[0] + to[1]) && std::isfinite(q[0] + q[1]);
   }
 
  private:
@@ -156,18 +167,23 @@ class Edge {
   CastResult path_, arrival_;
 };
 
-/// Calls visit(environment, draw) for random moves in random worlds.
+/// Calls visit(environment, move) for random moves in worlds of all kinds.
 template <class Visit>
-void for_each_draw(int worlds, int draws, Visit visit) {
+void for_each_draw(int rounds, int draws, Visit visit) {
   static const Shares shares[] = {{0.1, 0.05, 0, 0}, {0, 0.1, 0, 0}, {0, 0, 0, 0.3}, {}, {0.05, 0.05, 0, 0.1}};
-  for (int w = 0; w < worlds && !testing::Test::HasFatalFailure(); ++w) {
-    Rng rng(static_cast<uint64_t>(w) + 1);
-    const auto env = environment_of(oracle::plane::make_world(rng));
-    mark(*env, rng, shares[w % 5]);
-    for (int i = 0; i < draws && !testing::Test::HasFatalFailure(); ++i) {
-      const Draw x(*env, rng);
-      SCOPED_TRACE("world " + std::to_string(w) + ", move " + std::to_string(i));
-      visit(*env, x, w);
+  uint64_t seed = 0;
+  for (int round = 0; round < rounds; ++round) {
+    for (const oracle::plane::Turn& turn : oracle::plane::turns("")) {
+      Rng rng(++seed);
+      const auto env = environment_of(oracle::plane::make_world(turn, rng), turn.may_be_refused());
+      if (env == nullptr) continue;
+      mark(*env, rng, shares[seed % 5]);
+      for (int i = 0; i < draws; ++i) {
+        const Draw x(*env, rng);
+        SCOPED_TRACE(turn.name() + ", seed " + std::to_string(seed) + ", move " + std::to_string(i));
+        if (x.is_finite()) visit(*env, x);
+        if (testing::Test::HasFatalFailure()) return;
+      }
     }
   }
 }
@@ -178,7 +194,7 @@ TEST(SweptPlane, WhatIsSettledMeetsNothing) {
     std::unique_ptr<StarSweep<2>> star;
     std::unique_ptr<SweepFlood<2>> flood;
     const Environment<2>* last = nullptr;
-    for_each_draw(share_of(500), 400, [&](const Environment<2>& env, const Draw& x, int) {
+    for_each_draw(5, share_of(400), [&](const Environment<2>& env, const Draw& x) {
       if (last != &env || star == nullptr) {
         star = std::make_unique<StarSweep<2>>(env);
         flood = std::make_unique<SweepFlood<2>>(env);
@@ -215,7 +231,7 @@ TEST(SweptPlane, WhatIsSettledMeetsNothing) {
 
 TEST(SweptPlane, ALineBetweenNeighboursPassesOneSide) {
   int passed = 0, of_neighbours = 0;
-  for_each_draw(share_of(300), 300, [&](const Environment<2>& env, const Draw& x, int) {
+  for_each_draw(5, share_of(300), [&](const Environment<2>& env, const Draw& x) {
     const Cell first = locate(env, x.p.data(), Cell{}, nullptr).cell,
                second = locate(env, x.q.data(), Cell{}, nullptr).cell;
     if (!first.valid() || !second.valid() || first == second || env.map.marked(first)) return;
@@ -233,7 +249,7 @@ TEST(SweptPlane, ALineBetweenNeighboursPassesOneSide) {
 /// The sides of a triangle that the casts say lie in one strip, so that no vertex and nothing impassable is in it.
 TEST(SweptPlane, WhatSharesAStripMeetsNothing) {
   int shared = 0, long_ones = 0;
-  for_each_draw(share_of(300), 300, [&](const Environment<2>& env, const Draw& x, int) {
+  for_each_draw(5, share_of(300), [&](const Environment<2>& env, const Draw& x) {
     const double* const corners[3] = {x.p.data(), x.to.data(), x.q.data()};
     Array<uint32_t>::allocator_type allocator(nullptr);
     EdgeSequence<2> sides[3] = {EdgeSequence<2>(allocator), EdgeSequence<2>(allocator), EdgeSequence<2>(allocator)};
