@@ -7,6 +7,9 @@
  * Both surfaces are triangles, thought of as shifted by one infinitesimal, so that every answer to what they cross and hold is exact and
  * none is degenerate. They may pass through vertices, along edges and faces, through themselves, and leave the environment. Volumes of a
  * bent environment that are invalid then count as impassable, and are neither carved nor looked through.
+ *
+ * In the plane both are lines of segments; what surgery.h says of the blade there holds for them. A shape is bounded by closed lines, and a vessel is
+ * tied along a line that leads from wall to wall.
  */
 #ifndef DARTSWEEP_CARVE_H
 #define DARTSWEEP_CARVE_H
@@ -28,13 +31,14 @@ typedef enum dsw_carve_flag {
 typedef struct dsw_carve_desc {
   uint32_t struct_size;      /**< sizeof(dsw_carve_desc). */
   uint32_t flags;            /**< DSW_CARVE_... */
-  const double *points;      /**< 3 doubles each, scene units, finite. */
+  const double *points;      /**< 3 doubles each (in the plane 2), scene units, finite. */
   size_t point_count;        /**< Below 2^28. */
-  size_t point_stride_bytes; /**< Distance of two points; 0 means 24. */
+  size_t point_stride_bytes; /**< Distance of two points; 0 means 24, in the plane 16. */
   const uint32_t
       *triangles;        /**< 3 different indices of points each; the front is where they are counter-clockwise. Each
-                                  side is shared with another triangle, which runs along it the other way. Triangles may be flat. */
-  size_t triangle_count; /**< Below 2^28. */
+                                  side is shared with another triangle, which runs along it the other way. Triangles may be flat.
+                                  In the plane segments, 2 different indices each: where one ends another begins. */
+  size_t triangle_count; /**< Below 2^28; in the plane of the segments. */
   dsw_volume_id
       start;   /**< Null: the whole environment is looked through. Else only volumes are split and carved that hang
                             together, through volumes that are inside or that the surface crosses, with this one; or, if it is
@@ -78,13 +82,14 @@ DSW_API dsw_status dsw_environment_get_carved_volumes(const dsw_environment *env
 
 /** Describes a ligature: a closed loop of points round a vessel, and the surface that it spans, triangles between two neighbouring points
  * and the loop's centre, the mean of its points. Its front is where the loop is counter-clockwise. The array is read in place, once;
- * nothing is retained. */
+ * nothing is retained. In the plane it is a line across the vessel, of segments between neighbouring points, with its front on the right. */
 typedef struct dsw_tie_desc {
   uint32_t struct_size;      /**< sizeof(dsw_tie_desc). */
   uint32_t flags;            /**< 0. */
-  const double *points;      /**< 3 doubles each, scene units, finite; the last is joined with the first. */
-  size_t point_count;        /**< At least 3, below 2^28. */
-  size_t point_stride_bytes; /**< Distance of two points; 0 means 24. */
+  const double *points;      /**< 3 doubles each, scene units, finite; the last is joined with the first. In the plane 2 doubles
+                                  each, from the line's one end to the other. */
+  size_t point_count;        /**< At least 3 (in the plane 2), below 2^28. */
+  size_t point_stride_bytes; /**< Distance of two points; 0 means 24, in the plane 16. */
   dsw_volume_id
       start;   /**< Null: the whole environment is looked through. Else what hangs together with the first volume that
                             the surface meets, searched as by dsw_environment_cut, is closed. */
@@ -95,8 +100,8 @@ typedef struct dsw_tie_desc {
 typedef struct dsw_tie_report {
   dsw_cut_report cut; /**< Of the cut along the surface; volumes_whole have become impassable. */
   uint32_t
-      is_closed; /**< 1: the surface meets passable volumes, and the loop lies in none, so that it goes all round what is
-                            closed. 0: one can get past the loop. */
+      is_closed; /**< 1: the surface meets passable volumes, and the loop (in the plane the line's ends) lies in none, so that it
+                            goes all round what is closed. 0: one can get past the loop. */
   uint32_t reserved; /**< 0. */
 } dsw_tie_report;
 

@@ -16,6 +16,10 @@
  * edges on their faces, from their neighbours. On the outer boundary, the lips of earlier cracks included, the surface moves by the
  * rounding of vertices, and where a face is not flat between its old triangles and the new ones.
  *
+ * In the plane (see ids.h) volumes are polygons, faces their sides, and the blade is the path of a point, segment after segment. Where it crosses a
+ * side, once, this is split at the crossing, or an end that is near is on the path. A polygon with two such points is split between them;
+ * it stays whole where the path ends inside, where it has other than two points, or where nothing valid would come of it.
+ *
  * Cost: O(volumes that the blade meets, once for each of the blade's triangles that meets it), with what topology.h says of every
  * change; O(blade's triangles) for each volume between `start` and the blade, which are all if it meets none; never the size of the
  * environment otherwise.
@@ -37,15 +41,16 @@ typedef enum dsw_cut_flag {
 
 /** Describes a cut. The array is read in place, once; nothing is retained.
  * Of each four neighbouring points, 0 and 1 of two rows, {00, 01, 11} and {00, 11, 10} are triangles of the blade; its front is where these
- * are counter-clockwise. What hangs together with the first volume that the blade meets is cut. */
+ * are counter-clockwise. In the plane each two neighbouring places of the point are a segment of the blade; its front is on the right of the way.
+ * What hangs together with the first volume that the blade meets is cut. */
 typedef struct dsw_cut_desc {
   uint32_t struct_size;      /**< sizeof(dsw_cut_desc). */
   uint32_t flags;            /**< DSW_CUT_... */
   const double *points;      /**< The blade's edge, a chain of `columns` points, at `rows` places one after the other: 3
-                                  doubles each, scene units, finite. */
-  size_t point_stride_bytes; /**< Distance of two points; 0 means 24. */
+                                  doubles each (in the plane 2), scene units, finite. */
+  size_t point_stride_bytes; /**< Distance of two points; 0 means 24, in the plane 16. */
   uint32_t rows;             /**< At least 2; rows * columns is less than 2^28. */
-  uint32_t columns;          /**< At least 2. */
+  uint32_t columns;          /**< At least 2; in the plane 1: the blade's edge is one point. */
   dsw_volume_id start; /**< A volume from which the blade is searched, always on from the volume nearest to it; at best
                                   one that it crosses. Null: the volume of the first point of the blade that is in any,
                                   found as by dsw_environment_locate without a hint; else any volume. */
@@ -150,7 +155,8 @@ typedef struct dsw_open_report {
 DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
 
 /** Opens a crack, so that something can enter: its lips move apart, and the gap is filled with passable volumes, one for each face that opens,
- * sewn to both lips, unless the faces are marked, and to each other. Gap volumes are wedges, pyramids and tetrahedra where the gap ends.
+ * sewn to both lips, unless the faces are marked, and to each other. Gap volumes are wedges, pyramids and tetrahedra where the gap ends;
+ * in the plane quadrilaterals, and triangles where it ends.
  *
  * A vertex of the crack comes apart where the crack leaves the volumes round it in two; it does not where the crack ends inside of the material,
  * where three cracks meet, or where other volumes touch it that are joined with none of these through faces. Its copies go half of `width`
@@ -162,7 +168,7 @@ DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
  * Where a crack between impassable volumes ends at passable ones (tissue in air, or an earlier gap), the gap opens into these: the volumes at
  * the rim's vertices are parted there by a line of edges between the two copies, and one volume at each edge of the rim gets a face in its
  * place, sewn to the gap. Name for that the faces between impassable volumes only, else the crack goes on in the air, and opens there
- * as well.
+ * as well. In the plane the rim is a vertex, and one volume there gets a side between its two copies.
  *
  * Both copies are new vertices; the old one goes with its last volume. dsw_environment_get_cut_vertices lists them, two for each vertex that came
  * apart, with that one as both of `from`, by the id that it had. dsw_environment_get_cut_faces lists the lips in the order of `faces`, those that did

@@ -21,8 +21,9 @@ dsw_cut_report to_report(const CutRecord& record, uint32_t visited) noexcept {
           0};
 }
 
-CutResults::CutResults(Edit<3>& edit, const Array<CutFace>& faces, const Array<NewVertex>* vertices,
-                       const Array<Cell>* whole)
+template <int D>
+CutResults<D>::CutResults(Edit<D>& edit, const Array<CutFace>& faces, const Array<NewVertex>* vertices,
+                          const Array<Cell>* whole)
     : edit_(edit),
       of_faces_(faces),
       of_vertices_(vertices),
@@ -31,7 +32,7 @@ CutResults::CutResults(Edit<3>& edit, const Array<CutFace>& faces, const Array<N
       faces_(Allocator<dsw_cut_face>(edit.environment().memory)),
       vertices_(Allocator<dsw_cut_vertex>(edit.environment().memory)),
       whole_(Allocator<dsw_volume_id>(edit.environment().memory)) {
-  const Map<3>& map = edit.environment().map;
+  const Map<D>& map = edit.environment().map;
   changes_.reserve(edit.most_changes());
   faces_.reserve(faces.size());
   if (whole != nullptr) whole_.reserve(whole->size());
@@ -41,8 +42,9 @@ CutResults::CutResults(Edit<3>& edit, const Array<CutFace>& faces, const Array<N
   }
 }
 
-void CutResults::give_to(dsw_environment& handle) noexcept {
-  const Map<3>& map = space(handle).map;
+template <int D>
+void CutResults<D>::give_to(dsw_environment& handle) noexcept {
+  const Map<D>& map = edit_.environment().map;
   append_changes(edit_, changes_);
   handle.changes.swap(changes_);
   for (const CutFace& f : of_faces_) faces_.push_back({face_id(map, f.front), face_id(map, f.back)});
@@ -56,5 +58,8 @@ void CutResults::give_to(dsw_environment& handle) noexcept {
     handle.whole_volumes.swap(whole_);
   }
 }
+
+template class CutResults<3>;
+template class CutResults<2>;
 
 }  // namespace dsw::capi

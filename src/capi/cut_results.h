@@ -13,17 +13,18 @@ double to_snap(double given);
 dsw_cut_report to_report(const CutRecord& record, uint32_t visited) noexcept;
 
 /** What the host can ask for after a cut, an opening or a tear, with room for all of it. */
+template <int D>
 class CutResults {
  public:
   /** Before the edit is finished: what vertices come from may go then. What is given outlives this; of what is null the environment
    * keeps what it has. Throws std::bad_alloc. */
-  CutResults(Edit<3>& edit, const Array<CutFace>& faces, const Array<NewVertex>* vertices, const Array<Cell>* whole);
+  CutResults(Edit<D>& edit, const Array<CutFace>& faces, const Array<NewVertex>* vertices, const Array<Cell>* whole);
 
   /** After it is finished: ids are new. */
   void give_to(dsw_environment& handle) noexcept;
 
  private:
-  Edit<3>& edit_;
+  Edit<D>& edit_;
   const Array<CutFace>& of_faces_;
   const Array<NewVertex>* of_vertices_;
   const Array<Cell>* of_whole_;

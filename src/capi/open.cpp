@@ -18,7 +18,8 @@ dsw::OpenSettings read_settings(const dsw_open_desc& d) {
   return {d.width, d.region, d.tag};
 }
 
-void read_faces(const dsw::Map<3>& map, const dsw_open_desc& d, dsw::Crack& crack) {
+template <int D>
+void read_faces(const dsw::Map<D>& map, const dsw_open_desc& d, dsw::Crack<D>& crack) {
   for (size_t i = 0; i < d.face_count; ++i) {
     const dsw::HalfFacet front = capi::to_half_facet(map, d.faces[i].front, {"desc->faces", true}, i);
     crack.add(front, capi::to_half_facet(map, d.faces[i].back, {"desc->faces", true}, i), i);
@@ -30,33 +31,32 @@ void read_faces(const dsw::Map<3>& map, const dsw_open_desc& d, dsw::Crack& crac
 void dsw_open_desc_init(dsw_open_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_open_desc{}); }
 
 dsw_status dsw_environment_open(dsw_environment* environment, const dsw_open_desc* desc, dsw_open_report* report) {
-  return capi::guard("dsw_environment_open", [&] {
-    dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw_scene* const scene = capi::only_scene(handle);
+  return capi::guarded_visit("dsw_environment_open", environment, "environment", [&](auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
+    dsw_scene* const scene = capi::only_scene(*environment);
     capi::require(desc, "desc");
     const dsw_open_desc d = capi::read_struct(desc, "desc");
     const dsw::OpenSettings settings = read_settings(d);
-    dsw::Environment<3>& env = capi::space(handle);
     capi::require_array(d.faces, d.face_count, "desc->faces");
     capi::Recorded call(scene, capi::Call::kOpen, capi::without(d, &dsw_open_desc::faces),
                         capi::Items<dsw_cut_face>{d.faces, d.face_count});
-    dsw::Crack crack(env, settings.region);
+    dsw::Crack<D> crack(env, settings.region);
     read_faces(env.map, d, crack);
     crack.part();
-    dsw::Opening opening(env, crack, settings);
-    std::optional<dsw::Edit<3>> edit;
+    dsw::Opening<D> opening(env, crack, settings);
+    std::optional<dsw::Edit<D>> edit;
     opening.prepare(edit);
     const dsw::OpenRecord& record = opening.record();
     capi::CutResults results(*edit, record.faces, &record.vertices, nullptr);
-    carry_out_prepared(*edit, capi::engine_of(scene));
-    results.give_to(handle);
+    carry_out_prepared(*edit, capi::engine_of<D>(scene));
+    results.give_to(*environment);
     const dsw_open_report done{record.smallest,
                                record.largest,
                                static_cast<uint32_t>(record.vertices.size() / 2),
                                record.shortened,
                                static_cast<uint32_t>(record.faces.size()),
                                record.changed};
-    call.done(done, capi::items_of(handle.changes));
+    call.done(done, capi::items_of(environment->changes));
     if (report != nullptr) *report = done;
   });
 }

@@ -13,18 +13,22 @@ using dsw::fail;
 
 namespace {
 
+/** In the plane the chain is one point. */
+template <int D>
 capi::Points read_points(const dsw_cut_desc& d) {
-  if (d.rows < 2 || d.columns < 2) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "desc->rows is %u and desc->columns is %u, must be 2 at least", d.rows, d.columns);
+  if (d.rows < 2 || (D == 3 ? d.columns < 2 : d.columns != 1)) {
+    const char* const columns = D == 3 ? "2 at least" : "1 in the plane";
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->rows is %u and desc->columns is %u, must be 2 at least and %s", d.rows,
+         d.columns, columns);
   }
   if (uint64_t{d.rows} * d.columns > dsw::kVertexMask) {
     fail(DSW_STATUS_TOO_LARGE, "desc->rows is %u and desc->columns is %u, together must be below 2^28 points", d.rows,
          d.columns);
   }
   const size_t count = size_t{d.rows} * d.columns;
-  const dsw::PointArray points = capi::to_points(d.points, count, d.point_stride_bytes, "desc->points");
-  dsw::check_finite(points, count, 3, {"desc->points", true});
-  return {points, count};
+  const dsw::PointArray points = capi::to_points<D>(d.points, count, d.point_stride_bytes, "desc->points");
+  dsw::check_finite(points, count, D, {"desc->points", true});
+  return {points, count, D};
 }
 
 dsw::CutSettings read_settings(const dsw_cut_desc& d) {
@@ -40,47 +44,45 @@ dsw::CutSettings read_settings(const dsw_cut_desc& d) {
 void dsw_cut_desc_init(dsw_cut_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_cut_desc{}); }
 
 dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc* desc, dsw_cut_report* report) {
-  return capi::guard("dsw_environment_cut", [&] {
-    dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw_scene* const scene = capi::only_scene(handle);
+  return capi::guarded_visit("dsw_environment_cut", environment, "environment", [&](auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
+    dsw_scene* const scene = capi::only_scene(*environment);
     capi::require(desc, "desc");
     const dsw_cut_desc d = capi::read_struct(desc, "desc");
     const dsw::CutSettings settings = read_settings(d);
-    dsw::Environment<3>& env = capi::space(handle);
-    const capi::Points points = read_points(d);
-    const dsw::Blade blade = dsw::Blade::of_grid(env.memory, points.points, d.rows, d.columns);
+    const capi::Points points = read_points<D>(d);
+    const auto blade = dsw::Blade<D>::of_grid(env.memory, points.points, d.rows, d.columns);
     capi::check_hint(env.map, d.start, "desc->start");
     capi::Recorded call(scene, capi::Call::kCut, capi::without(d, &dsw_cut_desc::points), points);
     uint32_t visited = 0;
     const dsw::Cell hint = dsw::is_null(d.start) ? dsw::Cell{} : env.map.cell(d.start.index);
     const dsw::Cell start = find_start(env, blade, hint, &visited);
-    dsw::Crossings crossings(env, blade);
+    dsw::Crossings<D> crossings(env, blade);
     if (start.valid()) crossings.flood(start);
-    dsw::Cut cut(env, blade, settings, crossings);
-    std::optional<dsw::Edit<3>> edit;
+    dsw::Cut<D> cut(env, blade, settings, crossings);
+    std::optional<dsw::Edit<D>> edit;
     cut.prepare(edit);
     const dsw::CutRecord& record = cut.record();
     capi::CutResults results(*edit, record.faces, &record.vertices, &record.whole);
-    carry_out_prepared(*edit, capi::engine_of(scene));
-    results.give_to(handle);
+    carry_out_prepared(*edit, capi::engine_of<D>(scene));
+    results.give_to(*environment);
     const dsw_cut_report done = capi::to_report(record, record.met + visited);
-    call.done(done, capi::items_of(handle.changes));
+    call.done(done, capi::items_of(environment->changes));
     if (report != nullptr) *report = done;
   });
 }
 
 dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_face_id* faces, const double* loads,
                                       size_t count, double threshold, size_t* torn) {
-  return capi::guard("dsw_environment_tear_faces", [&] {
-    dsw_environment& handle = capi::check_handle(environment, "environment");
-    dsw_scene* const scene = capi::only_scene(handle);
+  return capi::guarded_visit("dsw_environment_tear_faces", environment, "environment", [&](auto& env) {
+    constexpr int D = capi::kDimension<decltype(env)>;
+    dsw_scene* const scene = capi::only_scene(*environment);
     capi::require_array(faces, count, "faces");
     capi::require_array(loads, count, "loads");
     if (std::isnan(threshold)) fail(DSW_STATUS_NON_FINITE, "threshold is not a number");
-    dsw::Environment<3>& env = capi::space(handle);
     capi::Recorded call(scene, capi::Call::kTearFaces, capi::Items<dsw_face_id>{faces, count},
                         capi::Items<double>{loads, count}, threshold);
-    dsw::Edit<3> edit(env);
+    dsw::Edit<D> edit(env);
     dsw::CutRecord record(env.memory);
     dsw::KeyTable seen(env.memory);
     for (size_t i = 0; i < count; ++i) {
@@ -94,9 +96,9 @@ dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_fa
     }
     edit.prepare();
     capi::CutResults results(edit, record.faces, nullptr, nullptr);
-    carry_out_prepared(edit, capi::engine_of(scene));
-    results.give_to(handle);
-    call.done(capi::items_of(handle.changes));
+    carry_out_prepared(edit, capi::engine_of<D>(scene));
+    results.give_to(*environment);
+    call.done(capi::items_of(environment->changes));
     if (torn != nullptr) *torn = record.faces.size();
   });
 }

@@ -1,6 +1,6 @@
 #pragma once
-// A surface of triangles to cut with: what a blade's edge sweeps, a shape, or what a loop spans. Any triangle may be flat: what is
-// degenerate cuts nothing.
+// A surface to cut with, of triangles: what a blade's edge sweeps, a shape, or what a loop spans. In the plane it is a line, of segments. Any of
+// these simplices may be flat: what is degenerate cuts nothing.
 
 #include "base/memory.h"
 #include "base/points.h"
@@ -9,6 +9,52 @@
 
 namespace dsw {
 
+/** One simplex of a blade against many points and edges of the environment, which stand still as it does. */
+template <int D>
+class BladeSimplex;
+
+template <>
+class BladeSimplex<3> {
+ public:
+  explicit BladeSimplex(const double* const* corners) : swept_(EdgeMotion{corners[0], corners[1], corners[2]}) {}
+
+  /** A bit for each side of the simplex' box that v lies strictly beyond. Points with a bit in common do not meet the simplex, nor does
+   * anything between them. */
+  uint32_t beyond_box(const double* v) const { return swept_.beyond_box(v); }
+  /** On which side a point is: 1 before the blade, -1 behind it; 0 only if the simplex is flat. */
+  int side(const double* v) const { return swept_.side(v); }
+  /** Whether a segment, with b on side `side_of_b` and a on the other, passes through the simplex. */
+  bool is_passed(const double* a, const double* b, int side_of_b) const { return swept_.outside(a, b, side_of_b) == 0; }
+
+ private:
+  SweptTriangle swept_;
+};
+
+/** Its front is on the right of the way from its first end to the other, as the outside of a polygon's side is. */
+template <>
+class BladeSimplex<2> {
+ public:
+  explicit BladeSimplex(const double* const* ends) : from_(ends[0]), to_(ends[1]) {}
+
+  uint32_t beyond_box(const double* v) const {
+    uint32_t bits = 0;
+    for (int k = 0; k < 2; ++k) {
+      bits |= static_cast<uint32_t>(v[k] < filter::smaller(from_[k], to_[k])) << (2 * k);
+      bits |= static_cast<uint32_t>(v[k] > filter::larger(from_[k], to_[k])) << (2 * k + 1);
+    }
+    return bits;
+  }
+  int side(const double* v) const { return -line_side<2>(from_, to_, &v, NoTally{}).sign; }
+  bool is_passed(const double* a, const double* b, int) const {
+    const double* const line[2] = {a, b};
+    return plane_side<2>(line, from_, NoTally{}).sign != plane_side<2>(line, to_, NoTally{}).sign;
+  }
+
+ private:
+  const double *from_, *to_;
+};
+
+template <int D>
 class Blade {
  public:
   static constexpr uint32_t kNone = 0xffffffffu;
@@ -17,47 +63,49 @@ class Blade {
   Blade(const Memory* memory, PointArray points, uint32_t point_count);
 
   /** A chain of `columns` points at `rows` places, row after row: of each four neighbours, the triangle before the diagonal from the first
-   * to the last, and that behind it. */
+   * to the last, and that behind it. In the plane the chain is one point, and the segments join its places. */
   static Blade of_grid(const Memory* memory, PointArray points, uint32_t rows, uint32_t columns);
-  /** Three points each. */
-  static Blade of_triangles(const Memory* memory, PointArray points, uint32_t point_count, const uint32_t* corners,
-                            uint32_t triangle_count);
-  /** What a loop spans, from its centre: the last one of the points, which is not of the loop. */
+  /** D points each. */
+  static Blade of_simplices(const Memory* memory, PointArray points, uint32_t point_count, const uint32_t* corners,
+                            uint32_t simplex_count);
+  /** What a loop in space spans, from its centre: the last one of the points, which is not of the loop. */
   static Blade fan(const Memory* memory, PointArray points, uint32_t point_count);
 
   uint32_t point_count() const { return point_count_; }
   const double* point(uint32_t i) const { return points_[i]; }
-  uint32_t triangle_count() const { return static_cast<uint32_t>(triangles_.size()); }
+  uint32_t simplex_count() const { return static_cast<uint32_t>(simplices_.size()); }
 
-  void corners(uint32_t triangle, const double* out[3]) const {
-    for (int k = 0; k < 3; ++k) out[k] = points_[triangles_[triangle].corners[k]];
+  void corners(uint32_t simplex, const double* out[D]) const {
+    for (int k = 0; k < D; ++k) out[k] = points_[simplices_[simplex].corners[k]];
   }
-  /** The triangle across side `side` of a triangle, which joins its corners `side` and the next and runs the other way there; kNone: the
-   * surface ends. */
-  uint32_t neighbour(uint32_t triangle, int side) const { return triangles_[triangle].neighbours[side]; }
-  /** A triangle that has no neighbour across one of its sides, or kNone: the surface is closed. O(triangles). */
+  /** The simplex across side `side` of a simplex, in which the blade goes on; kNone: it ends. In space the side joins the corners `side` and
+   * the next, and the other triangle runs the other way there; in the plane it is corner `side`. */
+  uint32_t neighbour(uint32_t simplex, int side) const { return simplices_[simplex].neighbours[side]; }
+  /** A simplex that has no neighbour across one of its sides, or kNone: the blade is closed. O(simplices). */
   uint32_t find_rim() const;
 
-  SweptTriangle swept(uint32_t triangle) const {
-    const double* at[3];
-    corners(triangle, at);
-    return SweptTriangle(EdgeMotion{at[0], at[1], at[2]});
+  BladeSimplex<D> simplex(uint32_t i) const {
+    const double* at[D];
+    corners(i, at);
+    return BladeSimplex<D>(at);
   }
 
  private:
-  struct Triangle {
-    uint32_t corners[3], neighbours[3];
+  struct Simplex {
+    uint32_t corners[D], neighbours[D];
   };
 
-  void add(uint32_t a, uint32_t b, uint32_t c) { triangles_.push_back({{a, b, c}, {kNone, kNone, kNone}}); }
+  void add(const uint32_t (&corners)[D]);
+  uint64_t way(size_t side, bool back) const;
   void join(const Memory* memory);
 
   PointArray points_;
   uint32_t point_count_;
-  Array<Triangle> triangles_;
+  Array<Simplex> simplices_;
 };
 
-/** The vector from a point to the nearest one of a triangle, rounded. */
-Vec to_triangle(const double* from, const double* const* corners);
+/** The vector from a point to the nearest one of a simplex, rounded. */
+template <int D>
+Vec to_simplex(const double* from, const double* const* corners);
 
 }  // namespace dsw

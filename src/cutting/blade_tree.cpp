@@ -4,38 +4,43 @@
 
 namespace dsw {
 
-BladeTree::Box::Box() {
-  std::fill_n(lower, 3, HUGE_VAL);
-  std::fill_n(upper, 3, -HUGE_VAL);
+template <int D>
+BladeTree<D>::Box::Box() {
+  std::fill_n(lower, D, HUGE_VAL);
+  std::fill_n(upper, D, -HUGE_VAL);
 }
 
-void BladeTree::Box::add(const double* point) {
-  for (int k = 0; k < 3; ++k) {
+template <int D>
+void BladeTree<D>::Box::add(const double* point) {
+  for (int k = 0; k < D; ++k) {
     lower[k] = std::min(lower[k], point[k]);
     upper[k] = std::max(upper[k], point[k]);
   }
 }
 
-bool BladeTree::Box::overlaps(const Box& other) const {
+template <int D>
+bool BladeTree<D>::Box::overlaps(const Box& other) const {
   bool apart = false;
-  for (int k = 0; k < 3; ++k) apart = apart || lower[k] > other.upper[k] || upper[k] < other.lower[k];
+  for (int k = 0; k < D; ++k) apart = apart || lower[k] > other.upper[k] || upper[k] < other.lower[k];
   return !apart;
 }
 
-BladeTree::BladeTree(const Memory* memory, const Blade& blade)
+template <int D>
+BladeTree<D>::BladeTree(const Memory* memory, const Blade<D>& blade)
     : leaves_(Allocator<Leaf>(memory)), nodes_(Allocator<Node>(memory)) {
-  leaves_.resize(blade.triangle_count());
+  leaves_.resize(blade.simplex_count());
   for (uint32_t t = 0; t < leaves_.size(); ++t) {
-    const double* at[3];
+    const double* at[D];
     blade.corners(t, at);
     for (const double* const corner : at) leaves_[t].box.add(corner);
-    leaves_[t].triangle = t;
+    leaves_[t].simplex = t;
   }
   build(0, static_cast<uint32_t>(leaves_.size()));
 }
 
 /** Sorted by middle, then by number: no result depends on how a library sorts. */
-void BladeTree::build(uint32_t first, uint32_t end) {
+template <int D>
+void BladeTree<D>::build(uint32_t first, uint32_t end) {
   constexpr uint32_t kFew = 4;
   const auto number = static_cast<uint32_t>(nodes_.size());
   Box box;
@@ -48,11 +53,11 @@ void BladeTree::build(uint32_t first, uint32_t end) {
   if (!is_last) {
     int longest = 0;
     const auto extent = [&](int k) { return 0.5 * box.upper[k] - 0.5 * box.lower[k]; };
-    for (int k = 1; k < 3; ++k) longest = extent(k) > extent(longest) ? k : longest;
+    for (int k = 1; k < D; ++k) longest = extent(k) > extent(longest) ? k : longest;
     const auto middle = [&](const Leaf& leaf) { return 0.5 * leaf.box.lower[longest] + 0.5 * leaf.box.upper[longest]; };
     std::sort(leaves_.begin() + first, leaves_.begin() + end, [&](const Leaf& a, const Leaf& b) {
       const double of_a = middle(a), of_b = middle(b);
-      return of_a != of_b ? of_a < of_b : a.triangle < b.triangle;
+      return of_a != of_b ? of_a < of_b : a.simplex < b.simplex;
     });
     const uint32_t half = first + (end - first) / 2;
     build(first, half);
@@ -60,5 +65,10 @@ void BladeTree::build(uint32_t first, uint32_t end) {
   }
   nodes_[number].next = static_cast<uint32_t>(nodes_.size());
 }
+
+#define DSW_BLADE_TREE(D) template class BladeTree<D>
+DSW_BLADE_TREE(3);
+DSW_BLADE_TREE(2);
+#undef DSW_BLADE_TREE
 
 }  // namespace dsw

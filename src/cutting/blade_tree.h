@@ -1,15 +1,16 @@
 #pragma once
-// Boxes round the triangles of a blade, halved until few are left: which triangles can meet what is in a box. Boxes are closed, so that what
+// Boxes round the simplices of a blade, halved until few are left: which of them can meet what is in a box. Boxes are closed, so that what
 // lies apart stays apart whatever the shift.
 
 #include "cutting/blade.h"
 
 namespace dsw {
 
+template <int D>
 class BladeTree {
  public:
   struct Box {
-    double lower[3], upper[3];
+    double lower[D], upper[D];
 
     Box();
     void add(const double* point);
@@ -17,12 +18,12 @@ class BladeTree {
   };
 
   /** O(n log² n). Throws std::bad_alloc. */
-  BladeTree(const Memory* memory, const Blade& blade);
+  BladeTree(const Memory* memory, const Blade<D>& blade);
 
   /** Of the whole blade. */
   const Box& box() const { return nodes_[0].box; }
 
-  /** Calls visit(triangle) for those whose boxes overlap a box. */
+  /** Calls visit(simplex) for those whose boxes overlap a box. */
   template <class Visit>
   void for_each_in(const Box& box, Visit visit) const {
     for (uint32_t i = 0; i < nodes_.size();) {
@@ -32,7 +33,7 @@ class BladeTree {
         continue;
       }
       for (uint32_t k = node.first; k < node.end; ++k) {
-        if (leaves_[k].box.overlaps(box)) visit(leaves_[k].triangle);
+        if (leaves_[k].box.overlaps(box)) visit(leaves_[k].simplex);
       }
       ++i;
     }
@@ -41,9 +42,9 @@ class BladeTree {
  private:
   struct Leaf {
     Box box;
-    uint32_t triangle;
+    uint32_t simplex;
   };
-  /** In depth-first order; `next` is the first one that is not below it. Triangles only where nothing is below. */
+  /** In depth-first order; `next` is the first one that is not below it. Simplices only where nothing is below. */
   struct Node {
     Box box;
     uint32_t first, end, next;

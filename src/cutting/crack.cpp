@@ -27,7 +27,8 @@ class Sets {
 
 }  // namespace
 
-Crack::Crack(Environment<3>& env, int32_t region)
+template <int D>
+Crack<D>::Crack(Environment<D>& env, int32_t region)
     : env_(env),
       map_(env.map),
       region_(region),
@@ -41,7 +42,8 @@ Crack::Crack(Environment<3>& env, int32_t region)
   make_ready(env.map);
 }
 
-void Crack::add(HalfFacet a, HalfFacet b, size_t i) {
+template <int D>
+void Crack<D>::add(HalfFacet a, HalfFacet b, size_t i) {
   const HalfFacet beyond = map_.opposite(a);
   if (beyond.valid()) {
     if (b != a && b != beyond)
@@ -65,54 +67,60 @@ void Crack::add(HalfFacet a, HalfFacet b, size_t i) {
   pairs_.push_back({a, b});
 }
 
-Dart Crack::dart_at(HalfFacet h, uint32_t vertex) const {
+/** Where a half-facet has a vertex: at the start of one of its darts; a side of the plane, that is one dart, also at its end. */
+template <int D>
+uint64_t Crack<D>::key_at(HalfFacet h, uint32_t vertex) const {
   const Cell c = map_.cell_of(h);
   const Shape shape = map_.shape(c);
   uint32_t d = shape.facet_first(map_.local_of(h, c));
+  if constexpr (D == 2) return map_.vertex(c, shape.dart_vertex(d)) == vertex ? start_key({c, d}) : end_key({c, d});
   while (map_.vertex(c, shape.dart_vertex(d)) != vertex) ++d;
-  return {c, d};
+  return start_key({c, d});
 }
 
 /** Passable cells beside a crack in what is impassable, and cells of earlier gaps. */
-bool Crack::is_space(Cell c, uint32_t pair) const {
+template <int D>
+bool Crack<D>::is_space(Cell c, uint32_t pair) const {
   if (map_.marked(c)) return false;
   const Cell a = map_.cell_of(pairs_[pair].a), b = map_.cell_of(pairs_[pair].b);
   if (map_.marked(a) && map_.marked(b)) return true;
   return region_ != 0 && env_.region(c) == region_ && env_.region(a) != region_ && env_.region(b) != region_;
 }
 
-/** The cells round an edge, from a facet of the crack to the next one, which is returned; invalid at the outer boundary. */
-HalfFacet Crack::go_round(Dart d, Array<Dart>& passed) const {
+/** The cells round a ridge, from a facet of the crack to the next one, which is returned; invalid at the outer boundary. */
+template <int D>
+HalfFacet Crack<D>::go_round(Dart d, Array<Dart>& passed) const {
   passed.clear();
   for (;;) {
     passed.push_back(d);
-    const Dart e = beta2(map_, d);
+    const Dart e = across_ridge(map_, d);
     const HalfFacet h = half_facet(map_, e);
     if (is_in_crack(h)) return h;
-    d = beta3(map_, e);
+    d = cross(map_, e);
     if (!d.cell.valid()) return {};
   }
 }
 
-/** Where the crack ends at an edge with space round it: that cell of the space in which it would go on straight. */
-void Crack::find_mouth(Dart rim, uint32_t pair, const Array<Dart>& passed) {
+/** Where the crack ends at a ridge with space round it: that cell of the space in which it would go on straight. */
+template <int D>
+void Crack<D>::find_mouth(Dart rim, uint32_t pair, const Array<Dart>& passed) {
   const double *const p = env_.point(dart_vertex(map_, rim)), *const q = env_.point(dart_target(map_, rim));
-  double middle[3], inside[3] = {0, 0, 0};
-  point_at<3>(p, q, 0.5, middle);
+  double middle[D], inside[D] = {};
+  point_at<D>(p, q, D == 3 ? 0.5 : 0, middle);
   const FacetDraft facet = draft_of(env_, pairs_[pair].a);
   for (const uint32_t v : facet.loop) {
-    for (int k = 0; k < 3; ++k) inside[k] += env_.point(v)[k] / static_cast<double>(facet.loop.size());
+    for (int k = 0; k < D; ++k) inside[k] += env_.point(v)[k] / static_cast<double>(facet.loop.size());
   }
-  const Vec along = unit(difference<3>(q, p));
+  const Vec along = D == 3 ? unit(difference<D>(q, p)) : Vec{};
   const auto across = [&](const Vec& v) { return unit(v - dot(v, along) * along); };
-  const Vec ahead = across(difference<3>(middle, inside));
+  const Vec ahead = across(difference<D>(middle, inside));
   Dart best;
   double most = -2;
   for (const Dart d : passed) {
     if (!is_space(d.cell, pair)) continue;
-    double at[3];
+    double at[D];
     centre(env_, d.cell, at);
-    const double straight = dot(across(difference<3>(at, middle)), ahead);
+    const double straight = dot(across(difference<D>(at, middle)), ahead);
     if (straight <= most) continue;
     most = straight;
     best = d;
@@ -120,33 +128,45 @@ void Crack::find_mouth(Dart rim, uint32_t pair, const Array<Dart>& passed) {
   if (best.cell.valid()) mouths_.push_back({best, pair});
 }
 
-void Crack::find_mouths() {
+template <int D>
+void Crack<D>::find_mouths() {
   Array<Dart> passed{Allocator<Dart>(env_.memory)};
+  const auto look = [&](uint32_t i, Dart d, HalfFacet end) {
+    if (go_round(d, passed) == end) find_mouth(d, i, passed);
+  };
   for (uint32_t i = 0; i < pairs_.size(); ++i) {
-    const Cell c = map_.cell_of(pairs_[i].a);
-    const Shape shape = map_.shape(c);
-    const uint32_t facet = map_.local_of(pairs_[i].a, c);
-    for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
-      if (go_round({c, d}, passed) == pairs_[i].b) find_mouth({c, d}, i, passed);
+    const HalfFacet a = pairs_[i].a, b = pairs_[i].b;
+    const Cell c = map_.cell_of(a);
+    const uint32_t facet = map_.local_of(a, c);
+    if constexpr (D == 2) {  // each dart of a side starts at one of its ends
+      const Cell beyond = map_.cell_of(b);
+      look(i, {c, facet}, b);
+      look(i, {beyond, map_.local_of(b, beyond)}, a);
+    } else {
+      const Shape shape = map_.shape(c);
+      for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) look(i, {c, d}, b);
     }
   }
 }
 
-/** Out of the cell, twice as long as the facet is large. */
-Vec Crack::facet_normal(HalfFacet h) const {
+/** Out of the cell, in space twice as long as the facet is large. */
+template <int D>
+Vec Crack<D>::facet_normal(HalfFacet h) const {
   const FacetDraft facet = draft_of(env_, h);
+  if constexpr (D == 2) return turned(unit(difference<D>(env_.point(facet.loop[1]), env_.point(facet.loop[0]))));
   Vec sum;
   for (size_t t = 0; t < facet.triangles.size(); t += 3) {
     const double* const p = env_.point(facet.triangles[t]);
     // Of unit length first: squares of very long or short edges are no doubles.
-    const Vec a = unit(difference<3>(env_.point(facet.triangles[t + 1]), p));
-    sum = sum + cross(a, unit(difference<3>(env_.point(facet.triangles[t + 2]), p)));
+    const Vec a = unit(difference<D>(env_.point(facet.triangles[t + 1]), p));
+    sum = sum + cross(a, unit(difference<D>(env_.point(facet.triangles[t + 2]), p)));
   }
   return sum;
 }
 
 /** Of the crack at a vertex, to either side, whichever facet of a pair comes first. */
-Vec Crack::rough_normal(const Corner* corners, size_t count) const {
+template <int D>
+Vec Crack<D>::rough_normal(const Corner* corners, size_t count) const {
   Vec sum;
   for (size_t i = 0; i < count; ++i) {
     if (corners[i].side != 0) continue;
@@ -158,14 +178,16 @@ Vec Crack::rough_normal(const Corner* corners, size_t count) const {
 
 /** A line through the space at a vertex, from mouth to mouth or from the only mouth to the outer boundary; at best where the crack's plane goes
  * on. Gives the facets that it crosses; false: there is none. */
-bool Crack::find_line(uint32_t vertex, const Vec& normal, const Array<uint32_t>& mouths, KeyTable& crossed) const {
+template <int D>
+bool Crack<D>::find_line(uint32_t vertex, const Vec& normal, const Array<uint32_t>& mouths, KeyTable& crossed) const {
   if (mouths.empty()) return true;
   if (mouths.size() > 2) return false;
   return find_line(vertex, &normal, mouths, crossed) || find_line(vertex, nullptr, mouths, crossed);
 }
 
 /** The shortest such line, with a normal only through facets on both sides of that plane. */
-bool Crack::find_line(uint32_t vertex, const Vec* normal, const Array<uint32_t>& mouths, KeyTable& crossed) const {
+template <int D>
+bool Crack<D>::find_line(uint32_t vertex, const Vec* normal, const Array<uint32_t>& mouths, KeyTable& crossed) const {
   struct Step {
     Cell cell;
     HalfFacet entry;  // in the cell before
@@ -199,7 +221,7 @@ bool Crack::find_line(uint32_t vertex, const Vec* normal, const Array<uint32_t>&
       const HalfFacet h = map_.half_facet(c, shape.dart_facet(d)), o = map_.opposite(h);
       if (is_in_crack(h)) continue;
       const auto height = [&](uint32_t dart) {
-        return dot(*normal, difference<3>(env_.point(c, shape.dart_vertex(dart)), env_.point(vertex)));
+        return dot(*normal, difference<D>(env_.point(c, shape.dart_vertex(dart)), env_.point(vertex)));
       };
       if (normal != nullptr && height(shape.beta0(d)) * height(shape.beta1(d)) > 0) continue;
       if (o.valid()) {
@@ -214,28 +236,34 @@ bool Crack::find_line(uint32_t vertex, const Vec* normal, const Array<uint32_t>&
   return false;
 }
 
-/** Whether a dart's edge and cell are those of one of the mouths. */
-bool Crack::is_mouth(Dart d, const Array<uint32_t>& mouths) const {
+/** Whether a dart's ridge and cell are those of one of the mouths. */
+template <int D>
+bool Crack<D>::is_mouth(Dart d, const Array<uint32_t>& mouths) const {
   return std::any_of(mouths.begin(), mouths.end(), [&](uint32_t m) {
     const Dart at = mouths_[m].dart;
-    return at.cell == d.cell && (at.local == d.local || beta2(map_, at).local == d.local);
+    return at == d || (D == 3 && at.cell == d.cell && across_ridge(map_, at) == d);
   });
 }
 
-/** The cells at a vertex hang together round it through facets and edges, but not across the crack and the line that carries it on. */
-void Crack::part_vertex(uint32_t vertex, const Corner* corners, size_t count, const Array<uint32_t>& mouths) {
+/** The cells at a vertex hang together round it through facets and edges, but not across the crack and the line that carries it on; in the plane
+ * through sides and their own corners, but not across the crack and a mouth. */
+template <int D>
+void Crack<D>::part_vertex(uint32_t vertex, const Corner* corners, size_t count, const Array<uint32_t>& mouths) {
   CellQueue around(env_.memory);
   for (size_t i = 0; i < count; ++i) around.insert(map_.cell_of(side(corners[i])));
   for_each_cell_at_vertex(map_, vertex, around, [](Cell) {});
   if (around.size() != map_.vertex_uses[vertex]) return;  // others would stay where it was
   KeyTable crossed(env_.memory), ends(env_.memory);
-  if (!find_line(vertex, rough_normal(corners, count), mouths, crossed)) return;
+  if constexpr (D == 3) {
+    if (!find_line(vertex, rough_normal(corners, count), mouths, crossed)) return;
+  }
   const auto for_each_dart = [&](auto visit) {
     for (size_t i = 0; i < around.size(); ++i) {
       const Shape shape = map_.shape(around[i]);
       for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-        if (map_.vertex(around[i], shape.dart_vertex(d)) == vertex)
-          visit(Dart{around[i], d}, Dart{around[i], shape.beta0(d)});
+        if (map_.vertex(around[i], shape.dart_vertex(d)) != vertex) continue;
+        const Dart out{around[i], d};
+        visit(out, D == 3 ? Dart{around[i], shape.beta0(d)} : across_ridge(map_, out));
       }
     }
   };
@@ -247,12 +275,12 @@ void Crack::part_vertex(uint32_t vertex, const Corner* corners, size_t count, co
   const auto number = [&](uint64_t key) { return ends.find(key); };
   for_each_dart([&](Dart out, Dart in) {
     const HalfFacet h = half_facet(map_, out);
-    if (crossed.find(h.word) == kNone) sets.join(number(start_key(out)), number(end_key(in)));
-    if (!is_mouth(out, mouths)) sets.join(number(start_key(out)), number(end_key(beta2(map_, out))));
+    if (D == 3 && crossed.find(h.word) == kNone) sets.join(number(start_key(out)), number(end_key(in)));
+    if (!is_mouth(out, mouths)) sets.join(number(start_key(out)), number(end_key(across_ridge(map_, out))));
     if (is_in_crack(h) || !map_.opposite(h).valid()) return;
-    sets.join(number(start_key(out)), number(end_key(beta3(map_, out))));
+    sets.join(number(start_key(out)), number(end_key(cross(map_, out))));
   });
-  const auto root_at = [&](const Corner& c) { return sets.root(number(start_key(dart_at(side(c), vertex)))); };
+  const auto root_at = [&](const Corner& c) { return sets.root(number(key_at(side(c), vertex))); };
   const uint32_t first = root_at(corners[0]);
   uint32_t other = first;
   for (uint32_t i = 0; i < ends.size(); ++i) {
@@ -279,7 +307,8 @@ void Crack::part_vertex(uint32_t vertex, const Corner* corners, size_t count, co
   }
 }
 
-void Crack::part() {
+template <int D>
+void Crack<D>::part() {
   find_mouths();
   Array<Corner> corners{Allocator<Corner>(env_.memory)};
   for (uint32_t i = 0; i < pairs_.size(); ++i) {
@@ -293,7 +322,7 @@ void Crack::part() {
   Array<MouthAt> mouths{Allocator<MouthAt>(env_.memory)};
   for (uint32_t m = 0; m < mouths_.size(); ++m) {
     mouths.push_back({dart_vertex(map_, mouths_[m].dart), m});
-    mouths.push_back({dart_target(map_, mouths_[m].dart), m});
+    if (D == 3) mouths.push_back({dart_target(map_, mouths_[m].dart), m});
   }
   std::sort(mouths.begin(), mouths.end());
   Array<uint32_t> here{Allocator<uint32_t>(env_.memory)};
@@ -306,5 +335,13 @@ void Crack::part() {
     part_vertex(v, &corners[i], end - i, here);
   }
 }
+
+#define DSW_CRACK(D)                                               \
+  template Crack<D>::Crack(Environment<D>& env, int32_t region);   \
+  template void Crack<D>::add(HalfFacet a, HalfFacet b, size_t i); \
+  template void Crack<D>::part()
+DSW_CRACK(3);
+DSW_CRACK(2);
+#undef DSW_CRACK
 
 }  // namespace dsw

@@ -5,6 +5,9 @@
 // line ends inside of material the vertex stays one. Where it ends at cells of the space into which the crack opens, such as air beside a
 // tissue, it is carried on through these, from one end to the other or to the outer boundary: then they, too, are on its two
 // sides, and the tissue's surface parts.
+//
+// In the plane the cells at a vertex are arcs of a circle, and the crack is points on it: two of them leave the arcs in two sets, or one and the outer
+// boundary, or one and the corner of a cell of the space, which is where the gap opens into that.
 
 #include "base/key_table.h"
 #include "base/vec.h"
@@ -13,18 +16,20 @@
 
 namespace dsw {
 
-/** An edge of the crack's rim, at space: the cell in which the gap ends there, named by a dart of the edge. */
+/** An edge of the crack's rim, at space: the cell in which the gap ends there, named by a dart of the edge. In the plane it is a vertex, where the
+ * dart starts. */
 struct Mouth {
   Dart dart;
   uint32_t pair;
 };
 
+template <int D>
 class Crack {
  public:
   static constexpr uint32_t kNone = KeyTable::kNone;
 
   /** Cells of `region` are space, too, unless that is 0. Throws as all here std::bad_alloc. */
-  Crack(Environment<3>& env, int32_t region);
+  Crack(Environment<D>& env, int32_t region);
 
   /** Adds a face: an inner one, or two on the outer boundary that lie on each other. `i` names it in messages. Throws BAD_TOPOLOGY,
    * DUPLICATE_ID. */
@@ -70,7 +75,7 @@ class Crack {
   }
   bool is_in_crack(HalfFacet h) const { return sides_.find(h.word) != kNone; }
   HalfFacet side(const Corner& c) const { return c.side == 0 ? pairs_[c.pair].a : pairs_[c.pair].b; }
-  Dart dart_at(HalfFacet h, uint32_t vertex) const;
+  uint64_t key_at(HalfFacet h, uint32_t vertex) const;
   bool is_space(Cell c, uint32_t pair) const;
   HalfFacet go_round(Dart d, Array<Dart>& passed) const;
   void find_mouth(Dart rim, uint32_t pair, const Array<Dart>& passed);
@@ -82,8 +87,8 @@ class Crack {
   bool find_line(uint32_t vertex, const Vec* normal, const Array<uint32_t>& mouths, KeyTable& crossed) const;
   bool is_mouth(Dart d, const Array<uint32_t>& mouths) const;
 
-  Environment<3>& env_;
-  const Map<3>& map_;
+  Environment<D>& env_;
+  const Map<D>& map_;
   int32_t region_;
   Array<FacetPair> pairs_;
   KeyTable sides_;  // half-facets of pairs, by word

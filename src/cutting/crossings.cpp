@@ -1,5 +1,6 @@
 #include "cutting/crossings.h"
 
+#include "map/dart.h"
 #include "motion/cast.h"
 #include "predicates/plane_hit.h"
 
@@ -19,7 +20,8 @@ bool pierces(const double* p, const double* q, const double* const* triangle, in
 
 }  // namespace
 
-Crossings::Crossings(const Environment<3>& env, const Blade& blade)
+template <int D>
+Crossings<D>::Crossings(const Environment<D>& env, const Blade<D>& blade)
     : env_(env),
       map_(env.map),
       blade_(blade),
@@ -29,58 +31,64 @@ Crossings::Crossings(const Environment<3>& env, const Blade& blade)
       next_(Allocator<uint32_t>(env.memory)),
       crossings_(Allocator<Crossing>(env.memory)),
       edges_(env.memory),
-      points_(Allocator<BladePoint>(env.memory)),
+      points_(Allocator<BladePoint<D>>(env.memory)),
       corners_(Allocator<Corner>(env.memory)),
       beyond_(Allocator<Cell>(env.memory)),
-      found_(Allocator<BladePoint>(env.memory)) {}
+      found_(Allocator<BladePoint<D>>(env.memory)) {}
 
-void Crossings::flood(Cell start) {
-  for (uint32_t t = 0; t < blade_.triangle_count(); ++t) seed(start, t);
+template <int D>
+void Crossings<D>::flood(Cell start) {
+  for (uint32_t s = 0; s < blade_.simplex_count(); ++s) seed(start, s);
   run();
 }
 
-bool Crossings::seed(Cell c, uint32_t triangle) {
-  if (!meet(c, triangle, blade_.swept(triangle)).triangle) return false;
-  insert(c, triangle);
+template <int D>
+bool Crossings<D>::seed(Cell c, uint32_t simplex) {
+  if (!meet(c, simplex, blade_.simplex(simplex)).simplex) return false;
+  insert(c, simplex);
   return true;
 }
 
-void Crossings::run() {
+template <int D>
+void Crossings<D>::run() {
   for (; looked_at_ < meetings_.size(); ++looked_at_) look_at(looked_at_);
 }
 
-bool Crossings::is_met(Cell c) {
-  for (uint32_t t = 0; t < blade_.triangle_count(); ++t) {
-    if (meet(c, t, blade_.swept(t)).triangle) return true;
+template <int D>
+bool Crossings<D>::is_met(Cell c) {
+  for (uint32_t s = 0; s < blade_.simplex_count(); ++s) {
+    if (meet(c, s, blade_.simplex(s)).simplex) return true;
   }
   return false;
 }
 
-void Crossings::insert(Cell c, uint32_t triangle) {
+template <int D>
+void Crossings<D>::insert(Cell c, uint32_t simplex) {
   const uint32_t cell = cell_numbers_.insert(c.unit);
   if (cell == cells_.size()) cells_.push_back({c, KeyTable::kNone, false, !admits(env_, c)});
-  const uint32_t meeting = meetings_.insert(uint64_t{cell} << 32 | triangle);
+  const uint32_t meeting = meetings_.insert(uint64_t{cell} << 32 | simplex);
   if (meeting != next_.size()) return;
-  next_.push_back(cells_[cell].last_triangle);
-  cells_[cell].last_triangle = meeting;
+  next_.push_back(cells_[cell].last_simplex);
+  cells_[cell].last_simplex = meeting;
 }
 
-void Crossings::look_at(uint32_t meeting) {
-  const auto i = static_cast<uint32_t>(meetings_[meeting] >> 32), triangle = static_cast<uint32_t>(meetings_[meeting]);
+template <int D>
+void Crossings<D>::look_at(uint32_t meeting) {
+  const auto i = static_cast<uint32_t>(meetings_[meeting] >> 32), simplex = static_cast<uint32_t>(meetings_[meeting]);
   if (cells_[i].invalid) return;
   const Cell c = cells_[i].cell;
-  const SweptTriangle swept = blade_.swept(triangle);
-  const Met met = meet(c, triangle, swept);
-  note_crossings(c, triangle, swept);
-  for (BladePoint& point : found_) {
+  const BladeSimplex<D> blade = blade_.simplex(simplex);
+  const Met met = meet(c, simplex, blade);
+  note_crossings(c, simplex, blade);
+  for (BladePoint<D>& point : found_) {
     point.cell = i;
     points_.push_back(point);
   }
-  for (const Cell beyond : beyond_) insert(beyond, triangle);
-  for (int side = 0; side < 3; ++side) {
+  for (const Cell beyond : beyond_) insert(beyond, simplex);
+  for (int side = 0; side < D; ++side) {
     if (!met.sides[side]) continue;
-    const uint32_t neighbour = blade_.neighbour(triangle, side);
-    if (neighbour == Blade::kNone) {
+    const uint32_t neighbour = blade_.neighbour(simplex, side);
+    if (neighbour == Blade<D>::kNone) {
       cells_[i].holds_rim = true;
     } else {
       insert(c, neighbour);
@@ -88,23 +96,26 @@ void Crossings::look_at(uint32_t meeting) {
   }
 }
 
-void Crossings::read_corners(Cell c, const SweptTriangle& swept) {
+template <int D>
+void Crossings<D>::read_corners(Cell c, const BladeSimplex<D>& blade) {
   corners_.resize(map_.vertices_of(c));
   for (uint32_t k = 0; k < corners_.size(); ++k) {
     const uint32_t vertex = map_.vertex(c, k);
     const double* const at = env_.point(vertex);
-    corners_[k] = {at, vertex, swept.beyond_box(at), kUnknown};
+    corners_[k] = {at, vertex, blade.beyond_box(at), kUnknown};
   }
 }
 
-int Crossings::side(Corner& corner, const SweptTriangle& swept) const {
-  if (corner.side == kUnknown) corner.side = swept.side(corner.at);
+template <int D>
+int Crossings<D>::side(Corner& corner, const BladeSimplex<D>& blade) const {
+  if (corner.side == kUnknown) corner.side = blade.side(corner.at);
   return corner.side;
 }
 
 /** Whether the cell that is looked at contains a point. */
-bool Crossings::holds(Cell c, const double* point) const {
-  for (int axis = 0; axis < 3; ++axis) {
+template <int D>
+bool Crossings<D>::holds(Cell c, const double* point) const {
+  for (int axis = 0; axis < D; ++axis) {
     bool above = false, below = false;
     for (const Corner& corner : corners_) {
       above = above || corner.at[axis] >= point[axis];
@@ -115,83 +126,113 @@ bool Crossings::holds(Cell c, const double* point) const {
   return contains(env_, c, point);
 }
 
-/** Leaves in beyond_ and found_ what there is to be known of a triangle in a cell. */
-Crossings::Met Crossings::meet(Cell c, uint32_t triangle, const SweptTriangle& swept) {
+/** Leaves in beyond_ and found_ what there is to be known of a simplex in a cell. */
+template <int D>
+typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const BladeSimplex<D>& blade) {
   Met met;
   beyond_.clear();
   found_.clear();
-  read_corners(c, swept);
+  read_corners(c, blade);
   uint32_t common = ~0u;
   for (const Corner& corner : corners_) common &= corner.beyond;
   if (common != 0) return met;
-  const double* at[3];
-  blade_.corners(triangle, at);
+  const double* at[D];
+  blade_.corners(simplex, at);
   const Shape shape = map_.shape(c);
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     bool passes = false;
     for (uint32_t s = shape.simplex_first(f); s < shape.simplex_first(f + 1); ++s) {
-      passes = meet_simplex(shape.simplices() + 3 * s, swept, at, met) || passes;
+      passes = meet_boundary(shape.simplices() + D * s, blade, at, met) || passes;
     }
     if (!passes) continue;
-    met.triangle = true;
+    met.simplex = true;
     const HalfFacet o = map_.opposite(map_.half_facet(c, f));
     if (o.valid()) beyond_.push_back(map_.cell_of(o));
   }
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < D; ++k) {
     if (!holds(c, at[k])) continue;
-    met.triangle = met.sides[k] = met.sides[(k + 2) % 3] = true;
-    found_.push_back({0, {at[k][0], at[k][1], at[k][2]}});
+    met.simplex = met.sides[k] = true;
+    if constexpr (D == 3) met.sides[(k + 2) % 3] = true;
+    found_.emplace_back();
+    std::copy_n(at[k], D, found_.back().at);
   }
   return met;
 }
 
-/** Whether the triangle meets a simplex of the cell's boundary: an edge of one passes through the other. */
-bool Crossings::meet_simplex(const uint16_t* local, const SweptTriangle& swept, const double* const* at, Met& met) {
-  Corner* const corner[3] = {&corners_[local[0]], &corners_[local[1]], &corners_[local[2]]};
-  if ((corner[0]->beyond & corner[1]->beyond & corner[2]->beyond) != 0) return false;
-  const int sides[3] = {side(*corner[0], swept), side(*corner[1], swept), side(*corner[2], swept)};
-  if (sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2]) return false;  // 0: the triangle is flat
-  bool passes = false;
-  for (int k = 0; k < 3; ++k) {
-    const int next = (k + 1) % 3;
-    if (sides[k] == sides[next]) continue;
-    passes = passes || swept.outside(corner[k]->at, corner[next]->at, sides[next]) == 0;
+/** Whether the blade's simplex meets one of the cell's boundary: an edge of one passes through the other. In the plane both are edges, so asking
+ * once is enough. */
+template <int D>
+bool Crossings<D>::meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade,
+                                 [[maybe_unused]] const double* const (&at)[D], [[maybe_unused]] Met& met) {
+  Corner* corner[D];
+  const double* simplex[D];
+  int sides[D];
+  uint32_t beyond = ~0u;
+  for (int k = 0; k < D; ++k) {
+    corner[k] = &corners_[local[k]];
+    simplex[k] = corner[k]->at;
+    beyond &= corner[k]->beyond;
   }
-  const double* const simplex[3] = {corner[0]->at, corner[1]->at, corner[2]->at};
-  int of_blade[3];
-  for (int k = 0; k < 3; ++k) of_blade[k] = plane_side<3>(simplex, at[k], NoTally{}).sign;
-  for (int k = 0; k < 3; ++k) {
-    const int next = (k + 1) % 3;
-    if (of_blade[k] == of_blade[next] || !pierces(at[k], at[next], simplex, of_blade[next])) continue;
-    passes = met.sides[k] = true;
-    const bool outwards = of_blade[next] > 0;
-    const double *const inner = at[outwards ? k : next], *const outer = at[outwards ? next : k];
-    BladePoint point{};
-    point_at<3>(inner, outer, crossing_time<3>(inner, outer, simplex), point.at);
-    found_.push_back(point);
+  if (beyond != 0) return false;
+  bool apart = true;
+  for (int k = 0; k < D; ++k) {
+    sides[k] = side(*corner[k], blade);
+    apart = apart && sides[k] != 0 && sides[k] == sides[0];  // 0: the blade is flat here
+  }
+  if (apart) return false;
+  bool passes = false;
+  for (int k = 0; k < (D == 3 ? 3 : 1); ++k) {
+    const int next = (k + 1) % D;
+    if (sides[k] == sides[next]) continue;
+    passes = passes || blade.is_passed(simplex[k], simplex[next], sides[next]);
+  }
+  if constexpr (D == 3) {
+    int of_blade[3];
+    for (int k = 0; k < 3; ++k) of_blade[k] = plane_side<3>(simplex, at[k], NoTally{}).sign;
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      if (of_blade[k] == of_blade[next] || !pierces(at[k], at[next], simplex, of_blade[next])) continue;
+      passes = met.sides[k] = true;
+      const bool outwards = of_blade[next] > 0;
+      const double *const inner = at[outwards ? k : next], *const outer = at[outwards ? next : k];
+      BladePoint<3> point{};
+      point_at<3>(inner, outer, crossing_time<3>(inner, outer, simplex), point.at);
+      found_.push_back(point);
+    }
   }
   return passes;
 }
 
-/** Edges of the cell that the triangle crosses. */
-void Crossings::note_crossings(Cell c, uint32_t triangle, const SweptTriangle& swept) {
-  const double* at[3];
-  blade_.corners(triangle, at);
+/** Edges of the cell that the simplex crosses. */
+template <int D>
+void Crossings<D>::note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D>& blade) {
+  const double* at[D];
+  blade_.corners(simplex, at);
   const Shape shape = map_.shape(c);
   for (uint32_t d = 0; d < shape.dart_count(); ++d) {
     if (shape.dart_beta2(d) < d) continue;
-    Corner *inner = &corners_[shape.dart_vertex(d)], *outer = &corners_[shape.dart_vertex(shape.beta1(d))];
-    if ((inner->beyond & outer->beyond) != 0 || side(*inner, swept) == side(*outer, swept)) continue;
-    if (swept.outside(inner->at, outer->at, outer->side) != 0) continue;
+    Corner *inner = &corners_[shape.dart_vertex(d)],
+           *outer = &corners_[shape.dart_vertex(beta1(map_, Dart{c, d}).local)];
+    if ((inner->beyond & outer->beyond) != 0 || side(*inner, blade) == side(*outer, blade)) continue;
+    if (!blade.is_passed(inner->at, outer->at, outer->side)) continue;
     if (inner->side > 0) std::swap(inner, outer);
     const uint32_t i = edges_.insert(pair_key(inner->vertex, outer->vertex));
     if (i == crossings_.size()) {
-      const double share = crossing_time<3>(inner->at, outer->at, at);
-      crossings_.push_back({inner->vertex, outer->vertex, share, triangle, true});
-    } else if (crossings_[i].triangle != triangle) {
+      const double share = crossing_time<D>(inner->at, outer->at, at);
+      crossings_.push_back({inner->vertex, outer->vertex, share, simplex, true});
+    } else if (crossings_[i].simplex != simplex) {
       crossings_[i].once = false;
+    }
+    if constexpr (D == 2) {  // here the segment leaves the cell; where a vertex will come
+      found_.emplace_back();
+      point_at<2>(inner->at, outer->at, crossings_[i].share, found_.back().at);
     }
   }
 }
+
+#define DSW_CROSSINGS(D) template class Crossings<D>
+DSW_CROSSINGS(3);
+DSW_CROSSINGS(2);
+#undef DSW_CROSSINGS
 
 }  // namespace dsw

@@ -1,6 +1,6 @@
 #pragma once
 // What a blade meets, exact under the shift of predicates/: the blade is a body's surface that stands still. A flood goes from
-// cell to cell and from triangle to triangle of the blade, through passable and impassable cells alike.
+// cell to cell and from simplex to simplex of the blade, through passable and impassable cells alike.
 
 #include "base/key_table.h"
 #include "cutting/blade.h"
@@ -12,35 +12,37 @@ namespace dsw {
 struct Crossing {
   uint32_t a, b;
   double share;  // of the way from a to b
-  uint32_t triangle;
-  bool once;  // no other triangle of the blade crosses this edge
+  uint32_t simplex;
+  bool once;  // no other simplex of the blade crosses this edge
 };
 
 /** A cell that the blade meets. */
 struct MetCell {
   Cell cell;
-  uint32_t last_triangle;  // the last one of those that meet it, see next_triangle
-  bool holds_rim;          // the blade ends inside
-  bool invalid;            // of moving points; nobody goes on from here
+  uint32_t last_simplex;  // the last one of those that meet it, see for_each_simplex
+  bool holds_rim;         // the blade ends inside
+  bool invalid;           // of moving points; nobody goes on from here
 };
 
-/** A point of the blade in a cell: a vertex, or where a side of a triangle leaves the cell. */
+/** A point of the blade in a cell: a vertex, or where a side of a triangle, in the plane a segment, leaves the cell. */
+template <int D>
 struct BladePoint {
   uint32_t cell;  // number of the met cell
-  double at[3];
+  double at[D];
 };
 
+template <int D>
 class Crossings {
  public:
-  Crossings(const Environment<3>& env, const Blade& blade);
+  Crossings(const Environment<D>& env, const Blade<D>& blade);
 
-  /** Floods from a cell, if the blade meets it. Throws std::bad_alloc. O(pairs of cells and triangles that meet). */
+  /** Floods from a cell, if the blade meets it. Throws std::bad_alloc. O(pairs of cells and simplices that meet). */
   void flood(Cell start);
-  /** Whether a triangle meets a cell; the flood will go on from there. */
-  bool seed(Cell c, uint32_t triangle);
+  /** Whether a simplex meets a cell; the flood will go on from there. */
+  bool seed(Cell c, uint32_t simplex);
   /** Floods from what was seeded. */
   void run();
-  /** Whether a cell is met by any triangle. O(triangles). */
+  /** Whether a cell is met by any simplex. O(simplices). */
   bool is_met(Cell c);
 
   uint32_t cell_count() const { return static_cast<uint32_t>(cells_.size()); }
@@ -53,12 +55,12 @@ class Crossings {
   /** Number of the crossing of an edge, or KeyTable::kNone. */
   uint32_t find(uint32_t a, uint32_t b) const { return edges_.find(pair_key(a, b)); }
 
-  const Array<BladePoint>& points() const { return points_; }
+  const Array<BladePoint<D>>& points() const { return points_; }
 
-  /** Calls visit(triangle) for those that meet a cell. */
+  /** Calls visit(simplex) for those that meet a cell. */
   template <class Visit>
-  void for_each_triangle(uint32_t cell, Visit visit) const {
-    for (uint32_t i = cells_[cell].last_triangle; i != KeyTable::kNone; i = next_[i]) {
+  void for_each_simplex(uint32_t cell, Visit visit) const {
+    for (uint32_t i = cells_[cell].last_simplex; i != KeyTable::kNone; i = next_[i]) {
       visit(static_cast<uint32_t>(meetings_[i]));
     }
   }
@@ -67,37 +69,37 @@ class Crossings {
   /** A vertex of the cell that is looked at. */
   struct Corner {
     const double* at;
-    uint32_t vertex, beyond;  // sides of the triangle's box
+    uint32_t vertex, beyond;  // sides of the simplex's box
     int side;
   };
-  /** Which sides of the triangle meet the cell that is looked at, and whether the triangle does. */
+  /** Which sides of the simplex meet the cell that is looked at, and whether the simplex does. */
   struct Met {
-    bool triangle = false, sides[3] = {};
+    bool simplex = false, sides[D] = {};
   };
 
-  void insert(Cell c, uint32_t triangle);
-  void read_corners(Cell c, const SweptTriangle& triangle);
+  void insert(Cell c, uint32_t simplex);
+  void read_corners(Cell c, const BladeSimplex<D>& blade);
   void look_at(uint32_t meeting);
-  Met meet(Cell c, uint32_t triangle, const SweptTriangle& swept);
-  bool meet_simplex(const uint16_t* local, const SweptTriangle& swept, const double* const* at, Met& met);
-  int side(Corner& corner, const SweptTriangle& swept) const;
+  Met meet(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);
+  bool meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade, const double* const (&at)[D], Met& met);
+  int side(Corner& corner, const BladeSimplex<D>& blade) const;
   bool holds(Cell c, const double* point) const;
-  void note_crossings(Cell c, uint32_t triangle, const SweptTriangle& swept);
+  void note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D>& blade);
 
-  const Environment<3>& env_;
-  const Map<3>& map_;
-  const Blade& blade_;
+  const Environment<D>& env_;
+  const Map<D>& map_;
+  const Blade<D>& blade_;
   Array<MetCell> cells_;
   KeyTable cell_numbers_;   // by unit
-  KeyTable meetings_;       // number of the cell and triangle
+  KeyTable meetings_;       // number of the cell and simplex
   uint32_t looked_at_ = 0;  // of them
   Array<uint32_t> next_;    // the meeting of the same cell before
   Array<Crossing> crossings_;
   KeyTable edges_;
-  Array<BladePoint> points_;
+  Array<BladePoint<D>> points_;
   Array<Corner> corners_;
-  Array<Cell> beyond_;       // behind the facets that the triangle passes
-  Array<BladePoint> found_;  // points of the triangle in the cell that is looked at
+  Array<Cell> beyond_;          // behind the facets that the simplex passes
+  Array<BladePoint<D>> found_;  // points of the simplex in the cell that is looked at
 };
 
 }  // namespace dsw

@@ -6,8 +6,9 @@
 
 namespace dsw {
 
-Cut::Cut(Environment<3>& env, const Blade& blade, const CutSettings& settings, const Crossings& crossings,
-         const Inside* inside)
+template <int D>
+Cut<D>::Cut(Environment<D>& env, const Blade<D>& blade, const CutSettings& settings, const Crossings<D>& crossings,
+            const Inside<D>* inside)
     : env_(env),
       map_(env.map),
       blade_(blade),
@@ -29,7 +30,8 @@ Cut::Cut(Environment<3>& env, const Blade& blade, const CutSettings& settings, c
   }
 }
 
-bool Cut::can_split(Cell c) const {
+template <int D>
+bool Cut<D>::can_split(Cell c) const {
   switch (settings_.splits) {
     case Splits::kAll:
       return true;
@@ -41,7 +43,8 @@ bool Cut::can_split(Cell c) const {
 }
 
 /** Cells that come out invalid stay whole, and all is written anew: each time more of them, so this ends. */
-void Cut::prepare(std::optional<Edit<3>>& edit) {
+template <int D>
+void Cut<D>::prepare(std::optional<Edit<D>>& edit) {
   Array<uint32_t> invalid{Allocator<uint32_t>(env_.memory)};
   for (;;) {
     edit.emplace(env_);
@@ -55,10 +58,11 @@ void Cut::prepare(std::optional<Edit<3>>& edit) {
 }
 
 /** Cells with both parts on one side stay whole; whether there were any. */
-bool Cut::undo_idle_splits(const Edit<3>& edit) {
+template <int D>
+bool Cut<D>::undo_idle_splits(const Edit<D>& edit) {
   if (inside_ == nullptr) return false;
   const auto is_inside = [&](size_t draft) {
-    double at[3];
+    double at[D];
     centre(env_, edit.cell(draft), at);
     return inside_->holds(origins_[draft], at);
   };
@@ -72,12 +76,13 @@ bool Cut::undo_idle_splits(const Edit<3>& edit) {
 }
 
 /** False: something has to stay whole first. */
-bool Cut::write(Edit<3>& edit) {
+template <int D>
+bool Cut<D>::write(Edit<D>& edit) {
   drafts_.clear();
   origins_.clear();
   splits_.clear();
   choose_nodes(edit);
-  choose_lines();
+  if constexpr (D == 3) choose_lines();
   choose_cells();
   bool all = true;
   for (uint32_t i = 0; i < changed_.size(); ++i) {
@@ -94,7 +99,8 @@ bool Cut::write(Edit<3>& edit) {
 }
 
 /** Vertices for the nodes of loops. */
-void Cut::choose_nodes(Edit<3>& edit) {
+template <int D>
+void Cut<D>::choose_nodes(Edit<D>& edit) {
   vertices_.assign(section_->node_count(), kNoCell);
   for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
     for (const uint32_t n : section_->loop(i)) {
@@ -105,7 +111,8 @@ void Cut::choose_nodes(Edit<3>& edit) {
   }
 }
 
-void Cut::choose_lines() {
+template <int D>
+void Cut<D>::choose_lines() {
   line_numbers_ = KeyTable(env_.memory);
   lines_.clear();
   Array<Chord> chords{Allocator<Chord>(env_.memory)};
@@ -125,7 +132,8 @@ void Cut::choose_lines() {
 
 /** Cells that are split, and those at new vertices and lines. Where a boundary is pinched an edge has volumes that are not joined with each
  * other there: if one of those changes, all that are joined with it do. */
-void Cut::choose_cells() {
+template <int D>
+void Cut<D>::choose_cells() {
   changed_ = KeyTable(env_.memory);
   for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
     if (!section_->loop(i).empty()) changed_.insert(crossings_.cell(i).cell.unit);
@@ -143,18 +151,33 @@ void Cut::choose_cells() {
   }
 }
 
-bool Cut::has_new_vertex(Dart d) const {
+template <int D>
+bool Cut<D>::has_new_vertex(Dart d) const {
   const uint32_t n = section_->node_on(dart_vertex(map_, d), dart_target(map_, d));
   return n != KeyTable::kNone && vertices_[n] != kNoCell;
 }
 
 /** False: it can't be written. */
-bool Cut::write_cell(Edit<3>& edit, Cell c) {
+template <int D>
+bool Cut<D>::write_cell(Edit<D>& edit, Cell c) {
   CellDraft draft = draft_of(env_, c);
   edit.remove(c);
   insert_vertices(draft);
-  for (uint32_t f = 0, facets = map_.facets_of(c); f < facets; ++f) {
-    const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
+  if constexpr (D == 3) {
+    if (!write_lines(draft)) return false;
+  }
+  const uint32_t cell = crossings_.number(c);
+  if (cell != KeyTable::kNone && !section_->loop(cell).empty()) return split_cell(edit, cell, draft);
+  edit.add(std::move(draft));
+  origins_.push_back(c);
+  return true;
+}
+
+/** Puts the parts of facets in their places. False: they can't be drawn. */
+template <int D>
+bool Cut<D>::write_lines(CellDraft& draft) {
+  for (uint32_t f = 0, facets = map_.facets_of(draft.from); f < facets; ++f) {
+    const HalfFacet h = map_.half_facet(draft.from, f), o = map_.opposite(h);
     const uint32_t number = line_numbers_.find(std::min(h.word, o.word));
     if (number == KeyTable::kNone) continue;
     Line& line = lines_[number];
@@ -164,15 +187,12 @@ bool Cut::write_cell(Edit<3>& edit, Cell c) {
     draft.facets[f] = first ? line.parts[0] : turned(line.parts[0]);
     draft.facets.push_back(first ? line.parts[1] : turned(line.parts[1]));
   }
-  const uint32_t cell = crossings_.number(c);
-  if (cell != KeyTable::kNone && !section_->loop(cell).empty()) return split_cell(edit, cell, draft);
-  edit.add(std::move(draft));
-  origins_.push_back(c);
   return true;
 }
 
 /** In the order of nodes, so that facets are cut alike on both sides. */
-void Cut::insert_vertices(CellDraft& draft) const {
+template <int D>
+void Cut<D>::insert_vertices(CellDraft& draft) const {
   Array<uint32_t> nodes{Allocator<uint32_t>(env_.memory)};
   const Shape shape = map_.shape(draft.from);
   for (uint32_t d = 0; d < shape.dart_count(); ++d) {
@@ -183,12 +203,13 @@ void Cut::insert_vertices(CellDraft& draft) const {
   std::sort(nodes.begin(), nodes.end());
   for (const uint32_t n : nodes) {
     const Node& node = section_->node(n);
-    for (FacetDraft& facet : draft.facets) insert_between(facet, node.a, node.b, vertices_[n]);
+    insert_vertex(draft, node.a, node.b, vertices_[n]);
   }
 }
 
 /** False: there are no triangles for one of the parts. */
-bool Cut::draw_line(const FacetDraft& whole, Line& line) const {
+template <int D>
+bool Cut<D>::draw_line(const FacetDraft& whole, Line& line) const {
   line.parts[0] = part_of(whole, line.from, line.to);
   line.parts[1] = part_of(whole, line.to, line.from);
   line.drawn = true;
@@ -204,7 +225,8 @@ bool Cut::draw_line(const FacetDraft& whole, Line& line) const {
   return true;
 }
 
-bool Cut::split_cell(Edit<3>& edit, uint32_t cell, CellDraft& whole) {
+template <int D>
+bool Cut<D>::split_cell(Edit<D>& edit, uint32_t cell, CellDraft& whole) {
   const Array<uint32_t>& nodes = section_->loop(cell);
   FacetDraft face(env_.memory);
   for (const uint32_t n : nodes) face.loop.push_back(vertices_[n]);
@@ -215,13 +237,16 @@ bool Cut::split_cell(Edit<3>& edit, uint32_t cell, CellDraft& whole) {
   left.tag = whole.tag;
   CellDraft right = left;
   if (!part_along(whole, face.loop, left, right)) return false;
-  FacetDraft of_left = face;
-  std::reverse(of_left.loop.begin(), of_left.loop.end());
-  double left_apex[3], right_apex[3];
-  centre(env_, left, left_apex);
-  centre(env_, right, right_apex);
-  if (!cut_anew(env_, of_left, of_left.loop, left_apex, right_apex)) return false;
-  cut_like(face, of_left);
+  FacetDraft of_left = turned(face);
+  if constexpr (D == 2) {
+    std::swap(of_left, face);  // left of the way from node to node; in space of the loop as it is seen from outside
+  } else {
+    double left_apex[D], right_apex[D];
+    centre(env_, left, left_apex);
+    centre(env_, right, right_apex);
+    if (!cut_anew(env_, of_left, of_left.loop, left_apex, right_apex)) return false;
+    cut_like(face, of_left);
+  }
   if (!settings_.unsew) face.pair = of_left.pair = static_cast<uint32_t>(splits_.size());
   left.facets.push_back(std::move(of_left));
   right.facets.push_back(std::move(face));
@@ -239,25 +264,26 @@ bool Cut::split_cell(Edit<3>& edit, uint32_t cell, CellDraft& whole) {
 }
 
 /** Of one part of a cell that was split. */
-bool Cut::is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) const {
+template <int D>
+bool Cut<D>::is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) const {
   const auto has = [&](uint32_t vertex) {
     return std::any_of(part.facets.begin(), part.facets.end(), [&](const FacetDraft& f) { return f.has(vertex); });
   };
   for (const uint32_t n : nodes) {
     if (!section_->node(n).is_old()) return has(section_->node(n).b);
   }
-  const Shape shape = map_.shape(part.from);
-  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-    const uint32_t on = dart_vertex(map_, {part.from, d}), off = dart_target(map_, {part.from, d});
+  int side = 0;
+  for_each_edge_both_ways(map_, part.from, [&](uint32_t on, uint32_t off) {
     const bool leads_off = section_->node_at(on) != KeyTable::kNone && section_->node_at(off) == KeyTable::kNone;
-    if (leads_off && has(off) && side_of(on, off) != 0) return side_of(on, off) > 0;
-  }
-  return true;
+    if (side == 0 && leads_off && has(off)) side = side_of(on, off);
+  });
+  return side >= 0;
 }
 
 /** Facets with nothing but old vertices on the blade are on the cut if the cells beside them are on its two sides. The blade need not meet
  * both. A cut that closes takes those, too, of which that is not to be told. */
-void Cut::find_old_faces() {
+template <int D>
+void Cut<D>::find_old_faces() {
   old_faces_.clear();
   const auto stays_whole = [&](uint32_t cell) { return !section_->is_barred(cell) && section_->loop(cell).empty(); };
   for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
@@ -277,15 +303,17 @@ void Cut::find_old_faces() {
   }
 }
 
-bool Cut::is_on_blade(Cell c, const Shape& shape, uint32_t facet) const {
-  for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
-    if (section_->node_at(dart_vertex(map_, {c, d})) == KeyTable::kNone) return false;
-  }
-  return true;
+template <int D>
+bool Cut<D>::is_on_blade(Cell c, const Shape& shape, uint32_t facet) const {
+  bool all = true;
+  for_each_facet_vertex<D>(
+      shape, facet, [&](uint32_t local) { all = all && section_->node_at(map_.vertex(c, local)) != KeyTable::kNone; });
+  return all;
 }
 
 /** On which side of the blade a vertex is that is not on it, seen along an edge from one that is. */
-int Cut::side_of(uint32_t on, uint32_t off) const {
+template <int D>
+int Cut<D>::side_of(uint32_t on, uint32_t off) const {
   const uint32_t crossing = crossings_.find(on, off);
   if (crossing != KeyTable::kNone) return crossings_[crossing].b == off ? 1 : -1;
   return section_->node(section_->node_at(on)).side;
@@ -293,20 +321,21 @@ int Cut::side_of(uint32_t on, uint32_t off) const {
 
 /** On which side a cell is that touches the cut and is not split; 0: that is not to be told. One with nothing but vertices on the blade
  * counts as before it: its faces are then on the cut where the blade is behind them. */
-int Cut::side_of(Cell c) const {
-  const Shape shape = map_.shape(c);
+template <int D>
+int Cut<D>::side_of(Cell c) const {
   int side = 0;
-  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-    const uint32_t on = dart_vertex(map_, {c, d}), off = dart_target(map_, {c, d});
-    if (section_->node_at(on) == KeyTable::kNone || section_->node_at(off) != KeyTable::kNone) continue;
+  bool told = true;
+  for_each_edge_both_ways(map_, c, [&](uint32_t on, uint32_t off) {
+    if (!told || section_->node_at(on) == KeyTable::kNone || section_->node_at(off) != KeyTable::kNone) return;
     const int here = side_of(on, off);
-    if (here == 0 || here == -side) return 0;
+    told = here != 0 && here != -side;
     side = here;
-  }
-  return side != 0 ? side : 1;
+  });
+  return !told ? 0 : side != 0 ? side : 1;
 }
 
-void Cut::unsew_old_faces(Edit<3>& edit) const {
+template <int D>
+void Cut<D>::unsew_old_faces(Edit<D>& edit) const {
   for (const CutFace& face : old_faces_) {
     for (const HalfFacet h : {face.front, face.back}) {
       const Cell c = map_.cell_of(h);
@@ -323,7 +352,8 @@ void Cut::unsew_old_faces(Edit<3>& edit) const {
 }
 
 /** A cell that is split is not; round one that is not, those that it shares new vertices or lines with are not. */
-void Cut::keep_whole(Cell c) {
+template <int D>
+void Cut<D>::keep_whole(Cell c) {
   const uint32_t cell = crossings_.number(c);
   if (cell != KeyTable::kNone && !section_->loop(cell).empty()) {
     section_->keep_whole(cell);
@@ -343,12 +373,14 @@ void Cut::keep_whole(Cell c) {
   }
 }
 
-size_t Cut::draft_of_cell(Cell c) const {
+template <int D>
+size_t Cut<D>::draft_of_cell(Cell c) const {
   const uint32_t number = changed_.find(c.unit);
   return number == KeyTable::kNone ? kNoDraft : drafts_[number];
 }
 
-void Cut::write_record(Edit<3>& edit) {
+template <int D>
+void Cut<D>::write_record(Edit<D>& edit) {
   record_.met = crossings_.cell_count();
   record_.split = static_cast<uint32_t>(splits_.size());
   record_.changed = static_cast<uint32_t>(changed_.size());
@@ -382,12 +414,13 @@ void Cut::write_record(Edit<3>& edit) {
 }
 
 /** Distances of the cut's vertices from the blade, and of the blade's points from the faces in the cells that hold them. */
-void Cut::measure(Edit<3>& edit) {
+template <int D>
+void Cut<D>::measure(Edit<D>& edit) {
   const auto add = [&](double distance) { record_.distance = std::max(record_.distance, distance); };
   const auto add_vertex = [&](uint32_t node, uint32_t vertex) {
-    const double* corners[3];
-    blade_.corners(section_->node(node).triangle, corners);
-    add(length(to_triangle(env_.point(vertex), corners)));
+    const double* corners[D];
+    blade_.corners(section_->node(node).simplex, corners);
+    add(length(to_simplex<D>(env_.point(vertex), corners)));
   };
   for (uint32_t n = 0; n < section_->node_count(); ++n) {
     if (vertices_[n] != kNoCell) add_vertex(n, vertices_[n]);
@@ -398,18 +431,27 @@ void Cut::measure(Edit<3>& edit) {
   }
   Array<uint32_t> split_of(crossings_.cell_count(), kNoCell, Allocator<uint32_t>(env_.memory));
   for (uint32_t i = 0; i < splits_.size(); ++i) split_of[splits_[i].cell] = i;
-  for (const BladePoint& point : crossings_.points()) {
+  for (const BladePoint<D>& point : crossings_.points()) {
     if (split_of[point.cell] == kNoCell) continue;
     const Split& split = splits_[split_of[point.cell]];
     const FacetDraft& face = edit.draft(split.front).facets[split.front_facet];
+    const Array<uint32_t>& simplices = D == 3 ? face.triangles : face.loop;
     double least = HUGE_VAL;
-    for (size_t t = 0; t < face.triangles.size(); t += 3) {
-      const double* corners[3];
-      for (size_t k = 0; k < 3; ++k) corners[k] = env_.point(face.triangles[t + k]);
-      least = std::min(least, length(to_triangle(point.at, corners)));
+    for (size_t s = 0; s < simplices.size(); s += D) {
+      const double* corners[D];
+      for (size_t k = 0; k < D; ++k) corners[k] = env_.point(simplices[s + k]);
+      least = std::min(least, length(to_simplex<D>(point.at, corners)));
     }
     add(least);
   }
 }
+
+#define DSW_CUT(D)                                                                              \
+  template Cut<D>::Cut(Environment<D>& env, const Blade<D>& blade, const CutSettings& settings, \
+                       const Crossings<D>& crossings, const Inside<D>* inside);                 \
+  template void Cut<D>::prepare(std::optional<Edit<D>>& edit)
+DSW_CUT(3);
+DSW_CUT(2);
+#undef DSW_CUT
 
 }  // namespace dsw

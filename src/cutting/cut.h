@@ -42,15 +42,16 @@ struct CutRecord {
       : vertices(Allocator<NewVertex>(memory)), faces(Allocator<CutFace>(memory)), whole(Allocator<Cell>(memory)) {}
 };
 
+template <int D>
 class Cut {
  public:
   /** Crossings as a flood has left them. With `inside`, only cells are split of which one part is inside then and the other is not. Throws
    * std::bad_alloc. */
-  Cut(Environment<3>& env, const Blade& blade, const CutSettings& settings, const Crossings& crossings,
-      const Inside* inside = nullptr);
+  Cut(Environment<D>& env, const Blade<D>& blade, const CutSettings& settings, const Crossings<D>& crossings,
+      const Inside<D>* inside = nullptr);
 
   /** Prepares an edit. Throws BORROWED where vertices have to be added and can't be, TOO_LARGE, std::bad_alloc. */
-  void prepare(std::optional<Edit<3>>& edit);
+  void prepare(std::optional<Edit<D>>& edit);
 
   /** After prepare(). */
   const CutRecord& record() const { return record_; }
@@ -73,35 +74,36 @@ class Cut {
   static constexpr size_t kNoDraft = static_cast<size_t>(-1);
 
   bool can_split(Cell c) const;
-  bool undo_idle_splits(const Edit<3>& edit);
-  bool write(Edit<3>& edit);
-  void choose_nodes(Edit<3>& edit);
+  bool undo_idle_splits(const Edit<D>& edit);
+  bool write(Edit<D>& edit);
+  void choose_nodes(Edit<D>& edit);
   void choose_lines();
   void choose_cells();
   bool has_new_vertex(Dart d) const;
-  bool write_cell(Edit<3>& edit, Cell c);
+  bool write_cell(Edit<D>& edit, Cell c);
+  bool write_lines(CellDraft& draft);
   void insert_vertices(CellDraft& draft) const;
   bool draw_line(const FacetDraft& whole, Line& line) const;
-  bool split_cell(Edit<3>& edit, uint32_t cell, CellDraft& whole);
+  bool split_cell(Edit<D>& edit, uint32_t cell, CellDraft& whole);
   bool is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes) const;
   void find_old_faces();
   bool is_on_blade(Cell c, const Shape& shape, uint32_t facet) const;
   int side_of(uint32_t on, uint32_t off) const;
   int side_of(Cell c) const;
-  void unsew_old_faces(Edit<3>& edit) const;
+  void unsew_old_faces(Edit<D>& edit) const;
   void keep_whole(Cell c);
   /** The draft of a cell that changes and is not split, or that of a part; kNoDraft: it does not change. */
   size_t draft_of_cell(Cell c) const;
-  void write_record(Edit<3>& edit);
-  void measure(Edit<3>& edit);
+  void write_record(Edit<D>& edit);
+  void measure(Edit<D>& edit);
 
-  Environment<3>& env_;
-  const Map<3>& map_;
-  const Blade& blade_;
+  Environment<D>& env_;
+  const Map<D>& map_;
+  const Blade<D>& blade_;
   CutSettings settings_;
-  const Crossings& crossings_;
-  const Inside* inside_;
-  std::optional<Section> section_;
+  const Crossings<D>& crossings_;
+  const Inside<D>* inside_;
+  std::optional<Section<D>> section_;
   Array<uint32_t> vertices_;  // by node; kNoCell: it is not needed
   KeyTable line_numbers_;     // by the lower address of the facet
   Array<Line> lines_;

@@ -8,13 +8,14 @@
 
 namespace dsw {
 
+template <int D>
 class Inside {
  public:
   /** What the surface crosses is left in *crossings. Throws std::bad_alloc, as all here. */
-  Inside(const Environment<3>& env, const Blade& blade, Crossings& crossings);
+  Inside(const Environment<D>& env, const Blade<D>& blade, Crossings<D>& crossings);
 
   /** Floods through cells that are inside or crossed, from a cell that is; else from the first that is crossed, see start.h. O(facets of
-   * cells that are, with a search in a tree of triangles for each cell beside one). */
+   * cells that are, with a search in a tree of simplices for each cell beside one). */
   void flood_from(Cell start, uint32_t* visited);
   /** The same from all cells that are. O(cells). */
   void flood_all();
@@ -27,7 +28,7 @@ class Inside {
   bool holds(Cell c, const double* point) const;
 
   /** What is inside becomes passable in an edit that is prepared; lists those cells that are not yet, as they will be. O(cells). */
-  void carve(Edit<3>& edit, Array<Cell>& carved) const;
+  void carve(Edit<D>& edit, Array<Cell>& carved) const;
 
  private:
   struct Known {
@@ -41,24 +42,26 @@ class Inside {
   void add(Cell c);
   void look_beyond(const Known& known, HalfFacet h);
   bool seed(Cell c);
-  int crossings_of(uint32_t triangle, const double* from, const double* to) const;
+  int crossings_of(uint32_t simplex, const double* from, const double* to) const;
   int crossings_in(Cell c, const double* from, const double* to) const;
   int turns_round(const double* point) const;
 
-  const Environment<3>& env_;
-  const Map<3>& map_;
-  const Blade& blade_;
-  Crossings& crossings_;
-  BladeTree tree_;
+  const Environment<D>& env_;
+  const Map<D>& map_;
+  const Blade<D>& blade_;
+  Crossings<D>& crossings_;
+  BladeTree<D> tree_;
   KeyTable numbers_;  // of cells, by unit
   Array<Known> cells_;
   uint32_t done_ = 0;  // cells whose neighbours have been looked at
 };
 
 /** Finds all that a blade crosses, anywhere. O(cells). */
-void find_all(const Environment<3>& env, const Blade& blade, Crossings& crossings);
+template <int D>
+void find_all(const Environment<D>& env, const Blade<D>& blade, Crossings<D>& crossings);
 
 /** Whether a blade crosses passable cells, and ends in none of them. O(cells crossed). */
-bool closes(const Environment<3>& env, const Crossings& crossings);
+template <int D>
+bool closes(const Environment<D>& env, const Crossings<D>& crossings);
 
 }  // namespace dsw

@@ -12,7 +12,8 @@ constexpr double kLeastShare = 1.0 / 4096;  // below a copy does not move
 
 }  // namespace
 
-Opening::Opening(Environment<3>& env, const Crack& crack, const OpenSettings& settings)
+template <int D>
+Opening<D>::Opening(Environment<D>& env, const Crack<D>& crack, const OpenSettings& settings)
     : env_(env),
       map_(env.map),
       crack_(crack),
@@ -25,14 +26,16 @@ Opening::Opening(Environment<3>& env, const Crack& crack, const OpenSettings& se
       sides_(Allocator<Side>(env.memory)),
       record_(env.memory) {}
 
-void Opening::Way::shorten(int k) {
+template <int D>
+void Opening<D>::Way::shorten(int k) {
   shares[k] *= 0.5;
   if (shares[k] < kLeastShare) shares[k] = 0;
   stays = shares[0] == 0 && shares[1] == 0;
 }
 
 /** Vertices of cells that come out invalid go half as far, and all is written anew: as often as the shares allow, so this ends. */
-void Opening::prepare(std::optional<Edit<3>>& edit) {
+template <int D>
+void Opening<D>::prepare(std::optional<Edit<D>>& edit) {
   Array<uint32_t> bad{Allocator<uint32_t>(env_.memory)};
   for (;;) {
     edit.emplace(env_);
@@ -46,7 +49,8 @@ void Opening::prepare(std::optional<Edit<3>>& edit) {
   write_record(*edit);
 }
 
-void Opening::write(Edit<3>& edit, Array<uint32_t>& bad) {
+template <int D>
+void Opening<D>::write(Edit<D>& edit, Array<uint32_t>& bad) {
   changed_ = KeyTable(env_.memory);
   gaps_.clear();
   sides_.clear();
@@ -56,16 +60,17 @@ void Opening::write(Edit<3>& edit, Array<uint32_t>& bad) {
   add_mouths(edit);
   add_gaps(edit);
   join_sides(edit);
-  cut_facets(edit, bad);
+  if constexpr (D == 3) cut_facets(edit, bad);
 }
 
-void Opening::add_vertices(Edit<3>& edit) {
+template <int D>
+void Opening<D>::add_vertices(Edit<D>& edit) {
   fresh_ = KeyTable(env_.memory);
   of_fresh_.clear();
   for (uint32_t i = 0; i < ways_.size(); ++i) {
     Way& way = ways_[i];
-    const Crack::Parting& parting = crack_.partings()[i];
-    double places[2][3];
+    const typename Crack<D>::Parting& parting = crack_.partings()[i];
+    double places[2][D];
     while (!way.stays && !place_copies(parting, way, places)) {
       way.shorten(0);
       way.shorten(1);
@@ -81,22 +86,25 @@ void Opening::add_vertices(Edit<3>& edit) {
 }
 
 /** False: they are too far away for a double. */
-bool Opening::place_copies(const Crack::Parting& parting, const Way& way, double (&places)[2][3]) const {
+template <int D>
+bool Opening<D>::place_copies(const typename Crack<D>::Parting& parting, const Way& way, double (&places)[2][D]) const {
   const double* const p = env_.point(parting.vertex);
-  store<3>(to_vec<3>(p) - way.length(0) * settings_.width * parting.normal, places[0]);
-  store<3>(to_vec<3>(p) + way.length(1) * settings_.width * parting.normal, places[1]);
-  return is_finite<3>(places[0]) && is_finite<3>(places[1]);
+  store<D>(to_vec<D>(p) - way.length(0) * settings_.width * parting.normal, places[0]);
+  store<D>(to_vec<D>(p) + way.length(1) * settings_.width * parting.normal, places[1]);
+  return is_finite<D>(places[0]) && is_finite<D>(places[1]);
 }
 
-uint32_t Opening::vertex_of(uint32_t copy, uint32_t before) const {
-  return copy == Crack::kNone || ways_[copy / 2].stays ? before : ways_[copy / 2].copies[copy % 2];
+template <int D>
+uint32_t Opening<D>::vertex_of(uint32_t copy, uint32_t before) const {
+  return copy == Crack<D>::kNone || ways_[copy / 2].stays ? before : ways_[copy / 2].copies[copy % 2];
 }
 
 /** All cells at vertices that come apart. */
-void Opening::write_cells(Edit<3>& edit) {
+template <int D>
+void Opening<D>::write_cells(Edit<D>& edit) {
   for (uint32_t i = 0; i < ways_.size(); ++i) {
     if (ways_[i].stays) continue;
-    const Crack::Parting& parting = crack_.partings()[i];
+    const typename Crack<D>::Parting& parting = crack_.partings()[i];
     for (uint32_t k = parting.first_cell; k < parting.end_cell; ++k) changed_.insert(crack_.cell(k).unit);
   }
   for (uint32_t i = 0; i < changed_.size(); ++i) {
@@ -109,7 +117,13 @@ void Opening::write_cells(Edit<3>& edit) {
 }
 
 /** Puts copies in the places of vertices; both, where the line from rim to rim crosses the facet. Then it has to be cut anew. */
-void Opening::write_facet(FacetDraft& facet, Dart first) const {
+template <int D>
+void Opening<D>::write_facet(FacetDraft& facet, Dart first) const {
+  if constexpr (D == 2) {
+    facet.loop[0] = at_start(first);
+    facet.loop[1] = at_end(first);
+    return;
+  }
   const FacetDraft before = facet;
   const auto n = static_cast<uint32_t>(before.loop.size());
   facet.loop.clear();
@@ -126,7 +140,8 @@ void Opening::write_facet(FacetDraft& facet, Dart first) const {
   for (uint32_t& v : facet.triangles) v = facet.loop[before.place_of(v)];
 }
 
-void Opening::move_marks(Edit<3>& edit, Cell c) const {
+template <int D>
+void Opening<D>::move_marks(Edit<D>& edit, Cell c) const {
   if (env_.edge_marks.size() == 0) return;
   for (uint32_t d = 0, n = map_.shape(c).dart_count(); d < n; ++d) {
     const uint32_t a = dart_vertex(map_, {c, d}), b = dart_target(map_, {c, d});
@@ -135,27 +150,34 @@ void Opening::move_marks(Edit<3>& edit, Cell c) const {
   }
 }
 
-/** Cells of the space get a facet in the place of an edge of the rim. */
-void Opening::add_mouths(Edit<3>& edit) {
+/** Cells of the space get a facet in the place of a ridge of the rim. */
+template <int D>
+void Opening<D>::add_mouths(Edit<D>& edit) {
   for (const Mouth& mouth : crack_.mouths()) {
-    const Dart d = mouth.dart, e = beta2(map_, d);
+    const Dart d = mouth.dart, e = across_ridge(map_, d);
     const uint32_t number = changed_.find(d.cell.unit);
     if (number == KeyTable::kNone) continue;
-    const uint32_t loop[4] = {at_end(d), at_start(d), at_end(e), at_start(e)};
     FacetDraft facet(env_.memory);
-    for (int k = 0; k < 4; ++k) {
-      if (loop[k] != loop[(k + 3) % 4]) facet.loop.push_back(loop[k]);
+    if constexpr (D == 2) {
+      facet.loop.assign({at_end(e), at_start(d)});
+    } else {
+      const uint32_t loop[4] = {at_end(d), at_start(d), at_end(e), at_start(e)};
+      for (int k = 0; k < 4; ++k) {
+        if (loop[k] != loop[(k + 3) % 4]) facet.loop.push_back(loop[k]);
+      }
     }
-    if (facet.loop.size() >= 3) add_side(edit, number, std::move(facet), dart_vertex(map_, d), dart_target(map_, d));
+    add_side(edit, number, std::move(facet), ridge_key(dart_vertex(map_, d), dart_target(map_, d)));
   }
 }
 
-void Opening::add_gaps(Edit<3>& edit) {
+template <int D>
+void Opening<D>::add_gaps(Edit<D>& edit) {
   for (uint32_t i = 0; i < crack_.pair_count(); ++i) add_gap(edit, crack_.pair(i));
 }
 
 /** The cell between two lips, if these come apart. */
-void Opening::add_gap(Edit<3>& edit, const FacetPair& pair) {
+template <int D>
+void Opening<D>::add_gap(Edit<D>& edit, const FacetPair& pair) {
   Gap gap;
   FacetDraft before[2] = {draft_of(env_, pair.a), draft_of(env_, pair.b)};
   for (int k = 0; k < 2; ++k) {
@@ -182,31 +204,39 @@ void Opening::add_gap(Edit<3>& edit, const FacetPair& pair) {
   for (uint32_t k = 0; k < n; ++k) {
     const uint32_t next = (k + 1) % n;
     FacetDraft side(env_.memory);
-    side.loop.push_back(front[k]);
-    if (front[next] != front[k]) side.loop.push_back(front[next]);
-    if (back[next] != front[next]) side.loop.push_back(back[next]);
-    if (back[k] != front[k]) side.loop.push_back(back[k]);
-    if (side.loop.size() >= 3) add_side(edit, number, std::move(side), before[0].loop[k], before[0].loop[next]);
+    if constexpr (D == 2) {
+      side.loop.assign({(k == 0 ? front : back)[k], (k == 0 ? back : front)[k]});
+    } else {
+      side.loop.push_back(front[k]);
+      if (front[next] != front[k]) side.loop.push_back(front[next]);
+      if (back[next] != front[next]) side.loop.push_back(back[next]);
+      if (back[k] != front[k]) side.loop.push_back(back[k]);
+    }
+    add_side(edit, number, std::move(side), ridge_key(before[0].loop[k], before[0].loop[next]));
   }
   gaps_.push_back(gap);
 }
 
-void Opening::add_side(Edit<3>& edit, size_t draft, FacetDraft&& facet, uint32_t a, uint32_t b) {
+/** A facet across the gap, unless vertices that stay one leave nothing of it. */
+template <int D>
+void Opening<D>::add_side(Edit<D>& edit, size_t draft, FacetDraft&& facet, uint64_t ridge) {
+  if (D == 3 ? facet.loop.size() < 3 : facet.loop[0] == facet.loop[1]) return;
   Array<FacetDraft>& facets = edit.draft(draft).facets;
-  sides_.push_back({pair_key(a, b), {draft, static_cast<uint32_t>(facets.size())}});
+  sides_.push_back({ridge, {draft, static_cast<uint32_t>(facets.size())}});
   facets.push_back(std::move(facet));
 }
 
-/** Facets across the gap over the same edge are joined; what is left of them is on the outer boundary. */
-void Opening::join_sides(Edit<3>& edit) {
+/** Facets across the gap over the same ridge are joined; what is left of them is on the outer boundary. */
+template <int D>
+void Opening<D>::join_sides(Edit<D>& edit) {
   std::sort(sides_.begin(), sides_.end(), [](const Side& x, const Side& y) {
-    if (x.edge != y.edge) return x.edge < y.edge;
+    if (x.ridge != y.ridge) return x.ridge < y.ridge;
     return x.at.draft != y.at.draft ? x.at.draft < y.at.draft : x.at.facet < y.at.facet;
   });
   const auto facet = [&](const Side& side) -> FacetDraft& { return edit.draft(side.at.draft).facets[side.at.facet]; };
   for (size_t i = 0; i < sides_.size(); ++i) {
     FacetDraft& here = facet(sides_[i]);
-    for (size_t j = i + 1; here.pair == kNoPair && j < sides_.size() && sides_[j].edge == sides_[i].edge; ++j) {
+    for (size_t j = i + 1; here.pair == kNoPair && j < sides_.size() && sides_[j].ridge == sides_[i].ridge; ++j) {
       FacetDraft& there = facet(sides_[j]);
       if (there.pair == kNoPair && face_each_other(here, there)) here.pair = there.pair = pairs_++;
     }
@@ -215,7 +245,8 @@ void Opening::join_sides(Edit<3>& edit) {
 
 /** Triangles for new facets, and others for those that are not positive any more seen from the cells on both sides. Drafts with a facet for
  * which there are none go to `bad`. */
-void Opening::cut_facets(Edit<3>& edit, Array<uint32_t>& bad) const {
+template <int D>
+void Opening<D>::cut_facets(Edit<D>& edit, Array<uint32_t>& bad) const {
   struct Key {
     uint32_t word;
     Place at;
@@ -272,13 +303,14 @@ void Opening::cut_facets(Edit<3>& edit, Array<uint32_t>& bad) const {
 }
 
 /** Drafts at which the outer boundary would fold. Links are needed to see that, so the edit is tried. */
-void Opening::find_folds(Edit<3>& edit, Array<uint32_t>& bad) const {
+template <int D>
+void Opening<D>::find_folds(Edit<D>& edit, Array<uint32_t>& bad) const {
   edit.apply();
   for (uint32_t i = 0; i < edit.cell_count(); ++i) {
     const Cell c = edit.cell(i);
     const Shape shape = map_.shape(c);
     for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-      if (map_.opposite(half_facet(map_, {c, d})).valid() || !is_folded(env_, {c, d})) continue;
+      if (!is_folded(env_, {c, d})) continue;
       bad.push_back(i);
       break;
     }
@@ -287,7 +319,8 @@ void Opening::find_folds(Edit<3>& edit, Array<uint32_t>& bad) const {
 }
 
 /** The copies in these drafts go half as far; where none of them moves any more, their vertices stay one. */
-void Opening::shorten(Edit<3>& edit, const Array<uint32_t>& drafts) {
+template <int D>
+void Opening<D>::shorten(Edit<D>& edit, const Array<uint32_t>& drafts) {
   KeyTable copies(env_.memory);
   for (const uint32_t i : drafts) {
     for (const FacetDraft& facet : edit.draft(i).facets) {
@@ -307,13 +340,14 @@ void Opening::shorten(Edit<3>& edit, const Array<uint32_t>& drafts) {
   for (uint32_t i = 0; !moved && i < copies.size(); ++i) ways_[copies[i] / 2].stays = true;
 }
 
-void Opening::write_record(Edit<3>& edit) {
+template <int D>
+void Opening<D>::write_record(Edit<D>& edit) {
   for (uint32_t i = 0; i < ways_.size(); ++i) {
     const Way& way = ways_[i];
     if (way.stays) continue;
     const uint32_t v = crack_.partings()[i].vertex;
     for (const uint32_t copy : way.copies) record_.vertices.push_back({copy, v, v, 0.5});
-    const double width = length(difference<3>(env_.point(way.copies[1]), env_.point(way.copies[0])));
+    const double width = length(difference<D>(env_.point(way.copies[1]), env_.point(way.copies[0])));
     record_.smallest = record_.vertices.size() == 2 ? width : std::min(record_.smallest, width);
     record_.largest = std::max(record_.largest, width);
     record_.shortened += way.shares[0] < 1 && way.shares[1] < 1 ? 1u : 0u;
@@ -324,5 +358,12 @@ void Opening::write_record(Edit<3>& edit) {
   }
   record_.changed = changed_.size();
 }
+
+#define DSW_OPENING(D)                                                                                    \
+  template Opening<D>::Opening(Environment<D>& env, const Crack<D>& crack, const OpenSettings& settings); \
+  template void Opening<D>::prepare(std::optional<Edit<D>>& edit)
+DSW_OPENING(3);
+DSW_OPENING(2);
+#undef DSW_OPENING
 
 }  // namespace dsw

@@ -25,13 +25,14 @@ struct OpenRecord {
       : vertices(Allocator<NewVertex>(memory)), faces(Allocator<CutFace>(memory)) {}
 };
 
+template <int D>
 class Opening {
  public:
   /** The crack is parted, and outlives this. Throws std::bad_alloc. */
-  Opening(Environment<3>& env, const Crack& crack, const OpenSettings& settings);
+  Opening(Environment<D>& env, const Crack<D>& crack, const OpenSettings& settings);
 
   /** Prepares an edit. Throws BORROWED where vertices have to be added and can't be, TOO_LARGE, std::bad_alloc. */
-  void prepare(std::optional<Edit<3>>& edit);
+  void prepare(std::optional<Edit<D>>& edit);
 
   /** After prepare(). */
   const OpenRecord& record() const { return record_; }
@@ -49,9 +50,9 @@ class Opening {
     size_t draft;
     uint32_t facet;
   };
-  /** A facet across the gap, over an edge of the crack. */
+  /** A facet across the gap, over a ridge of the crack: the key of an edge, in the plane of a vertex. */
   struct Side {
-    uint64_t edge;
+    uint64_t ridge;
     Place at;
   };
   /** A face that opens: what its lips and the cell between them are drafted as. */
@@ -59,28 +60,30 @@ class Opening {
     Place lips[2];
   };
 
-  void write(Edit<3>& edit, Array<uint32_t>& bad);
-  void add_vertices(Edit<3>& edit);
-  bool place_copies(const Crack::Parting& parting, const Way& way, double (&places)[2][3]) const;
-  void write_cells(Edit<3>& edit);
+  void write(Edit<D>& edit, Array<uint32_t>& bad);
+  void add_vertices(Edit<D>& edit);
+  bool place_copies(const typename Crack<D>::Parting& parting, const Way& way, double (&places)[2][D]) const;
+  void write_cells(Edit<D>& edit);
   void write_facet(FacetDraft& facet, Dart first) const;
-  void move_marks(Edit<3>& edit, Cell c) const;
-  void add_mouths(Edit<3>& edit);
-  void add_gaps(Edit<3>& edit);
-  void add_gap(Edit<3>& edit, const FacetPair& pair);
-  void add_side(Edit<3>& edit, size_t draft, FacetDraft&& facet, uint32_t a, uint32_t b);
-  void join_sides(Edit<3>& edit);
-  void cut_facets(Edit<3>& edit, Array<uint32_t>& bad) const;
-  void find_folds(Edit<3>& edit, Array<uint32_t>& bad) const;
-  void shorten(Edit<3>& edit, const Array<uint32_t>& drafts);
-  void write_record(Edit<3>& edit);
+  void move_marks(Edit<D>& edit, Cell c) const;
+  void add_mouths(Edit<D>& edit);
+  void add_gaps(Edit<D>& edit);
+  void add_gap(Edit<D>& edit, const FacetPair& pair);
+  void add_side(Edit<D>& edit, size_t draft, FacetDraft&& facet, uint64_t ridge);
+  void join_sides(Edit<D>& edit);
+  void cut_facets(Edit<D>& edit, Array<uint32_t>& bad) const;
+  void find_folds(Edit<D>& edit, Array<uint32_t>& bad) const;
+  void shorten(Edit<D>& edit, const Array<uint32_t>& drafts);
+  void write_record(Edit<D>& edit);
   uint32_t vertex_of(uint32_t copy, uint32_t before) const;
+  /** Of the edge from a to b; in the plane of vertex a. */
+  static uint64_t ridge_key(uint32_t a, uint32_t b) { return pair_key(a, D == 3 ? b : a); }
   uint32_t at_start(Dart d) const { return vertex_of(crack_.copy_at_start(d), dart_vertex(map_, d)); }
   uint32_t at_end(Dart d) const { return vertex_of(crack_.copy_at_end(d), dart_target(map_, d)); }
 
-  Environment<3>& env_;
-  const Map<3>& map_;
-  const Crack& crack_;
+  Environment<D>& env_;
+  const Map<D>& map_;
+  const Crack<D>& crack_;
   OpenSettings settings_;
   Array<Way> ways_;           // by parting
   KeyTable fresh_;            // new vertices

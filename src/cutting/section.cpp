@@ -5,7 +5,8 @@
 
 namespace dsw {
 
-Section::Section(const Environment<3>& env, const Crossings& crossings, double snap)
+template <int D>
+Section<D>::Section(const Environment<D>& env, const Crossings<D>& crossings, double snap)
     : env_(env),
       map_(env.map),
       crossings_(crossings),
@@ -21,7 +22,7 @@ Section::Section(const Environment<3>& env, const Crossings& crossings, double s
     const int side = vertex == at.b ? 1 : -1;
     const uint32_t known = places_.insert(pair_key(vertex, vertex));
     if (known == nodes_.size()) {
-      nodes_.push_back({vertex, vertex, 0, at.triangle, side});
+      nodes_.push_back({vertex, vertex, 0, at.simplex, side});
     } else if (nodes_[known].side != side) {
       nodes_[known].side = 0;
     }
@@ -30,7 +31,7 @@ Section::Section(const Environment<3>& env, const Crossings& crossings, double s
     const Crossing& at = crossings[i];
     if (!at.once || node_at(at.a) != KeyTable::kNone || node_at(at.b) != KeyTable::kNone) continue;
     places_.insert(pair_key(at.a, at.b));
-    nodes_.push_back({at.a, at.b, at.share, at.triangle, 0});
+    nodes_.push_back({at.a, at.b, at.share, at.simplex, 0});
   }
   for (uint32_t i = 0; i < crossings.cell_count(); ++i) {
     const MetCell& met = crossings.cell(i);
@@ -39,7 +40,8 @@ Section::Section(const Environment<3>& env, const Crossings& crossings, double s
   }
 }
 
-bool Section::has_double_crossing(Cell c) const {
+template <int D>
+bool Section<D>::has_double_crossing(Cell c) const {
   const Shape shape = map_.shape(c);
   for (uint32_t d = 0; d < shape.dart_count(); ++d) {
     const uint32_t i = crossings_.find(dart_vertex(map_, {c, d}), dart_target(map_, {c, d}));
@@ -48,7 +50,8 @@ bool Section::has_double_crossing(Cell c) const {
   return false;
 }
 
-bool Section::is_crossed(uint32_t cell) const {
+template <int D>
+bool Section<D>::is_crossed(uint32_t cell) const {
   if (is_barred(cell)) return true;
   const Cell c = crossings_.cell(cell).cell;
   bool touches = false;
@@ -59,8 +62,9 @@ bool Section::is_crossed(uint32_t cell) const {
   return !touches;  // else a fold of the blade enters through one facet
 }
 
-/** Whether a facet has two nodes that no edge of it joins. */
-bool Section::find_chord(Cell c, const Shape& shape, uint32_t facet, Chord& chord) const {
+/** Whether a facet, in the plane the cell, has two nodes that no edge of it joins. */
+template <int D>
+bool Section<D>::find_chord(Cell c, const Shape& shape, uint32_t facet, Chord& chord) const {
   uint32_t count = 0, place[2] = {}, found[2] = {};
   const auto add = [&](uint32_t node, uint32_t at) {
     if (node == KeyTable::kNone) return;
@@ -70,7 +74,8 @@ bool Section::find_chord(Cell c, const Shape& shape, uint32_t facet, Chord& chor
     }
     ++count;
   };
-  const uint32_t first = shape.facet_first(facet), size = shape.facet_size(facet);
+  const uint32_t first = D == 3 ? shape.facet_first(facet) : 0,
+                 size = D == 3 ? shape.facet_size(facet) : shape.dart_count();
   for (uint32_t k = 0; k < size; ++k) {
     const uint32_t vertex = dart_vertex(map_, {c, first + k}), next = dart_target(map_, {c, first + k});
     add(node_at(vertex), 2 * k);
@@ -83,7 +88,8 @@ bool Section::find_chord(Cell c, const Shape& shape, uint32_t facet, Chord& chor
   return true;
 }
 
-void Section::list_chords(uint32_t cell, Array<Chord>& out) const {
+template <int D>
+void Section<D>::list_chords(uint32_t cell, Array<Chord>& out) const {
   out.clear();
   const Cell c = crossings_.cell(cell).cell;
   const Shape shape = map_.shape(c);
@@ -100,7 +106,8 @@ void Section::list_chords(uint32_t cell, Array<Chord>& out) const {
 }
 
 /** Drops edges that lead nowhere, and says whether the rest is worth a look. */
-bool Section::prune(Array<Arc>& arcs) const {
+template <int D>
+bool Section<D>::prune(Array<Arc>& arcs) const {
   for (bool changed = true; changed;) {
     changed = false;
     const auto degree = [&](uint32_t node) {
@@ -116,9 +123,15 @@ bool Section::prune(Array<Arc>& arcs) const {
   return arcs.size() >= 3;
 }
 
-void Section::find_loop(uint32_t cell) {
+template <int D>
+void Section<D>::find_loop(uint32_t cell) {
   const Cell c = crossings_.cell(cell).cell;
   const Shape shape = map_.shape(c);
+  if constexpr (D == 2) {
+    Chord chord;
+    if (find_chord(c, shape, 0, chord)) loops_[cell] = {{chord.from, chord.to}, Allocator<uint32_t>(env_.memory)};
+    return;
+  }
   Array<Arc> arcs{Allocator<Arc>(env_.memory)};
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     Chord chord;
@@ -142,7 +155,8 @@ void Section::find_loop(uint32_t cell) {
   if (at == loop[0] && !is_facet(c, shape, loop)) loops_[cell] = std::move(loop);
 }
 
-bool Section::is_facet(Cell c, const Shape& shape, const Array<uint32_t>& loop) const {
+template <int D>
+bool Section<D>::is_facet(Cell c, const Shape& shape, const Array<uint32_t>& loop) const {
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     bool same = shape.facet_size(f) == loop.size();
     for (uint32_t d = shape.facet_first(f); same && d < shape.facet_first(f + 1); ++d) {
@@ -152,5 +166,13 @@ bool Section::is_facet(Cell c, const Shape& shape, const Array<uint32_t>& loop) 
   }
   return false;
 }
+
+#define DSW_SECTION(D)                                                                                 \
+  template Section<D>::Section(const Environment<D>& env, const Crossings<D>& crossings, double snap); \
+  template bool Section<D>::is_crossed(uint32_t cell) const
+DSW_SECTION(3);
+DSW_SECTION(2);
+#undef DSW_SECTION
+template void Section<3>::list_chords(uint32_t cell, Array<Chord>& out) const;
 
 }  // namespace dsw

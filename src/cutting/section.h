@@ -1,7 +1,8 @@
 #pragma once
 // Which cells a blade splits and along which loops. Where it crosses an edge there is a node: a vertex to come, or the nearer end of
 // the edge if that is within a share of its length; such a vertex then takes all crossings of its edges. Across a facet with two nodes
-// runs one line; a cell is split where such lines, and edges between old vertices on the blade, are one closed loop round it.
+// runs one line; a cell is split where such lines, and edges between old vertices on the blade, are one closed loop round it. In the plane a
+// cell with two nodes is split between them, as a facet is in space.
 //
 // A cell stays whole where the blade ends inside or crosses an edge twice, or where lines do not say how it is to be split.
 
@@ -13,21 +14,22 @@ namespace dsw {
 struct Node {
   uint32_t a, b;
   double share;
-  uint32_t triangle;  // of the blade
-  int side;           // of an old one: where it was, 1 before the blade, -1 behind it; 0: not to be told
+  uint32_t simplex;  // of the blade
+  int side;          // of an old one: where it was, 1 before the blade, -1 behind it; 0: not to be told
   bool is_old() const { return a == b; }
 };
 
-/** A line across a facet that a loop takes. */
+/** A line across a facet that a loop takes; in the plane across a cell. */
 struct Chord {
-  uint32_t facet;  // of the cell
+  uint32_t facet;  // of the cell, in space
   uint32_t from, to;
 };
 
+template <int D>
 class Section {
  public:
   /** Throws std::bad_alloc, as all here. */
-  Section(const Environment<3>& env, const Crossings& crossings, double snap);
+  Section(const Environment<D>& env, const Crossings<D>& crossings, double snap);
 
   uint32_t node_count() const { return static_cast<uint32_t>(nodes_.size()); }
   const Node& node(uint32_t i) const { return nodes_[i]; }
@@ -35,7 +37,7 @@ class Section {
   uint32_t node_on(uint32_t a, uint32_t b) const { return places_.find(pair_key(a, b)); }
   uint32_t node_at(uint32_t vertex) const { return places_.find(pair_key(vertex, vertex)); }
 
-  /** The nodes along which a met cell is split; empty: it stays whole. */
+  /** The nodes along which a met cell is split, two in the plane; empty: it stays whole. */
   const Array<uint32_t>& loop(uint32_t cell) const { return loops_[cell]; }
   void keep_whole(uint32_t cell) { loops_[cell].clear(); }
   /** Whether the blade ends in a met cell, or crosses one of its edges twice, or nothing is known of its points. */
@@ -43,7 +45,7 @@ class Section {
   /** Whether the blade passes through a cell, not only along its boundary. */
   bool is_crossed(uint32_t cell) const;
 
-  /** The chords of a cell's loop. */
+  /** The chords of a cell's loop, in space. */
   void list_chords(uint32_t cell, Array<Chord>& out) const;
 
  private:
@@ -59,9 +61,9 @@ class Section {
   bool prune(Array<Arc>& arcs) const;
   bool is_facet(Cell c, const Shape& shape, const Array<uint32_t>& loop) const;
 
-  const Environment<3>& env_;
-  const Map<3>& map_;
-  const Crossings& crossings_;
+  const Environment<D>& env_;
+  const Map<D>& map_;
+  const Crossings<D>& crossings_;
   Array<Node> nodes_;
   KeyTable places_;  // of nodes: both vertices of an edge, or twice the old one
   Array<Array<uint32_t>> loops_;

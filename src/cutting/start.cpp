@@ -6,9 +6,10 @@ namespace dsw {
 namespace {
 
 /** Cells in the order of their centres' distance from the blade. */
+template <int D>
 class Search {
  public:
-  Search(const Environment<3>& env, const Blade& blade)
+  Search(const Environment<D>& env, const Blade<D>& blade)
       : env_(env), blade_(blade), crossings_(env, blade), seen_(env.memory), heap_(Allocator<Entry>(env.memory)) {}
 
   Cell run(Cell from, uint32_t* visited) {
@@ -37,29 +38,30 @@ class Search {
   void push(Cell c) {
     const uint32_t number = seen_.size();
     if (!admits(env_, c) || seen_.insert(c.unit) != number) return;
-    double from[3];
+    double from[D];
     centre(env_, c, from);
     double least = HUGE_VAL;
-    for (uint32_t t = 0; t < blade_.triangle_count(); ++t) {
-      const double* corners[3];
-      blade_.corners(t, corners);
-      least = std::min(least, length(to_triangle(from, corners)));
+    for (uint32_t s = 0; s < blade_.simplex_count(); ++s) {
+      const double* corners[D];
+      blade_.corners(s, corners);
+      least = std::min(least, length(to_simplex<D>(from, corners)));
     }
     heap_.push_back({least, number});
     std::push_heap(heap_.begin(), heap_.end());
   }
 
-  const Environment<3>& env_;
-  const Blade& blade_;
-  Crossings crossings_;
+  const Environment<D>& env_;
+  const Blade<D>& blade_;
+  Crossings<D> crossings_;
   KeyTable seen_;
   Array<Entry> heap_;
 };
 
 }  // namespace
 
-Cell find_start(const Environment<3>& env, const Blade& blade, Cell hint, uint32_t* visited) {
-  if (hint.valid()) return Search(env, blade).run(hint, visited);
+template <int D>
+Cell find_start(const Environment<D>& env, const Blade<D>& blade, Cell hint, uint32_t* visited) {
+  if (hint.valid()) return Search<D>(env, blade).run(hint, visited);
   for (uint32_t i = 0; i < blade.point_count(); ++i) {
     const Cell found = locate(env, blade.point(i), {}, nullptr).cell;
     if (found.valid()) return found;
@@ -67,9 +69,15 @@ Cell find_start(const Environment<3>& env, const Blade& blade, Cell hint, uint32
   // A blade that is larger than the environment is looked for from anywhere.
   for (uint32_t i = 0; i < env.map.index_count(); ++i) {
     const Cell any = env.map.cell(i);
-    if (any.valid() && admits(env, any)) return Search(env, blade).run(any, visited);
+    if (any.valid() && admits(env, any)) return Search<D>(env, blade).run(any, visited);
   }
   return {};
 }
+
+#define DSW_START(D) \
+  template Cell find_start(const Environment<D>& env, const Blade<D>& blade, Cell hint, uint32_t* visited)
+DSW_START(3);
+DSW_START(2);
+#undef DSW_START
 
 }  // namespace dsw

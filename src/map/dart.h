@@ -48,6 +48,25 @@ inline Dart beta2(const Map<3>& map, Dart d) { return {d.cell, map.shape(d.cell)
 inline Dart beta2(const Map<2>& map, Dart d) { return cross(map, d); }
 inline Dart beta3(const Map<3>& map, Dart d) { return cross(map, d); }
 
+/** The dart of the cell's other facet at a ridge. In space that is beta2, of the same edge; in the plane the ridge is the vertex where `d` starts, and
+ * the other side ends there. On its far side `cross` finds a dart of the same ridge in the next cell round it. */
+template <int D>
+Dart across_ridge(const Map<D>& map, Dart d) {
+  const Shape shape = map.shape(d.cell);
+  if (D == 3) return {d.cell, shape.dart_beta2(d.local)};
+  return {d.cell, d.local == 0 ? shape.dart_count() - 1 : d.local - 1};
+}
+
+/** Calls visit(from, to) for the vertices of each edge of a cell, both ways. */
+template <int D, class Visit>
+void for_each_edge_both_ways(const Map<D>& map, Cell c, Visit visit) {
+  for (uint32_t d = 0, darts = map.shape(c).dart_count(); d < darts; ++d) {
+    const uint32_t from = dart_vertex(map, Dart{c, d}), to = dart_target(map, Dart{c, d});
+    visit(from, to);
+    if (D == 2) visit(to, from);  // in space the facet on the other side does that
+  }
+}
+
 /** Calls visit(dart) for one dart of every volume round the edge of `d`, starting at `d`: on through beta3 o beta2 until it
  * closes or meets the outer boundary, then from `d` the other way. Stops when visit returns false. */
 template <class Visit>
