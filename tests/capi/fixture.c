@@ -87,10 +87,15 @@ dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny
 }
 
 dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny) {
+  return make_scaled_squares(context, nx, ny, 1);
+}
+
+dsw_environment *make_scaled_squares(dsw_context *context, unsigned nx, unsigned ny, double size) {
   grid g = grid_create(nx, ny, 1);
   dsw_environment_desc d = grid_desc(&g);
   dsw_environment *environment = NULL;
   size_t c;
+  for (c = 0; c < 3 * g.point_count; ++c) g.points[c] *= size;
   /* The points and the face below, which is first in each cube. */
   for (c = 0; c < g.cell_count; ++c) memmove(g.cells + 4 * c, g.cells + 8 * c, 4 * sizeof *g.cells);
   d.dimension = 2;

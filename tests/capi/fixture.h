@@ -24,6 +24,7 @@ dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny
 /* nx * ny unit squares in the plane; square (x, y) is cell x + nx * y, its region is x and its tag 100 + cell. Its sides run along y = 0,
    x = 1, y = 1 and x = 0 of it. */
 dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny);
+dsw_environment *make_scaled_squares(dsw_context *context, unsigned nx, unsigned ny, double size);
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features);
 /* A line of up to 16 vertices that edges join in their order, the last with the first if it is closed. */
 dsw_body_desc line_desc(const double *positions, size_t count, int closed, dsw_level level);

@@ -28,13 +28,13 @@ class TieTest : public SceneTest {
     });
   }
   /// With the loop's centre as its last point.
-  Blade disc(const std::vector<double>& loop) {
+  Blade<3> disc(const std::vector<double>& loop) {
     points_ = loop;
     const auto count = static_cast<uint32_t>(loop.size() / 3);
     points_.resize(loop.size() + 3);
     mean_point<3>(
         count, [&](uint32_t i) { return &loop[size_t{3} * i]; }, &points_[loop.size()]);
-    return Blade::fan(nullptr, {points_.data(), 3}, count + 1);
+    return Blade<3>::fan(nullptr, {points_.data(), 3}, count + 1);
   }
   dsw_status tie(const std::vector<double>& loop, dsw_volume_id start, double snap) {
     dsw_tie_desc desc;
@@ -46,12 +46,12 @@ class TieTest : public SceneTest {
     return dsw_environment_tie(place_.get(), &desc, &report_);
   }
   /// How often a segment crosses the blade.
-  static int crossings(const Blade& blade, const double* a, const double* b) {
+  static int crossings(const Blade<3>& blade, const double* a, const double* b) {
     int count = 0;
-    for (uint32_t t = 0; t < blade.triangle_count(); ++t) {
-      const SweptTriangle swept = blade.swept(t);
-      const int side = swept.side(b);
-      if (side == 0 || swept.side(a) == side || swept.outside(a, b, side) != 0) continue;
+    for (uint32_t t = 0; t < blade.simplex_count(); ++t) {
+      const BladeSimplex<3> triangle = blade.simplex(t);
+      const int side = triangle.side(b);
+      if (side == 0 || triangle.side(a) == side || !triangle.is_passed(a, b, side)) continue;
       ++count;
     }
     return count;
@@ -93,8 +93,8 @@ TEST_P(TieTest, NothingGetsThrough) {
     mark_unless([&](const double*) { return rng.chance(0.95); });
     for (int round = 0; round < 3; ++round) {
       const std::vector<double> loop = some_loop(env(), place_.world->size, rng);
-      const Blade blade = disc(loop);
-      Crossings search(env(), blade);
+      const Blade<3> blade = disc(loop);
+      Crossings<3> search(env(), blade);
       std::map<uint32_t, bool> met;
       const auto is_met = [&](dsw::Cell c) {
         if (met.count(c.unit) == 0) met[c.unit] = search.is_met(c);
@@ -103,7 +103,7 @@ TEST_P(TieTest, NothingGetsThrough) {
       std::vector<Flight> through;
       for (int tries = 0; tries < 400 && through.size() < 60; ++tries) {
         const double* at[3];
-        blade.corners(rng.below(blade.triangle_count()), at);
+        blade.corners(rng.below(blade.simplex_count()), at);
         double weights[3] = {rng.unit(), rng.unit(), rng.unit()}, sum = weights[0] + weights[1] + weights[2];
         Flight flight;
         const double reach = rng.range(0.02, 0.5) * place_.world->size;
@@ -177,8 +177,8 @@ TEST_P(TieTest, ATubeIsClosed) {
         loop.push_back(on[k] + 2 * radius * (std::cos(angle) * u[k] + std::sin(angle) * v[k]));
       }
     }
-    const Blade blade = disc(loop);
-    Crossings search(env(), blade);
+    const Blade<3> blade = disc(loop);
+    Crossings<3> search(env(), blade);
     std::map<uint32_t, int> sides;  // of volumes that the surface does not meet
     for_each_cell(env().map, [&](dsw::Cell c) {
       if (env().map.marked(c) || search.is_met(c)) return;

@@ -1,0 +1,251 @@
+// What has to hold after each cut, tear, opening or tie in the plane.
+#include "environment/validity.h"
+#include "map/integrity.h"
+#include "plane_cuts.h"
+#include "sweep/body_probe.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsw::oracle {
+namespace {
+
+/// Twice the area of a triangle, exactly, over the square of a power of two.
+class Areas {
+ public:
+  explicit Areas(const plane::World& world) : world_(world) {
+    for (const plane::Vec& p : world.points)
+      lowest_ = std::min({lowest_, lowest_exponent(p[0]), lowest_exponent(p[1])});
+  }
+  Big of(const plane::Vec& a, const plane::Vec& b, const plane::Vec& c) {
+    const auto to = [&](double x) { return to_big(x, -lowest_); };
+    return (to(b[0]) - to(a[0])) * (to(c[1]) - to(a[1])) - (to(b[1]) - to(a[1])) * (to(c[0]) - to(a[0]));
+  }
+  Big of_cell(const std::vector<int>& loop) {
+    Big sum = 0;
+    for (size_t i = 1; i + 1 < loop.size(); ++i) sum += of(at(loop[0]), at(loop[i]), at(loop[i + 1]));
+    return sum;
+  }
+  const plane::Vec& at(int vertex) const { return world_.points[static_cast<size_t>(vertex)]; }
+  /// For a point that is none of the world's.
+  void see(const double* p) { lowest_ = std::min({lowest_, lowest_exponent(p[0]), lowest_exponent(p[1])}); }
+
+ private:
+  const plane::World& world_;
+  int lowest_ = 0;
+};
+
+std::vector<dsw_cut_vertex> cut_vertices(const EnvironmentPtr& environment) {
+  const dsw_cut_vertex* vertices = nullptr;
+  size_t count = 0;
+  EXPECT_EQ(dsw_environment_get_cut_vertices(environment.get(), &vertices, &count), DSW_STATUS_OK);
+  return {vertices, vertices + count};
+}
+std::vector<dsw_volume_change> changes(const EnvironmentPtr& environment) {
+  const dsw_volume_change* changes = nullptr;
+  size_t count = 0;
+  EXPECT_EQ(dsw_environment_get_volume_changes(environment.get(), &changes, &count), DSW_STATUS_OK);
+  return {changes, changes + count};
+}
+
+}  // namespace
+
+std::string PlaneCuts::check() {
+  if (const char* const broken = check_integrity(env().map)) return broken;
+  std::string wrong = check_cells();
+  if (!wrong.empty()) return wrong;
+  const dsw_status partition = dsw_environment_check(environment_.get(), nullptr);
+  crosses_ = partition == DSW_STATUS_BOUNDARY_CROSSES;
+  if (!crosses_ && partition != DSW_STATUS_OK) return dsw_last_error_message();
+  for (int i = 0; !crosses_ && i < 8; ++i) {
+    if (plane::locate(world_, some_point()) == -2) return "two cells contain one point";
+  }
+  return check_inhabitants();
+}
+
+/// Each cell is the star of its centre; all together fill what the outer boundary goes round.
+std::string PlaneCuts::check_cells() const {
+  Areas areas(world_);
+  std::vector<plane::Vec> centres;
+  for (const uint32_t number : numbers_) {
+    const dsw::Cell c = env().map.cell(number);
+    const CellState state = check_cell(env(), c);
+    if (state != CellState::kValid && state != CellState::kValidConvex) return "a cell is not valid";
+    centres.emplace_back();
+    centre(env(), c, centres.back().data());
+    if (env().map.form(c) != Form::kSimplex) areas.see(centres.back().data());
+  }
+  Big sum = 0, outer = 0;
+  for (size_t i = 0; i < world_.cells.size(); ++i) {
+    const std::vector<int>& loop = world_.cells[i];
+    const Big area = areas.of_cell(loop);
+    if (area <= 0) return "a cell has no area";
+    sum += area;
+    for (size_t k = 0; loop.size() > 3 && k < loop.size(); ++k) {
+      if (areas.of(centres[i], areas.at(loop[k]), areas.at(loop[(k + 1) % loop.size()])) <= 0)
+        return "a cell is no star";
+    }
+  }
+  const plane::Vec origin{0, 0};
+  for (const plane::Side& side : world_.sides) {
+    if (side.cell[1] < 0) outer += areas.of(origin, areas.at(side.a), areas.at(side.b));
+    const std::vector<int>* const beyond =
+        side.cell[1] < 0 ? nullptr : &world_.cells[static_cast<size_t>(side.cell[1])];
+    if (beyond == nullptr) continue;
+    const auto local = static_cast<size_t>(side.local[1]);
+    if ((*beyond)[local] != side.b || (*beyond)[(local + 1) % beyond->size()] != side.a)
+      return "a side has other ends beyond";
+  }
+  return sum == outer ? "" : "the cells do not fill what the outer boundary encloses";
+}
+
+std::string PlaneCuts::check_inhabitants() {
+  std::map<uint32_t, int> places;
+  for (size_t i = 0; i < numbers_.size(); ++i) places[env().map.cell(numbers_[i]).unit] = static_cast<int>(i);
+  const auto is_in = [&](dsw::Cell c, const double* at) {
+    if (places.count(c.unit) == 0 || env().map.marked(c) || !contains(env(), c, at)) return false;
+    return crosses_ || plane::locate(world_, {at[0], at[1]}) == places[c.unit];
+  };
+  for (const ParticleState<2>& p : scene().particles) {
+    if (p.cell.valid() && !is_in(p.cell, p.position)) return "a particle is not in its cell";
+  }
+  BodyProbe<2> probe(env(), Obstacle::kCells);
+  for (const BodyRecord<2>& record : scene().bodies) {
+    const Body<2>& body = record.body;
+    for (const BodyVertex<2>& v : body.vertices) {
+      if (v.cell.valid() && !is_in(v.cell, v.position)) return "a vertex of a body is not in its cell";
+    }
+    if (body.vertices.empty()) continue;
+    if (!probe.is_free(body, {})) return "a body is not free";
+    const BodyVertex<2>&p = body.vertices[0], &q = body.vertices[1];
+    const plane::Flight flight =
+        plane::cast(world_, places[p.cell.unit], {p.position[0], p.position[1]}, {q.position[0], q.position[1]});
+    if (!crosses_ && (flight.outcome != plane::Flight::kReached || flight.cells.back() != places[q.cell.unit])) {
+      return "an edge of a body passes a wall";
+    }
+  }
+  return "";
+}
+
+/// From a segment, over unit_.
+double PlaneCuts::distance(const plane::Vec& p, const plane::Vec& a, const plane::Vec& b) const {
+  const plane::Vec u{(b[0] - a[0]) / unit_, (b[1] - a[1]) / unit_}, w{(p[0] - a[0]) / unit_, (p[1] - a[1]) / unit_};
+  const double length = std::hypot(u[0], u[1]);
+  if (!(length > 0)) return std::hypot(w[0], w[1]);
+  const double t = std::min(std::max((w[0] * (u[0] / length) + w[1] * (u[1] / length)) / length, 0.0), 1.0);
+  return std::hypot(w[0] - t * u[0], w[1] - t * u[1]);
+}
+
+/// Ends of the cut's sides are as near to the path as was reported, and the path to the cut, in the cells that were split; sides have before
+/// and behind of the path on their sides.
+std::string PlaneCuts::check_cut(const Path& path, const plane::World& before, const std::vector<uint32_t>& numbers,
+                                 const dsw_cut_report& report, bool unsewn) {
+  const Map<2>& map = env().map;
+  const double slack =
+      report.distance / unit_ * (1 + 1e-9) + 1e-12 * (1 + std::hypot(path[0][0] / unit_, path[0][1] / unit_));
+  std::vector<std::array<plane::Vec, 2>> sides;
+  const std::vector<dsw_cut_face> faces = cut_faces(environment_);
+  if (faces.size() != report.face_count) return "sides of the cut are counted wrongly";
+  for (const dsw_cut_face& f : faces) {
+    if (!map.is_alive(f.front.volume, f.front.generation) || !map.is_alive(f.back.volume, f.back.generation)) {
+      return "a side of the cut is not alive";
+    }
+    const dsw::Cell front = map.cell(f.front.volume), back = map.cell(f.back.volume);
+    const HalfFacet h = map.half_facet(front, f.front.local), o = map.half_facet(back, f.back.local);
+    if (unsewn ? map.opposite(h).valid() || map.opposite(o).valid() : map.opposite(h) != o) {
+      return "a side of the cut is not joined as it should be";
+    }
+    const double *const a = env().point(front, f.front.local), *const b = env().point(
+                                                                   front, (f.front.local + 1) % map.vertices_of(front));
+    sides.push_back({plane::Vec{a[0], a[1]}, plane::Vec{b[0], b[1]}});
+    for (const plane::Vec& end : sides.back()) {
+      double least = HUGE_VAL;
+      for (size_t i = 0; i + 1 < path.size(); ++i) least = std::min(least, distance(end, path[i], path[i + 1]));
+      if (least > slack) return "the cut is farther from the path than reported";
+      ++sides_checked;
+    }
+    if (path.size() != 2) continue;
+    double of_front[2], of_back[2];
+    centre(env(), front, of_front);
+    centre(env(), back, of_back);
+    const plane::Vec u{(path[1][0] - path[0][0]) / unit_, (path[1][1] - path[0][1]) / unit_};
+    const double height = u[1] * ((of_front[0] - of_back[0]) / unit_) - u[0] * ((of_front[1] - of_back[1]) / unit_);
+    if (!(height > 0)) return "before and behind of the path are mixed up";
+  }
+  for (const dsw_cut_vertex& v : cut_vertices(environment_)) {
+    if (!(v.weights[0] > 0 && v.weights[1] > 0) || std::fabs(v.weights[0] + v.weights[1] - 1) > 1e-15) return "weights";
+    const plane::Vec &a = world_.points[v.from[0].index], &b = world_.points[v.from[1].index];
+    if (distance(world_.points[v.vertex.index], mix(a, b, v.weights[1]), mix(a, b, v.weights[1])) >
+        1e-14 * (size_ / unit_ + std::hypot(a[0] / unit_, a[1] / unit_)))
+      return "a vertex of the cut is not where it is said to be";
+  }
+  std::map<uint32_t, int> heirs;
+  for (const dsw_volume_change& change : changes(environment_)) ++heirs[change.before.index];
+  plane::World passable = before;
+  std::fill(passable.cell_marked.begin(), passable.cell_marked.end(), char{0});
+  for (plane::Side& side : passable.sides) side.marked = false;
+  const auto hangs_together = [&](const plane::Vec& p, const plane::Vec& q) {
+    const int cell = plane::locate(passable, p);
+    return cell >= 0 && plane::cast(passable, cell, p, q).outcome == plane::Flight::kReached;
+  };
+  // A path that leaves the environment and comes back is cut in one of its parts only.
+  for (size_t k = 1; k + 2 < path.size(); ++k) {
+    if (!hangs_together(path[k], path[k + 1])) return "";
+  }
+  for (int i = 0; i < 20; ++i) {
+    const size_t k = rng_.below(path.size() - 1);
+    const plane::Vec p = mix(path[k], path[k + 1], rng_.unit());
+    if (path.size() > 2 && !hangs_together(path[k == 0 ? 1 : k], p)) continue;
+    const int cell = plane::locate(before, p);
+    if (cell < 0 || heirs[numbers[static_cast<size_t>(cell)]] < 2) continue;
+    // Where the path runs along a side, its rounded points can lie on the other side of that.
+    const std::vector<int>& loop = before.cells[static_cast<size_t>(cell)];
+    double rim = HUGE_VAL, least = HUGE_VAL;
+    for (size_t j = 0; j < loop.size(); ++j) {
+      const auto a = static_cast<size_t>(loop[j]), b = static_cast<size_t>(loop[(j + 1) % loop.size()]);
+      rim = std::min(rim, distance(p, before.points[a], before.points[b]));
+    }
+    if (rim < 1e-12 * (1 + std::hypot(p[0] / unit_, p[1] / unit_))) continue;
+    for (const auto& side : sides) least = std::min(least, distance(p, side[0], side[1]));
+    if (least > slack) return "the path is farther from the cut than reported";
+    ++points_checked;
+  }
+  return "";
+}
+
+std::string PlaneCuts::check_opening(const dsw_open_report& report, double width) {
+  const std::vector<dsw_cut_vertex> vertices = cut_vertices(environment_);
+  if (vertices.size() != 2 * report.vertices_parted) return "vertices that come apart are counted wrongly";
+  for (size_t i = 0; i < vertices.size(); i += 2) {
+    const plane::Vec &p = world_.points[vertices[i].vertex.index], &q = world_.points[vertices[i + 1].vertex.index];
+    const double apart = unit_ * std::hypot((p[0] - q[0]) / unit_, (p[1] - q[1]) / unit_);
+    if (apart < report.smallest_width * (1 - 1e-9) || apart > report.largest_width * (1 + 1e-9)) return "widths";
+  }
+  double largest = 0;
+  for (const double* bound : {env().lower, env().upper}) {
+    for (size_t k = 0; k < 2; ++k) largest = std::max(largest, std::fabs(bound[k]));
+  }
+  const double rounding = 1e-15 * largest;
+  if (report.largest_width > width * (1 + 1e-9) + rounding) return "a crack opens too far";
+  const std::vector<dsw_cut_face> faces = cut_faces(environment_);
+  if (faces.size() != report.faces_opened) return "sides that open are counted wrongly";
+  const std::vector<dsw_volume_change> all = changes(environment_);
+  for (size_t i = 0; i < faces.size(); ++i) {
+    const dsw_volume_id gap = all[all.size() - faces.size() + i].after;
+    const Map<2>& map = env().map;
+    const dsw::Cell c = map.cell(gap.index);
+    if (!map.is_alive(gap.index, gap.generation) || map.marked(c)) return "a gap is no passable cell";
+    size_t lips = 0;
+    for (uint32_t f = 0; f < map.facets_of(c); ++f) {
+      const HalfFacet o = map.opposite(map.half_facet(c, f));
+      if (!o.valid()) continue;
+      const dsw_face_id id = face_id(map, o);
+      for (const dsw_face_id lip : {faces[i].front, faces[i].back}) lips += same(id, lip) ? 1u : 0u;
+      entered += map.marked(map.cell_of(o)) ? 0u : 1u;
+    }
+    if (lips != 2) return "a gap does not lie between its lips";
+  }
+  return "";
+}
+
+}  // namespace dsw::oracle

@@ -1,0 +1,57 @@
+// Cuts in random environments of the plane: partitions stay partitions, exactly, and nobody gets lost.
+#include "plane_cuts.h"
+
+namespace dsw::oracle {
+namespace {
+
+TEST(PlaneCuts, NothingIsOnBothSidesOfALineButWhatStayedWhole) {
+  size_t split = 0, whole = 0, sides = 0;
+  for (uint64_t seed = 1; seed <= 300; ++seed) {
+    PlaneCuts cuts(seed, false);
+    ASSERT_EQ(cuts.cut_all(seed), "") << "seed " << seed;
+    split += cuts.split;
+    whole += cuts.whole;
+    sides += cuts.sides_checked;
+  }
+  RecordProperty("split", static_cast<int>(split));
+  RecordProperty("whole", static_cast<int>(whole));
+  RecordProperty("ends_of_sides", static_cast<int>(sides));
+  EXPECT_GT(split, 1000u);
+}
+
+TEST(PlaneCuts, WhateverIsCutTornOpenedCarvedAndTied) {
+  size_t done[PlaneCuts::kOperations] = {}, occupied[PlaneCuts::kOperations] = {};
+  size_t split = 0, whole = 0, opened = 0, parted = 0, points = 0, entered = 0;
+  for (uint64_t seed = 1; seed <= 400; ++seed) {
+    PlaneCuts cuts(seed, true);
+    for (int i = 0; i < 12; ++i) ASSERT_EQ(cuts.step(), "") << "seed " << seed << ", step " << i;
+    for (size_t k = 0; k < PlaneCuts::kOperations; ++k) {
+      done[k] += cuts.done[k];
+      occupied[k] += cuts.occupied[k];
+    }
+    split += cuts.split;
+    whole += cuts.whole;
+    opened += cuts.opened;
+    parted += cuts.parted;
+    points += cuts.points_checked;
+    entered += cuts.entered;
+  }
+  for (size_t k = 0; k < PlaneCuts::kOperations; ++k) {
+    EXPECT_GT(done[k], 50u) << k;
+    RecordProperty("done_" + std::to_string(k), static_cast<int>(done[k]));
+    RecordProperty("occupied_" + std::to_string(k), static_cast<int>(occupied[k]));
+  }
+  EXPECT_GT(occupied[PlaneCuts::kCut] + occupied[PlaneCuts::kTear], 20u);
+  EXPECT_GT(split, 500u);
+  EXPECT_GT(opened, 500u);
+  EXPECT_GT(points, 500u);
+  RecordProperty("split", static_cast<int>(split));
+  RecordProperty("whole", static_cast<int>(whole));
+  RecordProperty("opened", static_cast<int>(opened));
+  RecordProperty("parted", static_cast<int>(parted));
+  RecordProperty("points", static_cast<int>(points));
+  RecordProperty("entered", static_cast<int>(entered));
+}
+
+}  // namespace
+}  // namespace dsw::oracle
