@@ -7,7 +7,7 @@
 
 #include "base.h"
 #include "chain.h"
-#include "mesh.h"
+#include "polygons.h"
 
 enum { kHouses = 7, kLinks = 60, kSteps = 900, kCorners = 8 };
 

@@ -1,4 +1,4 @@
-#include "mesh.h"
+#include "polygons.h"
 
 #include <stdlib.h>
 

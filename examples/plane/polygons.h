@@ -1,6 +1,6 @@
 /* Environments in the plane, collected polygon by polygon. */
-#ifndef DARTSWEEP_PLANE_MESH_H
-#define DARTSWEEP_PLANE_MESH_H
+#ifndef DARTSWEEP_PLANE_POLYGONS_H
+#define DARTSWEEP_PLANE_POLYGONS_H
 
 #include <dartsweep/dartsweep.h>
 

@@ -5,7 +5,7 @@
 #include "base.h"
 #include "chain.h"
 #include "city.h"
-#include "mesh.h"
+#include "polygons.h"
 
 enum { kColumns = 24, kRows = 12, kRope = 4, kSinks = 14 };
 
