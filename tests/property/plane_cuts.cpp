@@ -1,7 +1,5 @@
 #include "plane_cuts.h"
 
-#include "plane_scenes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -17,19 +15,14 @@ std::vector<dsw_volume_id> whole_volumes(const EnvironmentPtr& environment) {
 }
 }  // namespace
 
-PlaneCuts::PlaneCuts(uint64_t seed, bool inhabited) : rng_(seed), world_(plane::make_world(rng_)) {
-  double largest = 0;
-  double lower[2] = {HUGE_VAL, HUGE_VAL}, upper[2] = {-HUGE_VAL, -HUGE_VAL};
-  for (const plane::Vec& p : world_.points) {
-    for (size_t k = 0; k < 2; ++k) {
-      lower[k] = std::min(lower[k], p[k]);
-      upper[k] = std::max(upper[k], p[k]);
-    }
-  }
-  for (size_t k = 0; k < 2; ++k) largest = std::max(largest, upper[k] - lower[k]);
-  unit_ = std::exp2(std::floor(std::log2(largest)));
-  size_ = largest;
-  make_environment();
+PlaneCuts::PlaneCuts(const plane::Turn& turn, uint64_t seed, bool inhabited)
+    : rng_(seed),
+      world_(plane::make_world(turn, rng_)),
+      environment_(plane::make_environment(turn, world_, rng_)),
+      coarse_(turn.coarse()) {
+  if (environment_ == nullptr) return;
+  for (size_t k = 0; k < 2; ++k) size_ = std::max(size_, env().upper[k] - env().lower[k]);
+  unit_ = std::exp2(std::floor(std::log2(size_)));
   dsw_scene_desc desc;
   dsw_scene_desc_init(&desc, sizeof desc);
   desc.features = rng_.chance(0.5) ? uint32_t{DSW_FEATURE_LIVE_CHANGES} : 0;
@@ -41,29 +34,6 @@ PlaneCuts::PlaneCuts(uint64_t seed, bool inhabited) : rng_(seed), world_(plane::
   if (inhabited) add_inhabitants();
   // From here on there are tables for changes, which are saved.
   dsw_environment_tear_faces(environment_.get(), nullptr, nullptr, 0, 0, nullptr);
-}
-
-void PlaneCuts::make_environment() {
-  std::vector<uint8_t> types;
-  std::vector<int64_t> offsets = {0}, connectivity;
-  for (const std::vector<int>& cell : world_.cells) {
-    types.push_back(DSW_CELL_TYPE_POLYGON);
-    connectivity.insert(connectivity.end(), cell.begin(), cell.end());
-    offsets.push_back(static_cast<int64_t>(connectivity.size()));
-  }
-  dsw_environment_desc desc;
-  dsw_environment_desc_init(&desc, sizeof desc);
-  desc.dimension = 2;
-  desc.points = world_.points[0].data();
-  desc.point_count = world_.points.size();
-  desc.cell_types = types.data();
-  desc.cell_count = types.size();
-  desc.offsets = offsets.data();
-  desc.connectivity = connectivity.data();
-  desc.connectivity_count = connectivity.size();
-  dsw_environment* environment = nullptr;
-  EXPECT_EQ(dsw_environment_create(nullptr, &desc, &environment, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
-  environment_.reset(environment);
 }
 
 void PlaneCuts::add_inhabitants() {
@@ -260,7 +230,7 @@ dsw_status PlaneCuts::open() {
   dsw_open_desc_init(&desc, sizeof desc);
   desc.faces = faces.data();
   desc.face_count = faces.size();
-  desc.width = size_ * widths[rng_.below(4u)];
+  desc.width = std::max(size_ * widths[rng_.below(4u)], 5e-324);
   desc.region = rng_.chance(0.5) ? 99 : 0;
   dsw_open_report report;
   const dsw_status status = dsw_environment_open(environment_.get(), &desc, &report);
@@ -383,7 +353,7 @@ std::string PlaneCuts::cut_all(uint64_t seed) {
     if (!wrong_.empty()) return wrong_;
     const std::vector<dsw_volume_id> kept = whole_volumes(environment_);
     for (const dsw_volume_id id : kept) is_whole.insert(id.index);
-    const double slack = 0.011 * size_ / unit_ + 1e-12 * std::hypot(middle[0] / unit_, middle[1] / unit_);
+    const double slack = 0.011 * size_ / unit_ + rounding(middle);
     desc.start = {0, 0};
     for (size_t i = 0; i < world_.cells.size(); ++i) {
       bool left = false, right = false;
@@ -392,7 +362,7 @@ std::string PlaneCuts::cut_all(uint64_t seed) {
         left = left || h > slack;
         right = right || h < -slack;
       }
-      if (left && right && is_whole.count(numbers_[i]) == 0)
+      if (!coarse_ && left && right && is_whole.count(numbers_[i]) == 0)
         desc.start = volume_id(env().map, env().map.cell(numbers_[i]));
     }
     if (desc.start.generation == 0) return "";

@@ -5,7 +5,7 @@
 #include "support.h"
 
 #include "capi/handle.h"
-#include "plane_truth.h"
+#include "plane_scenes.h"
 #include "run.h"
 
 namespace dsw::oracle {
@@ -25,7 +25,9 @@ class PlaneCuts {
  public:
   enum Operation { kCut, kTear, kOpen, kCarve, kTie, kMark, kOperations };
 
-  PlaneCuts(uint64_t seed, bool inhabited);
+  PlaneCuts(const plane::Turn& turn, uint64_t seed, bool inhabited);
+  /// False: the library has refused the environment.
+  bool is_made() const { return environment_ != nullptr; }
 
   /// One call with random arguments, then all checks. What is wrong; empty: nothing.
   std::string step();
@@ -40,7 +42,6 @@ class PlaneCuts {
 
   const Environment<2>& env() const { return std::get<Environment<2>>(environment_->engine); }
   const Scene<2>& scene() const { return std::get<Scene<2>>(scene_->engine); }
-  void make_environment();
   void add_inhabitants();
   void read();
   std::string saved() const;
@@ -64,6 +65,7 @@ class PlaneCuts {
                         const dsw_cut_report& report, bool unsewn);
   std::string check_opening(const dsw_open_report& report, double width);
   double distance(const plane::Vec& p, const plane::Vec& a, const plane::Vec& b) const;
+  double rounding(const plane::Vec& p) const;
 
   Rng rng_;
   plane::World world_;             // as the environment is now
@@ -74,6 +76,7 @@ class PlaneCuts {
   ScenePtr scene_;
   std::vector<std::array<dsw_face_id, 2>> unsewn_;
   std::string wrong_;     // of the last call
+  bool coarse_;           // doubles are as coarse as the cells
   bool crosses_ = false;  // the outer boundary has been moved through itself
 };
 
