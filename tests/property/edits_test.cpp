@@ -16,12 +16,6 @@ size_t wanted_edits() {
   return all / (D == 2 ? plane::kinds().size() : scene_kinds().size()) + 1;
 }
 
-std::vector<std::string> plane_names() {
-  std::vector<std::string> names;
-  for (const plane::Kind& kind : plane::kinds()) names.emplace_back(kind.name);
-  return names;
-}
-
 template <int D>
 void keeps_everything_in_its_place(const std::string& scene) {
   const size_t wanted = wanted_edits<D>();
@@ -179,8 +173,7 @@ void refuses_damage(const std::string& scene) {
 class EditsTest : public SceneTest {};
 DSW_FOR_ALL_SCENES(EditsTest);
 class PlaneEditsTest : public SceneTest {};
-INSTANTIATE_TEST_SUITE_P(All, PlaneEditsTest, testing::ValuesIn(plane_names()),
-                         [](const testing::TestParamInfo<std::string>& i) { return i.param; });
+DSW_FOR_ALL_PLANE_SCENES(PlaneEditsTest);
 
 TEST_P(EditsTest, EveryChangeKeepsEverythingInItsPlace) { keeps_everything_in_its_place<3>(GetParam()); }
 TEST_P(EditsTest, RunningOutOfMemoryAnywhereChangesNothing) { changes_nothing_out_of_memory<3>(GetParam()); }

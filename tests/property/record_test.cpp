@@ -22,14 +22,17 @@ std::string saved(const dsw_scene* scene) {
 
 class RecordTest : public SceneTest {};
 DSW_FOR_ALL_SCENES(RecordTest);
+class PlaneRecordTest : public SceneTest {};
+DSW_FOR_ALL_PLANE_SCENES(PlaneRecordTest);
 
-TEST_P(RecordTest, WhatWasRecordedIsMadeAgainWithTheSameBits) {
+template <int D>
+void is_made_again(const std::string& scene) {
   size_t calls = 0;
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     const uint32_t features = seed == 2   ? uint32_t{DSW_FEATURE_LIVE_CHANGES}
                               : seed == 3 ? DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_STATISTICS
                                           : 0u;
-    RandomEdits<3> edits(GetParam(), seed, nullptr, features);
+    RandomEdits<D> edits(scene, seed, nullptr, features);
     if (edits.environment() == nullptr) continue;
     std::string recording, later;
     const auto change = [&](int times) {
@@ -57,6 +60,9 @@ TEST_P(RecordTest, WhatWasRecordedIsMadeAgainWithTheSameBits) {
   }
   EXPECT_GT(calls, 0u);
 }
+
+TEST_P(RecordTest, WhatWasRecordedIsMadeAgainWithTheSameBits) { is_made_again<3>(GetParam()); }
+TEST_P(PlaneRecordTest, WhatWasRecordedIsMadeAgainWithTheSameBits) { is_made_again<2>(GetParam()); }
 
 /// What random changes do not call, on a grid of cubes.
 void call_the_others(dsw_scene* scene) {
