@@ -84,9 +84,10 @@ DSW_API dsw_status dsw_environment_get_carved_volumes(const dsw_environment *env
  * and the loop's centre, the mean of its points. Its front is where the loop is counter-clockwise. The array is read in place, once;
  * nothing is retained. In the plane it is a line across the vessel, of segments between neighbouring points, with its front on the right. */
 typedef struct dsw_tie_desc {
-  uint32_t struct_size;      /**< sizeof(dsw_tie_desc). */
-  uint32_t flags;            /**< 0. */
-  const double *points;      /**< 3 doubles each, scene units, finite; the last is joined with the first. In the plane 2 doubles
+  uint32_t struct_size; /**< sizeof(dsw_tie_desc). */
+  uint32_t flags;       /**< 0. */
+  const double
+      *points; /**< 3 doubles each, scene units, finite; the last is joined with the first. In the plane 2 doubles
                                   each, from the line's one end to the other. */
   size_t point_count;        /**< At least 3 (in the plane 2), below 2^28. */
   size_t point_stride_bytes; /**< Distance of two points; 0 means 24, in the plane 16. */

@@ -8,7 +8,7 @@
  * An environment in the plane (dimension 2) is a partition into polygons: triangles, or stars of their centre over their sides. ids.h
  * says how ids are read there. All positions that a function takes or writes have as many doubles as the dimension, so strides are
  * 8 * dimension bytes by default; of three doubles in a struct the third is 0 in the plane. What serves environments and scenes in space
- * only answers DSW_STATUS_UNSUPPORTED: bodies, sweeps, deformation, changes of the topology, recordings, traces.
+ * only answers DSW_STATUS_UNSUPPORTED: coarsen.h, remesh.h, detach.h, contact_check.h, wires, and what names edges but for topology.h.
  */
 #ifndef DARTSWEEP_ENVIRONMENT_H
 #define DARTSWEEP_ENVIRONMENT_H

@@ -245,7 +245,13 @@ void BodyMove<D>::run_edges(Body<D>& body) {
   wave_.clear();
 }
 
-#define DSW_BODY_EDGES(D) template class BodyMove<D>
+// What body_move.cpp, which instantiates the class, calls.
+#define DSW_BODY_EDGES(D)                                                                          \
+  template void BodyMove<D>::run_wave(const Body<D>&);                                             \
+  template const double* BodyMove<D>::place(const Body<D>&, PointArray, uint32_t, uint32_t) const; \
+  template Cell BodyMove<D>::cell_at(uint32_t, uint32_t) const;                                    \
+  template void BodyMove<D>::sweep_edges(Body<D>&, PointArray, bool);                              \
+  template void BodyMove<D>::include_way(const Body<D>&, PointArray, uint32_t, Bounds<D>&) const
 DSW_BODY_EDGES(2);
 DSW_BODY_EDGES(3);
 #undef DSW_BODY_EDGES

@@ -94,9 +94,9 @@ void BodyMove<D>::move_together(Body<D>& body, PlaceFn where, const void* user, 
     put_vertices(body, before_.data());
     throw;
   }
-  const bool stays =
-      std::equal(before_.begin(), before_.end(), body.vertices.begin(),
-                 [](const BodyVertex<D>& a, const BodyVertex<D>& b) { return is_same_point<D>(a.position, b.position); });
+  const bool stays = std::equal(
+      before_.begin(), before_.end(), body.vertices.begin(),
+      [](const BodyVertex<D>& a, const BodyVertex<D>& b) { return is_same_point<D>(a.position, b.position); });
   record.fraction = halvings == 52 && stays ? 0 : fraction;
   record.moved = static_cast<uint32_t>(order_.size());
   record.stopped = record.fraction == 1 ? 0 : record.moved;
