@@ -245,7 +245,7 @@ void BodyMove<D>::run_edges(Body<D>& body) {
   wave_.clear();
 }
 
-// What body_move.cpp, which instantiates the class, calls.
+// What body_move.cpp calls.
 #define DSW_BODY_EDGES(D)                                                                          \
   template void BodyMove<D>::run_wave(const Body<D>&);                                             \
   template const double* BodyMove<D>::place(const Body<D>&, PointArray, uint32_t, uint32_t) const; \

@@ -367,7 +367,10 @@ void BodyMove<D>::remove_noise(Body<D>& body, double share, MoveRecord& record) 
   }
 }
 
-#define DSW_BODY_MOVE(D) template class BodyMove<D>
+#define DSW_BODY_MOVE(D)                                                                              \
+  template BodyMove<D>::BodyMove(const Environment<D>&);                                              \
+  template void BodyMove<D>::move(Body<D>&, PointArray, MoveOrder, const MoveSettings&, MoveRecord&); \
+  template void BodyMove<D>::move_together(Body<D>&, PlaceFn, const void*, MoveOrder, MoveRecord&)
 DSW_BODY_MOVE(2);
 DSW_BODY_MOVE(3);
 #undef DSW_BODY_MOVE
