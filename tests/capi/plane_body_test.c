@@ -299,6 +299,33 @@ static void edges_are_swept_without_a_body(void) {
   CHECK_OK(mark_point(2, 2, DSW_MARK_PASSABLE));
 }
 
+/* The corner (1, 2) of two walls round square 4, seen from square 5: behind the first wall is square 4. */
+static void a_tag_is_that_of_what_is_behind_the_wall(void) {
+  const double from[2] = {1.25, 2.5}, to[2] = {0.25, 2.25}, fixed[2] = {1.25, 1.5};
+  dsw_sweep s;
+  CHECK_OK(mark_side(N, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
+  CHECK_OK(mark_side(N, SIDE_UP, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, to, fixed, 0, NULL, &s));
+  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.kind == DSW_CONTACT_VERTEX && s.edge.volume == point_at(1, 2));
+  CHECK(s.front.index == N + 1 && s.face.volume == N && s.face.local == SIDE_RIGHT && s.tag == 100 + N);
+  CHECK_OK(mark_side(N, SIDE_RIGHT, DSW_MARK_PASSABLE));
+  CHECK_OK(mark_side(N, SIDE_UP, DSW_MARK_PASSABLE));
+}
+
+static void what_sweeps_nothing_needs_no_work_left(void) {
+  const double from[2] = {0.5, 0.25}, fixed[2] = {3.75, 0.5};
+  dsw_sweep_options o;
+  dsw_sweep s;
+  dsw_sweep_options_init(&o, sizeof o);
+  CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, fixed, fixed, 0, &o, &s));
+  o.max_cells = s.cells_visited;
+  CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, fixed, fixed, 0, &o, &s));
+  CHECK(s.outcome == DSW_OUTCOME_REACHED && s.cells_visited == o.max_cells);
+  --o.max_cells;
+  CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, fixed, fixed, 0, &o, &s));
+  CHECK(s.outcome == DSW_OUTCOME_WORK_LIMIT);
+}
+
 static void what_a_scene_holds_is_told(void) {
   dsw_scene *const scene = make_scene(g_env, DSW_FEATURE_STATISTICS);
   const dsw_body_desc d = line_desc(g_left, 2, 0, DSW_LEVEL_EDGES_SWEPT);
@@ -362,6 +389,8 @@ int main(void) {
   a_merge_is_swept();
   marks_leave_bodies_free();
   edges_are_swept_without_a_body();
+  a_tag_is_that_of_what_is_behind_the_wall();
+  what_sweeps_nothing_needs_no_work_left();
   CHECK_OK(dsw_scene_destroy(g_scene));
   g_scene = NULL;
   what_a_scene_holds_is_told();
