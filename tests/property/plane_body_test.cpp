@@ -203,7 +203,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
     });
     const dsw_body_id* occupants[2];
     size_t counts[2];
-    for (int k = 0; k < 2; ++k) {
+    for (size_t k = 0; k < 2; ++k) {
       ASSERT_EQ(dsw_scene_get_occupant_bodies(sides_[k].scene.get(), &occupants[k], &counts[k]), DSW_STATUS_OK);
     }
     ASSERT_EQ(counts[0], counts[1]);
@@ -291,7 +291,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
     const dsw_contact* contacts[2];
     const dsw_body_edit* edits[2];
     size_t contact_counts[2], edit_counts[2];
-    for (int k = 0; k < 2; ++k) {
+    for (size_t k = 0; k < 2; ++k) {
       dsw_scene* const scene = sides_[k].scene.get();
       ASSERT_EQ(dsw_body_get_contacts(scene, sides_[k].bodies[b], &contacts[k], &contact_counts[k]), DSW_STATUS_OK);
       ASSERT_EQ(dsw_body_get_edits(scene, sides_[k].bodies[b], &edits[k], &edit_counts[k]), DSW_STATUS_OK);
@@ -322,7 +322,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
     EXPECT_EQ(flat.wall.generation, tall.wall.generation);
     EXPECT_EQ(flat.history, tall.history);
     EXPECT_EQ(flat.distance_left, tall.distance_left);
-    for (int k = 0; k < 2; ++k) {
+    for (size_t k = 0; k < 2; ++k) {
       EXPECT_EQ(flat.from[k], tall.from[k]);
       EXPECT_EQ(flat.to[k], tall.to[k]);
       EXPECT_EQ(flat.fixed[0][k], tall.fixed[0][k]);
@@ -341,7 +341,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
   void compare_normals(const double* flat, const double* tall) {
     parted_ = std::memcmp(flat, tall, 2 * sizeof(double)) != 0;
     const double sign = flat[0] * tall[0] + flat[1] * tall[1] < 0 ? -1 : 1;
-    for (int k = 0; k < 2; ++k) EXPECT_NEAR(flat[k], sign * tall[k], 1e-9);
+    for (size_t k = 0; k < 2; ++k) EXPECT_NEAR(flat[k], sign * tall[k], 1e-9);
   }
 
   /// What a level covers is free: raising it again finds nothing.
@@ -358,7 +358,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
   template <class Do>
   void both(const Do& what) {
     int status[2] = {-1, -1};
-    for (int k = 0; k < 2; ++k) what(sides_[k], &status[k]);
+    for (size_t k = 0; k < 2; ++k) what(sides_[k], &status[k]);
     EXPECT_EQ(status[0], status[1]) << dsw_last_error_message();
   }
 

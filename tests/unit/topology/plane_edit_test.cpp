@@ -130,7 +130,7 @@ TEST(PlaneEdit, VerticesAndSidesThatCannotMergeAreRefused) {
                         split_cell(edit, map.cell(0), joined, 2);
                       }),
             DSW_STATUS_BAD_TOPOLOGY);
-  for (const size_t count : {1, 3}) {
+  for (const size_t count : {size_t{1}, size_t{3}}) {
     EXPECT_EQ(status_of(*env,
                         [&](Edit<2>& edit) {
                           const uint32_t loop[3] = {0, 4, 1};
