@@ -346,7 +346,6 @@ std::string PlaneCuts::cut_all(uint64_t seed) {
   desc.start = volume_id(env().map, some_cell());
   std::set<uint32_t> is_whole;
   for (;;) {
-    const size_t before = numbers_.size();
     wrong_.clear();
     if (cut(path, desc) != DSW_STATUS_OK) return dsw_last_error_message();
     if (wrong_.empty()) wrong_ = check();
@@ -354,6 +353,7 @@ std::string PlaneCuts::cut_all(uint64_t seed) {
     const std::vector<dsw_volume_id> kept = whole_volumes(environment_);
     for (const dsw_volume_id id : kept) is_whole.insert(id.index);
     const double slack = 0.011 * size_ / unit_ + rounding(middle);
+    const dsw_volume_id last = desc.start;
     desc.start = {0, 0};
     for (size_t i = 0; i < world_.cells.size(); ++i) {
       bool left = false, right = false;
@@ -367,7 +367,7 @@ std::string PlaneCuts::cut_all(uint64_t seed) {
     }
     if (desc.start.generation == 0) return "";
     // The line meets an environment that is not convex in several parts; each is a cut of its own.
-    if (numbers_.size() == before && kept.empty()) return "a cell is crossed, and neither split nor known as whole";
+    if (same(desc.start, last)) return "a cell is crossed, and neither split nor known as whole";
   }
 }
 

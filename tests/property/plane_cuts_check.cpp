@@ -166,14 +166,14 @@ std::string PlaneCuts::check_cut(const Path& path, const plane::World& before, c
       if (!coarse_ && least > slack) return "the cut is farther from the path than reported";
       ++sides_checked;
     }
-    if (path.size() != 2) continue;
+    // Of a line through everything; where a path ends, what is before it and behind hangs on a side.
+    const plane::Vec u{(path[1][0] - path[0][0]) / size_, (path[1][1] - path[0][1]) / size_};
+    if (coarse_ || path.size() != 2 || std::hypot(u[0], u[1]) < 15) continue;
     double of_front[2], of_back[2];
     centre(env(), front, of_front);
     centre(env(), back, of_back);
-    const plane::Vec u{(path[1][0] - path[0][0]) / unit_, (path[1][1] - path[0][1]) / unit_};
     const double height = u[1] * ((of_front[0] - of_back[0]) / unit_) - u[0] * ((of_front[1] - of_back[1]) / unit_);
-    if (!coarse_ && !(height > -rounding(path[0]) * std::hypot(u[0], u[1])))
-      return "before and behind of the path are mixed up";
+    if (!(height > -20 * rounding(path[0]))) return "before and behind of the path are mixed up";
   }
   for (const dsw_cut_vertex& v : cut_vertices(environment_)) {
     if (!(v.weights[0] > 0 && v.weights[1] > 0) || std::fabs(v.weights[0] + v.weights[1] - 1) > 1e-15) return "weights";
