@@ -1,7 +1,7 @@
 #include "deform_run.h"
 
 #include "rounds.h"
-#include "sweep_scenes.h"
+#include "space_ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,28 +11,10 @@
 namespace dsw::oracle {
 namespace {
 
-/// The environment as it is now.
-struct Picture {
-  Picture(const Stage& stage, const std::vector<Vec>& points)
-      : world(moved(stage.world.mesh, points), stage.environment.get()) {
-    world.cell_marked = stage.world.cell_marked;
-    for (size_t f = 0; f < world.faces.size(); ++f) world.faces[f].marked = stage.world.faces[f].marked;
-  }
-  static Mesh moved(Mesh mesh, const std::vector<Vec>& points) {
-    mesh.points = points;
-    return mesh;
-  }
-  World world;
-};
-
 class Deformer {
  public:
-  Deformer(Stage& stage, Rng& rng, DeformReport& report)
-      : stage_(stage),
-        arena_(stage.world, stage.wires, stage.marked_vertices),
-        places_(stage, rng),
-        rng_(rng),
-        report_(report) {}
+  Deformer(Ground& ground, Rng& rng, DeformReport& report)
+      : ground_(ground), arena_(ground.arena()), dimension_(arena_.dimension), rng_(rng), report_(report) {}
 
   void run(int count);
 
@@ -42,67 +24,67 @@ class Deformer {
     dsw_level level;
     BodyState state;
   };
+  struct Particle {
+    dsw_particle_id id;
+    Vec at;
+    int chamber;
+  };
 
   void settle();
   std::vector<Vec> next_points();
   void move_towards_body(std::vector<Vec>& points);
   dsw_deform_options next_options();
   bool step();
-  void check(const std::string& how);
+  void check_way(const Deformed& d, const std::string& how);
+  void check(Deformed& d, const std::string& how);
   void check_vertex(Picture& now, const Vec& at, dsw_volume_id volume, int chamber, const std::string& what);
   int chamber_of(const BodyState& before, const BodyState& now, size_t vertex) const;
+  void add_parts(const Lodger& lodger, const BodyState& now, const Deformed& d);
   void find_chambers();
+  std::vector<double> flat(const std::vector<Vec>& points) const;
   void wrong(const std::string& text) {
     ++report_.wrong;
     report_.faults.fault(SweepReport::kWrong, text);
   }
 
-  Stage& stage_;
-  SpaceArena arena_;
-  StagePlaces places_;
+  Ground& ground_;
+  Arena& arena_;
+  const size_t dimension_;
   Rng& rng_;
   DeformReport& report_;
   ScenePtr scene_;
   std::vector<Lodger> lodgers_;
-  std::vector<dsw_particle_id> particles_;
+  std::vector<Particle> particles_;
+  std::vector<Part> parts_;   // what lay there before the deformation at hand
   std::vector<int> chamber_;  // by cell: what can be reached without passing anything impassable
   std::vector<Vec> now_;
+  bool whole_ = true;
   std::vector<std::vector<double>> arrays_;  // what the library reads, and the next one
 };
 
-std::vector<double> flat(const std::vector<Vec>& points) {
+std::vector<double> Deformer::flat(const std::vector<Vec>& points) const {
   std::vector<double> all;
-  for (const Vec& p : points) all.insert(all.end(), p.begin(), p.end());
+  for (const Vec& p : points) all.insert(all.end(), p.begin(), p.begin() + static_cast<ptrdiff_t>(dimension_));
   return all;
 }
 
-bool are_finite(const std::vector<Vec>& points) {
-  return std::all_of(points.begin(), points.end(),
-                     [](const Vec& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); });
-}
-
 void Deformer::find_chambers() {
-  const World& w = stage_.world;
-  std::vector<int> root(w.ids.size());
-  std::iota(root.begin(), root.end(), 0);
+  chamber_.resize(arena_.ids().size());
+  std::iota(chamber_.begin(), chamber_.end(), 0);
   const auto find = [&](int c) {
-    while (root[static_cast<size_t>(c)] != c) c = root[static_cast<size_t>(c)];
+    while (chamber_[static_cast<size_t>(c)] != c) c = chamber_[static_cast<size_t>(c)];
     return c;
   };
-  for (size_t f = 0; f < w.faces.size(); ++f) {
-    if (w.faces[f].cell[1] < 0 || w.impassable(static_cast<int>(f))) continue;
-    root[static_cast<size_t>(find(w.faces[f].cell[0]))] = find(w.faces[f].cell[1]);
-  }
-  chamber_.clear();
-  for (size_t c = 0; c < w.ids.size(); ++c) chamber_.push_back(find(static_cast<int>(c)));
+  for (const auto& [one, other] : ground_.passages()) chamber_[static_cast<size_t>(find(one))] = find(other);
+  for (int& c : chamber_) c = find(c);
 }
 
 /// Bodies and particles.
 void Deformer::settle() {
   const uint32_t bodies = 1 + rng_.below(3u);
   for (uint32_t i = 0; i < bodies; ++i) {
-    const auto level = static_cast<dsw_level>(1 + rng_.below(4u));
-    Bodies source(arena_, places_, rng_, level);
+    const auto level = static_cast<dsw_level>(1 + rng_.below(dimension_ == 3 ? 4u : 3u));
+    Bodies source(arena_, ground_.places(), rng_, level);
     for (int tries = 0; tries < 10; ++tries) {
       Lodger lodger{{0, 0}, level, {}};
       if (create_body(scene_.get(), source.next(), level, rng_.chance(0.5) ? uint32_t{DSW_BODY_SEQUENCES} : 0u, {},
@@ -116,13 +98,20 @@ void Deformer::settle() {
       break;
     }
   }
-  const World& w = stage_.world;
+  Vec lower = now_[0], upper = lower;
+  for (const Vec& p : now_) {
+    for (size_t k = 0; k < 3; ++k) lower[k] = std::min(lower[k], p[k]), upper[k] = std::max(upper[k], p[k]);
+  }
   for (int i = 0; i < 6; ++i) {
-    double at[3];
-    for (size_t k = 0; k < 3; ++k) at[k] = rng_.range(w.lower[k], w.upper[k]);
-    dsw_particle_id id;
-    if (dsw_particle_create(scene_.get(), at, {0, 0}, &id) != DSW_STATUS_OK) continue;
-    particles_.push_back(id);
+    Particle particle{{0, 0}, {0, 0, 0}, 0};
+    for (size_t k = 0; k < dimension_; ++k) particle.at[k] = rng_.range(lower[k], upper[k]);
+    dsw_volume_id volume;
+    if (dsw_particle_create(scene_.get(), particle.at.data(), {0, 0}, &particle.id) != DSW_STATUS_OK ||
+        dsw_particle_get(scene_.get(), particle.id, nullptr, &volume) != DSW_STATUS_OK) {
+      continue;
+    }
+    particle.chamber = chamber_[volume.index];
+    particles_.push_back(particle);
     ++report_.particles;
   }
 }
@@ -133,56 +122,61 @@ void Deformer::move_towards_body(std::vector<Vec>& points) {
   const BodyState& s = lodgers_[rng_.below(lodgers_.size())].state;
   const size_t v = rng_.below(s.at.size());
   if (s.vertices[v].generation == 0) return;
-  const Mesh& mesh = stage_.world.mesh;
-  const Cell& cell = mesh.cells[s.volumes[v].index];
-  const Loop& loop = cell.faces[rng_.below(cell.faces.size())];
-  Vec& p = points[static_cast<size_t>(loop[rng_.below(loop.size())])];
+  Vec& p = points[static_cast<size_t>(ground_.corner(static_cast<int>(s.volumes[v].index), rng_))];
   const double shares[] = {0.5, 1, 1, 1.5, 2};
   const double share = shares[rng_.below(5u)];
   for (size_t k = 0; k < 3; ++k) p[k] += share * (s.at[v][k] - p[k]);
 }
 
 std::vector<Vec> Deformer::next_points() {
-  const World& w = stage_.world;
+  const std::vector<Vec>& first = ground_.points();
   std::vector<Vec> points = now_;
-  const double size = w.size, cell = size / std::cbrt(static_cast<double>(w.ids.size()) + 1);
+  const double size = arena_.size(), count = static_cast<double>(arena_.ids().size()) + 1;
+  const double cell = size / (dimension_ == 3 ? std::cbrt(count) : std::sqrt(count));
   const double scales[] = {0.02, 0.1, 0.3};
   const double scale = scales[rng_.below(3u)] * cell;
+  const auto any = [&](double low, double high) {
+    Vec x = {0, 0, 0};
+    for (size_t k = 0; k < dimension_; ++k) x[k] = rng_.range(low, high);
+    return x;
+  };
   switch (rng_.below(7u)) {
     case 0: {  // waves
-      Vec phase = {rng_.range(0, 6), rng_.range(0, 6), rng_.range(0, 6)};
+      const Vec phase = any(0, 6);
       for (Vec& p : points) {
         const Vec at = p;
-        for (size_t k = 0; k < 3; ++k) p[k] += 2 * scale * std::sin(3 * at[(k + 1) % 3] / size + phase[k]);
+        for (size_t k = 0; k < dimension_; ++k) {
+          p[k] += 2 * scale * std::sin(3 * at[(k + 1) % dimension_] / size + phase[k]);
+        }
       }
       break;
     }
     case 1:  // noise
       for (Vec& p : points) {
-        for (double& x : p) x += scale * rng_.range(-1, 1);
+        for (size_t k = 0; k < dimension_; ++k) p[k] += scale * rng_.range(-1, 1);
       }
       break;
     case 2: {  // everything goes on
-      const Vec by = {rng_.range(-2, 2) * cell, rng_.range(-2, 2) * cell, rng_.range(-1, 1) * cell};
+      const Vec by = any(-2, 2);
       for (Vec& p : points) {
-        for (size_t k = 0; k < 3; ++k) p[k] += by[k];
+        for (size_t k = 0; k < 3; ++k) p[k] += (k == 2 ? 0.5 : 1) * by[k] * cell;
       }
       break;
     }
     case 3: {  // larger, smaller, flatter
-      const Vec by = {rng_.range(0.7, 1.3), rng_.range(0.7, 1.3), rng_.range(0.7, 1.3)};
+      const Vec by = any(0.7, 1.3);
       for (Vec& p : points) {
-        for (size_t k = 0; k < 3; ++k) p[k] = w.lower[k] + by[k] * (p[k] - w.lower[k]);
+        for (size_t k = 0; k < dimension_; ++k) p[k] = first[0][k] + by[k] * (p[k] - first[0][k]);
       }
       break;
     }
     case 4:  // back
-      points = w.mesh.points;
+      points = first;
       break;
     default:
       for (uint32_t i = 0, n = 1 + rng_.below(4u); i < n; ++i) move_towards_body(points);
   }
-  return are_finite(points) ? points : now_;
+  return std::all_of(points.begin(), points.end(), finite) ? points : now_;
 }
 
 dsw_deform_options Deformer::next_options() {
@@ -198,14 +192,13 @@ dsw_deform_options Deformer::next_options() {
 
 void Deformer::check_vertex(Picture& now, const Vec& at, dsw_volume_id volume, int chamber, const std::string& what) {
   const auto cell = static_cast<int>(volume.index);
-  const bool in = now.world.contains(cell, now.world.body(at.data()));
-  if (in && now.world.cell_marked[static_cast<size_t>(cell)] == 0 && chamber_[static_cast<size_t>(cell)] == chamber)
-    return;
-  ++report_.lost;
+  const bool in = now.contains(cell, at);
   int valid = 0;
-  dsw_environment_is_valid(stage_.environment.get(), volume, &valid);
+  dsw_environment_is_valid(ground_.environment(), volume, &valid);
+  if (in && valid == 1 && arena_.passable(cell) && chamber_[static_cast<size_t>(cell)] == chamber) return;
+  ++report_.lost;
   report_.faults.fault(SweepReport::kWrong, what + " at " + hex(at) + (in ? "" : " is not") + " in " +
-                                                (valid ? "" : "invalid ") + "volume " + std::to_string(cell) +
+                                                (valid == 1 ? "" : "invalid ") + "volume " + std::to_string(cell) +
                                                 ", chamber " + std::to_string(chamber_[static_cast<size_t>(cell)]) +
                                                 " for " + std::to_string(chamber));
 }
@@ -222,78 +215,146 @@ int Deformer::chamber_of(const BodyState& before, const BodyState& now, size_t v
   return -1;
 }
 
+/// Whether all vertices that are not held made the part of their way that is told.
+void Deformer::check_way(const Deformed& d, const std::string& how) {
+  const double part = d.report.fraction;
+  std::vector<char> held(d.now.size(), 0);
+  for (const dsw_vertex_id v : d.held) held[v.index] = 1;
+  for (size_t v = 0; v < d.now.size(); ++v) {
+    const bool there = d.now[v] == point_on_way(d.start[v], d.target[v], part);
+    if (there != (held[v] == 0)) wrong(how + ": vertex " + std::to_string(v) + " is not where it is said to be");
+  }
+  int exponent = 0;
+  const bool halved = part == 0 || std::frexp(part, &exponent) == 0.5;
+  const dsw_deform_outcome outcome = part != 1        ? DSW_DEFORM_FRACTION
+                                     : d.held.empty() ? DSW_DEFORM_DONE
+                                                      : DSW_DEFORM_HELD;
+  const bool swept = d.options.method == DSW_DEFORM_SWEPT;
+  if (!halved || d.report.outcome != outcome || d.report.held_count != d.held.size() ||
+      d.report.contact_count != d.contacts.size() || (swept ? d.report.steps == 0 : d.report.steps != 0) ||
+      (part != 1 && d.contacts.empty() && d.report.invalid_count == 0 && swept)) {
+    wrong(how + ": the report does not fit");
+  }
+}
+
+void Deformer::add_parts(const Lodger& lodger, const BodyState& now, const Deformed& d) {
+  const BodyState& s = lodger.state;
+  const bool touched = std::any_of(d.contacts.begin(), d.contacts.end(),
+                                   [&](const dsw_wall_contact& c) { return same_id(c.body, lodger.id); });
+  const auto rests = [&](size_t v) { return !touched && now.vertices[v].generation != 0 && now.at[v] == s.at[v]; };
+  Part part;
+  part.body = lodger.id;
+  part.level = lodger.level;
+  for (size_t v = 0; v < s.at.size(); ++v) {
+    if (s.vertices[v].generation == 0) continue;
+    part.at = {s.at[v]};
+    part.at_rest = rests(v);
+    parts_.push_back(part);
+  }
+  for (size_t e = 0; e < s.edges.size() && lodger.level >= DSW_LEVEL_EDGES; ++e) {
+    part.edge = s.edge_ids[e];
+    part.at = {s.at[s.edges[e][0]], s.at[s.edges[e][1]]};
+    const auto is_same = [&](dsw_body_edge_id id) { return same_id(id, s.edge_ids[e]); };
+    const auto found = std::find_if(now.edge_ids.begin(), now.edge_ids.end(), is_same);
+    part.at_rest = rests(s.edges[e][0]) && rests(s.edges[e][1]) && found != now.edge_ids.end() &&
+                   now.edges[static_cast<size_t>(found - now.edge_ids.begin())] == s.edges[e];  // else it is split
+    parts_.push_back(part);
+  }
+}
+
 /// Everything against a picture of the environment as it is.
-void Deformer::check(const std::string& how) {
-  Picture now(stage_, now_);
+void Deformer::check(Deformed& d, const std::string& how) {
+  const std::unique_ptr<Picture> now = ground_.picture(now_);
   // Where cells are folded over, one that is far away may lie over everything.
-  const bool whole =
-      now.world.fault().empty() && dsw_environment_check(stage_.environment.get(), nullptr) == DSW_STATUS_OK;
+  const bool whole = now->is_sound() && dsw_environment_check(ground_.environment(), nullptr) == DSW_STATUS_OK;
   report_.whole += whole ? 1 : 0;
-  SpaceArena arena(now.world, stage_.wires, stage_.marked_vertices);
+  d.whole = whole && whole_;
+  whole_ = whole;
+  parts_.clear();
   for (Lodger& lodger : lodgers_) {
     BodyState state;
     const std::string fault = read_body(scene_.get(), lodger.id, state);
     if (!fault.empty()) wrong(how + ": " + fault);
-    if (!now.world.fault().empty()) {
-      lodger.state = state;
-      continue;
-    }
-    for (size_t v = 0; v < state.at.size(); ++v) {
+    for (size_t v = 0; v < state.at.size() && now->is_sound(); ++v) {
       if (state.vertices[v].generation == 0) continue;
-      check_vertex(now, state.at[v], state.volumes[v], chamber_of(lodger.state, state, v),
+      check_vertex(*now, state.at[v], state.volumes[v], chamber_of(lodger.state, state, v),
                    how + ": vertex " + std::to_string(v));
     }
+    add_parts(lodger, state, d);
     lodger.state = state;
     if (!whole) continue;
-    const std::string blocked = BodyChecker(arena, report_.faults).not_free(state, lodger.level);
+    const std::string blocked = BodyChecker(now->arena(), report_.faults).not_free(state, lodger.level);
     if (blocked.empty()) continue;
     ++report_.not_free;
     report_.faults.fault(SweepReport::kNotFreeAfter, how + ": level " + std::to_string(lodger.level) + " " + blocked);
   }
-  for (const dsw_particle_id id : particles_) {
-    Vec at;
+  for (Particle& particle : particles_) {
+    Vec at = {0, 0, 0};
     dsw_volume_id volume;
-    if (dsw_particle_get(scene_.get(), id, at.data(), &volume) != DSW_STATUS_OK) {
-      wrong(how + ": a particle is gone");
-    } else if (now.world.fault().empty()) {
-      check_vertex(now, at, volume, chamber_[volume.index], how + ": particle " + std::to_string(id.index));
+    const std::string what = how + ": particle " + std::to_string(particle.id.index);
+    if (dsw_particle_get(scene_.get(), particle.id, at.data(), &volume) != DSW_STATUS_OK) {
+      wrong(what + " is gone");
+      continue;
     }
+    if (now->is_sound()) check_vertex(*now, at, volume, particle.chamber, what);
+    const bool touched = std::any_of(d.contacts.begin(), d.contacts.end(),
+                                     [&](const dsw_wall_contact& c) { return same_id(c.particle, particle.id); });
+    Part part;
+    part.particle = particle.id;
+    part.at = {particle.at};
+    part.at_rest = !touched && at == particle.at;
+    parts_.push_back(part);
+    particle.at = at;
   }
+  const Verdict verdict = ground_.judge(d, parts_);
+  report_.judged_parts += verdict.parts;
+  report_.judged_contacts += verdict.contacts;
+  for (const std::string& fault : verdict.faults) wrong(how + ": " + fault);
 }
 
 bool Deformer::step() {
-  const std::vector<Vec> target = next_points();
-  const dsw_deform_options options = next_options();
-  std::vector<double> next = flat(target);
+  Deformed d;
+  d.start = now_;
+  d.target = next_points();
+  d.options = next_options();
+  std::vector<double> next = flat(d.target);
   const std::vector<double> asked = next;
-  dsw_deform_report report;
-  const dsw_status status = dsw_scene_deform(scene_.get(), next.data(), target.size(), &options, &report);
-  const std::string how = "step " + std::to_string(report_.steps) + " method " + std::to_string(options.method) +
-                          " response " + std::to_string(options.response) + " halvings " +
-                          std::to_string(options.most_halvings);
+  const dsw_status status = dsw_scene_deform(scene_.get(), next.data(), d.target.size(), &d.options, &d.report);
+  const std::string how = "step " + std::to_string(report_.steps) + " method " + std::to_string(d.options.method) +
+                          " response " + std::to_string(d.options.response) + " halvings " +
+                          std::to_string(d.options.most_halvings);
   ++report_.steps;
   if (status != DSW_STATUS_OK) {
     wrong(how + " answers " + dsw_status_string(status) + ": " + dsw_last_error_message());
     return false;
   }
-  ++report_.outcomes[report.outcome];
-  report_.contacts += report.contact_count;
-  report_.pushed += report.pushed_count;
-  const bool refused = report.outcome == DSW_DEFORM_REFUSED;
+  ++report_.outcomes[d.report.outcome];
+  report_.contacts += d.report.contact_count;
+  report_.pushed += d.report.pushed_count;
+  const bool refused = d.report.outcome == DSW_DEFORM_REFUSED;
   if (refused && next != asked) wrong(how + ": refused, and next is changed");
-  if (report.outcome == DSW_DEFORM_DONE && next != asked) wrong(how + ": done, but not as asked");
   if (!refused) {
     arrays_.push_back(std::move(next));
     if (arrays_.size() > 2) arrays_.erase(arrays_.begin());
-    for (size_t v = 0; v < now_.size(); ++v) std::copy_n(&arrays_.back()[3 * v], 3, now_[v].begin());
+    for (size_t v = 0; v < now_.size(); ++v) {
+      std::copy_n(&arrays_.back()[dimension_ * v], dimension_, now_[v].begin());
+    }
   }
+  d.now = now_;
   const double* points = nullptr;
   size_t count = 0;
-  dsw_environment_get_points(stage_.environment.get(), &points, &count);
-  if (count != now_.size() || !std::equal(points, points + 3 * count, flat(now_).begin())) {
+  dsw_environment_get_points(ground_.environment(), &points, &count);
+  if (count != now_.size() || !std::equal(points, points + dimension_ * count, flat(now_).begin())) {
     wrong(how + ": the environment reads other points");
   }
-  check(how);
+  const dsw_wall_contact* contacts = nullptr;
+  const dsw_vertex_id* held = nullptr;
+  dsw_scene_get_wall_contacts(scene_.get(), &contacts, &count);
+  d.contacts.assign(contacts, contacts + count);
+  dsw_scene_get_held_vertices(scene_.get(), &held, &count);
+  d.held.assign(held, held + count);
+  if (!refused) check_way(d, how);
+  check(d, how);
   return true;
 }
 
@@ -302,12 +363,12 @@ void Deformer::run(int count) {
   dsw_scene_desc_init(&desc, sizeof desc);
   desc.features = DSW_FEATURE_DEFORMING;
   dsw_scene* scene = nullptr;
-  if (dsw_scene_create(stage_.environment.get(), &desc, &scene) != DSW_STATUS_OK) {
+  if (dsw_scene_create(ground_.environment(), &desc, &scene) != DSW_STATUS_OK) {
     wrong("no scene");
     return;
   }
   scene_.reset(scene);
-  now_ = stage_.world.mesh.points;
+  now_ = ground_.points();
   find_chambers();
   settle();
   for (int i = 0; i < count && step(); ++i) {
@@ -318,13 +379,27 @@ void one_scene(const SweepTurn& turn, uint64_t seed, DeformReport& report) {
   Rng rng(seed);
   report.faults.begin(turn.kind->name, std::string(turn.kind->name) + transform_name(turn.transform) + " scene seed " +
                                            std::to_string(seed));
-  const std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, report.faults);
+  std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, report.faults);
   if (stage == nullptr) return;
   stage->mark_vertices(rng, report.faults);
-  Deformer(*stage, rng, report).run(8);
+  const std::unique_ptr<Ground> ground = make_ground(std::move(stage), rng);
+  run_on_ground(*ground, rng, report);
 }
 
 }  // namespace
+
+Vec point_on_way(const Vec& from, const Vec& to, double fraction) {
+  if (fraction == 0) return from;
+  if (fraction == 1) return to;
+  Vec at = {0, 0, 0};
+  for (size_t k = 0; k < 3; ++k) {
+    const double way = to[k] - from[k];
+    at[k] = std::isfinite(way) ? from[k] + fraction * way : (1 - fraction) * from[k] + fraction * to[k];
+  }
+  return at;
+}
+
+void run_on_ground(Ground& ground, Rng& rng, DeformReport& report) { Deformer(ground, rng, report).run(8); }
 
 void run_deformations(const DeformRunOptions& options, DeformReport& report) {
   const std::vector<SweepTurn> turns = sweep_turns(options.only);
@@ -337,7 +412,7 @@ void run_deformations(const DeformRunOptions& options, DeformReport& report) {
       [&](const SweepTurn& turn, uint64_t seed) { one_scene(turn, seed, report); });
 }
 
-std::string to_json(const DeformReport& r) {
+std::string to_json(const DeformReport& r, const std::string& prefix) {
   const std::pair<const char*, uint64_t> figures[] = {{"deform.oracle.steps", r.steps},
                                                       {"deform.oracle.not_free_after", r.not_free},
                                                       {"deform.lost", r.lost},
@@ -350,10 +425,12 @@ std::string to_json(const DeformReport& r) {
                                                       {"deform.oracle.bodies", r.bodies},
                                                       {"deform.oracle.particles", r.particles},
                                                       {"deform.oracle.contacts", r.contacts},
-                                                      {"deform.oracle.pushed", r.pushed}};
+                                                      {"deform.oracle.pushed", r.pushed},
+                                                      {"deform.oracle.judged_parts", r.judged_parts},
+                                                      {"deform.oracle.judged_contacts", r.judged_contacts}};
   std::string text = "{";
   for (const auto& [key, value] : figures) {
-    text += std::string(text == "{" ? "\n" : ",\n") + "  \"" + key + "\": " + std::to_string(value);
+    text += std::string(text == "{" ? "\n" : ",\n") + "  \"" + prefix + key + "\": " + std::to_string(value);
   }
   return text + "\n}\n";
 }

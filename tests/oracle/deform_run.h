@@ -3,6 +3,7 @@
 #pragma once
 
 #include "body_scenes.h"
+#include "deform_ground.h"
 
 namespace dsw::oracle {
 
@@ -23,9 +24,15 @@ struct DeformReport {
   uint64_t wrong = 0;         // answers that do not fit
   uint64_t whole = 0;         // steps after which the whole environment was valid
   uint64_t outcomes[4] = {};  // by dsw_deform_outcome
+  uint64_t judged_parts = 0, judged_contacts = 0;
+  bool right() const { return wrong + lost + not_free == 0 && bodies > 0; }
 };
 
+/// One scene.
+void run_on_ground(Ground& ground, Rng& rng, DeformReport& report);
 void run_deformations(const DeformRunOptions& options, DeformReport& report);
-std::string to_json(const DeformReport& report);
+void run_plane_deformations(const DeformRunOptions& options, DeformReport& report);
+/// `prefix` of the figures' names.
+std::string to_json(const DeformReport& report, const std::string& prefix = "");
 
 }  // namespace dsw::oracle

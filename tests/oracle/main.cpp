@@ -1,7 +1,7 @@
-// dartsweep_oracle [--casts N] [--plane N] [--plane-sweeps N] [--sweeps N] [--bodies N [--level L] [--scene-seed S]] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
+// dartsweep_oracle [--casts N] [--plane N] [--plane-sweeps N] [--plane-deformations N] [--sweeps N] [--bodies N [--level L] [--scene-seed S]] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
 // Casts, locates and particle moves, swept edges, and moves of bodies (N: of single vertices, at each level), in many
 // small environments, each compared with exact arithmetic; --plane: casts and particle moves in the plane;
-// --plane-sweeps: swept edges and bodies there. Without any of these: casts.
+// --plane-sweeps: swept edges and bodies there; --plane-deformations: with walls that move. Without any of these: casts.
 #include "body_run.h"
 #include "deform_run.h"
 #include "plane_run.h"
@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   sweeps.sweeps = 0;
   dsw::oracle::BodyRunOptions bodies;
   dsw::oracle::DeformRunOptions deformations;
+  uint64_t plane_deformations = 0;
   dsw::oracle::PlaneRunOptions plane;
   const char* json = nullptr;
   int print_most = 20;
@@ -31,6 +32,8 @@ int main(int argc, char** argv) {
       plane.casts = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--plane-sweeps") == 0 && more) {
       plane.sweeps = std::strtoull(argv[++i], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--plane-deformations") == 0 && more) {
+      plane_deformations = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--sweeps") == 0 && more) {
       sweeps.sweeps = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--bodies") == 0 && more) {
@@ -57,7 +60,7 @@ int main(int argc, char** argv) {
     } else {
       std::fprintf(stderr,
                    "usage: %s [--casts N] [--plane N] [--plane-sweeps N] [--sweeps N] [--bodies N [--level 1..4]] "
-                   "[--deformations N] [--scene-seed S] [--seed S] "
+                   "[--deformations N] [--plane-deformations N] [--scene-seed S] [--seed S] "
                    "[--quick] [--only SCENE] "
                    "[--print N] [--stuck] [--json FILE]\n",
                    argv[0]);
@@ -67,7 +70,8 @@ int main(int argc, char** argv) {
   dsw::oracle::Report report(print_most);
   report.show_stuck = show_stuck;
   const bool with_casts =
-      casts_given || quick || plane.casts + plane.sweeps + sweeps.sweeps + bodies.steps + deformations.steps == 0;
+      casts_given || quick ||
+      plane.casts + plane.sweeps + plane_deformations + sweeps.sweeps + bodies.steps + deformations.steps == 0;
   if (with_casts) dsw::oracle::run(options, report);
   dsw::oracle::PlaneReport plane_report;
   if (plane.casts != 0) dsw::oracle::run_plane(plane, print_most, plane_report);
@@ -79,6 +83,9 @@ int main(int argc, char** argv) {
   if (bodies.steps != 0) dsw::oracle::run_bodies(bodies, body_report);
   dsw::oracle::DeformReport deform_report(print_most);
   if (deformations.steps != 0) dsw::oracle::run_deformations(deformations, deform_report);
+  dsw::oracle::DeformReport plane_deform_report(print_most);
+  deformations.steps = plane_deformations;
+  if (plane_deformations != 0) dsw::oracle::run_plane_deformations(deformations, plane_deform_report);
   std::string text = with_casts ? dsw::oracle::to_json(report) : "";
   const auto join = [&](const std::string& more) {  // one flat object
     text = text.empty() ? more : text.substr(0, text.rfind("\n}")) + "," + more.substr(1);
@@ -86,7 +93,8 @@ int main(int argc, char** argv) {
   if (with_plane) join(dsw::oracle::to_json(plane_report));
   if (sweeps.sweeps != 0) join(dsw::oracle::to_json(sweep_report));
   if (bodies.steps != 0) join(dsw::oracle::to_json(body_report));
-  if (deformations.steps != 0) join(dsw::oracle::to_json(deform_report));
+  if (deform_report.steps != 0) join(dsw::oracle::to_json(deform_report));
+  if (plane_deformations != 0) join(dsw::oracle::to_json(plane_deform_report, "plane."));
   std::fputs(text.c_str(), stdout);
   if (json != nullptr) {
     std::FILE* file = std::fopen(json, "w");
@@ -99,9 +107,8 @@ int main(int argc, char** argv) {
   const bool plane_right = !with_plane || (plane_report.faults() == 0 && plane_report.contacts > 0);
   const bool sweeps_right = sweep_report.total.faults() == 0 && sweep_report.total.sweeps > 0;
   const bool bodies_right = body_report.faults() == 0 && body_report.bodies > 0;
-  const bool deformations_right =
-      deform_report.wrong + deform_report.lost + deform_report.not_free == 0 && deform_report.bodies > 0;
-  const bool right = plane_right && (deformations_right || deformations.steps == 0) && (casts_right || !with_casts) &&
+  const bool right = plane_right && (deform_report.right() || deform_report.steps == 0) &&
+                     (plane_deform_report.right() || plane_deformations == 0) && (casts_right || !with_casts) &&
                      (sweeps_right || sweeps.sweeps == 0) && (bodies_right || bodies.steps == 0);
   return right ? 0 : 1;
 }

@@ -4,6 +4,8 @@
 #include "arena.h"
 #include "world.h"
 
+#include <map>
+
 namespace dsw::oracle {
 
 class SpaceArena : public Arena {

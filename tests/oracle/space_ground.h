@@ -1,0 +1,12 @@
+// An environment in space that is deformed.
+#pragma once
+
+#include "deform_ground.h"
+#include "sweep_scenes.h"
+
+namespace dsw::oracle {
+
+/// Of a stage with its marks.
+std::unique_ptr<Ground> make_ground(std::unique_ptr<Stage> stage, Rng& rng);
+
+}  // namespace dsw::oracle
