@@ -16,10 +16,11 @@ using namespace plane;
 
 constexpr std::size_t kRays = 1000;
 
-/** The sides between obstacles and the rest, as Box2D wants them. */
+/** The sides between obstacles and the rest, as Box2D wants them: it widens boxes by a tenth of a metre, so that an edge is some metres here. */
 class Box2dSides : public b2RayCastCallback {
  public:
-  Box2dSides(const Triangles& triangles, const std::vector<char>& solid) : world_(b2Vec2(0, 0)) {
+  Box2dSides(const Triangles& triangles, const std::vector<char>& solid)
+      : world_(b2Vec2(0, 0)), scale_(10 / edge_of(solid.size())) {
     const b2BodyDef description;
     b2Body* const ground = world_.CreateBody(&description);
     for (const auto& face : triangles.delaunay.finite_face_handles()) {
@@ -35,21 +36,22 @@ class Box2dSides : public b2RayCastCallback {
   }
   bool hits(const double* from, const double* to) {
     hit_ = false;
-    world_.RayCast(this, b2Vec2(static_cast<float>(from[0]), static_cast<float>(from[1])),
-                   b2Vec2(static_cast<float>(to[0]), static_cast<float>(to[1])));
+    world_.RayCast(this, to_vector(from[0], from[1]), to_vector(to[0], to[1]));
     return hit_;
   }
 
  private:
-  static b2Vec2 to_vector(const Kernel::Point_2& point) {
-    return {static_cast<float>(point.x()), static_cast<float>(point.y())};
+  b2Vec2 to_vector(double x, double y) const {
+    return {static_cast<float>(scale_ * x), static_cast<float>(scale_ * y)};
   }
+  b2Vec2 to_vector(const Kernel::Point_2& point) const { return to_vector(point.x(), point.y()); }
   float ReportFixture(b2Fixture*, const b2Vec2&, const b2Vec2&, float fraction) override {
     hit_ = true;
     return fraction;  // nothing beyond is looked at
   }
 
   b2World world_;
+  double scale_;
   bool hit_ = false;
 };
 
