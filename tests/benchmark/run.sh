@@ -88,7 +88,7 @@ else casts=10000000 sweeps=1000000 bodies=250000 deformations=100000 edits=10000
 failed=0
 "$bench/dartsweep_bench_predicates" --cases "$cases" --json "$tree/predicates.json" || failed=1
 "$tree/tests/oracle/dartsweep_oracle" --casts "$casts" --sweeps "$sweeps" --bodies "$bodies" --deformations "$deformations" \
-  --plane "$sweeps" --plane-sweeps "$sweeps" --json "$tree/oracle.json" || failed=1
+  --plane "$sweeps" --plane-sweeps "$sweeps" --plane-deformations "$deformations" --json "$tree/oracle.json" || failed=1
 DSW_EDITS=$edits "$tree/tests/property/edits_tests" --gtest_output="json:$tree/edits.json" > "$tree/edits.log" || failed=1
 
 "$tree/tests/property/contact_check_tests" --gtest_output="json:$tree/normals.json" > "$tree/normals.log" || failed=1

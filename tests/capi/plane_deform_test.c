@@ -397,13 +397,16 @@ static void saved_and_loaded(void) {
   dsw_environment *loaded = NULL;
   dsw_scene *again = NULL;
   dsw_deform_report reports[2];
+  static const double line[4] = {1.2, 2.11, 1.9, 2.11};
   dsw_particle_id particle;
-  double now[2][2];
-  size_t sizes[4];
+  dsw_body_id body;
+  double now[2][4];
+  size_t sizes[4], count;
   int i;
   begin(DSW_FEATURE_DEFORMING);
   mark_floor(1);
   CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
+  body = make_line(line, 2, DSW_LEVEL_EDGES_SWEPT);
   raise_row(2, 0.5);
   (void)deform(NULL);
   CHECK_OK(dsw_environment_save(g_env, blocks[0], sizeof blocks[0], &sizes[0]));
@@ -418,6 +421,9 @@ static void saved_and_loaded(void) {
   CHECK(memcmp(arrays[0], arrays[1], sizeof arrays[0]) == 0);
   CHECK_OK(dsw_particle_get(g_scene, particle, now[0], NULL));
   CHECK_OK(dsw_particle_get(again, particle, now[1], NULL));
+  CHECK(memcmp(now[0], now[1], 2 * sizeof(double)) == 0 && now[0][1] > 2.8);
+  CHECK_OK(dsw_body_get_positions(g_scene, body, now[0], 2, 0, NULL, &count));
+  CHECK_OK(dsw_body_get_positions(again, body, now[1], 2, 0, NULL, &count));
   CHECK(memcmp(now[0], now[1], sizeof now[0]) == 0 && now[0][1] > 2.8);
   CHECK_OK(dsw_scene_save(g_scene, blocks[2], sizeof blocks[2], &sizes[2]));
   CHECK_OK(dsw_scene_save(again, blocks[3], sizeof blocks[3], &sizes[3]));
@@ -428,6 +434,105 @@ static void saved_and_loaded(void) {
   CHECK_OK(dsw_scene_destroy(again));
   CHECK_OK(dsw_environment_destroy(loaded));
   end();
+}
+
+/* A cut in an environment that bends: its vertices are written to the array that was lent, if that has room. */
+static void cut_while_bent(void) {
+  static const double blade[4] = {1.25, -1, 1.25, 5}, at[2] = {1.5, 2.5};
+  static double arrays[2][4 * POINTS];
+  dsw_deform_options o = options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
+  const dsw_cut_vertex *added = NULL;
+  dsw_cut_report report;
+  dsw_deform_report bent;
+  dsw_cut_desc d;
+  dsw_particle_id particle;
+  size_t i, count = 0;
+  double now[2];
+  begin(DSW_FEATURE_DEFORMING);
+  CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
+  dsw_cut_desc_init(&d, sizeof d);
+  d.points = blade;
+  d.rows = 2;
+  d.columns = 1;
+  d.start = volume_at(0);
+  d.flags = DSW_CUT_UNSEW;
+  for (i = 0; i < 2; ++i) memcpy(arrays[i], g_points[0], sizeof g_points[0]);
+  o.point_room = POINTS + 4;
+  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  for (i = 2 * POINTS; i < 4 * POINTS; ++i) arrays[0][i] = -7;
+  CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL)); /* needs 5 */
+  for (i = 2 * POINTS; i < 4 * POINTS; ++i) CHECK(arrays[0][i] == -7);
+  o.point_room = POINTS + 5;
+  CHECK_OK(dsw_scene_deform(g_scene, arrays[1], POINTS, &o, NULL));
+  for (i = 2 * POINTS; i < 4 * POINTS; ++i) arrays[1][i] = -7;
+  CHECK_OK(dsw_environment_cut(g_env, &d, &report));
+  CHECK(report.volumes_split == 4);
+  CHECK_OK(dsw_environment_get_cut_vertices(g_env, &added, &count));
+  for (i = 0; i < count; ++i) CHECK(arrays[1][2 * added[i].vertex.index] == 1.25);
+  CHECK(arrays[1][2 * (POINTS + 5)] == -7);
+  /* Both sides of the crack are walls: that on the left pushes what lies there. */
+  memcpy(arrays[0], arrays[1], sizeof arrays[0]);
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  for (i = 0; i < (size_t)POINTS + 5; ++i) arrays[0][2 * i] *= 1.25;
+  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], POINTS + 5, &o, &bent));
+  CHECK(bent.outcome == DSW_DEFORM_DONE && bent.contact_count > 0);
+  CHECK_OK(dsw_particle_get(g_scene, particle, now, NULL));
+  CHECK(now[0] > 1.5625 && now[1] == at[1]);
+  CHECK_OK(dsw_environment_check(g_env, NULL));
+  end();
+}
+
+/* With the n-th allocation refused: nothing has changed, then it goes through. */
+static void refused_memory_changes_nothing(void) {
+  static const double at[2] = {2.3, 2.2}, line[4] = {1.2, 2.11, 2.8, 2.11};
+  static const dsw_wall_response responses[2] = {DSW_WALL_INSERT, DSW_WALL_PUSH};
+  int i;
+  for (i = 0; i < 2; ++i) {
+    dsw_deform_options o = options_of(i == 0 ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE, responses[i]);
+    dsw_status status = DSW_STATUS_OUT_OF_MEMORY;
+    size_t n;
+    for (n = 1; n < 300 && status != DSW_STATUS_OK; ++n) {
+      static double arrays[2][2 * POINTS];
+      host h = {0};
+      dsw_context *const context = make_context(&h);
+      const dsw_body_desc d = line_desc(line, 2, 0, DSW_LEVEL_EDGES_SWEPT);
+      const double *read = NULL;
+      dsw_particle_id particle;
+      dsw_body_id body;
+      double now[4], of_body[6];
+      size_t count = 0;
+      uint32_t x;
+      g_env = make_squares(context, N, N);
+      g_scene = make_scene(g_env, DSW_FEATURE_DEFORMING);
+      mark_floor(1);
+      CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
+      CHECK_OK(dsw_body_create(g_scene, &d, &body));
+      CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
+      memcpy(arrays[0], read, sizeof arrays[0]);
+      for (x = 0; x <= N; ++x) arrays[0][2 * vertex(x, 2) + 1] += 0.4;
+      memcpy(arrays[1], arrays[0], sizeof arrays[1]);
+      h.calls = 0;
+      h.refuse = n;
+      status = dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL);
+      h.refuse = 0;
+      CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
+      CHECK(memcmp(arrays[0], arrays[1], sizeof arrays[0]) == 0);
+      CHECK_OK(dsw_particle_get(g_scene, particle, now, NULL));
+      CHECK_OK(dsw_body_get_positions(g_scene, body, of_body, 3, 0, NULL, &count));
+      if (status == DSW_STATUS_OK) {
+        CHECK(now[1] > 2.4 && of_body[1] > 2.4);
+      } else {
+        CHECK(memcmp(now, at, sizeof at) == 0 && count == 2 && memcmp(of_body, line, sizeof line) == 0);
+        CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
+        CHECK(read != arrays[0] && read[2 * vertex(1, 2) + 1] == 2);
+      }
+      CHECK_OK(dsw_scene_destroy(g_scene));
+      CHECK_OK(dsw_environment_destroy(g_env));
+      CHECK_OK(dsw_context_destroy(context));
+      CHECK(h.alive == 0 && h.broken == 0);
+    }
+    CHECK(status == DSW_STATUS_OK && n > 5);
+  }
 }
 
 int main(void) {
@@ -441,5 +546,7 @@ int main(void) {
   points_of_the_boundary();
   bad_arguments();
   saved_and_loaded();
+  cut_while_bent();
+  refused_memory_changes_nothing();
   return check_result();
 }
