@@ -41,7 +41,7 @@ struct Corners {
   }
   bool has(const Pivot<D>& pivot) const noexcept {
     const uint32_t *const begin = vertices, *const end = vertices + D;
-    return std::all_of(pivot.vertices, pivot.vertices + D - 1,
+    return std::all_of(pivot.vertices, pivot.vertices + (D - 1),
                        [&](uint32_t vertex) { return std::find(begin, end, vertex) != end; });
   }
 };

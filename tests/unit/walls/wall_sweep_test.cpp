@@ -243,7 +243,7 @@ TYPED_TEST(WallSweepTest, FindsWhatIsTouched) {
       ASSERT_EQ(walls.meets(all, {Feature::kVertex, 0, 0}, from, to, &hit), touched);
       if (touched) {
         ASSERT_TRUE(this->is_time_of(hit, a, b, {plain[0]}));
-        Exacts<D> at_start = this->swept(a, plain[0], {hit.others, hit.others + D - 1});
+        Exacts<D> at_start = this->swept(a, plain[0], {hit.others, hit.others + (D - 1)});
         with_ties += volume(at_start) == 0 ? 1 : 0;
       }
       met[0] += touched;
