@@ -1,4 +1,5 @@
 // Snapshots of the plane, also those of version 1.0.0, whose records were wider.
+#include "plane_support.h"
 #include "record_support.h"
 #include "snapshot/bytes.h"
 #include "wheel.h"
@@ -131,6 +132,35 @@ TEST(PlaneSnapshotTest, DamagedRecordsOfVersion1AreRefusedOrSound) {
   RecordProperty("refused", std::to_string(refused));
   RecordProperty("accepted", std::to_string(accepted));
   EXPECT_GT(refused, 1000u);
+}
+
+/// Quadrilaterals are no longer known to be convex once a scene has been there that deforms.
+TEST(PlaneSnapshotTest, EdgesAmongPolygonsThatMayMoveFromNowOn) {
+  const EnvironmentPtr environment = make_squares(8, false);
+  ScenePtr scene = make_scene(environment.get());
+  const double points[4] = {1.5, 1.4, 6.5, 6.3}, targets[4] = {1.55, 1.42, 6.45, 6.2};
+  const uint32_t edge[2] = {0, 1};
+  dsw_body_desc d;
+  dsw_body_desc_init(&d, sizeof d);
+  d.positions = points;
+  d.vertex_count = 2;
+  d.edges = edge;
+  d.edge_count = 1;
+  dsw_body_id body;
+  ASSERT_EQ(dsw_body_create(scene.get(), &d, &body), DSW_STATUS_OK) << dsw_last_error_message();
+  ASSERT_EQ(dsw_body_move(scene.get(), body, targets, 2, 0, nullptr, nullptr), DSW_STATUS_OK);
+  const std::string block = saved(scene);
+  scene.reset();
+  make_scene(environment.get(), DSW_FEATURE_DEFORMING);
+  dsw_scene* loaded = nullptr;
+  ASSERT_EQ(dsw_scene_load(environment.get(), block.data(), block.size(), &loaded), DSW_STATUS_OK)
+      << dsw_last_error_message();
+  scene.reset(loaded);
+  ASSERT_EQ(dsw_body_move(loaded, body, points, 2, 0, nullptr, nullptr), DSW_STATUS_OK);
+  double at[4];
+  size_t count = 0;
+  ASSERT_EQ(dsw_body_get_positions(loaded, body, at, 2, 0, nullptr, &count), DSW_STATUS_OK);
+  EXPECT_TRUE(std::equal(at, at + 4, points));
 }
 
 }  // namespace
