@@ -199,6 +199,29 @@ static void what_is_squeezed_holds_the_walls(void) {
   end();
 }
 
+/* Bodies that meet each other are not pushed through one another. */
+static void a_body_in_the_way_holds_the_wall(void) {
+  static const double low[4] = {1.2, 2.1, 2.8, 2.1}, high[4] = {1.9, 2.3, 2.2, 2.3};
+  int meets;
+  for (meets = 0; meets < 2; ++meets) {
+    dsw_deform_report report;
+    dsw_body_id body;
+    double now[4];
+    size_t count = 0;
+    begin(DSW_FEATURE_DEFORMING | (meets ? (uint32_t)DSW_FEATURE_BODY_CONTACTS : 0));
+    mark_floor(1);
+    body = make_line(low, 2, DSW_LEVEL_EDGES);
+    make_line(high, 2, DSW_LEVEL_EDGES);
+    raise_row(2, 0.3);
+    report = deform(NULL);
+    CHECK(report.outcome == (meets ? DSW_DEFORM_HELD : DSW_DEFORM_DONE));
+    CHECK_OK(dsw_body_get_positions(g_scene, body, now, 2, 0, NULL, &count));
+    CHECK(now[1] >= 2.1 && now[3] >= 2.1);
+    if (meets) CHECK(now[1] + (now[3] - now[1]) * (1.9 - now[0]) / (now[2] - now[0]) < 2.3);
+    end();
+  }
+}
+
 static void steps_are_halved_where_cells_would_fold(void) {
   const double at[2] = {2.5, 2.5};
   dsw_particle_id particle;
@@ -540,6 +563,7 @@ int main(void) {
   an_edge_is_pushed_split_or_holds_the_wall();
   a_lone_point_is_met_by_swept_edges();
   what_is_squeezed_holds_the_walls();
+  a_body_in_the_way_holds_the_wall();
   steps_are_halved_where_cells_would_fold();
   invalid_polygons();
   end_state();
