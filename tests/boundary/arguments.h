@@ -176,6 +176,9 @@ bool bad_handle(const Argument& a, size_t k, T** handle, int* wanted) {
   return k < 5;
 }
 
+/** Their size is more than there are addresses. */
+inline size_t too_many_points(const Argument& a) { return SIZE_MAX / (a.host->dimension * sizeof(double)) + 1; }
+
 /** A struct with its size: sizes that never were, one of a later version, and what is wrong in it. */
 template <class T>
 bool bad_struct(const Argument& a, size_t k, T** value, int* wanted) {
@@ -210,7 +213,7 @@ bool bad_struct(const Argument& a, size_t k, T** value, int* wanted) {
     auto* const to = reinterpret_cast<unsigned char*>(*value) + m.offset;
     const double numbers[kWays] = {std::nan(""), HUGE_VAL, -1, 1e300};
     const bool strided = m.name == "point_count";  // what can be seen is that count * stride is too much
-    const size_t sizes[kWays] = {0, SIZE_MAX, SIZE_MAX - 7, strided ? SIZE_MAX / 24 + 1 : SIZE_MAX / 2 + 1};
+    const size_t sizes[kWays] = {0, SIZE_MAX, SIZE_MAX - 7, strided ? too_many_points(a) : SIZE_MAX / 2 + 1};
     const uint32_t words[kWays] = {UINT32_MAX, 77, 0x7ffffffe, 0},
                    ids[kWays][2] = {{0, 2}, {UINT32_MAX, 1}, {1, 0}, {77, 1}};
     if (m.kind == Kind::POINTER) std::memset(to, 0, m.size);
@@ -276,7 +279,7 @@ T good_pointer(const Argument& a) {
     if constexpr (std::is_same_v<Value, dsw_rigid_motion>) to->rotation[3] = 1;
     if constexpr (is_description<Value>) {
       initialise(to);
-      describe(*to);
+      describe(*to, a.host->dimension);
     }
     return to;
   }
@@ -309,8 +312,8 @@ inline size_t good_size(const Argument& a) {
   if (a.called("capacity_bytes")) return kScratchBytes;
   if (a.called("size") || a.called("capacity")) return 20;
   if (a.called("target_count")) return a.of("dsw_scene_move_bodies") ? 8 : 4;
-  if (a.called("point_count")) return a.host->next.size() / 3;
-  return a.of("dsw_environment_split_volume") ? 4 : 2;
+  if (a.called("point_count")) return a.host->next.size() / a.host->dimension;
+  return a.of("dsw_environment_split_volume") && a.host->dimension == 3 ? 4 : 2;
 }
 
 inline bool bad_size(const Argument& a, size_t k, size_t* value, int* wanted) {
@@ -330,7 +333,7 @@ inline bool bad_size(const Argument& a, size_t k, size_t* value, int* wanted) {
     return true;
   }
   // No array is so long, and no two points are so far apart. Where there is a stride, less is too much as well.
-  const size_t counts[] = {SIZE_MAX, SIZE_MAX / 2 + 1, SIZE_MAX / 24 + 1},
+  const size_t counts[] = {SIZE_MAX, SIZE_MAX / 2 + 1, too_many_points(a)},
                strides[] = {1, 8, 23, 25, SIZE_MAX, SIZE_MAX - 7};
   *wanted = kRefused;
   if (k > (stride ? 6u : a.has_stride ? 3u : 2u)) return false;
@@ -343,7 +346,8 @@ T good(const Argument& a) {
   if constexpr (std::is_pointer_v<T>) {
     return good_pointer<T>(a);
   } else if constexpr (is_id<T>) {
-    if (std::is_same_v<T, dsw_vertex_id> && a.called("b")) return good_id<T>(a, 18);  // across a face from a
+    if (std::is_same_v<T, dsw_vertex_id> && a.called("b"))
+      return good_id<T>(a, a.host->dimension == 2 ? 7 : 18);  // across a face from a, or a square
     if (std::is_same_v<T, dsw_vertex_id>) return good_id<T>(a, 3);
     return good_id<T>(a, a.called("b") ? 3 : a.called("c") ? 2 : std::is_same_v<T, dsw_volume_id> ? 0 : 1);
   } else if constexpr (std::is_same_v<T, dsw_cell>) {

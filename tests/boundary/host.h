@@ -23,10 +23,10 @@ inline void need(bool holds, const char* what) {
 Block save(const dsw_environment* environment);
 Block save(const dsw_scene* scene);
 
-/** A row of four unit cubes; two particles and two bodies, of four vertices each, in the first. */
+/** A row of four unit cubes, in the plane of squares; two particles and two bodies, of four vertices each, in the first. */
 class Host {
  public:
-  Host() { make(); }
+  explicit Host(uint32_t d) : dimension(d) { make(); }
   ~Host() { clear(); }
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
@@ -41,6 +41,7 @@ class Host {
   /** Whether nothing has changed since it was made. */
   bool is_unchanged() const;
 
+  const uint32_t dimension;
   dsw_context* context = nullptr;
   dsw_environment* environment = nullptr;
   dsw_scene* scene = nullptr;  // with all features, so the only one of its environment
@@ -63,7 +64,7 @@ struct Mesh {
   std::vector<double> points;
   std::vector<int64_t> connectivity;
 };
-const Mesh& row_of_cubes();
+const Mesh& row_of_cells(uint32_t dimension);
 
 /** Destroyed handles whose memory is still there, one of each kind, and memory of zeros. */
 struct Graveyard {
@@ -78,15 +79,15 @@ const Graveyard& graveyard();
 
 /** Members that a call needs; the rest has its defaults. */
 template <class T>
-void describe(T&) {}
-void describe(dsw_environment_desc& d);
-void describe(dsw_body_desc& d);
-void describe(dsw_volumes_desc& d);
-void describe(dsw_cut_desc& d);
-void describe(dsw_open_desc& d);
-void describe(dsw_carve_desc& d);
-void describe(dsw_tie_desc& d);
-void describe(dsw_detach_desc& d);
-void describe(dsw_recording_desc& d);
+void describe(T&, uint32_t) {}
+void describe(dsw_environment_desc& d, uint32_t dimension);
+void describe(dsw_body_desc& d, uint32_t dimension);
+void describe(dsw_volumes_desc& d, uint32_t dimension);
+void describe(dsw_cut_desc& d, uint32_t dimension);
+void describe(dsw_open_desc& d, uint32_t dimension);
+void describe(dsw_carve_desc& d, uint32_t dimension);
+void describe(dsw_tie_desc& d, uint32_t dimension);
+void describe(dsw_detach_desc& d, uint32_t dimension);
+void describe(dsw_recording_desc& d, uint32_t dimension);
 
 }  // namespace boundary
