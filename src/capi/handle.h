@@ -87,7 +87,7 @@ bool is_planar(const Handle& handle) {
   return handle.engine.index() != 0;
 }
 
-/** The engine of an environment or a scene in space; refuses planar ones: for functions that do not serve the plane yet. */
+/** The engine of an environment or a scene in space; refuses planar ones: for functions of space. */
 template <class Handle>
 auto& space(Handle& handle) {
   if (is_planar(handle)) fail(DSW_STATUS_UNSUPPORTED, "this function is not available in the plane");

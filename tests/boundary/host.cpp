@@ -233,33 +233,36 @@ void describe(dsw_volumes_desc& d, uint32_t dimension) {
 }
 
 /** Across the third cube. */
-void describe(dsw_cut_desc& d, uint32_t) {
+void describe(dsw_cut_desc& d, uint32_t dimension) {
+  static const double flat[2 * 256] = {2.5, -1, 2.5, 2};
   static const double points[3 * 256] = {2.5, -1, -1, 2.5, 2, -1,
                                          2.5, -1, 2,  2.5, 2, 2};  // room for more rows than two
-  d.points = points;
-  d.rows = d.columns = 2;
+  d.points = dimension == 2 ? flat : points;
+  d.rows = 2;
+  d.columns = dimension - 1;
 }
 
-void describe(dsw_open_desc& d, uint32_t) {
-  static const dsw_cut_face faces[] = {{{2, 1, 1}, {3, 1, 0}}};
-  d.faces = faces;
+void describe(dsw_open_desc& d, uint32_t dimension) {
+  static const dsw_cut_face faces[] = {{{2, 1, 1}, {3, 1, 0}}}, sides[] = {{{2, 1, 1}, {3, 1, 3}}};
+  d.faces = dimension == 2 ? sides : faces;
   d.face_count = 1;
   d.width = 0.1;
 }
 
-void describe(dsw_carve_desc& d, uint32_t) {
+void describe(dsw_carve_desc& d, uint32_t dimension) {
+  static const double flat[] = {2.2, 0.2, 2.8, 0.2, 2.2, 0.8};
+  static const uint32_t segments[] = {0, 1, 1, 2, 2, 0};
   static const double points[] = {2.2, 0.2, 0.2, 2.8, 0.2, 0.2, 2.2, 0.8, 0.2, 2.2, 0.2, 0.8};
   static const uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
-  d.points = points;
-  d.point_count = 4;
-  d.triangles = triangles;
-  d.triangle_count = 4;
+  d.points = dimension == 2 ? flat : points;
+  d.point_count = d.triangle_count = dimension + 1;
+  d.triangles = dimension == 2 ? segments : triangles;
 }
 
-void describe(dsw_tie_desc& d, uint32_t) {
-  static const double points[] = {2.5, -1, -1, 2.5, 3, -1, 2.5, 1, 4};
-  d.points = points;
-  d.point_count = 3;
+void describe(dsw_tie_desc& d, uint32_t dimension) {
+  static const double points[] = {2.5, -1, -1, 2.5, 3, -1, 2.5, 1, 4}, flat[] = {2.5, -1, 2.5, 3};
+  d.points = dimension == 2 ? flat : points;
+  d.point_count = dimension;
 }
 
 void describe(dsw_detach_desc& d, uint32_t) { d.volume = {3, 1}; }
