@@ -262,6 +262,14 @@ std::string RandomEdits<2>::check_exactly() {
       return "a particle is not in its volume";
     }
   }
+  // Where the outer boundary has been moved through itself, the oracle sees walls that are not in the way.
+  const dsw_status partition = dsw_environment_check(place_.get(), nullptr);
+  if (partition == DSW_STATUS_BOUNDARY_CROSSES) return "";
+  if (partition != DSW_STATUS_OK) return dsw_last_error_message();
+  ++exact_checks;
+  Big sum, enclosed;
+  plane::double_areas(world, &sum, &enclosed);
+  if (sum != enclosed) return "the polygons do not fill what the outer boundary encloses";
   for (const BodyRecord<2>& record : scene().bodies) {
     const Body<2>& body = record.body;
     const auto at = [&](uint32_t v) { return plane::Vec{body.position(v)[0], body.position(v)[1]}; };
@@ -279,14 +287,6 @@ std::string RandomEdits<2>::check_exactly() {
       }
     }
   }
-  // Where the outer boundary has been moved through itself, polygons lie over each other there.
-  const dsw_status partition = dsw_environment_check(place_.get(), nullptr);
-  if (partition == DSW_STATUS_BOUNDARY_CROSSES) return "";
-  if (partition != DSW_STATUS_OK) return dsw_last_error_message();
-  ++exact_checks;
-  Big sum, enclosed;
-  plane::double_areas(world, &sum, &enclosed);
-  if (sum != enclosed) return "the polygons do not fill what the outer boundary encloses";
   for (int i = 0; i < 20; ++i) {
     const plane::Vec p = place_.start(rng_);
     dsw_volume_id volume;

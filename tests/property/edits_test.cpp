@@ -51,10 +51,12 @@ void keeps_everything_in_its_place(const std::string& scene) {
   }
   EXPECT_GT(exact_checks, 0u);
   testing::Test::RecordProperty("changes", static_cast<int>(done));
+  testing::Test::RecordProperty("exact_checks", static_cast<int>(exact_checks));
   for (size_t i = 0; i < std::size(sums); ++i) {
     testing::Test::RecordProperty(name_of(static_cast<Operation>(i)), static_cast<int>(sums[i].done));
   }
   if (std::getenv("DSW_EDITS") == nullptr) return;
+  std::cout << exact_checks << " exact checks of a partition\n";
   for (size_t i = 0; i < std::size(sums); ++i) {
     std::cout << name_of(static_cast<Operation>(i)) << ": " << sums[i].tried << " tried, " << sums[i].done << " done, "
               << sums[i].occupied << " occupied\n";
