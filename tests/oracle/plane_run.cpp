@@ -242,36 +242,34 @@ void run_plane(const PlaneRunOptions& options, int print_most, PlaneReport& repo
       [&](const plane::Turn& turn, uint64_t seed) { Scene(turn, seed, print_most, report).run(40); });
 }
 
-std::string to_json(const PlaneReport& report) {
-  std::vector<std::pair<const char*, double>> values;
-  const auto add = [&](const char* key, uint64_t value) { values.push_back({key, static_cast<double>(value)}); };
-  if (report.casts != 0) {
-    add("casts", report.casts);
-    add("moves", report.moves);
-  }
-  if (report.sweeps != 0) {
-    add("sweeps", report.sweeps);
-    add("vertex_contacts", report.vertex_contacts);
-    add("inside_only", report.inside_only);
-    add("bodies", report.bodies);
-    add("twins", report.twins);
-    add("responses", report.responses);
-    add("edits", report.edits);
-    add("stuck", report.stuck);
-    values.push_back({"time_error", report.time_error});
-  }
-  add("contacts", report.contacts);
-  add("ties", report.ties);
-  add("missed", report.missed);
-  add("late", report.late);
-  add("not_free_after", report.not_free_after);
-  add("wrong", report.wrong);
+std::string to_json(const PlaneReport& r) {
   std::string text;
-  for (const auto& [key, value] : values) {
-    char line[128];
-    std::snprintf(line, sizeof line, "%s  \"plane.oracle.%s\": %.10g", text.empty() ? "{\n" : ",\n", key, value);
-    text += line;
+  const auto add = [&](const std::vector<std::pair<const char*, double>>& figures) {
+    for (const auto& [key, value] : figures) {
+      char line[128];
+      std::snprintf(line, sizeof line, "%s  \"plane.oracle.%s\": %.10g", text.empty() ? "{\n" : ",\n", key, value);
+      text += line;
+    }
+  };
+  const auto of = [](uint64_t count) { return static_cast<double>(count); };
+  if (r.casts != 0) add({{"casts", of(r.casts)}, {"moves", of(r.moves)}});
+  if (r.sweeps != 0) {
+    add({{"sweeps", of(r.sweeps)},
+         {"vertex_contacts", of(r.vertex_contacts)},
+         {"inside_only", of(r.inside_only)},
+         {"bodies", of(r.bodies)},
+         {"twins", of(r.twins)},
+         {"responses", of(r.responses)},
+         {"edits", of(r.edits)},
+         {"stuck", of(r.stuck)},
+         {"time_error", r.time_error}});
   }
+  add({{"contacts", of(r.contacts)},
+       {"ties", of(r.ties)},
+       {"missed", of(r.missed)},
+       {"late", of(r.late)},
+       {"not_free_after", of(r.not_free_after)},
+       {"wrong", of(r.wrong)}});
   return text + "\n}\n";
 }
 
