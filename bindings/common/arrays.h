@@ -17,17 +17,33 @@ struct View {
   std::size_t count = 0;
 };
 
-// Points that are read: 3 doubles each, stride_bytes apart.
+// Points that are read. A host gives numbers, as many to a point as the environment has dimensions, or, where `columns` is not 0, rows of
+// so many, stride_bytes apart; see count_points.
 struct Points {
   const double *data = nullptr;
   std::size_t count = 0;
-  std::size_t stride_bytes = 24;
+  std::size_t columns = 0;
+  std::size_t stride_bytes = 0;
 };
 
 // Points that are written, packed.
 struct PointsOut {
   double *data = nullptr;
   std::size_t count = 0;
+  std::size_t columns = 0;
+};
+
+// One point, with as many coordinates as there are dimensions. In the plane it may have a third that is 0, as points in structs have.
+struct Point {
+  Point() = default;
+  Point(double x, double y) : at{x, y, 0}, size(2) {}
+  Point(double x, double y, double z) : at{x, y, z} {}
+  Point(const double *coordinates, std::uint32_t count) : size(count) {
+    for (std::uint32_t i = 0; i < count; ++i) at[i] = coordinates[i];
+  }
+
+  double at[3] = {};
+  std::uint32_t size = 3;
 };
 
 // Signed integers of 4 or 8 bytes, as mesh libraries have them.
@@ -37,10 +53,11 @@ struct Indices {
   std::uint32_t bytes = 8;
 };
 
-// An array that the library keeps after the call: `owner` holds it for as long.
+// An array of points that the library keeps after the call: `owner` holds it for as long.
 struct Lent {
   double *data = nullptr;
-  std::size_t count = 0;  // Points.
+  std::size_t count = 0;
+  std::size_t columns = 0;
   std::shared_ptr<void> owner;
 };
 
@@ -84,6 +101,33 @@ template <class Elements>
 void optional_count(const char *name, Elements &array, std::size_t expected) {
   leave_out_empty(array);
   if (array.count != 0) same_count(name, array.count, expected);
+}
+
+[[noreturn]] inline void refuse_point(std::uint32_t dimension) {
+  throw Error(DSW_STATUS_WRONG_SIZE,
+              dimension == 2 ? "a point of the plane has 2 coordinates" : "a point of space has 3 coordinates");
+}
+
+inline const double *in_dimension(std::uint32_t dimension, const Point &point) {
+  if (point.size != dimension && !(dimension == 2 && point.at[2] == 0)) refuse_point(dimension);
+  return point.at;
+}
+
+// Makes rows of what a host gave as numbers.
+template <class Array>
+void count_rows(std::uint32_t dimension, Array &array) {
+  const bool counted = array.columns == dimension || array.count == 0;
+  if (!counted && (array.columns != 0 || array.count % dimension != 0)) refuse_point(dimension);
+  if (!counted) array.count /= dimension;
+  array.columns = dimension;
+}
+inline void count_rows(std::uint32_t dimension, Points &array) {
+  if (array.stride_bytes == 0) array.stride_bytes = dimension * sizeof(double);
+  count_rows<Points>(dimension, array);
+}
+template <class... Arrays>
+void count_points(std::uint32_t dimension, Arrays &...arrays) {
+  (count_rows(dimension, arrays), ...);
 }
 
 inline std::size_t common_stride(const Points &a, const Points &b) {

@@ -10,6 +10,8 @@ class Body {
   Body(Scene &scene, dsw_body_id id) : state_(scene.state()), id_(id) {}
 
   dsw_body_id id() const { return id_; }
+  // Of its scene's environment.
+  std::uint32_t dimension() const { return state_->environment->dimension; }
   void destroy() { change(dsw_body_destroy); }
 
   dsw_body_counts get_counts() const {
@@ -31,10 +33,11 @@ class Body {
 
   // --- parts
   void get_positions(PointsOut positions, View<dsw_volume_id> volumes = {}) const {
+    count_points(dimension(), positions);
     optional_count("volumes", volumes, positions.count);
     const SceneReading self(*state_);
     std::size_t count = 0;
-    check(dsw_body_get_positions(self.handle, id_, positions.data, positions.count, 24, volumes.data, &count));
+    check(dsw_body_get_positions(self.handle, id_, positions.data, positions.count, 0, volumes.data, &count));
     same_count("positions", positions.count, count);
   }
   Array<dsw_body_vertex_id> get_vertices() const { return fill<dsw_body_vertex_id>(dsw_body_get_vertices); }
@@ -52,9 +55,9 @@ class Body {
     check(dsw_body_get_vertex(self.handle, id_, index, &out));
     return out;
   }
-  dsw_body_vertex_id add_vertex(const dsw_vec3 &position, dsw_volume_id hint = {}) {
+  dsw_body_vertex_id add_vertex(const Point &position, dsw_volume_id hint = {}) {
     dsw_body_vertex_id out = {};
-    change(dsw_body_add_vertex, &position.x, hint, &out);
+    change(dsw_body_add_vertex, in_dimension(dimension(), position), hint, &out);
     return out;
   }
   dsw_body_edge_id add_edge(dsw_body_vertex_id a, dsw_body_vertex_id b) {
@@ -86,6 +89,7 @@ class Body {
                        View<const std::uint32_t> order = {}) {
     dsw_move_report out = {};
     const Ordered ordered(options, order);
+    count_points(dimension(), targets);
     change(dsw_body_move, targets.data, targets.count, targets.stride_bytes, ordered.get(), &out);
     return out;
   }

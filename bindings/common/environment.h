@@ -18,7 +18,8 @@ class Environment {
     if (!desc) dsw_environment_desc_init(&all, sizeof all);
     if (all.flags & DSW_ENVIRONMENT_BORROW_POINTS)
       throw Error(DSW_STATUS_UNSUPPORTED, "points can be lent by Scene.deform only");
-    in_space(all.dimension == 0 ? 3 : all.dimension);
+    state_->dimension = all.dimension == 2 ? 2 : 3;
+    count_points(state_->dimension, points);
     leave_out_empty(cell_types, faces, face_locations);
     all.index_bytes = connectivity.bytes;
     for (const Indices *other : {&offsets, &faces, &face_locations})
@@ -50,7 +51,7 @@ class Environment {
     Environment loaded;
     if (context) loaded.state_->context = context->state();
     check(dsw_environment_load(loaded.state_->context.get(), block.data, block.count, &loaded.state_->handle));
-    in_space(loaded.info().dimension);
+    loaded.state_->dimension = loaded.info().dimension;
     return loaded;
   }
 
@@ -66,6 +67,7 @@ class Environment {
     const EnvironmentReading self(*state_);
     Environment result;
     result.state_->context = state_->context;
+    result.state_->dimension = state_->dimension;
     check(dsw_environment_coarsen(self.handle, options, &result.state_->handle, volume_map.data, volume_map.count,
                                   nullptr));
     return result;
@@ -83,6 +85,8 @@ class Environment {
   }
   const std::shared_ptr<EnvironmentState> &state() const { return state_; }
 
+  // 2 in the plane, where points have two coordinates, else 3.
+  std::uint32_t dimension() const { return state_->dimension; }
   // What creation found; zeros where it was loaded.
   dsw_build_report build_report() const { return report_; }
 
@@ -101,8 +105,8 @@ class Environment {
   // --- cells
   dsw_volume_id get_volume(std::uint32_t index) const { return one<dsw_volume_id>(dsw_environment_get_volume, index); }
   dsw_vertex_id get_vertex(std::uint32_t index) const { return one<dsw_vertex_id>(dsw_environment_get_vertex, index); }
-  dsw_vec3 get_position(dsw_vertex_id vertex) const { return point(dsw_environment_get_position, vertex); }
-  dsw_vec3 get_centre(dsw_volume_id volume) const { return point(dsw_environment_get_centre, volume); }
+  Point get_position(dsw_vertex_id vertex) const { return point(dsw_environment_get_position, vertex); }
+  Point get_centre(dsw_volume_id volume) const { return point(dsw_environment_get_centre, volume); }
   VolumeCounts get_volume_counts(dsw_volume_id volume) const {
     const EnvironmentReading self(*state_);
     VolumeCounts out = {};
@@ -159,19 +163,20 @@ class Environment {
     const double *points = nullptr;
     std::size_t count = 0;
     check(dsw_environment_get_points(self.handle, &points, &count));
-    return Array<double>(points, 3 * count);
+    return Array<double>(points, dimension() * count);
   }
 
   // --- queries
-  Location locate(const dsw_vec3 &point, dsw_volume_id hint = {}) const {
+  Location locate(const Point &point, dsw_volume_id hint = {}) const {
     const EnvironmentReading self(*state_);
     Location out = {};
-    check(dsw_environment_locate(self.handle, &point.x, hint, &out.volume, &out.place));
+    check(dsw_environment_locate(self.handle, in(point), hint, &out.volume, &out.place));
     return out;
   }
   void locate_points(Points points, View<const dsw_volume_id> hints, View<dsw_volume_id> volumes,
                      View<std::int32_t> places = {}) const {
     static_assert(sizeof(dsw_place) == sizeof(std::int32_t), "places are written as integers");
+    count_points(dimension(), points);
     optional_count("hints", hints, points.count);
     same_count("volumes", volumes.count, points.count);
     optional_count("places", places, points.count);
@@ -179,15 +184,16 @@ class Environment {
     check(dsw_environment_locate_points(self.handle, points.data, points.count, points.stride_bytes, hints.data,
                                         volumes.data, reinterpret_cast<dsw_place *>(places.data)));
   }
-  dsw_cell classify(const dsw_vec3 &point, dsw_volume_id volume) const {
-    return one<dsw_cell>(dsw_environment_classify, &point.x, volume);
+  dsw_cell classify(const Point &point, dsw_volume_id volume) const {
+    return one<dsw_cell>(dsw_environment_classify, in(point), volume);
   }
-  dsw_flight cast(const dsw_vec3 &from, const dsw_vec3 &to, dsw_volume_id start = {},
+  dsw_flight cast(const Point &from, const Point &to, dsw_volume_id start = {},
                   const dsw_cast_options *options = nullptr) const {
-    return one<dsw_flight>(dsw_environment_cast, start, &from.x, &to.x, options);
+    return one<dsw_flight>(dsw_environment_cast, start, in(from), in(to), options);
   }
   void cast_segments(Points from, Points to, View<const dsw_volume_id> starts, const dsw_cast_options *options,
                      View<dsw_flight> flights) const {
+    count_points(dimension(), from, to);
     same_count("to", to.count, from.count);
     optional_count("starts", starts, from.count);
     same_count("flights", flights.count, from.count);
@@ -196,18 +202,19 @@ class Environment {
     check(dsw_environment_cast_segments(self.handle, from.count, starts.data, from.data, to.data, stride, options,
                                         flights.data));
   }
-  Array<dsw_crossing> cast_path(const dsw_vec3 &from, const dsw_vec3 &to, dsw_volume_id start = {},
+  Array<dsw_crossing> cast_path(const Point &from, const Point &to, dsw_volume_id start = {},
                                 const dsw_cast_options *options = nullptr) const {
     const EnvironmentReading self(*state_);
     return filled<dsw_crossing>([&](dsw_crossing *out, std::size_t capacity, std::size_t *count) {
-      return dsw_environment_cast_path(self.handle, start, &from.x, &to.x, options, out, capacity, count, nullptr);
+      return dsw_environment_cast_path(self.handle, start, in(from), in(to), options, out, capacity, count, nullptr);
     });
   }
-  dsw_nearest find_nearest(const dsw_vec3 &point, double radius, dsw_volume_id volume = {}) const {
-    return one<dsw_nearest>(dsw_environment_find_nearest, &point.x, volume, radius);
+  dsw_nearest find_nearest(const Point &point, double radius, dsw_volume_id volume = {}) const {
+    return one<dsw_nearest>(dsw_environment_find_nearest, in(point), volume, radius);
   }
   void sweep_edges(Points from, Points to, Points fixed, View<const dsw_volume_id> starts,
                    const dsw_sweep_options *options, View<dsw_sweep> sweeps) const {
+    count_points(dimension(), from, to, fixed);
     same_count("to", to.count, from.count);
     same_count("fixed", fixed.count, from.count);
     optional_count("starts", starts, from.count);
@@ -269,6 +276,7 @@ class Environment {
     if (!desc) dsw_volumes_desc_init(&all, sizeof all);
     if (offsets.count && offsets.bytes != connectivity.bytes)
       throw Error(DSW_STATUS_WRONG_SIZE, "integers of the cells differ in size");
+    count_points(dimension(), points);
     leave_out_empty(cell_types);
     all.index_bytes = connectivity.bytes;
     all.vertices = vertices.data;
@@ -344,6 +352,7 @@ class Environment {
     dsw_cut_desc all;
     if (desc) all = *desc;
     if (!desc) dsw_cut_desc_init(&all, sizeof all);
+    count_points(dimension(), blade);
     same_count("blade", blade.count, std::size_t{rows} * columns);
     all.points = blade.data;
     all.point_stride_bytes = blade.stride_bytes;
@@ -374,6 +383,7 @@ class Environment {
     dsw_carve_desc all;
     if (desc) all = *desc;
     if (!desc) dsw_carve_desc_init(&all, sizeof all);
+    count_points(dimension(), points);
     same_count("corners of triangles", triangles.count, triangles.count / 3 * 3);
     all.points = points.data;
     all.point_count = points.count;
@@ -389,6 +399,7 @@ class Environment {
     dsw_tie_desc all;
     if (desc) all = *desc;
     if (!desc) dsw_tie_desc_init(&all, sizeof all);
+    count_points(dimension(), loop);
     all.points = loop.data;
     all.point_count = loop.count;
     all.point_stride_bytes = loop.stride_bytes;
@@ -404,9 +415,9 @@ class Environment {
     if (!desc) dsw_remesh_desc_init(&all, sizeof all);
     all.volumes = volumes.data;
     all.volume_count = volumes.count;
-    same_count("coordinates of next", next.count, next.count / 3 * 3);
+    same_count("coordinates of next", next.count, next.count / dimension() * dimension());
     all.next = next.data;
-    all.point_count = next.count / 3;
+    all.point_count = next.count / dimension();
     dsw_remesh_report report = {};
     change(dsw_environment_remesh, &all, &report);
     return report;
@@ -418,14 +429,12 @@ class Environment {
  private:
   Environment() : state_(std::make_shared<EnvironmentState>()) {}
 
-  // Points of hosts have three coordinates.
-  static void in_space(std::uint32_t dimension) {
-    if (dimension != 3) throw Error(DSW_STATUS_UNSUPPORTED, "environments in the plane are for C in this version");
-  }
-
   static std::size_t uniform_count(std::uint32_t type, const Indices &connectivity, const Indices &offsets) {
     if (offsets.count) return offsets.count - 1;
     switch (type) {
+      case DSW_CELL_TYPE_TRIANGLE:
+        return connectivity.count / 3;
+      case DSW_CELL_TYPE_QUAD:
       case DSW_CELL_TYPE_TETRA:
         return connectivity.count / 4;
       case DSW_CELL_TYPE_PYRAMID:
@@ -446,12 +455,13 @@ class Environment {
     return result;
   }
   template <class Call, class Id>
-  dsw_vec3 point(Call call, Id id) const {
-    double xyz[3];
+  Point point(Call call, Id id) const {
+    double coordinates[3];
     const EnvironmentReading self(*state_);
-    check(call(self.handle, id, xyz));
-    return {xyz[0], xyz[1], xyz[2]};
+    check(call(self.handle, id, coordinates));
+    return {coordinates, dimension()};
   }
+  const double *in(const Point &point) const { return in_dimension(dimension(), point); }
   template <class T, class Call>
   Array<T> list(Call call) const {
     const EnvironmentReading self(*state_);

@@ -101,6 +101,7 @@ struct EnvironmentState {
   std::shared_ptr<dsw_context> context;
   std::shared_ptr<void> lent;  // The array that the library reads points from, if that is the host's.
   dsw_environment *handle = nullptr;
+  std::uint32_t dimension = 3;  // It never changes: no lock is needed.
   std::size_t scenes = 0;
   bool closed = false;
   std::shared_mutex mutex;

@@ -45,7 +45,7 @@ struct EdgeSplit {
 };
 
 struct Particle {
-  dsw_vec3 position;
+  dsw_vec3 position;  // In the plane z is 0, as in all structs.
   dsw_volume_id volume;
 };
 

@@ -33,6 +33,8 @@ class Scene {
     return state_->handle == nullptr;
   }
   const std::shared_ptr<SceneState> &state() const { return state_; }
+  // Of its environment.
+  std::uint32_t dimension() const { return state_->environment->dimension; }
 
   dsw_statistics get_statistics() const {
     const SceneReading self(*state_);
@@ -79,13 +81,14 @@ class Scene {
   }
 
   // --- particles
-  dsw_particle_id create_particle(const dsw_vec3 &position, dsw_volume_id hint = {}) {
+  dsw_particle_id create_particle(const Point &position, dsw_volume_id hint = {}) {
     const SceneWriting self(*state_);
     dsw_particle_id out = {};
-    check(dsw_particle_create(self.handle, &position.x, hint, &out));
+    check(dsw_particle_create(self.handle, in_dimension(dimension(), position), hint, &out));
     return out;
   }
   void create_particles(Points positions, View<const dsw_volume_id> hints, View<dsw_particle_id> particles) {
+    count_points(dimension(), positions);
     optional_count("hints", hints, positions.count);
     same_count("particles", particles.count, positions.count);
     const SceneWriting self(*state_);
@@ -98,7 +101,7 @@ class Scene {
   }
   Particle get_particle(dsw_particle_id particle) const {
     const SceneReading self(*state_);
-    double xyz[3];
+    double xyz[3] = {};
     Particle out = {};
     check(dsw_particle_get(self.handle, particle, xyz, &out.volume));
     out.position = {xyz[0], xyz[1], xyz[2]};
@@ -106,21 +109,22 @@ class Scene {
   }
   void get_particles(View<const dsw_particle_id> particles, PointsOut positions,
                      View<dsw_volume_id> volumes = {}) const {
+    count_points(dimension(), positions);
     optional_count("positions", positions, particles.count);
     optional_count("volumes", volumes, particles.count);
     const SceneReading self(*state_);
-    check(dsw_scene_get_particles(self.handle, particles.data, particles.count, positions.data, 24, volumes.data));
+    check(dsw_scene_get_particles(self.handle, particles.data, particles.count, positions.data, 0, volumes.data));
   }
-  dsw_flight move_particle(dsw_particle_id particle, const dsw_vec3 &target,
-                           const dsw_cast_options *options = nullptr) {
+  dsw_flight move_particle(dsw_particle_id particle, const Point &target, const dsw_cast_options *options = nullptr) {
     const SceneWriting self(*state_);
     dsw_flight out;
-    check(dsw_particle_move(self.handle, particle, &target.x, options, &out));
+    check(dsw_particle_move(self.handle, particle, in_dimension(dimension(), target), options, &out));
     return out;
   }
   // `flights` may be left out, here and below.
   void move_particles(View<const dsw_particle_id> particles, Points targets, const dsw_cast_options *options,
                       View<dsw_flight> flights) {
+    count_points(dimension(), targets);
     same_count("targets", targets.count, particles.count);
     optional_count("flights", flights, particles.count);
     const SceneWriting self(*state_);
@@ -129,6 +133,7 @@ class Scene {
   }
   void cast_from_particles(View<const dsw_particle_id> particles, Points to, const dsw_cast_options *options,
                            View<dsw_flight> flights) {
+    count_points(dimension(), to);
     same_count("to", to.count, particles.count);
     same_count("flights", flights.count, particles.count);
     const SceneWriting self(*state_);
@@ -171,6 +176,7 @@ class Scene {
     dsw_deform_options all;
     if (options) all = *options;
     if (!options) dsw_deform_options_init(&all, sizeof all);
+    count_points(dimension(), next);
     if (all.point_room > next.count)
       throw Error(DSW_STATUS_WRONG_SIZE, "point_room is " + std::to_string(all.point_room) + ", there are " +
                                              std::to_string(next.count) + " points");
@@ -209,6 +215,7 @@ class Scene {
     if (desc) all = *desc;
     if (!desc) dsw_body_desc_init(&all, sizeof all);
     same_count("indices of edges", edges.count, edges.count / 2 * 2);
+    count_points(dimension(), positions);
     optional_count("hints", hints, positions.count);
     all.positions = positions.data;
     all.vertex_count = positions.count;
@@ -227,6 +234,7 @@ class Scene {
   }
   void move_bodies(View<const dsw_body_id> bodies, Points targets, const dsw_move_options *options,
                    View<dsw_move_report> reports) {
+    count_points(dimension(), targets);
     optional_count("reports", reports, bodies.count);
     const SceneWriting self(*state_);
     check(dsw_scene_move_bodies(self.handle, bodies.data, bodies.count, targets.data, targets.count,

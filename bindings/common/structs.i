@@ -75,6 +75,7 @@ DSW_CELLS_AS_ARGUMENTS(dsw_volumes_desc)
 DSW_EACH_ID(DSW_MEMBER)
 DSW_EACH_RECORD(DSW_MEMBER)
 DSW_EACH_RESULT(DSW_MEMBER)
+%ignore dartsweep::Point;
 
 // What classes of ours replace.
 %ignore dsw_context_desc;
@@ -100,6 +101,10 @@ DSW_EACH_RESULT(DSW_MEMBER)
 %ignore dartsweep::copied;
 %ignore dartsweep::filled;
 %ignore dartsweep::same_count;
+%ignore dartsweep::count_points;
+%ignore dartsweep::count_rows;
+%ignore dartsweep::in_dimension;
+%ignore dartsweep::refuse_point;
 %ignore dartsweep::common_stride;
 %ignore *::state;
 %ignore dartsweep::Array::data;

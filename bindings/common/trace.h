@@ -27,18 +27,19 @@ class Trace {
     const Writing hold(mutex_);
     check(dsw_trace_add_impassable(handle_.get(), source.handle, with_boundary, label));
   }
-  void add_walk(const Environment &environment, const dsw_vec3 &from, const dsw_vec3 &to, double normal_length,
+  void add_walk(const Environment &environment, const Point &from, const Point &to, double normal_length,
                 std::uint32_t label = 0, dsw_volume_id start = {}, const dsw_cast_options *options = nullptr) {
     const EnvironmentReading source(*environment.state());
     const Writing hold(mutex_);
-    check(dsw_trace_add_walk(handle_.get(), source.handle, start, &from.x, &to.x, options, normal_length, label));
+    check(dsw_trace_add_walk(handle_.get(), source.handle, start, in_dimension(environment.dimension(), from),
+                             in_dimension(environment.dimension(), to), options, normal_length, label));
   }
   void add_contact(const dsw_flight &flight, double normal_length, std::uint32_t label = 0) {
     const Writing hold(mutex_);
     check(dsw_trace_add_contact(handle_.get(), &flight, normal_length, label));
   }
 
-  // Copies; points have 3 doubles each, vertices, segments and triangles 1, 2 and 3 indices.
+  // Copies; points have 3 doubles each, also those of the plane, vertices, segments and triangles 1, 2 and 3 indices.
   Array<double> get_points() const { return copy<double>(&dsw_trace_data::points, &dsw_trace_data::point_count, 3); }
   Array<std::uint32_t> get_vertices() const {
     return copy<std::uint32_t>(&dsw_trace_data::vertices, &dsw_trace_data::vertex_count, 1);

@@ -22,11 +22,11 @@ inline bool has_count(const Pinned &array, std::size_t count) {
   return array.count == count || refuse(("an array of " + std::to_string(count) + " numbers is needed").c_str());
 }
 
+// Points as numbers.
 template <class T>
-bool set_points(const Pinned &array, T *&data, std::size_t &count) {
+void set_points(const Pinned &array, T *&data, std::size_t &count) {
   data = static_cast<T *>(array.data);
-  count = array.count / 3;
-  return array.count % 3 == 0 || refuse("a point has 3 coordinates");
+  count = array.count;
 }
 
 // An array for C#, which copies it and gives it back by dartsweep_take.

@@ -91,7 +91,7 @@
 %define DSW_POINTS(type)
 DSW_PINNED(type, double)
 %typemap(in) type {
-  if (!dartsweep_csharp::set_points($input, $1.data, $1.count)) return $null;
+  dartsweep_csharp::set_points($input, $1.data, $1.count);
 }
 %enddef
 DSW_POINTS(dartsweep::Points)
@@ -163,6 +163,19 @@ DSW_EACH_RECORD(DSW_ARRAYS_OF_STRUCTS)
 DSW_EACH_ID(DSW_VALUE)
 DSW_EACH_RECORD(DSW_VALUE)
 DSW_VALUE(dsw_vec3, Vec3)
+%typemap(ctype) dartsweep::Point, const dartsweep::Point & "dsw_vec3"
+%typemap(imtype) dartsweep::Point, const dartsweep::Point & "Vec3"
+%typemap(cstype) dartsweep::Point, const dartsweep::Point & "Vec3"
+%typemap(csin) const dartsweep::Point & "$csinput"
+%typemap(in) const dartsweep::Point & (dartsweep::Point point) {
+  point = dartsweep::Point(&$input.x, 3);
+  $1 = &point;
+}
+%typemap(out, null="dsw_vec3()") dartsweep::Point "$result = dsw_vec3{(&$1)->at[0], (&$1)->at[1], (&$1)->at[2]};"
+%typemap(csout, excode=SWIGEXCODE) dartsweep::Point {
+    Vec3 value = $imcall;$excode
+    return value;
+  }
 DSW_VALUE(dsw_cell, Cell)
 
 // --- members that are structs of other kinds, or arrays: copies
@@ -228,7 +241,7 @@ DSW_NUMBERS_MEMBER(uint32_t, uint)
 %typemap(csin) dartsweep::Lent "Pinned.Lend($csinput)"
 %typemap(in) dartsweep::Lent {
   $1.owner = dartsweep_csharp::owner_of($input);
-  if (!dartsweep_csharp::set_points($input, $1.data, $1.count)) return $null;
+  dartsweep_csharp::set_points($input, $1.data, $1.count);
 }
 
 // --- the log: a delegate

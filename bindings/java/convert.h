@@ -95,6 +95,12 @@ inline bool set_doubles(JNIEnv *env, jdoubleArray array, double *out, jsize coun
   return false;
 }
 
+// 2 coordinates in the plane, 3 in space: which of them it has to be, the layer knows.
+inline bool set_point(JNIEnv *env, jdoubleArray array, dartsweep::Point &out) {
+  if (array && env->GetArrayLength(array) == 2) out.size = 2;
+  return set_doubles(env, array, out.at, static_cast<jsize>(out.size));
+}
+
 // Ids are ints in the order of their members; null is the null id.
 template <class Id>
 void read_id(JNIEnv *env, jintArray numbers, Id *out) {
@@ -102,32 +108,25 @@ void read_id(JNIEnv *env, jintArray numbers, Id *out) {
   if (numbers) env->GetIntArrayRegion(numbers, 0, sizeof(Id) / 4, reinterpret_cast<jint *>(out));
 }
 
-// --- points: NativeMemory.of has made a direct buffer of them, or a double[]
-inline bool whole_points(JNIEnv *env, std::size_t numbers, std::size_t &points) {
-  points = numbers / 3;
-  if (numbers % 3 == 0) return true;
-  throw_java(env, "java/lang/IllegalArgumentException", "a point has 3 coordinates");
-  return false;
-}
-
+// --- points, as numbers: NativeMemory.of has made a direct buffer of them, or a double[]
 class Doubles {
  public:
   explicit Doubles(jint mode = JNI_ABORT) : mode_(mode) {}
-  bool set(JNIEnv *env, jobject memory, const double *&data, std::size_t &count) {
+  void set(JNIEnv *env, jobject memory, const double *&data, std::size_t &count) {
     double *found = nullptr;
-    const bool good = find(env, memory, found, count);
+    find(env, memory, found, count);
     data = found;
-    return good;
   }
 
  protected:
-  bool find(JNIEnv *env, jobject memory, double *&data, std::size_t &count) {
-    if (!memory) return true;
+  void find(JNIEnv *env, jobject memory, double *&data, std::size_t &count) {
+    if (!memory) return;
     data = static_cast<double *>(env->GetDirectBufferAddress(memory));
     const jlong capacity = env->GetDirectBufferCapacity(memory);
-    if (capacity >= 0) return whole_points(env, static_cast<std::size_t>(capacity), count);
+    count = static_cast<std::size_t>(capacity);
+    if (capacity >= 0) return;
     data = array_.set<double>(env, static_cast<jdoubleArray>(memory), mode_);
-    return whole_points(env, array_.count, count);
+    count = array_.count;
   }
 
  private:
@@ -138,7 +137,7 @@ class Doubles {
 class DoublesOut : public Doubles {
  public:
   DoublesOut() : Doubles(0) {}
-  bool set(JNIEnv *env, jobject memory, double *&data, std::size_t &count) { return find(env, memory, data, count); }
+  void set(JNIEnv *env, jobject memory, double *&data, std::size_t &count) { find(env, memory, data, count); }
 };
 
 // --- what outlives a call: a reference to an object, let go on whatever thread
@@ -174,7 +173,8 @@ inline bool set_lent(JNIEnv *env, jobject memory, dartsweep::Lent &out) {
   if (capacity >= 0) {
     out.data = static_cast<double *>(env->GetDirectBufferAddress(memory));
     out.owner = std::make_shared<Reference>(env, memory);
-    return whole_points(env, static_cast<std::size_t>(capacity), out.count);
+    out.count = static_cast<std::size_t>(capacity);
+    return true;
   }
   const auto array = static_cast<jdoubleArray>(memory);
   const jsize count = env->GetArrayLength(array);
@@ -182,7 +182,8 @@ inline bool set_lent(JNIEnv *env, jobject memory, dartsweep::Lent &out) {
   env->GetDoubleArrayRegion(array, 0, count, copy.get());
   out.data = copy.get();
   out.owner = copy;
-  return whole_points(env, static_cast<std::size_t>(count), out.count);
+  out.count = static_cast<std::size_t>(count);
+  return true;
 }
 
 class JavaLog : public dartsweep::LogSink {

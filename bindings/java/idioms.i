@@ -1,4 +1,5 @@
-// What Java's users expect beyond the shared methods: double[] where buffers would do, results made rather than filled.
+// What Java's users expect beyond the shared methods: double[] where buffers would do, results made rather than filled. Points are x, y, z
+// of each, in the plane x, y.
 
 %typemap(javaimports) dartsweep::Environment, dartsweep::Scene, dartsweep::Body "import java.nio.DoubleBuffer;"
 
@@ -6,7 +7,7 @@
 %rename(createBodyId) dartsweep::Scene::create_body;
 
 %typemap(javacode) dartsweep::Environment %{
-  /** Of cells of one type: points as x, y, z, and the indices of each cell's points as in VTK; a region for each cell, or null. */
+  /** Of cells of one type: points as x, y, z, in the plane (triangles, quads) as x, y, and the indices of each cell's points as in VTK; a region for each cell, or null. */
   public Environment(double[] points, int[] cells, CellType type, int[] regions) {
     this(points, cells, type, regions, null);
   }
@@ -19,26 +20,28 @@
   private static EnvironmentDesc describe(CellType type) {
     EnvironmentDesc desc = new EnvironmentDesc();
     desc.setUniformCellType(type.swigValue());
+    boolean planar = type == CellType.TRIANGLE || type == CellType.QUAD || type == CellType.POLYGON;
+    desc.setDimension(planar ? 2 : 3);
     return desc;
   }
 
   /** Flights of segments, from points to points (x, y, z). */
   public FlightArray castSegments(double[] from, double[] to) {
-    FlightArray flights = new FlightArray(from.length / 3);
+    FlightArray flights = new FlightArray(from.length / dimension());
     castSegments(DoubleBuffer.wrap(from), DoubleBuffer.wrap(to), null, null, flights);
     return flights;
   }
 
   /** Sweeps of edges: one end of each moves from a point to another, the other end is fixed. */
   public SweepArray sweepEdges(double[] from, double[] to, double[] fixed) {
-    SweepArray sweeps = new SweepArray(from.length / 3);
+    SweepArray sweeps = new SweepArray(from.length / dimension());
     sweepEdges(DoubleBuffer.wrap(from), DoubleBuffer.wrap(to), DoubleBuffer.wrap(fixed), null, null, sweeps);
     return sweeps;
   }
 
   /** Volumes that contain points (x, y, z); null ids outside. */
   public VolumeIdArray locatePoints(double[] points) {
-    VolumeIdArray volumes = new VolumeIdArray(points.length / 3);
+    VolumeIdArray volumes = new VolumeIdArray(points.length / dimension());
     locatePoints(DoubleBuffer.wrap(points), null, volumes);
     return volumes;
   }
@@ -63,7 +66,7 @@
 
   /** New particles at points (x, y, z), all or none. */
   public ParticleIdArray createParticles(double[] positions) {
-    ParticleIdArray particles = new ParticleIdArray(positions.length / 3);
+    ParticleIdArray particles = new ParticleIdArray(positions.length / dimension());
     createParticles(DoubleBuffer.wrap(positions), null, particles);
     return particles;
   }
@@ -104,7 +107,7 @@
 %typemap(javacode) dartsweep::Body %{
   /** Positions of the vertices by index (x, y, z). */
   public double[] getPositions() {
-    double[] positions = new double[3 * getCounts().getVertexSlots()];
+    double[] positions = new double[dimension() * getCounts().getVertexSlots()];
     getPositions(DoubleBuffer.wrap(positions));
     return positions;
   }

@@ -80,13 +80,14 @@ DSW_EACH_RECORD(DSW_COPIED)
 DSW_EACH_RESULT(DSW_COPIED)
 %ignore dsw_vec3;
 
-// --- points: DoubleBuffers, used in place where they are direct and of native byte order; one point is a double[3]
+// --- points: DoubleBuffers, used in place where they are direct and of native byte order; one point is a double[3], in
+// the plane a double[2]
 %define DSW_POINTS(type, class)
 %typemap(jni) type "jobject"
 %typemap(jtype) type "Object"
 %typemap(jstype) type "java.nio.DoubleBuffer"
 %typemap(in) type (dartsweep_java::class holder) {
-  if (!holder.set(jenv, $input, $1.data, $1.count)) return $null;
+  holder.set(jenv, $input, $1.data, $1.count);
 }
 %enddef
 DSW_POINTS(dartsweep::Points, Doubles)
@@ -113,7 +114,8 @@ DSW_POINTS(dartsweep::PointsOut, DoublesOut)
   }
 %enddef
 DSW_POINT(const dsw_vec3 &)
-DSW_POINT(dsw_vec3)
+DSW_POINT(const dartsweep::Point &)
+DSW_POINT(dartsweep::Point)
 DSW_POINT(double [ANY])
 DSW_POINT(double [ANY][ANY])
 %typemap(in) const dsw_vec3 & (dsw_vec3 point) {
@@ -123,8 +125,12 @@ DSW_POINT(double [ANY][ANY])
 %typemap(out) const dsw_vec3 & {
   $result = dartsweep_java::to_java(jenv, &$1->x, 3);
 }
-%typemap(out) dsw_vec3 {
-  $result = dartsweep_java::to_java(jenv, &$1.x, 3);
+%typemap(in) const dartsweep::Point & (dartsweep::Point point) {
+  if (!dartsweep_java::set_point(jenv, $input, point)) return $null;
+  $1 = &point;
+}
+%typemap(out) dartsweep::Point {
+  $result = dartsweep_java::to_java(jenv, (&$1)->at, (&$1)->size);
 }
 %typemap(in) double [ANY] (double numbers[$1_dim0]) {
   if (!dartsweep_java::set_doubles(jenv, $input, numbers, $1_dim0)) return $null;

@@ -154,12 +154,23 @@ bool to_view_out(lua_State *L, int index, const char *argument, T *&data, std::s
   return to_array(L, index, argument, data, count);
 }
 
+// How long the first row of a table of rows is, or 0.
+inline std::size_t row_length(lua_State *L, int index) {
+  if (!lua_istable(L, index)) return 0;
+  lua_rawgeti(L, index, 1);
+  const std::size_t length = lua_istable(L, -1) ? lua_rawlen(L, -1) : 0;
+  lua_pop(L, 1);
+  return length;
+}
+
 inline bool to_points(lua_State *L, int index, const char *argument, dartsweep::Points &out) {
   double *data = nullptr;
-  if (!to_array(L, index, argument, data, out.count, 3)) return false;
-  if (out.count % 3 != 0) return refuse(L, argument, "3 numbers for each point", "others");
+  out.columns = row_length(L, index);
+  if (out.columns != 0 && out.columns != 2 && out.columns != 3)
+    return refuse(L, argument, "3 numbers for each point, or 2 in the plane", "others");
+  if (!to_array(L, index, argument, data, out.count)) return false;
   out.data = data;
-  out.count /= 3;
+  if (out.columns != 0) out.count /= out.columns;
   return true;
 }
 
@@ -188,6 +199,7 @@ inline bool to_lent(lua_State *L, int index, const char *argument, dartsweep::Le
   const int reference = luaL_ref(L, LUA_REGISTRYINDEX);
   out.data = const_cast<double *>(points.data);
   out.count = points.count;
+  out.columns = points.columns;
   out.owner = std::shared_ptr<void>(
       holder, [reference](void *held) { luaL_unref(static_cast<lua_State *>(held), LUA_REGISTRYINDEX, reference); });
   return true;
@@ -257,23 +269,29 @@ inline int array_bytes(lua_State *L) {
   return 1;
 }
 
-// The i-th three numbers.
-inline double *check_point(lua_State *L) {
+// The numbers of the i-th point.
+inline double *check_point(lua_State *L, int dimension) {
   PackedArray *array = check_array(L);
   std::size_t i = 0;
+  const auto width = static_cast<std::size_t>(dimension);
   if (array->kind != &kKind<double>) luaL_argerror(L, 1, "DoubleArray expected");
-  if (!read_number(L, 2, &i) || i < 1 || i > array->count / 3) luaL_argerror(L, 2, "there is no such point");
-  return array->data<double>() + 3 * (i - 1);
+  if (!read_number(L, 2, &i) || i < 1 || i > array->count / width) luaL_argerror(L, 2, "there is no such point");
+  return array->data<double>() + width * (i - 1);
 }
 
+// array:point(i), or array:point(i, 2) in the plane.
 inline int array_point(lua_State *L) {
-  const double *point = check_point(L);
-  return push_all(L, point[0], point[1], point[2]);
+  const int dimension = lua_tointeger(L, 3) == 2 ? 2 : 3;
+  const double *point = check_point(L, dimension);
+  for (int i = 0; i < dimension; ++i) push(L, point[i]);
+  return dimension;
 }
 
+// array:set_point(i, x, y, z), or without z in the plane.
 inline int array_set_point(lua_State *L) {
-  double *point = check_point(L);
-  for (int i = 0; i < 3; ++i) point[i] = luaL_checknumber(L, 3 + i);
+  const int dimension = lua_gettop(L) == 4 ? 2 : 3;
+  double *point = check_point(L, dimension);
+  for (int i = 0; i < dimension; ++i) point[i] = luaL_checknumber(L, 3 + i);
   return 0;
 }
 
@@ -294,11 +312,18 @@ inline int array_new(lua_State *L) {
   return 1;
 }
 
-// An array of points, where the argument is not one already.
+// An array of points, where the argument is not one already; in a dimension, if that is given.
 inline int new_points(lua_State *L) {
   dartsweep::Points points;
-  lua_settop(L, 1);
+  lua_settop(L, 2);
+  const auto dimension = static_cast<std::size_t>(lua_tointeger(L, 2));
   if (lua_isnil(L, 1) ? !refuse(L, "points", "points", "nil") : !to_points(L, 1, "points", points)) return lua_error(L);
+  const bool fits = points.columns == 0 ? points.count % (dimension == 2 ? 2 : 3) == 0 : points.columns == dimension;
+  if (dimension != 0 && !fits) {
+    refuse(L, "points", dimension == 2 ? "2 numbers for each point" : "3 numbers for each point", "others");
+    return lua_error(L);
+  }
+  lua_settop(L, 1);
   return 1;
 }
 

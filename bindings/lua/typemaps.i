@@ -86,14 +86,14 @@ DSW_FROM_TABLE(type, new_##type())
 DSW_EACH_DESCRIPTION(DSW_DESCRIPTION)
 DSW_FROM_TABLE(dsw_rigid_motion, new dsw_rigid_motion())
 
-// --- points: {x, y, z}
+// --- points: {x, y, z}, in the plane {x, y}
 %ignore dsw_vec3;
-%typemap(in) const dsw_vec3 & (dsw_vec3 point) {
+%typemap(in) const dartsweep::Point & (dartsweep::Point point) {
   if (!dartsweep_lua::to_point(L, $input, "$1_name", &point)) SWIG_fail;
   $1 = &point;
 }
-%typemap(out) dsw_vec3 {
-  dartsweep_lua::push(L, $1);
+%typemap(out) dartsweep::Point {
+  dartsweep_lua::push(L, *&$1);
   ++SWIG_arg;
 }
 %typemap(in) double [ANY] (dartsweep_lua::FewNumbers held) {
@@ -127,7 +127,6 @@ DSW_FROM_TABLE(dsw_rigid_motion, new dsw_rigid_motion())
 }
 %typemap(in) dartsweep::PointsOut {
   if (!dartsweep_lua::to_view_out(L, $input, "$1_name", $1.data, $1.count)) SWIG_fail;
-  $1.count /= 3;
 }
 %typemap(in) dartsweep::Indices {
   if (!dartsweep_lua::to_indices(L, $input, "$1_name", $1)) SWIG_fail;

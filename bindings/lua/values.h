@@ -105,8 +105,11 @@ bool read_numbers(lua_State *L, int index, T *out, std::size_t count) {
   return good;
 }
 
-inline bool to_point(lua_State *L, int index, const char *argument, dsw_vec3 *out) {
-  return read_numbers(L, index, &out->x, 3) || refuse(L, argument, "a point, {x, y, z},", luaL_typename(L, index));
+// 2 coordinates in the plane, 3 in space: which of them it has to be, the layer knows.
+inline bool to_point(lua_State *L, int index, const char *argument, dartsweep::Point *out) {
+  if (lua_type(L, index) == LUA_TTABLE && lua_rawlen(L, index) == 2) out->size = 2;
+  return read_numbers(L, index, out->at, out->size) ||
+         refuse(L, argument, "a point, {x, y, z} or {x, y},", luaL_typename(L, index));
 }
 
 // --- results
@@ -137,6 +140,7 @@ void push_list(lua_State *L, const T *values, std::size_t count) {
 
 inline void push(lua_State *L, const std::string &text) { lua_pushlstring(L, text.data(), text.size()); }
 inline void push(lua_State *L, const dsw_vec3 &point) { push_list(L, &point.x, 3); }
+inline void push(lua_State *L, const dartsweep::Point &point) { push_list(L, point.at, point.size); }
 
 // Several results of one call; answers how many.
 template <class... T>

@@ -128,11 +128,6 @@ class Numbers {
   std::vector<T> copy_;
 };
 
-inline std::size_t whole_points(napi_env env, std::size_t numbers) {
-  if (numbers % 3 != 0) refuse(env, "a point has 3 coordinates");
-  return numbers / 3;
-}
-
 // Throws where a typed array no longer has the elements that it had when it was read: its memory went to another thread, or was made smaller.
 inline void still_there(const Napi::Value &value, const void *data, std::size_t count) {
   if (count == 0 || !value.IsTypedArray()) return;
@@ -170,12 +165,20 @@ class IndexNumbers {
   Numbers<std::int32_t> copy_;
 };
 
-// One point: an array of 3 numbers.
-inline dsw_vec3 to_point(const Napi::Value &value) {
+// One point: an array of 3 numbers, or 2 in the plane.
+inline dartsweep::Point to_point(const Napi::Value &value) {
   Numbers<double> numbers;
-  const double *xyz = numbers.set(value);
-  if (numbers.count != 3) refuse(value.Env(), "a point is an array of 3 numbers");
-  return {xyz[0], xyz[1], xyz[2]};
+  const double *coordinates = numbers.set(value);
+  if (numbers.count != 3 && numbers.count != 2)
+    refuse(value.Env(), "a point is an array of 3 numbers, or 2 in the plane");
+  return {coordinates, static_cast<std::uint32_t>(numbers.count)};
+}
+
+// Always of 3, as all points of results: so TypeScript knows what comes.
+inline Napi::Value from_point(Napi::Env env, const dartsweep::Point &point) {
+  auto array = Napi::Array::New(env, 3);
+  for (std::uint32_t i = 0; i < 3; ++i) array.Set(i, point.at[i]);
+  return array;
 }
 
 // A typed array of its own with these numbers.

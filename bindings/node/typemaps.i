@@ -53,9 +53,9 @@ DSW_NUMBER(std::size_t)
 %define DSW_POINTS(type, set)
 %typemap(in) type (dartsweep_node::Numbers<double> numbers) {
   $1.data = numbers.set($input);
-  $1.count = dartsweep_node::whole_points(env, numbers.count);
+  $1.count = numbers.count;
 }
-%typemap(check) type "dartsweep_node::still_there($input, $1.data, 3 * $1.count);"
+%typemap(check) type "dartsweep_node::still_there($input, $1.data, $1.count);"
 %enddef
 DSW_POINTS(dartsweep::Points, set)
 DSW_POINTS(dartsweep::PointsOut, set_typed)
@@ -87,7 +87,7 @@ DSW_EACH_NUMBER(DSW_NUMBERS_OF)
 // A copy: what is lent would be gone when somebody transfers the array to another thread.
 %typemap(in) dartsweep::Lent (dartsweep_node::Numbers<double> numbers) {
   const double *data = numbers.set($input);
-  $1.count = dartsweep_node::whole_points(env, numbers.count);
+  $1.count = numbers.count;
   const std::shared_ptr<double[]> copy(new double[numbers.count]);
   std::copy(data, data + numbers.count, copy.get());
   $1.data = copy.get();
@@ -139,10 +139,13 @@ DSW_STRUCT(dartsweep::Particle)
 DSW_STRUCT(dartsweep::Detached)
 DSW_STRUCT(dartsweep::BodyFilter)
 
-// One point: an array of 3 numbers.
-%typemap(in) const dsw_vec3 & (dsw_vec3 point) {
+// One point: an array of 3 numbers, or 2 in the plane.
+%typemap(in) const dartsweep::Point & (dartsweep::Point point) {
   point = dartsweep_node::to_point($input);
   $1 = &point;
+}
+%typemap(out) dartsweep::Point {
+  $result = dartsweep_node::from_point(env, *&$1);
 }
 
 // Options: what is left out has its default.

@@ -85,22 +85,29 @@ inline PyObject *to_tuple(PyObject *object, const char *what) {
   return items;
 }
 
-// One point, from an array or any sequence of three numbers.
-inline bool set_point(PyObject *object, double *xyz) {
+// 2 in the plane, 3 in space: which of them it has to be, the layer knows.
+inline bool is_dimension(npy_intp count) { return count == 2 || count == 3; }
+
+// One point, from an array or any sequence of numbers.
+inline bool set_point(PyObject *object, dartsweep::Point &out) {
   if (PyArray_Check(object)) {
     auto *array = reinterpret_cast<PyArrayObject *>(object);
-    if (PyArray_NDIM(array) == 1 && PyArray_DIM(array, 0) == 3 && has_type<double>(array) && PyArray_ISALIGNED(array)) {
-      for (int i = 0; i < 3; ++i) xyz[i] = *static_cast<double *>(PyArray_GETPTR1(array, i));
+    if (PyArray_NDIM(array) == 1 && is_dimension(PyArray_DIM(array, 0)) && has_type<double>(array) &&
+        PyArray_ISALIGNED(array)) {
+      out.size = static_cast<std::uint32_t>(PyArray_DIM(array, 0));
+      for (std::uint32_t i = 0; i < out.size; ++i) out.at[i] = *static_cast<double *>(PyArray_GETPTR1(array, i));
       return true;
     }
   }
-  PyObject *items = to_tuple(object, "a point is a sequence of 3 numbers");
+  PyObject *items = to_tuple(object, "a point is a sequence of 3 numbers, or 2 in the plane");
   if (!items) return false;
-  bool good = PyTuple_Size(items) == 3;
-  if (!good) PyErr_SetString(PyExc_ValueError, "a point has 3 coordinates");
-  for (Py_ssize_t i = 0; good && i < 3; ++i) {
-    xyz[i] = PyFloat_AsDouble(PyTuple_GetItem(items, i));
-    good = xyz[i] != -1.0 || !PyErr_Occurred();
+  const Py_ssize_t count = PyTuple_Size(items);
+  bool good = is_dimension(count);
+  if (!good) PyErr_SetString(PyExc_ValueError, "a point has 3 coordinates, or 2 in the plane");
+  if (good) out.size = static_cast<std::uint32_t>(count);
+  for (Py_ssize_t i = 0; good && i < count; ++i) {
+    out.at[i] = PyFloat_AsDouble(PyTuple_GetItem(items, i));
+    good = out.at[i] != -1.0 || !PyErr_Occurred();
   }
   Py_DECREF(items);
   return good;
@@ -112,7 +119,8 @@ struct PointsArgument : Argument {
     if (PyArray_Check(object)) {
       auto *given = reinterpret_cast<PyArrayObject *>(object);
       if (has_type<double>(given) && PyArray_ISALIGNED(given) && PyArray_NDIM(given) == 2 &&
-          PyArray_DIM(given, 1) == 3 && PyArray_STRIDE(given, 1) == 8 && PyArray_STRIDE(given, 0) >= 24) {
+          is_dimension(PyArray_DIM(given, 1)) && PyArray_STRIDE(given, 1) == 8 &&
+          PyArray_STRIDE(given, 0) >= 8 * PyArray_DIM(given, 1)) {
         Py_INCREF(object);
         hold(object);
         return point_to(given, out);
@@ -120,8 +128,8 @@ struct PointsArgument : Argument {
     }
     if (!hold(PyArray_FROMANY(object, NPY_DOUBLE, 0, 0, NPY_ARRAY_CARRAY_RO))) return false;
     auto *made = reinterpret_cast<PyArrayObject *>(array);
-    if (PyArray_NDIM(made) == 2 && PyArray_DIM(made, 1) == 3) return point_to(made, out);
-    PyErr_SetString(PyExc_ValueError, "points are an array of shape (n, 3)");
+    if (PyArray_NDIM(made) == 2 && is_dimension(PyArray_DIM(made, 1))) return point_to(made, out);
+    PyErr_SetString(PyExc_ValueError, "points are an array of shape (n, 3), or (n, 2) in the plane");
     return false;
   }
 
@@ -129,7 +137,8 @@ struct PointsArgument : Argument {
   static bool point_to(PyArrayObject *from, dartsweep::Points &out) {
     out.data = static_cast<const double *>(PyArray_DATA(from));
     out.count = static_cast<std::size_t>(PyArray_DIM(from, 0));
-    out.stride_bytes = out.count > 1 ? static_cast<std::size_t>(PyArray_STRIDE(from, 0)) : 24;
+    out.columns = static_cast<std::size_t>(PyArray_DIM(from, 1));
+    out.stride_bytes = out.count > 1 ? static_cast<std::size_t>(PyArray_STRIDE(from, 0)) : 8 * out.columns;
     return true;
   }
 };
@@ -141,16 +150,19 @@ inline bool is_writable(PyObject *object, const char *what) {
   return false;
 }
 
-inline bool set_points_out(PyObject *object, double *&data, std::size_t &count) {
+template <class Out>
+bool set_points_out(PyObject *object, Out &out) {
   if (object == Py_None) return true;
   if (!is_writable(object, "points")) return false;
   auto *array = reinterpret_cast<PyArrayObject *>(object);
-  if (!has_type<double>(array) || PyArray_NDIM(array) != 2 || PyArray_DIM(array, 1) != 3) {
-    PyErr_SetString(PyExc_TypeError, "points that are written must be float64, of shape (n, 3)");
+  if (!has_type<double>(array) || PyArray_NDIM(array) != 2 || !is_dimension(PyArray_DIM(array, 1))) {
+    PyErr_SetString(PyExc_TypeError,
+                    "points that are written must be float64, of shape (n, 3), or (n, 2) in the plane");
     return false;
   }
-  data = static_cast<double *>(PyArray_DATA(array));
-  count = static_cast<std::size_t>(PyArray_DIM(array, 0));
+  out.data = static_cast<double *>(PyArray_DATA(array));
+  out.count = static_cast<std::size_t>(PyArray_DIM(array, 0));
+  out.columns = static_cast<std::size_t>(PyArray_DIM(array, 1));
   return true;
 }
 
@@ -160,7 +172,7 @@ inline bool set_lent(PyObject *object, dartsweep::Lent &out) {
     PyErr_SetString(PyExc_TypeError, "positions must be an array");
     return false;
   }
-  if (!set_points_out(object, out.data, out.count)) return false;
+  if (!set_points_out(object, out)) return false;
   Py_INCREF(object);
   out.owner = std::shared_ptr<void>(object, [](void *held) {
     const Held lock;

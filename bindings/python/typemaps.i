@@ -99,12 +99,13 @@ DSW_LONG(Trace::add_volumes)
 DSW_LONG(Trace::add_impassable)
 
 // --- points
-%typemap(in) const dsw_vec3 & (dsw_vec3 point) {
-  if (!dartsweep_python::set_point($input, &point.x)) SWIG_fail;
+%immutable dartsweep::Particle::position;
+%typemap(in) const dartsweep::Point & (dartsweep::Point point) {
+  if (!dartsweep_python::set_point($input, point)) SWIG_fail;
   $1 = &point;
 }
-%typemap(out) dsw_vec3 {
-  $result = dartsweep_python::copy_to_python(&$1.x, 3);
+%typemap(out) dartsweep::Point {
+  $result = dartsweep_python::copy_to_python((&$1)->at, (&$1)->size);
 }
 %typemap(out) double [ANY] {
   $result = dartsweep_python::copy_to_python($1, $1_dim0);
@@ -128,7 +129,7 @@ DSW_LONG(Trace::add_impassable)
   if (!holder.set($input, $1)) SWIG_fail;
 }
 %typemap(in) dartsweep::PointsOut {
-  if (!dartsweep_python::set_points_out($input, $1.data, $1.count)) SWIG_fail;
+  if (!dartsweep_python::set_points_out($input, $1)) SWIG_fail;
 }
 %typemap(in) dartsweep::Lent {
   if (!dartsweep_python::set_lent($input, $1)) SWIG_fail;
@@ -223,7 +224,6 @@ DSW_EACH_RESULT(DSW_COPIED)
 %typemap(out) const dsw_vec3 & {
   $result = dartsweep_python::copy_to_python(&$1->x, 3);
 }
-
 // --- values that compare, hash and describe themselves
 %pythonbegin %{
 def _describe(self):

@@ -15,9 +15,9 @@ namespace {
 
 const std::vector<double> kPoints = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1};
 const std::vector<std::int64_t> kCube = {0, 1, 2, 3, 4, 5, 6, 7};
-const dsw_vec3 kMiddle = {0.5, 0.5, 0.5}, kNear = {0.25, 0.5, 0.5}, kBeyond = {0.5, 0.5, 2.5};
+const Point kMiddle = {0.5, 0.5, 0.5}, kNear = {0.25, 0.5, 0.5}, kBeyond = {0.5, 0.5, 2.5};
 
-Environment cube() { return Environment({kPoints.data(), 8}, {kCube.data(), 8, 8}); }
+Environment cube() { return Environment({kPoints.data(), 24}, {kCube.data(), 8, 8}); }
 
 template <class Call>
 dsw_status status_of(Call call) {
@@ -33,7 +33,7 @@ dsw_status status_of(Call call) {
 TEST(Layer, ClosesOnceInAnyOrder) {
   std::optional<Environment> environment(cube());
   std::optional<Scene> scene(std::in_place, *environment);
-  Body body(*scene, scene->create_body({&kMiddle.x, 1}));
+  Body body(*scene, scene->create_body({kMiddle.at, 3}));
   environment->close();
   environment->close();
   EXPECT_THROW(environment->cast(kMiddle, kBeyond), Closed);
@@ -51,35 +51,53 @@ TEST(Layer, StatusesAreThrown) {
   EXPECT_EQ(status_of([&] { environment.get_volume(1); }), DSW_STATUS_OUT_OF_RANGE);
   EXPECT_EQ(status_of([&] { scene.destroy_particle({9, 1}); }), DSW_STATUS_STALE_ID);
   EXPECT_EQ(status_of([&] { scene.deform({}); }), DSW_STATUS_NOT_NAMED);
-  EXPECT_EQ(status_of([&] { environment.locate_points({kPoints.data(), 8}, {}, {}); }), DSW_STATUS_WRONG_SIZE);
+  EXPECT_EQ(status_of([&] { environment.locate_points({kPoints.data(), 24}, {}, {}); }), DSW_STATUS_WRONG_SIZE);
   EXPECT_EQ(status_of([&] { Environment::load({}); }), DSW_STATUS_NULL_ARGUMENT);
 }
 
-TEST(Layer, EnvironmentsInThePlaneAreRefused) {
-  const std::vector<double> corners = {0, 0, 1, 0, 0, 1, 1, 1, 2};
-  const std::vector<std::int64_t> triangle = {0, 1, 2}, ends = {0, 3};
-  const std::uint8_t type = DSW_CELL_TYPE_TRIANGLE;
+/// Two triangles that make a square.
+Environment square() {
+  static const double corners[] = {0, 0, 1, 0, 1, 1, 0, 1};
+  static const std::int64_t triangles[] = {0, 1, 2, 0, 2, 3};
   dsw_environment_desc desc;
   dsw_environment_desc_init(&desc, sizeof desc);
   desc.dimension = 2;
-  const auto create = [&] {
-    Environment({kPoints.data(), 3}, {triangle.data(), 3, 8}, {ends.data(), 2, 8}, {&type, 1}, {}, {}, {}, {}, &desc);
-  };
-  EXPECT_EQ(status_of(create), DSW_STATUS_UNSUPPORTED);
+  desc.uniform_cell_type = DSW_CELL_TYPE_TRIANGLE;
+  return Environment({corners, 8}, {triangles, 6, 8}, {}, {}, {}, {}, {}, {}, &desc);
+}
 
-  desc.uniform_cell_type = type;
-  desc.points = corners.data();
-  desc.point_count = 3;
-  desc.connectivity = triangle.data();
-  desc.connectivity_count = 3;
-  desc.cell_count = 1;
-  dsw_environment *made = nullptr;
-  check(dsw_environment_create(nullptr, &desc, &made, nullptr));
-  Array<std::uint8_t> block = filled<std::uint8_t>([made](void *out, std::size_t capacity, std::size_t *size) {
-    return dsw_environment_save(made, out, capacity, size);
-  });
-  dsw_environment_destroy(made);
-  EXPECT_EQ(status_of([&] { Environment::load({block.data(), block.size()}); }), DSW_STATUS_UNSUPPORTED);
+TEST(Layer, PointsOfThePlaneHaveTwoCoordinates) {
+  Environment environment = square();
+  Array<std::uint8_t> block = environment.save();
+  Environment loaded = Environment::load({block.data(), block.size()});
+  EXPECT_EQ(loaded.dimension(), 2u);
+  EXPECT_EQ(loaded.get_points().size(), 8u);
+  EXPECT_EQ(loaded.info().volume_count, 2u);
+  const Point corner = loaded.get_position(loaded.get_vertex(2));
+  EXPECT_TRUE(corner.size == 2 && corner.at[0] == 1 && corner.at[1] == 1 && corner.at[2] == 0);
+  const Point start(0.5, 0.25);
+  EXPECT_EQ(loaded.cast(start, {0.5, 2.25}).time, 0.375);
+  EXPECT_EQ(loaded.cast({0.5, 0.25, 0}, {0.5, 2.25, 0}).time, 0.375);
+  EXPECT_EQ(status_of([&] { loaded.cast({0.5, 0.25, 1}, start); }), DSW_STATUS_WRONG_SIZE);
+  EXPECT_EQ(status_of([&] { cube().cast(start, kMiddle); }), DSW_STATUS_WRONG_SIZE);
+
+  Scene scene(loaded);
+  const double rope[] = {0.5, 0.25, 0.75, 0.25}, rows[] = {0.5, 1.25, 9, 0.75, 0.5, 9};
+  const std::uint32_t edge[] = {0, 1};
+  Body body(scene, scene.create_body({rope, 4}, {edge, 2}));
+  const dsw_move_report report = body.move({rows, 2, 2, 24});
+  EXPECT_EQ(report.vertices_stopped, 1u);
+  const Array<dsw_contact> contacts = body.get_contacts();
+  ASSERT_EQ(contacts.size(), 1u);
+  EXPECT_TRUE(contacts.get(0).time == 0.75 && contacts.get(0).normal[1] == -1 && contacts.get(0).normal[2] == 0);
+  double positions[4];
+  body.get_positions({positions, 4});
+  EXPECT_TRUE(positions[0] == 0.5 && positions[1] > 0.99 && positions[1] < 1 && positions[3] == 0.5);
+  body.get_positions({positions, 2, 2});
+  EXPECT_EQ(status_of([&] { body.get_positions({positions, 3}); }), DSW_STATUS_WRONG_SIZE);
+  EXPECT_EQ(status_of([&] { body.move({rows, 2, 3, 24}); }), DSW_STATUS_WRONG_SIZE);
+  const dsw_vec3 place = scene.get_particle(scene.create_particle(start)).position;
+  EXPECT_TRUE(place.x == 0.5 && place.y == 0.25 && place.z == 0);
 }
 
 TEST(Layer, EmptyArraysAreLeftOutWhereverTheyLie) {
@@ -88,11 +106,11 @@ TEST(Layer, EmptyArraysAreLeftOutWhereverTheyLie) {
   const std::vector<dsw_volume_id> ids(1);
   std::vector<std::int32_t> places(1, 7);
   const std::int32_t *const end = numbers.data() + 1;
-  Environment environment({kPoints.data(), 8}, {kCube.data(), 8, 8}, {end, 0, 8}, {bytes.data() + 1, 0}, {end, 0}, {},
+  Environment environment({kPoints.data(), 24}, {kCube.data(), 8, 8}, {end, 0, 8}, {bytes.data() + 1, 0}, {end, 0}, {},
                           {end, 0, 8}, {end, 0, 8});
   EXPECT_EQ(environment.info().volume_count, 1u);
   std::vector<dsw_volume_id> found(1);
-  environment.locate_points({&kMiddle.x, 1}, {ids.data() + 1, 0}, {found.data(), 1}, {places.data() + 1, 0});
+  environment.locate_points({kMiddle.at, 3}, {ids.data() + 1, 0}, {found.data(), 1}, {places.data() + 1, 0});
   EXPECT_EQ(found[0].generation, 1u);
 }
 
@@ -107,7 +125,7 @@ TEST(Layer, LentPositionsAreHeldUntilTheNext) {
     auto next = std::make_shared<std::vector<double>>(kPoints);
     (*next)[0] = -0.25 * i;
     lent.push_back(next);
-    scene.deform({next->data(), 8, next});
+    scene.deform({next->data(), 24, 0, next});
     EXPECT_EQ(environment.get_points().get(0), -0.25 * i);
   }
   EXPECT_TRUE(lent[0].expired() && lent[1].expired() && !lent[2].expired());
@@ -128,7 +146,7 @@ TEST(Layer, ContextsKeepTheirSink) {
   std::optional<Environment> environment;
   {
     const Context context(1, std::make_unique<Counter>(lines));
-    environment.emplace(Points{kPoints.data(), 8}, Indices{kCube.data(), 8, 8}, Indices{}, View<const std::uint8_t>{},
+    environment.emplace(Points{kPoints.data(), 24}, Indices{kCube.data(), 8, 8}, Indices{}, View<const std::uint8_t>{},
                         View<const std::int32_t>{}, View<const std::uint32_t>{}, Indices{}, Indices{}, nullptr,
                         &context);
   }
@@ -148,7 +166,7 @@ TEST(Layer, RoomForPointsIsWhatTheArrayHas) {
   const auto lend = [](std::size_t count) {
     auto next = std::make_shared<std::vector<double>>(kPoints);
     next->resize(3 * count);
-    return Lent{next->data(), count, next};
+    return Lent{next->data(), count, 3, next};
   };
   const auto split = [&] { environment.split_edge(environment.get_volume_edge(environment.get_volume(0), 0), 0.5); };
   scene.deform(lend(9), &options);

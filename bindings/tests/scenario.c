@@ -5,17 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dartsweep/dartsweep.h"
+#include "scenario.h"
 
-enum {
-  NX = 6,
-  NY = 6,
-  NZ = 12,
-  POINTS = (NX + 1) * (NY + 1) * (NZ + 1),
-  CELLS = NX * NY * NZ,
-  LINKS = 12,
-  PARTICLES = 50
-};
+enum { NX = 6, NY = 6, NZ = 12, POINTS = (NX + 1) * (NY + 1) * (NZ + 1), CELLS = NX * NY * NZ, PARTICLES = 50 };
 
 /* --- the result: a list of 64-bit patterns for each stage */
 static char text[1 << 20];
@@ -29,7 +21,7 @@ static void say(const char *what) {
   used += size;
 }
 
-static void stage(const char *name) {
+void stage(const char *name) {
   say(first_stage ? "{\n  \"" : "\"],\n  \"");
   say(name);
   say("\": [\"");
@@ -37,14 +29,14 @@ static void stage(const char *name) {
   first_value = 1;
 }
 
-static void integer(uint64_t value) {
+void integer(uint64_t value) {
   char digits[24];
   sprintf(digits, "%s%016llx", first_value ? "" : "\", \"", (unsigned long long)value);
   say(digits);
   first_value = 0;
 }
 
-static void number(double value) {
+void number(double value) {
   uint64_t bits;
   memcpy(&bits, &value, sizeof bits);
   integer(bits);
@@ -55,10 +47,41 @@ static void point(const double *xyz) {
   for (i = 0; i < 3; ++i) number(xyz[i]);
 }
 
-static void must(dsw_status status) {
+void must(dsw_status status) {
   if (status == DSW_STATUS_OK) return;
   fprintf(stderr, "scenario: %s\n", dsw_last_error_message());
   exit(1);
+}
+
+void say_flight(const dsw_flight *flight) {
+  integer(flight->outcome);
+  number(flight->time);
+  point(flight->position);
+  point(flight->normal);
+  integer(flight->face.volume);
+  integer(flight->face.local);
+  integer(flight->cells_visited);
+}
+
+void say_sweep(const dsw_sweep *sweep) {
+  integer(sweep->outcome);
+  number(sweep->time);
+  point(sweep->point);
+  number(sweep->along);
+}
+
+void say_contacts(const char *name, const dsw_contact *contacts, size_t count) {
+  size_t i;
+  stage(name);
+  integer(count);
+  for (i = 0; i < count; ++i) {
+    integer(contacts[i].vertex.index);
+    integer(contacts[i].kind);
+    number(contacts[i].time);
+    point(contacts[i].point);
+    point(contacts[i].normal);
+    integer(contacts[i].wall.volume);
+  }
 }
 
 /* --- what it is played with: integers, so that all languages have the same bits */
@@ -88,9 +111,9 @@ static void make_vessel(void) {
       }
 }
 
-static unsigned seed;
+unsigned seed;
 
-static double draw(void) { /* 0 .. 64 in steps of 1/1024 */
+double draw(void) { /* 0 .. 64 in steps of 1/1024 */
   seed = (seed * 4093 + 1021) % 65536;
   return seed / 1024.0;
 }
@@ -152,21 +175,12 @@ static void queries(const dsw_environment *environment) {
   stage("cast");
   draw_points(to, 64);
   must(dsw_environment_cast_segments(environment, 64, NULL, from, to, 0, NULL, flights));
-  for (i = 0; i < 64; ++i) {
-    integer(flights[i].outcome);
-    number(flights[i].time);
-    point(flights[i].position);
-    point(flights[i].normal);
-    integer(flights[i].face.volume);
-    integer(flights[i].face.local);
-    integer(flights[i].cells_visited);
-  }
+  for (i = 0; i < 64; ++i) say_flight(&flights[i]);
 
   stage("sweep");
   draw_points(fixed, 16);
   must(dsw_environment_sweep_edges(environment, 16, NULL, from, to, fixed, 0, NULL, sweeps));
-  for (i = 0; i < 16; ++i)
-    integer(sweeps[i].outcome), number(sweeps[i].time), point(sweeps[i].point), number(sweeps[i].along);
+  for (i = 0; i < 16; ++i) say_sweep(&sweeps[i]);
 
   stage("nearest");
   for (i = 0; i < 64; ++i) {
@@ -208,43 +222,32 @@ static void push_catheter(dsw_scene *scene, dsw_body_id body, double *positions)
     for (i = 0; i < LINKS; ++i) point(positions + 3 * i);
   }
 
-  stage("contacts");
   must(dsw_body_get_contacts(scene, body, &contacts, &count));
-  integer(count);
-  for (i = 0; i < count; ++i) {
-    integer(contacts[i].vertex.index);
-    integer(contacts[i].kind);
-    number(contacts[i].time);
-    point(contacts[i].point);
-    point(contacts[i].normal);
-    integer(contacts[i].wall.volume);
-  }
+  say_contacts("contacts", contacts, count);
 }
 
-static size_t save(const dsw_environment *environment, const dsw_scene *scene, unsigned char **block) {
-  size_t size = 0;
+size_t save(const dsw_environment *environment, const dsw_scene *scene, unsigned char **block) {
+  size_t size = 0, i;
+  uint64_t sum = 0;
   must(scene ? dsw_scene_save(scene, NULL, 0, &size) : dsw_environment_save(environment, NULL, 0, &size));
   *block = malloc(size);
   if (!*block) abort();
   must(scene ? dsw_scene_save(scene, *block, size, &size) : dsw_environment_save(environment, *block, size, &size));
+  for (i = 0; i < size; ++i) sum += (*block)[i];
+  integer(size);
+  integer(sum);
   return size;
 }
 
 static void snapshots(const dsw_environment *environment, const dsw_scene *scene, const dsw_particle_id *particles) {
   unsigned char *blocks[2];
-  size_t sizes[2], i, k;
+  size_t sizes[2];
   dsw_environment *other = NULL;
   dsw_scene *other_scene = NULL;
 
   stage("snapshot");
   sizes[0] = save(environment, NULL, &blocks[0]);
   sizes[1] = save(environment, scene, &blocks[1]);
-  for (k = 0; k < 2; ++k) {
-    uint64_t sum = 0;
-    for (i = 0; i < sizes[k]; ++i) sum += blocks[k][i];
-    integer(sizes[k]);
-    integer(sum);
-  }
   must(dsw_environment_load(NULL, blocks[0], sizes[0], &other));
   must(dsw_scene_load(other, blocks[1], sizes[1], &other_scene));
   move_particles(other_scene, particles);
@@ -389,6 +392,7 @@ static void play(void) {
   must(dsw_scene_destroy(scene));
   must(dsw_environment_destroy(environment));
   deform();
+  plane();
   say("\"]\n}\n");
 }
 

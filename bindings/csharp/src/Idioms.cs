@@ -1,20 +1,26 @@
-// What C#'s users expect beyond the shared methods: results made rather than filled, points as x, y, z of each.
+// What C#'s users expect beyond the shared methods: results made rather than filled, points as x, y, z of each, in the plane x, y.
 
 namespace Dartsweep
 {
   public sealed unsafe partial class Environment
   {
-    /// <summary>Of cells of one type: points (x, y, z), and the indices of each cell's points as in VTK; a region for each cell, or
+    /// <summary>Of cells of one type: points (x, y, z; x, y of triangles or quads in the plane), and the indices of each cell's points as in VTK; a region for each cell, or
     /// null; threads and log in a context, or null.</summary>
     public Environment(double[] points, int[] cells, CellType type, int[] regions = null, Context context = null)
-      : this(points, cells, null, null, regions, null, null, null, new EnvironmentDesc { UniformCellType = (uint)type }, context)
+      : this(points, cells, null, null, regions, null, null, null, Describe(type), context)
     {
+    }
+
+    private static EnvironmentDesc Describe(CellType type)
+    {
+      bool planar = type == CellType.Triangle || type == CellType.Quad || type == CellType.Polygon;
+      return new EnvironmentDesc { UniformCellType = (uint)type, Dimension = planar ? 2u : 3u };
     }
 
     /// <summary>Flights of segments, from points to points.</summary>
     public Flight[] CastSegments(double[] from, double[] to)
     {
-      Flight[] flights = new Flight[from.Length / 3];
+      Flight[] flights = new Flight[from.Length / Dimension()];
       CastSegments(from, to, null, null, flights);
       return flights;
     }
@@ -22,7 +28,7 @@ namespace Dartsweep
     /// <summary>Sweeps of edges: one end of each moves from a point to another, the other end is fixed.</summary>
     public Sweep[] SweepEdges(double[] from, double[] to, double[] fixedEnds)
     {
-      Sweep[] sweeps = new Sweep[from.Length / 3];
+      Sweep[] sweeps = new Sweep[from.Length / Dimension()];
       SweepEdges(from, to, fixedEnds, null, null, sweeps);
       return sweeps;
     }
@@ -30,7 +36,7 @@ namespace Dartsweep
     /// <summary>Volumes that contain points; null ids outside.</summary>
     public VolumeId[] LocatePoints(double[] points)
     {
-      VolumeId[] volumes = new VolumeId[points.Length / 3];
+      VolumeId[] volumes = new VolumeId[points.Length / Dimension()];
       LocatePoints(points, null, volumes);
       return volumes;
     }
@@ -46,7 +52,7 @@ namespace Dartsweep
     /// <summary>New particles at points, all or none.</summary>
     public ParticleId[] CreateParticles(double[] positions)
     {
-      ParticleId[] particles = new ParticleId[positions.Length / 3];
+      ParticleId[] particles = new ParticleId[positions.Length / Dimension()];
       CreateParticles(positions, null, particles);
       return particles;
     }
@@ -76,7 +82,7 @@ namespace Dartsweep
     /// <summary>Positions of the vertices by index.</summary>
     public double[] GetPositions()
     {
-      double[] positions = new double[3 * GetCounts().VertexSlots];
+      double[] positions = new double[Dimension() * GetCounts().VertexSlots];
       GetPositions(positions);
       return positions;
     }

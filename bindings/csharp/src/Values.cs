@@ -10,6 +10,11 @@ namespace Dartsweep
       Z = z;
     }
 
+    /// <summary>Of the plane.</summary>
+    public Vec3(double x, double y) : this(x, y, 0)
+    {
+    }
+
     public override string ToString() { return "(" + X + ", " + Y + ", " + Z + ")"; }
   }
 

@@ -8,7 +8,7 @@ using Environment = Dartsweep.Environment;
 
 sealed class Scenario
 {
-  public const int Links = 12, Particles = 50, NX = 6, NY = 6, NZ = 12;
+  public const int Links = 12, Particles = 50, NX = 6, NY = 6, NZ = 12, Side = 10;
   public static readonly Vec3 Inside = new Vec3(24, 24, 48), Outside = new Vec3(-9, 0, 0);
   static readonly int[,] corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
 
@@ -22,6 +22,7 @@ sealed class Scenario
     Scenario scenario = new Scenario();
     scenario.PlayAll();
     scenario.Deform();
+    scenario.Plane();
     scenario.EndStage();
     return "{\n" + string.Join(",\n", scenario.stages) + "\n}\n";
   }
@@ -51,6 +52,17 @@ sealed class Scenario
     {
       seed = (seed * 4093 + 1021) % 65536;
       points[i] = i % 3 == 2 ? 1.5 * (seed / 1024.0) : 4 + 0.625 * (seed / 1024.0);
+    }
+    return points;
+  }
+
+  double[] DrawInPlane(int count)
+  {
+    double[] points = new double[2 * count];
+    for (int i = 0; i < points.Length; ++i)
+    {
+      seed = (seed * 4093 + 1021) % 65536;
+      points[i] = 11 + 0.90625 * (seed / 1024.0);
     }
     return points;
   }
@@ -133,6 +145,29 @@ sealed class Scenario
     }
   }
 
+  void SayFlights(Flight[] flights)
+  {
+    foreach (Flight flight in flights)
+    {
+      Say((long)flight.Outcome);
+      Say(flight.Time);
+      Say(flight.Position);
+      Say(flight.Normal);
+      Say(flight.Face.Volume, flight.Face.Local, flight.CellsVisited);
+    }
+  }
+
+  void SaySweeps(Sweep[] sweeps)
+  {
+    foreach (Sweep sweep in sweeps)
+    {
+      Say((long)sweep.Outcome);
+      Say(sweep.Time);
+      Say(sweep.Point);
+      Say(sweep.Along);
+    }
+  }
+
   void Queries(Environment environment)
   {
     Stage("locate");
@@ -144,23 +179,10 @@ sealed class Scenario
 
     Stage("cast");
     double[] to = Draw(64);
-    foreach (Flight flight in environment.CastSegments(from, to))
-    {
-      Say((long)flight.Outcome);
-      Say(flight.Time);
-      Say(flight.Position);
-      Say(flight.Normal);
-      Say(flight.Face.Volume, flight.Face.Local, flight.CellsVisited);
-    }
+    SayFlights(environment.CastSegments(from, to));
 
     Stage("sweep");
-    foreach (Sweep sweep in environment.SweepEdges(from.Take(48).ToArray(), to.Take(48).ToArray(), Draw(16)))
-    {
-      Say((long)sweep.Outcome);
-      Say(sweep.Time);
-      Say(sweep.Point);
-      Say(sweep.Along);
-    }
+    SaySweeps(environment.SweepEdges(from.Take(48).ToArray(), to.Take(48).ToArray(), Draw(16)));
 
     Stage("nearest");
     for (int i = 0; i < 64; ++i)
@@ -184,24 +206,27 @@ sealed class Scenario
 
   void Push(Body body)
   {
-    Stage("catheter");
+    Push("catheter", body, Enumerable.Range(0, Links).SelectMany(i => new[] { 1.75, -0.5 * (i % 3), 3.0 }).ToArray());
+    SayContacts("contacts", body.GetContacts());
+  }
+
+  void Push(string next, Body body, double[] way)
+  {
+    Stage(next);
     MoveOptions slide = new MoveOptions { VertexResponse = Response.Slide, EdgeResponse = Response.Slide };
     for (int step = 0; step < 10; ++step)
     {
       double[] positions = body.GetPositions();
-      for (int i = 0; i < Links; ++i)
-      {
-        positions[3 * i] += 1.75;
-        positions[3 * i + 1] -= 0.5 * (i % 3);
-        positions[3 * i + 2] += 3.0;
-      }
+      for (int i = 0; i < way.Length; ++i) positions[i] += way[i];
       MoveReport report = body.Move(positions, slide);
       Say(report.VerticesStopped, (long)report.ContactCount);
       Say(body.GetPositions());
     }
+  }
 
-    Stage("contacts");
-    Contact[] contacts = body.GetContacts();
+  void SayContacts(string next, Contact[] contacts)
+  {
+    Stage(next);
     Say(contacts.Length);
     foreach (Contact contact in contacts)
     {
@@ -213,11 +238,16 @@ sealed class Scenario
     }
   }
 
+  void SayBlocks(params byte[][] blocks)
+  {
+    foreach (byte[] block in blocks) Say(block.Length, block.Sum(each => (long)each));
+  }
+
   void Snapshots(Environment environment, Scene scene, ParticleId[] particles)
   {
     Stage("snapshot");
     byte[] block = environment.Save(), sceneBlock = scene.Save();
-    foreach (byte[] saved in new[] { block, sceneBlock }) Say(saved.Length, saved.Sum(each => (long)each));
+    SayBlocks(block, sceneBlock);
     using (Environment other = Environment.Load(block))
     using (Scene copy = Scene.Load(other, sceneBlock)) Move(copy, particles);
 
@@ -285,6 +315,69 @@ sealed class Scenario
         DeformReport report = scene.Deform(next);
         Say((long)report.Outcome, (long)report.HeldCount, (long)report.ContactCount, (long)report.PushedCount);
         Say(body.GetPositions());
+      }
+    }
+  }
+
+  /// <summary>Squares whose corners have moved, half of them cut into two triangles.</summary>
+  public static Environment CreatePlane()
+  {
+    double[] points = Enumerable.Range(0, (Side + 1) * (Side + 1)).SelectMany(p =>
+    {
+      int i = p % (Side + 1), j = p / (Side + 1);
+      return new double[] { 8 * i + i * j % 3, 8 * j + (i + 2 * j) % 3 };
+    }).ToArray();
+    List<int> corners = new List<int>(), offsets = new List<int> { 0 }, regions = new List<int>();
+    List<byte> types = new List<byte>();
+    for (int square = 0; square < Side * Side; ++square)
+    {
+      int i = square % Side, j = square / Side, a = j * (Side + 1) + i, d = a + Side + 1;
+      bool quad = (i + j) % 2 == 0;
+      foreach (int[] cell in quad ? new[] { new[] { a, a + 1, d + 1, d } } : new[] { new[] { a, a + 1, d + 1 }, new[] { a, d + 1, d } })
+      {
+        corners.AddRange(cell);
+        offsets.Add(corners.Count);
+        types.Add((byte)(quad ? CellType.Quad : CellType.Triangle));
+        regions.Add(i > 0 && i < Side - 1 && j > 0 && j < Side - 1 ? 1 : 2);
+      }
+    }
+    return new Environment(points, corners.ToArray(), offsets.ToArray(), types.ToArray(), regions.ToArray(), null, null, null,
+                           new EnvironmentDesc { Dimension = 2 }, null);
+  }
+
+  void Plane()
+  {
+    Stage("plane");
+    using (Environment environment = CreatePlane())
+    {
+      EnvironmentInfo info = environment.Info();
+      Marked marked = environment.MarkRegion(2, Mark.Impassable);
+      environment.MarkVertices(new[] { environment.GetVertex((uint)(5 * (Side + 1) + 5)) }, Mark.Impassable);
+      Say((long)info.Dimension, (long)info.VertexCount, (long)info.VolumeCount, (long)info.FaceCount, (long)info.BoundaryFaceCount, marked.Count);
+
+      Stage("plane cast");
+      seed = 1;
+      double[] from = DrawInPlane(32), to = DrawInPlane(32);
+      for (int i = 0; i < to.Length; i += 4) to[i] += 40;
+      SayFlights(environment.CastSegments(from, to));
+
+      Stage("plane sweep");
+      SaySweeps(environment.SweepEdges(from.Take(32).ToArray(), to.Take(32).ToArray(), DrawInPlane(16)));
+
+      using (Scene scene = new Scene(environment))
+      {
+        Stage("plane particles");
+        ParticleId[] particles = scene.CreateParticles(from);
+        scene.MoveParticles(particles, to);
+        double[] places = new double[from.Length];
+        scene.GetParticles(particles, places);
+        Say(places);
+        Body rope = scene.CreateBody(Enumerable.Range(0, Links).SelectMany(i => new[] { 20.25 + 3.0 * i, 40.5 }).ToArray(),
+                                     Enumerable.Range(0, 2 * (Links - 1)).Select(i => (uint)(i / 2 + i % 2)).ToArray());
+        Push("rope", rope, Enumerable.Range(0, Links).SelectMany(i => new[] { 1.5, 4.0 - 0.75 * (i % 3) }).ToArray());
+        SayContacts("rope contacts", rope.GetContacts());
+        Stage("plane snapshot");
+        SayBlocks(environment.Save(), scene.Save());
       }
     }
   }

@@ -117,18 +117,38 @@ static class Tests
     }
   }
 
+  public static void PointsOfThePlaneHaveTwoCoordinates()
+  {
+    using (Environment environment = new Environment(new double[] { 0, 0, 1, 0, 1, 1, 0, 1 }, new[] { 0, 1, 2, 0, 2, 3 }, CellType.Triangle))
+    {
+      True(environment.Dimension() == 2 && environment.GetPoints().Length == 8);
+      Flight flight = environment.Cast(new Vec3(0.5, 0.25), new Vec3(0.5, 2.25));
+      True(flight.Time == 0.375 && flight.Normal.Y == -1 && flight.Normal.Z == 0);
+      Throws<WrongSizeException>(() => environment.Cast(new Vec3(0.5, 0.25, 1), new Vec3(0.5, 2.25)));
+      Throws<WrongSizeException>(() => environment.CastSegments(new double[3], new double[3]));
+      environment.MarkVertices(new[] { environment.GetVertex(2) }, Mark.Impassable);
+      using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
+      {
+        Body body = scene.CreateBody(new[] { 0.5, 0.25, 0.75, 0.25 }, new uint[] { 0, 1 });
+        MoveReport report = body.Move(new[] { 0.5, 1.25, 0.75, 0.5 }, null);
+        True(report.VerticesStopped == 1 && body.GetContacts()[0].Time == 0.75 && body.GetPositions().Length == 4);
+        True(scene.Deform(new double[] { 0, 0, 1, 0, 1, 2, 0, 2 }).Outcome == DeformOutcome.Done);
+      }
+    }
+  }
+
   public static void ArgumentsOfTheWrongShapeAreRefused()
   {
     using (Environment environment = Scenario.Create())
     {
-      Throws<ArgumentException>(() => environment.CastSegments(new double[4], new double[4]));
+      Throws<WrongSizeException>(() => environment.CastSegments(new double[4], new double[4]));
       Throws<WrongSizeException>(() => environment.CastSegments(new double[3], new double[6]));
       Throws<ArgumentException>(() => new RigidMotion().Rotation = new double[3]);
       Throws<ArgumentException>(() => new Scene(null));
       using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
       {
         Throws<ArgumentNullException>(() => scene.Deform(null));
-        Throws<ArgumentException>(() => scene.Deform(new double[4]));
+        Throws<WrongSizeException>(() => scene.Deform(new double[4]));
       }
     }
   }

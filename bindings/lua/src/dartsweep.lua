@@ -89,13 +89,21 @@ local type_of_row = {
   [4] = core.CELL_TYPE_TETRA, [5] = core.CELL_TYPE_PYRAMID, [6] = core.CELL_TYPE_WEDGE, [8] = core.CELL_TYPE_HEXAHEDRON,
 }
 
+local planar_type_of_row = {[3] = core.CELL_TYPE_TRIANGLE, [4] = core.CELL_TYPE_QUAD}
+
 -- Takes the arrays of cells; rows of indices say their type themselves.
-local function take_cells(given)
-  local cells, types = take(given, "cells"), take(given, "types")
+local function take_cells(given, dimension)
+  local cells, types, offsets = take(given, "cells"), take(given, "types"), take(given, "offsets")
   if type(cells) == "table" and type(cells[1]) == "table" and not types and not given.uniform_cell_type then
-    given.uniform_cell_type = type_of_row[#cells[1]]
+    local width = #cells[1]
+    given.uniform_cell_type = (dimension == 2 and planar_type_of_row or type_of_row)[width]
+    if dimension == 2 and width > 4 then
+      types, offsets = core.ByteArray(#cells), core.IntArray(#cells + 1)
+      for i = 1, #types do types[i] = core.CELL_TYPE_POLYGON end
+      for i = 1, #offsets do offsets[i] = width * (i - 1) end
+    end
   end
-  return cells, take(given, "offsets"), types, take(given, "regions"), take(given, "tags")
+  return cells, offsets, types, take(given, "regions"), take(given, "tags")
 end
 
 local make_environment = getmetatable(core.Environment).__call
@@ -103,7 +111,8 @@ getmetatable(core.Environment).__call = function(class, given)
   local desc = copied(given)
   local points, threads, log = take(desc, "points"), take(desc, "threads"), take(desc, "log")
   local faces, face_locations = take(desc, "faces"), take(desc, "face_locations")
-  local cells, offsets, types, regions, tags = take_cells(desc)
+  if type(points) == "table" and type(points[1]) == "table" and #points[1] == 2 then desc.dimension = 2 end
+  local cells, offsets, types, regions, tags = take_cells(desc, desc.dimension)
   local context = (threads or log) and core.Context(threads, log) or nil
   return make_environment(class, points, cells, offsets, types, regions, tags, faces, face_locations, desc, context)
 end
@@ -112,7 +121,7 @@ local add_volumes = Environment.add_volumes
 function Environment:add_volumes(given)
   local desc = copied(given)
   local vertices, points, sew_to = take(desc, "vertices"), take(desc, "points"), take(desc, "sew_to")
-  local cells, offsets, types, regions, tags = take_cells(desc)
+  local cells, offsets, types, regions, tags = take_cells(desc, self:dimension())
   return add_volumes(self, vertices, points, cells, offsets, types, regions, tags, sew_to, desc)
 end
 
@@ -141,39 +150,39 @@ end
 
 local locate_points = Environment.locate_points
 function Environment:locate_points(points, hints, volumes, places)
-  points = core.points(points)
-  volumes, places = volumes or core.VolumeIdArray(#points / 3), places or core.IntArray(#points / 3)
+  points = core.points(points, self:dimension())
+  volumes, places = volumes or core.VolumeIdArray(#points // self:dimension()), places or core.IntArray(#points // self:dimension())
   locate_points(self, points, hints, volumes, places)
   return volumes, places
 end
 
 local cast_segments = Environment.cast_segments
 function Environment:cast_segments(from, to, starts, options, flights)
-  from = core.points(from)
-  flights = flights or core.FlightArray(#from / 3)
+  from = core.points(from, self:dimension())
+  flights = flights or core.FlightArray(#from // self:dimension())
   cast_segments(self, from, to, starts, options, flights)
   return flights
 end
 
 local sweep_edges = Environment.sweep_edges
 function Environment:sweep_edges(from, to, fixed, starts, options, sweeps)
-  from = core.points(from)
-  sweeps = sweeps or core.SweepArray(#from / 3)
+  from = core.points(from, self:dimension())
+  sweeps = sweeps or core.SweepArray(#from // self:dimension())
   sweep_edges(self, from, to, fixed, starts, options, sweeps)
   return sweeps
 end
 
 local create_particles = Scene.create_particles
 function Scene:create_particles(positions, hints, particles)
-  positions = core.points(positions)
-  particles = particles or core.ParticleIdArray(#positions / 3)
+  positions = core.points(positions, self:dimension())
+  particles = particles or core.ParticleIdArray(#positions // self:dimension())
   create_particles(self, positions, hints, particles)
   return particles
 end
 
 local get_particles = Scene.get_particles
 function Scene:get_particles(particles, positions, volumes)
-  positions, volumes = positions or core.DoubleArray(3 * #particles), volumes or core.VolumeIdArray(#particles)
+  positions, volumes = positions or core.DoubleArray(self:dimension() * #particles), volumes or core.VolumeIdArray(#particles)
   get_particles(self, particles, positions, volumes)
   return positions, volumes
 end
@@ -201,7 +210,7 @@ end
 
 local get_positions = Body.get_positions
 function Body:get_positions(positions, volumes)
-  positions = positions or core.DoubleArray(3 * self:get_counts().vertex_slots)
+  positions = positions or core.DoubleArray(self:dimension() * self:get_counts().vertex_slots)
   get_positions(self, positions, volumes)
   return positions
 end

@@ -1,7 +1,7 @@
 -- The scenario of bindings/tests/README.md, in Lua. Its result is text, as in scenario.json.
 local dsw = require "dartsweep"
 
-local NX, NY, NZ, LINKS, PARTICLES = 6, 6, 12, 12, 50
+local NX, NY, NZ, LINKS, PARTICLES, SIDE = 6, 6, 12, 12, 50, 10
 local INSIDE, OUTSIDE = {24, 24, 48}, {-9, 0, 0}
 
 local scenario = {INSIDE = INSIDE, OUTSIDE = OUTSIDE, LINKS = LINKS}
@@ -79,6 +79,21 @@ end
 
 -- --- stages, in the order of README.md
 
+local function say_flights(result, flights)
+  for _, flight in ipairs(flights) do
+    result:integers(flight.outcome)
+    result:numbers(flight.time, flight.position, flight.normal)
+    result:integers(flight.face.volume, flight.face.local_index, flight.cells_visited)
+  end
+end
+
+local function say_sweeps(result, sweeps)
+  for _, sweep in ipairs(sweeps) do
+    result:integers(sweep.outcome)
+    result:numbers(sweep.time, sweep.point, sweep.along)
+  end
+end
+
 local function queries(result, environment, draw)
   result:stage "locate"
   local from = draw(64)
@@ -87,18 +102,11 @@ local function queries(result, environment, draw)
 
   result:stage "cast"
   local to = draw(64)
-  for _, flight in ipairs(environment:cast_segments(from, to)) do
-    result:integers(flight.outcome)
-    result:numbers(flight.time, flight.position, flight.normal)
-    result:integers(flight.face.volume, flight.face.local_index, flight.cells_visited)
-  end
+  say_flights(result, environment:cast_segments(from, to))
 
   result:stage "sweep"
   local first = {table.unpack(from, 1, 16)}
-  for _, sweep in ipairs(environment:sweep_edges(first, {table.unpack(to, 1, 16)}, draw(16))) do
-    result:integers(sweep.outcome)
-    result:numbers(sweep.time, sweep.point, sweep.along)
-  end
+  say_sweeps(result, environment:sweep_edges(first, {table.unpack(to, 1, 16)}, draw(16)))
 
   result:stage "nearest"
   for i, point in ipairs(from) do
@@ -117,21 +125,18 @@ local function say_moves(result, flights)
   end
 end
 
-local function push(result, body)
-  result:stage "catheter"
+local function push(result, stage, contacts_stage, body, pull)
+  result:stage(stage)
   local slide = {vertex_response = dsw.RESPONSE_SLIDE, edge_response = dsw.RESPONSE_SLIDE}
   for _ = 1, 10 do
     local positions = body:get_positions()
-    for i = 1, LINKS do
-      local x, y, z = positions:point(i)
-      positions:set_point(i, x + 1.75, y - 0.5 * ((i - 1) % 3), z + 3)
-    end
+    for i = 1, LINKS do pull(positions, i) end
     local report = body:move(positions, slide)
     result:integers(report.vertices_stopped, report.contact_count)
     result:numbers(body:get_positions():totable())
   end
 
-  result:stage "contacts"
+  result:stage(contacts_stage)
   local contacts = body:get_contacts()
   result:integers(#contacts)
   for _, contact in ipairs(contacts) do
@@ -146,14 +151,18 @@ local function status_of(call, ...)
   return good and dsw.STATUS_OK or problem.status
 end
 
-local function snapshots(result, scene, environment, particles, draw)
-  result:stage "snapshot"
-  local block, scene_block = environment:save(), scene:save()
-  for _, bytes in ipairs {block, scene_block} do
+local function say_blocks(result, ...)
+  for _, bytes in ipairs {...} do
     local sum = 0
     for i = 1, #bytes do sum = sum + bytes:byte(i) end
     result:integers(#bytes, sum)
   end
+end
+
+local function snapshots(result, scene, environment, particles, draw)
+  result:stage "snapshot"
+  local block, scene_block = environment:save(), scene:save()
+  say_blocks(result, block, scene_block)
   do
     local other <close> = dsw.Environment.load(block)
     local copy <close> = dsw.Scene.load(other, scene_block)
@@ -209,15 +218,78 @@ local function deform(result)
   result:numbers(body:get_positions():totable())
 end
 
+-- Squares whose corners have moved, half of them cut into two triangles.
+function scenario.create_plane()
+  local points, cells, offsets, types, regions = {}, {}, {0}, {}, {}
+  for j = 0, SIDE do
+    for i = 0, SIDE do points[#points + 1] = {8 * i + i * j % 3, 8 * j + (i + 2 * j) % 3} end
+  end
+  local function add(region, type, ...)
+    for _, corner in ipairs {...} do cells[#cells + 1] = corner end
+    offsets[#offsets + 1], types[#types + 1], regions[#regions + 1] = #cells, type, region
+  end
+  for j = 0, SIDE - 1 do
+    for i = 0, SIDE - 1 do
+      local a = j * (SIDE + 1) + i
+      local d, region = a + SIDE + 1, i > 0 and i < SIDE - 1 and j > 0 and j < SIDE - 1 and 1 or 2
+      if (i + j) % 2 == 0 then
+        add(region, dsw.CELL_TYPE_QUAD, a, a + 1, d + 1, d)
+      else
+        add(region, dsw.CELL_TYPE_TRIANGLE, a, a + 1, d + 1)
+        add(region, dsw.CELL_TYPE_TRIANGLE, a, d + 1, d)
+      end
+    end
+  end
+  return dsw.Environment {points = points, cells = cells, offsets = offsets, types = types, regions = regions}
+end
+
+local function plane(result, draw)
+  result:stage "plane"
+  local environment <close> = scenario.create_plane()
+  local info, marked = environment:info(), environment:mark_region(2)
+  environment:mark_vertices {environment:get_vertex(5 * (SIDE + 1) + 5)}
+  result:integers(info.dimension, info.vertex_count, info.volume_count, info.face_count, info.boundary_face_count, marked)
+
+  result:stage "plane cast"
+  local from, to = draw(32), draw(32)
+  for i = 1, 32, 2 do to[i][1] = to[i][1] + 40 end
+  say_flights(result, environment:cast_segments(from, to))
+
+  result:stage "plane sweep"
+  local first, targets = {table.unpack(from, 1, 16)}, {table.unpack(to, 1, 16)}
+  say_sweeps(result, environment:sweep_edges(first, targets, draw(16)))
+
+  result:stage "plane particles"
+  local scene <close> = dsw.Scene(environment)
+  local particles = scene:create_particles(from)
+  scene:move_particles(particles, to)
+  result:numbers((scene:get_particles(particles)):totable())
+  local positions, edges = {}, {}
+  for i = 1, LINKS do positions[i] = {20.25 + 3.0 * (i - 1), 40.5} end
+  for i = 1, LINKS - 1 do edges[i] = {i - 1, i} end
+  local rope = scene:create_body {positions = positions, edges = edges}
+  push(result, "rope", "rope contacts", rope, function(now, i)
+    local x, y = now:point(i, 2)
+    now:set_point(i, x + 1.5, y + (4 - 0.75 * ((i - 1) % 3)))
+  end)
+  result:stage "plane snapshot"
+  say_blocks(result, environment:save(), scene:save())
+end
+
 function scenario.play()
   local seed = 1
+  local function drawn()
+    seed = (seed * 4093 + 1021) % 65536
+    return seed / 1024
+  end
   local function draw(count)
-    local function drawn()
-      seed = (seed * 4093 + 1021) % 65536
-      return seed / 1024
-    end
     local points = {}
     for i = 1, count do points[i] = {4 + 0.625 * drawn(), 4 + 0.625 * drawn(), 1.5 * drawn()} end
+    return points
+  end
+  local function draw_in_plane(count)
+    local points = {}
+    for i = 1, count do points[i] = {11 + 0.90625 * drawn(), 11 + 0.90625 * drawn()} end
     return points
   end
 
@@ -239,11 +311,16 @@ function scenario.play()
   local particles = scene:create_particles(centres)
   result:stage "particles"
   for _ = 1, 4 do say_moves(result, scene:move_particles(particles, draw(#particles))) end
-  push(result, scenario.create_catheter(scene))
+  push(result, "catheter", "contacts", scenario.create_catheter(scene), function(positions, i)
+    local x, y, z = positions:point(i)
+    positions:set_point(i, x + 1.75, y - 0.5 * ((i - 1) % 3), z + 3)
+  end)
   snapshots(result, scene, environment, particles, draw)
   errors(result, scene, environment, particles)
   cut(result, environment)
   deform(result)
+  seed = 1
+  plane(result, draw_in_plane)
   result:end_stage()
   return "{\n" .. table.concat(result.stages, ",\n") .. "\n}\n"
 end

@@ -65,8 +65,8 @@ function TestErrors:test_arguments_of_other_types_are_refused()
   local cast, cast_segments = environment.cast, environment.cast_segments
   local face = environment:get_volume_face(environment:get_volume(0), 0)
   local function refused(text, ...) lu.assertErrorMsgContains(text, ...) end
-  refused("'from' (a point, {x, y, z}, expected, got number)", cast, environment, 24, INSIDE)
-  refused("'from' (a point, {x, y, z}, expected, got table)", cast, environment, {1, 2}, INSIDE)
+  refused("'from' (a point, {x, y, z} or {x, y}, expected, got number)", cast, environment, 24, INSIDE)
+  refused("'from' (a point, {x, y, z} or {x, y}, expected, got table)", cast, environment, {1}, INSIDE)
   refused("'start' (VolumeId expected, got FaceId)", cast, environment, INSIDE, INSIDE, face)
   refused("'self' (Environment expected, got nil)", cast, nil, INSIDE, INSIDE)
   refused("'self' (Environment expected, got userdata)", cast, io.stdout, INSIDE, INSIDE)
@@ -74,7 +74,7 @@ function TestErrors:test_arguments_of_other_types_are_refused()
   refused("'environment' (Environment expected, got nil)", dsw.Scene, nil)
   refused("'index' (an integer of 32 bits expected, got number)", environment.get_volume, environment, 0.5)
   refused("'index' (an integer of 32 bits expected, got number)", environment.get_volume, environment, -1)
-  refused("'points' (DoubleArray expected, got table)", cast_segments, environment, {{1, 2}, {3, 4}, {5, 6}}, INSIDE)
+  refused("'points' (3 numbers for each point expected", cast_segments, environment, {{1, 2}, {3, 4}, {5, 6}}, INSIDE)
   refused("'points' (3 numbers for each point expected", cast_segments, environment, {1, 2, 3, 4}, INSIDE)
   refused("'flights' (FlightArray expected, got SweepArray)", cast_segments, environment, INSIDE, INSIDE, nil, nil, dsw.SweepArray(1))
   refused("'volumes' (VolumeIdArray expected, got table)", environment.mark_volumes, environment, {face})
@@ -83,6 +83,31 @@ function TestErrors:test_arguments_of_other_types_are_refused()
   refused("'features' (an integer of 32 bits expected, got string)", dsw.Scene, environment, {features = "all"})
   refused("'rotation' (4 numbers expected, got table)", function() dsw.RigidMotion().rotation = {1} end)
   refused("has no member 'cell'", dsw.Environment, {points = {INSIDE}, cell = {}})
+end
+
+TestPlane = {}
+
+function TestPlane:test_points_have_two_coordinates()
+  local environment <close> = dsw.Environment {points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, cells = {{0, 1, 2}, {0, 2, 3}}}
+  lu.assertEquals({environment:dimension(), #environment:get_points()}, {2, 8})
+  lu.assertEquals(environment:get_position(environment:get_vertex(2)), {1, 1})
+  local flight = environment:cast({0.5, 0.25}, {0.5, 2.25})
+  lu.assertEquals({flight.time, flight.normal}, {0.375, {0, -1, 0}})
+  lu.assertEquals(environment:cast({0.5, 0.25, 0}, {0.5, 2.25, 0}).time, 0.375)
+  lu.assertEquals(problem_of(environment.cast, environment, {0.5, 0.25, 1}, {0.5, 0.5}).name, "WrongSize")
+  lu.assertEquals(problem_of(environment.sweep_edges, environment, {{1, 2}}, {{1, 2, 3}, {1, 2, 3}}, {{1, 2}}).name, "WrongSize")
+  lu.assertErrorMsgContains("2 numbers for each point", environment.cast_segments, environment, {{1, 2, 3}, {1, 2, 3}}, {1, 2})
+  environment:mark_vertices {environment:get_vertex(2)}
+  local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
+  local body = scene:create_body {positions = {{0.5, 0.25}, {0.75, 0.25}}, edges = {{0, 1}}}
+  lu.assertEquals(body:move({{0.5, 1.25}, {0.75, 0.5}}).vertices_stopped, 1)
+  lu.assertEquals({body:get_contacts()[1].time, #body:get_positions()}, {0.75, 4})
+  lu.assertEquals(scene:deform({{0, 0}, {1, 0}, {1, 2}, {0, 2}}).outcome, dsw.DEFORM_DONE)
+end
+
+function TestPlane:test_polygons()
+  local environment <close> = dsw.Environment {points = {{0, 0}, {2, 0}, {3, 1}, {2, 2}, {0, 2}}, cells = {{0, 1, 2, 3, 4}}}
+  lu.assertEquals((environment:get_volume_counts(environment:get_volume(0))), dsw.CELL_TYPE_POLYGON)
 end
 
 TestOwnership = {}

@@ -2,6 +2,10 @@
 'use strict';
 const { arrays } = require('./memory.js');
 const native = require('./native.js');
+const { enums } = require('./structs.js');
+
+// Cells that are only in the plane.
+const planar = [enums.CellType.Triangle, enums.CellType.Quad, enums.CellType.Polygon];
 
 class Context extends native.Context {
   constructor({ threads = 0, log } = {}) {
@@ -13,6 +17,7 @@ class Context extends native.Context {
 class Environment extends native.Environment {
   constructor(points, cells, { type, types, offsets, regions, tags, faces, faceLocations, context = null, ...desc } = {}) {
     if (type !== undefined) desc.uniformCellType = type;
+    if (planar.includes(type)) desc.dimension = 2;
     super(points, cells, offsets, types, regions, tags, faces, faceLocations, desc, context);
   }
 
@@ -25,7 +30,7 @@ class Environment extends native.Environment {
   }
 
   locatePoints(points, hints) {
-    const volumes = new arrays.VolumeIdArray(Math.trunc(points.length / 3));
+    const volumes = new arrays.VolumeIdArray(Math.trunc(points.length / this.dimension()));
     const places = new Int32Array(volumes.length);
     super.locatePoints(points, hints, volumes, places);
     return { volumes, places };
@@ -39,12 +44,12 @@ class Environment extends native.Environment {
     return super.castPath(from, to, start, options);
   }
 
-  castSegments(from, to, { starts, flights = new arrays.FlightArray(Math.trunc(from.length / 3)), ...options } = {}) {
+  castSegments(from, to, { starts, flights = new arrays.FlightArray(Math.trunc(from.length / this.dimension())), ...options } = {}) {
     super.castSegments(from, to, starts, options, flights);
     return flights;
   }
 
-  sweepEdges(from, to, fixed, { starts, sweeps = new arrays.SweepArray(Math.trunc(from.length / 3)), ...options } = {}) {
+  sweepEdges(from, to, fixed, { starts, sweeps = new arrays.SweepArray(Math.trunc(from.length / this.dimension())), ...options } = {}) {
     super.sweepEdges(from, to, fixed, starts, options, sweeps);
     return sweeps;
   }

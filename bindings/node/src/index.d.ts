@@ -14,7 +14,7 @@ import type {
 
 export * from './structs.js';
 
-/** Points, x, y, z of each: a Float64Array is read where it is, an array is copied. */
+/** Points, x, y, z of each, in the plane x, y: a Float64Array is read where it is, an array is copied. */
 export type Points = Float64Array | readonly number[];
 /** One point. */
 export type Point = Points | Readonly<Vec3>;
@@ -75,6 +75,8 @@ export class Environment {
   close(): void;
   [Symbol.dispose](): void;
   isClosed(): boolean;
+  /** 2 in the plane, where points have two coordinates (points in results a third, 0), else 3. */
+  dimension(): number;
   buildReport(): BuildReport;
   info(): EnvironmentInfo;
   /** Throws BoundaryCrossesError where the boundary does. */
@@ -162,6 +164,8 @@ export class Scene {
   close(): void;
   [Symbol.dispose](): void;
   isClosed(): boolean;
+  /** Of its environment. */
+  dimension(): number;
   getStatistics(): Statistics;
   resetStatistics(): void;
   getMemoryBytes(): number;
@@ -214,6 +218,8 @@ export class Scene {
 export class Body {
   constructor(scene: Scene, id: BodyId);
   id(): BodyId;
+  /** Of its scene's environment. */
+  dimension(): number;
   destroy(): void;
   getCounts(): BodyCounts;
   getLevel(): Level;

@@ -5,7 +5,7 @@ const native = require('./native.js');
 
 class Body extends native.Body {
   // The positions of all vertices by index, in an array of their own unless one is given to be filled.
-  getPositions(positions = new Float64Array(3 * this.getCounts().vertexSlots), volumes) {
+  getPositions(positions = new Float64Array(this.dimension() * this.getCounts().vertexSlots), volumes) {
     super.getPositions(positions, volumes);
     return positions;
   }
@@ -24,13 +24,13 @@ class Scene extends native.Scene {
     return Object.setPrototypeOf(super.load(environment, block), this.prototype);
   }
 
-  createParticles(positions, { hints, particles = new arrays.ParticleIdArray(Math.trunc(positions.length / 3)) } = {}) {
+  createParticles(positions, { hints, particles = new arrays.ParticleIdArray(Math.trunc(positions.length / this.dimension())) } = {}) {
     super.createParticles(positions, hints, particles);
     return particles;
   }
 
   getParticles(particles) {
-    const positions = new Float64Array(3 * particles.length);
+    const positions = new Float64Array(this.dimension() * particles.length);
     const volumes = new arrays.VolumeIdArray(particles.length);
     super.getParticles(particles, positions, volumes);
     return { positions, volumes };

@@ -104,6 +104,27 @@ test('results are plain objects, which go back in', () => {
   assert.deepEqual(dsw.cellOf(flight.face), { kind: dsw.CellKind.Face, index: flight.face.volume, generation: flight.face.generation, local: flight.face.local });
 });
 
+test('points of the plane have two coordinates', () => {
+  const square = [0, 0, 1, 0, 1, 1, 0, 1];
+  const environment = new dsw.Environment(square, [0, 1, 2, 0, 2, 3], { type: dsw.CellType.Triangle });
+  assert.equal(environment.dimension(), 2);
+  assert.deepEqual([...environment.getPoints()], square);
+  assert.deepEqual(environment.getPosition(environment.getVertex(2)), [1, 1, 0]);
+  const { time, normal } = environment.cast([0.5, 0.25], [0.5, 2.25]);
+  assert.equal(time, 0.375);
+  assert.deepEqual(normal, [0, -1, 0]);
+  assert.equal(environment.cast([0.5, 0.25, 0], [0.5, 2.25, 0]).time, 0.375);
+  assert.throws(() => environment.cast([0.5, 0.25, 1], [0.5, 0.5]), dsw.WrongSizeError);
+  assert.throws(() => environment.castSegments([1, 2, 3], [1, 2, 3]), dsw.WrongSizeError);
+  environment.markVertices([environment.getVertex(2)], dsw.Mark.Impassable);
+  const scene = new dsw.Scene(environment, { features: dsw.FEATURE_DEFORMING });
+  const body = scene.createBody([0.5, 0.25, 0.75, 0.25], [0, 1]);
+  assert.equal(body.move([0.5, 1.25, 0.75, 0.5]).verticesStopped, 1);
+  assert.equal(body.getContacts().at(0).time, 0.75);
+  assert.equal(body.getPositions().length, 4);
+  assert.equal(scene.deform([0, 0, 1, 0, 1, 2, 0, 2]).outcome, dsw.DeformOutcome.Done);
+});
+
 test('cells of several types, of 8 bytes an index', () => {
   const points = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 1, 0.5, 0.5, -1];
   const environment = new dsw.Environment(points, BigInt64Array.from([0, 1, 2, 3, 4, 0, 1, 3, 5].map(BigInt)), {

@@ -46,10 +46,9 @@ test('arguments of other types and shapes are refused', () => {
   const body = createCatheter(scene);
   const volume = environment.locate(inside).volume;
   for (const call of [
-    () => environment.castSegments(new Float64Array(4), new Float64Array(4)),
     () => environment.castSegments(new Float32Array(3), new Float64Array(3)),
     () => environment.cast('no point', inside),
-    () => environment.cast([1, 2], inside),
+    () => environment.cast([1], inside),
     () => environment.cast(['1', 2, 3], inside),
     () => environment.cast(inside, outside, { maxCels: 3 }),
     () => environment.getCentre(new dsw.VertexId(0, 1)),
@@ -65,12 +64,18 @@ test('arguments of other types and shapes are refused', () => {
     () => body.getPositions([]),
     () => new dsw.Scene(null),
     () => new dsw.Scene({}),
-    () => scene.deform(new Float64Array(4)),
     () => new dsw.Context({ log: 'console' }),
     () => dsw.cellOf(new dsw.BodyId(0, 1)),
     () => dsw.Environment.load('block'),
   ]) {
     assert.throws(call, (error) => !(error instanceof dsw.DartsweepError), String(call));
+  }
+  for (const call of [
+    () => environment.castSegments(new Float64Array(4), new Float64Array(4)),
+    () => environment.cast([1, 2], inside),
+    () => scene.deform(new Float64Array(4)),
+  ]) {
+    assert.throws(call, dsw.WrongSizeError, String(call));
   }
   for (const call of [
     () => environment.getVolume(-1),

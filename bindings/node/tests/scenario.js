@@ -4,7 +4,7 @@ const {
   CellType, Environment, Mark, Place, Response, Scene, DartsweepError, FEATURE_DEFORMING, Status, VolumeId,
 } = require('dartsweep');
 
-const LINKS = 12, PARTICLES = 50, NX = 6, NY = 6, NZ = 12;
+const LINKS = 12, PARTICLES = 50, SIDE = 10, NX = 6, NY = 6, NZ = 12;
 const CORNERS = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]];
 const inside = [24, 24, 48], outside = [-9, 0, 0];
 
@@ -41,6 +41,31 @@ function createCatheter(scene) {
   return scene.createBody(positions, Uint32Array.from({ length: 2 * (LINKS - 1) }, (_, i) => Math.trunc(i / 2) + (i % 2)));
 }
 
+// Squares whose corners have moved, half of them cut into two triangles.
+function createPlane() {
+  const points = [], cells = [], offsets = [0], types = [], regions = [];
+  for (let j = 0; j <= SIDE; ++j)
+    for (let i = 0; i <= SIDE; ++i) points.push(8 * i + ((i * j) % 3), 8 * j + ((i + 2 * j) % 3));
+  const add = (region, type, ...corners) => {
+    cells.push(...corners);
+    offsets.push(cells.length);
+    types.push(type);
+    regions.push(region);
+  };
+  for (let j = 0; j < SIDE; ++j)
+    for (let i = 0; i < SIDE; ++i) {
+      const a = j * (SIDE + 1) + i, d = a + SIDE + 1;
+      const region = i > 0 && i < SIDE - 1 && j > 0 && j < SIDE - 1 ? 1 : 2;
+      if ((i + j) % 2 === 0) {
+        add(region, CellType.Quad, a, a + 1, d + 1, d);
+      } else {
+        add(region, CellType.Triangle, a, a + 1, d + 1);
+        add(region, CellType.Triangle, a, d + 1, d);
+      }
+    }
+  return new Environment(points, cells, { dimension: 2, offsets, types, regions });
+}
+
 class Scenario {
   stages = [];
   seed = 1;
@@ -74,6 +99,13 @@ class Scenario {
     });
   }
 
+  drawInPlane(count) {
+    return Float64Array.from({ length: 2 * count }, () => {
+      this.seed = (this.seed * 4093 + 1021) % 65536;
+      return 11 + 0.90625 * (this.seed / 1024);
+    });
+  }
+
   // --- stages, in the order of README.md
   play() {
     this.stage('vessel');
@@ -95,7 +127,23 @@ class Scenario {
     scene.close();
     environment.close();
     this.deform();
+    this.plane();
     return this.text();
+  }
+
+  flights(flights) {
+    for (const { outcome, time, position, normal, face, cellsVisited } of flights) {
+      this.integers(outcome);
+      this.doubles(time, ...position, ...normal);
+      this.integers(face.volume, face.local, cellsVisited);
+    }
+  }
+
+  sweeps(sweeps) {
+    for (const { outcome, time, point, along } of sweeps) {
+      this.integers(outcome);
+      this.doubles(time, ...point, along);
+    }
   }
 
   queries(environment) {
@@ -106,17 +154,10 @@ class Scenario {
 
     this.stage('cast');
     const to = this.draw(64);
-    for (const { outcome, time, position, normal, face, cellsVisited } of environment.castSegments(from, to)) {
-      this.integers(outcome);
-      this.doubles(time, ...position, ...normal);
-      this.integers(face.volume, face.local, cellsVisited);
-    }
+    this.flights(environment.castSegments(from, to));
 
     this.stage('sweep');
-    for (const { outcome, time, point, along } of environment.sweepEdges(from.subarray(0, 48), to.subarray(0, 48), this.draw(16))) {
-      this.integers(outcome);
-      this.doubles(time, ...point, along);
-    }
+    this.sweeps(environment.sweepEdges(from.subarray(0, 48), to.subarray(0, 48), this.draw(16)));
 
     this.stage('nearest');
     places.forEach((place, i) => {
@@ -135,16 +176,22 @@ class Scenario {
   }
 
   push(body) {
-    this.stage('catheter');
+    this.pushes('catheter', body, (i) => [1.75, -0.5 * (Math.trunc(i / 3) % 3), 3][i % 3]);
+    this.contacts('contacts', body.getContacts());
+  }
+
+  pushes(stage, body, way) {
+    this.stage(stage);
     for (let step = 0; step < 10; ++step) {
-      const targets = body.getPositions().map((x, i) => x + [1.75, -0.5 * (Math.trunc(i / 3) % 3), 3][i % 3]);
+      const targets = body.getPositions().map((x, i) => x + way(i));
       const report = body.move(targets, { vertexResponse: Response.Slide, edgeResponse: Response.Slide });
       this.integers(report.verticesStopped, report.contactCount);
       this.doubles(...body.getPositions());
     }
+  }
 
-    this.stage('contacts');
-    const contacts = body.getContacts();
+  contacts(stage, contacts) {
+    this.stage(stage);
     this.integers(contacts.length);
     for (const { vertex, kind, time, point, normal, wall } of contacts) {
       this.integers(vertex.index, kind);
@@ -153,10 +200,14 @@ class Scenario {
     }
   }
 
+  blocks(...blocks) {
+    for (const block of blocks) this.integers(block.length, block.reduce((sum, byte) => sum + byte, 0));
+  }
+
   snapshots(environment, scene, particles) {
     this.stage('snapshot');
     const block = environment.save(), sceneBlock = scene.save();
-    for (const saved of [block, sceneBlock]) this.integers(saved.length, saved.reduce((sum, byte) => sum + byte, 0));
+    this.blocks(block, sceneBlock);
     const other = Environment.load(block);
     const copy = Scene.load(other, sceneBlock);
     this.move(copy, particles);
@@ -217,6 +268,38 @@ class Scenario {
     const report = scene.deform(next);
     this.integers(report.outcome, report.heldCount, report.contactCount, report.pushedCount);
     this.doubles(...body.getPositions());
+    scene.close();
+    environment.close();
+  }
+
+  plane() {
+    this.stage('plane');
+    const environment = createPlane();
+    const info = environment.info();
+    const { marked } = environment.markRegion(2, Mark.Impassable);
+    environment.markVertices([environment.getVertex(5 * (SIDE + 1) + 5)], Mark.Impassable);
+    this.integers(info.dimension, info.vertexCount, info.volumeCount, info.faceCount, info.boundaryFaceCount, marked);
+
+    this.stage('plane cast');
+    this.seed = 1;
+    const from = this.drawInPlane(32);
+    const to = this.drawInPlane(32).map((x, i) => (i % 4 === 0 ? x + 40 : x));
+    this.flights(environment.castSegments(from, to));
+
+    this.stage('plane sweep');
+    this.sweeps(environment.sweepEdges(from.subarray(0, 32), to.subarray(0, 32), this.drawInPlane(16)));
+
+    this.stage('plane particles');
+    const scene = new Scene(environment);
+    const particles = scene.createParticles(from);
+    scene.moveParticles(particles, to);
+    this.doubles(...scene.getParticles(particles).positions);
+    const positions = Float64Array.from({ length: 2 * LINKS }, (_, i) => (i % 2 === 0 ? 20.25 + 1.5 * i : 40.5));
+    const rope = scene.createBody(positions, Uint32Array.from({ length: 2 * (LINKS - 1) }, (_, i) => Math.trunc(i / 2) + (i % 2)));
+    this.pushes('rope', rope, (i) => [1.5, 4 - 0.75 * (Math.trunc(i / 2) % 3)][i % 2]);
+    this.contacts('rope contacts', rope.getContacts());
+    this.stage('plane snapshot');
+    this.blocks(environment.save(), scene.save());
     scene.close();
     environment.close();
   }

@@ -14,6 +14,7 @@ import dartsweep as ds
 SHAPE = NX, NY, NZ = 6, 6, 12
 CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
 LINKS = 12
+SIDE = 10
 
 
 def pattern(value: Any) -> str:
@@ -48,6 +49,13 @@ class Draw:
             for axis in range(3):
                 self.seed = (self.seed * 4093 + 1021) % 65536
                 out[axis] = 1.5 * self.seed / 1024 if axis == 2 else 4 + 0.625 * (self.seed / 1024)
+        return drawn
+
+    def plane(self, count: int) -> NDArray[np.float64]:
+        drawn = np.empty((count, 2))
+        for i in range(2 * count):
+            self.seed = (self.seed * 4093 + 1021) % 65536
+            drawn.flat[i] = 11 + 0.90625 * (self.seed / 1024)
         return drawn
 
 
@@ -92,6 +100,23 @@ def say_moves(result: Result, flights: Iterable[Any]) -> None:
         result.say(flight["outcome"], flight["time"], flight["position"])
 
 
+def say_flight(result: Result, flight: Any) -> None:
+    result.say(flight["outcome"], flight["time"], flight["position"], flight["normal"])
+    result.say(flight["face"]["volume"], flight["face"]["local"], flight["cells_visited"])
+
+
+def say_sweep(result: Result, sweep: Any) -> None:
+    result.say(sweep["outcome"], sweep["time"], sweep["point"], sweep["along"])
+
+
+def say_contacts(result: Result, stage: str, contacts: NDArray[np.void]) -> None:
+    result.stage(stage)
+    result.say(len(contacts))
+    for contact in contacts:
+        result.say(contact["vertex"]["index"], contact["kind"], contact["time"], contact["point"], contact["normal"])
+        result.say(contact["wall"]["volume"])
+
+
 def queries(result: Result, environment: ds.Environment, draw: Draw) -> None:
     result.stage("locate")
     start = draw(64)
@@ -102,12 +127,11 @@ def queries(result: Result, environment: ds.Environment, draw: Draw) -> None:
     result.stage("cast")
     end = draw(64)
     for flight in environment.cast_segments(start, end):
-        result.say(flight["outcome"], flight["time"], flight["position"], flight["normal"])
-        result.say(flight["face"]["volume"], flight["face"]["local"], flight["cells_visited"])
+        say_flight(result, flight)
 
     result.stage("sweep")
     for sweep in environment.sweep_edges(start[:16], end[:16], draw(16)):
-        result.say(sweep["outcome"], sweep["time"], sweep["point"], sweep["along"])
+        say_sweep(result, sweep)
 
     result.stage("nearest")
     for point, volume, place in zip(start, volumes, places):
@@ -116,21 +140,18 @@ def queries(result: Result, environment: ds.Environment, draw: Draw) -> None:
             result.say(nearest.distance, nearest.cell.kind, nearest.cell.index)
 
 
-def push(result: Result, body: ds.Body) -> None:
-    result.stage("catheter")
+def pushes(result: Result, stage: str, body: ds.Body, way: NDArray[np.float64]) -> None:
+    result.stage(stage)
     slide = ds.options(ds.MoveOptions, vertex_response=ds.Response.SLIDE, edge_response=ds.Response.SLIDE)
-    index = np.arange(LINKS)
-    way = np.stack([np.full(LINKS, 1.75), -0.5 * (index % 3), np.full(LINKS, 3.0)], axis=1)
     for _ in range(10):
         report = body.move(body.positions() + way, slide)
         result.say(report.vertices_stopped, report.contact_count, body.positions())
 
-    result.stage("contacts")
-    contacts = body.contacts()
-    result.say(len(contacts))
-    for contact in contacts:
-        result.say(contact["vertex"]["index"], contact["kind"], contact["time"], contact["point"], contact["normal"])
-        result.say(contact["wall"]["volume"])
+
+def push(result: Result, body: ds.Body) -> None:
+    index = np.arange(LINKS)
+    pushes(result, "catheter", body, np.stack([np.full(LINKS, 1.75), -0.5 * (index % 3), np.full(LINKS, 3.0)], axis=1))
+    say_contacts(result, "contacts", body.contacts())
 
 
 def snapshots(result: Result, scene: ds.Scene, particles: NDArray[np.void], draw: Draw) -> None:
@@ -187,6 +208,54 @@ def deform(result: Result) -> None:
             result.say(report.outcome, report.held_count, report.contact_count, report.pushed_count, body.positions())
 
 
+def create_plane() -> ds.Environment:
+    at = [(8.0 * i + i * j % 3, 8.0 * j + (i + 2 * j) % 3) for j in range(SIDE + 1) for i in range(SIDE + 1)]
+    cells, types, regions = [], [], []
+    for j in range(SIDE):
+        for i in range(SIDE):
+            a, d = j * (SIDE + 1) + i, (j + 1) * (SIDE + 1) + i
+            quad = (i + j) % 2 == 0
+            made = [[a, a + 1, d + 1, d]] if quad else [[a, a + 1, d + 1], [a, d + 1, d]]
+            cells += made
+            types += [ds.CellType.QUAD if quad else ds.CellType.TRIANGLE] * len(made)
+            regions += [1 if 0 < i < SIDE - 1 and 0 < j < SIDE - 1 else 2] * len(made)
+    offsets = np.cumsum([0] + [len(cell) for cell in cells])
+    return ds.Environment(np.array(at), np.concatenate(cells), types, offsets, regions=regions)
+
+
+def plane(result: Result, draw: Draw) -> None:
+    result.stage("plane")
+    with create_plane() as environment:
+        info = environment.info
+        marked, _ = environment.mark_region(2)
+        environment.mark_vertices([environment.vertex(5 * (SIDE + 1) + 5)])
+        result.say(info.dimension, info.vertex_count, info.volume_count, info.face_count, info.boundary_face_count, marked)
+
+        result.stage("plane cast")
+        draw.seed = 1
+        start, end = draw.plane(32), draw.plane(32)
+        end[::2, 0] += 40
+        for flight in environment.cast_segments(start, end):
+            say_flight(result, flight)
+
+        result.stage("plane sweep")
+        for sweep in environment.sweep_edges(start[:16], end[:16], draw.plane(16)):
+            say_sweep(result, sweep)
+
+        with ds.Scene(environment) as scene:
+            result.stage("plane particles")
+            particles = scene.create_particles(start)
+            scene.move_particles(particles, end)
+            result.say(scene.positions(particles))
+            index = np.arange(LINKS)
+            rope = scene.create_body([(20.25 + 3.0 * i, 40.5) for i in index], [(i, i + 1) for i in index[:-1]])
+            pushes(result, "rope", rope, np.stack([np.full(LINKS, 1.5), 4.0 - 0.75 * (index % 3)], axis=1))
+            say_contacts(result, "rope contacts", rope.contacts())
+            result.stage("plane snapshot")
+            for saved in (environment.save(), scene.save()):
+                result.say(len(saved), sum(saved))
+
+
 def play() -> Result:
     result, draw = Result(), Draw()
     result.stage("vessel")
@@ -206,4 +275,5 @@ def play() -> Result:
             errors(result, scene, particles)
             cut(result, environment)
     deform(result)
+    plane(result, draw)
     return result

@@ -1,7 +1,7 @@
 """Exact contacts of moving bodies with a convex subdivision of space.
 
 An Environment is a volume mesh; a Scene holds particles and bodies that move in it; see the README for examples. Arrays of points are
-float64 of shape (n, 3); ids, flights and contacts come in structured arrays whose types are in dartsweep.dtypes. Every call that
+float64 of shape (n, 3), or (n, 2) in the plane; ids, flights and contacts come in structured arrays whose types are in dartsweep.dtypes. Every call that
 fails raises an exception of dartsweep.errors and changes nothing.
 """
 

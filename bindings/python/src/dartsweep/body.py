@@ -69,7 +69,7 @@ class Body:
 
     def positions(self, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
         """Positions by vertex index; free slots have zeros."""
-        positions = np.empty((self.counts.vertex_slots, 3)) if out is None else out
+        positions = np.empty((self.counts.vertex_slots, self._core.dimension())) if out is None else out
         self._core.get_positions(positions, None)
         return positions
 
@@ -77,7 +77,7 @@ class Body:
         """Volumes that hold the vertices, by index."""
         slots = self.counts.vertex_slots
         volumes = np.empty(slots, dtypes.VOLUME_ID)
-        self._core.get_positions(np.empty((slots, 3)), volumes)
+        self._core.get_positions(np.empty((slots, self._core.dimension())), volumes)
         return volumes
 
     def vertices(self) -> Records:
@@ -158,8 +158,8 @@ class Body:
         options: MoveOptions | None = None,
         order: ArrayLike | None = None,
     ) -> MoveReport:
-        """Moves the whole as far as it goes: rotated (quaternion x, y, z, w) round a centre, then translated."""
-        motion = described(RigidMotion, translation=translation, rotation=rotation, centre=centre)
+        """Moves the whole as far as it goes: rotated (quaternion x, y, z, w; in the plane x and y are 0) round a centre, then translated."""
+        motion = described(RigidMotion, translation=_in_space(translation), rotation=rotation, centre=_in_space(centre))
         return self._core.move_rigid(motion, options, order)  # type: ignore[no-any-return]
 
     def contacts(self) -> Records:
@@ -173,3 +173,9 @@ class Body:
     def edits(self) -> Records:
         """Vertices that responses inserted and removed in the last move."""
         return self._core.get_edits()  # type: ignore[no-any-return]
+
+
+def _in_space(vector: ArrayLike) -> NDArray[np.float64]:
+    """A vector of the plane has the third coordinate 0 there."""
+    vector = np.asarray(vector, np.float64)
+    return np.append(vector, 0.0) if vector.shape == (2,) else vector

@@ -73,11 +73,15 @@ class CellType(IntEnum):
     - hexahedron: 0 1 2 3 counter-clockwise seen from 4 5 6 7, each of these above its counterpart;
     - wedge: 0 1 2 counter-clockwise seen from outside, 3 4 5 opposite them;
     - pyramid: base 0 1 2 3 counter-clockwise seen from the apex 4;
+    - in the plane triangle, quad and polygon: their points counter-clockwise;
     - polyhedron: a face stream, the count of faces, then for each face the count of its points and the points, counter-clockwise
       seen from outside.
     """
 
     NONE = _core.CELL_TYPE_NONE
+    TRIANGLE = _core.CELL_TYPE_TRIANGLE
+    POLYGON = _core.CELL_TYPE_POLYGON
+    QUAD = _core.CELL_TYPE_QUAD
     TETRA = _core.CELL_TYPE_TETRA
     HEXAHEDRON = _core.CELL_TYPE_HEXAHEDRON
     WEDGE = _core.CELL_TYPE_WEDGE

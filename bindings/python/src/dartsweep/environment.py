@@ -37,14 +37,28 @@ Records = NDArray[np.void]
 Ids = Union[Records, Sequence[Any]]
 
 _TYPE_OF_WIDTH = {4: CellType.TETRA, 5: CellType.PYRAMID, 6: CellType.WEDGE, 8: CellType.HEXAHEDRON}
+_PLANAR_TYPE_OF_WIDTH = {3: CellType.TRIANGLE, 4: CellType.QUAD}
+
+
+def _rows(cells: NDArray[Any], dimension: int) -> tuple[CellType, ArrayLike | None, ArrayLike | None]:
+    """Of cells that are rows of points: their type, or where that does not tell their size the type and offset of each."""
+    count, width = cells.shape
+    if dimension == 2 and width > 4:
+        return CellType.NONE, np.full(count, CellType.POLYGON, np.uint8), np.arange(0, cells.size + 1, width, cells.dtype)
+    known = _PLANAR_TYPE_OF_WIDTH if dimension == 2 else _TYPE_OF_WIDTH
+    if width not in known:
+        raise ValueError(f"cells of {width} points need `types`")
+    return known[width], None, None
 
 
 class Environment:
-    """A volume mesh that things move in. Close it, or use it in a `with` statement; scenes of it go on until they are closed, too.
+    """A volume mesh that things move in, or a mesh of polygons in the plane. Close it, or use it in a `with` statement; scenes of it go on
+    until they are closed, too.
 
     points: (n, 3) float64. cells: integers of shape (n, 4), (n, 5), (n, 6) or (n, 8), tetrahedra, pyramids, wedges or hexahedra
     numbered as in VTK; or in one dimension, with `types` (CellType of each) and, but for face streams of polyhedra in `faces`,
-    `offsets` as in VTK's unstructured grids. regions, tags: a label and a host's tag for each cell. flags: EnvironmentFlag.
+    `offsets` as in VTK's unstructured grids. In the plane points are (n, 2), cells (n, 3) or more, triangles, quads or polygons; they are the
+    "volumes" and their sides the "faces", and wherever points are asked for they have two coordinates. regions, tags: a label and a host's tag for each cell. flags: EnvironmentFlag.
     threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
     """
 
@@ -65,12 +79,12 @@ class Environment:
         threads: int = 0,
         log: Callable[[int, str], object] | None = None,
     ) -> None:
-        desc = described(_core.EnvironmentDesc, flags=int(flags))
-        cells = np.asarray(cells)
+        points, cells = np.asarray(points), np.asarray(cells)
+        dimension = 2 if points.ndim == 2 and points.shape[1] == 2 else 3
+        desc = described(_core.EnvironmentDesc, flags=int(flags), dimension=dimension)
         if cells.ndim == 2 and types is None:
-            if cells.shape[1] not in _TYPE_OF_WIDTH:
-                raise ValueError(f"cells of {cells.shape[1]} points need `types`")
-            desc.uniform_cell_type = int(_TYPE_OF_WIDTH[cells.shape[1]])
+            kind, types, offsets = _rows(cells, dimension)
+            desc.uniform_cell_type = int(kind)
         self._log = None if log is None else _core.Log(log)
         context = None if log is None and threads == 0 else _core.Context(threads, self._log)
         self._core: Any = _core.Environment(
@@ -117,6 +131,11 @@ class Environment:
         return f"<dartsweep.Environment: {info.volume_count} volumes, {info.vertex_count} vertices>"
 
     @property
+    def dimension(self) -> int:
+        """2 in the plane, else 3: how many coordinates points have."""
+        return self._core.dimension()  # type: ignore[no-any-return]
+
+    @property
     def info(self) -> EnvironmentInfo:
         """Counts, bounds and memory."""
         return self._core.info()  # type: ignore[no-any-return]
@@ -146,7 +165,7 @@ class Environment:
 
     def points(self) -> NDArray[np.float64]:
         """Positions of all vertices, by index: a copy."""
-        return self._core.get_points().reshape(-1, 3)  # type: ignore[no-any-return]
+        return self._core.get_points().reshape(-1, self.dimension)  # type: ignore[no-any-return]
 
     def centre(self, volume: Any) -> NDArray[np.float64]:
         """The mean of a volume's vertices, rounded."""
@@ -353,8 +372,9 @@ class Environment:
     ) -> Records:
         """Adds cells of one type, as in the constructor, of vertices (0 .. len(vertices) - 1) and new points (from there on)."""
         cells = np.asarray(cells)
-        desc = described(_core.VolumesDesc, uniform_cell_type=int(_TYPE_OF_WIDTH[cells.shape[1]]))
-        return self._core.add_volumes(vertices, points, cells, None, None, regions, tags, sew_to, desc)  # type: ignore[no-any-return]
+        kind, types, offsets = _rows(cells, self.dimension)
+        desc = described(_core.VolumesDesc, uniform_cell_type=int(kind))
+        return self._core.add_volumes(vertices, points, cells, offsets, types, regions, tags, sew_to, desc)  # type: ignore[no-any-return]
 
     def volume_changes(self) -> Records:
         """What became of the volumes that the last change replaced (dtypes.VOLUME_CHANGE)."""
@@ -368,7 +388,7 @@ class Environment:
         desc = described(_core.CutDesc, flags=int(flags), snap=snap)
         if start is not None:
             desc.start = start
-        return self._core.cut(blade.reshape(-1, 3), blade.shape[0], blade.shape[1], desc)  # type: ignore[no-any-return]
+        return self._core.cut(blade.reshape(-1, blade.shape[2]), blade.shape[0], blade.shape[1], desc)  # type: ignore[no-any-return]
 
     def tear_faces(self, faces: Ids, loads: ArrayLike, threshold: float) -> int:
         """Tears faces with a load above the threshold; answers how many."""

@@ -25,6 +25,7 @@ _TYPES = {
     "wedge": CellType.WEDGE,
     "pyramid": CellType.PYRAMID,
 }
+_PLANAR_TYPES = {"triangle": CellType.TRIANGLE, "quad": CellType.QUAD, "polygon": CellType.POLYGON}
 _REGION_NAMES = ("gmsh:physical", "region", "medit:ref", "cell_tags")
 
 
@@ -36,19 +37,24 @@ def read(path: str, *, regions: str | None = None, **options: Any) -> Environmen
 
 
 def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Environment:
-    """An environment of a meshio.Mesh: its linear volume cells, in their order; surfaces, lines and points are left out.
+    """An environment of a meshio.Mesh: its linear volume cells, in their order; surfaces, lines and points are left out. A mesh without
+    volumes in two dimensions, or with z = 0 everywhere, is one of the plane: of its triangles, quads and polygons.
 
     regions: name of the cell data that labels cells; by default the usual names are looked for. options: as of Environment.
     """
     name = regions or next((known for known in _REGION_NAMES if known in mesh.cell_data), None)
     types, sizes, connectivity, labels = [], [], [], []
+    points = np.ascontiguousarray(mesh.points, np.float64)
+    is_planar = not np.any(points[:, 2:]) and not any(getattr(block, "dim", 3) == 3 for block in mesh.cells)
+    known = _PLANAR_TYPES if is_planar else _TYPES
     for i, block in enumerate(mesh.cells):
-        if block.type not in _TYPES:
-            if getattr(block, "dim", 3) == 3:
-                raise ValueError(f"cells of type '{block.type}' are not supported: linear volumes only")
+        if block.type not in known:
+            if getattr(block, "dim", 3) == (2 if is_planar else 3):
+                kinds = "triangles, quads and polygons" if is_planar else "linear volumes"
+                raise ValueError(f"cells of type '{block.type}' are not supported: {kinds} only")
             continue
         data = np.asarray(block.data, np.int64)
-        types.append(np.full(len(data), _TYPES[block.type], np.uint8))
+        types.append(np.full(len(data), known[block.type], np.uint8))
         sizes.append(np.full(len(data), data.shape[1], np.int64))
         connectivity.append(data.ravel())
         if name is not None:
@@ -56,7 +62,7 @@ def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Env
     if not types:
         raise ValueError("the mesh has no volume cells")
     return Environment(
-        np.ascontiguousarray(mesh.points, np.float64),
+        np.ascontiguousarray(points[:, :2]) if is_planar else points,
         np.concatenate(connectivity),
         np.concatenate(types),
         np.concatenate([np.zeros(1, np.int64), np.cumsum(np.concatenate(sizes))]),

@@ -40,7 +40,7 @@ def grid(environment: Environment) -> pyvista.UnstructuredGrid:
         cells.append(np.insert(cell.astype(np.int64), 0, len(cell)))
         types.append(counts.type)
         volumes.append(volume)
-    made = pyvista.UnstructuredGrid(np.concatenate(cells), np.array(types, np.uint8), environment.points())
+    made = pyvista.UnstructuredGrid(np.concatenate(cells), np.array(types, np.uint8), _in_space(environment.points()))
     made.cell_data["volume"] = [volume.index for volume in volumes]
     made.cell_data["region"] = [environment.region(volume) for volume in volumes]
     made.cell_data["tag"] = [environment.tag(volume) for volume in volumes]
@@ -49,15 +49,17 @@ def grid(environment: Environment) -> pyvista.UnstructuredGrid:
 
 
 def walls(environment: Environment, with_boundary: bool = True) -> pyvista.PolyData:
-    """Triangles of all walls that border passable volumes."""
+    """Triangles of all walls that border passable volumes; in the plane lines."""
     trace = Trace()
     trace.add_impassable(environment, with_boundary)
+    if environment.dimension == 2:
+        return pyvista.PolyData(trace.points, lines=_polygons(trace.segments[0]))
     return pyvista.PolyData(trace.points, faces=_polygons(trace.triangles[0]))
 
 
 def body(body: Body) -> pyvista.PolyData:
     """A body where it is now: its triangles, or its edges where it has none. Points keep their indices."""
-    points = body.positions()
+    points = _in_space(body.positions())
     if body.counts.face_count != 0:
         return pyvista.PolyData(points, faces=_polygons(body.face_vertices()))
     return pyvista.PolyData(points, lines=_polygons(body.edge_vertices()))
@@ -85,6 +87,11 @@ def draw(scene: Scene, plotter: pyvista.Plotter | None = None) -> pyvista.Plotte
             plotter.add_mesh(contacts(met), color="gold", point_size=10, render_points_as_spheres=True)
             plotter.add_arrows(met["point"], met["normal"], mag=0.05 * size, color="gold")
     return plotter
+
+
+def _in_space(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """PyVista's points have three coordinates."""
+    return np.pad(points, ((0, 0), (0, 3 - points.shape[1])))
 
 
 def _polygons(corners: NDArray[np.uint32]) -> NDArray[np.int64]:

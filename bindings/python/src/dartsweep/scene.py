@@ -144,11 +144,11 @@ class Scene:
     def particle(self, particle: Any) -> tuple[NDArray[np.float64], VolumeId]:
         """Position and volume of a particle."""
         both = self._core.get_particle(particle)
-        return both.position, both.volume
+        return both.position[: self._core.dimension()], both.volume
 
     def positions(self, particles: Ids, out: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
         """Positions of particles."""
-        positions = np.empty((len(particles), 3)) if out is None else out
+        positions = np.empty((len(particles), self._core.dimension())) if out is None else out
         self._core.get_particles(particles, positions, None)
         return positions
 
@@ -253,7 +253,7 @@ class Scene:
     def deform(self, positions: NDArray[np.float64], options: DeformOptions | None = None) -> DeformReport:
         """Takes the environment to new positions of its vertices.
 
-        The array is lent, not copied: float64, C-contiguous, writable, of shape (n, 3), with n the environment's vertex indices. The
+        The array is lent, not copied: float64, C-contiguous, writable, of shape (n, 3), or (n, 2) in the plane, with n the environment's vertex indices. The
         environment keeps it and reads it until the next deformation; the one before is free again. It is written where a
         vertex could not go all of its way. More rows are room for vertices that cuts add.
         """

@@ -27,11 +27,11 @@ class Trace:
         self._core.clear()
 
     def add_volumes(self, environment: Environment, volumes: Ids, label: int = 0) -> None:
-        """Boundary triangles of volumes."""
+        """Boundary triangles of volumes, or in the plane their sides as segments."""
         self._core.add_volumes(environment._core, volumes, label)
 
     def add_impassable(self, environment: Environment, with_boundary: bool = True, label: int = 0) -> None:
-        """All walls that border passable volumes."""
+        """All walls that border passable volumes: triangles, or in the plane segments."""
         self._core.add_impassable(environment._core, with_boundary, label)
 
     def add_walk(self, environment: Environment, start: ArrayLike, end: ArrayLike, normal_length: float, label: int = 0) -> None:
@@ -44,7 +44,7 @@ class Trace:
 
     @property
     def points(self) -> NDArray[np.float64]:
-        """All points."""
+        """All points; the third coordinate is 0 in the plane."""
         return self._core.get_points().reshape(-1, 3)  # type: ignore[no-any-return]
 
     @property

@@ -47,10 +47,35 @@ class ErrorsTest {
   }
 
   @Test
+  void pointsOfThePlaneHaveTwoCoordinates() {
+    double[] square = {0, 0, 1, 0, 1, 1, 0, 1};
+    try (Environment environment = new Environment(square, new int[] {0, 1, 2, 0, 2, 3}, CellType.TRIANGLE, null)) {
+      assertEquals(2, environment.dimension());
+      assertArrayEquals(square, environment.getPoints());
+      assertArrayEquals(new double[] {1, 1}, environment.getPosition(environment.getVertex(2)));
+      Flight flight = environment.cast(new double[] {0.5, 0.25}, new double[] {0.5, 2.25});
+      assertEquals(0.375, flight.getTime());
+      assertArrayEquals(new double[] {0, -1, 0}, flight.getNormal());
+      assertThrows(DartsweepException.WrongSize.class, () -> environment.cast(new double[] {0.5, 0.25, 1}, new double[2]));
+      assertThrows(DartsweepException.WrongSize.class, () -> environment.castSegments(new double[3], new double[3]));
+      environment.markVertices(VertexIdArray.of(environment.getVertex(2)), Mark.IMPASSABLE);
+      try (Scene scene = new Scene(environment, Dartsweep.FEATURE_DEFORMING)) {
+        Body body = scene.createBody(new double[] {0.5, 0.25, 0.75, 0.25}, new int[] {0, 1});
+        MoveReport report = body.move(new double[] {0.5, 1.25, 0.75, 0.5}, null);
+        assertEquals(1, report.getVerticesStopped());
+        assertEquals(0.75, body.getContacts().get(0).getTime());
+        assertEquals(4, body.getPositions().length);
+        assertEquals(DeformOutcome.DONE, scene.deform(new double[] {0, 0, 1, 0, 1, 2, 0, 2}).getOutcome());
+      }
+    }
+  }
+
+  @Test
   void argumentsOfTheWrongShapeAreRefused() {
     try (Environment environment = Scenario.create()) {
-      assertThrows(IllegalArgumentException.class, () -> environment.cast(new double[2], new double[3]));
-      assertThrows(IllegalArgumentException.class, () -> environment.castSegments(new double[4], new double[4]));
+      assertThrows(DartsweepException.WrongSize.class, () -> environment.cast(new double[2], new double[3]));
+      assertThrows(IllegalArgumentException.class, () -> environment.cast(new double[4], new double[3]));
+      assertThrows(DartsweepException.WrongSize.class, () -> environment.castSegments(new double[4], new double[4]));
       assertThrows(IllegalArgumentException.class, () -> environment.cast(null, new double[3]));
       assertThrows(DartsweepException.WrongSize.class, () -> environment.castSegments(new double[3], new double[6]));
     }

@@ -7,7 +7,7 @@ import java.util.Map;
 
 /** The scenario of bindings/tests/README.md, in Java. */
 final class Scenario {
-  static final int NX = 6, NY = 6, NZ = 12, LINKS = 12, PARTICLES = 50;
+  static final int NX = 6, NY = 6, NZ = 12, LINKS = 12, PARTICLES = 50, SIDE = 10;
   static final double[] INSIDE = {24, 24, 48}, OUTSIDE = {-9, 0, 0};
   private static final int[][] CORNERS = {
     {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}
@@ -21,6 +21,7 @@ final class Scenario {
     Scenario scenario = new Scenario();
     scenario.playAll();
     scenario.deform();
+    scenario.plane();
     return scenario.result;
   }
 
@@ -44,6 +45,15 @@ final class Scenario {
     for (int i = 0; i < points.length; ++i) {
       seed = (seed * 4093 + 1021) % 65536;
       points[i] = i % 3 == 2 ? 1.5 * (seed / 1024.0) : 4 + 0.625 * (seed / 1024.0);
+    }
+    return points;
+  }
+
+  private double[] drawInPlane(int count) {
+    double[] points = new double[2 * count];
+    for (int i = 0; i < points.length; ++i) {
+      seed = (seed * 4093 + 1021) % 65536;
+      points[i] = 11 + 0.90625 * (seed / 1024.0);
     }
     return points;
   }
@@ -124,6 +134,25 @@ final class Scenario {
     }
   }
 
+  private void sayFlights(FlightArray flights) {
+    for (Flight flight : flights) {
+      say(flight.getOutcome().swigValue());
+      say(flight.getTime());
+      say(flight.getPosition());
+      say(flight.getNormal());
+      say(flight.getFace().volume(), flight.getFace().local(), flight.getCellsVisited());
+    }
+  }
+
+  private void saySweeps(SweepArray sweeps) {
+    for (Sweep sweep : sweeps) {
+      say(sweep.getOutcome().swigValue());
+      say(sweep.getTime());
+      say(sweep.getPoint());
+      say(sweep.getAlong());
+    }
+  }
+
   private void queries(Environment environment) {
     stage("locate");
     double[] from = draw(64);
@@ -134,23 +163,12 @@ final class Scenario {
 
     stage("cast");
     double[] to = draw(64);
-    for (Flight flight : environment.castSegments(from, to)) {
-      say(flight.getOutcome().swigValue());
-      say(flight.getTime());
-      say(flight.getPosition());
-      say(flight.getNormal());
-      say(flight.getFace().volume(), flight.getFace().local(), flight.getCellsVisited());
-    }
+    sayFlights(environment.castSegments(from, to));
 
     stage("sweep");
     double[] fixed = draw(16);
     double[] some = java.util.Arrays.copyOf(from, 48), targets = java.util.Arrays.copyOf(to, 48);
-    for (Sweep sweep : environment.sweepEdges(some, targets, fixed)) {
-      say(sweep.getOutcome().swigValue());
-      say(sweep.getTime());
-      say(sweep.getPoint());
-      say(sweep.getAlong());
-    }
+    saySweeps(environment.sweepEdges(some, targets, fixed));
 
     stage("nearest");
     for (int i = 0; i < 64; ++i) {
@@ -171,24 +189,33 @@ final class Scenario {
   }
 
   private void push(Body body) {
-    stage("catheter");
+    double[] way = new double[3 * LINKS];
+    for (int i = 0; i < LINKS; ++i) {
+      way[3 * i] = 1.75;
+      way[3 * i + 1] = -0.5 * (i % 3);
+      way[3 * i + 2] = 3.0;
+    }
+    push("catheter", body, way);
+    sayContacts("contacts", body.getContacts());
+  }
+
+  private void push(String name, Body body, double[] way) {
+    stage(name);
     MoveOptions slide = new MoveOptions();
     slide.setVertexResponse(Response.SLIDE);
     slide.setEdgeResponse(Response.SLIDE);
     for (int step = 0; step < 10; ++step) {
       double[] positions = body.getPositions();
-      for (int i = 0; i < LINKS; ++i) {
-        positions[3 * i] += 1.75;
-        positions[3 * i + 1] -= 0.5 * (i % 3);
-        positions[3 * i + 2] += 3.0;
-      }
+      for (int i = 0; i < way.length; ++i) positions[i] += way[i];
       MoveReport report = body.move(positions, slide);
       say(report.getVerticesStopped(), report.getContactCount());
       say(body.getPositions());
     }
 
-    stage("contacts");
-    ContactArray contacts = body.getContacts();
+  }
+
+  private void sayContacts(String name, ContactArray contacts) {
+    stage(name);
     say(contacts.size());
     for (Contact contact : contacts) {
       say(contact.getVertex().index(), contact.getKind().swigValue());
@@ -199,14 +226,17 @@ final class Scenario {
     }
   }
 
+  private void sayBlock(byte[] block) {
+    long sum = 0;
+    for (byte each : block) sum += Byte.toUnsignedInt(each);
+    say(block.length, sum);
+  }
+
   private void snapshots(Environment environment, Scene scene, ParticleIdArray particles) {
     stage("snapshot");
     byte[] block = environment.save(), sceneBlock = scene.save();
-    for (byte[] saved : new byte[][] {block, sceneBlock}) {
-      long sum = 0;
-      for (byte each : saved) sum += Byte.toUnsignedInt(each);
-      say(saved.length, sum);
-    }
+    sayBlock(block);
+    sayBlock(sceneBlock);
     try (Environment other = Environment.load(block);
         Scene copy = Scene.load(other, sceneBlock)) {
       move(copy, particles);
@@ -268,6 +298,75 @@ final class Scenario {
         DeformReport report = scene.deform(next);
         say(report.getOutcome().swigValue(), report.getHeldCount(), report.getContactCount(), report.getPushedCount());
         say(body.getPositions());
+      }
+    }
+  }
+
+  /** Squares whose corners have moved, half of them cut into two triangles. */
+  static Environment createPlane() {
+    double[] points = new double[2 * (SIDE + 1) * (SIDE + 1)];
+    for (int p = 0; p < points.length / 2; ++p) {
+      int i = p % (SIDE + 1), j = p / (SIDE + 1);
+      points[2 * p] = 8 * i + i * j % 3;
+      points[2 * p + 1] = 8 * j + (i + 2 * j) % 3;
+    }
+    int[] corners = new int[SIDE * SIDE * 5], offsets = new int[SIDE * SIDE * 3 / 2 + 1], regions = new int[offsets.length - 1];
+    byte[] types = new byte[regions.length];
+    for (int square = 0, cell = 0; square < SIDE * SIDE; ++square) {
+      int i = square % SIDE, j = square / SIDE, a = j * (SIDE + 1) + i, d = a + SIDE + 1;
+      boolean quad = (i + j) % 2 == 0;
+      int[][] cells = quad ? new int[][] {{a, a + 1, d + 1, d}} : new int[][] {{a, a + 1, d + 1}, {a, d + 1, d}};
+      for (int[] each : cells) {
+        System.arraycopy(each, 0, corners, offsets[cell], each.length);
+        types[cell] = (byte) (quad ? CellType.QUAD : CellType.TRIANGLE).swigValue();
+        regions[cell] = i > 0 && i < SIDE - 1 && j > 0 && j < SIDE - 1 ? 1 : 2;
+        offsets[cell + 1] = offsets[cell] + each.length;
+        ++cell;
+      }
+    }
+    corners = java.util.Arrays.copyOf(corners, offsets[offsets.length - 1]);
+    EnvironmentDesc desc = new EnvironmentDesc();
+    desc.setDimension(2);
+    return new Environment(java.nio.DoubleBuffer.wrap(points), corners, offsets, types, regions, null, null, null, desc, null);
+  }
+
+  private void plane() {
+    stage("plane");
+    try (Environment environment = createPlane()) {
+      EnvironmentInfo info = environment.info();
+      Marked marked = environment.markRegion(2, Mark.IMPASSABLE);
+      environment.markVertices(VertexIdArray.of(environment.getVertex(5 * (SIDE + 1) + 5)), Mark.IMPASSABLE);
+      say(info.getDimension(), info.getVertexCount(), info.getVolumeCount(), info.getFaceCount(), info.getBoundaryFaceCount(), marked.getMarked());
+
+      stage("plane cast");
+      seed = 1;
+      double[] from = drawInPlane(32), to = drawInPlane(32);
+      for (int i = 0; i < to.length; i += 4) to[i] += 40;
+      sayFlights(environment.castSegments(from, to));
+
+      stage("plane sweep");
+      saySweeps(environment.sweepEdges(java.util.Arrays.copyOf(from, 32), java.util.Arrays.copyOf(to, 32), drawInPlane(16)));
+
+      try (Scene scene = new Scene(environment)) {
+        stage("plane particles");
+        ParticleIdArray particles = scene.createParticles(from);
+        scene.moveParticles(particles, to);
+        for (ParticleId particle : particles) say(java.util.Arrays.copyOf(scene.getParticle(particle).getPosition(), 2));
+        double[] positions = new double[2 * LINKS], way = new double[2 * LINKS];
+        int[] edges = new int[2 * (LINKS - 1)];
+        for (int i = 0; i < LINKS; ++i) {
+          positions[2 * i] = 20.25 + 3.0 * i;
+          positions[2 * i + 1] = 40.5;
+          way[2 * i] = 1.5;
+          way[2 * i + 1] = 4.0 - 0.75 * (i % 3);
+        }
+        for (int i = 0; i < edges.length; ++i) edges[i] = i / 2 + i % 2;
+        Body rope = scene.createBody(positions, edges);
+        push("rope", rope, way);
+        sayContacts("rope contacts", rope.getContacts());
+        stage("plane snapshot");
+        sayBlock(environment.save());
+        sayBlock(scene.save());
       }
     }
   }
