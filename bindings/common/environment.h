@@ -384,12 +384,12 @@ class Environment {
     if (desc) all = *desc;
     if (!desc) dsw_carve_desc_init(&all, sizeof all);
     count_points(dimension(), points);
-    same_count("corners of triangles", triangles.count, triangles.count / 3 * 3);
+    same_count("corners of triangles", triangles.count, triangles.count / dimension() * dimension());
     all.points = points.data;
     all.point_count = points.count;
     all.point_stride_bytes = points.stride_bytes;
     all.triangles = triangles.data;
-    all.triangle_count = triangles.count / 3;
+    all.triangle_count = triangles.count / dimension();
     dsw_carve_report report = {};
     change(dsw_environment_carve, &all, &report);
     return report;

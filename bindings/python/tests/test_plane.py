@@ -75,6 +75,16 @@ def test_walls_move() -> None:
             scene.deform(np.zeros((4, 3)))
 
 
+def test_cuts_and_shapes() -> None:
+    with create_plane() as environment:
+        report = environment.cut([(20.0, 20.5), (60.0, 41.25)])
+        assert report.face_count > 0 and report.volumes_split > 0
+    with create_plane() as environment:
+        environment.mark_region(1)
+        carved = environment.carve([(30.0, 30.0), (50.0, 31.0), (40.0, 50.0)], [(0, 1), (1, 2), (2, 0)])
+        assert carved.volumes_carved > 0 and len(environment.carved_volumes()) == carved.volumes_carved
+
+
 def test_snapshots_and_copies(tmp_path: object) -> None:
     with create_plane() as environment, ds.Scene(environment) as scene:
         rope = scene.create_body([(20.0, 40.0), (25.0, 40.0)], [(0, 1)])

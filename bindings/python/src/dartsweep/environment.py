@@ -381,10 +381,12 @@ class Environment:
         return self._core.get_volume_changes()  # type: ignore[no-any-return]
 
     def cut(self, blade: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> CutReport:
-        """Cuts along the surface that a blade sweeps: points of shape (rows, columns, 3)."""
+        """Cuts along the surface that a blade sweeps: points of shape (rows, columns, 3); in the plane along a line of points (n, 2)."""
         blade = np.ascontiguousarray(blade, np.float64)
+        if self.dimension == 2 and blade.ndim == 2:
+            blade = blade[:, np.newaxis]
         if blade.ndim != 3:
-            raise ValueError("a blade has shape (rows, columns, 3)")
+            raise ValueError("a blade has shape (rows, columns, 3), or (n, 2) in the plane")
         desc = described(_core.CutDesc, flags=int(flags), snap=snap)
         if start is not None:
             desc.start = start
@@ -412,7 +414,7 @@ class Environment:
         return self._core.open(faces, desc)  # type: ignore[no-any-return]
 
     def carve(self, points: ArrayLike, triangles: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> CarveReport:
-        """Makes passable what is inside of a closed surface."""
+        """Makes passable what is inside of a closed surface; in the plane `triangles` are segments, (n, 2), of closed lines."""
         desc = described(_core.CarveDesc, flags=int(flags), snap=snap)
         if start is not None:
             desc.start = start
@@ -423,7 +425,7 @@ class Environment:
         return self._core.get_carved_volumes()  # type: ignore[no-any-return]
 
     def tie(self, loop: ArrayLike, *, start: Any = None, snap: float = 0.0) -> TieReport:
-        """Closes what is passable over a closed loop of points."""
+        """Closes what is passable over a closed loop of points, in the plane along a line of points."""
         desc = described(_core.TieDesc, snap=snap)
         if start is not None:
             desc.start = start
