@@ -283,7 +283,7 @@ dsw_status PlaneCuts::tie() {
 dsw_status PlaneCuts::mark() {
   std::vector<dsw_volume_id> volumes;
   for (const uint32_t number : numbers_) {
-    if (rng_.chance(0.15)) volumes.push_back(volume_id(env().map, env().map.cell(number)));
+    if (rng_.chance(0.25)) volumes.push_back(volume_id(env().map, env().map.cell(number)));
   }
   const dsw_mark as = rng_.chance(0.7) ? DSW_MARK_IMPASSABLE : DSW_MARK_PASSABLE;
   return dsw_environment_mark_volumes(environment_.get(), volumes.data(), volumes.size(), as, DSW_MARK_SKIP_OCCUPIED,
@@ -344,6 +344,7 @@ std::string PlaneCuts::cut_all(uint64_t seed) {
   dsw_cut_desc desc;
   dsw_cut_desc_init(&desc, sizeof desc);
   desc.start = volume_id(env().map, some_cell());
+  through_all_ = true;
   std::set<uint32_t> is_whole;
   for (;;) {
     wrong_.clear();

@@ -35,7 +35,8 @@ class PlaneCuts {
   std::string cut_all(uint64_t seed);
 
   size_t done[kOperations] = {}, occupied[kOperations] = {};
-  size_t split = 0, whole = 0, opened = 0, parted = 0, entered = 0, sides_checked = 0, points_checked = 0;
+  size_t split = 0, whole = 0, opened = 0, parted = 0, into_space = 0, sides_checked = 0, points_checked = 0,
+         crossed = 0;
 
  private:
   using Path = std::vector<plane::Vec>;
@@ -60,6 +61,7 @@ class PlaneCuts {
 
   std::string check();
   std::string check_cells() const;
+  std::string check_turns() const;
   std::string check_inhabitants();
   std::string check_cut(const Path& path, const plane::World& before, const std::vector<uint32_t>& numbers,
                         const dsw_cut_report& report, bool unsewn);
@@ -75,9 +77,10 @@ class PlaneCuts {
   EnvironmentPtr environment_;
   ScenePtr scene_;
   std::vector<std::array<dsw_face_id, 2>> unsewn_;
-  std::string wrong_;     // of the last call
-  bool coarse_;           // doubles are as coarse as the cells
-  bool crosses_ = false;  // the outer boundary has been moved through itself
+  std::string wrong_;         // of the last call
+  bool coarse_;               // doubles are as coarse as the cells
+  bool through_all_ = false;  // the path is a line through everything
+  bool crosses_ = false;      // the outer boundary has been moved through itself
 };
 
 }  // namespace dsw::oracle

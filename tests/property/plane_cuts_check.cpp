@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace dsw::oracle {
 namespace {
@@ -57,6 +58,9 @@ std::string PlaneCuts::check() {
   const dsw_status partition = dsw_environment_check(environment_.get(), nullptr);
   crosses_ = partition == DSW_STATUS_BOUNDARY_CROSSES;
   if (!crosses_ && partition != DSW_STATUS_OK) return dsw_last_error_message();
+  crossed += crosses_ ? 1u : 0u;
+  if (!coarse_) wrong = check_turns();
+  if (!wrong.empty()) return wrong;
   for (int i = 0; !crosses_ && i < 8; ++i) {
     if (plane::locate(world_, some_point()) == -2) return "two cells contain one point";
   }
@@ -97,6 +101,32 @@ std::string PlaneCuts::check_cells() const {
       return "a side has other ends beyond";
   }
   return sum == outer ? "" : "the cells do not fill what the outer boundary encloses";
+}
+
+/// Cells round a vertex of the outer boundary do not turn by more than there is; what lies farther off can overlap.
+std::string PlaneCuts::check_turns() const {
+  const Map<2>& map = env().map;
+  const auto way = [&](dsw::Cell c, uint32_t from, uint32_t to) {
+    const double *const p = env().point(c, from), *const q = env().point(c, to);
+    return std::atan2((q[1] - p[1]) / unit_, (q[0] - p[0]) / unit_);
+  };
+  for (const plane::Side& side : world_.sides) {
+    if (side.cell[1] >= 0) continue;
+    double turn = 0;
+    dsw::Cell c = map.cell(numbers_[static_cast<size_t>(side.cell[0])]);
+    for (auto f = static_cast<uint32_t>(side.local[0]);;) {
+      const uint32_t n = map.vertices_of(c), last = (f + n - 1) % n;
+      double angle = way(c, f, last) - way(c, f, (f + 1) % n);
+      if (angle < 0) angle += 2 * M_PI;
+      turn += angle;
+      const HalfFacet o = map.opposite(map.half_facet(c, last));
+      if (!o.valid()) break;
+      c = map.cell_of(o);
+      f = map.local_of(o, c);
+    }
+    if (turn > 2 * M_PI + 1e-6) return "the outer boundary is folded";
+  }
+  return "";
 }
 
 std::string PlaneCuts::check_inhabitants() {
@@ -166,9 +196,8 @@ std::string PlaneCuts::check_cut(const Path& path, const plane::World& before, c
       if (!coarse_ && least > slack) return "the cut is farther from the path than reported";
       ++sides_checked;
     }
-    // Of a line through everything; where a path ends, what is before it and behind hangs on a side.
+    if (!through_all_ || coarse_) continue;  // where a path ends, what is before it and behind hangs on a side
     const plane::Vec u{(path[1][0] - path[0][0]) / size_, (path[1][1] - path[0][1]) / size_};
-    if (coarse_ || path.size() != 2 || std::hypot(u[0], u[1]) < 15) continue;
     double of_front[2], of_back[2];
     centre(env(), front, of_front);
     centre(env(), back, of_back);
@@ -181,24 +210,20 @@ std::string PlaneCuts::check_cut(const Path& path, const plane::World& before, c
     if (distance(world_.points[v.vertex.index], mix(a, b, v.weights[1]), mix(a, b, v.weights[1])) > rounding(a))
       return "a vertex of the cut is not where it is said to be";
   }
-  if (coarse_) return "";
+  if (coarse_ || crosses_) return "";
   std::map<uint32_t, int> heirs;
   for (const dsw_volume_change& change : changes(environment_)) ++heirs[change.before.index];
   plane::World passable = before;
   std::fill(passable.cell_marked.begin(), passable.cell_marked.end(), char{0});
   for (plane::Side& side : passable.sides) side.marked = false;
-  const auto hangs_together = [&](const plane::Vec& p, const plane::Vec& q) {
-    const int cell = plane::locate(passable, p);
-    return cell >= 0 && plane::cast(passable, cell, p, q).outcome == plane::Flight::kReached;
-  };
   // A path that leaves the environment and comes back is cut in one of its parts only.
-  for (size_t k = 1; k + 2 < path.size(); ++k) {
-    if (!hangs_together(path[k], path[k + 1])) return "";
+  for (size_t k = 0; path.size() > 2 && k + 1 < path.size(); ++k) {
+    const int cell = plane::locate(passable, path[k]);
+    if (cell < 0 || plane::cast(passable, cell, path[k], path[k + 1]).outcome != plane::Flight::kReached) return "";
   }
   for (int i = 0; i < 20; ++i) {
     const size_t k = rng_.below(path.size() - 1);
     const plane::Vec p = mix(path[k], path[k + 1], rng_.unit());
-    if (path.size() > 2 && !hangs_together(path[k == 0 ? 1 : k], p)) continue;
     const int cell = plane::locate(before, p);
     if (cell < 0 || heirs[numbers[static_cast<size_t>(cell)]] < 2) continue;
     // Where the path runs along a side, its rounded points can lie on the other side of that.
@@ -230,19 +255,25 @@ std::string PlaneCuts::check_opening(const dsw_open_report& report, double width
   const std::vector<dsw_cut_face> faces = cut_faces(environment_);
   if (faces.size() != report.faces_opened) return "sides that open are counted wrongly";
   const std::vector<dsw_volume_change> all = changes(environment_);
+  std::set<uint32_t> gaps;
+  for (size_t i = all.size() - faces.size(); i < all.size(); ++i) gaps.insert(all[i].after.index);
   for (size_t i = 0; i < faces.size(); ++i) {
     const dsw_volume_id gap = all[all.size() - faces.size() + i].after;
     const Map<2>& map = env().map;
     const dsw::Cell c = map.cell(gap.index);
     if (!map.is_alive(gap.index, gap.generation) || map.marked(c)) return "a gap is no passable cell";
-    size_t lips = 0;
+    size_t lips = 0, walls = 0, spaces = 0;
     for (uint32_t f = 0; f < map.facets_of(c); ++f) {
       const HalfFacet o = map.opposite(map.half_facet(c, f));
       if (!o.valid()) continue;
+      const dsw::Cell beyond = map.cell_of(o);
       const dsw_face_id id = face_id(map, o);
-      for (const dsw_face_id lip : {faces[i].front, faces[i].back}) lips += same(id, lip) ? 1u : 0u;
-      entered += map.marked(map.cell_of(o)) ? 0u : 1u;
+      const bool is_lip = same(id, faces[i].front) || same(id, faces[i].back);
+      lips += is_lip ? 1u : 0u;
+      walls += is_lip && map.marked(beyond) ? 1u : 0u;
+      spaces += !is_lip && !map.marked(beyond) && gaps.count(map.index(beyond)) == 0 ? 1u : 0u;
     }
+    into_space += walls == 2 && spaces != 0 ? 1u : 0u;
     if (lips != 2) return "a gap does not lie between its lips";
   }
   return "";

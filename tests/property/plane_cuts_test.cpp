@@ -36,7 +36,7 @@ TEST(PlaneCuts, NothingIsOnBothSidesOfALineButWhatStayedWhole) {
 
 TEST(PlaneCuts, WhateverIsCutTornOpenedCarvedAndTied) {
   size_t done[PlaneCuts::kOperations] = {}, occupied[PlaneCuts::kOperations] = {};
-  size_t split = 0, whole = 0, opened = 0, parted = 0, points = 0, entered = 0;
+  size_t split = 0, whole = 0, opened = 0, parted = 0, points = 0, into_space = 0, crossed = 0;
   for_each_world(4, true, [&](PlaneCuts& cuts, uint64_t) {
     for (int i = 0; i < 10; ++i) ASSERT_EQ(cuts.step(), "") << "step " << i;
     for (size_t k = 0; k < PlaneCuts::kOperations; ++k) {
@@ -48,7 +48,8 @@ TEST(PlaneCuts, WhateverIsCutTornOpenedCarvedAndTied) {
     opened += cuts.opened;
     parted += cuts.parted;
     points += cuts.points_checked;
-    entered += cuts.entered;
+    into_space += cuts.into_space;
+    crossed += cuts.crossed;
   });
   for (size_t k = 0; k < PlaneCuts::kOperations; ++k) {
     EXPECT_GT(done[k], 50u) << k;
@@ -58,13 +59,15 @@ TEST(PlaneCuts, WhateverIsCutTornOpenedCarvedAndTied) {
   EXPECT_GT(occupied[PlaneCuts::kCut] + occupied[PlaneCuts::kTear], 20u);
   EXPECT_GT(split, 500u);
   EXPECT_GT(opened, 500u);
+  EXPECT_GT(into_space, 50u);
   EXPECT_GT(points, 500u);
   RecordProperty("split", static_cast<int>(split));
   RecordProperty("whole", static_cast<int>(whole));
   RecordProperty("opened", static_cast<int>(opened));
   RecordProperty("parted", static_cast<int>(parted));
   RecordProperty("points", static_cast<int>(points));
-  RecordProperty("entered", static_cast<int>(entered));
+  RecordProperty("into_space", static_cast<int>(into_space));
+  RecordProperty("boundary_crosses", static_cast<int>(crossed));
 }
 
 }  // namespace
