@@ -4,6 +4,7 @@
 
 #include "base/vec.h"
 #include "contact/describe.h"
+#include "contact/geometry.h"
 #include "predicates/filtered.h"
 #include "predicates/plane_hit.h"
 #include "predicates/touch.h"
@@ -11,28 +12,12 @@
 namespace dsw {
 namespace {
 
-/** `chosen` turned against the motion; where there is none, against the motion itself. */
-Vec against(const Vec& chosen, const Vec& move) {
-  if (is_zero(chosen)) return -1.0 * unit(move);
-  return (dot(chosen, move) > 0 ? -1.0 : 1.0) * chosen;
-}
-
 /** What a motion has across a line, turned round. Of one along the line, which is known exactly, that would be what rounding leaves: then it
  * is the motion itself. */
 Vec back_across(const Vec& move, const Vec& line, bool is_along) {
   if (is_along) return against({}, move);
   const Vec along = unit(line), way = unit(move);
   return against(unit(way - dot(way, along) * along), move);
-}
-
-/** Normal of a face, in the plane of an edge, on that side of it. */
-template <int D>
-Vec normal_on(int side, const double* const* corners, const Vec& move) {
-  double normal[D];
-  unit_normal<D>(corners, normal);
-  // What moves along an edge in the plane meets its end.
-  if (side == 0) return against(D == 3 ? to_vec<D>(normal) : Vec{}, move);
-  return (side < 0 ? -1.0 : 1.0) * to_vec<D>(normal);
 }
 
 /** Where segment a b pierces the swept triangle; not both of its ends are in that plane. */
@@ -74,11 +59,9 @@ Vec describe_edge(const PairContact<3>& met, const EdgeMotion& m, const Touched<
 
 /** The same in the plane. */
 Vec describe_edge(const PairContact<2>& met, const EdgeMotion& m, const Touched<2>& touched, dsw_contact& contact) {
-  const Vec move = difference<2>(m.to, m.p);
-  if (met.edge == kNone) return normal_on<2>(orient<2>(touched.at, m.p), touched.at, move);
-  const double *const start[2] = {m.p, m.q}, *const edge[2] = {touched.at[0], m.q};
+  if (met.edge == kNone) return normal_on<2>(orient<2>(touched.at, m.p), touched.at, difference<2>(m.to, m.p));
   std::copy_n(touched.at[0], 2, contact.point);
-  return normal_on<2>(-orient<2>(start, m.to), edge, move);
+  return swing_normal(m, contact.position, touched.at[0]);
 }
 
 }  // namespace

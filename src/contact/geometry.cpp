@@ -5,19 +5,15 @@
 #include "base/vec.h"
 #include "motion/move.h"
 #include "motion/standard_facets.h"
+#include "predicates/filtered.h"
 #include "predicates/plane_hit.h"
 
 namespace dsw {
 namespace {
 
-/** Across a body's edge and the obstacle's, in the plane across the body's; zero if it has no direction. */
-template <int D>
-Vec across_edge(const EdgeMotion& m, const double* position, const SweepEvent& event) {
-  if constexpr (D == 2) {  // the edge lies on the vertex, which is not rounded, unless that is its other end
-    const Vec part = unit(difference<D>(m.q, event.points[1]));
-    return turned(is_zero(part) ? unit(difference<D>(m.q, position)) : part);
-  }
-  return unit(cross(unit(difference<D>(m.q, position)), unit(difference<D>(event.points[2], event.points[1]))));
+/** Across a body's edge and the obstacle's; zero if they have no such direction. */
+Vec across_edges(const EdgeMotion& m, const double* position, const SweepEvent& event) {
+  return unit(cross(unit(difference<3>(m.q, position)), unit(difference<3>(event.points[2], event.points[1]))));
 }
 
 /** Where segment ab pierces the swept plane, by the exact ratio. It does not lie in it: shifted, both ends of a line in that
@@ -48,6 +44,28 @@ Vec against(const Vec& chosen, const Vec& move, const Vec& wall) {
 
 }  // namespace
 
+Vec against(const Vec& chosen, const Vec& move) {
+  if (is_zero(chosen)) return -1.0 * unit(move);
+  return (dot(chosen, move) > 0 ? -1.0 : 1.0) * chosen;
+}
+
+template <int D>
+Vec normal_on(int side, const double* const* corners, const Vec& move) {
+  double normal[D];
+  unit_normal<D>(corners, normal);
+  // What moves along an edge in the plane meets its end.
+  if (side == 0) return against(D == 3 ? to_vec<D>(normal) : Vec{}, move);
+  return (side < 0 ? -1.0 : 1.0) * to_vec<D>(normal);
+}
+
+Vec swing_normal(const EdgeMotion& m, const double* position, const double* at) {
+  const double* const start[2] = {m.p, m.q};
+  // What it lies on is not rounded, but at q it says nothing; nor does an end that comes as near to q.
+  const double* const edge[2] = {std::equal(at, at + 2, m.q) ? position : at, m.q};
+  const int side = std::equal(edge[0], edge[0] + 2, m.q) ? 0 : -orient<2>(start, m.to);
+  return normal_on<2>(side, edge, difference<2>(m.to, m.p));
+}
+
 template <int D>
 double share_along(const double* end, const double* q, const double* point) {
   int axis = 0;
@@ -72,12 +90,13 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
     const EdgeMotion m{p, to, event.points[0]};
     if constexpr (D == 3) {
       piercing_point(m, event.points[1], event.points[2], g.point);
+      const Vec across = across_edges(m, g.position, event);
+      normal = against(!is_zero(across) ? across : !is_zero(wall) ? wall : -1.0 * move, move, wall);
     } else {
       std::copy_n(event.points[1], D, g.point);
+      normal = swing_normal(m, g.position, g.point);
     }
     g.along = share_along<D>(g.position, m.q, g.point);
-    const Vec across = across_edge<D>(m, g.position, event);
-    normal = against(!is_zero(across) ? across : !is_zero(wall) ? wall : -1.0 * move, move, wall);
   } else if (event.kind == EventKind::kFace) {
     std::copy_n(event.points[2], D, g.point);
     const Vec face =
@@ -91,6 +110,7 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
 #define DSW_GEOMETRY(D)                                                                                   \
   template ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to, \
                                             const SweepContact& contact);                                 \
+  template Vec normal_on<D>(int side, const double* const* corners, const Vec& move);                     \
   template double share_along<D>(const double* end, const double* q, const double* point)
 DSW_GEOMETRY(2);
 DSW_GEOMETRY(3);

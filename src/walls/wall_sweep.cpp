@@ -1,6 +1,7 @@
 #include "walls/wall_sweep.h"
 
 #include "base/vec.h"
+#include "contact/geometry.h"
 #include "environment/marking.h"
 #include "predicates/swept_triangle.h"
 
@@ -221,7 +222,11 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
   Vec normal;
   if (hit.feature.is_point()) {
     std::copy_n(position(all, hit.feature), D, touch.point);
-    normal = unit(D == 3 ? cross(to_other(0), to_other(1)) : turned(to_other(0)));
+    if constexpr (D == 3) {
+      normal = unit(cross(to_other(0), to_other(1)));
+    } else {
+      normal = Vec{} - swing_normal({from, to, env.point(hit.others[0])}, at, touch.point);
+    }
   } else if (hit.feature.kind == Feature::kEdge) {
     const Body<D>& body = *all.bodies[hit.feature.owner].body;
     const double *const x = body.position(body.edges[hit.feature.index].ends[0]),
@@ -234,10 +239,11 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
       along = size > 0 ? dot(cross(difference<D>(at, x), wall), across) / size : 0.5;
       normal = unit(cross(wall, unit(edge)));
     } else {
+      const double* const line[2] = {x, y};
       const int k = std::fabs(edge.x) < std::fabs(edge.y) ? 1 : 0;
       const double size = y[k] / 2 - x[k] / 2;  // halves, which do not overflow
       along = size != 0 ? (at[k] / 2 - x[k] / 2) / size : 0.5;
-      normal = unit(turned(edge));
+      normal = Vec{} - normal_on<2>(orient<2>(line, from), line, way);
     }
     touch.along = std::min(std::max(along, 0.0), 1.0);
     point_at<D>(x, y, touch.along, touch.point);
@@ -248,8 +254,11 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
     normal = unit(cross(difference<D>(body.position(corners[1]), body.position(corners[0])),
                         difference<D>(body.position(corners[2]), body.position(corners[0]))));
   }
-  if (is_zero(normal)) normal = unit(way);
-  store<D>(dot(normal, way) < 0 ? -1.0 * normal : normal, touch.normal);
+  if constexpr (D == 3) {
+    if (is_zero(normal)) normal = unit(way);
+    if (dot(normal, way) < 0) normal = -1.0 * normal;
+  }
+  store<D>(normal, touch.normal);
   return touch;
 }
 
