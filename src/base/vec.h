@@ -44,6 +44,8 @@ inline void store(const Vec& a, double* out) {
   out[1] = a.y;
   if constexpr (D == 3) out[2] = a.z;
 }
+/** Normal to a vector of the plane, to its right. */
+inline Vec turned(const Vec& a) { return {a.y, 0 - a.x, 0}; }
 
 /** Length by the largest component first, so that no square over- or underflows. */
 inline double length(const Vec& a) {
