@@ -69,7 +69,7 @@ dsw_cell cell_of_vertex(const Map<D>& map, uint32_t vertex) noexcept {
 }
 
 /** As many finite coordinates as there are dimensions. */
-template <int D = 3>
+template <int D>
 void check_point(const double* point, const char* name) {
   require(point, name);
   check_finite({point, D}, 1, D, {name, false});
@@ -79,11 +79,11 @@ void check_point(const double* point, const char* name) {
 void require_array(const void* array, size_t count, const char* name);
 
 /** The host's stride in doubles. */
-template <int D = 3>
+template <int D>
 size_t to_step(size_t count, size_t stride_bytes);
 
 /** An array of points with the host's stride, not yet checked to be finite. */
-template <int D = 3>
+template <int D>
 PointArray to_points(const double* points, size_t count, size_t stride_bytes, const char* name);
 
 /** Options of a flight; null: defaults. */

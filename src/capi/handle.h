@@ -185,7 +185,7 @@ void for_each_scene(const dsw_environment& environment, const Use& use) {
   for (dsw_scene* scene = environment.first_scene; scene != nullptr; scene = scene->next) use(*scene);
 }
 /** Null for a null scene, which else has this dimension. */
-template <int D = 3>
+template <int D>
 Scene<D>* engine_of(dsw_scene* scene) {
   return scene == nullptr ? nullptr : &std::get<Scene<D>>(scene->engine);
 }

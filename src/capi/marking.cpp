@@ -105,7 +105,7 @@ dsw_status dsw_environment_mark_edges(dsw_environment* environment, const dsw_ed
     for (size_t i = 0; i < count; ++i) darts.data()[i] = capi::to_dart(env.map, edges[i], {"edges", true}, i);
     dsw_scene* const scene = begin_marking(handle);
     capi::Recorded call(scene, capi::Call::kMarkEdges, capi::Items<dsw_edge_id>{edges, count}, mark);
-    mark_edges(env, capi::engine_of(scene), darts.data(), count, marked);
+    mark_edges(env, capi::engine_of<3>(scene), darts.data(), count, marked);
     call.done();
   });
 }

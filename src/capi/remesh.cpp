@@ -62,7 +62,7 @@ dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh
     const dsw::MendRecord& record = mending.record();
     dsw::Edit<3>* const change = edit ? &*edit : nullptr;
     capi::MendResults results(env, record, change);
-    if (change != nullptr) carry_out_prepared(*change, capi::engine_of(scene));
+    if (change != nullptr) carry_out_prepared(*change, capi::engine_of<3>(scene));
     results.move_to(handle, change);
     const auto left = static_cast<uint32_t>(record.left.size());
     const dsw_remesh_report done{record.wanted, record.wanted - left, left, record.patches, record.gone,

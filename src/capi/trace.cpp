@@ -93,8 +93,8 @@ dsw_status dsw_trace_add_contact(dsw_trace* trace, const dsw_flight* flight, dou
     capi::require(flight, "flight");
     check_length(normal_length);
     if (flight->outcome == DSW_OUTCOME_CONTACT) {
-      capi::check_point(flight->position, "flight->position");
-      capi::check_point(flight->normal, "flight->normal");
+      capi::check_point<3>(flight->position, "flight->position");
+      capi::check_point<3>(flight->normal, "flight->normal");
     }
     add_contact(engine, *flight, normal_length, label);
   });
