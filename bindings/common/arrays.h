@@ -103,13 +103,15 @@ void optional_count(const char *name, Elements &array, std::size_t expected) {
   if (array.count != 0) same_count(name, array.count, expected);
 }
 
-[[noreturn]] inline void refuse_point(std::uint32_t dimension) {
-  throw Error(DSW_STATUS_WRONG_SIZE,
-              dimension == 2 ? "a point of the plane has 2 coordinates" : "a point of space has 3 coordinates");
+[[noreturn]] inline void refuse_point(std::uint32_t dimension, const std::string &given) {
+  throw Error(
+      DSW_STATUS_WRONG_SIZE,
+      (dimension == 2 ? "a point of the plane has 2 coordinates" : "a point of space has 3 coordinates") + given);
 }
 
 inline const double *in_dimension(std::uint32_t dimension, const Point &point) {
-  if (point.size != dimension && !(dimension == 2 && point.at[2] == 0)) refuse_point(dimension);
+  if (point.size != dimension && !(dimension == 2 && point.at[2] == 0))
+    refuse_point(dimension, dimension == 2 ? ", or a third that is 0" : ", not 2");
   return point.at;
 }
 
@@ -117,7 +119,9 @@ inline const double *in_dimension(std::uint32_t dimension, const Point &point) {
 template <class Array>
 void count_rows(std::uint32_t dimension, Array &array) {
   const bool counted = array.columns == dimension || array.count == 0;
-  if (!counted && (array.columns != 0 || array.count % dimension != 0)) refuse_point(dimension);
+  if (!counted && array.columns != 0) refuse_point(dimension, ", not " + std::to_string(array.columns));
+  if (!counted && array.count % dimension != 0)
+    refuse_point(dimension, "; " + std::to_string(array.count) + " numbers are no points");
   if (!counted) array.count /= dimension;
   array.columns = dimension;
 }

@@ -97,8 +97,14 @@ inline bool set_doubles(JNIEnv *env, jdoubleArray array, double *out, jsize coun
 
 // 2 coordinates in the plane, 3 in space: which of them it has to be, the layer knows.
 inline bool set_point(JNIEnv *env, jdoubleArray array, dartsweep::Point &out) {
-  if (array && env->GetArrayLength(array) == 2) out.size = 2;
-  return set_doubles(env, array, out.at, static_cast<jsize>(out.size));
+  const jsize count = array ? env->GetArrayLength(array) : 0;
+  if (count == 2 || count == 3) {
+    out.size = static_cast<std::uint32_t>(count);
+    env->GetDoubleArrayRegion(array, 0, count, out.at);
+    return true;
+  }
+  throw_java(env, "java/lang/IllegalArgumentException", "a point is an array of 3 numbers, or 2 in the plane");
+  return false;
 }
 
 // Ids are ints in the order of their members; null is the null id.

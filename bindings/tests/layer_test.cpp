@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <functional>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -98,6 +100,101 @@ TEST(Layer, PointsOfThePlaneHaveTwoCoordinates) {
   EXPECT_EQ(status_of([&] { body.move({rows, 2, 3, 24}); }), DSW_STATUS_WRONG_SIZE);
   const dsw_vec3 place = scene.get_particle(scene.create_particle(start)).position;
   EXPECT_TRUE(place.x == 0.5 && place.y == 0.25 && place.z == 0);
+}
+
+/// Points in memory of their very size: the sanitizers would see a third coordinate.
+template <class Array>
+Array of(std::vector<double> &numbers) {
+  numbers.shrink_to_fit();
+  return {numbers.data(), numbers.size()};
+}
+
+TEST(Layer, ArraysOfThePlaneAreReadAndWrittenByTwo) {
+  Environment environment = square();
+  dsw_scene_desc desc;
+  dsw_scene_desc_init(&desc, sizeof desc);
+  desc.features = DSW_FEATURE_DEFORMING;
+  Scene scene(environment, &desc);
+  std::vector<double> from = {0.5, 0.25, 0.25, 0.5}, to = {0.5, 2.25, -1.75, 0.5}, fixed = {0.75, 0.25, 0.25, 0.75},
+                      out(4);
+  dsw_volume_id volumes[2];
+  environment.locate_points(of<Points>(from), {}, {volumes, 2});
+  EXPECT_TRUE(volumes[0].index == 0 && volumes[1].index == 1);
+  dsw_flight flights[2];
+  environment.cast_segments(of<Points>(from), of<Points>(to), {}, nullptr, {flights, 2});
+  EXPECT_TRUE(flights[0].time == 0.375 && flights[1].time == 0.125);
+  dsw_sweep sweeps[2];
+  environment.sweep_edges(of<Points>(from), of<Points>(to), of<Points>(fixed), {}, nullptr, {sweeps, 2});
+  EXPECT_TRUE(sweeps[0].time == 0.375 && sweeps[1].time == 0.125);
+
+  dsw_particle_id particles[2];
+  scene.create_particles(of<Points>(from), {}, {particles, 2});
+  scene.cast_from_particles({particles, 2}, of<Points>(to), nullptr, {flights, 2});
+  EXPECT_TRUE(flights[0].time == 0.375 && flights[1].time == 0.125);
+  scene.move_particles({particles, 2}, of<Points>(fixed), nullptr, {});
+  scene.get_particles({particles, 2}, of<PointsOut>(out));
+  EXPECT_EQ(out, fixed);
+  const dsw_body_id bodies[] = {scene.create_body(of<Points>(from)), scene.create_body(of<Points>(fixed))};
+  std::vector<double> targets = {0.5, 0.5, 0.5, 0.75, 0.75, 0.5, 0.75, 0.75};
+  scene.move_bodies({bodies, 2}, of<Points>(targets), nullptr, {});
+  Body(scene, bodies[1]).get_positions(of<PointsOut>(out));
+  EXPECT_EQ(out, (std::vector<double>{0.75, 0.5, 0.75, 0.75}));
+
+  auto next = std::make_shared<std::vector<double>>(std::vector<double>{0, 0, 1, 0, 1, 2, 0, 2});
+  EXPECT_EQ(scene.deform({next->data(), 8, 0, next}).outcome, DSW_DEFORM_DONE);
+  const Array<double> points = environment.get_points();
+  ASSERT_EQ(points.size(), 8u);
+  EXPECT_TRUE(points.get(5) == 2 && points.get(7) == 2);
+}
+
+TEST(Layer, SurgeryInThePlaneReadsByTwo) {
+  Environment environment = square();
+  const dsw_vertex_id vertices[] = {environment.get_vertex(1), environment.get_vertex(2)};
+  const std::int64_t triangle[] = {0, 2, 1};
+  dsw_volumes_desc kind;
+  dsw_volumes_desc_init(&kind, sizeof kind);
+  kind.uniform_cell_type = DSW_CELL_TYPE_TRIANGLE;
+  std::vector<double> added = {2, 0.5}, blade = {0.25, -1, 0.25, 2}, line = {0.5, -1, 0.5, 2};
+  std::vector<double> shape = {0.125, 0.125, 0.5, 0.125, 0.25, 0.25};
+  const dsw_volume_id made =
+      environment.add_volumes({vertices, 2}, of<Points>(added), {triangle, 3, 8}, {}, {}, {}, {}, {}, &kind).get(0);
+  EXPECT_NEAR(environment.get_centre(made).at[0], 4.0 / 3, 1e-15);
+  EXPECT_EQ(environment.cut(of<Points>(blade), 2, 1).volumes_split, 2u);
+  const std::uint32_t corners[] = {0, 1, 1, 2, 2, 0};
+  EXPECT_GT(environment.carve(of<Points>(shape), {corners, 6}).cut.volumes_crossed, 0u);
+  EXPECT_GT(environment.tie(of<Points>(line)).cut.face_count, 0u);
+  EXPECT_EQ(status_of([&] { environment.cut(of<Points>(blade), 3, 1); }), DSW_STATUS_WRONG_SIZE);
+  EXPECT_EQ(status_of([&] { environment.carve(of<Points>(shape), {corners, 5}); }), DSW_STATUS_WRONG_SIZE);
+  Trace trace;
+  trace.add_walk(environment, {0.75, 0.5}, {0.75, 3}, 0.25);
+  const Array<double> drawn = trace.get_points();
+  ASSERT_GT(drawn.size(), 3u);
+  for (std::size_t i = 0; i < drawn.size(); ++i) EXPECT_TRUE(i % 3 != 2 || drawn.get(i) == 0);
+}
+
+std::string words_of(const std::function<void()> &call) {
+  try {
+    call();
+  } catch (const Error &error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Layer, WrongNumbersOfCoordinatesAreTold) {
+  Environment plane = square(), space = cube();
+  std::vector<double> five(5), six(6);
+  dsw_volume_id volumes[3];
+  const auto locate = [&](Environment &in, Points points) {
+    return words_of([&] { in.locate_points(points, {}, {volumes, 2}); });
+  };
+  EXPECT_EQ(locate(plane, of<Points>(five)), "a point of the plane has 2 coordinates; 5 numbers are no points");
+  EXPECT_EQ(locate(space, of<Points>(five)), "a point of space has 3 coordinates; 5 numbers are no points");
+  EXPECT_EQ(locate(plane, {six.data(), 2, 3, 24}), "a point of the plane has 2 coordinates, not 3");
+  EXPECT_EQ(locate(space, {six.data(), 3, 2, 16}), "a point of space has 3 coordinates, not 2");
+  EXPECT_EQ(locate(plane, of<Points>(six)), "volumes has 2 entries, not 3");
+  EXPECT_EQ(words_of([&] { plane.locate(kMiddle); }), "a point of the plane has 2 coordinates, or a third that is 0");
+  EXPECT_EQ(words_of([&] { space.locate({1, 2}); }), "a point of space has 3 coordinates, not 2");
 }
 
 TEST(Layer, EmptyArraysAreLeftOutWhereverTheyLie) {

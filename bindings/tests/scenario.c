@@ -84,6 +84,35 @@ void say_contacts(const char *name, const dsw_contact *contacts, size_t count) {
   }
 }
 
+void say_nearest(const dsw_nearest *nearest) {
+  number(nearest->distance);
+  integer(nearest->cell.kind);
+  integer(nearest->cell.index);
+}
+
+void say_deformation(const dsw_deform_report *report) {
+  integer(report->outcome);
+  integer(report->held_count);
+  integer(report->contact_count);
+  integer(report->pushed_count);
+}
+
+void cut(dsw_environment *environment, const dsw_cut_desc *desc) {
+  const dsw_cut_vertex *vertices = NULL;
+  dsw_cut_report report;
+  dsw_environment_info info;
+  size_t i, count = 0;
+  must(dsw_environment_cut(environment, desc, &report));
+  number(report.distance);
+  integer(report.volumes_split);
+  integer(report.face_count);
+  info.struct_size = sizeof info;
+  must(dsw_environment_get_info(environment, &info));
+  integer(info.volume_count);
+  must(dsw_environment_get_cut_vertices(environment, &vertices, &count));
+  for (i = 0; i < count; ++i) integer(vertices[i].vertex.index), number(vertices[i].weights[0]);
+}
+
 /* --- what it is played with: integers, so that all languages have the same bits */
 static double points[3 * POINTS];
 static int64_t cells[8 * CELLS];
@@ -187,9 +216,7 @@ static void queries(const dsw_environment *environment) {
     dsw_nearest nearest;
     if (places[i] != DSW_PLACE_PASSABLE) continue;
     must(dsw_environment_find_nearest(environment, from + 3 * i, volumes[i], 20.0, &nearest));
-    number(nearest.distance);
-    integer(nearest.cell.kind);
-    integer(nearest.cell.index);
+    say_nearest(&nearest);
   }
 }
 
@@ -297,28 +324,15 @@ static void errors(dsw_environment *environment, dsw_scene *scene, const dsw_par
   integer(dsw_environment_create(NULL, &desc, &other, NULL));
 }
 
-static void cut(dsw_environment *environment) {
+static void cut_vessel(dsw_environment *environment) {
   const double blade[12] = {-5, 3, 20.5, 60, 3, 20.5, -5, 3, 60.25, 60, 3, 60.25};
-  const dsw_cut_vertex *vertices = NULL;
   dsw_cut_desc desc;
-  dsw_cut_report report;
-  dsw_environment_info info;
-  size_t i, count = 0;
-
   stage("cut");
   dsw_cut_desc_init(&desc, sizeof desc);
   desc.points = blade;
   desc.rows = 2;
   desc.columns = 2;
-  must(dsw_environment_cut(environment, &desc, &report));
-  number(report.distance);
-  integer(report.volumes_split);
-  integer(report.face_count);
-  info.struct_size = sizeof info;
-  must(dsw_environment_get_info(environment, &info));
-  integer(info.volume_count);
-  must(dsw_environment_get_cut_vertices(environment, &vertices, &count));
-  for (i = 0; i < count; ++i) integer(vertices[i].vertex.index), number(vertices[i].weights[0]);
+  cut(environment, &desc);
 }
 
 static void deform(void) {
@@ -341,10 +355,7 @@ static void deform(void) {
     next[3 * i] += (48 - points[3 * i]) * 0.4375;
   }
   must(dsw_scene_deform(scene, next, POINTS, NULL, &report));
-  integer(report.outcome);
-  integer(report.held_count);
-  integer(report.contact_count);
-  integer(report.pushed_count);
+  say_deformation(&report);
   must(dsw_body_get_positions(scene, body, positions, LINKS, 0, NULL, &count));
   for (i = 0; i < LINKS; ++i) point(positions + 3 * i);
   must(dsw_scene_destroy(scene));
@@ -388,7 +399,7 @@ static void play(void) {
   push_catheter(scene, body, positions);
   snapshots(environment, scene, particles);
   errors(environment, scene, particles);
-  cut(environment);
+  cut_vessel(environment);
   must(dsw_scene_destroy(scene));
   must(dsw_environment_destroy(environment));
   deform();

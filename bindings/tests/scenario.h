@@ -13,6 +13,11 @@ void number(double value);
 void say_flight(const dsw_flight *flight);
 void say_sweep(const dsw_sweep *sweep);
 void say_contacts(const char *stage_name, const dsw_contact *contacts, size_t count);
+void say_nearest(const dsw_nearest *nearest);
+void say_deformation(const dsw_deform_report *report);
+
+/* Cuts along the blade and lists what came of it. */
+void cut(dsw_environment *environment, const dsw_cut_desc *desc);
 
 /* Ends the program where a call has failed. */
 void must(dsw_status status);

@@ -4,7 +4,7 @@
 #include "scenario.h"
 
 /* Squares whose corners have moved, half of them cut into two triangles; the outer ring is the wall */
-enum { SIDE = 10, CORNERS = (SIDE + 1) * (SIDE + 1), SHARDS = SIDE * SIDE * 3 / 2 };
+enum { SIDE = 10, CORNERS = (SIDE + 1) * (SIDE + 1), SHARDS = SIDE * SIDE * 3 / 2, ROOM = 64 };
 static double corners[2 * CORNERS];
 static int64_t sides[SIDE * SIDE * 5], ends[SHARDS + 1];
 static uint8_t types[SHARDS];
@@ -57,7 +57,7 @@ static void draw_plane(double *out, int count) {
   for (i = 0; i < 2 * count; ++i) out[i] = 11 + 0.90625 * draw();
 }
 
-static void pull_rope(dsw_scene *scene) {
+static dsw_body_id pull_rope(dsw_scene *scene) {
   double positions[2 * LINKS];
   uint32_t edges[2 * (LINKS - 1)];
   dsw_body_desc desc;
@@ -88,6 +88,36 @@ static void pull_rope(dsw_scene *scene) {
   }
   must(dsw_body_get_contacts(scene, body, &contacts, &count));
   say_contacts("rope contacts", contacts, count);
+  return body;
+}
+
+static void bend_and_cut(dsw_environment *environment, dsw_scene *scene, dsw_body_id rope) {
+  static double next[2 * (CORNERS + ROOM)];
+  const double blade[4] = {20, 20.5, 60.25, 41.25};
+  double positions[2 * LINKS];
+  dsw_deform_options options;
+  dsw_deform_report report;
+  dsw_cut_desc desc;
+  size_t i, count = 0;
+
+  stage("plane deform");
+  for (i = 0; i < CORNERS; ++i) {
+    next[2 * i] = corners[2 * i];
+    next[2 * i + 1] = corners[2 * i + 1] + (40 - corners[2 * i + 1]) * 0.125;
+  }
+  dsw_deform_options_init(&options, sizeof options);
+  options.point_room = CORNERS + ROOM;
+  must(dsw_scene_deform(scene, next, CORNERS, &options, &report));
+  say_deformation(&report);
+  must(dsw_body_get_positions(scene, rope, positions, LINKS, 0, NULL, &count));
+  for (i = 0; i < 2 * LINKS; ++i) number(positions[i]);
+
+  stage("plane cut");
+  dsw_cut_desc_init(&desc, sizeof desc);
+  desc.points = blade;
+  desc.rows = 2;
+  desc.columns = 1;
+  cut(environment, &desc);
 }
 
 void plane(void) {
@@ -95,10 +125,15 @@ void plane(void) {
   static dsw_flight flights[32];
   static dsw_sweep sweeps[16];
   static dsw_particle_id particles[32];
+  static dsw_volume_id volumes[32];
+  static dsw_place places[32];
   dsw_environment *const environment = create_plane();
   const dsw_vertex_id pole = {5 * (SIDE + 1) + 5, 1};
   dsw_environment_info info;
+  dsw_nearest nearest;
+  dsw_scene_desc desc;
   dsw_scene *scene = NULL;
+  dsw_body_id rope;
   unsigned char *block = NULL;
   size_t marked = 0, i;
 
@@ -114,9 +149,18 @@ void plane(void) {
   integer(info.boundary_face_count);
   integer(marked);
 
-  stage("plane cast");
+  stage("plane locate");
   seed = 1;
   draw_plane(from, 32);
+  must(dsw_environment_locate_points(environment, from, 32, 0, NULL, volumes, places));
+  for (i = 0; i < 32; ++i) {
+    integer(places[i]), integer(volumes[i].index), integer(volumes[i].generation);
+    if (places[i] != DSW_PLACE_PASSABLE) continue;
+    must(dsw_environment_find_nearest(environment, from + 2 * i, volumes[i], 20.0, &nearest));
+    say_nearest(&nearest);
+  }
+
+  stage("plane cast");
   draw_plane(to, 32);
   for (i = 0; i < 64; i += 4) to[i] += 40; /* into the wall */
   must(dsw_environment_cast_segments(environment, 32, NULL, from, to, 0, NULL, flights));
@@ -128,17 +172,20 @@ void plane(void) {
   for (i = 0; i < 16; ++i) say_sweep(&sweeps[i]);
 
   stage("plane particles");
-  must(dsw_scene_create(environment, NULL, &scene));
+  dsw_scene_desc_init(&desc, sizeof desc);
+  desc.features = DSW_FEATURE_DEFORMING;
+  must(dsw_scene_create(environment, &desc, &scene));
   must(dsw_scene_create_particles(scene, from, 32, 0, NULL, particles, NULL));
   must(dsw_scene_move_particles(scene, particles, 32, to, 0, NULL, NULL));
   must(dsw_scene_get_particles(scene, particles, 32, from, 0, NULL));
   for (i = 0; i < 64; ++i) number(from[i]);
-  pull_rope(scene);
+  rope = pull_rope(scene);
   stage("plane snapshot");
   for (i = 0; i < 2; ++i) {
     save(environment, i == 0 ? NULL : scene, &block);
     free(block);
   }
+  bend_and_cut(environment, scene, rope);
   must(dsw_scene_destroy(scene));
   must(dsw_environment_destroy(environment));
 }

@@ -140,7 +140,7 @@ sealed class Scenario
         Push(CreateCatheter(scene));
         Snapshots(environment, scene, particles);
         Mistakes(environment, scene, particles);
-        Cut(environment);
+        Cut("cut", environment, new[] { -5, 3, 20.5, 60, 3, 20.5, -5, 3, 60.25, 60, 3, 60.25 }, 2, 2);
       }
     }
   }
@@ -168,6 +168,12 @@ sealed class Scenario
     }
   }
 
+  void Say(Nearest nearest)
+  {
+    Say(nearest.Distance);
+    Say((long)nearest.Cell.Kind, nearest.Cell.Index);
+  }
+
   void Queries(Environment environment)
   {
     Stage("locate");
@@ -188,9 +194,7 @@ sealed class Scenario
     for (int i = 0; i < 64; ++i)
     {
       if (places[i] != (int)Place.Passable) continue;
-      Nearest nearest = environment.FindNearest(new Vec3(from[3 * i], from[3 * i + 1], from[3 * i + 2]), 20.0, volumes[i]);
-      Say(nearest.Distance);
-      Say((long)nearest.Cell.Kind, nearest.Cell.Index);
+      Say(environment.FindNearest(new Vec3(from[3 * i], from[3 * i + 1], from[3 * i + 2]), 20.0, volumes[i]));
     }
   }
 
@@ -288,10 +292,10 @@ sealed class Scenario
     Say(StatusOf(() => new Environment(Points(), new[] { 0, 1, 7, 7 }, CellType.Tetra)));
   }
 
-  void Cut(Environment environment)
+  void Cut(string next, Environment environment, double[] blade, uint rows, uint columns)
   {
-    Stage("cut");
-    CutReport report = environment.Cut(new[] { -5, 3, 20.5, 60, 3, 20.5, -5, 3, 60.25, 60, 3, 60.25 }, 2, 2);
+    Stage(next);
+    CutReport report = environment.Cut(blade, rows, columns);
     Say(report.Distance);
     Say((long)report.VolumesSplit, (long)report.FaceCount, (long)environment.Info().VolumeCount);
     foreach (CutVertex vertex in environment.GetCutVertices())
@@ -312,11 +316,15 @@ sealed class Scenario
         Body body = CreateCatheter(scene);
         double[] next = environment.GetPoints();
         for (int i = 0; i < next.Length; i += 3) next[i] += (48 - next[i]) * 0.4375;
-        DeformReport report = scene.Deform(next);
-        Say((long)report.Outcome, (long)report.HeldCount, (long)report.ContactCount, (long)report.PushedCount);
-        Say(body.GetPositions());
+        SayDeformed(scene.Deform(next), body);
       }
     }
+  }
+
+  void SayDeformed(DeformReport report, Body body)
+  {
+    Say((long)report.Outcome, (long)report.HeldCount, (long)report.ContactCount, (long)report.PushedCount);
+    Say(body.GetPositions());
   }
 
   /// <summary>Squares whose corners have moved, half of them cut into two triangles.</summary>
@@ -355,16 +363,27 @@ sealed class Scenario
       environment.MarkVertices(new[] { environment.GetVertex((uint)(5 * (Side + 1) + 5)) }, Mark.Impassable);
       Say((long)info.Dimension, (long)info.VertexCount, (long)info.VolumeCount, (long)info.FaceCount, (long)info.BoundaryFaceCount, marked.Count);
 
-      Stage("plane cast");
+      Stage("plane locate");
       seed = 1;
-      double[] from = DrawInPlane(32), to = DrawInPlane(32);
+      double[] from = DrawInPlane(32);
+      VolumeId[] volumes = new VolumeId[32];
+      int[] found = new int[32];
+      environment.LocatePoints(from, null, volumes, found);
+      for (int i = 0; i < 32; ++i)
+      {
+        Say(found[i], volumes[i].Index, volumes[i].Generation);
+        if (found[i] == (int)Place.Passable) Say(environment.FindNearest(new Vec3(from[2 * i], from[2 * i + 1]), 20.0, volumes[i]));
+      }
+
+      Stage("plane cast");
+      double[] to = DrawInPlane(32);
       for (int i = 0; i < to.Length; i += 4) to[i] += 40;
       SayFlights(environment.CastSegments(from, to));
 
       Stage("plane sweep");
       SaySweeps(environment.SweepEdges(from.Take(32).ToArray(), to.Take(32).ToArray(), DrawInPlane(16)));
 
-      using (Scene scene = new Scene(environment))
+      using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
       {
         Stage("plane particles");
         ParticleId[] particles = scene.CreateParticles(from);
@@ -378,6 +397,12 @@ sealed class Scenario
         SayContacts("rope contacts", rope.GetContacts());
         Stage("plane snapshot");
         SayBlocks(environment.Save(), scene.Save());
+
+        Stage("plane deform");
+        double[] points = environment.GetPoints();
+        double[] bent = points.Select((x, i) => i % 2 == 1 ? x + (40 - x) * 0.125 : x).Concat(new double[2 * 64]).ToArray();
+        SayDeformed(scene.Deform(bent), rope);
+        Cut("plane cut", environment, new[] { 20, 20.5, 60.25, 41.25 }, 2, 1);
       }
     }
   }

@@ -124,8 +124,6 @@ static class Tests
       True(environment.Dimension() == 2 && environment.GetPoints().Length == 8);
       Flight flight = environment.Cast(new Vec3(0.5, 0.25), new Vec3(0.5, 2.25));
       True(flight.Time == 0.375 && flight.Normal.Y == -1 && flight.Normal.Z == 0);
-      Throws<WrongSizeException>(() => environment.Cast(new Vec3(0.5, 0.25, 1), new Vec3(0.5, 2.25)));
-      Throws<WrongSizeException>(() => environment.CastSegments(new double[3], new double[3]));
       environment.MarkVertices(new[] { environment.GetVertex(2) }, Mark.Impassable);
       using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
       {
@@ -134,6 +132,29 @@ static class Tests
         True(report.VerticesStopped == 1 && body.GetContacts()[0].Time == 0.75 && body.GetPositions().Length == 4);
         True(scene.Deform(new double[] { 0, 0, 1, 0, 1, 2, 0, 2 }).Outcome == DeformOutcome.Done);
       }
+    }
+  }
+
+  static void WrongSize(string text, Action call)
+  {
+    string message = Throws<WrongSizeException>(call).Message;
+    True(message.Contains(text), message);
+  }
+
+  public static void WrongLengthsInThePlaneAreTold()
+  {
+    using (Environment environment = Scenario.CreatePlane())
+    using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
+    {
+      WrongSize("2 coordinates, or a third that is 0", () => environment.Cast(new Vec3(40, 30, 1), new Vec3(40, 30)));
+      WrongSize("2 coordinates; 3 numbers are no points", () => environment.CastSegments(new double[3], new double[3]));
+      WrongSize("2 coordinates; 5 numbers are no points", () => scene.CreateParticles(new double[5]));
+      WrongSize("point_count is 3, the environment has 121", () => scene.Deform(new double[6]));
+      Body body = scene.CreateBody(new double[] { 40, 30, 45, 30 }, new uint[] { 0, 1 });
+      WrongSize("target_count is 3, there are 2", () => body.Move(new double[6]));
+      WrongSize("positions has 3 entries, not 2", () => body.GetPositions(new double[6]));
+      WrongSize("positions has 3 entries, not 1", () => scene.GetParticles(scene.CreateParticles(new double[] { 40, 30 }), new double[6]));
+      Throws<ArgumentException>(() => new RigidMotion().Translation = new double[2]);
     }
   }
 

@@ -94,6 +94,11 @@ local function say_sweeps(result, sweeps)
   end
 end
 
+local function say_nearest(result, nearest)
+  result:numbers(nearest.distance)
+  result:integers(nearest.cell.kind, nearest.cell.index)
+end
+
 local function queries(result, environment, draw)
   result:stage "locate"
   local from = draw(64)
@@ -111,9 +116,7 @@ local function queries(result, environment, draw)
   result:stage "nearest"
   for i, point in ipairs(from) do
     if places[i] == dsw.PLACE_PASSABLE then
-      local nearest = environment:find_nearest(point, 20, volumes[i])
-      result:numbers(nearest.distance)
-      result:integers(nearest.cell.kind, nearest.cell.index)
+      say_nearest(result, environment:find_nearest(point, 20, volumes[i]))
     end
   end
 end
@@ -194,15 +197,20 @@ local function errors(result, scene, environment, particles)
   result:integers(status_of(dsw.Environment, {points = scenario.points(), cells = {{0, 1, 7, 7}}}))
 end
 
-local function cut(result, environment)
-  result:stage "cut"
-  local report = environment:cut({{-5, 3, 20.5}, {60, 3, 20.5}, {-5, 3, 60.25}, {60, 3, 60.25}}, 2, 2)
+local function cut(result, stage, environment, blade, rows, columns)
+  result:stage(stage)
+  local report = environment:cut(blade, rows, columns)
   result:numbers(report.distance)
   result:integers(report.volumes_split, report.face_count, environment:info().volume_count)
   for _, vertex in ipairs(environment:get_cut_vertices()) do
     result:integers(vertex.vertex.index)
     result:numbers(vertex.weights[1])
   end
+end
+
+local function say_deformed(result, report, body)
+  result:integers(report.outcome, report.held_count, report.contact_count, report.pushed_count)
+  result:numbers(body:get_positions():totable())
 end
 
 local function deform(result)
@@ -213,9 +221,7 @@ local function deform(result)
   local body = scenario.create_catheter(scene)
   local positions = environment:get_points()
   for i = 1, #positions, 3 do positions[i] = positions[i] + (48 - positions[i]) * 0.4375 end
-  local report = scene:deform(positions)
-  result:integers(report.outcome, report.held_count, report.contact_count, report.pushed_count)
-  result:numbers(body:get_positions():totable())
+  say_deformed(result, scene:deform(positions), body)
 end
 
 -- Squares whose corners have moved, half of them cut into two triangles.
@@ -250,8 +256,16 @@ local function plane(result, draw)
   environment:mark_vertices {environment:get_vertex(5 * (SIDE + 1) + 5)}
   result:integers(info.dimension, info.vertex_count, info.volume_count, info.face_count, info.boundary_face_count, marked)
 
+  result:stage "plane locate"
+  local from = draw(32)
+  local volumes, places = environment:locate_points(from)
+  for i, volume in ipairs(volumes) do
+    result:integers(places[i], volume.index, volume.generation)
+    if places[i] == dsw.PLACE_PASSABLE then say_nearest(result, environment:find_nearest(from[i], 20, volume)) end
+  end
+
   result:stage "plane cast"
-  local from, to = draw(32), draw(32)
+  local to = draw(32)
   for i = 1, 32, 2 do to[i][1] = to[i][1] + 40 end
   say_flights(result, environment:cast_segments(from, to))
 
@@ -260,7 +274,7 @@ local function plane(result, draw)
   say_sweeps(result, environment:sweep_edges(first, targets, draw(16)))
 
   result:stage "plane particles"
-  local scene <close> = dsw.Scene(environment)
+  local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
   local particles = scene:create_particles(from)
   scene:move_particles(particles, to)
   result:numbers((scene:get_particles(particles)):totable())
@@ -274,6 +288,13 @@ local function plane(result, draw)
   end)
   result:stage "plane snapshot"
   say_blocks(result, environment:save(), scene:save())
+
+  result:stage "plane deform"
+  local points = environment:get_points()
+  local bent = dsw.DoubleArray(#points + 2 * 64)
+  for i = 1, #points do bent[i] = points[i] + (i % 2 == 0 and (40 - points[i]) * 0.125 or 0) end
+  say_deformed(result, scene:deform(bent), rope)
+  cut(result, "plane cut", environment, {{20, 20.5}, {60.25, 41.25}}, 2, 1)
 end
 
 function scenario.play()
@@ -317,7 +338,7 @@ function scenario.play()
   end)
   snapshots(result, scene, environment, particles, draw)
   errors(result, scene, environment, particles)
-  cut(result, environment)
+  cut(result, "cut", environment, {{-5, 3, 20.5}, {60, 3, 20.5}, {-5, 3, 60.25}, {60, 3, 60.25}}, 2, 2)
   deform(result)
   seed = 1
   plane(result, draw_in_plane)

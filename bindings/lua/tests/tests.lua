@@ -94,15 +94,34 @@ function TestPlane:test_points_have_two_coordinates()
   local flight = environment:cast({0.5, 0.25}, {0.5, 2.25})
   lu.assertEquals({flight.time, flight.normal}, {0.375, {0, -1, 0}})
   lu.assertEquals(environment:cast({0.5, 0.25, 0}, {0.5, 2.25, 0}).time, 0.375)
-  lu.assertEquals(problem_of(environment.cast, environment, {0.5, 0.25, 1}, {0.5, 0.5}).name, "WrongSize")
-  lu.assertEquals(problem_of(environment.sweep_edges, environment, {{1, 2}}, {{1, 2, 3}, {1, 2, 3}}, {{1, 2}}).name, "WrongSize")
-  lu.assertErrorMsgContains("2 numbers for each point", environment.cast_segments, environment, {{1, 2, 3}, {1, 2, 3}}, {1, 2})
   environment:mark_vertices {environment:get_vertex(2)}
   local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
   local body = scene:create_body {positions = {{0.5, 0.25}, {0.75, 0.25}}, edges = {{0, 1}}}
   lu.assertEquals(body:move({{0.5, 1.25}, {0.75, 0.5}}).vertices_stopped, 1)
   lu.assertEquals({body:get_contacts()[1].time, #body:get_positions()}, {0.75, 4})
   lu.assertEquals(scene:deform({{0, 0}, {1, 0}, {1, 2}, {0, 2}}).outcome, dsw.DEFORM_DONE)
+end
+
+function TestPlane:test_wrong_lengths_are_told()
+  local environment <close> = scenario.create_plane()
+  local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
+  local body = scene:create_body {positions = {{40, 30}, {45, 30}}, edges = {{0, 1}}}
+  local particles = scene:create_particles {40, 30}
+  local function refused(text, ...)
+    local problem = problem_of(...)
+    lu.assertEquals(problem.name, "WrongSize")
+    lu.assertStrContains(problem.message, text)
+  end
+  refused("2 coordinates, or a third that is 0", environment.cast, environment, {40, 30, 1}, {40, 30})
+  refused("2 coordinates, not 3", environment.sweep_edges, environment, {{40, 30}}, {{1, 2, 3}, {1, 2, 3}}, {{40, 31}})
+  refused("2 coordinates, not 3", scene.deform, scene, {{1, 2, 3}})
+  refused("2 coordinates; 3 numbers are no points", body.move, body, {1, 2, 3})
+  refused("point_count is 3, the environment has 121", scene.deform, scene, dsw.DoubleArray(6))
+  refused("target_count is 3, there are 2", body.move, body, dsw.DoubleArray(6))
+  refused("positions has 3 entries, not 2", body.get_positions, body, dsw.DoubleArray(6))
+  refused("positions has 3 entries, not 1", scene.get_particles, scene, particles, dsw.DoubleArray(6))
+  lu.assertErrorMsgContains("2 numbers for each point", environment.cast_segments, environment, {{1, 2, 3}, {1, 2, 3}}, {1, 2})
+  lu.assertErrorMsgContains("2 numbers for each point", scene.create_particles, scene, {1, 2, 3})
 end
 
 function TestPlane:test_polygons()

@@ -3,7 +3,7 @@ const assert = require('node:assert/strict');
 const { test } = require('node:test');
 const dsw = require('dartsweep');
 const { raiseStatus } = require('./native.js');
-const { createCatheter, createEnvironment, inside, outside } = require('./scenario.js');
+const { createCatheter, createEnvironment, createPlane, inside, outside } = require('./scenario.js');
 
 test('every status has its error', () => {
   for (const [name, status] of Object.entries(dsw.Status)) {
@@ -88,4 +88,21 @@ test('arguments of other types and shapes are refused', () => {
   }
   for (const call of [() => environment.castSegments(new Float64Array(3), new Float64Array(6)), () => scene.deform(null)])
     assert.throws(call, dsw.WrongSizeError);
+});
+
+test('wrong lengths in the plane are told', () => {
+  const environment = createPlane();
+  const scene = new dsw.Scene(environment, { features: dsw.FEATURE_DEFORMING });
+  const body = scene.createBody([40, 30, 45, 30], [0, 1]);
+  for (const [text, call] of [
+    ['2 coordinates, or a third that is 0', () => environment.cast([40, 30, 1], [40, 30])],
+    ['2 coordinates; 3 numbers are no points', () => environment.castSegments([1, 2, 3], [1, 2, 3])],
+    ['2 coordinates; 5 numbers are no points', () => scene.createParticles(new Float64Array(5))],
+    ['point_count is 3, the environment has 121', () => scene.deform(new Float64Array(6))],
+    ['target_count is 3, there are 2', () => body.move(new Float64Array(6))],
+    ['positions has 3 entries, not 2', () => body.getPositions(new Float64Array(6))],
+  ]) {
+    assert.throws(call, (error) => error instanceof dsw.WrongSizeError && error.message.includes(text), text);
+  }
+  assert.throws(() => environment.cast([40], [40, 30]), { name: 'TypeError', message: /2 in the plane/ });
 });

@@ -123,7 +123,7 @@ class Scenario {
     this.push(createCatheter(scene));
     this.snapshots(environment, scene, particles);
     this.mistakes(environment, scene, particles);
-    this.cut(environment);
+    this.cut('cut', environment, [-5, 3, 20.5, 60, 3, 20.5, -5, 3, 60.25, 60, 3, 60.25], 2, 2);
     scene.close();
     environment.close();
     this.deform();
@@ -162,10 +162,13 @@ class Scenario {
     this.stage('nearest');
     places.forEach((place, i) => {
       if (place !== Place.Passable) return;
-      const { distance, cell } = environment.findNearest(from.subarray(3 * i, 3 * i + 3), 20, volumes.at(i));
-      this.doubles(distance);
-      this.integers(cell.kind, cell.index);
+      this.nearest(environment.findNearest(from.subarray(3 * i, 3 * i + 3), 20, volumes.at(i)));
     });
+  }
+
+  nearest({ distance, cell }) {
+    this.doubles(distance);
+    this.integers(cell.kind, cell.index);
   }
 
   move(scene, particles) {
@@ -247,9 +250,9 @@ class Scenario {
     this.status(() => new Environment(meshPoints(), [0, 1, 7, 7], { type: CellType.Tetra }));
   }
 
-  cut(environment) {
-    this.stage('cut');
-    const report = environment.cut([-5, 3, 20.5, 60, 3, 20.5, -5, 3, 60.25, 60, 3, 60.25], 2, 2);
+  cut(stage, environment, blade, rows, columns) {
+    this.stage(stage);
+    const report = environment.cut(blade, rows, columns);
     this.doubles(report.distance);
     this.integers(report.volumesSplit, report.faceCount, environment.info().volumeCount);
     for (const { vertex, weights } of environment.getCutVertices()) {
@@ -265,11 +268,14 @@ class Scenario {
     const scene = new Scene(environment, { features: FEATURE_DEFORMING });
     const body = createCatheter(scene);
     const next = environment.getPoints().map((x, i) => (i % 3 === 0 ? x + (48 - x) * 0.4375 : x));
-    const report = scene.deform(next);
-    this.integers(report.outcome, report.heldCount, report.contactCount, report.pushedCount);
-    this.doubles(...body.getPositions());
+    this.deformed(scene.deform(next), body);
     scene.close();
     environment.close();
+  }
+
+  deformed(report, body) {
+    this.integers(report.outcome, report.heldCount, report.contactCount, report.pushedCount);
+    this.doubles(...body.getPositions());
   }
 
   plane() {
@@ -280,9 +286,16 @@ class Scenario {
     environment.markVertices([environment.getVertex(5 * (SIDE + 1) + 5)], Mark.Impassable);
     this.integers(info.dimension, info.vertexCount, info.volumeCount, info.faceCount, info.boundaryFaceCount, marked);
 
-    this.stage('plane cast');
+    this.stage('plane locate');
     this.seed = 1;
     const from = this.drawInPlane(32);
+    const { volumes, places } = environment.locatePoints(from);
+    places.forEach((place, i) => {
+      this.integers(place, volumes.at(i).index, volumes.at(i).generation);
+      if (place === Place.Passable) this.nearest(environment.findNearest(from.subarray(2 * i, 2 * i + 2), 20, volumes.at(i)));
+    });
+
+    this.stage('plane cast');
     const to = this.drawInPlane(32).map((x, i) => (i % 4 === 0 ? x + 40 : x));
     this.flights(environment.castSegments(from, to));
 
@@ -290,7 +303,7 @@ class Scenario {
     this.sweeps(environment.sweepEdges(from.subarray(0, 32), to.subarray(0, 32), this.drawInPlane(16)));
 
     this.stage('plane particles');
-    const scene = new Scene(environment);
+    const scene = new Scene(environment, { features: FEATURE_DEFORMING });
     const particles = scene.createParticles(from);
     scene.moveParticles(particles, to);
     this.doubles(...scene.getParticles(particles).positions);
@@ -300,9 +313,16 @@ class Scenario {
     this.contacts('rope contacts', rope.getContacts());
     this.stage('plane snapshot');
     this.blocks(environment.save(), scene.save());
+
+    this.stage('plane deform');
+    const points = environment.getPoints();
+    const bent = new Float64Array(points.length + 2 * 64);
+    bent.set(points.map((x, i) => (i % 2 === 1 ? x + (40 - x) * 0.125 : x)));
+    this.deformed(scene.deform(bent), rope);
+    this.cut('plane cut', environment, [20, 20.5, 60.25, 41.25], 2, 1);
     scene.close();
     environment.close();
   }
 }
 
-module.exports = { createCatheter, createEnvironment, inside, outside, play: () => new Scenario().play() };
+module.exports = { createCatheter, createEnvironment, createPlane, inside, outside, play: () => new Scenario().play() };

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 import dartsweep as ds
 
@@ -117,6 +117,11 @@ def say_contacts(result: Result, stage: str, contacts: NDArray[np.void]) -> None
         result.say(contact["wall"]["volume"])
 
 
+def say_nearest(result: Result, environment: ds.Environment, point: NDArray[np.float64], volume: Any) -> None:
+    nearest = environment.nearest(point, 20.0, volume)
+    result.say(nearest.distance, nearest.cell.kind, nearest.cell.index)
+
+
 def queries(result: Result, environment: ds.Environment, draw: Draw) -> None:
     result.stage("locate")
     start = draw(64)
@@ -136,8 +141,7 @@ def queries(result: Result, environment: ds.Environment, draw: Draw) -> None:
     result.stage("nearest")
     for point, volume, place in zip(start, volumes, places):
         if place == ds.Place.PASSABLE:
-            nearest = environment.nearest(point, 20.0, volume)
-            result.say(nearest.distance, nearest.cell.kind, nearest.cell.index)
+            say_nearest(result, environment, point, volume)
 
 
 def pushes(result: Result, stage: str, body: ds.Body, way: NDArray[np.float64]) -> None:
@@ -188,9 +192,9 @@ def errors(result: Result, scene: ds.Scene, particles: NDArray[np.void]) -> None
     result.say(status_of(lambda: ds.Environment(vessel()[0], [[0, 1, 7, 7]])))
 
 
-def cut(result: Result, environment: ds.Environment) -> None:
-    result.stage("cut")
-    report = environment.cut([[(x, 3, z) for x in (-5, 60)] for z in (20.5, 60.25)])
+def cut(result: Result, stage: str, environment: ds.Environment, blade: ArrayLike) -> None:
+    result.stage(stage)
+    report = environment.cut(blade)
     result.say(report.distance, report.volumes_split, report.face_count, environment.info.volume_count)
     for vertex in environment.cut_vertices():
         result.say(vertex["vertex"]["index"], vertex["weights"][0])
@@ -204,8 +208,11 @@ def deform(result: Result) -> None:
             body = create_catheter(scene)
             positions = environment.points()
             positions[:, 0] += (48 - positions[:, 0]) * 0.4375
-            report = scene.deform(positions)
-            result.say(report.outcome, report.held_count, report.contact_count, report.pushed_count, body.positions())
+            say_deformed(result, scene.deform(positions), body)
+
+
+def say_deformed(result: Result, report: Any, body: ds.Body) -> None:
+    result.say(report.outcome, report.held_count, report.contact_count, report.pushed_count, body.positions())
 
 
 def create_plane() -> ds.Environment:
@@ -231,9 +238,17 @@ def plane(result: Result, draw: Draw) -> None:
         environment.mark_vertices([environment.vertex(5 * (SIDE + 1) + 5)])
         result.say(info.dimension, info.vertex_count, info.volume_count, info.face_count, info.boundary_face_count, marked)
 
-        result.stage("plane cast")
+        result.stage("plane locate")
         draw.seed = 1
-        start, end = draw.plane(32), draw.plane(32)
+        start = draw.plane(32)
+        volumes, places = environment.locate_points(start)
+        for point, volume, place in zip(start, volumes, places):
+            result.say(place, volume["index"], volume["generation"])
+            if place == ds.Place.PASSABLE:
+                say_nearest(result, environment, point, volume)
+
+        result.stage("plane cast")
+        end = draw.plane(32)
         end[::2, 0] += 40
         for flight in environment.cast_segments(start, end):
             say_flight(result, flight)
@@ -242,11 +257,11 @@ def plane(result: Result, draw: Draw) -> None:
         for sweep in environment.sweep_edges(start[:16], end[:16], draw.plane(16)):
             say_sweep(result, sweep)
 
-        with ds.Scene(environment) as scene:
+        with ds.Scene(environment, ds.Feature.DEFORMING) as scene:
             result.stage("plane particles")
             particles = scene.create_particles(start)
             scene.move_particles(particles, end)
-            result.say(scene.positions(particles))
+            result.say(scene.positions(particles, np.empty((32, 2))))
             index = np.arange(LINKS)
             rope = scene.create_body([(20.25 + 3.0 * i, 40.5) for i in index], [(i, i + 1) for i in index[:-1]])
             pushes(result, "rope", rope, np.stack([np.full(LINKS, 1.5), 4.0 - 0.75 * (index % 3)], axis=1))
@@ -254,6 +269,12 @@ def plane(result: Result, draw: Draw) -> None:
             result.stage("plane snapshot")
             for saved in (environment.save(), scene.save()):
                 result.say(len(saved), sum(saved))
+
+            result.stage("plane deform")
+            bent = np.vstack([environment.points(), np.zeros((64, 2))])
+            bent[:-64, 1] += (40 - bent[:-64, 1]) * 0.125
+            say_deformed(result, scene.deform(bent), rope)
+            cut(result, "plane cut", environment, [(20, 20.5), (60.25, 41.25)])
 
 
 def play() -> Result:
@@ -273,7 +294,7 @@ def play() -> Result:
             push(result, create_catheter(scene))
             snapshots(result, scene, particles, draw)
             errors(result, scene, particles)
-            cut(result, environment)
+            cut(result, "cut", environment, [[(x, 3, z) for x in (-5, 60)] for z in (20.5, 60.25)])
     deform(result)
     plane(result, draw)
     return result

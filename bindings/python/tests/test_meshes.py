@@ -42,6 +42,19 @@ def test_meshes_of_files(tmp_path: pathlib.Path) -> None:
         assert environment.region(environment.volume(0)) == regions[0]
 
 
+def test_planar_meshes_of_files(tmp_path: pathlib.Path) -> None:
+    points = [(0, 0, 0), (2, 0, 0), (3, 1, 0), (2, 2, 0), (0, 2, 0), (-2, 0, 0), (-2, 2, 0), (-3, 1, 0)]
+    cells = [("line", [[0, 1]]), ("polygon", [[0, 1, 2, 3, 4]]), ("quad", [[5, 0, 4, 6]]), ("triangle", [[7, 5, 6]])]
+    path = str(tmp_path / "floor.vtu")
+    meshio.write(path, meshio.Mesh(points, cells, cell_data={"region": [[9], [1], [2], [3]]}))
+    with ds.meshes.read(path) as environment:
+        assert environment.dimension == 2 and np.array_equal(environment.points(), np.array(points)[:, :2])
+        volumes = [environment.volume(i) for i in range(environment.info.volume_count)]
+        assert [environment.counts(volume).vertices for volume in volumes] == [5, 4, 3]
+        assert [environment.region(volume) for volume in volumes] == [1, 2, 3]
+        assert environment.cast((1, 1), (1, 9)).time == 0.125
+
+
 def test_bodies_of_trimesh(scene: ds.Scene) -> None:
     ball = trimesh.creation.icosphere(subdivisions=2, radius=2.0)
     ball.apply_translation((24, 24, 48))

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import copy
+import re
+from collections.abc import Callable
 
 import meshio
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import dartsweep as ds
 from scenario import create, create_plane
@@ -30,13 +33,66 @@ def test_points_have_two_coordinates() -> None:
         assert environment.cast((0.5, 0.25, 0.0), (0.5, 2.25, 0.0)).time == 0.375
         wide = np.array([(0.5, 0.25, 9.0, 9.0)])
         assert environment.cast_segments(wide[:, :2], wide[:, :2] + (0, 2))["time"] == 0.375
-        for wrong in ((0.5, 0.25, 1.0), (0.5,), 0.5):
-            with pytest.raises((ValueError, TypeError)):
-                environment.cast(wrong, (0.5, 0.5))
-        with pytest.raises(ds.errors.WrongSize, match="2 coordinates"):
-            environment.cast_segments(np.zeros((4, 3)), np.zeros((4, 3)))
-    with create() as space, pytest.raises(ds.errors.WrongSize, match="3 coordinates"):
+    with create() as space, pytest.raises(ds.errors.WrongSize, match="3 coordinates, not 2"):
         space.cast((24.0, 24.0), (24.0, 30.0))
+
+
+def test_wrong_lengths_are_told() -> None:
+    with create_plane() as environment, ds.Scene(environment, ds.Feature.DEFORMING) as scene:
+        body = scene.create_body([(40, 30), (45, 30)], [(0, 1)])
+        particles = scene.create_particles([(40, 30)])
+        point, wide = (40.0, 30.0), np.zeros((2, 3))
+        calls: list[tuple[str, Callable[[], object]]] = [
+            ("2 coordinates, or a third that is 0", lambda: environment.cast((40.0, 30.0, 1.0), point)),
+            ("2 in the plane", lambda: environment.cast((40.0,), point)),
+            ("2 in the plane", lambda: environment.locate(40.0)),
+            ("2 coordinates, not 3", lambda: environment.cast_segments(wide, wide)),
+            ("2 coordinates, not 3", lambda: environment.sweep_edges([point], [point], np.zeros((1, 3)))),
+            ("2 coordinates, not 3", lambda: environment.locate_points(wide)),
+            ("2 coordinates, not 3", lambda: environment.cut(wide)),
+            ("2 coordinates, not 3", lambda: environment.tie(wide)),
+            ("2 coordinates, not 3", lambda: environment.carve(wide, [(0, 1)])),
+            ("shape (n, 2)", lambda: environment.carve([point] * 3, [(0, 1, 2)] * 2)),
+            ("shape (n, 2)", lambda: scene.create_body([point] * 3, [(0, 1, 2)] * 2)),
+            ("2 coordinates, not 3", lambda: scene.create_particles(wide)),
+            ("targets has 2 entries, not 1", lambda: scene.move_particles(particles, [point, point])),
+            ("positions has 2 entries, not 1", lambda: scene.positions(particles, np.zeros((2, 2)))),
+            ("2 coordinates, not 3", lambda: scene.positions(particles, np.zeros((1, 3)))),
+            ("2 coordinates, not 3", lambda: body.positions(wide)),
+            ("positions has 3 entries, not 2", lambda: body.positions(np.zeros((3, 2)))),
+            ("or (n, 2) in the plane", lambda: body.positions(np.zeros(4))),
+            ("target_count is 1, there are 2", lambda: body.move([point])),
+            ("2 coordinates, not 3", lambda: scene.move_bodies([body.id], wide)),
+            ("2 coordinates, not 3", lambda: scene.deform(np.zeros((121, 3)))),
+            ("point_count is 3, the environment has 121", lambda: scene.deform(np.zeros((3, 2)))),
+            ("points of the plane have shape (n, 2)", lambda: ds.Environment(np.zeros((3, 3)), [(0, 1, 2)])),
+        ]
+        for text, call in calls:
+            with pytest.raises((ds.errors.WrongSize, ValueError, TypeError), match=re.escape(text)):
+                call()
+
+
+def test_what_is_written_stays_within_its_array() -> None:
+    with create_plane() as environment, ds.Scene(environment) as scene:
+        body = scene.create_body([(40, 30), (45, 30)], [(0, 1)])
+        particles = scene.create_particles([(40, 30), (45, 35)])
+        calls: list[Callable[[NDArray[np.float64]], object]] = [body.positions, lambda out: scene.positions(particles, out)]
+        for call in calls:
+            memory = np.full((4, 2), 7.0)
+            call(memory[1:3])
+            assert memory[[0, 3]].tolist() == [[7, 7], [7, 7]] and memory[1].tolist() == [40, 30]
+
+
+def test_what_is_of_space_alone_says_so() -> None:
+    with create_plane() as environment, ds.Scene(environment) as scene:
+        body = scene.create_body([(40, 30), (45, 30)], [(0, 1)])
+        calls: list[Callable[[], object]] = [environment.coarsen, environment.remesh, lambda: environment.find_edges([(0, 1)])]
+        calls += [lambda: scene.detach(environment.volume(0), 3), lambda: setattr(body, "level", ds.Level.FACES)]
+        for call in calls:
+            with pytest.raises(ds.errors.Unsupported, match="in the plane"):
+                call()
+        with pytest.raises(ValueError, match="in the plane"):
+            ds.meshes.to_trimesh(body)
 
 
 def test_polygons() -> None:
@@ -120,5 +176,5 @@ def test_meshes_of_meshio() -> None:
             assert environment.region(environment.volume(1)) == 2
     with pytest.raises(ValueError, match="triangle6"):
         ds.from_meshio(meshio.Mesh(SQUARE, [("triangle6", [[0, 1, 2, 0, 1, 2]])]))
-    with pytest.raises(ValueError, match="no volume cells"):
+    with pytest.raises(ValueError, match="no volume cells, and no triangles, quads or polygons with z = 0"):
         ds.from_meshio(meshio.Mesh([(*point, 1.0) for point in SQUARE], triangles))

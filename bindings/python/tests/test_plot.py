@@ -10,7 +10,7 @@ import pyvista
 
 import dartsweep as ds
 from dartsweep import plot
-from scenario import create_catheter, vessel
+from scenario import create_catheter, create_plane, vessel
 
 
 @pytest.fixture
@@ -61,6 +61,27 @@ def test_bodies(scene: ds.Scene, catheter: ds.Body) -> None:
     assert plot.body(catheter).n_lines == 10
     triangle = scene.create_body([(24, 24, 60), (26, 24, 60), (24, 26, 60)], triangles=[(0, 1, 2)])
     assert plot.body(triangle).n_cells == 1 and plot.body(triangle).is_all_triangles
+
+
+def test_the_plane(tmp_path: pathlib.Path) -> None:
+    with create_plane() as environment, ds.Scene(environment) as scene:
+        environment.mark_region(2)
+        grid = plot.grid(environment)
+        assert np.array_equal(grid.points[:, :2], environment.points()) and not grid.points[:, 2].any()
+        assert sorted(set(grid.celltypes)) == [pyvista.CellType.TRIANGLE, pyvista.CellType.QUAD]
+        assert np.count_nonzero(grid.cell_data["impassable"]) == np.count_nonzero(grid.cell_data["region"] == 2) > 0
+        walls = plot.walls(environment)
+        assert walls.n_lines == walls.n_cells == 32  # round 8 x 8 squares
+        rope = scene.create_body([(30, 40), (50, 40)], [(0, 1)])
+        rope.move(rope.positions() + (0, 60))
+        lines = plot.body(rope)
+        assert lines.n_lines == 1 and np.array_equal(lines.points[:, :2], rope.positions())
+        assert np.array_equal(plot.contacts(rope.contacts()).points, rope.contacts()["point"])
+        if pyvista.system_supports_plotting():
+            plotter = plot.draw(scene, pyvista.Plotter(off_screen=True, window_size=(200, 200)))
+            seen = np.subtract(plotter.camera.position, plotter.camera.focal_point)
+            assert seen[2] > 0 and np.allclose(seen[:2], 0) and len(plotter.actors) >= 4
+            assert plotter.screenshot(tmp_path / "plane.png", return_img=True).std() > 1
 
 
 def test_a_picture(scene: ds.Scene, catheter: ds.Body, tmp_path: pathlib.Path) -> None:

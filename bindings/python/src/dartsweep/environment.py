@@ -47,7 +47,8 @@ def _rows(cells: NDArray[Any], dimension: int) -> tuple[CellType, ArrayLike | No
         return CellType.NONE, np.full(count, CellType.POLYGON, np.uint8), np.arange(0, cells.size + 1, width, cells.dtype)
     known = _PLANAR_TYPE_OF_WIDTH if dimension == 2 else _TYPE_OF_WIDTH
     if width not in known:
-        raise ValueError(f"cells of {width} points need `types`")
+        hint = "; points of the plane have shape (n, 2)" if dimension == 3 and width == 3 else ""
+        raise ValueError(f"cells of {width} points need `types`{hint}")
     return known[width], None, None
 
 
@@ -418,7 +419,7 @@ class Environment:
         desc = described(_core.CarveDesc, flags=int(flags), snap=snap)
         if start is not None:
             desc.start = start
-        return self._core.carve(points, triangles, desc)  # type: ignore[no-any-return]
+        return self._core.carve(points, rows_of(triangles, self.dimension, "triangles"), desc)  # type: ignore[no-any-return]
 
     def carved_volumes(self) -> Records:
         """Volumes that the last carving made passable."""
@@ -441,6 +442,14 @@ class Environment:
     def unmended_volumes(self) -> Records:
         """Volumes that the last mending left invalid."""
         return self._core.get_unmended_volumes()  # type: ignore[no-any-return]
+
+
+def rows_of(indices: ArrayLike, width: int, name: str) -> NDArray[Any]:
+    """Indices as they are: of another width they would be read as other rows."""
+    rows = np.asarray(indices)
+    if rows.size and rows.shape[1:] != (width,):
+        raise ValueError(f"{name} have shape (n, {width})")
+    return rows
 
 
 def _contiguous(points: ArrayLike) -> NDArray[np.float64]:

@@ -60,7 +60,7 @@ def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Env
         if name is not None:
             labels.append(np.asarray(mesh.cell_data[name][i], np.int32))
     if not types:
-        raise ValueError("the mesh has no volume cells")
+        raise ValueError("the mesh has no volume cells, and no triangles, quads or polygons with z = 0")
     return Environment(
         np.ascontiguousarray(points[:, :2]) if is_planar else points,
         np.concatenate(connectivity),
@@ -82,11 +82,14 @@ def carve_trimesh(environment: Environment, mesh: Any, **options: Any) -> CarveR
 
 
 def to_trimesh(surface: Body | Trace) -> trimesh.Trimesh:
-    """The triangles of a body, where it is now, or of a trace. Vertices keep their indices."""
+    """The triangles of a body, where it is now, or of a trace. Vertices keep their indices. In the plane there are none: dartsweep.plot has
+    its lines."""
     import trimesh
 
     if isinstance(surface, Body):
         points, triangles = surface.positions(), surface.face_vertices()
+        if points.shape[1] == 2:
+            raise ValueError("bodies in the plane have no triangles")
         triangles = triangles[triangles[:, 0] < len(points)]  # not those of free slots
     else:
         points, triangles = surface.points, surface.triangles[0]

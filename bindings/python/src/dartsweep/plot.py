@@ -75,9 +75,11 @@ def contacts(contacts: Records) -> pyvista.PolyData:
 
 
 def draw(scene: Scene, plotter: pyvista.Plotter | None = None) -> pyvista.Plotter:
-    """Adds the walls of a scene, its bodies and the contacts of their last moves to a plotter, a new one by default."""
+    """Adds the walls of a scene, its bodies and the contacts of their last moves to a plotter, a new one by default. The plane is seen from
+    above."""
     plotter = pyvista.Plotter() if plotter is None else plotter
-    plotter.add_mesh(walls(scene.environment), color="lightcoral", opacity=0.25)
+    is_planar = scene.environment.dimension == 2
+    plotter.add_mesh(walls(scene.environment), color="lightcoral", opacity=1.0 if is_planar else 0.25, line_width=2)
     size = float(np.ptp(scene.environment.points(), axis=0).max())
     for number in scene.body_ids():
         moved = scene.body(number)
@@ -86,6 +88,8 @@ def draw(scene: Scene, plotter: pyvista.Plotter | None = None) -> pyvista.Plotte
         if len(met) != 0:
             plotter.add_mesh(contacts(met), color="gold", point_size=10, render_points_as_spheres=True)
             plotter.add_arrows(met["point"], met["normal"], mag=0.05 * size, color="gold")
+    if is_planar:
+        plotter.view_xy()
     return plotter
 
 

@@ -14,7 +14,7 @@ from . import _core, dtypes
 from ._core import CastOptions, DeformOptions, DeformReport, DetachReport, Flight, MoveOptions, ParticleId, Statistics, Verdict, VolumeId
 from .body import Body
 from .enums import Level, RecordingFlag
-from .environment import Environment, Ids, Records
+from .environment import Environment, Ids, Records, rows_of
 from .options import options as described
 
 
@@ -210,10 +210,10 @@ class Scene:
             _core.BodyDesc, level=int(level), flags=int(flags), motion_share=motion_share, category=category, mask=mask
         )
         offsets = None
+        if edges is not None:
+            edges = rows_of(edges, 2, "edges")
         if triangles is not None:
-            triangles = np.asarray(triangles)
-            if triangles.size and triangles.shape[1:] != (3,):
-                raise ValueError("triangles have shape (n, 3)")
+            triangles = rows_of(triangles, 3, "triangles")
             offsets = np.arange(0, triangles.size + 1, 3)
         return Body(self._core, self._core.create_body(positions, edges, offsets, triangles, hints, desc))
 

@@ -5,11 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.DoubleBuffer;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -56,8 +60,6 @@ class ErrorsTest {
       Flight flight = environment.cast(new double[] {0.5, 0.25}, new double[] {0.5, 2.25});
       assertEquals(0.375, flight.getTime());
       assertArrayEquals(new double[] {0, -1, 0}, flight.getNormal());
-      assertThrows(DartsweepException.WrongSize.class, () -> environment.cast(new double[] {0.5, 0.25, 1}, new double[2]));
-      assertThrows(DartsweepException.WrongSize.class, () -> environment.castSegments(new double[3], new double[3]));
       environment.markVertices(VertexIdArray.of(environment.getVertex(2)), Mark.IMPASSABLE);
       try (Scene scene = new Scene(environment, Dartsweep.FEATURE_DEFORMING)) {
         Body body = scene.createBody(new double[] {0.5, 0.25, 0.75, 0.25}, new int[] {0, 1});
@@ -65,8 +67,37 @@ class ErrorsTest {
         assertEquals(1, report.getVerticesStopped());
         assertEquals(0.75, body.getContacts().get(0).getTime());
         assertEquals(4, body.getPositions().length);
+        DoubleBuffer memory = ByteBuffer.allocateDirect(6 * Double.BYTES).order(ByteOrder.nativeOrder()).asDoubleBuffer();
+        body.getPositions(memory.duplicate().position(1).limit(5));
+        assertTrue(memory.get(1) == 0.5 && memory.get(4) == 0.5);
+        assertTrue(memory.get(0) == 0 && memory.get(5) == 0);
         assertEquals(DeformOutcome.DONE, scene.deform(new double[] {0, 0, 1, 0, 1, 2, 0, 2}).getOutcome());
       }
+    }
+  }
+
+  private static void assertWrongSize(String text, Executable call) {
+    var error = assertThrows(DartsweepException.WrongSize.class, call);
+    assertTrue(error.getMessage().contains(text), error.getMessage());
+  }
+
+  @Test
+  void wrongLengthsInThePlaneAreTold() {
+    try (Environment environment = Scenario.createPlane();
+        Scene scene = new Scene(environment, Dartsweep.FEATURE_DEFORMING)) {
+      double[] point = {40, 30};
+      assertWrongSize("2 coordinates, or a third that is 0", () -> environment.cast(new double[] {40, 30, 1}, point));
+      var error = assertThrows(IllegalArgumentException.class, () -> environment.cast(new double[] {40}, point));
+      assertEquals("a point is an array of 3 numbers, or 2 in the plane", error.getMessage());
+      assertThrows(IllegalArgumentException.class, () -> environment.locate(null));
+      assertWrongSize("2 coordinates; 3 numbers are no points", () -> environment.castSegments(new double[3], new double[3]));
+      assertWrongSize("2 coordinates; 5 numbers are no points", () -> scene.createParticles(new double[5]));
+      assertWrongSize("point_count is 3, the environment has 121", () -> scene.deform(new double[6]));
+      Body body = scene.createBody(new double[] {40, 30, 45, 30}, new int[] {0, 1});
+      assertWrongSize("target_count is 3, there are 2", () -> body.move(new double[6], null));
+      assertWrongSize("positions has 3 entries, not 2", () -> body.getPositions(DoubleBuffer.wrap(new double[6])));
+      assertWrongSize("positions has 3 entries, not 1",
+          () -> scene.getParticles(scene.createParticles(point), DoubleBuffer.wrap(new double[6])));
     }
   }
 

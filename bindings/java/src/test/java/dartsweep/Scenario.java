@@ -129,7 +129,7 @@ final class Scenario {
         push(createCatheter(scene));
         snapshots(environment, scene, particles);
         errors(environment, scene, particles);
-        cut(environment);
+        cut("cut", environment, new double[] {-5, 3, 20.5, 60, 3, 20.5, -5, 3, 60.25, 60, 3, 60.25}, 2, 2);
       }
     }
   }
@@ -153,6 +153,11 @@ final class Scenario {
     }
   }
 
+  private void say(Nearest nearest) {
+    say(nearest.getDistance());
+    say(nearest.getCell().getKind().swigValue(), nearest.getCell().getIndex());
+  }
+
   private void queries(Environment environment) {
     stage("locate");
     double[] from = draw(64);
@@ -174,9 +179,7 @@ final class Scenario {
     for (int i = 0; i < 64; ++i) {
       if (places[i] != Place.PASSABLE.swigValue()) continue;
       double[] point = java.util.Arrays.copyOfRange(from, 3 * i, 3 * i + 3);
-      Nearest nearest = environment.findNearest(point, 20.0, volumes.get(i));
-      say(nearest.getDistance());
-      say(nearest.getCell().getKind().swigValue(), nearest.getCell().getIndex());
+      say(environment.findNearest(point, 20.0, volumes.get(i)));
     }
   }
 
@@ -276,9 +279,9 @@ final class Scenario {
     say(statusOf(() -> new Environment(points(), new int[] {0, 1, 7, 7}, CellType.TETRA, null)));
   }
 
-  private void cut(Environment environment) {
-    stage("cut");
-    CutReport report = environment.cut(new double[] {-5, 3, 20.5, 60, 3, 20.5, -5, 3, 60.25, 60, 3, 60.25}, 2, 2);
+  private void cut(String name, Environment environment, double[] blade, int rows, int columns) {
+    stage(name);
+    CutReport report = environment.cut(blade, rows, columns);
     say(report.getDistance());
     say(report.getVolumesSplit(), report.getFaceCount(), environment.info().getVolumeCount());
     for (CutVertex vertex : environment.getCutVertices()) {
@@ -295,11 +298,14 @@ final class Scenario {
         Body body = createCatheter(scene);
         double[] next = environment.getPoints();
         for (int i = 0; i < next.length; i += 3) next[i] += (48 - next[i]) * 0.4375;
-        DeformReport report = scene.deform(next);
-        say(report.getOutcome().swigValue(), report.getHeldCount(), report.getContactCount(), report.getPushedCount());
-        say(body.getPositions());
+        say(scene.deform(next), body);
       }
     }
+  }
+
+  private void say(DeformReport report, Body body) {
+    say(report.getOutcome().swigValue(), report.getHeldCount(), report.getContactCount(), report.getPushedCount());
+    say(body.getPositions());
   }
 
   /** Squares whose corners have moved, half of them cut into two triangles. */
@@ -338,20 +344,33 @@ final class Scenario {
       environment.markVertices(VertexIdArray.of(environment.getVertex(5 * (SIDE + 1) + 5)), Mark.IMPASSABLE);
       say(info.getDimension(), info.getVertexCount(), info.getVolumeCount(), info.getFaceCount(), info.getBoundaryFaceCount(), marked.getMarked());
 
-      stage("plane cast");
+      stage("plane locate");
       seed = 1;
-      double[] from = drawInPlane(32), to = drawInPlane(32);
+      double[] from = drawInPlane(32);
+      VolumeIdArray volumes = new VolumeIdArray(32);
+      int[] places = new int[32];
+      environment.locatePoints(java.nio.DoubleBuffer.wrap(from), null, volumes, places);
+      for (int i = 0; i < 32; ++i) {
+        say(places[i], volumes.get(i).index(), volumes.get(i).generation());
+        double[] point = {from[2 * i], from[2 * i + 1]};
+        if (places[i] == Place.PASSABLE.swigValue()) say(environment.findNearest(point, 20.0, volumes.get(i)));
+      }
+
+      stage("plane cast");
+      double[] to = drawInPlane(32);
       for (int i = 0; i < to.length; i += 4) to[i] += 40;
       sayFlights(environment.castSegments(from, to));
 
       stage("plane sweep");
       saySweeps(environment.sweepEdges(java.util.Arrays.copyOf(from, 32), java.util.Arrays.copyOf(to, 32), drawInPlane(16)));
 
-      try (Scene scene = new Scene(environment)) {
+      try (Scene scene = new Scene(environment, Dartsweep.FEATURE_DEFORMING)) {
         stage("plane particles");
         ParticleIdArray particles = scene.createParticles(from);
         scene.moveParticles(particles, to);
-        for (ParticleId particle : particles) say(java.util.Arrays.copyOf(scene.getParticle(particle).getPosition(), 2));
+        double[] reached = new double[from.length];
+        scene.getParticles(particles, java.nio.DoubleBuffer.wrap(reached));
+        say(reached);
         double[] positions = new double[2 * LINKS], way = new double[2 * LINKS];
         int[] edges = new int[2 * (LINKS - 1)];
         for (int i = 0; i < LINKS; ++i) {
@@ -367,6 +386,12 @@ final class Scenario {
         stage("plane snapshot");
         sayBlock(environment.save());
         sayBlock(scene.save());
+
+        stage("plane deform");
+        double[] points = environment.getPoints(), bent = java.util.Arrays.copyOf(points, points.length + 2 * 64);
+        for (int i = 1; i < points.length; i += 2) bent[i] += (40 - bent[i]) * 0.125;
+        say(scene.deform(bent), rope);
+        cut("plane cut", environment, new double[] {20, 20.5, 60.25, 41.25}, 2, 1);
       }
     }
   }
