@@ -319,19 +319,24 @@ int Cut<D>::side_of(uint32_t on, uint32_t off) const {
   return section_->node(section_->node_at(on)).side;
 }
 
-/** On which side a cell is that touches the cut and is not split; 0: that is not to be told. One with nothing but vertices on the blade
- * counts as before it: its faces are then on the cut where the blade is behind them. */
+/** On which side a cell is that touches the cut and is not split; 0: that is not to be told. One with nothing but vertices on the blade is where
+ * these were if the blade did not meet it, else it counts as before it: its faces are then on the cut where the blade is behind them. */
 template <int D>
 int Cut<D>::side_of(Cell c) const {
   int side = 0;
   bool told = true;
-  for_each_edge_both_ways(map_, c, [&](uint32_t on, uint32_t off) {
-    if (!told || section_->node_at(on) == KeyTable::kNone || section_->node_at(off) != KeyTable::kNone) return;
-    const int here = side_of(on, off);
-    told = here != 0 && here != -side;
+  const auto see = [&](int here) {
+    told = told && here != 0 && here != -side;
     side = here;
+  };
+  for_each_edge_both_ways(map_, c, [&](uint32_t on, uint32_t off) {
+    if (section_->node_at(on) != KeyTable::kNone && section_->node_at(off) == KeyTable::kNone) see(side_of(on, off));
   });
-  return !told ? 0 : side != 0 ? side : 1;
+  if (told && side == 0) {
+    if (crossings_.number(c) != KeyTable::kNone) return 1;
+    for (uint32_t k = 0; k < map_.vertices_of(c); ++k) see(section_->node(section_->node_at(map_.vertex(c, k))).side);
+  }
+  return told ? side : 0;
 }
 
 template <int D>

@@ -19,17 +19,20 @@ Section<D>::Section(const Environment<D>& env, const Crossings<D>& crossings, do
     const Crossing& at = crossings[i];
     if (!at.once || (at.share > snap && at.share < 1 - snap)) continue;
     const uint32_t vertex = at.share < 0.5 ? at.a : at.b;
-    const int side = vertex == at.b ? 1 : -1;
-    const uint32_t known = places_.insert(pair_key(vertex, vertex));
-    if (known == nodes_.size()) {
-      nodes_.push_back({vertex, vertex, 0, at.simplex, side});
-    } else if (nodes_[known].side != side) {
-      nodes_[known].side = 0;
-    }
+    if (places_.insert(pair_key(vertex, vertex)) == nodes_.size())
+      nodes_.push_back({vertex, vertex, 0, at.simplex, vertex == at.b ? 1 : -1});
   }
+  // A blade that passes through itself can have one vertex on both of its sides.
+  const auto see_side = [&](uint32_t node, int side) {
+    if (node != KeyTable::kNone && nodes_[node].side != side) nodes_[node].side = 0;
+  };
   for (uint32_t i = 0; i < crossings.count(); ++i) {
     const Crossing& at = crossings[i];
-    if (!at.once || node_at(at.a) != KeyTable::kNone || node_at(at.b) != KeyTable::kNone) continue;
+    if (!at.once) continue;
+    const uint32_t behind = node_at(at.a), before = node_at(at.b);
+    see_side(behind, -1);
+    see_side(before, 1);
+    if (behind != KeyTable::kNone || before != KeyTable::kNone) continue;
     places_.insert(pair_key(at.a, at.b));
     nodes_.push_back({at.a, at.b, at.share, at.simplex, 0});
   }
