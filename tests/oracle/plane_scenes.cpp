@@ -206,13 +206,19 @@ void cut(Rng& rng, World& world, int count) {
   }
 }
 
-void make_lattice(Rng& rng, World& world) { triangles(rng, rng.between(4, 30), rng.chance(0.5) ? 8 : 32, world); }
+void make_lattice(Rng& rng, World& world) {
+  const int size = rng.chance(0.5) ? 8 : 32, count = rng.between(4, 30);
+  triangles(rng, count, size, world);
+}
 void make_delaunay(Rng& rng, World& world) { triangles(rng, rng.between(4, 40), 1000, world); }
 void make_irrational(Rng& rng, World& world) {
   triangles(rng, rng.between(4, 40), 4096, world);
   stretch(world, 0.31622776601683794, 0.31415926535897931);
 }
-void make_flat(Rng& rng, World& world) { grid(axis(rng.between(2, 6), 8), axis(rng.between(2, 6), 8), world); }
+void make_flat(Rng& rng, World& world) {
+  const int rows = rng.between(2, 6), columns = rng.between(2, 6);
+  grid(axis(columns, 8), axis(rows, 8), world);
+}
 void make_quads(Rng& rng, World& world) {
   const int n = rng.between(2, 5);
   jittered(rng, world, axis(n, 8), axis(n, 8), rng.between(1, 3));

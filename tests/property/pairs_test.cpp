@@ -20,12 +20,6 @@ struct Counts {
   int moves = 0, contacts = 0, missed = 0, false_ones = 0, late = 0, not_free = 0, wrong_part = 0, wrong_normal = 0;
 };
 
-/// Rationals are slow: DSW_PAIR_MOVES and DSW_PAIR_SEED ask for more and for others.
-uint64_t from_environment(const char* name, uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
-
 class PairsTest : public testing::TestWithParam<Kind> {
  protected:
   void SetUp() override {
@@ -206,6 +200,7 @@ TEST_P(PairsTest, EveryMoveEndsAsAllPartsAgainstAllPartsSay) {
   fill(12);
   ASSERT_GT(bodies_.size(), 4u);
   EXPECT_GT(refused_, 0);
+  // Rationals are slow: DSW_PAIR_MOVES and DSW_PAIR_SEED ask for more and for others.
   const int moves = static_cast<int>(from_environment("DSW_PAIR_MOVES", plane() ? 400 : 80));
   for (int i = 0; i < moves && !HasFatalFailure(); ++i) {
     SCOPED_TRACE(i);

@@ -43,7 +43,9 @@ void PlaneCuts::add_inhabitants() {
     dsw_particle_create(scene_.get(), p.data(), {0, 0}, &id);
   }
   for (int tries = 0; tries < 6; ++tries) {
-    const plane::Vec p = some_point(), q = mix(p, some_point(), rng_.chance(0.5) ? 1 : 0.2);
+    const plane::Vec p = some_point();
+    const double share = rng_.chance(0.5) ? 1 : 0.2;
+    const plane::Vec beyond = some_point(), q = mix(p, beyond, share);
     const double positions[4] = {p[0], p[1], q[0], q[1]};
     const uint32_t edge[2] = {0, 1};
     dsw_body_desc desc;
@@ -116,7 +118,8 @@ plane::Vec PlaneCuts::some_point() {
   const plane::Vec p = vertex_near(c), q = vertex_near(c), r = vertex_near(rng_.chance(0.7) ? c : some_cell());
   if (rng_.chance(0.1)) return p;
   if (rng_.chance(0.1)) return mix(p, q, 0.5);
-  return mix(mix(p, q, rng_.unit()), r, rng_.unit());
+  const double across = rng_.unit(), along = rng_.unit();
+  return mix(mix(p, q, along), r, across);
 }
 
 /// Through the environment somewhere, through vertices and along sides; straight, bent, folded, or of no extent; small or large.
@@ -329,7 +332,7 @@ std::string PlaneCuts::step() {
     return std::to_string(operation) + ": " + dsw_last_error_message();
   }
   read();
-  return wrong_.empty() ? check() : wrong_;
+  return wrong_.empty() ? check(operation == kCut || operation == kCarve || operation == kTie) : wrong_;
 }
 
 /// Cells with points farther from the line than the cut is, on both sides, have to be known as whole.
@@ -349,7 +352,7 @@ std::string PlaneCuts::cut_all(uint64_t seed) {
   for (;;) {
     wrong_.clear();
     if (cut(path, desc) != DSW_STATUS_OK) return dsw_last_error_message();
-    if (wrong_.empty()) wrong_ = check();
+    if (wrong_.empty()) wrong_ = check(true);
     if (!wrong_.empty()) return wrong_;
     const std::vector<dsw_volume_id> kept = whole_volumes(environment_);
     for (const dsw_volume_id id : kept) is_whole.insert(id.index);

@@ -8,6 +8,8 @@
 #include "plane_scenes.h"
 #include "run.h"
 
+#include <set>
+
 namespace dsw::oracle {
 
 inline plane::Vec mix(const plane::Vec& a, const plane::Vec& b, double t) {
@@ -20,6 +22,22 @@ inline std::vector<dsw_cut_face> cut_faces(const EnvironmentPtr& environment) {
   EXPECT_EQ(dsw_environment_get_cut_faces(environment.get(), &faces, &count), DSW_STATUS_OK);
   return {faces, faces + count};
 }
+
+/// Calls use(turn, seed) for all kinds of meshes in all sizes, so many rounds. DSW_PLANE_WORLDS asks for another number of worlds, DSW_PLANE_SEED for
+/// those from a seed on.
+template <class Use>
+void for_each_turn(uint64_t rounds, const Use& use) {
+  const std::vector<plane::Turn> turns = plane::turns("");
+  const uint64_t first = from_environment("DSW_PLANE_SEED", 1),
+                 count = from_environment("DSW_PLANE_WORLDS", rounds * turns.size());
+  for (uint64_t seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
+    const plane::Turn& turn = turns[(seed - 1) % turns.size()];
+    SCOPED_TRACE(turn.name() + ", seed " + std::to_string(seed));
+    use(turn, seed);
+  }
+}
+/// Not if their number was asked for.
+inline bool enough_worlds() { return std::getenv("DSW_PLANE_WORLDS") == nullptr; }
 
 class PlaneCuts {
  public:
@@ -59,12 +77,14 @@ class PlaneCuts {
   dsw_status tie();
   dsw_status mark();
 
-  std::string check();
+  std::string check(bool was_cut);
   std::string check_cells() const;
-  std::string check_turns() const;
+  std::set<int> folded_vertices() const;
+  std::string check_folds(bool was_cut);
   std::string check_inhabitants();
   std::string check_cut(const Path& path, const plane::World& before, const std::vector<uint32_t>& numbers,
                         const dsw_cut_report& report, bool unsewn);
+  std::string check_sides(const Path& path) const;
   std::string check_opening(const dsw_open_report& report, double width);
   double distance(const plane::Vec& p, const plane::Vec& a, const plane::Vec& b) const;
   double rounding(const plane::Vec& p) const;
@@ -78,6 +98,7 @@ class PlaneCuts {
   ScenePtr scene_;
   std::vector<std::array<dsw_face_id, 2>> unsewn_;
   std::string wrong_;         // of the last call
+  std::set<int> folded_;      // vertices of the outer boundary, by roundings
   bool coarse_;               // doubles are as coarse as the cells
   bool through_all_ = false;  // the path is a line through everything
   bool crosses_ = false;      // the outer boundary has been moved through itself

@@ -1,6 +1,7 @@
 // What has to hold after each cut, tear, opening or tie in the plane.
 #include "environment/validity.h"
 #include "map/integrity.h"
+#include "path_truth.h"
 #include "plane_cuts.h"
 #include "sweep/body_probe.h"
 
@@ -27,6 +28,13 @@ class Areas {
     for (size_t i = 1; i + 1 < loop.size(); ++i) sum += of(at(loop[0]), at(loop[i]), at(loop[i + 1]));
     return sum;
   }
+  /// Whether p and q, in a line with `from`, lie on one side of it.
+  static bool ahead(const plane::Vec& from, const plane::Vec& p, const plane::Vec& q) {
+    for (size_t k = 0; k < 2; ++k) {
+      if ((p[k] < from[k] && q[k] < from[k]) || (p[k] > from[k] && q[k] > from[k])) return true;
+    }
+    return false;
+  }
   const plane::Vec& at(int vertex) const { return world_.points[static_cast<size_t>(vertex)]; }
   /// For a point that is none of the world's.
   void see(const double* p) { lowest_ = std::min({lowest_, lowest_exponent(p[0]), lowest_exponent(p[1])}); }
@@ -51,7 +59,7 @@ std::vector<dsw_volume_change> changes(const EnvironmentPtr& environment) {
 
 }  // namespace
 
-std::string PlaneCuts::check() {
+std::string PlaneCuts::check(bool was_cut) {
   if (const char* const broken = check_integrity(env().map)) return broken;
   std::string wrong = check_cells();
   if (!wrong.empty()) return wrong;
@@ -59,7 +67,7 @@ std::string PlaneCuts::check() {
   crosses_ = partition == DSW_STATUS_BOUNDARY_CROSSES;
   if (!crosses_ && partition != DSW_STATUS_OK) return dsw_last_error_message();
   crossed += crosses_ ? 1u : 0u;
-  if (!coarse_) wrong = check_turns();
+  wrong = check_folds(was_cut);
   if (!wrong.empty()) return wrong;
   for (int i = 0; !crosses_ && i < 8; ++i) {
     if (plane::locate(world_, some_point()) == -2) return "two cells contain one point";
@@ -103,30 +111,58 @@ std::string PlaneCuts::check_cells() const {
   return sum == outer ? "" : "the cells do not fill what the outer boundary encloses";
 }
 
-/// Cells round a vertex of the outer boundary do not turn by more than there is; what lies farther off can overlap.
-std::string PlaneCuts::check_turns() const {
+/// Vertices of the outer boundary round which cells turn by more than there is.
+std::set<int> PlaneCuts::folded_vertices() const {
   const Map<2>& map = env().map;
-  const auto way = [&](dsw::Cell c, uint32_t from, uint32_t to) {
-    const double *const p = env().point(c, from), *const q = env().point(c, to);
-    return std::atan2((q[1] - p[1]) / unit_, (q[0] - p[0]) / unit_);
-  };
+  Areas areas(world_);
+  std::set<int> folded;
   for (const plane::Side& side : world_.sides) {
     if (side.cell[1] >= 0) continue;
-    double turn = 0;
+    const plane::Vec &at = areas.at(side.a), &first = areas.at(side.b);
+    // Whether a corner, counter-clockwise from u to v, has the first side's direction in it, u's included and v's not.
+    const auto passes_first = [&](const plane::Vec& u, const plane::Vec& v) {
+      const auto is_before = [&](const plane::Vec& p, const plane::Vec& q) { return areas.of(at, p, q) > 0; };
+      const auto same_way = [&](const plane::Vec& p) {
+        return areas.of(at, p, first) == 0 && areas.ahead(at, p, first);
+      };
+      if (same_way(u)) return true;
+      if (same_way(v)) return false;
+      const Big turn = areas.of(at, u, v);
+      if (turn > 0) return is_before(u, first) && is_before(first, v);
+      if (turn < 0) return is_before(u, first) || is_before(first, v);
+      return is_before(u, first);  // half of the way
+    };
     dsw::Cell c = map.cell(numbers_[static_cast<size_t>(side.cell[0])]);
+    bool begun = false;
     for (auto f = static_cast<uint32_t>(side.local[0]);;) {
       const uint32_t n = map.vertices_of(c), last = (f + n - 1) % n;
-      double angle = way(c, f, last) - way(c, f, (f + 1) % n);
-      if (angle < 0) angle += 2 * M_PI;
-      turn += angle;
+      const auto corner = [&](uint32_t k) { return areas.at(static_cast<int>(map.vertex(c, k))); };
+      if (begun && passes_first(corner((f + 1) % n), corner(last))) {
+        folded.insert(side.a);
+        break;
+      }
+      begun = true;
       const HalfFacet o = map.opposite(map.half_facet(c, last));
       if (!o.valid()) break;
       c = map.cell_of(o);
       f = map.local_of(o, c);
     }
-    if (turn > 2 * M_PI + 1e-6) return "the outer boundary is folded";
   }
-  return "";
+  return folded;
+}
+
+/// The outer boundary folds only by the rounding of vertices that a cut has brought: there or beside one. What lies farther off can overlap.
+std::string PlaneCuts::check_folds(bool was_cut) {
+  std::set<int> folded = folded_vertices(), rounded;
+  folded.swap(folded_);
+  for (const dsw_cut_vertex& v : cut_vertices(environment_)) rounded.insert(static_cast<int>(v.vertex.index));
+  std::set<int> excused = folded;
+  for (const plane::Side& side : world_.sides) {
+    if (!was_cut || side.cell[1] >= 0 || rounded.count(side.a) + rounded.count(side.b) == 0) continue;
+    excused.insert({side.a, side.b});
+  }
+  const bool all = std::includes(excused.begin(), excused.end(), folded_.begin(), folded_.end());
+  return all ? "" : "the outer boundary is folded";
 }
 
 std::string PlaneCuts::check_inhabitants() {
@@ -196,14 +232,9 @@ std::string PlaneCuts::check_cut(const Path& path, const plane::World& before, c
       if (!coarse_ && least > slack) return "the cut is farther from the path than reported";
       ++sides_checked;
     }
-    if (!through_all_ || coarse_) continue;  // where a path ends, what is before it and behind hangs on a side
-    const plane::Vec u{(path[1][0] - path[0][0]) / size_, (path[1][1] - path[0][1]) / size_};
-    double of_front[2], of_back[2];
-    centre(env(), front, of_front);
-    centre(env(), back, of_back);
-    const double height = u[1] * ((of_front[0] - of_back[0]) / unit_) - u[0] * ((of_front[1] - of_back[1]) / unit_);
-    if (!(height > -20 * rounding(path[0]))) return "before and behind of the path are mixed up";
   }
+  const std::string mixed_up = check_sides(path);
+  if (!mixed_up.empty()) return mixed_up;
   for (const dsw_cut_vertex& v : cut_vertices(environment_)) {
     if (!(v.weights[0] > 0 && v.weights[1] > 0) || std::fabs(v.weights[0] + v.weights[1] - 1) > 1e-15) return "weights";
     const plane::Vec &a = world_.points[v.from[0].index], &b = world_.points[v.from[1].index];
@@ -237,6 +268,44 @@ std::string PlaneCuts::check_cut(const Path& path, const plane::World& before, c
     for (const auto& side : sides) least = std::min(least, distance(p, side[0], side[1]));
     if (least > slack) return "the path is farther from the cut than reported";
     ++points_checked;
+  }
+  return "";
+}
+
+/// Exactly: beside a vertex that came the edge goes on, on either side of the cut, to that end of it that is there. Between two vertices that there were,
+/// at least one neighbour of theirs is where it should be; if a path ends, that hangs on more.
+std::string PlaneCuts::check_sides(const Path& path) const {
+  const Map<2>& map = env().map;
+  const PathTruth truth(world_, path);
+  std::map<uint32_t, std::array<int, 2>> edges;
+  for (const dsw_cut_vertex& v : cut_vertices(environment_)) {
+    edges[v.vertex.index] = {static_cast<int>(v.from[0].index), static_cast<int>(v.from[1].index)};
+  }
+  for (const dsw_cut_face& f : cut_faces(environment_)) {
+    bool all_old = true, right = false;
+    for (const int side : {-1, 1}) {  // behind the path is on its left
+      const dsw_face_id face = side < 0 ? f.front : f.back;
+      const dsw::Cell c = map.cell(face.volume);
+      const uint32_t n = map.vertices_of(c);
+      for (const uint32_t end : {0u, 1u}) {
+        const uint32_t vertex = map.vertex(c, (face.local + end) % n);
+        const auto beside = static_cast<int>(map.vertex(c, (face.local + (end == 0 ? n - 1 : 2)) % n));
+        if (edges.count(vertex) == 0) {
+          right = right || truth.left(0, beside) == side;
+          continue;
+        }
+        all_old = false;
+        const auto [a, b] = edges[vertex];
+        std::vector<size_t> by;
+        for (size_t k = 0; k + 1 < path.size(); ++k) {
+          if (truth.crosses(k, a, b)) by.push_back(k);
+        }
+        if (by.empty()) return "a vertex of the cut is on an edge that the path does not cross";
+        if (by.size() != 1) continue;  // the path has come back from somewhere else
+        if (beside != (truth.left(by[0], a) == side ? a : b)) return "before and behind of the path are mixed up";
+      }
+    }
+    if (through_all_ && all_old && !right) return "before and behind of the path are mixed up";
   }
   return "";
 }

@@ -4,20 +4,13 @@
 namespace dsw::oracle {
 namespace {
 
-/// All kinds of meshes in all sizes.
 template <class Use>
-void for_each_world(int rounds, bool inhabited, const Use& use) {
-  uint64_t seed = 0;
-  for (int round = 0; round < rounds; ++round) {
-    for (const plane::Turn& turn : plane::turns("")) {
-      PlaneCuts cuts(turn, ++seed, inhabited);
-      EXPECT_TRUE(cuts.is_made() || turn.may_be_refused()) << turn.name();
-      if (!cuts.is_made()) continue;
-      SCOPED_TRACE(turn.name() + ", seed " + std::to_string(seed));
-      use(cuts, seed);
-      if (testing::Test::HasFatalFailure()) return;
-    }
-  }
+void for_each_world(uint64_t rounds, bool inhabited, const Use& use) {
+  for_each_turn(rounds, [&](const plane::Turn& turn, uint64_t seed) {
+    PlaneCuts cuts(turn, seed, inhabited);
+    EXPECT_TRUE(cuts.is_made() || turn.may_be_refused());
+    if (cuts.is_made()) use(cuts, seed);
+  });
 }
 
 TEST(PlaneCuts, NothingIsOnBothSidesOfALineButWhatStayedWhole) {
@@ -31,6 +24,7 @@ TEST(PlaneCuts, NothingIsOnBothSidesOfALineButWhatStayedWhole) {
   RecordProperty("split", static_cast<int>(split));
   RecordProperty("whole", static_cast<int>(whole));
   RecordProperty("ends_of_sides", static_cast<int>(sides));
+  if (!enough_worlds()) return;
   EXPECT_GT(split, 1000u);
 }
 
@@ -52,15 +46,9 @@ TEST(PlaneCuts, WhateverIsCutTornOpenedCarvedAndTied) {
     crossed += cuts.crossed;
   });
   for (size_t k = 0; k < PlaneCuts::kOperations; ++k) {
-    EXPECT_GT(done[k], 50u) << k;
     RecordProperty("done_" + std::to_string(k), static_cast<int>(done[k]));
     RecordProperty("occupied_" + std::to_string(k), static_cast<int>(occupied[k]));
   }
-  EXPECT_GT(occupied[PlaneCuts::kCut] + occupied[PlaneCuts::kTear], 20u);
-  EXPECT_GT(split, 500u);
-  EXPECT_GT(opened, 500u);
-  EXPECT_GT(into_space, 50u);
-  EXPECT_GT(points, 500u);
   RecordProperty("split", static_cast<int>(split));
   RecordProperty("whole", static_cast<int>(whole));
   RecordProperty("opened", static_cast<int>(opened));
@@ -68,6 +56,22 @@ TEST(PlaneCuts, WhateverIsCutTornOpenedCarvedAndTied) {
   RecordProperty("points", static_cast<int>(points));
   RecordProperty("into_space", static_cast<int>(into_space));
   RecordProperty("boundary_crosses", static_cast<int>(crossed));
+  if (!enough_worlds()) return;
+  for (size_t k = 0; k < PlaneCuts::kOperations; ++k) EXPECT_GT(done[k], 50u) << k;
+  EXPECT_GT(occupied[PlaneCuts::kCut] + occupied[PlaneCuts::kTear], 20u);
+  EXPECT_GT(split, 500u);
+  EXPECT_GT(opened, 500u);
+  EXPECT_GT(into_space, 50u);
+  EXPECT_GT(points, 500u);
+}
+
+/// Angles in doubles once said so of a vertex after a tie: its sides are 1e-12 as high as long, and too small for all of a double's digits.
+TEST(PlaneCuts, ASliverIsNotTakenForAFold) {
+  const std::vector<plane::Turn> turns = plane::turns("");
+  const uint64_t seed = 1013;
+  PlaneCuts cuts(turns[(seed - 1) % turns.size()], seed, true);
+  ASSERT_TRUE(cuts.is_made());
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(cuts.step(), "") << "step " << i;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -19,6 +20,12 @@ inline std::ostream& operator<<(std::ostream& out, const dsw_cell& c) {
 }
 
 namespace dsw::oracle {
+
+/// A number that an environment variable asks for.
+inline uint64_t from_environment(const char* name, uint64_t otherwise) {
+  const char* const text = std::getenv(name);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
 
 struct ContextDelete {
   void operator()(dsw_context* c) const { dsw_context_destroy(c); }
