@@ -165,6 +165,9 @@ TEST(Layer, SurgeryInThePlaneReadsByTwo) {
   EXPECT_GT(environment.tie(of<Points>(line)).cut.face_count, 0u);
   EXPECT_EQ(status_of([&] { environment.cut(of<Points>(blade), 3, 1); }), DSW_STATUS_WRONG_SIZE);
   EXPECT_EQ(status_of([&] { environment.carve(of<Points>(shape), {corners, 5}); }), DSW_STATUS_WRONG_SIZE);
+  const dsw_face_id side = environment.get_volume_face(environment.get_volume(made.index), 0);
+  const dsw_vertex_id middle = environment.split_edge({side.volume, side.generation, side.local}, 0.5).vertex;
+  EXPECT_EQ(environment.get_position(middle).size, 2u);
   Trace trace;
   trace.add_walk(environment, {0.75, 0.5}, {0.75, 3}, 0.25);
   const Array<double> drawn = trace.get_points();

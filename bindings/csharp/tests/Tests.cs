@@ -124,13 +124,16 @@ static class Tests
       True(environment.Dimension() == 2 && environment.GetPoints().Length == 8);
       Flight flight = environment.Cast(new Vec3(0.5, 0.25), new Vec3(0.5, 2.25));
       True(flight.Time == 0.375 && flight.Normal.Y == -1 && flight.Normal.Z == 0);
+      FaceId side = environment.FindFaces(new ulong[] { 0, 2 }, new uint[] { 1, 2 })[0];
+      VertexId vertex = environment.SplitEdge(new EdgeId(side.Volume, side.Generation, side.Local), 0.25).Vertex;
+      Same(new Vec3(1, 0.25), environment.GetPosition(vertex));
       environment.MarkVertices(new[] { environment.GetVertex(2) }, Mark.Impassable);
       using (Scene scene = new Scene(environment, Library.FEATURE_DEFORMING))
       {
         Body body = scene.CreateBody(new[] { 0.5, 0.25, 0.75, 0.25 }, new uint[] { 0, 1 });
         MoveReport report = body.Move(new[] { 0.5, 1.25, 0.75, 0.5 }, null);
         True(report.VerticesStopped == 1 && body.GetContacts()[0].Time == 0.75 && body.GetPositions().Length == 4);
-        True(scene.Deform(new double[] { 0, 0, 1, 0, 1, 2, 0, 2 }).Outcome == DeformOutcome.Done);
+        True(scene.Deform(new double[] { 0, 0, 1, 0, 1, 2, 0, 2, 1, 0.5 }).Outcome == DeformOutcome.Done);
       }
     }
   }

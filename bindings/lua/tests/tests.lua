@@ -94,12 +94,15 @@ function TestPlane:test_points_have_two_coordinates()
   local flight = environment:cast({0.5, 0.25}, {0.5, 2.25})
   lu.assertEquals({flight.time, flight.normal}, {0.375, {0, -1, 0}})
   lu.assertEquals(environment:cast({0.5, 0.25, 0}, {0.5, 2.25, 0}).time, 0.375)
+  local side = environment:find_faces({0, 2}, {1, 2})[1]
+  local vertex = environment:split_edge(dsw.EdgeId(side.volume, side.generation, side.local_index), 0.25)
+  lu.assertEquals(environment:get_position(vertex), {1, 0.25})
   environment:mark_vertices {environment:get_vertex(2)}
   local scene <close> = dsw.Scene(environment, {features = dsw.FEATURE_DEFORMING})
   local body = scene:create_body {positions = {{0.5, 0.25}, {0.75, 0.25}}, edges = {{0, 1}}}
   lu.assertEquals(body:move({{0.5, 1.25}, {0.75, 0.5}}).vertices_stopped, 1)
   lu.assertEquals({body:get_contacts()[1].time, #body:get_positions()}, {0.75, 4})
-  lu.assertEquals(scene:deform({{0, 0}, {1, 0}, {1, 2}, {0, 2}}).outcome, dsw.DEFORM_DONE)
+  lu.assertEquals(scene:deform({{0, 0}, {1, 0}, {1, 2}, {0, 2}, {1, 0.5}}).outcome, dsw.DEFORM_DONE)
 end
 
 function TestPlane:test_wrong_lengths_are_told()

@@ -114,6 +114,9 @@ test('points of the plane have two coordinates', () => {
   assert.equal(time, 0.375);
   assert.deepEqual(normal, [0, -1, 0]);
   assert.equal(environment.cast([0.5, 0.25, 0], [0.5, 2.25, 0]).time, 0.375);
+  const side = environment.findFaces([0, 2], [1, 2]).at(0);
+  const { vertex } = environment.splitEdge(new dsw.EdgeId(side.volume, side.generation, side.local), 0.25);
+  assert.deepEqual(environment.getPosition(vertex), [1, 0.25, 0]);
   environment.markVertices([environment.getVertex(2)], dsw.Mark.Impassable);
   const scene = new dsw.Scene(environment, { features: dsw.FEATURE_DEFORMING });
   const body = scene.createBody([0.5, 0.25, 0.75, 0.25], [0, 1]);
@@ -122,7 +125,7 @@ test('points of the plane have two coordinates', () => {
   const memory = new Float64Array(6);
   body.getPositions(memory.subarray(1, 5));
   assert.deepEqual([...memory], [0, ...body.getPositions(), 0]);
-  assert.equal(scene.deform([0, 0, 1, 0, 1, 2, 0, 2]).outcome, dsw.DeformOutcome.Done);
+  assert.equal(scene.deform([0, 0, 1, 0, 1, 2, 0, 2, 1, 0.5]).outcome, dsw.DeformOutcome.Done);
 });
 
 test('cells of several types, of 8 bytes an index', () => {

@@ -141,6 +141,17 @@ def test_cuts_and_shapes() -> None:
         assert carved.volumes_carved > 0 and len(environment.carved_volumes()) == carved.volumes_carved
 
 
+def test_sides_are_split_as_edges() -> None:
+    with square() as environment:
+        side = environment.face(environment.volume(0), 1)
+        with pytest.raises(TypeError):
+            environment.split_edge(side)
+        vertex, first, _ = environment.split_edge(ds.EdgeId(side.volume, side.generation, side.local), 0.25)
+        assert environment.position(vertex).tolist() == [1.0, 0.25] and environment.counts(environment.volume(0)).vertices == 4
+        environment.merge_edges(first, vertex)
+        assert environment.counts(environment.volume(0)).vertices == 3
+
+
 def test_snapshots_and_copies(tmp_path: object) -> None:
     with create_plane() as environment, ds.Scene(environment) as scene:
         rope = scene.create_body([(20.0, 40.0), (25.0, 40.0)], [(0, 1)])

@@ -181,7 +181,7 @@ class Environment:
         return self._core.get_volume_face(volume, local)  # type: ignore[no-any-return]
 
     def edge(self, volume: Any, local: int) -> EdgeId:
-        """Canonical id of an edge of a volume."""
+        """Canonical id of an edge of a volume; in the plane there are none."""
         return self._core.get_volume_edge(volume, local)  # type: ignore[no-any-return]
 
     def vertices(self, cell: Any) -> Records:
@@ -198,7 +198,7 @@ class Environment:
         return self._core.get_neighbour(volume, local)  # type: ignore[no-any-return]
 
     def find_faces(self, offsets: ArrayLike, indices: ArrayLike) -> Records:
-        """Ids of faces by their vertices: face i has indices[offsets[i] : offsets[i + 1]]; null ids where there is none."""
+        """Ids of faces, in the plane sides, by their vertices: face i has indices[offsets[i] : offsets[i + 1]]; null ids where there is none."""
         return self._core.find_faces(offsets, indices)  # type: ignore[no-any-return]
 
     def find_edges(self, pairs: ArrayLike) -> Records:
@@ -355,7 +355,7 @@ class Environment:
         return parts.left, parts.right, parts.edge
 
     def split_edge(self, edge: Any, share: float = 0.5) -> tuple[VertexId, EdgeId, EdgeId]:
-        """Splits an edge: the new vertex, and the parts at the first and the second of its vertices."""
+        """Splits an edge, in the plane a side by an EdgeId: the new vertex, and the parts at the first and the second of its vertices."""
         parts = self._core.split_edge(edge, share)
         return parts.vertex, parts.first, parts.second
 

@@ -60,6 +60,9 @@ class ErrorsTest {
       Flight flight = environment.cast(new double[] {0.5, 0.25}, new double[] {0.5, 2.25});
       assertEquals(0.375, flight.getTime());
       assertArrayEquals(new double[] {0, -1, 0}, flight.getNormal());
+      FaceId side = environment.findFaces(new long[] {0, 2}, new int[] {1, 2}).get(0);
+      VertexId vertex = environment.splitEdge(new EdgeId(side.volume(), side.generation(), side.local()), 0.25).getVertex();
+      assertArrayEquals(new double[] {1, 0.25}, environment.getPosition(vertex));
       environment.markVertices(VertexIdArray.of(environment.getVertex(2)), Mark.IMPASSABLE);
       try (Scene scene = new Scene(environment, Dartsweep.FEATURE_DEFORMING)) {
         Body body = scene.createBody(new double[] {0.5, 0.25, 0.75, 0.25}, new int[] {0, 1});
@@ -71,7 +74,7 @@ class ErrorsTest {
         body.getPositions(memory.duplicate().position(1).limit(5));
         assertTrue(memory.get(1) == 0.5 && memory.get(4) == 0.5);
         assertTrue(memory.get(0) == 0 && memory.get(5) == 0);
-        assertEquals(DeformOutcome.DONE, scene.deform(new double[] {0, 0, 1, 0, 1, 2, 0, 2}).getOutcome());
+        assertEquals(DeformOutcome.DONE, scene.deform(new double[] {0, 0, 1, 0, 1, 2, 0, 2, 1, 0.5}).getOutcome());
       }
     }
   }
