@@ -40,23 +40,30 @@ if setarch "$(uname -m)" -R true 2>/dev/null; then plain_addresses=(setarch "$(u
 # With a leak to find, run ctest --preset dev without it.
 export ASAN_OPTIONS=malloc_context_size=1
 
-summary=()
 failed=0
 
-# run_step NAME: keeps the output in build/NAME.log, shows it only when something is wrong.
+# run_step NAME: keeps the output in build/NAME.log, shows it only when something is wrong; what to say at the end is in build/NAME.summary.
 run_step() {
   local name=$1 start=$SECONDS log=build/$1.log status=0
   echo "== $name"
   "step_$name" >"$log" 2>&1 || status=$?
-  if [ $status -ne 0 ]; then
-    failed=1
-    tail -n 150 "$log"
-  fi
+  [ $status -eq 0 ] || tail -n 150 "$log"
   local lines
   lines=$(grep -E '^(100|[0-9]+)% tests passed|^Total Test time|^No tests were found|^format:|^(python|docs|java|csharp|lua|node):|^abi\.|^# (pass|fail) [0-9]+|^Ran [0-9]+ tests' "$log" || true)
   [ $status -eq 0 ] || lines+=$'\nFAILED, see '$log
-  summary+=("$name ($((SECONDS - start)) s)"$'\n'"$lines")
+  printf '%s (%s s)\n%s\n' "$name" $((SECONDS - start)) "$lines" >"build/$name.summary"
   echo "$lines"
+  return $status
+}
+
+# Steps that keep one processor busy go side by side, as many as there are processors; before any other all have ended.
+single=" docs java csharp lua node "
+running=0
+wait_until_running() {
+  while [ $running -gt "$1" ]; do
+    wait -n || failed=1
+    running=$((running - 1))
+  done
 }
 
 # preset NAME TARGETS...
@@ -66,14 +73,21 @@ preset() {
   cmake --preset "$name" && cmake --build --preset "$name" --target "$@" && "${plain_addresses[@]}" ctest --preset "$name" --no-tests=error
 }
 
+# one_at_a_time COMMAND...: no two steps work in build/release.
+one_at_a_time() {
+  (flock 9 && "$@") 9>build/release.lock
+}
+
 # The library of the release preset as others find it, in build/dartsweep.
-install_library() {
+install_library() { one_at_a_time make_library; }
+make_library() {
   cmake --preset release && cmake --build --preset release --target dartsweep &&
     cmake --install build/release --prefix build/dartsweep
 }
 
 # The same, static, in build/dartsweep-static/prefix.
-install_static_library() {
+install_static_library() { one_at_a_time make_static_library; }
+make_static_library() {
   cmake --preset release && cmake --build --preset release --target dartsweep_internal &&
     CC=cc CXX=c++ tests/package/package_test.sh static "$PWD/build/release" "$PWD/build/dartsweep-static"
 }
@@ -111,10 +125,20 @@ for step in "${steps[@]}"; do
     echo "no step '$step'"
     exit 2
   }
-  run_step "$step"
 done
+for step in "${steps[@]}"; do
+  if [[ $single == *" $step "* ]]; then
+    wait_until_running $((jobs - 1))
+    run_step "$step" &
+    running=$((running + 1))
+  else
+    wait_until_running 0
+    run_step "$step" || failed=1
+  fi
+done
+wait_until_running 0
 
 echo
 echo "== summary after $SECONDS s"
-printf '%s\n' "${summary[@]}"
+for step in "${steps[@]}"; do cat "build/$step.summary"; done
 exit $failed
