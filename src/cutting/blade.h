@@ -18,8 +18,7 @@ class BladeSimplex<3> {
  public:
   explicit BladeSimplex(const double* const* corners) : swept_(EdgeMotion{corners[0], corners[1], corners[2]}) {}
 
-  /** A bit for each side of the simplex' box that v lies strictly beyond. Points with a bit in common do not meet the simplex, nor does
-   * anything between them. */
+  /** Bits of the sides of its box that v lies beyond, see PointBox. */
   uint32_t beyond_box(const double* v) const { return swept_.beyond_box(v); }
   /** On which side a point is: 1 before the blade, -1 behind it; 0 only if the simplex is flat. */
   int side(const double* v) const { return swept_.side(v); }
@@ -34,16 +33,9 @@ class BladeSimplex<3> {
 template <>
 class BladeSimplex<2> {
  public:
-  explicit BladeSimplex(const double* const* ends) : from_(ends[0]), to_(ends[1]) {}
+  explicit BladeSimplex(const double* const* ends) : from_(ends[0]), to_(ends[1]), box_(from_, to_) {}
 
-  uint32_t beyond_box(const double* v) const {
-    uint32_t bits = 0;
-    for (int k = 0; k < 2; ++k) {
-      bits |= static_cast<uint32_t>(v[k] < filter::smaller(from_[k], to_[k])) << (2 * k);
-      bits |= static_cast<uint32_t>(v[k] > filter::larger(from_[k], to_[k])) << (2 * k + 1);
-    }
-    return bits;
-  }
+  uint32_t beyond_box(const double* v) const { return box_.beyond(v); }
   int side(const double* v) const { return -line_side<2>(from_, to_, &v, NoTally{}).sign; }
   bool is_passed(const double* a, const double* b, int) const {
     const double* const line[2] = {a, b};
@@ -52,6 +44,7 @@ class BladeSimplex<2> {
 
  private:
   const double *from_, *to_;
+  PointBox<2> box_;
 };
 
 template <int D>

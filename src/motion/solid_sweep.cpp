@@ -19,6 +19,7 @@
 
 #include "environment/marking.h"
 #include "predicates/filtered.h"
+#include "predicates/point_box.h"
 #include "predicates/swept_triangle.h"
 #include "predicates/tally.h"
 
@@ -98,24 +99,11 @@ template <>
 struct SolidSweep<2>::Solid {
   const double* at[3];
   int turn;  // +1 or -1; 0 if it is flat
-  double low[2], high[2];
+  PointBox<2> box;
 
-  explicit Solid(const EdgeMotion& m) : at{m.p, m.to, m.q}, turn(0 - orient<2>(at, m.q)) {
-    for (int k = 0; k < 2; ++k) {
-      low[k] = std::min({m.p[k], m.to[k], m.q[k]});
-      high[k] = std::max({m.p[k], m.to[k], m.q[k]});
-    }
-  }
+  explicit Solid(const EdgeMotion& m) : at{m.p, m.to, m.q}, turn(0 - orient<2>(at, m.q)), box(m.p, m.to, m.q) {}
 
-  /** As SweptTriangle's. */
-  uint32_t beyond_box(const double* v) const {
-    uint32_t bits = 0;
-    for (int k = 0; k < 2; ++k) {
-      bits |= static_cast<uint32_t>(v[k] < low[k]) << (2 * k);
-      bits |= static_cast<uint32_t>(v[k] > high[k]) << (2 * k + 1);
-    }
-    return bits;
-  }
+  uint32_t beyond_box(const double* v) const { return box.beyond(v); }
 
   /** Bit i: beyond side i. 0: inside. */
   uint32_t beyond(const double* v) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "predicates/filtered.h"
+#include "predicates/point_box.h"
 #include "predicates/sweep_events.h"
 #include "predicates/tally.h"
 
@@ -18,25 +19,13 @@ class SweptTriangle {
         old_(filter::difference<3>(m.q, m.p)),
         new_(filter::difference<3>(m.q, m.to)),
         normal_(filter::cross(move_, old_)),
-        reach_(filter::extent(move_, old_)) {
-    for (int k = 0; k < 3; ++k) {
-      low_[k] = filter::smaller(filter::smaller(m.p[k], m.to[k]), m.q[k]);
-      high_[k] = filter::larger(filter::larger(m.p[k], m.to[k]), m.q[k]);
-    }
-  }
+        reach_(filter::extent(move_, old_)),
+        box_(m.p, m.to, m.q) {}
 
   const EdgeMotion& motion() const noexcept { return m_; }
 
-  // A bit for each side of the triangle's box that v lies strictly beyond: no shift brings them together. Points with a bit
-  // in common do not meet the triangle, nor does anything between them.
-  std::uint32_t beyond_box(const double* v) const noexcept {
-    std::uint32_t bits = 0;
-    for (int k = 0; k < 3; ++k) {
-      bits |= static_cast<std::uint32_t>(v[k] < low_[k]) << (2 * k);
-      bits |= static_cast<std::uint32_t>(v[k] > high_[k]) << (2 * k + 1);
-    }
-    return bits;
-  }
+  // Bits of the sides of its box that v lies beyond, see PointBox.
+  std::uint32_t beyond_box(const double* v) const noexcept { return box_.beyond(v); }
 
   // As swept_side.
   int side(const double* v) const noexcept {
@@ -75,7 +64,7 @@ class SweptTriangle {
 
   EdgeMotion m_;
   filter::Vec<3> move_, old_, new_, normal_, reach_;
-  double low_[3], high_[3];
+  PointBox<3> box_;
 };
 
 }  // namespace dsw
