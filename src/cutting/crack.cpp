@@ -153,15 +153,18 @@ void Crack<D>::find_mouths() {
 template <int D>
 Vec Crack<D>::facet_normal(HalfFacet h) const {
   const FacetDraft facet = draft_of(env_, h);
-  if constexpr (D == 2) return turned(unit(difference<D>(env_.point(facet.loop[1]), env_.point(facet.loop[0]))));
-  Vec sum;
-  for (size_t t = 0; t < facet.triangles.size(); t += 3) {
-    const double* const p = env_.point(facet.triangles[t]);
-    // Of unit length first: squares of very long or short edges are no doubles.
-    const Vec a = unit(difference<D>(env_.point(facet.triangles[t + 1]), p));
-    sum = sum + cross(a, unit(difference<D>(env_.point(facet.triangles[t + 2]), p)));
+  if constexpr (D == 2) {
+    return turned(unit(difference<D>(env_.point(facet.loop[1]), env_.point(facet.loop[0]))));
+  } else {
+    Vec sum;
+    for (size_t t = 0; t < facet.triangles.size(); t += 3) {
+      const double* const p = env_.point(facet.triangles[t]);
+      // Of unit length first: squares of very long or short edges are no doubles.
+      const Vec a = unit(difference<D>(env_.point(facet.triangles[t + 1]), p));
+      sum = sum + cross(a, unit(difference<D>(env_.point(facet.triangles[t + 2]), p)));
+    }
+    return sum;
   }
-  return sum;
 }
 
 /** Of the crack at a vertex, to either side, whichever facet of a pair comes first. */

@@ -122,22 +122,22 @@ void Opening<D>::write_facet(FacetDraft& facet, Dart first) const {
   if constexpr (D == 2) {
     facet.loop[0] = at_start(first);
     facet.loop[1] = at_end(first);
-    return;
+  } else {
+    const FacetDraft before = facet;
+    const auto n = static_cast<uint32_t>(before.loop.size());
+    facet.loop.clear();
+    for (uint32_t k = 0; k < n; ++k) {
+      const uint32_t in = at_end({first.cell, first.local + (k + n - 1) % n}),
+                     out = at_start({first.cell, first.local + k});
+      facet.loop.push_back(in);
+      if (out != in) facet.loop.push_back(out);
+    }
+    if (facet.loop.size() != n) {
+      facet.triangles.clear();
+      return;
+    }
+    for (uint32_t& v : facet.triangles) v = facet.loop[before.place_of(v)];
   }
-  const FacetDraft before = facet;
-  const auto n = static_cast<uint32_t>(before.loop.size());
-  facet.loop.clear();
-  for (uint32_t k = 0; k < n; ++k) {
-    const uint32_t in = at_end({first.cell, first.local + (k + n - 1) % n}),
-                   out = at_start({first.cell, first.local + k});
-    facet.loop.push_back(in);
-    if (out != in) facet.loop.push_back(out);
-  }
-  if (facet.loop.size() != n) {
-    facet.triangles.clear();
-    return;
-  }
-  for (uint32_t& v : facet.triangles) v = facet.loop[before.place_of(v)];
 }
 
 template <int D>

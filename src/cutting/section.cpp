@@ -133,29 +133,30 @@ void Section<D>::find_loop(uint32_t cell) {
   if constexpr (D == 2) {
     Chord chord;
     if (find_chord(c, shape, 0, chord)) loops_[cell] = {{chord.from, chord.to}, Allocator<uint32_t>(env_.memory)};
-    return;
+  } else {
+    Array<Arc> arcs{Allocator<Arc>(env_.memory)};
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      Chord chord;
+      if (find_chord(c, shape, f, chord)) arcs.push_back({chord.from, chord.to, true});
+    }
+    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+      if (shape.dart_beta2(d) < d) continue;
+      const uint32_t from = node_at(dart_vertex(map_, {c, d})), to = node_at(dart_target(map_, {c, d}));
+      if (from != KeyTable::kNone && to != KeyTable::kNone) arcs.push_back({from, to, false});
+    }
+    if (arcs.size() > kMostTriangulated || !prune(arcs)) return;
+    Array<uint32_t> loop{Allocator<uint32_t>(env_.memory)};
+    uint32_t at = arcs[0].from;
+    while (!arcs.empty()) {
+      const auto next =
+          std::find_if(arcs.begin(), arcs.end(), [&](const Arc& a) { return a.from == at || a.to == at; });
+      if (next == arcs.end() || std::find(loop.begin(), loop.end(), at) != loop.end()) return;
+      loop.push_back(at);
+      at = next->from == at ? next->to : next->from;
+      arcs.erase(next);
+    }
+    if (at == loop[0] && !is_facet(c, shape, loop)) loops_[cell] = std::move(loop);
   }
-  Array<Arc> arcs{Allocator<Arc>(env_.memory)};
-  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-    Chord chord;
-    if (find_chord(c, shape, f, chord)) arcs.push_back({chord.from, chord.to, true});
-  }
-  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-    if (shape.dart_beta2(d) < d) continue;
-    const uint32_t from = node_at(dart_vertex(map_, {c, d})), to = node_at(dart_target(map_, {c, d}));
-    if (from != KeyTable::kNone && to != KeyTable::kNone) arcs.push_back({from, to, false});
-  }
-  if (arcs.size() > kMostTriangulated || !prune(arcs)) return;
-  Array<uint32_t> loop{Allocator<uint32_t>(env_.memory)};
-  uint32_t at = arcs[0].from;
-  while (!arcs.empty()) {
-    const auto next = std::find_if(arcs.begin(), arcs.end(), [&](const Arc& a) { return a.from == at || a.to == at; });
-    if (next == arcs.end() || std::find(loop.begin(), loop.end(), at) != loop.end()) return;
-    loop.push_back(at);
-    at = next->from == at ? next->to : next->from;
-    arcs.erase(next);
-  }
-  if (at == loop[0] && !is_facet(c, shape, loop)) loops_[cell] = std::move(loop);
 }
 
 template <int D>

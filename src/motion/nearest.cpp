@@ -183,7 +183,8 @@ class Flood {
 
   void finish() {
     result_.distance = best_ / scale_;
-    const double* at = &at_.x;
+    double at[D];
+    store<D>(at_, at);
     for (int k = 0; k < D; ++k) {
       result_.point[k] = point_[k] + at[k] / scale_;
       result_.normal[k] = best_ > 0 ? -at[k] / best_ : 0;

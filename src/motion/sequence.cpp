@@ -226,8 +226,7 @@ bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* fr
   return true;
 }
 
-template <int D>
-bool share_strip(const Map<D>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {
+bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {
   // Facet i of a sequence in the direction of the view.
   const auto at = [&](const SequenceView& s, size_t i) {
     return s.turned ? map.opposite({s.facets[s.count - 1 - i]}).word : s.facets[i];
@@ -272,8 +271,7 @@ void SequenceWriter<D>::write(void* user, Cell from, uint32_t simplex, Cell) noe
                         Cell first, Cell last) noexcept;                                                            \
   template PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;                  \
   template bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,    \
-                     Pivot<D>& pivot);                                                                              \
-  template bool share_strip(const Map<D>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept
+                     Pivot<D>& pivot)
 DSW_SEQUENCE(2);
 DSW_SEQUENCE(3);
 #undef DSW_SEQUENCE

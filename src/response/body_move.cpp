@@ -184,7 +184,9 @@ void BodyMove<D>::sweep_all(Body<D>& body, PointArray targets, bool may_skip) {
   if (body.skipping.by_clearance && body.level != SweepLevel::kPoints) measure_clearances(body, targets);
   cast_paths(body, targets);
   if (body.level != SweepLevel::kPoints) sweep_edges(body, targets, may_skip);
-  if (D == 3 && body.level == SweepLevel::kFaces) sweep_faces(body, targets);
+  if constexpr (D == 3) {
+    if (body.level == SweepLevel::kFaces) sweep_faces(body, targets);
+  }
 }
 
 /** For vertices whose edges had to be cast; and how much room all have now. */

@@ -1,10 +1,10 @@
 #include "trace/trace.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/error.h"
 #include "base/slot_pool.h"
+#include "base/vec.h"
 #include "environment/marking.h"
 #include "map/dart.h"
 
@@ -106,14 +106,6 @@ bool is_shown(const Map<D>& map, HalfFacet h, bool with_boundary) {
   return map.marked(map.cell_of(o)) || canonical(map, h) == h;
 }
 
-template <int D>
-void point_on(const double* from, const double* to, double time, double* out) {
-  for (int k = 0; k < D; ++k) {
-    const double step = to[k] - from[k];
-    out[k] = std::isfinite(step) ? from[k] + time * step : (1 - time) * from[k] + time * to[k];
-  }
-}
-
 void add_contact(Addition& addition, const dsw_flight& flight, double normal_length) {
   if (flight.outcome != DSW_OUTCOME_CONTACT) return;
   double end[3];
@@ -204,7 +196,7 @@ void add_walk(Trace& trace, const Environment<D>& env, dsw_volume_id start, cons
   uint32_t last = 0;
   for (size_t i = 0; i < count; ++i) {
     double p[D];
-    point_on<D>(from, to, crossings[i].time, p);
+    point_at<D>(from, to, crossings[i].time, p);
     const uint32_t next = addition.point<D>(p);
     addition.dot(next);
     if (i != 0) addition.segment(last, next);

@@ -56,8 +56,8 @@ class WallSweep {
 
 /** Where and how a hit touches. */
 struct WallTouch {
-  double point[3], normal[3];  // the normal: unit, out of the wall, in the sense of its motion
-  double along = 0;            // of a touched edge, from its first end
+  double point[3] = {}, normal[3] = {};  // the normal: unit, out of the wall, in the sense of its motion
+  double along = 0;                      // of a touched edge, from its first end
 };
 template <int D>
 WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, const double* from,

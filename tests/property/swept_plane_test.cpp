@@ -14,7 +14,6 @@
 #include "motion/locate.h"
 #include "motion/sequence.h"
 #include "plane_scenes.h"
-#include "predicates/filtered.h"
 #include "sweep/star.h"
 #include "swept_cases.h"
 
@@ -94,13 +93,6 @@ struct Draw {
     }
   }
 };
-
-/// Whether a shifted triangle holds a vertex.
-bool holds(const double* const (&corners)[3], const double* vertex) {
-  int sides[3];
-  for (int k = 0; k < 3; ++k) sides[k] = line_side<2>(corners[k], corners[(k + 1) % 3], &vertex, NoTally{}).sign;
-  return sides[0] == sides[1] && sides[1] == sides[2];
-}
 
 /// Flies from *cell to the cell of `to`, and notes the sides on the way. Whether it gets there.
 bool pass(const Environment<2>& env, const double* from, const double* to, Cell* cell, EdgeSequence<2>& sequence) {
@@ -244,37 +236,6 @@ TEST(SweptPlane, ALineBetweenNeighboursPassesOneSide) {
   });
   EXPECT_GT(passed, share_of(1000));
   EXPECT_GT(of_neighbours, passed) << "not all cells are convex";
-}
-
-/// The sides of a triangle that the casts say lie in one strip, so that no vertex and nothing impassable is in it.
-TEST(SweptPlane, WhatSharesAStripMeetsNothing) {
-  int shared = 0, long_ones = 0;
-  for_each_draw(5, share_of(300), [&](const Environment<2>& env, const Draw& x) {
-    const double* const corners[3] = {x.p.data(), x.to.data(), x.q.data()};
-    Array<uint32_t>::allocator_type allocator(nullptr);
-    EdgeSequence<2> sides[3] = {EdgeSequence<2>(allocator), EdgeSequence<2>(allocator), EdgeSequence<2>(allocator)};
-    SequenceView views[3];
-    const Cell start = locate(env, corners[0], Cell{}, nullptr).cell;
-    Cell at = start;
-    for (int k = 0; k < 3; ++k) {
-      if (!at.valid() || env.map.marked(at)) return;
-      const Cell from = at;
-      if (!pass(env, corners[k], corners[(k + 1) % 3], &at, sides[k])) return;
-      if (!follows(env, sides[k], corners[k], corners[(k + 1) % 3], from, at)) return;
-      views[k] = {sides[k].facets.data(), sides[k].facets.size()};
-    }
-    if (!share_strip(env.map, views[0], views[1], views[2])) return;
-    ++shared;
-    long_ones += std::max({views[0].count, views[1].count, views[2].count}) > 2 ? 1 : 0;
-    SweepFlood<2> flood(env);
-    ASSERT_EQ(flood.sweep(EdgeMotion{corners[0], corners[1], corners[2]}, start, 0).end, SweepEnd::kFree);
-    for (size_t i = 0; i < flood.cells().size(); ++i) {
-      const Cell c = flood.cells()[i];
-      for (uint32_t v = 0; v < env.map.vertices_of(c); ++v) ASSERT_FALSE(holds(corners, env.point(c, v)));
-    }
-  });
-  EXPECT_GT(shared, share_of(5000));
-  EXPECT_GT(long_ones, share_of(1000));
 }
 
 }  // namespace
