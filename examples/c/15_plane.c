@@ -1,4 +1,4 @@
-/* In the plane: points have two coordinates, cells are convex polygons, all functions are the same. A string of two edges is lowered on
+/* In the plane: points have two coordinates, cells are polygons, all functions are the same. A string of two edges is lowered on
  * a triangular roof and bends round it; then a scalpel scratches a crack beside the roof, and what falls there lands on it.
  *
  *   a-----b-----c         8 x 6 squares; the roof is made of four triangles,

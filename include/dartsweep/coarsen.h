@@ -1,6 +1,6 @@
 /** @file coarsen.h
  * Coarsening: the passable tetrahedra of a static environment become few large volumes, so that a long edge crosses a
- * handful of volumes where it crossed dozens.
+ * handful of volumes where it crossed dozens. Of space alone: in the plane DSW_STATUS_UNSUPPORTED.
  */
 #ifndef DARTSWEEP_COARSEN_H
 #define DARTSWEEP_COARSEN_H

@@ -74,14 +74,15 @@ typedef struct dsw_sweep {
   double along;    /**< Where along the edge: 0 the moving end, 1 the fixed one. */
   /** Unit, out of the obstacle. DSW_CONTACT_PLANE of the moving end: of the boundary triangle. DSW_CONTACT_EDGE, and PLANE on a
    * diagonal: across the edge and the obstacle's edge or the diagonal, against the motion; where those two are parallel, of a boundary triangle at the obstacle's edge,
-   * and of a wire against the motion. */
+   * and of a wire against the motion. In the plane DSW_CONTACT_VERTEX: that of the swept edge, to the side that this comes from. */
   double normal[3];
   dsw_volume_id volume; /**< Of the moving end: at its target when the edge came through, else at its start. */
   /** Contact: a passable volume at the reported face, or at the wire; null without. Of several faces at a rim one that p
    * looks at counts, then the lowest canonical id. */
   dsw_volume_id front;
   dsw_face_id face; /**< Canonical id of the impassable face; null for a wire. */
-  /** DSW_CONTACT_EDGE: canonical id of the obstacle's edge. In the plane DSW_CONTACT_VERTEX: the obstacle's vertex, `volume` is its index. */
+  /** DSW_CONTACT_EDGE: canonical id of the obstacle's edge. In the plane DSW_CONTACT_VERTEX: the obstacle's vertex, `volume` is its index,
+   * `generation` its generation. */
   dsw_edge_id edge;
   /** REACHED, CONTACT, WORK_LIMIT, OUTSIDE (p lies in no volume), IMPASSABLE (p lies in an impassable one, or p q is not
    * free where it starts). */

@@ -1,5 +1,6 @@
 /** @file contact_check.h
- * A second opinion on contact normals by libccd, for tests and for whoever doubts. An optional part of the build.
+ * A second opinion on contact normals by libccd, for tests and for whoever doubts. An optional part of the build. Of space
+ * alone: in the plane DSW_STATUS_UNSUPPORTED.
  */
 #ifndef DARTSWEEP_CONTACT_CHECK_H
 #define DARTSWEEP_CONTACT_CHECK_H

@@ -1,5 +1,6 @@
 /** @file detach.h
- * Pieces that come off: what cuts and tears have parted from the rest becomes a body of the scene.
+ * Pieces that come off: what cuts and tears have parted from the rest becomes a body of the scene. Of space alone: in the plane
+ * DSW_STATUS_UNSUPPORTED.
  */
 #ifndef DARTSWEEP_DETACH_H
 #define DARTSWEEP_DETACH_H

@@ -3,8 +3,8 @@
  * is near. Thread: reader, all of them; batches are shared out over the context's parallel-for with the same bits
  * for any number of threads.
  *
- * Every point asked about is thought of as shifted by an infinitesimal (e, e^2, e^3), so that it lies in exactly one
- * volume and a segment pierces exactly one triangle at a time; dsw_environment_classify tells what lies exactly
+ * Every point asked about is thought of as shifted by an infinitesimal (e, e^2, e^3), in the plane (e, e^2), so that it lies in exactly one
+ * volume and a segment pierces exactly one triangle, in the plane one side, at a time; dsw_environment_classify tells what lies exactly
  * where. [JCD10] 3.3 does not treat these ties.
  */
 #ifndef DARTSWEEP_QUERY_H
@@ -69,7 +69,7 @@ DSW_API dsw_status dsw_environment_locate_points(const dsw_environment *environm
                                                  dsw_volume_id *volumes, dsw_place *places);
 
 /** Tells on what a point lies exactly, without the shift: a vertex, an edge, the inside of a face or of a volume.
- * @param environment [in] @param point [in] 3 finite doubles.
+ * @param environment [in] @param point [in] as many finite doubles as there are dimensions.
  * @param volume [in] the volume that contains the point, as dsw_environment_locate gave it.
  * @param cell [out] canonical id of the cell of lowest dimension that holds the point.
  * @return DSW_STATUS_OUTSIDE if the point is not in the closure of `volume`. @note O(faces of the volume).

@@ -12,6 +12,8 @@
  * region label and tag; marked faces, edges and vertices stay. What cannot be mended so within a radius is left as it is: above all where
  * walls have passed through each other.
  *
+ * Of space alone: in the plane DSW_STATUS_UNSUPPORTED.
+ *
  * In a patch of tetrahedra each volume that comes takes the index of one that goes, and is listed with that; others that go are listed
  * as removed.
  */
