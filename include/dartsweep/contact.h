@@ -78,7 +78,8 @@ typedef struct dsw_sweep {
   double normal[3];
   dsw_volume_id volume; /**< Of the moving end: at its target when the edge came through, else at its start. */
   /** Contact: a passable volume at the reported face, or at the wire; null without. Of several faces at a rim one that p
-   * looks at counts, then the lowest canonical id. */
+   * looks at counts, then the lowest canonical id. At a vertex of the plane: of those that the sweep meets there the one with the lowest index, which
+   * need not be at `face`; that has the lowest canonical id there. */
   dsw_volume_id front;
   dsw_face_id face; /**< Canonical id of the impassable face; null for a wire. */
   /** DSW_CONTACT_EDGE: canonical id of the obstacle's edge. In the plane DSW_CONTACT_VERTEX: the obstacle's vertex, `volume` is its index,
@@ -90,7 +91,7 @@ typedef struct dsw_sweep {
   /** PLANE: the moving end on a face, or the edge on the diagonal of a warped one; EDGE, in the plane VERTEX. */
   dsw_contact_kind kind;
   dsw_cell_kind obstacle; /**< As in dsw_flight; DSW_CELL_EDGE for a wire, in the plane DSW_CELL_VERTEX. */
-  uint32_t tag;           /**< As in dsw_flight; 0 for a wire. */
+  uint32_t tag;           /**< As in dsw_flight; 0 for a wire. At a vertex of the plane as in dsw_contact. */
   uint32_t cells_visited; /**< Volumes looked at, all casts included. */
   uint32_t reserved;      /**< 0. */
 } dsw_sweep;
@@ -130,7 +131,9 @@ typedef struct dsw_contact {
   dsw_volume_id front;   /**< A passable volume at the obstacle. */
   dsw_contact_kind kind; /**< What of the obstacle was touched. */
   dsw_cell_kind cause;   /**< What was marked: DSW_CELL_FACE (or the outer boundary), VOLUME, EDGE, VERTEX. */
-  uint32_t tag; /**< Host tag of the volume behind `wall`, at the outer boundary of the one in front; else 0. */
+  /** Host tag of the volume behind `wall`, at the outer boundary of the one in front; else 0. A vertex can have a `front` that is not at `wall`: then
+   * that of the volume on either side of it. */
+  uint32_t tag;
   dsw_contact_history history; /**< New, or lasting. */
 } dsw_contact;
 
