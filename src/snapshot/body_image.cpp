@@ -356,7 +356,8 @@ template <int D>
 void BodyReader<D>::read(BodyRecord<D>& of) {
   Body<D>& body = of.body;
   const uint64_t* const n = take(image_.bodies, body_, kNumbers);
-  if (n[kLevel] > static_cast<uint64_t>(SweepLevel::kFaces) || n[kFlags] > kAllFlags) fail_corrupt("a body's level");
+  constexpr SweepLevel kHighest = D == 3 ? SweepLevel::kFaces : SweepLevel::kEdgesSwept;
+  if (n[kLevel] > static_cast<uint64_t>(kHighest) || n[kFlags] > kAllFlags) fail_corrupt("a body's level");
   body.level = static_cast<SweepLevel>(n[kLevel]);
   body.skipping.sequences = (n[kFlags] & kSequencesFlag) != 0;
   body.skipping.by_environment = (n[kFlags] & kEnvironmentFlag) != 0;

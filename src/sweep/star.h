@@ -54,7 +54,7 @@ class StarSweep {
   };
   /** What is known without a look at the triangle: nothing, or that nothing is met because it lies inside of one convex cell, of one that
    * is not convex, of a box or a ball that is free, of the strip of cells that the edge is known to cross, or of these and the others at
-   * one edge that it turns round. */
+   * one edge that it turns round, in the plane at a few vertices. */
   enum class Settled : uint32_t { kNo, kInside, kSeen, kBoxed, kClear, kStrip, kTurned };
   /** Counts what is settled. The path of v is free.
    * @param ask_balls whether the balls of its ends have not been asked. */

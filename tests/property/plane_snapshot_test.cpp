@@ -163,5 +163,43 @@ TEST(PlaneSnapshotTest, EdgesAmongPolygonsThatMayMoveFromNowOn) {
   EXPECT_TRUE(std::equal(at, at + 4, points));
 }
 
+/// Section `number` of a block begins here.
+size_t section_at(const std::string& block, uint32_t number) {
+  uint32_t count = 0;
+  std::memcpy(&count, &block[44], sizeof count);
+  size_t at = 48 + size_t{count} * 8;
+  for (uint32_t i = 0; i < number; ++i) {
+    uint64_t bytes = 0;
+    std::memcpy(&bytes, &block[48 + size_t{i} * 8], sizeof bytes);
+    at += (bytes + 7) / 8 * 8;
+  }
+  return at;
+}
+
+TEST(PlaneSnapshotTest, NoBodyIsAtTheLevelOfFaces) {
+  constexpr uint32_t kBodies = 7;  // their numbers begin with the level
+  const EnvironmentPtr environment = make_squares(2, false);
+  const ScenePtr scene = make_scene(environment.get());
+  const double point[2] = {0.5, 0.5};
+  dsw_body_desc d;
+  dsw_body_desc_init(&d, sizeof d);
+  d.positions = point;
+  d.vertex_count = 1;
+  d.level = DSW_LEVEL_EDGES;
+  dsw_body_id body;
+  ASSERT_EQ(dsw_body_create(scene.get(), &d, &body), DSW_STATUS_OK) << dsw_last_error_message();
+  const std::string block = saved(scene);
+  const size_t at = section_at(block, kBodies);
+  ASSERT_EQ(block[at], 1);
+  for (const auto& [level, status] : {std::pair(0, DSW_STATUS_OK), std::pair(3, DSW_STATUS_CORRUPT)}) {
+    std::string changed = block;
+    changed[at] = static_cast<char>(level);
+    changed = sealed(changed);
+    dsw_scene* loaded = nullptr;
+    EXPECT_EQ(dsw_scene_load(environment.get(), changed.data(), changed.size(), &loaded), status) << level;
+    const ScenePtr owner(loaded);
+  }
+}
+
 }  // namespace
 }  // namespace dsw::oracle
