@@ -420,10 +420,6 @@ void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
 
 #define DSW_BODY(D)                                                                                     \
   template uint32_t find_edge(const Body<D>& body, uint32_t a, uint32_t b) noexcept;                    \
-  template uint32_t find_face(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;        \
-  template FaceDefect face_defect(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;    \
-  template bool starts_fan(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;           \
-  template bool is_one_fan(const Body<D>& body, uint32_t vertex) noexcept;                              \
   template void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more_faces);     \
   template void keep_sequences(Body<D>& body, size_t edges);                                            \
   template void keep_boxes(Body<D>& body);                                                              \
@@ -432,7 +428,6 @@ void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
   template void put_vertices(Body<D>& body, const BodyVertex<D>* from) noexcept;                        \
   template uint32_t add_vertex(Body<D>& body, const double* position, Cell cell) noexcept;              \
   template uint32_t add_edge(Body<D>& body, uint32_t a, uint32_t b) noexcept;                           \
-  template uint32_t add_face(Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;               \
   template void remove_face(Body<D>& body, uint32_t face) noexcept;                                     \
   template void remove_edge(Body<D>& body, uint32_t edge) noexcept;                                     \
   template void remove_vertex(Body<D>& body, uint32_t vertex) noexcept;                                 \
@@ -442,5 +437,11 @@ void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
 DSW_BODY(2);
 DSW_BODY(3);
 #undef DSW_BODY
+// Nothing of the plane gets faces.
+template uint32_t find_face(const Body<3>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+template FaceDefect face_defect(const Body<3>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+template bool starts_fan(const Body<3>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
+template bool is_one_fan(const Body<3>& body, uint32_t vertex) noexcept;
+template uint32_t add_face(Body<3>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
 
 }  // namespace dsw

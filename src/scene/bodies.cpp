@@ -123,7 +123,7 @@ BodyRecord<D> make_body(const Scene<D>& scene, const BodyDescription& d, const C
   reserve(body, d.vertex_count, d.edge_count + 3 * triangles, triangles);
   for (size_t i = 0; i < d.vertex_count; ++i) add_vertex(body, d.positions[i], cells[i]);
   add_edges(body, d);
-  add_faces(body, d);
+  if constexpr (D == 3) add_faces(body, d);
   body.edges.shrink_to_fit();  // faces may have found their edges
   if (body.keeps_sequences()) {
     body.sequences.erase(body.sequences.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.sequences.end());
@@ -210,10 +210,10 @@ void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter) {
   template BodyRecord<D>& check_body(Scene<D>& scene, dsw_body_id id, ArgumentName argument, size_t index);       \
   template void set_level(Scene<D>& scene, Body<D>& body, SweepLevel level);                                      \
   template void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter);                          \
-  template void check_face(const Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32_t c);                 \
   template void check_free(Scene<D>& scene, const Body<D>& body, SweepLevel level)
 DSW_BODIES(2);
 DSW_BODIES(3);
 #undef DSW_BODIES
+template void check_face(const Body<3>& body, size_t face, uint32_t a, uint32_t b, uint32_t c);
 
 }  // namespace dsw

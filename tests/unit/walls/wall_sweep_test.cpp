@@ -216,7 +216,7 @@ TYPED_TEST(WallSweepTest, FindsWhatIsTouched) {
     reserve(body, 3, 3, 1);
     const double origin[3] = {0, 0, 0};
     for (int v = 0; v < 3; ++v) add_vertex(body, origin, Cell{0});
-    if (D == 3) add_face(body, 0, 1, 2);
+    if constexpr (D == 3) add_face(body, 0, 1, 2);
     if (D == 2) add_edge(body, 0, 1);
     all.bodies.push_back({&body, &record, {0, 1}});
     WallSweep<D> walls(*this->env_);
