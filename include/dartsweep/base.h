@@ -61,7 +61,7 @@ typedef enum dsw_status {
   DSW_STATUS_BAD_CELL_TYPE = 12,      /**< A cell type that is not 10, 12, 13, 14 or 42. */
   DSW_STATUS_BAD_CELL = 13,           /**< Repeated points in a cell, or faces that do not close a sphere. */
   DSW_STATUS_INVERTED_CELL = 14,      /**< A cell is turned inside out. */
-  DSW_STATUS_INVALID_CELL = 15,       /**< A cell is flat, folded, or covers a part of itself twice. */
+  DSW_STATUS_INVALID_CELL = 15,       /**< A cell is flat, folded, or not seen whole from the mean of its vertices. */
   DSW_STATUS_DUPLICATE_CELL = 16,     /**< Two cells lie on the same side of one face. */
   DSW_STATUS_SHARED_FACE = 17,        /**< A face belongs to three cells or more. */
   DSW_STATUS_BOUNDARY_CROSSES = 18,   /**< The outer boundary passes through itself. */

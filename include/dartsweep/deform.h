@@ -125,7 +125,8 @@ typedef struct dsw_wall_contact {
 DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
 
 /** Takes the environment of a scene, made with DSW_FEATURE_DEFORMING, to new positions. Bodies and particles keep theirs, but for those that
- * walls push; all stay in their cells and free at their levels. Body edits by INSERT are those of dsw_body_get_edits.
+ * walls push; all stay in their cells and free at their levels. Body edits by INSERT are those of dsw_body_get_edits. SWEPT: in each step
+ * vertices near bodies and particles move one at a time, by index, those that come near on the way after the others.
  * @param scene [in,out]
  * @param next [in,out] 3 doubles, in the plane 2, for each vertex of the environment, lent from now on until the next deformation or
  * the environment is destroyed: it reads positions here, and the array before is the host's again, to be written next.
@@ -154,7 +155,8 @@ DSW_API dsw_status dsw_scene_get_wall_contacts(const dsw_scene *scene, const dsw
  * @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_held_vertices(const dsw_scene *scene, const dsw_vertex_id **vertices, size_t *count);
 
-/** Volumes that the last deformation did not let become invalid, by index.
+/** Volumes that the last deformation did not let become invalid, by index. Where DSW_INVALID_REFUSE found none that would be, but what
+ * lies in some could not be followed into any (they overlap others, or were invalid before): all at the vertex that could not move.
  * @param scene [in] @param volumes [out] as above. @param count [out] how many there are.
  * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_invalid_volumes(const dsw_scene *scene, const dsw_volume_id **volumes, size_t *count);

@@ -211,8 +211,8 @@ DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *envir
 /** What lies behind face `local` of a volume.
  * @param environment, volume, local [in]
  * @param neighbour [out] the volume there, null id at the outer boundary; may be null.
- * @param impassable [out] 0 or 1: the face counts as impassable (its own mark, that of a volume on either side, or the
- * outer boundary); may be null.
+ * @param impassable [out] 0 or 1: the face counts as impassable (its own mark, that of a volume on either side, an
+ * invalid volume there, or the outer boundary); may be null.
  * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (local).
  * @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environment, dsw_volume_id volume,

@@ -131,7 +131,7 @@ DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id bod
                                          size_t *count);
 
 /** The other bodies of these contacts, one entry for each contact. Contacts with bodies and with the environment are found together:
- * the earliest stops the vertex, of equal times that with the environment. DSW_SEARCH_ALL adds no later contacts with bodies.
+ * the earliest stops the vertex, of times that are equal as doubles that with the environment. DSW_SEARCH_ALL adds no later contacts with bodies.
  * @param scene, body [in] @param partners [out] owned by the body, valid as long as the contacts.
  * @param count [out] how many there are.
  * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_BODY_CONTACTS. @note O(1). Thread: reader. @since 1.0 */

@@ -89,7 +89,7 @@ DSW_API dsw_status dsw_scene_move_particles(dsw_scene *scene, const dsw_particle
 
 /** Casts segments from particles without moving them: segment i goes from the position of particles[i] to point i.
  * An id may stand many times (the edges of a body).
- * @param scene [in,out] @param particles, count [in] @param to [in] `count` points, stride_bytes apart (0 means 24).
+ * @param scene [in,out] @param particles, count [in] @param to [in] `count` points, stride_bytes apart (0 means 24, in the plane 16).
  * @param stride_bytes [in] @param options [in] may be null. @param flights [out] `count` reports.
  * @return as dsw_scene_move_particles, without DSW_STATUS_DUPLICATE_ID. @note Thread: writer (statistics); uses the
  * parallel-for. @since 1.0 */

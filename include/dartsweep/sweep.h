@@ -15,7 +15,7 @@ extern "C" {
 
 /** How much of what an edge sweeps is looked at when its end p moves to p' while its other end q stays. */
 typedef enum dsw_level {
-  /** The path p p' of the moving end. */
+  /** The path p p' of the moving end; the edge p q where it is has to be free, see DSW_SWEEP_START_FREE. */
   DSW_LEVEL_POINTS = 1,
   /** That and the edge in its new place, p' q [JCD10] 4.1. What lies inside of the triangle only is missed. When one of
    * the two hits, the contact is that of EDGES_SWEPT. */

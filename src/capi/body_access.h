@@ -43,7 +43,7 @@ SweepLevel to_body_level(const dsw_level& given, const char* name) {
   if (D == 2 && raw_value(given) == DSW_LEVEL_FACES) {
     fail(DSW_STATUS_UNSUPPORTED, "%s is DSW_LEVEL_FACES: bodies in the plane have no faces", name);
   }
-  return to_level(given, DSW_LEVEL_FACES, name);
+  return to_level(given, D == 2 ? DSW_LEVEL_EDGES_SWEPT : DSW_LEVEL_FACES, name);
 }
 
 template <int D>

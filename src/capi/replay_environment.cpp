@@ -134,7 +134,7 @@ dsw_status carve(dsw_replay& r, Arguments& a) {
   d.points = a.get_points(d.point_count);
   d.point_stride_bytes = 0;
   if (d.triangle_count >= kVertexMask) fail(DSW_STATUS_CORRUPT, "the recording is damaged: a surface");
-  d.triangles = a.get_items<uint32_t>(3 * d.triangle_count);
+  d.triangles = a.get_items<uint32_t>(a.dimension() * d.triangle_count);
   return dsw_environment_carve(r.environment, &d, nullptr);
 }
 

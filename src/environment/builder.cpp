@@ -81,7 +81,7 @@ void validate(Environment<D>& env, BuildReport& report) {
     fail(status, "cell %u %s", offenders.index[0], what);
   };
   raise(inverted, DSW_STATUS_INVERTED_CELL, "is turned inside out");
-  raise(invalid, DSW_STATUS_INVALID_CELL, "is flat, folded, or covers a part of itself twice");
+  raise(invalid, DSW_STATUS_INVALID_CELL, "is flat, folded, or not seen whole from the mean of its vertices");
 }
 
 }  // namespace

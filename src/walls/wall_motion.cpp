@@ -55,7 +55,9 @@ Went WallMotion<D>::try_steps(double* next, double way, uint32_t halvings, const
         if (moved != WallMove<D>::Moved::kInvalid) continue;
         if (!last) return Went::kInvalid;
         move_.find_invalid(v, to, record.invalid);
-        if (settings.refuses_invalid) return Went::kRefused;
+        if (!settings.refuses_invalid) continue;
+        if (record.invalid.empty()) move_.find_around(record.invalid);
+        return Went::kRefused;
       }
     }
     around_.end_step(after);

@@ -213,6 +213,11 @@ void WallMove<D>::find_invalid(uint32_t v, const double* to, Array<dsw_volume_id
   put(v, from);
 }
 
+template <int D>
+void WallMove<D>::find_around(Array<dsw_volume_id>& cells) const {
+  for (const Cell c : *star_) cells.push_back(volume_id(env_.map, c));
+}
+
 #define DSW_WALL_MOVE(D) template class WallMove<D>
 DSW_WALL_MOVE(2);
 DSW_WALL_MOVE(3);

@@ -20,6 +20,8 @@ class WallMove {
 
   /** Cells round the vertex that was moved last which are not valid with it at `to`. */
   void find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& invalid);
+  /** All cells round that vertex: where they would be valid, but what lies in them cannot be followed into one of them. */
+  void find_around(Array<dsw_volume_id>& cells) const;
 
   uint64_t memory_bytes() const noexcept {
     return array_bytes(features_) + array_bytes(hits_) + array_bytes(points_) + array_bytes(before_);

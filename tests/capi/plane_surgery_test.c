@@ -286,6 +286,62 @@ static void begin_borrowed(void) {
   CHECK_OK(dsw_environment_create(NULL, &d, &g_env, NULL));
 }
 
+static unsigned char g_tape[65536];
+static size_t g_recorded;
+
+static int write_tape(void *user, const void *bytes, size_t size) {
+  (void)user;
+  if (g_recorded + size > sizeof g_tape) return 1;
+  memcpy(g_tape + g_recorded, bytes, size);
+  g_recorded += size;
+  return 0;
+}
+
+static void recordings_make_it_again(void) {
+  static const double line[4] = {-1, 1.3, 5, 1.4}, square[8] = {2.2, 2.2, 2.8, 2.2, 2.8, 2.8, 2.2, 2.8};
+  static const uint32_t sides[8] = {0, 1, 1, 2, 2, 3, 3, 0};
+  const dsw_volume_id wall = volume_at(10);
+  const dsw_face_id side = face_at(3, 2);
+  const double load = 2;
+  size_t torn = 0;
+  uint32_t calls = 0;
+  dsw_scene *scene = NULL;
+  dsw_recording_desc to_tape;
+  dsw_tie_desc tie;
+  dsw_carve_desc carve;
+  dsw_carve_report carved;
+  dsw_replay *replay = NULL;
+  dsw_replay_report report;
+  begin();
+  CHECK_OK(dsw_environment_mark_volumes(g_env, &wall, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  CHECK_OK(dsw_scene_create(g_env, NULL, &scene));
+  dsw_recording_desc_init(&to_tape, sizeof to_tape);
+  to_tape.write = write_tape;
+  to_tape.flags = DSW_RECORDING_STATES;
+  CHECK_OK(dsw_scene_start_recording(scene, &to_tape));
+  dsw_carve_desc_init(&carve, sizeof carve);
+  carve.points = square, carve.point_count = 4;
+  carve.triangles = sides, carve.triangle_count = 4;
+  CHECK_OK(dsw_environment_carve(g_env, &carve, &carved));
+  CHECK(carved.volumes_carved == 1);
+  dsw_tie_desc_init(&tie, sizeof tie);
+  tie.points = line, tie.point_count = 2;
+  CHECK_OK(dsw_environment_tie(g_env, &tie, NULL));
+  CHECK_OK(dsw_environment_tear_faces(g_env, &side, &load, 1, 1, &torn));
+  CHECK(torn == 1);
+  cut(path_at(1.25, 5), 0);
+  CHECK_OK(dsw_scene_stop_recording(scene));
+  CHECK_OK(dsw_replay_create(NULL, g_tape, g_recorded, &replay));
+  do {
+    CHECK_OK(dsw_replay_step(replay, &report));
+    CHECK(report.outcome == (calls < 4 ? DSW_REPLAY_SAME : DSW_REPLAY_END));
+  } while (report.outcome == DSW_REPLAY_SAME && ++calls <= 4);
+  CHECK(calls == 4);
+  CHECK_OK(dsw_replay_destroy(replay));
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(g_env));
+}
+
 static void borrowed_points(void) {
   dsw_cut_desc d = path_at(1.25, 5);
   begin_borrowed();
@@ -306,6 +362,7 @@ int main(void) {
   ties();
   shapes_are_carved();
   bad_arguments();
+  recordings_make_it_again();
   borrowed_points();
   return check_result();
 }

@@ -152,7 +152,7 @@ namespace Dartsweep
     internal InvertedCellException(string message) : base(Status.InvertedCell, message) { }
   }
 
-  /// <summary>A cell is flat, folded, or covers a part of itself twice.</summary>
+  /// <summary>A cell is flat, folded, or not seen whole from the mean of its vertices.</summary>
   public sealed class InvalidCellException : DartsweepException
   {
     internal InvalidCellException(string message) : base(Status.InvalidCell, message) { }

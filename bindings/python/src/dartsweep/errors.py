@@ -97,7 +97,7 @@ class InvertedCell(Error):
 
 
 class InvalidCell(Error):
-    """A cell is flat, folded, or covers a part of itself twice."""
+    """A cell is flat, folded, or not seen whole from the mean of its vertices."""
 
     status = Status.INVALID_CELL
 

@@ -160,7 +160,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
     }
   }
 
-  /** A cell is flat, folded, or covers a part of itself twice. */
+  /** A cell is flat, folded, or not seen whole from the mean of its vertices. */
   public static final class InvalidCell extends DartsweepException {
     private InvalidCell(String message) {
       super(Status.INVALID_CELL, message);
