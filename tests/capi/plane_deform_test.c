@@ -2,80 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "bending_squares.h"
 #include "check.h"
-#include "fixture.h"
-
-/* 4 x 4 unit squares and the two arrays of their points: two doubles each. Square (x, y) is polygon x + 4 y, point
-   (x, y) is vertex x + 5 y. */
-enum { N = 4, POINTS = 25, SIDE_RIGHT = 1, SIDE_UP = 2 };
-
-static dsw_environment *g_env;
-static dsw_scene *g_scene;
-static double g_points[2][2 * POINTS];
-static int g_next; /* the array that may be written */
-
-static uint32_t square(uint32_t x, uint32_t y) { return x + N * y; }
-static uint32_t vertex(uint32_t x, uint32_t y) { return x + (N + 1) * y; }
-static double *point(uint32_t x, uint32_t y) { return g_points[g_next] + 2 * (size_t)vertex(x, y); }
-
-static void begin(uint32_t features) {
-  const double *points = NULL;
-  size_t count = 0;
-  g_env = make_squares(NULL, N, N);
-  g_scene = make_scene(g_env, features);
-  CHECK_OK(dsw_environment_get_points(g_env, &points, &count));
-  CHECK(count == POINTS && points[2] == 1 && points[3] == 0 && points[2 * (N + 1) + 1] == 1);
-  memcpy(g_points[0], points, sizeof g_points[0]);
-  memcpy(g_points[1], points, sizeof g_points[1]);
-  g_next = 0;
-}
-
-static void end(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
-}
-
-static dsw_deform_options options_of(dsw_deform_method method, dsw_wall_response response) {
-  dsw_deform_options o;
-  dsw_deform_options_init(&o, sizeof o);
-  o.method = method;
-  o.response = response;
-  return o;
-}
-
-/* Deforms to the array that may be written, which becomes the other one. */
-static dsw_deform_report deform(const dsw_deform_options *o) {
-  dsw_deform_report report;
-  memset(&report, 9, sizeof report);
-  CHECK_OK(dsw_scene_deform(g_scene, g_points[g_next], POINTS, o, &report));
-  if (report.outcome != DSW_DEFORM_REFUSED) {
-    const double *read = NULL;
-    size_t count = 0;
-    CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
-    CHECK(read == g_points[g_next] && count == POINTS);
-    memcpy(g_points[1 - g_next], g_points[g_next], sizeof g_points[0]);
-    g_next = 1 - g_next;
-  }
-  return report;
-}
-
-/* A wall of the sides above the squares of a row. */
-static void mark_floor(uint32_t row) {
-  uint32_t x;
-  for (x = 0; x < N; ++x) CHECK_OK(set_face_mark(g_env, square(x, row), SIDE_UP, DSW_MARK_IMPASSABLE));
-}
-
-static void raise_row(uint32_t y, double by) {
-  uint32_t x;
-  for (x = 0; x <= N; ++x) point(x, y)[1] += by;
-}
-
-static dsw_body_id make_line(const double *positions, size_t count, dsw_level level) {
-  const dsw_body_desc d = line_desc(positions, count, 0, level);
-  dsw_body_id body = {0, 0};
-  CHECK_OK(dsw_body_create(g_scene, &d, &body));
-  return body;
-}
 
 static void a_floor_lifts_a_particle(void) {
   const double at[2] = {2.3, 2.2};
@@ -220,69 +148,6 @@ static void a_body_in_the_way_holds_the_wall(void) {
     if (meets) CHECK(now[1] + (now[3] - now[1]) * (1.9 - now[0]) / (now[2] - now[0]) < 2.3);
     end();
   }
-}
-
-static void steps_are_halved_where_cells_would_fold(void) {
-  const double at[2] = {2.5, 2.5};
-  dsw_particle_id particle;
-  dsw_deform_report report;
-  dsw_volume_id volume;
-  size_t i;
-  begin(DSW_FEATURE_DEFORMING);
-  CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
-  for (i = 0; i < POINTS; ++i) g_points[g_next][2 * i] += 1.5; /* each vertex further than a square is wide */
-  report = deform(NULL);
-  CHECK(report.outcome == DSW_DEFORM_DONE && report.steps > 1 && report.contact_count == 0);
-  CHECK_OK(dsw_particle_get(g_scene, particle, NULL, &volume));
-  CHECK(volume.index == square(1, 2) || volume.index == square(0, 2));
-  end();
-}
-
-static void invalid_polygons(void) {
-  const double at[2] = {2.5, 2.5}, from[2] = {2.5, 2.5}, to[2] = {2.5, 0.5};
-  dsw_deform_options o = options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
-  const dsw_volume_id start = volume_at(square(2, 2));
-  const dsw_volume_id *invalid = NULL;
-  dsw_particle_id particle;
-  dsw_deform_report report;
-  dsw_flight flight;
-  double before[2 * POINTS];
-  size_t count = 0;
-  int valid = -1, impassable = 0;
-  begin(DSW_FEATURE_DEFORMING);
-  CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
-  /* Far from the particle: it goes through, and counts as impassable. */
-  point(2, 1)[1] = 2.6;
-  o.invalid = DSW_INVALID_REFUSE;
-  report = deform(&o);
-  CHECK(report.outcome == DSW_DEFORM_DONE && report.invalid_count == 0);
-  CHECK_OK(dsw_environment_is_valid(g_env, volume_at(square(2, 2)), &valid));
-  CHECK(valid == 1);
-  CHECK_OK(dsw_environment_is_valid(g_env, volume_at(square(2, 1)), &valid));
-  CHECK(valid == 0);
-  CHECK_FAILS(DSW_STATUS_INVALID_CELL, dsw_environment_check(g_env, NULL));
-  CHECK_OK(dsw_environment_cast_segments(g_env, 1, &start, from, to, 0, NULL, &flight));
-  CHECK(flight.outcome == DSW_OUTCOME_CONTACT && flight.behind.index == square(2, 1) &&
-        flight.obstacle == DSW_CELL_VOLUME && flight.position[1] >= 2);
-  CHECK_OK(dsw_environment_is_impassable(g_env, cell_at(DSW_CELL_VOLUME, square(2, 1), 0), &impassable));
-  CHECK(impassable == 1);
-  point(2, 1)[1] = 1;
-  report = deform(&o);
-  CHECK_OK(dsw_environment_check(g_env, NULL));
-  /* Through the particle's own square: refused, or held. */
-  point(2, 2)[1] = 3.5;
-  memcpy(before, g_points[g_next], sizeof before);
-  report = deform(&o);
-  CHECK(report.outcome == DSW_DEFORM_REFUSED && report.fraction == 0 && report.invalid_count >= 1);
-  CHECK(memcmp(before, g_points[g_next], sizeof before) == 0);
-  CHECK_OK(dsw_scene_get_invalid_volumes(g_scene, &invalid, &count));
-  CHECK(count == report.invalid_count && invalid[0].generation == 1);
-  o.invalid = DSW_INVALID_HOLD;
-  report = deform(&o);
-  CHECK(report.outcome == DSW_DEFORM_HELD && report.held_count == 1 && point(2, 2)[1] < 3.5);
-  CHECK_OK(dsw_environment_is_valid(g_env, volume_at(square(2, 2)), &valid));
-  CHECK(valid == 1);
-  end();
 }
 
 static void end_state(void) {
@@ -564,8 +429,6 @@ int main(void) {
   a_lone_point_is_met_by_swept_edges();
   what_is_squeezed_holds_the_walls();
   a_body_in_the_way_holds_the_wall();
-  steps_are_halved_where_cells_would_fold();
-  invalid_polygons();
   end_state();
   points_of_the_boundary();
   bad_arguments();
