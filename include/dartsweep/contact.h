@@ -131,8 +131,8 @@ typedef struct dsw_contact {
   dsw_volume_id front;   /**< A passable volume at the obstacle. */
   dsw_contact_kind kind; /**< What of the obstacle was touched. */
   dsw_cell_kind cause;   /**< What was marked: DSW_CELL_FACE (or the outer boundary), VOLUME, EDGE, VERTEX. */
-  /** Host tag of the volume behind `wall`, at the outer boundary of the one in front; else 0. A vertex can have a `front` that is not at `wall`: then
-   * that of the volume on either side of it. */
+  /** Host tag of the volume behind `wall`, at the outer boundary of the one in front; else 0. A vertex can have a `front` that is not at
+   * `wall`: behind is where the normal does not look to. */
   uint32_t tag;
   dsw_contact_history history; /**< New, or lasting. */
 } dsw_contact;

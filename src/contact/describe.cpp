@@ -14,7 +14,8 @@ void name_obstacle(const Environment<D>& env, const SweepContact& met, dsw_conta
   if (met.facet.valid()) {
     contact.wall = face_id(map, canonical(map, met.facet));
     contact.cause = obstacle_kind(env, met.facet);
-    contact.tag = obstacle_tag(env, seen_from(map, met.front, met.facet), map.cell_of(met.facet));
+    const HalfFacet wall = seen_wall(env, met, contact.normal);
+    contact.tag = obstacle_tag(env, wall, map.cell_of(wall));
   }
   switch (kind_of(met)) {
     case ContactKind::kVertex:

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/vec.h"
+#include "contact/names.h"
 #include "motion/move.h"
 #include "motion/standard_facets.h"
 #include "predicates/filtered.h"
@@ -67,6 +68,25 @@ Vec swing_normal(const EdgeMotion& m, const double* position, const double* at) 
 }
 
 template <int D>
+HalfFacet facing(const Environment<D>& env, HalfFacet wall, const double* normal) noexcept {
+  const HalfFacet o = wall.valid() ? env.map.opposite(wall) : wall;
+  if (!o.valid() || env.map.marked(env.map.cell_of(o))) return wall;
+  const Cell c = env.map.cell_of(wall);
+  const Shape shape = env.map.shape(c);
+  const double* simplex[D];
+  simplex_points(env, c, shape, shape.simplex_first(env.map.local_of(wall, c)), simplex);
+  double outward[D];
+  unit_normal<D>(simplex, outward);
+  return dot(to_vec<D>(outward), to_vec<D>(normal)) > 0 ? o : wall;
+}
+
+template <int D>
+HalfFacet seen_wall(const Environment<D>& env, const SweepContact& contact, const double* normal) noexcept {
+  const HalfFacet seen = seen_from(env.map, contact.front, contact.facet);
+  return env.map.cell_of(seen) == contact.front ? seen : facing(env, contact.facet, normal);
+}
+
+template <int D>
 double share_along(const double* end, const double* q, const double* point) {
   int axis = 0;
   for (int k = 1; k < D; ++k) {
@@ -107,10 +127,12 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
   return g;
 }
 
-#define DSW_GEOMETRY(D)                                                                                   \
-  template ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to, \
-                                            const SweepContact& contact);                                 \
-  template Vec normal_on<D>(int side, const double* const* corners, const Vec& move);                     \
+#define DSW_GEOMETRY(D)                                                                                                \
+  template ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to,              \
+                                            const SweepContact& contact);                                              \
+  template Vec normal_on<D>(int side, const double* const* corners, const Vec& move);                                  \
+  template HalfFacet facing(const Environment<D>& env, HalfFacet wall, const double* normal) noexcept;                 \
+  template HalfFacet seen_wall(const Environment<D>& env, const SweepContact& contact, const double* normal) noexcept; \
   template double share_along<D>(const double* end, const double* q, const double* point)
 DSW_GEOMETRY(2);
 DSW_GEOMETRY(3);

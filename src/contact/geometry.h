@@ -30,6 +30,14 @@ Vec normal_on(int side, const double* const* corners, const Vec& move);
  * side that it comes from. */
 Vec swing_normal(const EdgeMotion& m, const double* position, const double* at);
 
+/** An impassable facet from the side to which a normal looks; where an impassable cell is there, or nothing, as it is given. */
+template <int D>
+HalfFacet facing(const Environment<D>& env, HalfFacet wall, const double* normal) noexcept;
+
+/** The facet of a contact from where it is met: from `front`; at a vertex that need not be at the facet, then as above. */
+template <int D>
+HalfFacet seen_wall(const Environment<D>& env, const SweepContact& contact, const double* normal) noexcept;
+
 /** How far along the edge, which runs from `end` to q, a point on it lies: by the axis it is longest on. */
 template <int D>
 double share_along(const double* end, const double* q, const double* point);

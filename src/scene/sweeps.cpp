@@ -27,7 +27,8 @@ void report_contact(const Environment<D>& env, const EdgeMotion& m, const SweepC
   if (contact.facet.valid()) {
     sweep.face = face_id(env.map, canonical(env.map, contact.facet));
     sweep.obstacle = obstacle_kind(env, contact.facet);
-    sweep.tag = obstacle_tag(env, seen_from(env.map, contact.front, contact.facet), contact.front);
+    const HalfFacet wall = seen_wall(env, contact, geometry.normal);
+    sweep.tag = obstacle_tag(env, wall, env.map.cell_of(wall));
   }
   if constexpr (D == 2) {
     if (contact.vertex == kNoVertex) return;

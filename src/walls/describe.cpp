@@ -2,29 +2,10 @@
 
 #include <algorithm>
 
-#include "base/vec.h"
 #include "contact/describe.h"
-#include "predicates/plane_hit.h"
+#include "contact/geometry.h"
 
 namespace dsw {
-namespace {
-
-/** The side of a wall from which something is that it meets with this normal. Behind the wall of an impassable volume is nothing. */
-template <int D>
-HalfFacet seen_from(const Environment<D>& env, HalfFacet wall, const double* normal) noexcept {
-  const HalfFacet o = wall.valid() ? env.map.opposite(wall) : wall;
-  if (!o.valid() || env.map.marked(env.map.cell_of(o))) return wall;
-  const Cell c = env.map.cell_of(wall);
-  const Shape shape = env.map.shape(c);
-  const double* simplex[D];
-  simplex_points(env, c, shape, shape.simplex_first(env.map.local_of(wall, c)), simplex);
-  double outward[D];
-  unit_normal<D>(simplex, outward);
-  return dot(to_vec<D>(outward), to_vec<D>(normal)) > 0 ? o : wall;
-}
-
-}  // namespace
-
 template <int D>
 dsw_wall_contact describe(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, uint32_t vertex,
                           const double* from, const double* to, dsw_wall_response done) noexcept {
@@ -41,7 +22,7 @@ dsw_wall_contact describe(const Environment<D>& env, const Occupants<D>& all, co
     c.others[k] = {hit.others[k], env.map.vertex_generation(hit.others[k])};
   }
   c.response = done;
-  name_wall(env, seen_from(env, hit.wall, touch.normal), c);
+  name_wall(env, facing(env, hit.wall, touch.normal), c);
   name_feature(all, hit.feature, c);
   return c;
 }

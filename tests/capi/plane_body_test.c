@@ -312,6 +312,18 @@ static void a_tag_is_that_of_what_is_behind_the_wall(void) {
   CHECK_OK(mark_side(N, SIDE_UP, DSW_MARK_PASSABLE));
 }
 
+/* The lower end (2, 1) of a thin wall, met from below, where neither square is at the wall, from its right and from its left. */
+static void a_tag_at_the_end_of_a_wall_is_that_of_its_other_side(void) {
+  static const double from[4] = {3.5, 0.5, 0.5, 0.5}, to[4] = {0.5, 0.5, 3.5, 0.5}, fixed[4] = {2.2, 2.9, 1.8, 2.9};
+  dsw_sweep s[2];
+  CHECK_OK(mark_side(PILLAR - 1, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
+  CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 0, NULL, s));
+  CHECK(s[0].kind == DSW_CONTACT_VERTEX && s[0].edge.volume == point_at(2, 1) && s[0].normal[0] > 0.9);
+  CHECK(s[1].kind == DSW_CONTACT_VERTEX && s[1].edge.volume == point_at(2, 1) && s[1].normal[0] < -0.9);
+  CHECK(s[0].tag == 100 + PILLAR - 1 && s[1].tag == 100 + PILLAR);
+  CHECK_OK(mark_side(PILLAR - 1, SIDE_RIGHT, DSW_MARK_PASSABLE));
+}
+
 static void what_sweeps_nothing_needs_no_work_left(void) {
   const double from[2] = {0.5, 0.25}, fixed[2] = {3.75, 0.5};
   dsw_sweep_options o;
@@ -390,6 +402,7 @@ int main(void) {
   marks_leave_bodies_free();
   edges_are_swept_without_a_body();
   a_tag_is_that_of_what_is_behind_the_wall();
+  a_tag_at_the_end_of_a_wall_is_that_of_its_other_side();
   what_sweeps_nothing_needs_no_work_left();
   CHECK_OK(dsw_scene_destroy(g_scene));
   g_scene = NULL;
