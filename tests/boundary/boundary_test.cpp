@@ -1,10 +1,11 @@
-// Every exported function is called with one thing wrong after the other, from eight threads at once: it answers a status, says in which
+// Every exported function is called with one thing wrong after the other, from several threads at once: it answers a status, says in which
 // function, leaves its out-arguments alone, and nothing has changed. First each thread has a world of its own; then all share one, readers
 // together and writers alone, as the headers promise. All of it in the plane, then in space. The list of functions is that of abi/symbols.txt.
-// usage: boundary_test
+// usage: boundary_test [THREADS]
 
 #include <array>
 #include <atomic>
+#include <cstdlib>
 #include <mutex>
 #include <shared_mutex>
 #include <string>
@@ -16,7 +17,6 @@
 namespace boundary {
 namespace {
 
-constexpr int kThreads = 8;
 constexpr size_t kMostParameters = 10;
 std::atomic<size_t> calls{0}, failures{0}, refused{0};
 
@@ -183,17 +183,17 @@ const Test kTests[] = {
 };
 constexpr size_t kTestCount = sizeof kTests / sizeof kTests[0];
 
-void on_all_threads(uint32_t dimension, bool shared) {
+void on_all_threads(size_t count, uint32_t dimension, bool shared) {
   Host host(dimension);
   std::shared_mutex mutex;
   std::vector<std::thread> threads;
-  for (size_t thread = 0; thread < kThreads; ++thread) {
+  for (size_t thread = 0; thread < count; ++thread) {
     threads.emplace_back([&, thread] {
       std::unique_ptr<Host> own;
       if (!shared) own = std::make_unique<Host>(dimension);
       Caller caller(shared ? &host : own.get(), shared ? &mutex : nullptr);
       // Each begins elsewhere, so that different functions meet.
-      for (size_t i = 0; i < kTestCount; ++i) kTests[(i + thread * kTestCount / kThreads) % kTestCount](caller);
+      for (size_t i = 0; i < kTestCount; ++i) kTests[(i + thread * kTestCount / count) % kTestCount](caller);
     });
   }
   for (std::thread& thread : threads) thread.join();
@@ -202,16 +202,17 @@ void on_all_threads(uint32_t dimension, bool shared) {
 }  // namespace
 }  // namespace boundary
 
-int main() {
+int main(int argc, char** argv) {
   using namespace boundary;
+  const size_t threads = argc == 2 ? std::strtoul(argv[1], nullptr, 10) : 8;
   graveyard();
   bool passed = true;
   for (const uint32_t dimension : {2u, 3u}) {
     calls = failures = refused = 0;
-    on_all_threads(dimension, false);
-    on_all_threads(dimension, true);
+    on_all_threads(threads, dimension, false);
+    on_all_threads(threads, dimension, true);
     // Where nothing is wrong nearly all have to succeed, or one wrong thing would not be seen for another; the plane lacks some.
-    const size_t tests = 2 * kThreads * kTestCount, most = tests / (dimension == 2 ? 6 : 10);
+    const size_t tests = 2 * threads * kTestCount, most = tests / (dimension == 2 ? 6 : 10);
     std::printf("dimension %u: %zu functions, %zu calls, %zu failures; %zu of %zu are refused with nothing wrong\n",
                 dimension, kTestCount, calls.load(), failures.load(), refused.load(), tests);
     passed = passed && failures == 0 && refused < most;
