@@ -295,6 +295,35 @@ static void searches_agree(void) {
   mark_pillar(DSW_MARK_PASSABLE);
 }
 
+/* A face meets the upper corner at the lower edge of a thin wall, from its right and from its left: the tag is that of its other side. */
+static void a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side(void) {
+  static const uint32_t corners[3] = {0, 1, 2}, offsets[2] = {0, 3};
+  int left;
+  CHECK_OK(set_face_mark(g_env, PILLAR - 1, FACE_X1, DSW_MARK_IMPASSABLE));
+  for (left = 0; left < 2; ++left) {
+    double p[9] = {3.5, 0.5, 2.1, 2.25, 2.9, 0.3, 2.2, 2.9, 2.7};
+    const dsw_contact *c = NULL;
+    dsw_body_desc d;
+    dsw_body_id body;
+    int i;
+    if (left) {
+      for (i = 0; i < 9; i += 3) p[i] = 4 - p[i];
+    }
+    dsw_body_desc_init(&d, sizeof d);
+    d.level = DSW_LEVEL_FACES;
+    d.positions = p, d.vertex_count = 3;
+    d.face_offsets = offsets, d.face_count = 1;
+    d.face_corners = corners, d.face_corner_count = 3;
+    CHECK_OK(dsw_body_create(g_scene, &d, &body));
+    p[0] = 4 - p[0];
+    CHECK(move(body, p, 3, NULL).contact_count == 1 && contacts_of(body, &c) == 1);
+    CHECK(c->kind == DSW_CONTACT_VERTEX && c->point[0] == 2 && c->point[1] == 1 && c->point[2] == 2);
+    CHECK((left ? -c->normal[0] : c->normal[0]) > 0.9 && c->tag == 100u + PILLAR - (left ? 0 : 1));
+    CHECK_OK(dsw_body_destroy(g_scene, body));
+  }
+  CHECK_OK(set_face_mark(g_env, PILLAR - 1, FACE_X1, DSW_MARK_PASSABLE));
+}
+
 static void bad_options_are_refused(void) {
   const dsw_body_id body = make_line(g_left, 2, DSW_LEVEL_EDGES_SWEPT);
   const dsw_rigid_motion motion = {{0, 0, 0, 1}, {0, 0, 0}, {0.125, 0, 0}};
@@ -453,6 +482,7 @@ int main(void) {
   a_vertex_stops_or_slides();
   responses_insert_vertices();
   searches_agree();
+  a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side();
   bad_options_are_refused();
   bad_arguments_change_nothing();
   free_slots_are_left_out();
