@@ -30,29 +30,6 @@ void end(void) {
   CHECK_OK(dsw_environment_destroy(g_env));
 }
 
-dsw_deform_options options_of(dsw_deform_method method, dsw_wall_response response) {
-  dsw_deform_options o;
-  dsw_deform_options_init(&o, sizeof o);
-  o.method = method;
-  o.response = response;
-  return o;
-}
-
-dsw_deform_report deform(const dsw_deform_options *o) {
-  dsw_deform_report report;
-  memset(&report, 9, sizeof report);
-  CHECK_OK(dsw_scene_deform(g_scene, g_points[g_next], POINTS, o, &report));
-  if (report.outcome != DSW_DEFORM_REFUSED) {
-    const double *read = NULL;
-    size_t count = 0;
-    CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
-    CHECK(read == g_points[g_next] && count == POINTS);
-    memcpy(g_points[1 - g_next], g_points[g_next], sizeof g_points[0]);
-    g_next = 1 - g_next;
-  }
-  return report;
-}
-
 void mark_floor(uint32_t row) {
   uint32_t x;
   for (x = 0; x < N; ++x) CHECK_OK(set_face_mark(g_env, square(x, row), SIDE_UP, DSW_MARK_IMPASSABLE));
@@ -68,4 +45,8 @@ dsw_body_id make_line(const double *positions, size_t count, dsw_level level) {
   dsw_body_id body = {0, 0};
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
   return body;
+}
+
+dsw_deform_report deform(const dsw_deform_options *o) {
+  return deform_to_next(g_scene, g_points[0], POINTS, 2, &g_next, o);
 }

@@ -24,7 +24,6 @@ void raise_row(uint32_t y, double by);
 void mark_floor(uint32_t row);
 dsw_body_id make_line(const double *positions, size_t count, dsw_level level);
 
-dsw_deform_options options_of(dsw_deform_method method, dsw_wall_response response);
 /* Deforms to the array that may be written, which becomes the other one. */
 dsw_deform_report deform(const dsw_deform_options *o);
 

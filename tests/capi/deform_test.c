@@ -36,28 +36,9 @@ static double *point(unsigned x, unsigned y, unsigned z) {
 
 static uint32_t cube(uint32_t x, uint32_t y, uint32_t z) { return x + N * (y + N * z); }
 
-static dsw_deform_options options_of(dsw_deform_method method, dsw_wall_response response) {
-  dsw_deform_options o;
-  dsw_deform_options_init(&o, sizeof o);
-  o.method = method;
-  o.response = response;
-  return o;
-}
-
 /* Deforms to the array that may be written, which becomes the other one. */
 static dsw_deform_report deform(const dsw_deform_options *o) {
-  dsw_deform_report report;
-  memset(&report, 9, sizeof report);
-  CHECK_OK(dsw_scene_deform(g_scene, g_points[g_next], POINTS, o, &report));
-  if (report.outcome != DSW_DEFORM_REFUSED) {
-    const double *read = NULL;
-    size_t count = 0;
-    CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
-    CHECK(read == g_points[g_next] && count == POINTS);
-    memcpy(g_points[1 - g_next], g_points[g_next], sizeof g_points[0]);
-    g_next = 1 - g_next;
-  }
-  return report;
+  return deform_to_next(g_scene, g_points[0], POINTS, 3, &g_next, o);
 }
 
 /* A wall of the faces at height z = 2. */
@@ -110,7 +91,7 @@ static void an_edge_is_pushed_split_or_holds_the_wall(void) {
   static const dsw_wall_response responses[4] = {DSW_WALL_PUSH, DSW_WALL_INSERT, DSW_WALL_HOLD, DSW_WALL_STOP};
   int i;
   for (i = 0; i < 4; ++i) {
-    dsw_deform_options o = options_of(DSW_DEFORM_SWEPT, responses[i]);
+    dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, responses[i]);
     dsw_deform_report report;
     dsw_body_id body;
     dsw_body_counts counts;
@@ -195,7 +176,7 @@ static void invalid_volumes(void) {
   const double at[3] = {2.5, 2.5, 2.5}, from[3] = {2.5, 2.5, 2.5}, to[3] = {2.5, 2.5, 0.5};
   dsw_particle_id particle;
   dsw_deform_report report;
-  dsw_deform_options o = options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
+  dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
   const dsw_volume_id *invalid = NULL;
   const dsw_volume_id start = volume_at(cube(2, 2, 2));
   size_t count = 0;
@@ -250,7 +231,7 @@ static void end_state(void) {
   const double at[3] = {2.3, 1.4, 2.2};
   dsw_particle_id particle;
   dsw_deform_report report;
-  dsw_deform_options o = options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
+  dsw_deform_options o = deform_options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
   double now[3];
   dsw_volume_id volume;
   begin(DSW_FEATURE_DEFORMING);
@@ -279,7 +260,7 @@ static void bad_arguments(void) {
   dsw_particle_id particle;
   dsw_scene *other = NULL;
   dsw_scene_desc d;
-  dsw_deform_options o = options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
+  dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
   const dsw_wall_contact *contacts = NULL;
   size_t count = 0;
   const double *read = NULL;
@@ -312,7 +293,7 @@ static void bad_arguments(void) {
   point(2, 2, 2)[1] = NAN;
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_scene_deform(g_scene, g_points[0], POINTS, NULL, NULL));
   CHECK_MESSAGE("next[");
-  o = options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
+  o = deform_options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_scene_deform(g_scene, g_points[0], POINTS, &o, NULL));
   CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
   CHECK(read != g_points[0]);
@@ -403,7 +384,7 @@ static void cut_while_bent(void) {
   static const double blade[12] = {1.25, -1, -1, 1.25, 5, -1, 1.25, -1, 5, 1.25, 5, 5};
   static const double other_blade[12] = {2.25, -1, -1, 2.25, 5, -1, 2.25, -1, 5, 2.25, 5, 5};
   static double arrays[2][3 * 2 * POINTS];
-  dsw_deform_options o = options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
+  dsw_deform_options o = deform_options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
   const dsw_cut_vertex *added = NULL;
   size_t i, count = 0, points = POINTS;
   dsw_cut_report report;

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "check.h"
+
 const dsw_volume_id no_volume = {0, 0}, stale_volume = {0, 7};
 const dsw_particle_id stale_particle = {0, 7};
 
@@ -146,6 +148,32 @@ dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level 
   d.edge_count = 1;
   stop_unless(dsw_body_create(scene, &d, &id) == DSW_STATUS_OK, "body");
   return id;
+}
+
+dsw_deform_options deform_options_of(dsw_deform_method method, dsw_wall_response response) {
+  dsw_deform_options o;
+  dsw_deform_options_init(&o, sizeof o);
+  o.method = method;
+  o.response = response;
+  return o;
+}
+
+dsw_deform_report deform_to_next(dsw_scene *scene, double *points, size_t point_count, unsigned dimension, int *next,
+                                 const dsw_deform_options *o) {
+  const size_t numbers = dimension * point_count;
+  double *const to = points + (size_t)*next * numbers, *const other = points + (size_t)(1 - *next) * numbers;
+  dsw_deform_report report;
+  memset(&report, 9, sizeof report);
+  CHECK_OK(dsw_scene_deform(scene, to, point_count, o, &report));
+  if (report.outcome != DSW_DEFORM_REFUSED) {
+    const double *read = NULL;
+    size_t count = 0;
+    CHECK_OK(dsw_environment_get_points(dsw_scene_get_environment(scene), &read, &count));
+    CHECK(read == to && count == point_count);
+    memcpy(other, to, numbers * sizeof *to);
+    *next = 1 - *next;
+  }
+  return report;
 }
 
 dsw_status set_volume_mark(dsw_environment *environment, uint32_t index, dsw_mark mark) {

@@ -31,6 +31,12 @@ dsw_body_desc line_desc(const double *positions, size_t count, int closed, dsw_l
 /* A body of one edge between two points; stops the program if that fails. */
 dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level level);
 
+dsw_deform_options deform_options_of(dsw_deform_method method, dsw_wall_response response);
+/* Deforms to the one of two arrays of points, one behind the other, that may be written; it becomes the other one, unless that is refused.
+   point_count points of the scene's dimension each. */
+dsw_deform_report deform_to_next(dsw_scene *scene, double *points, size_t point_count, unsigned dimension, int *next,
+                                 const dsw_deform_options *o);
+
 /* The mark of one cell. */
 dsw_status set_volume_mark(dsw_environment *environment, uint32_t index, dsw_mark mark);
 dsw_status set_face_mark(dsw_environment *environment, uint32_t volume, uint32_t local, dsw_mark mark);

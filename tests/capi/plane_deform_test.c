@@ -38,7 +38,7 @@ static void an_edge_is_pushed_split_or_holds_the_wall(void) {
   static const dsw_wall_response responses[4] = {DSW_WALL_PUSH, DSW_WALL_INSERT, DSW_WALL_HOLD, DSW_WALL_STOP};
   int i;
   for (i = 0; i < 4; ++i) {
-    const dsw_deform_options o = options_of(DSW_DEFORM_SWEPT, responses[i]);
+    const dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, responses[i]);
     const dsw_vertex_id *held = NULL;
     const dsw_wall_contact *c = NULL;
     const dsw_body_edit *edits = NULL;
@@ -152,7 +152,7 @@ static void a_body_in_the_way_holds_the_wall(void) {
 
 static void end_state(void) {
   const double at[2] = {2.3, 2.2}, line[4] = {0.3, 2.3, 1.4, 2.2};
-  dsw_deform_options o = options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
+  dsw_deform_options o = deform_options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
   const dsw_wall_contact *c = NULL;
   dsw_particle_id particle;
   dsw_body_id body;
@@ -240,7 +240,7 @@ static void points_of_the_boundary(void) {
 
 static void bad_arguments(void) {
   const double at[2] = {2.5, 2.5};
-  dsw_deform_options o = options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
+  dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
   const dsw_wall_contact *contacts = NULL;
   const double *read = NULL;
   dsw_particle_id particle;
@@ -263,7 +263,7 @@ static void bad_arguments(void) {
   point(2, 2)[1] = NAN;
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_scene_deform(g_scene, g_points[0], POINTS, NULL, NULL));
   CHECK_MESSAGE("next[12]");
-  o = options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
+  o = deform_options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_scene_deform(g_scene, g_points[0], POINTS, &o, NULL));
   CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
   CHECK(read != g_points[0]);
@@ -328,7 +328,7 @@ static void saved_and_loaded(void) {
 static void cut_while_bent(void) {
   static const double blade[4] = {1.25, -1, 1.25, 5}, at[2] = {1.5, 2.5};
   static double arrays[2][4 * POINTS];
-  dsw_deform_options o = options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
+  dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
   const dsw_cut_vertex *added = NULL;
   dsw_cut_report report;
   dsw_deform_report bent;
@@ -376,7 +376,7 @@ static void refused_memory_changes_nothing(void) {
   static const dsw_wall_response responses[2] = {DSW_WALL_INSERT, DSW_WALL_PUSH};
   int i;
   for (i = 0; i < 2; ++i) {
-    dsw_deform_options o = options_of(i == 0 ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE, responses[i]);
+    dsw_deform_options o = deform_options_of(i == 0 ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE, responses[i]);
     dsw_status status = DSW_STATUS_OUT_OF_MEMORY;
     size_t n;
     for (n = 1; n < 300 && status != DSW_STATUS_OK; ++n) {

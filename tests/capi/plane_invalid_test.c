@@ -22,7 +22,7 @@ static void steps_are_halved_where_cells_would_fold(void) {
 
 static void invalid_polygons(void) {
   const double at[2] = {2.5, 2.5}, from[2] = {2.5, 2.5}, to[2] = {2.5, 0.5};
-  dsw_deform_options o = options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
+  dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
   const dsw_volume_id start = volume_at(square(2, 2));
   const dsw_volume_id *invalid = NULL;
   dsw_particle_id particle;
@@ -71,7 +71,7 @@ static void invalid_polygons(void) {
    are valid afterwards. A refusal says where. */
 static void refused_where_all_would_be_valid(void) {
   const double at[2] = {1.75, 1.7};
-  dsw_deform_options o = options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
+  dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
   const dsw_volume_id *volumes = NULL;
   dsw_particle_id particle;
   dsw_deform_report report;
