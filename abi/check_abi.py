@@ -9,6 +9,7 @@ usage: check_abi.py symbols LIBRARY        exported names = symbols.txt = names 
        check_abi.py source                 the headers declare what those of the last release do, word for word
        check_abi.py layout                 every public struct and member stands in layout.c
        check_abi.py structs                every struct that grows, and function that takes it, is in struct_size_test.c
+       check_abi.py versions               header, CMake, bindings and the changelog's first section have one version
        check_abi.py write-symbols LIBRARY  renews symbols.txt
        check_abi.py next-version RELEASE [break]   renews VERSION and dartsweep.map for a release
 """
@@ -216,6 +217,23 @@ def check_structs():
             [f"{STRUCT_TEST.name} has X({', '.join(pair)}), which no header declares" for pair in sorted(tested - declared)])
 
 
+def check_versions():
+    root = ABI.parent
+    version = ".".join(re.findall(r"^#define DSW_VERSION_\w+ (\d+)", (HEADERS / "base.h").read_text(), flags=re.M))
+    expected = {"CHANGELOG.md": r"\A(?:(?!## ).*\n)*## \[@\] ", "CMakeLists.txt": r"^project\(Dartsweep VERSION @ ",
+                "bindings/python/pyproject.toml": r'^version = "@"', "bindings/java/pom.xml": "^  <version>@<",
+                "bindings/csharp/Dartsweep.nuspec": "<version>@<", "bindings/csharp/Dartsweep.csproj": "<Version>@<",
+                "bindings/csharp/unity/package.json": '"version": "@"', "bindings/node/package.json": '"version": "@"',
+                "bindings/node/package-lock.json": '"name": "dartsweep",\\s+"version": "@"',
+                f"bindings/lua/dartsweep-{version}-1.rockspec": '^version = "@-1"'}
+    problems = []
+    for name, pattern in expected.items():
+        pattern = pattern.replace("@", re.escape(version))
+        if not (root / name).exists() or not re.search(pattern, (root / name).read_text(), flags=re.M):
+            problems.append(f"{name} is not of version {version}, which the header has")
+    return problems
+
+
 # ---- what renews ------------------------------------------------------------------------------------------------------
 
 
@@ -253,7 +271,7 @@ def next_version(version, kind=None):
 
 
 COMMANDS = {"symbols": check_symbols, "needed": check_needed, "abidiff": check_abidiff, "source": check_source,
-            "layout": check_layout, "structs": check_structs, "write-symbols": write_symbols, "next-version": next_version}
+            "layout": check_layout, "structs": check_structs, "versions": check_versions, "write-symbols": write_symbols, "next-version": next_version}
 
 
 def main():

@@ -310,6 +310,16 @@ AT(dsw_contact_partner, vertex, 8);
 AT(dsw_contact_partner, edge, 16);
 AT(dsw_contact_partner, face, 24);
 
+SIZE(dsw_contact_past, 88);
+AT(dsw_contact_past, point, 0);
+AT(dsw_contact_past, normal, 24);
+AT(dsw_contact_past, obstacle, 48);
+AT(dsw_contact_past, body, 64);
+AT(dsw_contact_past, since, 72);
+AT(dsw_contact_past, moves, 76);
+AT(dsw_contact_past, touching, 80);
+AT(dsw_contact_past, reserved, 84);
+
 SIZE(dsw_contact_opinion, 56);
 AT(dsw_contact_opinion, normal, 0);
 AT(dsw_contact_opinion, depth, 24);

@@ -23,13 +23,9 @@ if ! grep -Eq "^## \[$(escape "$version")\] - |^## \[$(escape "$old")\] - unrele
   echo "CHANGELOG.md has no section [$version]"
   exit 1
 fi
-set -- $(echo "$version" | tr . ' ') "${2:-}"
-sed -i -E "s/^(#define DSW_VERSION_MAJOR) [0-9]+/\1 $1/; s/^(#define DSW_VERSION_MINOR) [0-9]+/\1 $2/; s/^(#define DSW_VERSION_PATCH) [0-9]+/\1 $3/" \
-  include/dartsweep/base.h
-sed -i "s/^project(Dartsweep VERSION [0-9.]*/project(Dartsweep VERSION $version/" CMakeLists.txt
+abi/set_version.sh "$version"
 if [ "$old" != "$version" ]; then
   old_pattern=$(escape "$old")
-  git grep -lwF "$old" -- bindings ':!*lock*' | xargs -r sed -i "s/\b$old_pattern\b/$version/g"
   sed -i "s/^## \[$old_pattern\] - unreleased/## [$version] - unreleased/" CHANGELOG.md
   if ! grep -q "^## \[$old_pattern\] - [0-9]" CHANGELOG.md; then
     sed -i "s/@since $(escape "${old%.*}")\b/@since ${version%.*}/" include/dartsweep/*.h
@@ -37,7 +33,7 @@ if [ "$old" != "$version" ]; then
 fi
 sed -i "s/^## \[$version\] - unreleased/## [$version] - $(date +%Y-%m-%d)/" CHANGELOG.md
 
-python3 -B abi/check_abi.py next-version "$version" ${4:+"$4"}
+python3 -B abi/check_abi.py next-version "$version" ${2:+"$2"}
 
 # The baseline. Where a type is defined tells public from private, so file names stay, without this machine's folders.
 cmake --preset abi

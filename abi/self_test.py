@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-CHECKS = ["symbols", "needed", "abidiff", "source", "layout", "offsets", "structs"]
+CHECKS = ["symbols", "needed", "abidiff", "source", "layout", "offsets", "structs", "versions"]
 
 # An edit is a file, what is found there, and what stands there then. `code` joins the library, `link` its link.
 Case = collections.namedtuple("Case", "what caught_by edits code link", defaults=("", ()))
@@ -70,6 +70,9 @@ CASES = [
     Case("a run path", "needed", [], link=("-Wl,-rpath,/nowhere",)),
     Case("another SONAME", "needed abidiff", [], link=("-Wl,-soname,libdartsweep.so.77",)),
     Case("another version of the symbols", "needed abidiff", [("abi/dartsweep.map", r"DARTSWEEP_\d+", "DARTSWEEP_77")]),
+    Case("the header is of a version that the changelog does not begin with", "versions",
+         [(header("base"), r"DSW_VERSION_MINOR (\d+)", r"DSW_VERSION_MINOR 7\1")]),
+    Case("a binding is of another version", "versions", [("bindings/java/pom.xml", r"\n  <version>", r"\n  <version>7")]),
     # additions
     Case("a function is added", "", [ADDED, ("abi/symbols.txt", r"\n(dsw_version)\n", r"\n\1\ndsw_version_self_test\n")]),
     Case("a struct with a size grows", "", GROWN),
@@ -112,6 +115,9 @@ class Copy:
         shutil.copytree(ROOT / "abi", self.folder / "abi", ignore=shutil.ignore_patterns("__pycache__"))
         (self.folder / "tests/capi").mkdir(parents=True)
         shutil.copy(ROOT / "tests/capi/struct_size_test.c", self.folder / "tests/capi")
+        for name in ("CHANGELOG.md", "CMakeLists.txt"):
+            shutil.copy(ROOT / name, self.folder)
+        shutil.copytree(ROOT / "bindings", self.folder / "bindings", ignore=shutil.ignore_patterns("node_modules", "docs"))
         spec = importlib.util.spec_from_file_location("check_abi", self.folder / "abi/check_abi.py")
         self.checks = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(self.checks)
@@ -142,7 +148,7 @@ class Copy:
         for edit in case.edits:
             self.edit(*edit)
         library = self.build(case)
-        found = {name: getattr(self.checks, f"check_{name}")() for name in ("source", "layout", "structs")}
+        found = {name: getattr(self.checks, f"check_{name}")() for name in ("source", "layout", "structs", "versions")}
         found.update((name, getattr(self.checks, f"check_{name}")(library)) for name in ("symbols", "needed"))
         if shutil.which("abidiff"):
             found["abidiff"] = self.checks.check_abidiff(library)

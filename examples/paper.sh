@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # The experiments of [JCD10], one command each: examples/paper.sh FIGURE [--quick] [MESH]
 #
-# FIGURE is 9 (cells tested against the length of a catheter), 11 (time against the size of the scene, with Bullet both ways), 12
-# (what edges cost on a surface of 12,000 vertices, and what eliminations save) or all. Installs what is missing (Debian 12, as
-# root), builds, runs, and prints a table `ours | paper` with a sentence for each figure; CSV, SVG and PNG in build/paper/.
-# MESH is the vessel of figure 9, in mm (.msh, .vtk, .vtu, also gzipped); without it one is made. Figure 12 takes
+# FIGURE is 8 (a catheter in a vascular network), 9 (cells tested against its length), 10 (the lattices of the benchmark), 11 (time
+# against the size of the scene, with Bullet and GIMPACT), 12 (what edges cost on a surface of 12,000 vertices, and what eliminations
+# save) or all. Installs what is missing (Debian 12, as root), builds, runs, and prints a table `ours | paper` with a sentence for
+# each figure; CSV, SVG and PNG in build/paper/.
+# MESH is the vessel of figures 8 and 9, in mm (.msh, .vtk, .vtu, also gzipped); without it
+# $DARTSWEEP_DATA/vessels/vascular_phantom.msh.gz if there is one, else a vessel that is made. Figure 12 takes
 # $DARTSWEEP_DATA/surfaces/hand_12k.obj if there is one, else a ring of 12,000 vertices. --quick: fewer steps and rounds of
 # figures 11 and 12. Exit code 2: a file or an option can't be used; 1: anything else.
 set -euo pipefail
 
 usage() {
-  sed -n '2,9s/^# \{0,1\}//p' "$0"
+  sed -n '2,12s/^# \{0,1\}//p' "$0"
   exit "$1"
 }
 name=paper
@@ -21,8 +23,8 @@ for argument in "$@"; do
   case $argument in
     -h | --help) usage 0 ;;
     --quick) quick=(--quick) ;;
-    9 | 11 | 12) figures+=("$argument") ;;
-    all) figures+=(9 11 12) ;;
+    8 | 9 | 10 | 11 | 12) figures+=("$argument") ;;
+    all) figures+=(8 9 10 11 12) ;;
     -*) usage 2 >&2 ;;
     *)
       [ -z "$mesh" ] || usage 2 >&2
@@ -33,8 +35,11 @@ for argument in "$@"; do
 done
 [ ${#figures[@]} -gt 0 ] || usage 2 >&2
 wanted() { [[ " ${figures[*]} " == *" $1 "* ]]; }
-benchmark=
-if wanted 11 || wanted 12; then benchmark=yes; fi
+benchmark= catheter=
+if wanted 10 || wanted 11 || wanted 12; then benchmark=yes; fi
+if wanted 8 || wanted 9; then catheter=yes; fi
+phantom=${DARTSWEEP_DATA:-/nowhere}/vessels/vascular_phantom.msh.gz
+[ -n "$mesh" ] || [ ! -f "$phantom" ] || mesh=$(realpath "$phantom")
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 source=$root/examples/paper
@@ -47,50 +52,52 @@ mkdir -p "$out"
 
 needs_build_tools
 needs_venv
+needs_header nlohmann/json.hpp nlohmann-json3-dev
+needs_header CLI/CLI.hpp libcli11-dev
 if [ -n "$benchmark" ]; then
   command -v pkg-config > /dev/null || missing+=(pkg-config)
   needs_header embree3/rtcore.h libembree-dev
   needs_header bullet/btBulletCollisionCommon.h libbullet-dev
   needs_header CGAL/version.h libcgal-dev
   needs_header gmpxx.h libgmp-dev
-  needs_header nlohmann/json.hpp nlohmann-json3-dev
-  needs_header CLI/CLI.hpp libcli11-dev
+  needs_header box2d/box2d.h libbox2d-dev
 fi
 install_missing
 
 lists=("$source/requirements.txt")
-if [ -n "$mesh" ] && wanted 9; then lists+=("$root/examples/demo/requirements.txt"); fi # readers of meshes
+if [ -n "$mesh" ] && [ -n "$catheter" ]; then lists+=("$root/examples/demo/requirements.txt"); fi # readers of meshes
 make_venv "$venv" python3 "${lists[@]}"
 
 echo "building the library and the programs"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 targets=()
-! wanted 9 || targets+=(paper_catheter_length)
+[ -z "$catheter" ] || targets+=(paper_catheter_length)
 [ -z "$benchmark" ] || targets+=(dartsweep_bench)
 quietly "configuring" cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON \
   -DDSW_BUILD_BENCH="$([ -n "$benchmark" ] && echo ON || echo OFF)"
 quietly "building" cmake --build "$tree" --target "${targets[@]}"
 
 data=(--data "${DARTSWEEP_DATA:-/nowhere}")
-for figure in "${figures[@]}"; do
-  echo "running figure $figure"
-  rm -f "$out/figure$figure".*
-  case $figure in
-    9)
-      input=()
-      if [ -n "$mesh" ]; then
-        "$venv/bin/python" "$root/examples/demo/read_mesh.py" "$mesh" "$out/mesh.bin"
-        input=(--mesh "$out/mesh.bin")
-      fi
-      "$tree/examples/paper/catheter_length" "${input[@]}" --csv "$out/catheter_length.csv"
-      rm -f "$out/mesh.bin"
-      ;;
-    *)
-      quietly "measuring figure $figure" "$tree/tests/benchmark/dartsweep_bench" --part "fig$figure" "${quick[@]}" "${data[@]}" \
-        --json "$out/fig$figure.json"
-      ;;
-  esac
-done
+for figure in "${figures[@]}"; do rm -f "$out/figure$figure".*; done
+if [ -n "$catheter" ]; then
+  echo "pushing the catheter of figures 8 and 9"
+  input=()
+  if [ -n "$mesh" ]; then
+    "$venv/bin/python" "$root/examples/demo/read_mesh.py" "$mesh" "$out/mesh.bin"
+    input=(--mesh "$out/mesh.bin")
+  fi
+  "$tree/examples/paper/catheter_length" "${input[@]}" --csv "$out/catheter_length.csv" --picture "$out/picture.json"
+  rm -f "$out/mesh.bin"
+fi
+bench=$tree/tests/benchmark/dartsweep_bench
+if wanted 10 || wanted 11; then
+  echo "measuring figures 10 and 11"
+  quietly "measuring figure 11" "$bench" --part fig11 "${quick[@]}" --scene "$out/scene.json" --json "$out/fig11.json"
+fi
+if wanted 12; then
+  echo "measuring figure 12"
+  quietly "measuring figure 12" "$bench" --part fig12 "${quick[@]}" "${data[@]}" --json "$out/fig12.json"
+fi
 
 "$venv/bin/python" "$source/results.py" "$out" "${figures[@]}"
 "$venv/bin/python" "$source/draw.py" "$out" "${figures[@]}"

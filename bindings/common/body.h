@@ -104,6 +104,7 @@ class Body {
   Array<dsw_contact_partner> get_contact_partners() const {
     return list<dsw_contact_partner>(dsw_body_get_contact_partners);
   }
+  Array<dsw_contact_past> get_contact_pasts() const { return list<dsw_contact_past>(dsw_body_get_contact_pasts); }
   Array<dsw_body_edit> get_edits() const { return list<dsw_body_edit>(dsw_body_get_edits); }
 
  private:

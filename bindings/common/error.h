@@ -42,7 +42,8 @@
   X(INTERNAL, Internal)                  \
   X(BAD_TOPOLOGY, BadTopology)           \
   X(BORROWED, Borrowed)                  \
-  X(WRITE_FAILED, WriteFailed)
+  X(WRITE_FAILED, WriteFailed)           \
+  X(NOT_CLOSED, NotClosed)
 
 namespace dartsweep {
 

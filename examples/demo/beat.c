@@ -81,7 +81,7 @@ void beat_create(demo_beat *beat, dsw_environment *environment, const demo_flow 
   dsw_scene_desc_init(&desc, sizeof desc);
   desc.features = DSW_FEATURE_DEFORMING;
   require(dsw_scene_create(environment, &desc, &scene), "creating a scene", kFailed);
-  catheter_create(&beat->catheter, scene, flow, "beaten", DSW_RESPONSE_ADAPTIVE_MANY);
+  catheter_create(&beat->catheter, scene, flow, "beaten", DSW_RESPONSE_ADAPTIVE_ONE);
 }
 
 /* Waves run along the vessel; its ends keep their width. */

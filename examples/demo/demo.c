@@ -107,7 +107,7 @@ static void run_catheters(demo_catheter *catheters, const demo_run *run, size_t 
     const char *name;
     dsw_response response;
   } kRuns[kCatheters] = {
-      {"static", DSW_RESPONSE_STOP}, {"adaptive", DSW_RESPONSE_ADAPTIVE_MANY}, {"slide", DSW_RESPONSE_SLIDE}};
+      {"static", DSW_RESPONSE_STOP}, {"adaptive", DSW_RESPONSE_ADAPTIVE_ONE}, {"slide", DSW_RESPONSE_SLIDE}};
   for (size_t i = 0; i < kCatheters; ++i) {
     catheter_run(catheters + i, run->environment, &run->flow, kRuns[i].name, kRuns[i].response, steps, csv);
   }

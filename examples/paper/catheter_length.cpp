@@ -1,9 +1,13 @@
-// Figure 9 of [JCD10]: how much of a vessel's mesh is looked at while a catheter gets longer.
+// Figures 8 and 9 of [JCD10]: how much of a vessel's mesh is looked at while a catheter of 20 particles gets longer, and where it lies.
 //
-// usage: catheter_length [--mesh FILE] [--spacing MM] [--link MM] [--length MM] [--rows N] [--csv FILE]
+// usage: catheter_length [--mesh FILE] [--spacing MM] [--length MM] [--steps N] [--csv FILE] [--json FILE] [--picture FILE]
 //
-// The catheter of examples/physics is pushed through the vessel. After each step the casts of [JCD10] 4.1 that its motion asks
-// for are made again, path by path, and the different cells that they enter are counted: no counter of the library has that.
+// The catheter is pushed into the vessel and gets no new particle: its edges stretch. An edge that touches stops (the paper's static
+// response), a vertex slides.
+// It is pushed in twice: first its edges catch at the wall and are released, then the physics keeps contacts for a step and the catheter
+// slides on. After each step the casts of [JCD10] 4.1 that its motion asks for are made again, path by path, and the different cells that
+// they enter are counted: no counter of the library has that. --json: the figures of the benchmark. --picture: the wall of the vessel and
+// the catheter at the end, as JSON.
 // Exit code 1: a call failed, or a step was not free; 2: an option or a mesh can't be used.
 #include <getopt.h>
 
@@ -11,77 +15,70 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <memory>
-#include <optional>
 #include <stdexcept>
 #include <unordered_set>
 #include <vector>
 
-#include "catheter.h"
-#include "lumen.h"
+#include <nlohmann/json.hpp>
+
+#include "stretched_catheter.h"
 #include "table.h"
 #include "verify.h"
+#include "vessel.h"
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct Options {
-  std::string mesh, csv;
-  double spacing = 0.98, length = 0;  // 0: the way from the inlet to the farthest end
-  std::size_t rows = 60;
-  physics::CatheterOptions catheter;
+  insertion::Options vessel;
+  std::string csv, json, picture;
+  double length = 0;  // at rest, at the end; 0: the way from the inlet to the farthest end
+  std::size_t steps = 1000;
+  paper::StretchedOptions catheter;
 };
 
 int usage(const char* wrong) {
   std::cerr
       << "catheter_length: cannot use '" << wrong << "'\n"
-      << "usage: catheter_length [--mesh FILE] [--spacing MM] [--link MM] [--length MM] [--rows N] [--csv FILE]\n";
+      << "usage: catheter_length [--mesh FILE] [--spacing MM] [--length MM] [--steps N] [--csv FILE] [--json FILE] "
+         "[--picture FILE]\n";
   return 2;
 }
 
 int read_options(int argc, char** argv, Options* options) {
-  static const option kOptions[] = {{"mesh", required_argument, nullptr, 'm'},
-                                    {"spacing", required_argument, nullptr, 's'},
-                                    {"link", required_argument, nullptr, 'l'},
-                                    {"length", required_argument, nullptr, 'n'},
-                                    {"rows", required_argument, nullptr, 'r'},
-                                    {"csv", required_argument, nullptr, 'c'},
-                                    {nullptr, 0, nullptr, 0}};
+  static const option kOptions[] = {
+      {"mesh", required_argument, nullptr, 'm'},    {"spacing", required_argument, nullptr, 's'},
+      {"length", required_argument, nullptr, 'n'},  {"steps", required_argument, nullptr, 't'},
+      {"csv", required_argument, nullptr, 'c'},     {"json", required_argument, nullptr, 'j'},
+      {"picture", required_argument, nullptr, 'p'}, {nullptr, 0, nullptr, 0}};
+  options->vessel.spacing = 0.98;
   for (int letter; (letter = getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
     if (letter == '?') {
       return usage(argv[optind - 1]);
     }
-    if (letter == 'm' || letter == 'c') {
-      (letter == 'm' ? options->mesh : options->csv) = optarg;
+    if (letter == 'm' || letter == 'c' || letter == 'j' || letter == 'p') {
+      (letter == 'm'   ? options->vessel.mesh
+       : letter == 'c' ? options->csv
+       : letter == 'j' ? options->json
+                       : options->picture) = optarg;
       continue;
     }
     char* end = nullptr;
     const double number = std::strtod(optarg, &end);
-    if (*optarg == 0 || *end != 0 || !(number > 0 && number <= 1e6) || (letter == 'r' && number < 1)) {
+    if (*optarg == 0 || *end != 0 || !(number > 0 && number <= 1e6) || (letter == 't' && number < 1)) {
       return usage(optarg);
     }
-    if (letter == 'r') {
-      options->rows = static_cast<std::size_t>(number);
+    if (letter == 't') {
+      options->steps = static_cast<std::size_t>(number);
     } else {
-      (letter == 's' ? options->spacing : letter == 'l' ? options->catheter.link : options->length) = number;
+      (letter == 's' ? options->vessel.spacing : options->length) = number;
     }
   }
   return optind == argc ? 0 : usage(argv[optind]);
 }
 
-// What one step, or the worst of several, looks at.
-struct Work {
-  std::size_t different = 0;  // cells
-  std::size_t visits = 0;     // every cell of every swept edge, however often
-  double orientation_tests = 0;
-
-  void keep_larger(const Work& other) {
-    different = std::max(different, other.different);
-    visits = std::max(visits, other.visits);
-    orientation_tests = std::max(orientation_tests, other.orientation_tests);
-  }
-};
-
-// Where the vertices are.
+// Where the particles are.
 struct State {
   physics::Positions position;
   std::vector<dsw_volume_id> volume;
@@ -89,35 +86,22 @@ struct State {
 
 class Counter {
  public:
-  explicit Counter(const dsw_scene* scene) : environment_(dsw_scene_get_environment(scene)), crossings_(1024) {}
+  explicit Counter(const dsw_environment* environment) : environment_(environment), crossings_(1024) {}
 
-  // The motion from `before` to where the body is, vertex by vertex as the library makes it. Vertices that are new have not moved.
-  Work count(const State& before, const physics::SoftBody& body) {
-    const std::size_t count = body.points.size();
-    std::vector<std::vector<std::size_t>> neighbours(count);
-    for (const physics::DistanceSpring& spring : body.springs.distances) {
-      neighbours[spring.a].push_back(spring.b);
-      neighbours[spring.b].push_back(spring.a);
-    }
+  // Different cells that the motion from `before` to where the line is asks for, particle by particle as the library makes it.
+  std::size_t count(const State& before, const physics::SoftBody& body) {
     entered_.clear();
-    from_.clear(), to_.clear(), fixed_.clear(), starts_.clear();
-    for (std::size_t i = 0; i < std::min(count, before.position.size()); ++i) {
-      if (neighbours[i].empty()) {
-        continue;  // removed
+    const physics::Positions& after = body.points.position;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      enter(before.volume[i], before.position[i], after[i]);
+      if (i > 0) {
+        enter(body.volumes[i], after[i], after[i - 1]);
       }
-      enter(before.volume[i], before.position[i], body.points.position[i]);
-      for (const std::size_t j : neighbours[i]) {
-        const bool there = j < i || j >= before.position.size();
-        const physics::Vector3& fixed = there ? body.points.position[j] : before.position[j];
-        enter(body.volumes[i], body.points.position[i], fixed);
-        from_.push_back(before.position[i]), to_.push_back(body.points.position[i]), fixed_.push_back(fixed);
-        starts_.push_back(before.volume[i]);
+      if (i + 1 < after.size()) {
+        enter(body.volumes[i], after[i], before.position[i + 1]);
       }
     }
-    Work work;
-    work.different = entered_.size();
-    work.visits = visits_of_sweeps();
-    return work;
+    return entered_.size();
   }
 
  private:
@@ -134,126 +118,136 @@ class Counter {
     }
   }
 
-  std::size_t visits_of_sweeps() {
-    sweeps_.resize(starts_.size());
-    if (starts_.empty()) {
-      return 0;
-    }
-    physics::check(dsw_environment_sweep_edges(environment_, starts_.size(), starts_.data(), from_.front().data(),
-                                               to_.front().data(), fixed_.front().data(), sizeof(physics::Vector3),
-                                               nullptr, sweeps_.data()),
-                   "sweeping again");
-    std::size_t visits = 0;
-    for (const dsw_sweep& sweep : sweeps_) {
-      visits += sweep.cells_visited;
-    }
-    return visits;
-  }
-
   const dsw_environment* environment_;
   std::vector<dsw_crossing> crossings_;
   std::unordered_set<std::uint32_t> entered_;
-  physics::Positions from_, to_, fixed_;
-  std::vector<dsw_volume_id> starts_;
-  std::vector<dsw_sweep> sweeps_;
 };
 
-double length_of(const physics::SoftBody& body) {
-  double length = 0;
-  for (const physics::DistanceSpring& spring : body.springs.distances) {
-    length += (body.points.position[spring.b] - body.points.position[spring.a]).norm();
-  }
-  return length;
-}
-
 // Since the last call.
-double orientation_tests(dsw_scene* scene) {
+dsw_statistics counters(dsw_scene* scene) {
   dsw_statistics statistics = {};
   statistics.struct_size = sizeof statistics;
   physics::check(dsw_scene_get_statistics(scene, &statistics), "reading counters");
   physics::check(dsw_scene_reset_statistics(scene), "resetting counters");
-  return static_cast<double>(statistics.orientation_tests);
+  return statistics;
 }
 
-// Pushes the catheter in and adds a row each time that it has got longer by a part of `length`: the worst step since the last row.
-// False: a step was not free.
-bool push(const Options& options, double length, physics::World* world, physics::Catheter* catheter,
-          physics::Table* table) {
-  constexpr double kStep = 1e-3;  // s
-  dsw_environment_info info = {};
-  info.struct_size = sizeof info;
-  physics::check(dsw_environment_get_info(dsw_scene_get_environment(world->scene()), &info), "asking the environment");
-  const auto cells = static_cast<double>(info.volume_count);
-  physics::SoftBody& body = catheter->body();
-  Counter counter(world->scene());
-  Work worst;
-  for (std::size_t row = 1, step = 1; row <= options.rows; ++step) {
-    body.read_positions();  // volumes of what has come in, too
-    const State before = {body.points.position, body.volumes};
-    orientation_tests(world->scene());
-    catheter->step(kStep);
-    const double tests = orientation_tests(world->scene());
-    body.read_positions();
-    Work work = counter.count(before, body);
-    work.orientation_tests = tests;
-    worst.keep_larger(work);
-    if (!physics::verify(world->scene(), body.id()).good()) {
-      std::cerr << "catheter_length: step " << step << " was not free\n";
-      return false;
-    }
-    const double inserted = options.catheter.speed * kStep * static_cast<double>(step);
-    if (inserted < length * static_cast<double>(row) / static_cast<double>(options.rows)) {
-      continue;
-    }
-    physics::Row line;
-    line.add("step", static_cast<double>(step)).add("length_mm", length_of(body));
-    line.add("reached_mm", catheter->reached()).add("vertices", static_cast<double>(body.count()));
-    line.add("cells_tested", static_cast<double>(worst.different))
-        .add("cell_visits", static_cast<double>(worst.visits));
-    line.add("orientation_tests", worst.orientation_tests).add("cells", cells);
-    line.add("cells_tested_share", static_cast<double>(worst.different) / cells);
-    line.add("cell_visits_share", static_cast<double>(worst.visits) / cells);
-    table->push_back(line);
-    worst = Work();
-    ++row;
+double farthest(const physics::Positions& before, const physics::Positions& after) {
+  double most = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    most = std::max(most, (after[i] - before[i]).norm());
   }
-  return true;
+  return most;
+}
+
+struct Course {
+  double largest_share = 0;
+  bool free = true;
+};
+
+// Pushes the catheter in; one row for each step.
+Course push(const char* name, std::size_t steps, double dt, const insertion::Vessel& vessel, physics::World* world,
+            paper::StretchedCatheter* catheter, physics::Table* table) {
+  const auto cells = static_cast<double>(vessel.info().volume_count);
+  physics::SoftBody& body = catheter->body();
+  Counter counter(vessel.environment());
+  Course course;
+  for (std::size_t step = 1; step <= steps && course.free; ++step) {
+    const State before = {body.points.position, body.volumes};
+    counters(world->scene());
+    catheter->step(dt);
+    const dsw_statistics work = counters(world->scene());
+    const auto different = static_cast<double>(counter.count(before, body));
+    course.free = physics::verify(world->scene(), body.id()).good();
+    course.largest_share = std::max(course.largest_share, different / cells);
+    physics::Row line;
+    line.add("push", name).add("step", static_cast<double>(step));
+    line.add("length_mm", catheter->length()).add("rest_length_mm", catheter->rest_length());
+    line.add("longest_edge_mm", catheter->longest_edge()).add("reached_mm", catheter->reached());
+    line.add("vertices", static_cast<double>(body.count()));
+    line.add("displacement_mm", farthest(before.position, body.points.position));
+    line.add("touches", static_cast<double>(body.touches().size()));
+    line.add("cells_tested", different).add("cell_visits", static_cast<double>(work.cells_visited));
+    line.add("orientation_tests", static_cast<double>(work.orientation_tests)).add("cells", cells);
+    line.add("cells_tested_share", different / cells)
+        .add("cell_visits_share", static_cast<double>(work.cells_visited) / cells);
+    table->push_back(line);
+  }
+  if (!course.free) {
+    std::cerr << "catheter_length: step " << table->size() << " was not free\n";
+  }
+  return course;
+}
+
+Json picture_of(const insertion::Vessel& vessel, const physics::SoftBody& body) {
+  const insertion::Wall wall = insertion::wall_of(vessel);
+  Json line = Json::array();
+  for (const physics::Vector3& at : body.points.position) {
+    line.push_back({at.x(), at.y(), at.z()});
+  }
+  return {{"cells", vessel.info().volume_count},
+          {"positions", wall.positions},
+          {"triangles", wall.triangles},
+          {"catheter", line}};
+}
+
+template <class Write>
+void write(const std::string& path, const Write& contents) {
+  std::ofstream file(path);
+  contents(file);
+  file.close();
+  if (!file) {
+    throw insertion::BadInput("cannot write '" + path + "'");
+  }
 }
 
 int run(const Options& options) {
-  demo_mesh mesh;
-  const int code =
-      options.mesh.empty() ? mesh_make_vessel(options.spacing, &mesh) : mesh_read(options.mesh.c_str(), &mesh);
-  if (code != 0) {
-    return code;
-  }
-  const physics::Environment environment(create_environment(nullptr, &mesh));
-  mark_wall(environment.get(), &mesh);
-  demo_flow flow;
-  physics::check(flow_create(environment.get(), &mesh, 0, &flow), "finding the ways through the vessel");
-  mesh_free(&mesh);
-  const std::unique_ptr<demo_flow, decltype(&flow_destroy)> owner(&flow, flow_destroy);
-  const physics::Route route(environment.get(), flow);
-  physics::World world(environment.get(), DSW_FEATURE_STATISTICS);
-  std::optional<physics::Catheter> catheter;
-  try {
-    catheter.emplace(&world, &route, options.catheter);
-  } catch (const physics::LibraryError& error) {
-    throw std::invalid_argument("a link of " + std::to_string(options.catheter.link) +
-                                " mm does not fit into the inlet; the mesh has to be in mm (" + error.what() + ")");
+  const insertion::Vessel vessel(options.vessel);
+  const double length = options.length > 0 ? options.length : vessel.route().length();
+  const double dt = (length - options.catheter.length) / options.catheter.speed / static_cast<double>(options.steps);
+  if (!(dt > 0)) {
+    throw insertion::BadInput("a length of " + std::to_string(length) +
+                              " mm is not longer than the catheter is at first");
   }
   physics::Table table;
-  const bool free = push(options, options.length > 0 ? options.length : route.length(), &world, &*catheter, &table);
+  Json figures = Json::object(), picture;
+  double largest = 0;
+  bool free = true;
+  for (const int memory : {0, 1}) {
+    const char* const name = memory == 0 ? "catches" : "slides";
+    paper::StretchedOptions catheter_options = options.catheter;
+    catheter_options.contact_memory = memory;
+    physics::World world(vessel.environment(), DSW_FEATURE_STATISTICS);
+    std::optional<paper::StretchedCatheter> catheter;
+    try {
+      catheter.emplace(&world, &vessel.route(), catheter_options);
+    } catch (const physics::LibraryError& error) {
+      throw insertion::BadInput(std::string("the catheter does not fit into the inlet; the mesh has to be in mm (") +
+                                error.what() + ")");
+    }
+    const Course course = push(name, options.steps, dt, vessel, &world, &*catheter, &table);
+    free = free && course.free;
+    largest = std::max(largest, course.largest_share);
+    const std::string key = std::string("edges.fig9.") + name;
+    figures[key + ".cells_tested_share"] = course.largest_share;
+    figures[key + ".length_mm"] = catheter->length();
+    figures[key + ".reached_mm"] = catheter->reached();
+    figures["edges.fig9.particles"] = catheter->body().count();
+    picture = picture_of(vessel, catheter->body());
+  }
+  figures["edges.fig9.cells_tested_share_max"] = largest;
+  figures["edges.fig9.cells"] = vessel.info().volume_count;
+  figures["edges.fig9.not_free"] = free ? 0 : 1;
   if (options.csv.empty()) {
     physics::write_csv(table, std::cout);
   } else {
-    std::ofstream file(options.csv);
-    physics::write_csv(table, file);
-    file.close();
-    if (!file) {
-      std::cerr << "catheter_length: cannot write '" << options.csv << "'\n";
-      return 2;
-    }
+    write(options.csv, [&](std::ostream& out) { physics::write_csv(table, out); });
+  }
+  if (!options.json.empty()) {
+    write(options.json, [&](std::ostream& out) { out << figures.dump(1) << '\n'; });
+  }
+  if (!options.picture.empty()) {
+    write(options.picture, [&](std::ostream& out) { out << picture.dump() << '\n'; });
   }
   return free ? 0 : 1;
 }
@@ -265,7 +259,12 @@ int main(int argc, char** argv) {
   const int code = read_options(argc, argv, &options);
   try {
     return code != 0 ? code : run(options);
-  } catch (const std::invalid_argument& error) {  // the mesh leads nowhere, or a link is too long for it
+  } catch (const insertion::BadInput& error) {
+    if (error.what()[0] != 0) {
+      std::cerr << "catheter_length: " << error.what() << '\n';
+    }
+    return 2;
+  } catch (const std::invalid_argument& error) {  // the mesh leads nowhere
     std::cerr << "catheter_length: " << error.what() << '\n';
     return 2;
   } catch (const std::exception& error) {

@@ -1,5 +1,7 @@
 #include "channel.h"
 
+#include <algorithm>
+
 namespace physics {
 
 Environment make_channel(const Channel& channel) {
@@ -10,16 +12,19 @@ Environment make_channel(const Channel& channel) {
       for (int x = 0; x <= n[0]; ++x) {
         const double along =
             channel.sliver == 0 ? channel.scale * x : channel.scale * (x / 2) + channel.sliver * (x % 2);
-        points.insert(points.end(), {along, channel.scale * y, channel.scale * z});
+        const Vector3 corner(along, channel.scale * y, channel.scale * z);
+        const Vector3 at = channel.place ? channel.place(corner) : corner;
+        points.insert(points.end(), {at.x(), at.y(), at.z()});
       }
     }
   }
   const auto point = [&n](int x, int y, int z) { return std::int64_t{x + (n[0] + 1) * (y + (n[1] + 1) * z)}; };
+  const bool plane = n[2] == 0;
   std::vector<std::int64_t> cells;
-  for (int z = 0; z < n[2]; ++z) {
+  for (int z = 0; z < std::max(n[2], 1); ++z) {
     for (int y = 0; y < n[1]; ++y) {
       for (int x = 0; x < n[0]; ++x) {
-        for (int up = 0; up < 2; ++up) {
+        for (int up = 0; up < (plane ? 1 : 2); ++up) {
           cells.insert(cells.end(), {point(x, y, z + up), point(x + 1, y, z + up), point(x + 1, y + 1, z + up),
                                      point(x, y + 1, z + up)});
         }
@@ -28,11 +33,14 @@ Environment make_channel(const Channel& channel) {
   }
   dsw_environment_desc desc;
   dsw_environment_desc_init(&desc, sizeof desc);
+  desc.dimension = plane ? 2 : 3;
   desc.points = points.data();
+  desc.point_stride_bytes = 3 * sizeof(double);
   desc.point_count = points.size() / 3;
   desc.connectivity = cells.data();
   desc.connectivity_count = cells.size();
-  desc.cell_count = cells.size() / 8;
+  desc.cell_count = cells.size() / (plane ? 4 : 8);
+  desc.uniform_cell_type = plane ? DSW_CELL_TYPE_QUAD : DSW_CELL_TYPE_HEXAHEDRON;
   desc.flags = DSW_ENVIRONMENT_LOCATE_GRID;
   dsw_environment* made = nullptr;
   check(dsw_environment_create(nullptr, &desc, &made, nullptr), "creating a channel");

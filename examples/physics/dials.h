@@ -17,6 +17,12 @@ bool measure_solvers(const std::string& folder, bool quick);
 // The share of the way to its goals that a matched shape makes in a step: how far it sags. Curve `shape_matching`.
 bool measure_shape_matching(const std::string& folder, bool quick);
 
+// The weight omega of inserted vertices in equation 1 of [JCD10] 7.3: a body folds over a ridge that it lies on by one
+// end. How far its rotation is from that of the same body with eight times as many vertices along, and the rotation that
+// inserted vertices add in a step.
+// Curve `omega`. Throws LibraryError.
+bool measure_omega(const std::string& folder, bool quick);
+
 // A rod that turns against a post, its vertices moved one at a time, at time steps from 1e-5 to 0.1 s: contact times and the shape reached,
 // against those of all vertices moving at once. Curve `time_step`. Throws LibraryError.
 bool measure_time_step(const std::string& folder, bool quick);

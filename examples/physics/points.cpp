@@ -38,6 +38,23 @@ void Points::merge(std::size_t gone, std::size_t a, std::size_t b, double share)
   clear(gone);
 }
 
+void Points::share_out(const std::vector<double>& masses) {
+  const auto velocity_of_centre = [this] {
+    double sum = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      sum += held[i] ? 0 : mass[i];
+    }
+    return sum > 0 ? Vector3(momentum_of(*this) / sum) : Vector3(Vector3::Zero());
+  };
+  const Vector3 before = velocity_of_centre();
+  mass = masses;
+  mass.resize(position.size(), 0);
+  const Vector3 change = before - velocity_of_centre();
+  for (std::size_t i = 0; i < size(); ++i) {
+    velocity[i] += held[i] || mass[i] == 0 ? Vector3(Vector3::Zero()) : change;
+  }
+}
+
 Vector3 momentum_of(const Points& points) {
   Vector3 sum = Vector3::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {

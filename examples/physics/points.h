@@ -33,6 +33,8 @@ struct Points {
   void split(std::size_t a, std::size_t b, std::size_t added, double share, double omega);
   // The way back: `gone` gives mass and momentum to its neighbours, (1 - share) to a and share to b.
   void merge(std::size_t gone, std::size_t a, std::size_t b, double share);
+  // Shares the mass out anew, by index. The velocity of the centre of mass stays what it was, and so does momentum if the sum does.
+  void share_out(const std::vector<double>& masses);
 };
 
 // Sums over all points that are not held.

@@ -1,5 +1,7 @@
 #include "shape_matching.h"
 
+#include <algorithm>
+
 namespace physics {
 namespace {
 
@@ -17,9 +19,14 @@ Eigen::Matrix3d rotation_of(const Eigen::Matrix3d& a, const Eigen::Matrix3d& las
   return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
-ShapeMatching::ShapeMatching(const Points& rest, double omega) : omega_(omega) {
+ShapeMatching::ShapeMatching(const Points& rest, double omega, bool in_plane) : omega_(omega), in_plane_(in_plane) {
+  Vector3 sum = Vector3::Zero();
   for (std::size_t i = 0; i < rest.size(); ++i) {
     points_.push_back({rest.position[i], rest.mass[i], rest.mass[i]});
+    sum += rest.position[i];
+  }
+  for (const Point& point : points_) {
+    radius_ = std::max(radius_, (point.rest - sum / static_cast<double>(points_.size())).norm());
   }
 }
 
@@ -29,10 +36,16 @@ void ShapeMatching::split(std::size_t a, std::size_t b, std::size_t added, doubl
   if (added >= points_.size()) {
     points_.resize(added + 1, {Vector3::Zero(), 0, 0});
   }
-  points_[added] = {rest, omega_ * full, full};
+  points_[added] = {rest, omega_ * omega_ * full, full};
 }
 
 void ShapeMatching::merge(std::size_t gone) { points_[gone] = {Vector3::Zero(), 0, 0}; }
+
+double ShapeMatching::share_between(std::size_t a, std::size_t b, std::size_t point) const {
+  const Vector3 way = rest(b) - rest(a);
+  const double size = way.squaredNorm();
+  return size > 0 ? std::min(1.0, std::max(0.0, way.dot(rest(point) - rest(a)) / size)) : 0;
+}
 
 void ShapeMatching::find_goals(const Positions& at, Positions* goals) {
   Vector3 here = Vector3::Zero(), there = Vector3::Zero();
@@ -47,6 +60,9 @@ void ShapeMatching::find_goals(const Positions& at, Positions* goals) {
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < points_.size(); ++i) {
     a += points_[i].weight * (at[i] - here) * (points_[i].rest - there).transpose();
+  }
+  if (in_plane_) {
+    a(2, 2) = a.norm();  // the third axis is stretched most: it is never the one that is turned over
   }
   rotation_ = rotation_of(a, rotation_);
   goals->assign(points_.size(), Vector3::Zero());

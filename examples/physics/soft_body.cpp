@@ -4,47 +4,54 @@
 #include <chrono>
 
 namespace physics {
+namespace {
+
+// The edges of a polyline.
+std::vector<std::uint32_t> links_of(std::size_t points) {
+  std::vector<std::uint32_t> edges;
+  for (std::uint32_t i = 0; i + 1 < points; ++i) {
+    edges.insert(edges.end(), {i, i + 1});
+  }
+  return edges;
+}
+
+}  // namespace
 
 SoftBodyOptions::SoftBodyOptions() {
   dsw_move_options_init(&move, sizeof move);
   move.vertex_response = DSW_RESPONSE_SLIDE;
-  move.edge_response = DSW_RESPONSE_HYBRID;
+  move.edge_response = DSW_RESPONSE_ADAPTIVE_SLIDE;
   move.noise_share = 0.02;
 }
 
 SoftBody::SoftBody(dsw_scene* scene, const Positions& line, double mass_each, const SoftBodyOptions& body_options)
-    : options(body_options), scene_(scene) {
-  std::vector<std::uint32_t> edges;
-  for (std::uint32_t i = 0; i + 1 < line.size(); ++i) {
-    edges.insert(edges.end(), {i, i + 1});
-  }
-  dsw_body_desc desc;
-  dsw_body_desc_init(&desc, sizeof desc);
-  desc.level = options.level;
-  desc.edges = edges.data();
-  desc.edge_count = edges.size() / 2;
-  create(line, mass_each, &desc);
-}
+    : SoftBody(scene, BodyMesh{line, links_of(line.size()), {}}, mass_each, body_options) {}
 
 SoftBody::SoftBody(dsw_scene* scene, const Positions& corners, const std::vector<std::uint32_t>& triangles,
                    double mass_each, const SoftBodyOptions& body_options)
+    : SoftBody(scene, BodyMesh{corners, {}, triangles}, mass_each, body_options) {}
+
+SoftBody::SoftBody(dsw_scene* scene, const BodyMesh& mesh, double mass_each, const SoftBodyOptions& body_options)
     : options(body_options), scene_(scene) {
   std::vector<std::uint32_t> offsets;
-  for (std::uint32_t i = 0; i <= triangles.size(); i += 3) {
+  for (std::uint32_t i = 0; i <= mesh.triangles.size(); i += 3) {
     offsets.push_back(i);
   }
   dsw_body_desc desc;
   dsw_body_desc_init(&desc, sizeof desc);
-  desc.level = DSW_LEVEL_FACES;
+  desc.level = mesh.triangles.empty() ? options.level : DSW_LEVEL_FACES;
+  desc.edges = mesh.edges.data();
+  desc.edge_count = mesh.edges.size() / 2;
   desc.face_offsets = offsets.data();
-  desc.face_corners = triangles.data();
-  desc.face_count = triangles.size() / 3;
-  desc.face_corner_count = triangles.size();
-  create(corners, mass_each, &desc);
+  desc.face_corners = mesh.triangles.data();
+  desc.face_count = mesh.triangles.size() / 3;
+  desc.face_corner_count = mesh.triangles.size();
+  create(mesh.corners, mass_each, &desc);
 }
 
 void SoftBody::create(const Positions& corners, double mass_each, dsw_body_desc* desc) {
   desc->positions = corners.front().data();
+  desc->stride_bytes = sizeof(Vector3);
   desc->vertex_count = corners.size();
   check(dsw_body_create(scene_, desc, &id_), "creating a body");
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -94,6 +101,8 @@ std::size_t SoftBody::count() const {
 
 StepReport SoftBody::step(double dt) {
   StepReport report;
+  remove_negligible(&report);
+  new_.clear();
   Points next;
   integrate(points, springs, load, dt, options.integrator, &next);
   if (shape) {
@@ -105,7 +114,8 @@ StepReport SoftBody::step(double dt) {
     move.edge_response = DSW_RESPONSE_SLIDE;
   }
   const auto start = std::chrono::steady_clock::now();
-  report.status = dsw_body_move(scene_, id_, next.position.front().data(), next.size(), 0, &move, &report.move);
+  report.status =
+      dsw_body_move(scene_, id_, next.position.front().data(), next.size(), sizeof(Vector3), &move, &report.move);
   report.library_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.was_finite = is_finite(next);
   if (report.status == DSW_STATUS_NON_FINITE) {
@@ -132,7 +142,8 @@ StepReport SoftBody::step(double dt) {
 void SoftBody::read_positions() {
   std::size_t slots = 0;
   volumes.resize(points.size());
-  check(dsw_body_get_positions(scene_, id_, points.position.front().data(), points.size(), 0, volumes.data(), &slots),
+  check(dsw_body_get_positions(scene_, id_, points.position.front().data(), points.size(), sizeof(Vector3),
+                               volumes.data(), &slots),
         "reading positions");
 }
 
@@ -141,37 +152,77 @@ void SoftBody::follow_edits(StepReport* report) {
   std::size_t count = 0;
   check(dsw_body_get_edits(scene_, id_, &edits, &count), "reading edits");
   for (std::size_t i = 0; i < count; ++i) {
-    const dsw_body_edit& edit = edits[i];
-    std::size_t a = edit.ends[0].index, b = edit.ends[1].index, vertex = edit.vertex.index;
-    double share = edit.share;
-    // A contact of a vertex that was here before says nothing of this one.
-    known_.erase(std::remove_if(known_.begin(), known_.end(),
-                                [vertex](const Touch& touch) {
-                                  return std::find(touch.point, touch.point + touch.count, vertex) !=
-                                         touch.point + touch.count;
-                                }),
-                 known_.end());
-    if (edit.inserted != 0) {
-      points.split(a, b, vertex, share, options.omega);
-      springs.split(a, b, vertex, share);
-      if (shape) {
-        shape->split(a, b, vertex, share);
-      }
-      inserted_.resize(points.size(), 0);
-      inserted_[vertex] = 1;
-      ++report->inserted;
-      continue;
+    follow_edit(edits[i], report);
+  }
+}
+
+void SoftBody::follow_edit(const dsw_body_edit& edit, StepReport* report) {
+  std::size_t a = edit.ends[0].index, b = edit.ends[1].index, vertex = edit.vertex.index;
+  double share = edit.share;
+  // A contact of a vertex that was here before says nothing of this one.
+  known_.erase(std::remove_if(known_.begin(), known_.end(),
+                              [vertex](const Touch& touch) {
+                                return std::find(touch.point, touch.point + touch.count, vertex) !=
+                                       touch.point + touch.count;
+                              }),
+               known_.end());
+  if (edit.inserted != 0) {
+    if (inserted_.empty()) {
+      whole_ = points.mass;
     }
-    if (springs.merge(vertex, &a, &b, &share)) {
-      points.merge(vertex, a, b, share);
-    } else {
-      points.merge(vertex, a, a, 0);
-    }
+    points.split(a, b, vertex, share, options.omega);
+    springs.split(a, b, vertex, share);
     if (shape) {
-      shape->merge(vertex);
+      shape->split(a, b, vertex, share);
     }
-    inserted_[vertex] = 0;
-    ++report->removed;
+    inserted_.split(a, b, vertex);
+    new_.push_back(vertex);
+    ++report->inserted;
+    return;
+  }
+  const bool has_line = shape && inserted_.contains(vertex);
+  const std::size_t line[2] = {has_line ? inserted_.ends(vertex)[0] : a, has_line ? inserted_.ends(vertex)[1] : a};
+  inserted_.merge(vertex, a);
+  if (springs.merge(vertex, &a, &b, &share)) {
+    points.merge(vertex, a, b, share);
+  } else if (has_line) {
+    points.merge(vertex, line[0], line[1], shape->share_between(line[0], line[1], vertex));
+  } else {
+    points.merge(vertex, a, a, 0);
+  }
+  if (shape) {
+    shape->merge(vertex);
+  }
+  ++report->removed;
+}
+
+std::vector<double> SoftBody::pulls() {
+  Positions goals;
+  shape->find_goals(points.position, &goals);
+  std::vector<double> pulls(points.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    pulls[i] = points.mass[i] > 0 ? (goals[i] - points.position[i]).norm() : 0;
+  }
+  return pulls;
+}
+
+void SoftBody::remove_negligible(StepReport* report) {
+  if (!shape || !(options.negligible > 0) || inserted_.empty()) {
+    return;
+  }
+  std::vector<char> colliding(points.size(), 0);
+  for (const std::vector<Touch>* touches : {&touches_, &known_}) {
+    for (const Touch& touch : *touches) {
+      std::for_each(touch.point, touch.point + touch.count, [&colliding](std::size_t i) { colliding[i] = 1; });
+    }
+  }
+  std::for_each(new_.begin(), new_.end(), [&colliding](std::size_t i) { colliding[i] = 1; });
+  dsw_body_edit edit;
+  while (remove_one(scene_, id_, inserted_, pulls(), options.negligible * shape->radius(), colliding, &edit)) {
+    follow_edit(edit, report);
+  }
+  if (inserted_.empty()) {
+    points.share_out(whole_);
   }
 }
 
@@ -190,7 +241,8 @@ bool SoftBody::add_vertex(const Vector3& at, std::size_t next, double mass, doub
   }
   check(status, "adding an edge");
   points.set(vertex.index, at, mass);
-  inserted_.resize(points.size(), 0);
+  whole_.resize(points.size(), 0);
+  whole_[vertex.index] = mass;
   const double length = (points.position[next] - at).norm();
   for (const DistanceSpring& spring : springs.distances) {
     if (spring.a == next || spring.b == next) {

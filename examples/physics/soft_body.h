@@ -1,4 +1,4 @@
-// One body of a scene and its physics.
+// One body of a scene and its physics. In a scene in the plane all third coordinates are 0.
 #ifndef DARTSWEEP_PHYSICS_SOFT_BODY_H
 #define DARTSWEEP_PHYSICS_SOFT_BODY_H
 
@@ -8,6 +8,7 @@
 #include "contact_response.h"
 #include "integrators.h"
 #include "library.h"
+#include "removal.h"
 #include "shape_matching.h"
 
 namespace physics {
@@ -18,6 +19,10 @@ struct SoftBodyOptions {
   dsw_move_options move;                    // how the library answers contacts
   double omega = 0.5;                       // share of the mass that an inserted vertex takes over, see Points::split
   double match = 0;                         // with a shape: share of the way to its goals made in one step, in (0, 1]
+  // With a shape: inserted vertices go by the criterion of [JCD10] 7.3.1 (removal.h). A pull of so large a share of the
+  // radius of the shape at rest is negligible. 0: none go this way. `move.noise_share` is ours and goes by the line
+  // between two neighbours instead.
+  double negligible = 0;
   double restitution = 0;
   int contact_rounds = 8;
   // For so many steps a contact that presses stays a constraint of the physics, found again or not: targets then do not lead into a wall that
@@ -29,6 +34,12 @@ struct SoftBodyOptions {
 
   // Vertices slide; edges get new vertices where there is room and slide where there is none; inserted ones go when they are in line again.
   SoftBodyOptions();
+};
+
+// A body as it is made: its corners, and edges (two indices each) or triangles (three).
+struct BodyMesh {
+  Positions corners;
+  std::vector<std::uint32_t> edges, triangles;
 };
 
 struct StepReport {
@@ -47,8 +58,11 @@ class SoftBody {
   // A closed or open surface of triangles (three indices each), at level FACES.
   SoftBody(dsw_scene* scene, const Positions& corners, const std::vector<std::uint32_t>& triangles, double mass_each,
            const SoftBodyOptions& options);
+  // Edges at the level of the options, triangles at level FACES.
+  SoftBody(dsw_scene* scene, const BodyMesh& mesh, double mass_each, const SoftBodyOptions& options);
 
-  // One time step: integrate, move as far as the library finds free, follow its edits, answer its contacts.
+  // One time step: remove inserted vertices that `negligible` allows to remove, integrate, move as far as the library
+  // finds free, follow its edits, answer its contacts.
   // Targets that are no numbers are refused by the library (DSW_STATUS_NON_FINITE): the body stays where it was, at rest, and the
   // scene goes on from there. Velocities that are no numbers although the targets are become 0. Throws LibraryError for whatever else a
   // call answers.
@@ -64,11 +78,14 @@ class SoftBody {
   void read_positions();
   // Applies the edits that the library made in its last call.
   void follow_edits(StepReport* report);
+  // With a shape: how far each vertex is from its goal, 0 in free slots. That is the pull of the shape, see removal.h.
+  std::vector<double> pulls();
 
   dsw_scene* scene() const { return scene_; }
   dsw_body_id id() const { return id_; }
   const std::vector<Touch>& touches() const { return touches_; }
-  bool was_inserted(std::size_t i) const { return i < inserted_.size() && inserted_[i]; }
+  const InsertedVertices& inserted() const { return inserted_; }
+  bool was_inserted(std::size_t i) const { return inserted_.contains(i); }
 
   Points points;
   std::vector<dsw_volume_id> volumes;  // that the points lie in
@@ -78,6 +95,8 @@ class SoftBody {
   SoftBodyOptions options;
 
  private:
+  void follow_edit(const dsw_body_edit& edit, StepReport* report);
+  void remove_negligible(StepReport* report);
   void create(const Positions& corners, double mass_each, dsw_body_desc* desc);
   void pull_into_shape(double dt, Points* next);
   void stay_off_known_walls(double dt, Points* next);
@@ -85,7 +104,9 @@ class SoftBody {
 
   dsw_scene* scene_;
   dsw_body_id id_ = {0, 0};
-  std::vector<char> inserted_;
+  InsertedVertices inserted_;
+  std::vector<std::size_t> new_;        // inserted since the last move began
+  std::vector<double> whole_;           // masses before the first of the inserted vertices
   std::vector<Touch> touches_, known_;  // of the last move; of earlier ones, see contact_memory
 };
 

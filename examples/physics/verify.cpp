@@ -66,7 +66,8 @@ Verdict verify(dsw_scene* scene, dsw_body_id body) {
   std::vector<dsw_body_vertex_id> vertices(counts.vertex_count);
   std::vector<dsw_body_edge_id> edges(counts.edge_count);
   std::size_t count = 0;
-  check(dsw_body_get_positions(scene, body, positions.data(), counts.vertex_slots, 0, volumes.data(), &count),
+  check(dsw_body_get_positions(scene, body, positions.data(), counts.vertex_slots, 3 * sizeof(double), volumes.data(),
+                               &count),
         "reading positions");
   check(dsw_body_get_vertices(scene, body, vertices.data(), vertices.size(), &count), "reading vertices");
   check(dsw_body_get_edges(scene, body, edges.data(), edges.size(), &count), "reading edges");
@@ -101,8 +102,8 @@ Verdict verify(dsw_scene* scene, dsw_body_id body) {
   }
   std::vector<dsw_flight> flights(edges.size());
   if (!edges.empty()) {
-    check(dsw_environment_cast_segments(environment, edges.size(), start.data(), from.data(), to.data(), 0, nullptr,
-                                        flights.data()),
+    check(dsw_environment_cast_segments(environment, edges.size(), start.data(), from.data(), to.data(),
+                                        3 * sizeof(double), nullptr, flights.data()),
           "casting the edges");
   }
   for (std::size_t i = 0; i < flights.size(); ++i) {

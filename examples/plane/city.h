@@ -17,7 +17,7 @@ typedef struct scene_figures {
 
 /* Writes city.svg: a snake-like chain on its way through a city. */
 scene_figures draw_city(const char *directory);
-/* Writes rope.svg: a rope that sinks on obstacles, once for each response [JCD10] figure 5. */
+/* Writes rope.svg: a rope that falls on obstacles, once for each response [JCD10] figure 5. */
 scene_figures draw_rope(const char *directory);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* A rope sinks on obstacles. Its edges stop, bend once, or bend at all that is under them [JCD10] 4.2, figure 5. */
+/* A rope falls on hexagons, in one move: the panels of figure 5 [JCD10] 4.2, each with a response of its own. */
 #include <math.h>
 #include <string.h>
 
@@ -7,12 +7,14 @@
 #include "city.h"
 #include "polygons.h"
 
-enum { kColumns = 24, kRows = 12, kRope = 4, kSinks = 14 };
+enum { kColumns = 24, kRows = 12, kRope = 4 };
 
 static const double kHeight = 0.8660254037844386; /* of an equilateral triangle */
 
-/* The rope's vertices fall between the obstacles, its edges on them. */
-static const double kAcross[kRope] = {1, 10.3, 13.7, 23};
+/* The rope's vertices fall between the obstacles, its edges on them; or one vertex falls on an obstacle. */
+static const double kBetween[kRope] = {0.8, 10.6, 13.7, 23.3}, kOnto[kRope] = {0.8, 8.2, 15.4, 23.3};
+static const uint32_t kOne = 1;
+static const double kFall = 7.4;
 
 /* Triangles round lattice points (i, j) of a lattice are solid where one of these stands. */
 static const int kObstacles[][2] = {{4, 3}, {8, 6}, {12, 2}, {15, 5}, {19, 4}};
@@ -65,37 +67,38 @@ static void build_lattice(plane_mesh *mesh) {
   }
 }
 
-static void sink(dsw_environment *environment, const svg_view *view, dsw_response response, scene_figures *figures) {
+static void fall(dsw_environment *environment, const svg_view *view, const double *across, dsw_response response,
+                 scene_figures *figures) {
   static chain rope;
   dsw_scene *scene = NULL;
   dsw_move_options options;
-  double positions[2 * kRope], target[2 * kMostLinks];
+  dsw_move_report report;
+  double positions[2 * kRope], target[2 * kRope];
   size_t v;
-  int step;
   for (v = 0; v < kRope; ++v) {
-    positions[2 * v] = kAcross[v];
-    positions[2 * v + 1] = kHeight * (kRows - 2.5) + 0.05 * kAcross[v];
+    positions[2 * v] = target[2 * v] = across[v];
+    positions[2 * v + 1] = kHeight * (kRows - 2.5) + 0.05 * across[v];
+    target[2 * v + 1] = positions[2 * v + 1] - (across == kOnto && v != kOne ? 0 : kFall);
   }
   require(dsw_scene_create(environment, NULL, &scene), "creating a scene", kFailed);
   chain_create(&rope, scene, positions, kRope);
   chain_draw(&rope, view, "stroke=\"#3b6fb6\" stroke-width=\"1.5\" stroke-dasharray=\"5 4\"");
+  for (v = 0; v < kRope; ++v) {
+    const double way[4] = {positions[2 * v], positions[2 * v + 1], target[2 * v], target[2 * v + 1]};
+    svg_line(view, way, 2, "stroke=\"#3b6fb6\" stroke-width=\"1\" stroke-dasharray=\"1 4\"");
+  }
   dsw_move_options_init(&options, sizeof options);
   options.edge_response = response;
   options.min_part = 0.05;
-  for (step = 0; step < kSinks; ++step) {
-    dsw_move_report report;
-    memcpy(target, rope.positions, sizeof target);
-    for (v = 0; v < rope.vertex_count; ++v) target[2 * v + 1] -= 0.7;
-    report = chain_move(&rope, target, &options);
-    figures->steps += 1;
-    figures->contacts += report.contact_count;
-    figures->inserted += report.edit_count;
-    figures->free_steps += chain_count_free(&rope) == rope.edge_count;
-    if (step == 4) chain_draw(&rope, view, "stroke=\"#f2a65a\" stroke-width=\"2\"");
-  }
-  chain_draw(&rope, view, "stroke=\"#c8321f\" stroke-width=\"3\"");
+  if (across == kOnto) options.order = &kOne, options.order_count = 1;
+  report = chain_move(&rope, target, &options);
+  figures->steps += 1;
+  figures->contacts += report.contact_count;
+  figures->inserted += report.edit_count;
+  figures->free_steps += chain_count_free(&rope) == rope.edge_count;
+  chain_draw(&rope, view, "stroke=\"#c8321f\" stroke-width=\"2.5\"");
   for (v = 0; v < rope.vertex_count; ++v) {
-    svg_dot(view, rope.positions + 2 * v, v < kRope ? 4 : 3,
+    svg_dot(view, rope.positions + 2 * v, v < kRope ? 4 : 3.5,
             v < kRope ? "fill=\"#c8321f\"" : "fill=\"#ffd33d\" stroke=\"#7a5c00\"");
   }
   chain_draw_contacts(&rope, view, "stroke=\"#1a7f37\" stroke-width=\"1.5\"");
@@ -104,26 +107,32 @@ static void sink(dsw_environment *environment, const svg_view *view, dsw_respons
 
 scene_figures draw_rope(const char *directory) {
   static const struct {
+    const double *across;
     dsw_response response;
     const char *title;
-  } kPanels[] = {{DSW_RESPONSE_STOP, "static: edges stop"},
-                 {DSW_RESPONSE_ADAPTIVE_ONE, "adaptive: one vertex for each move"},
-                 {DSW_RESPONSE_ADAPTIVE_MANY, "adaptive: as many as there are obstacles"}};
+  } kPanels[] = {{kOnto, DSW_RESPONSE_STOP, "a vertex stops"},
+                 {kBetween, DSW_RESPONSE_STOP, "static: edges stop"},
+                 {kBetween, DSW_RESPONSE_ADAPTIVE_ONE, "adaptive, one vertex after the other"},
+                 {kBetween, DSW_RESPONSE_ADAPTIVE_MANY, "adaptive, a vertex at each obstacle under the edge"},
+                 {kBetween, DSW_RESPONSE_HYBRID, "hybrid: one vertex, then static"},
+                 {kBetween, DSW_RESPONSE_SLIDE, "slide (not in the paper)"}};
+  enum { kPanelCount = sizeof kPanels / sizeof kPanels[0], kWidth = 690, kTall = 330 };
   static plane_mesh mesh;
   scene_figures figures = {0, 0, 0, 0};
-  svg_view view = {NULL, 20, 0, 0, 0, 38};
+  svg_view view = {NULL, 0, 0, 0, 0, 27};
   dsw_environment *environment;
   int panel;
   build_lattice(&mesh);
   environment = mesh_environment(&mesh);
-  view.file = svg_open(directory, "rope.svg", 980, 3 * 440);
-  for (panel = 0; panel < 3; ++panel) {
+  view.file = svg_open(directory, "rope.svg", 2 * kWidth + 10, (kPanelCount + 1) / 2 * kTall);
+  for (panel = 0; panel < kPanelCount; ++panel) {
     const double title[2] = {0, kHeight * kRows + 0.4};
-    view.top = 440 * panel + 430;
-    svg_text(&view, title, "font-size=\"20\"", kPanels[panel].title);
+    view.left = kWidth * (panel % 2) + 15;
+    view.top = kTall * (panel / 2 + 1) - 8;
+    svg_text(&view, title, "font-size=\"18\"", kPanels[panel].title);
     mesh_draw(&mesh, &view, "fill=\"#fff\" stroke=\"#d5dbe3\" stroke-width=\"0.7\"",
               "fill=\"#8d99a6\" stroke=\"#5b6773\" stroke-width=\"1\"");
-    sink(environment, &view, kPanels[panel].response, &figures);
+    fall(environment, &view, kPanels[panel].across, kPanels[panel].response, &figures);
   }
   svg_close(view.file);
   require(dsw_environment_destroy(environment), "destroying an environment", kFailed);

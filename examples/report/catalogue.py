@@ -39,15 +39,23 @@ def order(curve):
     return (list(CURVES).index(curve) if curve in CURVES else len(CURVES), curve)
 
 
+# Curves whose settings all cost the same: drawn against the setting, not against run time.
+AGAINST_SETTING = {"omega"}
+
 # Name of the curve: its title, and what is measured.
 CURVES = {
     "edge_time": (
         "Bisection depth: time of contact",
         "One end of an edge moves by one cell and touches something; the whole scene is searched, free-standing faces in "
-        "a lattice of tetrahedra. How far is the reported time from the exact one?"),
+        "a lattice of tetrahedra. How far is the reported time from the exact one, by the exact search and by the dichotomic "
+        "search of [JCD10] 4.2, which halves the way, at two levels?"),
     "edge_place": (
         "Bisection depth: place at the contact",
         "The same moves: how far is the moving end, as reported, from where it is at the exact time?"),
+    "move_time": (
+        "Bisection depth: all moves",
+        "The same where moves are a quarter of a cell long and most of them are free: what a move costs, and how far the times "
+        "of its contacts are off."),
     "missed_vessel": (
         "Levels in a vessel",
         "A corner of a triangle moves by half an edge. Which share of the contacts of all that the triangle sweeps does "
@@ -142,4 +150,9 @@ CURVES = {
     "shape_matching": (
         "Shape matching",
         "A beam held at one end should be rigid; it sags by what the share of the way to its goals leaves open in a step."),
+    "omega": (
+        "Shape matching: weight of inserted vertices",
+        "A soft body is pressed on a ridge that it lies on by one end; contacts insert vertices. How far is its rotation from "
+        "that of the same body with eight times as many vertices along, and what rotation do the inserted vertices add to the "
+        "matched shape? [JCD10] 7.3.1 warns of too large a weight."),
 }

@@ -1,8 +1,8 @@
-"""Charts of curves: error (up, logarithmic) against run time (across, logarithmic)."""
+"""Charts of curves: error (up, logarithmic) against run time, or against the setting (across, logarithmic)."""
 import math
 import re
 
-from catalogue import PEERS, peer_of
+from catalogue import AGAINST_SETTING, PEERS, peer_of
 from scale import set_axes
 from style import MARKS, colour, power, seconds
 
@@ -40,13 +40,13 @@ def line_of(points):
     return (0, (4, 2)) if points[0].role == "peer" else "-"
 
 
-def draw_panel(axes, panel, look, tips):
-    axis = set_axes(axes, panel)
+def draw_panel(axes, panel, look, tips, by_setting):
+    axis = set_axes(axes, panel, by_setting)
     wanted, lines = [], []
     for name, points in panel.series().items():
         shade, mark = look[name]
         role, line = points[0].role, line_of(points)
-        places = [(point.seconds, axis.place(point)) for point in points]
+        places = [(float(point.setting) if by_setting else point.seconds, axis.place(point)) for point in points]
         axes.plot(*zip(*places), color=shade, lw=1.8 if role == "dial" else 1.1, ls=line, zorder=3 if role == "dial" else 2)
         lines += list(zip(places, places[1:])) if line else []
         for point, place in zip(points, places):
@@ -55,10 +55,10 @@ def draw_panel(axes, panel, look, tips):
             tips[tip] = f"{who}: {seconds(point.seconds)} per {point.item}, {point.error_name} {spoken(point)}"
             if interval(point):
                 least, most = interval(point)
-                axes.vlines(point.seconds, max(least, axis.lowest), most, color=shade, lw=0.9, alpha=0.7, zorder=2)
+                axes.vlines(place[0], max(least, axis.lowest), most, color=shade, lw=0.9, alpha=0.7, zorder=2)
             axes.plot(*place, marker=mark, color=shade, gid=tip, ls="", zorder=5, markersize=9 if role == "exact" else 6,
                       markerfacecolor=colour("paper") if point.error == 0 and role == "dial" else shade, markeredgewidth=1.3)
-            if point.setting and (len(points) > 1 or role == "dial"):
+            if point.setting and not by_setting and (len(points) > 1 or role == "dial"):
                 wanted.append((*place, short_setting(point.setting), shade))
     axes.figure.canvas.draw()
     labels.place(axes, wanted, lines)
@@ -106,7 +106,7 @@ def add_legend(figure, panels, look):
 
 def draw_curve(curve):
     """The chart of a curve as a figure, and the words that belong to its marks, by their ids."""
-    panels, tips = curve.panels(), {}
+    panels, tips, by_setting = curve.panels(), {}, curve.name in AGAINST_SETTING
     across = min(2, len(panels))
     down = math.ceil(len(panels) / across)
     figure, grid = plt.subplots(down, across, figsize=(7.6 if across == 1 else 10.4, 3.75 * down + 0.55), squeeze=False)
@@ -116,9 +116,9 @@ def draw_curve(curve):
         axes.set_visible(False)
     # Labels find their places on axes that are where they will be: that takes their ticks, so the layout is made twice.
     for axes, panel in zip(grid.flat, panels):
-        set_axes(axes, panel)
+        set_axes(axes, panel, by_setting)
     figure.tight_layout(rect=(0, 0, 1, top), w_pad=3, h_pad=2.5)
     for axes, panel in zip(grid.flat, panels):
         axes.clear()
-        draw_panel(axes, panel, look, tips)
+        draw_panel(axes, panel, look, tips, by_setting)
     return figure, tips

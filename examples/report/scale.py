@@ -75,12 +75,25 @@ def set_across(axes, times):
     axes.xaxis.set_minor_formatter(NullFormatter())
 
 
-def set_axes(axes, panel):
+def set_across_settings(axes, panel):
+    """The axis of settings; it is linear below the smallest above 0, which 0 can stand beside."""
+    settings = [float(point.setting) for point in panel.points]
+    least = min(setting for setting in settings if setting > 0)
+    axes.set_xscale("symlog", linthresh=least)
+    axes.set_xlim(min(settings) - 0.2 * least, 1.3 * max(settings))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axes.set_xlabel(panel.points[0].setting_unit)
+
+
+def set_axes(axes, panel, by_setting):
     """Both axes and the heading of a panel; returns the upright one."""
     axes.set(xscale="log", yscale="log", xlabel=f"run time per {panel.item}")
     axis = upright(panel.points)
     set_upright(axes, axis, any(point.error > 0 and not point.exploded for point in panel.points))
-    set_across(axes, [point.seconds for point in panel.points])
+    if by_setting:
+        set_across_settings(axes, panel)
+    else:
+        set_across(axes, [point.seconds for point in panel.points])
     unit = f" [{panel.error_unit}]" if panel.error_unit not in ("", "1") else ""
     axes.set_title(textwrap.fill(f"error: {panel.error_name}{unit}", 62), pad=8)
     return axis

@@ -37,7 +37,7 @@
 #endif
 
 #define DSW_VERSION_MAJOR 1 /**< Version of this header. dsw_version() tells that of the library at run time. */
-#define DSW_VERSION_MINOR 0 /**< Grows with additions. */
+#define DSW_VERSION_MINOR 1 /**< Grows with additions. */
 #define DSW_VERSION_PATCH 0 /**< Grows with corrections. */
 
 #ifdef __cplusplus
@@ -81,6 +81,7 @@ typedef enum dsw_status {
   DSW_STATUS_BAD_TOPOLOGY = 32,       /**< The cells are not arranged as the change needs them; the message says how. */
   DSW_STATUS_BORROWED = 33,           /**< The points are the host's, without room for another vertex. */
   DSW_STATUS_WRITE_FAILED = 34,       /**< A recording could not be written. */
+  DSW_STATUS_NOT_CLOSED = 35,         /**< The body is not a closed surface. */
   DSW_STATUS_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_status;
 

@@ -23,7 +23,8 @@
 extern "C" {
 #endif
 
-/** Flags of a body: ways to leave out work. Those marked lossless change no result by a bit. */
+/** Flags of a body: ways to leave out work. Those marked lossless change no result by a bit, unless
+ * DSW_BODY_SKIP_SIMILAR_MOTION or DSW_BODY_SKIP_BACK_EDGES is set as well. */
 enum {
   /** Edges keep the faces that they cross, 4 bytes for each, of tetrahedra 76, of convex polygons in the plane 36: a sweep that crosses
    * the same ones is done [lossless]. From DSW_LEVEL_EDGES_SWEPT on they do so anyway; the flag says it for DSW_LEVEL_EDGES. */
@@ -33,13 +34,30 @@ enum {
   DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,
   /** Skip edges that sweep inside of a ball known to hold nothing impassable [lossless]. */
   DSW_BODY_SKIP_BY_CLEARANCE = 0x4,
-  /** At DSW_LEVEL_EDGES: sweep an edge once a move, in its last place, if its ends move less than its length, and alike: by
-   * vectors that differ by less than `motion_share` of it [JCD10] 6.2. What is met only on the way there is missed; where the
-   * edge ends is free all the same. */
+  /** Similar motion, at DSW_LEVEL_EDGES: an edge is tested once a move, where the edge arrives, if both ends move less than the
+   * length of the edge, by vectors that differ by less than `motion_share` of that length. A contact that only exists on the way
+   * there is missed. Where the edge arrives is exactly free all the same. The name is since 1.1. */
+  DSW_BODY_SKIP_SIMILAR_MOTION = 0x8,
+  /** The name of DSW_BODY_SKIP_SIMILAR_MOTION in 1.0. */
   DSW_BODY_SKIP_BY_MOTION = 0x8,
-  /** The body meets itself, too [JCD10] 4.4: parts of it that have no vertex in common, and so the ends of an edge, too. It keeps its edges and vertices then: responses
-   * insert and remove none. Needs DSW_FEATURE_BODY_CONTACTS. */
-  DSW_BODY_SELF_CONTACTS = 0x10
+  /** The body also meets itself [JCD10] 4.4: no two of its parts without a common vertex may touch. The two ends of an edge are such
+   * parts. Edits and responses keep this rule for new parts. Needs DSW_FEATURE_BODY_CONTACTS. */
+  DSW_BODY_SELF_CONTACTS = 0x10,
+  /** Back-edge elimination [JCD10] 6.2, at DSW_LEVEL_EDGES, for closed surfaces whose faces are turned outwards: the edges at a
+   * vertex are not tested when that vertex moves towards the inside of the body, against the normals of all its faces. The normals
+   * are those at the beginning of the move. An edge that was not tested where it arrives is cast there once, so the body is exactly
+   * free after the move. A contact that only exists on the way there is missed. With DSW_BODY_SKIP_BY_ENVIRONMENT this is the
+   * hybrid elimination of 6.3. At other levels, and in dsw_body_move_rigid, the flag changes nothing. An edge without two faces is
+   * always tested. Since 1.1. */
+  DSW_BODY_SKIP_BACK_EDGES = 0x20,
+  /** Walls that push the body move it as a whole, by a rigid motion, or wait [JCD10] 5.1; see
+   * DSW_WALL_PUSH. The library takes the shape when the body is created, and anew after
+   * dsw_body_move or an edit has changed the body. From then on pushes and dsw_body_move_rigid add
+   * up to one motion, and each position is its place in the shape, moved and rounded once. So the
+   * distance of any two vertices keeps to 8 units in the last place of the largest coordinate that
+   * the body has had since, after any number of pushes. Responses of dsw_body_move insert no
+   * vertices: ADAPTIVE_SLIDE slides, the others stop. Since 1.1. */
+  DSW_BODY_RIGID = 0x40
 };
 
 /** Describes a body. */
@@ -61,7 +79,7 @@ typedef struct dsw_body_desc {
   const uint32_t *face_corners; /**< Vertices, as said. */
   size_t face_count;            /**< face_offsets has one more entry. */
   size_t face_corner_count;     /**< Entries of face_corners: the last of face_offsets. */
-  double motion_share;          /**< For DSW_BODY_SKIP_BY_MOTION; 0 means 0.1. */
+  double motion_share;          /**< For DSW_BODY_SKIP_SIMILAR_MOTION; 0 means 0.1. */
   /** Two bodies meet if the category of each has a bit in common with the other's mask. 0 means 1. These two need
    * DSW_FEATURE_BODY_CONTACTS. */
   uint32_t category;
@@ -90,9 +108,11 @@ DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
  * @return DSW_STATUS_NON_FINITE, STALE_ID (hints), OUTSIDE, IMPASSABLE (a vertex; the message names it), INDEX_OUT_OF_RANGE,
  * BAD_CELL (an edge or face names a vertex twice), DUPLICATE_CELL (an edge or triangle stands twice), SHARED_FACE (an edge of three
  * triangles, or a vertex whose triangles form more than one fan), INVERTED_CELL (neighbouring triangles are turned against
- * each other), OCCUPIED (edges or faces meet something impassable, or touch a body: see dsw_scene_get_offending_edges), NOT_NAMED
- * (category, mask or DSW_BODY_SELF_CONTACTS without the feature), UNSUPPORTED (in the plane also faces), WRONG_SIZE,
- * OUT_OF_MEMORY: nothing was created.
+ * each other; DSW_BODY_SKIP_BACK_EDGES: the volume that they hold is not positive), NOT_CLOSED
+ * (DSW_BODY_SKIP_BACK_EDGES: an edge has not two faces, or a vertex has no edge), OCCUPIED (edges or
+ * faces meet something impassable, or touch a body: see dsw_scene_get_offending_edges), NOT_NAMED
+ * (category, mask or DSW_BODY_SELF_CONTACTS without the feature), UNSUPPORTED (in the plane also
+ * faces and DSW_BODY_SKIP_BACK_EDGES), WRONG_SIZE, OUT_OF_MEMORY: nothing was created.
  * @note O(vertices + volumes that edges cross), and the locating. Thread: writer; uses the parallel-for. Certain: what the level
  * covers is free. Source: [JCD10] 4. @since 1.0 */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
@@ -249,14 +269,14 @@ typedef struct dsw_body_edit {
 
 /** Splits an edge at ends[0] + share * (ends[1] - ends[0]), rounded, and its faces with it. What the rounding sweeps is checked.
  * @param scene [in,out] @param body, edge [in] @param share [in] in (0,1). @param edit [out] may be null.
- * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (share), UNSUPPORTED (DSW_BODY_SELF_CONTACTS), OCCUPIED (a part is not free): nothing has changed.
+ * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (share), OCCUPIED (a part is not free): nothing has changed.
  * @note Thread: writer. Source: [JCD10] 4.2. @since 1.0 */
 DSW_API dsw_status dsw_body_split_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge, double share,
                                        dsw_body_edit *edit);
 /** Moves `vertex` to the other end of `edge`, swept at the body's level, and merges it there.
  * @param scene [in,out] @param body, edge, vertex [in] @param edit [out] may be null.
- * @return DSW_STATUS_STALE_ID, NOT_FOUND (`vertex` is no end of `edge`), UNSUPPORTED (DSW_BODY_SELF_CONTACTS), BAD_CELL (the body would not stay a manifold), OCCUPIED (the
- * way is not free): nothing has changed. @note Thread: writer. @since 1.0 */
+ * @return DSW_STATUS_STALE_ID, NOT_FOUND (`vertex` is no end of `edge`), BAD_CELL (the body would not stay a manifold), OCCUPIED
+ * (the way is not free): nothing has changed. @note Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_collapse_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
                                           dsw_body_vertex_id vertex, dsw_body_edit *edit);
 

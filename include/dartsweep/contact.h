@@ -96,7 +96,8 @@ typedef struct dsw_sweep {
   uint32_t reserved;      /**< 0. */
 } dsw_sweep;
 
-/** Whether a body vertex was already stopped by this obstacle in the body's move before. */
+/** Whether a body vertex was already stopped by this obstacle in the body's move before;
+ * dsw_contact_past says more. */
 typedef enum dsw_contact_history {
   DSW_HISTORY_NONE = 0,                /**< No contact. */
   DSW_HISTORY_NEW = 1,                 /**< It was not. */
@@ -113,7 +114,8 @@ typedef struct dsw_contact {
    * sweep it again. */
   double fixed[2][3];
   /** Fraction of that flight. With exact time the largest double not later than the true first time (its limit where the
-   * shift decides); by bisection a time at which the body is still free. */
+   * shift decides). By bisection a time at which the body is free: then `point`, `along` and `normal` are those of the last place that
+   * was tried and is not free, see dsw_search. */
   double time;
   double position[3]; /**< The moving vertex at `time`: from + time * (to - from), rounded. */
   double point[3];    /**< Where it touches, rounded. */
@@ -136,6 +138,31 @@ typedef struct dsw_contact {
   uint32_t tag;
   dsw_contact_history history; /**< New, or lasting. */
 } dsw_contact;
+
+/** What the vertex of a contact touched before. Moves of the body are counted, of any of its
+ * vertices and by any function of move.h; deformations and edits do not count. With this a host
+ * tells how the vertex touches:
+ * - resting: `since` is 1, and `point` is where the contact touches now, within a distance that
+ *   the host chooses;
+ * - sliding: `since` is 1, and `point` is farther away, on the same obstacle (`moves` above 1)
+ *   or on the one before. A vertex that begins to slide does so after its contact: that of the
+ *   next move tells;
+ * - bouncing: `since` is above 1: the body made `since` - 1 moves in between in which this vertex
+ *   had no contact, also because it was not to move. `since` 0: its first contact ever. */
+typedef struct dsw_contact_past {
+  /** Where the vertex was stopped last before this move: of the contact with the same obstacle in
+   * the move before, or if there is none, of the vertex's last contact in its last move that had
+   * any. This and all down to `since` is 0 if there was none. */
+  double point[3];
+  double normal[3];  /**< Its normal, see dsw_contact. */
+  dsw_cell obstacle; /**< What was touched there, by the id of that time; null where it was a body. */
+  dsw_body_id body;  /**< The body that was touched there; null where it was the environment. */
+  uint32_t since;    /**< How many moves ago that was: 1 in the move before; 0 never. */
+  uint32_t
+      moves; /**< For how many moves in a row this obstacle has stopped the vertex, this one included. 1: it is new. */
+  uint32_t touching; /**< For how many moves in a row anything has stopped the vertex, this one included. */
+  uint32_t reserved; /**< 0. */
+} dsw_contact_past;
 
 /** The other body of a contact, and its part that was touched: one of vertex, edge and face; the rest is null. All is null in a
  * contact with the environment. In a contact of bodies `obstacle`, `wall`, `cause` and `tag` of dsw_contact are null, `front` is the

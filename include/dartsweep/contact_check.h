@@ -50,7 +50,8 @@ typedef struct dsw_contact_opinion {
  * point, scaled to unit size and pushed into each other by a millionth of it: as they come libccd finds no normal where things only
  * touch, nothing at the scale of millimetres, and no end at that of kilometres.
  * @param environment [in] where the contact was found, unchanged since. @param contact [in] of a body's move, or filled in
- * from a dsw_sweep: all members but time, from, to, vertex, face, tag and history count; `edge` is null or not.
+ * from a dsw_sweep: all members but time, from, to, vertex, face, tag and history count; `edge` is null or not. The place of a contact
+ * by DSW_SEARCH_BISECTION is approximate, and so is an opinion on it.
  * @param opinion [out]
  * @return DSW_STATUS_OK also without an opinion. DSW_STATUS_NOT_BUILT without libccd, STALE_ID, NON_FINITE, NOT_FOUND (`front` is not
  * at `wall`, as it is but for DSW_CONTACT_VERTEX), OUT_OF_RANGE (the normal is not unit), UNSUPPORTED (kinds).

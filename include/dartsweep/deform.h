@@ -1,6 +1,7 @@
 /** @file deform.h
  * Environments that bend. The host lends two arrays of positions and writes the one that the environment does not read; one call takes the
- * environment to it, and keeps what lies there free. Cost follows what lies there, never the size of the environment. [JCD10] 5.1
+ * environment to it, and keeps what lies there free. Cost follows what lies there, not the size of the environment: only
+ * DSW_WALL_STOP, once something is met, passes over all of it. [JCD10] 5.1
  *
  * Volumes can become invalid (see environment.h). Those that hold bodies never do; of the others nobody knows until something is about to
  * enter them. An invalid volume counts as impassable, cause DSW_CELL_VOLUME; dsw_environment_check looks at all of them.
@@ -32,9 +33,20 @@ typedef enum dsw_deform_method {
 /** What is done where a wall meets a body or particle. */
 typedef enum dsw_wall_response {
   /** What is touched moves with the wall's vertex, as far as its own ways are free at its level; else HOLD. END_STATE: a vertex that has
-   * come to lie beyond a wall is put before it; if an edge or face is not free, as STOP. */
+   * come to lie beyond a wall is put before it; if an edge or face is not free, as STOP.
+   *
+   * A body with DSW_BODY_RIGID moves as a whole [JCD10] 5.1. The library tries four rigid motions
+   * that take the touched point out of the wall's way. The first is the least one: a push along the
+   * contact's normal moves a free body whose vertices have equal masses like that, and turns it. The
+   * next ones have half of that turn, a quarter, and none. The way of each vertex, one after the
+   * other by index, has to be free at the body's level, of bodies as well, and the wall has to miss
+   * the body then. Else HOLD. END_STATE: by such motions the whole body is put before the walls that
+   * its vertices have come to lie beyond and that its edges meet. If it is not free then, as STOP. */
   DSW_WALL_PUSH = 0,
-  /** A touched edge gets a new vertex, which is pushed, where both parts keep `min_part` of it; else PUSH. Not with END_STATE. */
+  /** A touched edge gets a new vertex, which is pushed, where both parts keep `min_part` of it;
+   * else PUSH, as always for bodies with DSW_BODY_RIGID. END_STATE: an edge that is not free
+   * where the environment has gone gets new vertices before the walls that it meets, up to 64
+   * for each body; else as PUSH. */
   DSW_WALL_INSERT = 1,
   /** The wall's vertex stays where it is for this step. Not with END_STATE. */
   DSW_WALL_HOLD = 2,
@@ -96,7 +108,7 @@ typedef struct dsw_deform_report {
 
 /** A wall that met something: one vertex of the environment was moved from `from` towards `to`, and a wall at it touched a vertex, edge or
  * face of a body, or a particle. END_STATE: `from` is the centre of the volume that something lay in, `to` where that lies, and `moving`
- * is null. */
+ * is null; of an edge that is not free, `from` and `to` are its ends, and `time` is `along`. */
 typedef struct dsw_wall_contact {
   double from[3]; /**< Where the wall's vertex started. */
   double to[3];   /**< Where it was to go. */

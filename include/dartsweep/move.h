@@ -1,6 +1,7 @@
 /** @file move.h
  * Moves of bodies. A body moves one vertex at a time; contacts are exact for that order. After every call what the body's
- * level covers is free, and nothing the level sees was passed. [JCD10] 4.1, 4.2
+ * level covers is free, and nothing the level sees was passed (but see DSW_BODY_SKIP_BACK_EDGES and
+ * DSW_BODY_SKIP_SIMILAR_MOTION). [JCD10] 4.1, 4.2
  */
 #ifndef DARTSWEEP_MOVE_H
 #define DARTSWEEP_MOVE_H
@@ -11,29 +12,52 @@
 extern "C" {
 #endif
 
-/** How a contact is found. */
+/** How a contact is found [JCD10] 4.2. */
 typedef enum dsw_search {
   DSW_SEARCH_EXACT = 0, /**< The first contact, at its exact time. */
   DSW_SEARCH_ALL =
       1, /**< All obstacles under the new edges, by time (angle); the first is that of EXACT. A face only if it is the first. */
-  DSW_SEARCH_BISECTION =
-      2, /**< That obstacle, with a time from halving the move `bisection_depth` times: free there, but it may be late. */
+  /** The dichotomic search. The whole way is tried; if it is not free, tries of parts of the way
+   * halve what lies between a free place and one that is not, `bisection_depth` times. Each try
+   * asks what the level asks: at EDGES a cast of the path and one of each edge in its new place,
+   * from EDGES_SWEPT on also what is swept. No exact time is computed. The vertex is free at the
+   * reported time, and at most 2^-depth of the way later it is not. At EDGES a way can be free
+   * beyond a place that is not; then another contact than the first may be found. The vertex
+   * stays if no tried place is free. The contact comes from the last try that was not free. Its
+   * obstacle is the face which the path, or else the edge in its new place, runs into first; its
+   * normal is that of the face's triangle there. If the path and the edge are both free, a small
+   * obstacle lies inside of what is swept; the contact is then the first one of that sweep. Of several edges the
+   * contact names the first one of the vertex, and another body only where the environment is
+   * not met. */
+  DSW_SEARCH_BISECTION = 2,
   DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_search;
 
-/** What is done about a contact [JCD10] 4.2, figure 5. */
+/** What is done about a contact [JCD10] 4.2, figure 5. Responses that insert vertices do so on a
+ * touching edge, only where each part of that edge keeps `min_part` of it and what the edge
+ * sweeps to its new vertex is free. A vertex that moves inserts at most 64 in one call. Where
+ * nothing can be inserted they STOP; ADAPTIVE_SLIDE slides. */
 typedef enum dsw_response {
   /** The vertex stops before the contact: "stop" of a vertex, "static" of an edge. */
   DSW_RESPONSE_STOP = 0,
-  /** A touching edge gets one new vertex at the contact and the moving one goes on. Only where both parts keep `min_part` of the
-   * edge, and once for each edge; else STOP. */
+  /** "Adaptive", one vertex: the edge gets a new vertex at the contact and the moving one goes
+   * on. What the parts of the edge meet is answered in the same way again. */
   DSW_RESPONSE_ADAPTIVE_ONE = 1,
-  /** The same again and again, also for the new edge: as many vertices as there are obstacles under it. */
+  /** "Adaptive", several vertices: the edge gets all of them at once, one at each obstacle that
+   * lies under it: in the triangle between its present place, its other end and the target. The
+   * first new vertex lies on the edge at the contact; the others stand at their obstacles,
+   * `stand_off` away. They are inserted in the order in which obstacles are met, and one that
+   * the edge cannot freely be bent to is left out. What the rest of the move meets is answered
+   * in the same way. The response searches exhaustively by itself; `search` says which contacts
+   * are reported. With DSW_SEARCH_BISECTION, which finds one obstacle, it is ADAPTIVE_ONE. */
   DSW_RESPONSE_ADAPTIVE_MANY = 2,
-  /** ADAPTIVE_MANY where a vertex can be inserted, SLIDE where it cannot. */
+  /** "Hybrid": the edge gets one new vertex at the contact, and its parts are static: in this call
+   * no edge of a new vertex gets another. */
   DSW_RESPONSE_HYBRID = 3,
-  /** The rest of the move is projected on the obstacle and made there. */
+  /** The rest of the move is projected on the obstacle and made there. Not in the paper. */
   DSW_RESPONSE_SLIDE = 4,
+  /** ADAPTIVE_ONE where a vertex can be inserted, SLIDE where it cannot. Not in the paper. @since 1.1 */
+  DSW_RESPONSE_ADAPTIVE_SLIDE = 5,
   DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< No value: makes the type 32 bits wide. */
 } dsw_response;
 
@@ -44,10 +68,10 @@ typedef struct dsw_move_options {
   dsw_response vertex_response; /**< When the moving vertex touches: STOP or SLIDE; STOP by default. */
   dsw_response edge_response;   /**< When an edge or face of it touches; STOP by default. */
   dsw_search search;            /**< EXACT by default. */
-  uint32_t bisection_depth;     /**< 1 to 52; 0 means 20. */
+  uint32_t bisection_depth;     /**< Halvings of DSW_SEARCH_BISECTION, 1 to 52; 0 means 20. */
   uint32_t
       max_cells; /**< Work limit: volumes that the sweep of one vertex's path, of one edge or one face may look at; 0: none. A
-                           vertex that comes to it stops there, free and without a contact. */
+                           vertex that comes to it stops there, free and without a contact; with BISECTION it stays where it was. */
   uint32_t reserved; /**< 0. */
   double min_part;   /**< Least part of an edge that a split leaves, in (0,0.5]; 0 means 0.25. */
   double min_length; /**< Least length of such a part, scene units. 0: none, then parts can get ever smaller. */
@@ -111,10 +135,11 @@ typedef struct dsw_rigid_motion {
   double translation[3]; /**< Scene units. */
 } dsw_rigid_motion;
 
-/** Moves a body rigidly as far as it goes: a fraction of the motion is applied vertex by vertex; if something is touched the body is
- * put back and the fraction halved, up to 52 times; the last fraction that was made is kept. Each position is rounded, so the shape
- * keeps to one unit in the last place of the coordinates for each call. A fraction of a rotation is that of its quaternion,
- * normalised.
+/** Moves a body rigidly as far as it goes: a fraction of the motion is applied vertex by vertex; if
+ * something is touched the body is put back and the fraction halved, up to 52 times; the last
+ * fraction that was made is kept. Each position is rounded, so the shape keeps to one unit in the
+ * last place of the coordinates for each call. That of a body with DSW_BODY_RIGID keeps for all calls
+ * together, see there. A fraction of a rotation is that of its quaternion, normalised.
  * @param scene [in,out] @param body [in] @param motion [in] see dsw_rigid_motion.
  * @param options [in] may be null; of it only `order` is used, which must name all vertices.
  * @param report [out] may be null.
@@ -137,6 +162,16 @@ DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id bod
  * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_BODY_CONTACTS. @note O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_body_id body,
                                                  const dsw_contact_partner **partners, size_t *count);
+
+/** What the vertices of these contacts touched before, one entry for each contact: whether they
+ * rest, slide or bounce.
+ * @param scene, body [in] @param pasts [out] owned by the body, valid as long as the contacts.
+ * After a snapshot of 1.0.0 has been loaded, a contact that lasts counts as the second move in a
+ * row, at the same place; of what is older nothing is known.
+ * @param count [out] how many there are.
+ * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. Source: [JCD10] 3.1. @since 1.1 */
+DSW_API dsw_status dsw_body_get_contact_pasts(const dsw_scene *scene, dsw_body_id body, const dsw_contact_past **pasts,
+                                              size_t *count);
 
 /** Vertices inserted and removed by responses in the last move of a body, in order.
  * @param scene, body [in]

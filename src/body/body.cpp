@@ -1,6 +1,7 @@
 #include "body/body.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace dsw {
@@ -227,6 +228,37 @@ void keep_boxes(Body<D>& body) {
   body.boxes.reserve(1);
   body.boxes.push_back(std::move(boxes));
   note_all(body);
+}
+
+bool is_closed_surface(const Body<3>& body) noexcept {
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (body.has_vertex(v) && body.vertices[v].first_edge == kNone) return false;
+  }
+  return std::none_of(body.edges.begin(), body.edges.end(), [](const BodyEdge& e) {
+    return e.ends[0] != kNone && (e.faces[0] == kNone || e.faces[1] == kNone);
+  });
+}
+
+bool is_turned_outwards(const Body<3>& body) noexcept {
+  // Relative to one of the vertices, halved so that no difference overflows, in units in which no product does.
+  const auto place = [&](uint32_t v, int k) {
+    return body.vertices[v].position[k] / 2 - body.vertices[0].position[k] / 2;
+  };
+  double largest = 0, volume = 0;
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(place(v, k)));
+  }
+  for (const BodyFace& f : body.faces) {
+    if (f.corners[0] == kNone) continue;
+    double at[3][3];
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) at[i][k] = place(f.corners[i], k) / largest;
+    }
+    volume += at[0][0] * (at[1][1] * at[2][2] - at[1][2] * at[2][1]) +
+              at[0][1] * (at[1][2] * at[2][0] - at[1][0] * at[2][2]) +
+              at[0][2] * (at[1][0] * at[2][1] - at[1][1] * at[2][0]);
+  }
+  return volume > 0;
 }
 
 template <int D>

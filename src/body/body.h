@@ -6,6 +6,7 @@
 
 #include "base/slot_pool.h"
 #include "body/box_grid.h"
+#include "body/rigid_shape.h"
 #include "motion/sequence.h"
 
 namespace dsw {
@@ -42,7 +43,8 @@ struct BodyFace {
 
 /** What of the sweeps of a body's edges may be left out; see DSW_BODY_... */
 struct Skipping {
-  bool sequences = false, by_environment = false, by_clearance = false, by_motion = false;
+  bool sequences = false, by_environment = false, by_clearance = false;
+  bool back_edges = false, by_similar_motion = false;  // at EDGES
   double motion_share = 0.1;
 };
 
@@ -88,6 +90,7 @@ struct Body {
   Array<Clearance<D>> clearances;  // by vertex, if they are kept
   int64_t clearance_credit = 0;    // what measuring them may cost, see sweep/clearance.h
   Array<BodyBoxes<D>> boxes;       // one, if bodies meet each other; else none
+  Array<RigidShape<D>> shape;      // one, if walls move the body as a whole; else none
   ContactFilter filter;
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
@@ -102,8 +105,10 @@ struct Body {
         inserted(Allocator<uint32_t>(memory)),
         sequences(Allocator<EdgeSequence<D>>(memory)),
         clearances(Allocator<Clearance<D>>(memory)),
-        boxes(Allocator<BodyBoxes<D>>(memory)) {}
+        boxes(Allocator<BodyBoxes<D>>(memory)),
+        shape(Allocator<RigidShape<D>>(memory)) {}
 
+  bool is_rigid() const { return !shape.empty(); }
   bool keeps_sequences() const { return skipping.sequences || level >= SweepLevel::kEdgesSwept; }
   bool has_vertex(uint32_t v) const { return v < vertices.size() && vertices[v].cell.valid(); }
   bool has_edge(uint32_t e) const { return e < edges.size() && edges[e].ends[0] != kNone; }
@@ -113,6 +118,7 @@ struct Body {
     uint64_t of_parts = array_bytes(sequences);
     for (const EdgeSequence<D>& each : sequences) of_parts += array_bytes(each.facets) + each.rows.memory_bytes();
     for (const BodyBoxes<D>& each : boxes) of_parts += sizeof each + each.memory_bytes();
+    for (const RigidShape<D>& each : shape) of_parts += sizeof each + each.memory_bytes();
     return of_parts + array_bytes(clearances) + array_bytes(vertices) + array_bytes(edges) + array_bytes(faces) +
            array_bytes(inserted) + vertex_slots.memory_bytes() + edge_slots.memory_bytes() + face_slots.memory_bytes();
   }
@@ -159,6 +165,11 @@ bool starts_fan(const Body<D>& body, uint32_t a, uint32_t b, uint32_t c) noexcep
 /** Whether the triangles at a vertex form at most one fan. */
 template <int D>
 bool is_one_fan(const Body<D>& body, uint32_t vertex) noexcept;
+
+/** Whether every edge has two faces and every vertex has edges. */
+bool is_closed_surface(const Body<3>& body) noexcept;
+/** Whether the volume that the faces of a closed surface hold is positive, in doubles. */
+bool is_turned_outwards(const Body<3>& body) noexcept;
 
 /** Makes room for so many more: the functions below then neither throw nor fail. */
 template <int D>

@@ -45,6 +45,7 @@ const char* dsw_status_string(dsw_status status) {
     DSW_NAME(DSW_STATUS_BAD_TOPOLOGY);
     DSW_NAME(DSW_STATUS_BORROWED);
     DSW_NAME(DSW_STATUS_WRITE_FAILED);
+    DSW_NAME(DSW_STATUS_NOT_CLOSED);
 #undef DSW_NAME
     case DSW_STATUS_FORCE_INT32:
       break;

@@ -19,7 +19,8 @@ dsw_body_desc default_body() noexcept {
 dsw::Skipping to_skipping(uint32_t flags, double share) {
   capi::check_flags(flags,
                     DSW_BODY_SEQUENCES | DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BY_CLEARANCE |
-                        DSW_BODY_SKIP_BY_MOTION | DSW_BODY_SELF_CONTACTS,
+                        DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_SELF_CONTACTS | DSW_BODY_SKIP_BACK_EDGES |
+                        DSW_BODY_RIGID,
                     "desc->flags");
   if (!(share >= 0) || !std::isfinite(share)) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->motion_share is %g, must be finite and not negative", share);
@@ -28,7 +29,8 @@ dsw::Skipping to_skipping(uint32_t flags, double share) {
   skipping.sequences = (flags & DSW_BODY_SEQUENCES) != 0;
   skipping.by_environment = (flags & DSW_BODY_SKIP_BY_ENVIRONMENT) != 0;
   skipping.by_clearance = (flags & DSW_BODY_SKIP_BY_CLEARANCE) != 0;
-  skipping.by_motion = (flags & DSW_BODY_SKIP_BY_MOTION) != 0;
+  skipping.by_similar_motion = (flags & DSW_BODY_SKIP_SIMILAR_MOTION) != 0;
+  skipping.back_edges = (flags & DSW_BODY_SKIP_BACK_EDGES) != 0;
   if (share != 0) skipping.motion_share = share;
   return skipping;
 }
@@ -79,11 +81,15 @@ BodyDescription to_description(const Scene<D>& scene, const BodyOptions& options
   BodyDescription out;
   out.level = options.level;
   out.skipping = to_skipping(options.flags, options.motion_share);
+  if (D == 2 && out.skipping.back_edges) {
+    fail(DSW_STATUS_UNSUPPORTED, "DSW_BODY_SKIP_BACK_EDGES in desc->flags: bodies in the plane have no faces");
+  }
   const bool self = (options.flags & DSW_BODY_SELF_CONTACTS) != 0;
   if (self || options.category != 0 || options.mask != 0) {
     check_named(scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
   }
   out.filter = to_filter(options.category, options.mask, self);
+  out.rigid = (options.flags & DSW_BODY_RIGID) != 0;
   return out;
 }
 

@@ -35,8 +35,8 @@ dsw::WallSettings read_settings(const dsw_deform_options& o) {
   s.end_state = o.method == DSW_DEFORM_END_STATE;
   s.response = o.response;
   s.refuses_invalid = o.invalid == DSW_INVALID_REFUSE;
-  if (s.end_state && (s.response == DSW_WALL_INSERT || s.response == DSW_WALL_HOLD)) {
-    fail(DSW_STATUS_UNSUPPORTED, "options->response is %u, with END_STATE it must be PUSH or STOP",
+  if (s.end_state && s.response == DSW_WALL_HOLD) {
+    fail(DSW_STATUS_UNSUPPORTED, "options->response is %u, with END_STATE it must be PUSH, INSERT or STOP",
          capi::raw_value(o.response));
   }
   if (o.most_halvings > 10) {

@@ -162,7 +162,7 @@ void CallJudge<D>::claim_way(const Mover& mover, const Body<D>& body, uint32_t v
   judge_.add(subject, at(vertex), body.position(vertex));
   ++verdict_.ways;
   // Edges whose sweeps are left out by the share of motion are only free where they end.
-  if (body.level < SweepLevel::kEdgesSwept || body.skipping.by_motion) return;
+  if (body.level < SweepLevel::kEdgesSwept || body.skipping.by_similar_motion) return;
   for_each_edge(body, vertex, [&](uint32_t e) {
     const uint32_t q = body.edges[e].other(vertex);
     judge_.add(subject, at(vertex), body.position(vertex), ranks[q] < ranks[vertex] ? body.position(q) : at(q));

@@ -1,10 +1,11 @@
 #include "dartsweep/move.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "base/vec.h"
 #include "capi/body_access.h"
 #include "capi/recorded.h"
+#include "response/rigid_move.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -25,13 +26,13 @@ dsw_move_options read_options(const dsw_move_options* options) {
 dsw::MoveSettings to_settings(const dsw_move_options& o) {
   dsw::MoveSettings s;
   s.vertex = static_cast<dsw::Response>(
-      to_number(capi::raw_value(o.vertex_response), DSW_RESPONSE_SLIDE, "options->vertex_response"));
+      to_number(capi::raw_value(o.vertex_response), DSW_RESPONSE_ADAPTIVE_SLIDE, "options->vertex_response"));
   if (s.vertex != dsw::Response::kStop && s.vertex != dsw::Response::kSlide) {
     fail(DSW_STATUS_UNSUPPORTED, "options->vertex_response is %u, must be STOP or SLIDE",
          capi::raw_value(o.vertex_response));
   }
   s.edge = static_cast<dsw::Response>(
-      to_number(capi::raw_value(o.edge_response), DSW_RESPONSE_SLIDE, "options->edge_response"));
+      to_number(capi::raw_value(o.edge_response), DSW_RESPONSE_ADAPTIVE_SLIDE, "options->edge_response"));
   s.search = static_cast<dsw::Search>(to_number(capi::raw_value(o.search), DSW_SEARCH_BISECTION, "options->search"));
   if (o.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "options->reserved is %u, must be 0", o.reserved);
   s.max_cells = o.max_cells;
@@ -132,78 +133,36 @@ void check_planar(const dsw_rigid_motion& motion) {
   }
 }
 
-/** A rigid motion with its quaternion of length 1. */
 template <int D>
-struct Rigid {
-  double rotation[4], centre[3], translation[3];
-
-  explicit Rigid(const dsw_rigid_motion& motion) {
-    const double* const q = motion.rotation;
-    double largest = 0;
-    for (int k = 0; k < 4; ++k) largest = std::max(largest, std::fabs(q[k]));
-    for (int k = 0; k < 3; ++k) {
-      centre[k] = motion.centre[k];
-      translation[k] = motion.translation[k];
-      if (!std::isfinite(centre[k]) || !std::isfinite(translation[k])) {
-        fail(DSW_STATUS_NON_FINITE, "motion has a component that is not finite");
-      }
-    }
-    for (int k = 0; k < 4; ++k) {
-      if (!std::isfinite(q[k])) fail(DSW_STATUS_NON_FINITE, "motion->rotation[%d] is %g", k, q[k]);
-    }
-    if (!(largest > 0)) fail(DSW_STATUS_OUT_OF_RANGE, "motion->rotation is zero");
-    if (D == 2) check_planar(motion);
-    for (int k = 0; k < 4; ++k) rotation[k] = q[k] / largest;
-    normalise(rotation);
-    if (rotation[3] < 0) {  // the shorter way round
-      for (double& each : rotation) each = -each;
+dsw::RigidMove<D> to_motion(const dsw_rigid_motion& motion) {
+  double largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    if (!std::isfinite(motion.centre[k]) || !std::isfinite(motion.translation[k])) {
+      fail(DSW_STATUS_NON_FINITE, "motion has a component that is not finite");
     }
   }
-
-  /** A box around all that a part of it does to a body: points keep their distance from the centre, which goes along a line. */
-  dsw::Box<D> reach(const dsw::Body<D>& body) const noexcept {
-    double radius = 0;
-    for (const dsw::BodyVertex<D>& each : body.vertices) {
-      if (each.cell.valid()) radius = std::max(radius, length(dsw::difference<D>(each.position, centre)));
+  for (int k = 0; k < 4; ++k) {
+    if (!std::isfinite(motion.rotation[k])) {
+      fail(DSW_STATUS_NON_FINITE, "motion->rotation[%d] is %g", k, motion.rotation[k]);
     }
-    radius *= 1 + 0x1p-20;
-    dsw::Box<D> box;
-    for (const double way : {0.0, 1.0}) {
-      double low[D], high[D];
-      for (int k = 0; k < D; ++k) {
-        const double at = centre[k] + way * translation[k], room = radius + 0x1p-40 * std::fabs(at);
-        low[k] = at - room;
-        high[k] = at + room;
-      }
-      box.add(low);
-      box.add(high);
-    }
-    return box;
+    largest = std::max(largest, std::fabs(motion.rotation[k]));
   }
+  if (!(largest > 0)) fail(DSW_STATUS_OUT_OF_RANGE, "motion->rotation is zero");
+  if (D == 2) check_planar(motion);
+  return {motion.rotation, motion.centre, motion.translation};
+}
 
-  static void normalise(double (&q)[4]) noexcept {
-    const double size = std::sqrt((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]));
-    for (double& each : q) each /= size;
+template <int D>
+void move_rigid(dsw::Scene<D>& scene, dsw::BodyRecord<D>& of, const dsw::RigidMove<D>& rigid,
+                const dsw::MoveOrder& order) {
+  if (!of.body.is_rigid()) {
+    return move_body_together(scene, of, dsw::RigidMove<D>::place, &rigid, order, rigid.reach(of.body));
   }
-
-  /** Where a point is at a fraction of the motion. */
-  static void place(const void* user, const double* from, double fraction, double* to) noexcept {
-    const Rigid& m = *static_cast<const Rigid*>(user);
-    double q[4];
-    for (int k = 0; k < 3; ++k) q[k] = fraction * m.rotation[k];
-    q[3] = (1 - fraction) + fraction * m.rotation[3];
-    normalise(q);
-    double x[3] = {};
-    for (int k = 0; k < D; ++k) x[k] = from[k] - m.centre[k];
-    // x + 2 w (v x x) + 2 v x (v x x)
-    const double c[3] = {q[1] * x[2] - q[2] * x[1], q[2] * x[0] - q[0] * x[2], q[0] * x[1] - q[1] * x[0]};
-    const double d[3] = {q[1] * c[2] - q[2] * c[1], q[2] * c[0] - q[0] * c[2], q[0] * c[1] - q[1] * c[0]};
-    for (int k = 0; k < D; ++k) {
-      // Added to where it was, so that no motion leaves it there to the bit.
-      to[k] = from[k] + (2 * (q[3] * c[k] + d[k]) + fraction * m.translation[k]);
-    }
-  }
-};
+  keep_shape(of.body);
+  const dsw::ShapeMove<D> kept{rigid, of.body.shape[0]};
+  move_body_together(scene, of, dsw::ShapeMove<D>::place, &kept, order, rigid.reach(of.body));
+  if (of.record.fraction > 0) of.body.shape[0].moved = kept.moved(of.record.fraction);
+}
 
 }  // namespace
 
@@ -277,17 +236,17 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
       fail(DSW_STATUS_WRONG_SIZE, "options->order has %zu vertices of %zu: a rigid body moves as a whole", order.count,
            of.body.vertex_slots.alive_count());
     }
-    const Rigid<D> rigid(*motion);
+    const dsw::RigidMove<D> rigid = to_motion<D>(*motion);
     for (const dsw::BodyVertex<D>& each : of.body.vertices) {
       double to[D];
       if (!each.cell.valid()) continue;
-      Rigid<D>::place(&rigid, each.position, 1, to);
+      dsw::RigidMove<D>::place(&rigid, 0, each.position, 1, to);
       if (!dsw::is_finite<D>(to)) {
         fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
       }
     }
     capi::Recorded call(scene, capi::Call::kMoveRigid, body, *motion, recorded(o), order_of(o));
-    move_body_together(of.scene, of.record, Rigid<D>::place, &rigid, order, rigid.reach(of.body));
+    move_rigid(of.scene, of.record, rigid, order);
     dsw::BodyRecord<D>* const record = &of.record;
     call.done(Moved<D>{&record, 1});
     if (report != nullptr) *report = to_report(of.record.record);
@@ -312,6 +271,16 @@ dsw_status dsw_body_get_contact_partners(const dsw_scene* scene, dsw_body_id bod
     capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
     *partners = of.record.record.partners.data();
     *count = of.record.record.partners.size();
+  });
+}
+
+dsw_status dsw_body_get_contact_pasts(const dsw_scene* scene, dsw_body_id body, const dsw_contact_past** pasts,
+                                      size_t* count) {
+  return capi::guarded_body("dsw_body_get_contact_pasts", scene, body, [&](const auto& of) {
+    capi::require(pasts, "pasts");
+    capi::require(count, "count");
+    *pasts = of.record.record.pasts.data();
+    *count = of.record.record.pasts.size();
   });
 }
 

@@ -15,7 +15,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL ${components})
 set(CPACK_COMPONENT_DARTSWEEP_DEVELOPMENT_DEPENDS Dartsweep_runtime)
 set(CPACK_COMPONENT_DARTSWEEP_RUNTIME_DESCRIPTION 
-  "Tells a simulation, exactly and in time that does not grow with the scene, when\nand where moving points, edges and surfaces meet a volume mesh.\nThis is the shared library, with an interface in C.")
+  "Tells a simulation exactly when and where moving points, edges and surfaces\nmeet a volume mesh, at the cost of the cells that a move meets.\nThis is the shared library, with an interface in C.")
 set(CPACK_COMPONENT_DARTSWEEP_DEVELOPMENT_DESCRIPTION 
   "Headers of the shared library, in C99 that is C++98 as well, and files by which\nCMake's find_package and pkg-config find it.")
 set(CPACK_STRIP_FILES ON)

@@ -38,6 +38,24 @@ void name_obstacle(const Environment<D>& env, const SweepContact& met, dsw_conta
   }
 }
 
+/** What of a body touches on the way of v. */
+template <int D>
+dsw_contact name_parts(const Body<D>& body, uint32_t v, const double* to, uint32_t edge, uint32_t face) {
+  dsw_contact contact{};
+  std::copy_n(body.position(v), D, contact.from);
+  std::copy_n(to, D, contact.to);
+  contact.vertex = vertex_id(body, v);
+  if (edge != kNone) {
+    contact.edge = edge_id(body, edge);
+    std::copy_n(body.position(body.edges[edge].other(v)), D, contact.fixed[0]);
+  } else if (face != kNone) {
+    contact.face = face_id(body, face);
+    std::copy_n(body.position(body.faces[face].after(v)), D, contact.fixed[0]);
+    std::copy_n(body.position(body.faces[face].before(v)), D, contact.fixed[1]);
+  }
+  return contact;
+}
+
 }  // namespace
 
 template <int D>
@@ -56,19 +74,8 @@ dsw_body_face_id face_id(const Body<D>& body, uint32_t f) noexcept {
 template <int D>
 dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,
                      const StarContact& met) {
-  dsw_contact contact{};
+  dsw_contact contact = name_parts(body, v, to, met.edge, met.face);
   const double* const from = body.position(v);
-  std::copy_n(from, D, contact.from);
-  std::copy_n(to, D, contact.to);
-  contact.vertex = vertex_id(body, v);
-  if (met.edge != kNone) {
-    contact.edge = edge_id(body, met.edge);
-    std::copy_n(body.position(body.edges[met.edge].other(v)), D, contact.fixed[0]);
-  } else if (met.face != kNone) {
-    contact.face = face_id(body, met.face);
-    std::copy_n(body.position(body.faces[met.face].after(v)), D, contact.fixed[0]);
-    std::copy_n(body.position(body.faces[met.face].before(v)), D, contact.fixed[1]);
-  }
   const ContactGeometry geometry = contact_geometry(env, from, to, met.contact);
   contact.time = geometry.time;
   contact.along = geometry.along;
@@ -79,17 +86,33 @@ dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v,
   return contact;
 }
 
+template <int D>
+dsw_contact describe_cast(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, uint32_t edge,
+                          const double* end, const CastResult& hit) {
+  dsw_contact contact = name_parts(body, v, to, edge, kNone);
+  const SweepContact met = path_contact(env, hit);
+  // The cast is the flight of a particle along the edge, from its moving end.
+  const ContactGeometry geometry = contact_geometry(env, end, contact.fixed[0], met);
+  contact.along = geometry.time;
+  std::copy_n(geometry.point, D, contact.point);
+  std::copy_n(geometry.normal, D, contact.normal);
+  name_obstacle(env, met, contact);
+  return contact;
+}
+
 uint64_t obstacle_key(const dsw_contact& contact) noexcept {
   return uint64_t{contact.obstacle.index} << 32 | static_cast<uint64_t>(contact.obstacle.kind) << 24 |
          (contact.obstacle.local & 0xffffffu);
 }
 
-#define DSW_DESCRIBE(D)                                                                                       \
-  template dsw_body_vertex_id vertex_id(const Body<D>& body, uint32_t v) noexcept;                            \
-  template dsw_body_edge_id edge_id(const Body<D>& body, uint32_t e) noexcept;                                \
-  template dsw_body_face_id face_id(const Body<D>& body, uint32_t f) noexcept;                                \
-  template dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, \
-                                const StarContact& met);
+#define DSW_DESCRIBE(D)                                                                                            \
+  template dsw_body_vertex_id vertex_id(const Body<D>& body, uint32_t v) noexcept;                                 \
+  template dsw_body_edge_id edge_id(const Body<D>& body, uint32_t e) noexcept;                                     \
+  template dsw_body_face_id face_id(const Body<D>& body, uint32_t f) noexcept;                                     \
+  template dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,      \
+                                const StarContact& met);                                                           \
+  template dsw_contact describe_cast(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, \
+                                     uint32_t edge, const double* end, const CastResult& hit)
 DSW_DESCRIBE(2);
 DSW_DESCRIBE(3);
 #undef DSW_DESCRIBE

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/vec.h"
 #include "contact/describe.h"
 #include "contact/geometry.h"
+#include "contact/normals.h"
 #include "predicates/filtered.h"
 #include "predicates/plane_hit.h"
 #include "predicates/touch.h"
@@ -15,7 +15,7 @@ namespace {
 /** What a motion has across a line, turned round. Of one along the line, which is known exactly, that would be what rounding leaves: then it
  * is the motion itself. */
 Vec back_across(const Vec& move, const Vec& line, bool is_along) {
-  if (is_along) return against({}, move);
+  if (is_along) return against(Vec::Zero(), move);
   const Vec along = unit(line), way = unit(move);
   return against(unit(way - dot(way, along) * along), move);
 }
@@ -48,7 +48,7 @@ Vec describe_edge(const PairContact<3>& met, const EdgeMotion& m, const Touched<
   const Vec move = difference<3>(m.to, m.p), edge = difference<3>(m.q, contact.position), other = difference<3>(b, a);
   if (met.place == TouchPlace::kInside) {
     triangle_piercing_point(m, a, b, contact.point);
-    return against(unit(cross(unit(edge), unit(other))), move);
+    return against(unit(unit(edge).cross(unit(other))), move);
   }
   if (met.place == TouchPlace::kVertex) {
     return back_across(move, other, are_collinear(m.p, m.to, a) && are_collinear(m.p, m.to, b));
@@ -89,7 +89,7 @@ dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v,
     std::copy_n(r, D, contact.fixed[1]);
     std::copy_n(touched.at[0], D, contact.point);
     normal =
-        against(unit(cross(unit(difference<D>(q, contact.position)), unit(difference<D>(r, contact.position)))), move);
+        against(unit(unit(difference<D>(q, contact.position)).cross(unit(difference<D>(r, contact.position)))), move);
   } else if (met.part == PartKind::kFace) {
     normal = normal_on<D>(orient<D>(touched.at, from), touched.at, move);
   } else {
@@ -102,7 +102,7 @@ dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v,
     normal = describe_edge(met, {from, to, q}, touched, contact);
     if (met.edge != kNone) contact.along = share_along<D>(contact.position, q, contact.point);
   }
-  store<D>(normal + Vec{}, contact.normal);  // never -0
+  store<D>(normal + Vec::Zero(), contact.normal);  // never -0
   contact.kind = met.part == PartKind::kVertex ? DSW_CONTACT_VERTEX
                  : met.part == PartKind::kEdge ? DSW_CONTACT_EDGE
                                                : DSW_CONTACT_PLANE;

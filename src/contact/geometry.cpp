@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/vec.h"
 #include "contact/names.h"
+#include "contact/normals.h"
 #include "motion/move.h"
 #include "motion/standard_facets.h"
 #include "predicates/filtered.h"
@@ -14,7 +14,7 @@ namespace {
 
 /** Across a body's edge and the obstacle's; zero if they have no such direction. */
 Vec across_edges(const EdgeMotion& m, const double* position, const SweepEvent& event) {
-  return unit(cross(unit(difference<3>(m.q, position)), unit(difference<3>(event.points[2], event.points[1]))));
+  return unit(unit(difference<3>(m.q, position)).cross(unit(difference<3>(event.points[2], event.points[1]))));
 }
 
 /** Where segment ab pierces the swept plane, by the exact ratio. It does not lie in it: shifted, both ends of a line in that
@@ -33,7 +33,7 @@ Vec wall_normal(const Environment<D>& env, const SweepContact& contact) {
   boundary_points(env, contact.front, contact.simplex, simplex);
   double outward[D];
   unit_normal<D>(simplex, outward);
-  return Vec{} - to_vec<D>(outward);
+  return Vec::Zero() - to_vec<D>(outward);
 }
 
 /** `chosen` turned against the motion, or where it does not lean, as the wall looks. */
@@ -55,7 +55,7 @@ Vec normal_on(int side, const double* const* corners, const Vec& move) {
   double normal[D];
   unit_normal<D>(corners, normal);
   // What moves along an edge in the plane meets its end.
-  if (side == 0) return against(D == 3 ? to_vec<D>(normal) : Vec{}, move);
+  if (side == 0) return against(D == 3 ? to_vec<D>(normal) : Vec::Zero(), move);
   return (side < 0 ? -1.0 : 1.0) * to_vec<D>(normal);
 }
 
@@ -111,7 +111,7 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
     if constexpr (D == 3) {
       piercing_point(m, event.points[1], event.points[2], g.point);
       const Vec across = across_edges(m, g.position, event);
-      normal = against(!is_zero(across) ? across : !is_zero(wall) ? wall : -1.0 * move, move, wall);
+      normal = against(!is_zero(across) ? across : !is_zero(wall) ? wall : Vec(-1.0 * move), move, wall);
     } else {
       std::copy_n(event.points[1], D, g.point);
       normal = swing_normal(m, g.position, g.point);
@@ -120,10 +120,10 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
   } else if (event.kind == EventKind::kFace) {
     std::copy_n(event.points[2], D, g.point);
     const Vec face =
-        unit(cross(unit(difference<D>(event.points[0], g.position)), unit(difference<D>(event.points[1], g.position))));
-    normal = against(!is_zero(face) ? face : -1.0 * move, move, wall);
+        unit(unit(difference<D>(event.points[0], g.position)).cross(unit(difference<D>(event.points[1], g.position))));
+    normal = against(!is_zero(face) ? face : Vec(-1.0 * move), move, wall);
   }
-  store<D>(normal + Vec{}, g.normal);  // never -0
+  store<D>(normal + Vec::Zero(), g.normal);  // never -0
   return g;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 // Where and how something is touched: doubles that follow from an exact event.
 
-#include "base/vec.h"
 #include "motion/sweep.h"
 
 namespace dsw {
@@ -18,17 +17,6 @@ struct ContactGeometry {
 template <int D>
 ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to,
                                  const SweepContact& contact);
-
-/** `chosen` turned against the motion; where there is none, against the motion itself. */
-Vec against(const Vec& chosen, const Vec& move);
-
-/** Unit normal of a triangle, in the plane of an edge, on that side of it. Of what moves within it, against the motion. */
-template <int D>
-Vec normal_on(int side, const double* const* corners, const Vec& move);
-
-/** Unit normal of an edge of the plane which swings about m.q where its end is at `position` and it lies on the point `at`: on the
- * side that it comes from. */
-Vec swing_normal(const EdgeMotion& m, const double* position, const double* at);
 
 /** An impassable facet from the side to which a normal looks; where an impassable cell is there, or nothing, as it is given. */
 template <int D>

@@ -1,6 +1,7 @@
 #include "cutting/blade.h"
 
 #include "base/key_table.h"
+#include "base/vec.h"
 
 namespace dsw {
 namespace {
@@ -111,31 +112,31 @@ uint32_t Blade<D>::find_rim() const {
 }
 
 template <int D>
-Vec to_simplex(const double* from, const double* const* corners) {
+double distance_to_simplex(const double* from, const double* const* corners) {
   Vec at[D];
   double scale = 0;
   for (int k = 0; k < D; ++k) {
     at[k] = difference<D>(corners[k], from);
-    scale = std::max({scale, std::fabs(at[k].x), std::fabs(at[k].y), std::fabs(at[k].z)});
+    scale = std::max(scale, largest(at[k]));
   }
-  if (!(scale > 0) || !std::isfinite(scale)) return at[0];
-  for (Vec& v : at) v = {v.x / scale, v.y / scale, v.z / scale};  // no square over- or underflows
+  if (!(scale > 0) || !std::isfinite(scale)) return length(at[0]);
+  for (Vec& v : at) v /= scale;  // no square over- or underflows
   Vec best = at[0];
   for (int k = 0; k < (D == 3 ? 3 : 1); ++k) {
     const Vec on_side = nearest_on_segment(at[k], at[(k + 1) % D]);
     if (dot(on_side, on_side) < dot(best, best)) best = on_side;
   }
-  const Vec normal = D == 3 ? cross(at[1] - at[0], at[D - 1] - at[0]) : turned(at[1] - at[0]);
+  const Vec normal = D == 3 ? (at[1] - at[0]).cross(at[D - 1] - at[0]) : turned(at[1] - at[0]);
   bool inside = !is_zero(normal);
   for (int k = 0; k < D; ++k) {
     const Vec along = at[(k + 1) % D] - at[k];
-    inside = inside && (D == 3 ? dot(cross(at[k], at[(k + 1) % D]), normal) >= 0 : dot(at[k], along) <= 0);
+    inside = inside && (D == 3 ? dot(at[k].cross(at[(k + 1) % D]), normal) >= 0 : dot(at[k], along) <= 0);
   }
   if (inside) {
     const Vec down = dot(at[0], normal) / dot(normal, normal) * normal;
     if (dot(down, down) < dot(best, best)) best = down;
   }
-  return scale * best;
+  return length(scale * best);
 }
 
 #define DSW_BLADE(D)                                                                                             \
@@ -144,7 +145,7 @@ Vec to_simplex(const double* from, const double* const* corners) {
   template Blade<D> Blade<D>::of_simplices(const Memory* memory, PointArray points, uint32_t point_count,        \
                                            const uint32_t* corners, uint32_t simplex_count);                     \
   template uint32_t Blade<D>::find_rim() const;                                                                  \
-  template Vec to_simplex<D>(const double* from, const double* const* corners)
+  template double distance_to_simplex<D>(const double* from, const double* const* corners)
 DSW_BLADE(3);
 DSW_BLADE(2);
 #undef DSW_BLADE

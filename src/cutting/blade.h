@@ -4,7 +4,6 @@
 
 #include "base/memory.h"
 #include "base/points.h"
-#include "base/vec.h"
 #include "predicates/swept_triangle.h"
 
 namespace dsw {
@@ -97,8 +96,8 @@ class Blade {
   Array<Simplex> simplices_;
 };
 
-/** The vector from a point to the nearest one of a simplex, rounded. */
+/** How far the nearest point of a simplex is, rounded. */
 template <int D>
-Vec to_simplex(const double* from, const double* const* corners);
+double distance_to_simplex(const double* from, const double* const* corners);
 
 }  // namespace dsw

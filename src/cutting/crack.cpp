@@ -1,6 +1,7 @@
 #include "cutting/crack.h"
 
 #include "base/error.h"
+#include "base/vec.h"
 #include "map/records.h"
 
 namespace dsw {
@@ -24,6 +25,24 @@ class Sets {
  private:
   Array<uint32_t> parents_;
 };
+
+/** Out of the cell, in space twice as long as the facet is large. */
+template <int D>
+Vec facet_normal(const Environment<D>& env, HalfFacet h) {
+  const FacetDraft facet = draft_of(env, h);
+  if constexpr (D == 2) {
+    return turned(unit(difference<D>(env.point(facet.loop[1]), env.point(facet.loop[0]))));
+  } else {
+    Vec sum;
+    for (size_t t = 0; t < facet.triangles.size(); t += 3) {
+      const double* const p = env.point(facet.triangles[t]);
+      // Of unit length first: squares of very long or short edges are no doubles.
+      const Vec a = unit(difference<D>(env.point(facet.triangles[t + 1]), p));
+      sum += a.cross(unit(difference<D>(env.point(facet.triangles[t + 2]), p)));
+    }
+    return sum;
+  }
+}
 
 }  // namespace
 
@@ -111,7 +130,7 @@ void Crack<D>::find_mouth(Dart rim, uint32_t pair, const Array<Dart>& passed) {
   for (const uint32_t v : facet.loop) {
     for (int k = 0; k < D; ++k) inside[k] += env_.point(v)[k] / static_cast<double>(facet.loop.size());
   }
-  const Vec along = D == 3 ? unit(difference<D>(q, p)) : Vec{};
+  const Vec along = D == 3 ? unit(difference<D>(q, p)) : Vec::Zero();
   const auto across = [&](const Vec& v) { return unit(v - dot(v, along) * along); };
   const Vec ahead = across(difference<D>(middle, inside));
   Dart best;
@@ -149,48 +168,32 @@ void Crack<D>::find_mouths() {
   }
 }
 
-/** Out of the cell, in space twice as long as the facet is large. */
-template <int D>
-Vec Crack<D>::facet_normal(HalfFacet h) const {
-  const FacetDraft facet = draft_of(env_, h);
-  if constexpr (D == 2) {
-    return turned(unit(difference<D>(env_.point(facet.loop[1]), env_.point(facet.loop[0]))));
-  } else {
-    Vec sum;
-    for (size_t t = 0; t < facet.triangles.size(); t += 3) {
-      const double* const p = env_.point(facet.triangles[t]);
-      // Of unit length first: squares of very long or short edges are no doubles.
-      const Vec a = unit(difference<D>(env_.point(facet.triangles[t + 1]), p));
-      sum = sum + cross(a, unit(difference<D>(env_.point(facet.triangles[t + 2]), p)));
-    }
-    return sum;
-  }
-}
-
 /** Of the crack at a vertex, to either side, whichever facet of a pair comes first. */
 template <int D>
-Vec Crack<D>::rough_normal(const Corner* corners, size_t count) const {
+void Crack<D>::rough_normal(const Corner* corners, size_t count, double* normal) const {
   Vec sum;
   for (size_t i = 0; i < count; ++i) {
     if (corners[i].side != 0) continue;
-    const Vec n = facet_normal(side(corners[i]));
-    sum = sum + (dot(n, sum) < 0 ? -1.0 : 1.0) * n;
+    const Vec n = facet_normal(env_, side(corners[i]));
+    sum += (dot(n, sum) < 0 ? -1.0 : 1.0) * n;
   }
-  return sum;
+  store<3>(sum, normal);
 }
 
 /** A line through the space at a vertex, from mouth to mouth or from the only mouth to the outer boundary; at best where the crack's plane goes
  * on. Gives the facets that it crosses; false: there is none. */
 template <int D>
-bool Crack<D>::find_line(uint32_t vertex, const Vec& normal, const Array<uint32_t>& mouths, KeyTable& crossed) const {
+bool Crack<D>::find_line(uint32_t vertex, const double* normal, const Array<uint32_t>& mouths,
+                         KeyTable& crossed) const {
   if (mouths.empty()) return true;
   if (mouths.size() > 2) return false;
-  return find_line(vertex, &normal, mouths, crossed) || find_line(vertex, nullptr, mouths, crossed);
+  return find_shortest_line(vertex, normal, mouths, crossed) || find_shortest_line(vertex, nullptr, mouths, crossed);
 }
 
 /** The shortest such line, with a normal only through facets on both sides of that plane. */
 template <int D>
-bool Crack<D>::find_line(uint32_t vertex, const Vec* normal, const Array<uint32_t>& mouths, KeyTable& crossed) const {
+bool Crack<D>::find_shortest_line(uint32_t vertex, const double* normal, const Array<uint32_t>& mouths,
+                                  KeyTable& crossed) const {
   struct Step {
     Cell cell;
     HalfFacet entry;  // in the cell before
@@ -224,7 +227,7 @@ bool Crack<D>::find_line(uint32_t vertex, const Vec* normal, const Array<uint32_
       const HalfFacet h = map_.half_facet(c, shape.dart_facet(d)), o = map_.opposite(h);
       if (is_in_crack(h)) continue;
       const auto height = [&](uint32_t dart) {
-        return dot(*normal, difference<D>(env_.point(c, shape.dart_vertex(dart)), env_.point(vertex)));
+        return dot(to_vec<3>(normal), difference<D>(env_.point(c, shape.dart_vertex(dart)), env_.point(vertex)));
       };
       if (normal != nullptr && height(shape.beta0(d)) * height(shape.beta1(d)) > 0) continue;
       if (o.valid()) {
@@ -258,7 +261,9 @@ void Crack<D>::part_vertex(uint32_t vertex, const Corner* corners, size_t count,
   if (around.size() != map_.vertex_uses[vertex]) return;  // others would stay where it was
   KeyTable crossed(env_.memory), ends(env_.memory);
   if constexpr (D == 3) {
-    if (!find_line(vertex, rough_normal(corners, count), mouths, crossed)) return;
+    double normal[3];
+    rough_normal(corners, count, normal);
+    if (!find_line(vertex, normal, mouths, crossed)) return;
   }
   const auto for_each_dart = [&](auto visit) {
     for (size_t i = 0; i < around.size(); ++i) {
@@ -296,14 +301,14 @@ void Crack<D>::part_vertex(uint32_t vertex, const Corner* corners, size_t count,
   Vec normal;
   for (size_t i = 0; i + 1 < count; ++i) {
     if (corners[i].pair != corners[i + 1].pair || root_at(corners[i]) == root_at(corners[i + 1])) continue;
-    normal = normal + facet_normal(side(corners[root_at(corners[i]) == first ? i : i + 1]));
+    normal += facet_normal(env_, side(corners[root_at(corners[i]) == first ? i : i + 1]));
   }
   normal = unit(normal);
   if (is_zero(normal)) return;
   const auto first_cell = static_cast<uint32_t>(cells_.size());
   for (size_t i = 0; i < around.size(); ++i) cells_.push_back(around[i]);
   const auto parting = static_cast<uint32_t>(partings_.size());
-  partings_.push_back({vertex, normal, first_cell, static_cast<uint32_t>(cells_.size())});
+  partings_.push_back({vertex, {normal.x(), normal.y(), normal.z()}, first_cell, static_cast<uint32_t>(cells_.size())});
   for (uint32_t i = 0; i < ends.size(); ++i) {
     places_.insert(ends[i]);
     copies_.push_back(2 * parting + (sets.root(i) == first ? 0 : 1));

@@ -10,7 +10,6 @@
 // boundary, or one and the corner of a cell of the space, which is where the gap opens into that.
 
 #include "base/key_table.h"
-#include "base/vec.h"
 #include "map/cell_queue.h"
 #include "topology/operations.h"
 
@@ -44,7 +43,7 @@ class Crack {
   /** A vertex that comes apart: copy 1 is the one to which the normal leads. */
   struct Parting {
     uint32_t vertex;
-    Vec normal;
+    double normal[3];
     uint32_t first_cell, end_cell;  // of cell()
   };
   const Array<Parting>& partings() const { return partings_; }
@@ -80,11 +79,11 @@ class Crack {
   HalfFacet go_round(Dart d, Array<Dart>& passed) const;
   void find_mouth(Dart rim, uint32_t pair, const Array<Dart>& passed);
   void find_mouths();
-  Vec facet_normal(HalfFacet h) const;
   void part_vertex(uint32_t vertex, const Corner* corners, size_t count, const Array<uint32_t>& mouths);
-  Vec rough_normal(const Corner* corners, size_t count) const;
-  bool find_line(uint32_t vertex, const Vec& normal, const Array<uint32_t>& mouths, KeyTable& crossed) const;
-  bool find_line(uint32_t vertex, const Vec* normal, const Array<uint32_t>& mouths, KeyTable& crossed) const;
+  void rough_normal(const Corner* corners, size_t count, double* normal) const;
+  bool find_line(uint32_t vertex, const double* normal, const Array<uint32_t>& mouths, KeyTable& crossed) const;
+  bool find_shortest_line(uint32_t vertex, const double* normal, const Array<uint32_t>& mouths,
+                          KeyTable& crossed) const;
   bool is_mouth(Dart d, const Array<uint32_t>& mouths) const;
 
   Environment<D>& env_;

@@ -1,5 +1,6 @@
 #include "cutting/crossings.h"
 
+#include "base/position.h"
 #include "map/dart.h"
 #include "motion/cast.h"
 #include "predicates/plane_hit.h"

@@ -425,7 +425,7 @@ void Cut<D>::measure(Edit<D>& edit) {
   const auto add_vertex = [&](uint32_t node, uint32_t vertex) {
     const double* corners[D];
     blade_.corners(section_->node(node).simplex, corners);
-    add(length(to_simplex<D>(env_.point(vertex), corners)));
+    add(distance_to_simplex<D>(env_.point(vertex), corners));
   };
   for (uint32_t n = 0; n < section_->node_count(); ++n) {
     if (vertices_[n] != kNoCell) add_vertex(n, vertices_[n]);
@@ -445,7 +445,7 @@ void Cut<D>::measure(Edit<D>& edit) {
     for (size_t s = 0; s < simplices.size(); s += D) {
       const double* corners[D];
       for (size_t k = 0; k < D; ++k) corners[k] = env_.point(simplices[s + k]);
-      least = std::min(least, length(to_simplex<D>(point.at, corners)));
+      least = std::min(least, distance_to_simplex<D>(point.at, corners));
     }
     add(least);
   }

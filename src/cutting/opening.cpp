@@ -1,6 +1,7 @@
 #include "cutting/opening.h"
 
 #include "base/error.h"
+#include "base/vec.h"
 #include "cutting/fold.h"
 #include "environment/marking.h"
 #include "environment/recut.h"
@@ -89,8 +90,9 @@ void Opening<D>::add_vertices(Edit<D>& edit) {
 template <int D>
 bool Opening<D>::place_copies(const typename Crack<D>::Parting& parting, const Way& way, double (&places)[2][D]) const {
   const double* const p = env_.point(parting.vertex);
-  store<D>(to_vec<D>(p) - way.length(0) * settings_.width * parting.normal, places[0]);
-  store<D>(to_vec<D>(p) + way.length(1) * settings_.width * parting.normal, places[1]);
+  const Vec normal = to_vec<D>(parting.normal);
+  store<D>(to_vec<D>(p) - way.length(0) * settings_.width * normal, places[0]);
+  store<D>(to_vec<D>(p) + way.length(1) * settings_.width * normal, places[1]);
   return is_finite<D>(places[0]) && is_finite<D>(places[1]);
 }
 

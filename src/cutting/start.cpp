@@ -44,7 +44,7 @@ class Search {
     for (uint32_t s = 0; s < blade_.simplex_count(); ++s) {
       const double* corners[D];
       blade_.corners(s, corners);
-      least = std::min(least, length(to_simplex<D>(from, corners)));
+      least = std::min(least, distance_to_simplex<D>(from, corners));
     }
     heap_.push_back({least, number});
     std::push_heap(heap_.begin(), heap_.end());

@@ -2,7 +2,7 @@
 // The points of an environment on their way from one array of the host's to the next.
 
 #include "base/points.h"
-#include "base/vec.h"
+#include "base/position.h"
 #include "environment/environment.h"
 
 namespace dsw {

@@ -1,7 +1,7 @@
 #pragma once
 // A particle's move: a cast, and at a contact the search for a position that is verified free.
 
-#include "base/vec.h"
+#include "base/position.h"
 #include "motion/cast.h"
 
 namespace dsw {

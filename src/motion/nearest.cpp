@@ -11,20 +11,18 @@
 namespace dsw {
 namespace {
 
-Vec along(const Vec& a, double t, const Vec& d) { return {a.x + t * d.x, a.y + t * d.y, a.z + t * d.z}; }
-
 /** Nearest point of segment ab to the origin. */
 Vec nearest_on(const Vec& a, const Vec& b) {
   const Vec d = b - a;
   const double length = dot(d, d), t = -dot(a, d);
   if (!(t > 0)) return a;
-  return t >= length ? b : along(a, t / length, d);
+  return t >= length ? b : Vec(a + t / length * d);
 }
 
 /** `v` without its part along `d`. Done twice, because the first time leaves a rounding error of the size of v. */
 Vec without(const Vec& v, const Vec& d, double length) {
-  const Vec once = along(v, -dot(v, d) / length, d);
-  return along(once, -dot(once, d) / length, d);
+  const Vec once = v - dot(v, d) / length * d;
+  return once - dot(once, d) / length * d;
 }
 
 /** Nearest point of triangle abc to the origin, ab its longest edge. In coordinates x along ab and y along the height over it
@@ -36,7 +34,7 @@ Vec nearest_over_longest(const Vec& a, const Vec& b, const Vec& c) {
   const double square = dot(height, height);
   if (length > 0 && square > 0) {
     const double apex = dot(ac, ab) / length, y = -dot(a, height) / square, x = -dot(a, ab) / length;
-    if (y > 0 && y < 1 && x > apex * y && x < apex * y + (1 - y)) return along(along(a, x, ab), y, height);
+    if (y > 0 && y < 1 && x > apex * y && x < apex * y + (1 - y)) return a + x * ab + y * height;
   }
   Vec best = nearest_on(a, b);
   for (const Vec& other : {nearest_on(b, c), nearest_on(c, a)}) {
@@ -98,7 +96,7 @@ class Flood {
   Vec relative(Cell c, uint32_t local) const {
     const double* v = env_.point(c, local);
     Vec at{v[0] * scale_ - point_[0] * scale_, v[1] * scale_ - point_[1] * scale_, 0};
-    if constexpr (D == 3) at.z = v[2] * scale_ - point_[2] * scale_;
+    if constexpr (D == 3) at.z() = v[2] * scale_ - point_[2] * scale_;
     return at;
   }
 

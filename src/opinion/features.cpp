@@ -18,8 +18,6 @@ constexpr double kConeSlack = 1e-6;
 /** How far from the contact point a feature may pass, and how far it may reach, of the obstacle's size. */
 constexpr double kNearby = 0.1, kFarthest = 4;
 
-double largest(const Vec& a) { return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}); }
-
 /** Length 1; NaN where there is none, which is no opinion in the end. */
 Vec direction(const Vec& a) {
   const Vec b = (1 / largest(a)) * a;
@@ -55,7 +53,7 @@ class Frame {
   double unit_ = 1;  // scene units
 };
 
-void add(Hull& hull, const Vec& p) { hull.points.insert(hull.points.end(), {p.x, p.y, p.z}); }
+void add(Hull& hull, const Vec& p) { hull.points.insert(hull.points.end(), {p.x(), p.y(), p.z()}); }
 
 /** Whether the box of a hull reaches the contact point, or nearly, and nothing far beyond the obstacle. */
 bool is_at_contact(const Hull& hull) {
@@ -106,7 +104,7 @@ struct Wedge {
 
 /** The two corners between which all others lie, seen along the edge, if the normal is one of the wedge's. */
 NoFeatures extreme_corners(const Wedge& wedge, const Vec& normal, const Vec*& first, const Vec*& last) {
-  const Vec along = direction(wedge.b - wedge.a), aside = cross(along, normal);
+  const Vec along = direction(wedge.b - wedge.a), aside = along.cross(normal);
   double lowest = 4, highest = -4;
   for (const Vec& corner : wedge.corners) {
     const Vec off = corner - wedge.a, across = direction(off - dot(off, along) * along);
@@ -129,7 +127,7 @@ NoFeatures extreme_corners(const Wedge& wedge, const Vec& normal, const Vec*& fi
 /** The touching segment against the tetrahedron of a wedge. */
 NoFeatures segment_on_wedge(const Frame& frame, const Touch& touch, const Wedge& wedge, Features& features) {
   const Vec p = frame.at(touch.position), q = frame.at(touch.fixed);
-  const Vec sine = cross(direction(wedge.b - wedge.a), direction(q - p));
+  const Vec sine = direction(wedge.b - wedge.a).cross(direction(q - p));
   if (!(dot(sine, sine) >= kParallel * kParallel)) return NoFeatures::kParallel;
   const Vec *first = nullptr, *last = nullptr;
   const NoFeatures reason = extreme_corners(wedge, frame.normal(), first, last);
@@ -205,7 +203,7 @@ NoFeatures diagonal_features(const Environment<3>& env, const Frame& frame, cons
 /** Triangle of the wall, counter-clockwise seen from behind it. */
 struct Triangle {
   Vec corner[3];
-  Vec outward() const { return direction(cross(corner[1] - corner[0], corner[2] - corner[0])); }
+  Vec outward() const { return direction((corner[1] - corner[0]).cross(corner[2] - corner[0])); }
 };
 
 Triangle wall_triangle(const Frame& frame, Cell c, const Shape& shape, uint32_t simplex) {
@@ -219,7 +217,7 @@ double inside_by(const Triangle& t) {
   double least = HUGE_VAL;
   for (int k = 0; k < 3; ++k) {
     const Vec& a = t.corner[k];
-    least = std::min(least, dot(cross(a, direction(t.corner[(k + 1) % 3] - a)), n));
+    least = std::min(least, dot(a.cross(direction(t.corner[(k + 1) % 3] - a)), n));
   }
   return least;
 }
@@ -280,7 +278,7 @@ NoFeatures corner_features(const Environment<3>& env, const Frame& frame, const 
     if (dot(away, n) > kConeSlack * largest(away)) return NoFeatures::kOutsideCone;
   }
   const Vec p = frame.at(touch.position), q = frame.at(touch.fixed), r = frame.at(touch.fixed + 3);
-  const Vec across = direction(cross(direction(q - p), direction(r - p))), shift = dot(corner - p, across) * across;
+  const Vec across = direction(direction(q - p).cross(direction(r - p))), shift = dot(corner - p, across) * across;
   double reach = 0;
   for (size_t i = 0; i < features.obstacle.count(); ++i) {
     reach = std::max(reach, largest(Vec{points[3 * i], points[3 * i + 1], points[3 * i + 2]} - corner));

@@ -17,6 +17,11 @@ class StarTouches {
  public:
   StarTouches(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to, Visit visit)
       : partners_(partners), body_(body), v_(v), p_(body.position(v)), to_(to), visit_(visit) {}
+  /** With a vertex that is merged into another. */
+  StarTouches(const Partners<D>& partners, const Body<D>& body, uint32_t v, uint32_t into, Visit visit)
+      : StarTouches(partners, body, v, body.position(into), visit) {
+    into_ = into;
+  }
 
   /** Whether visit never returned false. */
   bool run() {
@@ -24,7 +29,8 @@ class StarTouches {
       self_ = partner.body == &body_;
       const bool seen = self_ ? body_.filter.self : body_.filter.sees(partner.body->filter);
       other_ = &partner;
-      if (seen && !meet(*partner.body)) return false;
+      if (!seen) continue;
+      if (self_ && into_ != kNone ? !merge() : !meet(*partner.body)) return false;
     }
     return true;
   }
@@ -42,10 +48,60 @@ class StarTouches {
     return go_on;
   }
 
-  bool meet_with_vertex(const Body<D>& other) {
+  // Of its own parts, on the way into another vertex k. The path lies on edge v k, which was apart from all that has no vertex in common;
+  // that edge and the faces at it only shrink. The other edges v q sweep triangles v k q: what has a vertex in common with that
+  // starts there, and enters it only if it ends inside, or leaves it through a side that was apart from it. Faces sweep tetrahedra.
+  bool merge() {
+    if (!covers_edges(body_.level)) {
+      return body_.boxes[0].vertices.visit(path_box(), [&](uint32_t w) {
+        return w == v_ || w == into_ || report_path(body_, PartKind::kVertex, w, w, w);
+      });
+    }
+    bool go_on = true;
+    for_each_edge(body_, v_, [&](uint32_t e) {
+      const uint32_t q = body_.edges[e].other(v_);
+      return q == into_ || (go_on = merge_edge(e, q));
+    });
+    if constexpr (D == 3) {
+      if (!go_on || !covers_faces(body_.level)) return go_on;
+      for_each_face(body_, v_, [&](uint32_t f) {
+        const BodyFace& face = body_.faces[f];
+        const bool shrinks = face.after(v_) == into_ || face.before(v_) == into_;
+        return shrinks || (go_on = meet_with_face(body_, f));
+      });
+    }
+    return go_on;
+  }
+
+  bool merge_edge(uint32_t e, [[maybe_unused]] uint32_t q) {
+    if constexpr (D == 2) {
+      return meet_with_edge(body_, e);
+    } else {
+      PairContact<D> touch;
+      touch.edge = e;
+      const EdgeMotion m{p_, to_, body_.position(q)};
+      Box<D> box;
+      for (const double* each : {m.p, m.to, m.q}) box.add(each);
+      const auto is_own = [&](uint32_t w) { return w == v_ || w == into_ || w == q; };
+      const auto vertex = [&](uint32_t w) { return report_edge(touch, m, body_, PartKind::kVertex, w, w, w); };
+      const auto edge = [&](uint32_t x) {
+        const uint32_t a = body_.edges[x].ends[0], b = body_.edges[x].ends[1];
+        if (is_own(a) || is_own(b)) return (is_own(a) && is_own(b)) || vertex(is_own(a) ? b : a);
+        return report_edge(touch, m, body_, PartKind::kEdge, x, a, b);
+      };
+      return body_.boxes[0].loners.visit(box, vertex) && body_.boxes[0].edges.visit(box, edge);
+    }
+  }
+
+  Box<D> path_box() const {
     Box<D> box;
     box.add(p_);
     box.add(to_);
+    return box;
+  }
+
+  bool meet_with_vertex(const Body<D>& other) {
+    const Box<D> box = path_box();
     const BodyBoxes<D>& boxes = other.boxes[0];
     if (!boxes.bounds.overlaps(box)) return true;
     if constexpr (D == 3) {
@@ -124,7 +180,7 @@ class StarTouches {
     for (const uint32_t each : own) box.add(body_.position(each));
     const BodyBoxes<D>& boxes = other.boxes[0];
     const auto vertex = [&](uint32_t w) {
-      if (self_ && std::find(own.begin(), own.end(), w) != own.end()) return true;
+      if (self_ && (w == into_ || std::find(own.begin(), own.end(), w) != own.end())) return true;
       touch.time = solid_touch<D>(m, other.position(w));
       return report(touch, PartKind::kVertex, w);
     };
@@ -160,6 +216,7 @@ class StarTouches {
   Visit visit_;
   const Partner<D>* other_ = nullptr;
   bool self_ = false;
+  uint32_t into_ = kNone;
 };
 
 template <int D, class Visit>
@@ -191,6 +248,13 @@ bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, 
 }
 
 template <int D>
+bool is_merge_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, uint32_t into) noexcept {
+  if (!partners.reach.contains(body.position(into))) return false;
+  const auto never = [](const PairContact<D>&) { return false; };
+  return StarTouches<D, decltype(never)>(partners, body, v, into, never).run();
+}
+
+template <int D>
 bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
                      PairContact<D>* first) noexcept {
   *first = PairContact<D>();
@@ -203,6 +267,7 @@ bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t 
 
 #define DSW_PAIR_SWEEP(D)                                                                                              \
   template bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept; \
+  template bool is_merge_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, uint32_t into) noexcept;  \
   template bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,        \
                                 PairContact<D>* first) noexcept
 DSW_PAIR_SWEEP(2);

@@ -23,6 +23,10 @@ struct PairContact {
 template <int D>
 bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept;
 
+/** Whether vertex v can go to `into`, the other end of one of its edges, and become one with it. noexcept as is_way_apart. */
+template <int D>
+bool is_merge_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, uint32_t into) noexcept;
+
 /** What is touched first on that way. Of equal times, as they are rounded, the vertex before edges before faces, then the other
  * body with the lowest index and of its parts vertices before edges before faces, all by index. */
 template <int D>

@@ -1,5 +1,7 @@
 #include "pairs/partners.h"
 
+#include <algorithm>
+
 #include "predicates/touch.h"
 
 namespace dsw {
@@ -13,8 +15,8 @@ bool is_corner(const BodyFace& face, uint32_t v) {
 template <int D>
 class Segment {
  public:
-  Segment(const Body<D>& other, bool self, const Corner& a, const Corner& b)
-      : other_(other), self_(self), a_(a), b_(b) {
+  Segment(const Body<D>& other, bool self, const Corner& a, const Corner& b, uint32_t replaced)
+      : other_(other), self_(self), a_(a), b_(b), replaced_(self ? replaced : kNone) {
     box_.add(a.at);
     box_.add(b.at);
   }
@@ -23,10 +25,10 @@ class Segment {
     if (!other_.boxes[0].bounds.overlaps(box_)) return true;
     const auto past_vertex = [&](uint32_t v) { return is_own(v) || !touches(other_.position(v), other_.position(v)); };
     if (!single_vertices(other_, other_.level).visit(box_, past_vertex)) return false;
-    const auto past_edge = [&](uint32_t e) { return is_past_edge(other_.edges[e]); };
+    const auto past_edge = [&](uint32_t e) { return e == replaced_ || is_past_edge(other_.edges[e]); };
     if (covers_edges(other_.level) && !other_.boxes[0].edges.visit(box_, past_edge)) return false;
     if constexpr (D == 3) {
-      const auto past_face = [&](uint32_t f) { return is_past_face(other_.faces[f]); };
+      const auto past_face = [&](uint32_t f) { return is_replaced_face(f) || is_past_face(other_.faces[f]); };
       if (covers_faces(other_.level) && !other_.boxes[0].faces.visit(box_, past_face)) return false;
     }
     return true;
@@ -34,6 +36,9 @@ class Segment {
 
  private:
   bool is_own(uint32_t v) const noexcept { return self_ && (v == a_.vertex || v == b_.vertex); }
+  bool is_replaced_face(uint32_t f) const noexcept {
+    return replaced_ != kNone && (other_.edges[replaced_].faces[0] == f || other_.edges[replaced_].faces[1] == f);
+  }
   bool touches(const double* c, const double* d) const noexcept { return segments_touch<D>(a_.at, b_.at, c, d); }
 
   bool is_past_edge(const BodyEdge& edge) const noexcept {
@@ -60,6 +65,7 @@ class Segment {
   const Body<D>& other_;
   bool self_;
   Corner a_, b_;
+  uint32_t replaced_;
   Box<D> box_;
 };
 
@@ -77,9 +83,11 @@ bool for_each_seen(const Partners<D>& partners, const Body<D>& body, Visit visit
 }  // namespace
 
 template <int D>
-bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a, const Corner& b) noexcept {
-  return for_each_seen(partners, body,
-                       [&](const Body<D>& other, bool self) { return Segment<D>(other, self, a, b).is_apart(); });
+bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a, const Corner& b,
+                      uint32_t replaced) noexcept {
+  return for_each_seen(partners, body, [&](const Body<D>& other, bool self) {
+    return Segment<D>(other, self, a, b, replaced).is_apart();
+  });
 }
 
 bool is_triangle_apart(const Partners<3>& partners, const Body<3>& body, const Corner* corners) noexcept {
@@ -104,20 +112,74 @@ bool is_triangle_apart(const Partners<3>& partners, const Body<3>& body, const C
 }
 
 template <int D>
-bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const SolidMotion<D>& swept) noexcept {
+bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const SolidMotion<D>& swept,
+                    const uint32_t* own) noexcept {
   Box<D> box;
   for (const double* each : {swept.p, swept.to, swept.q}) box.add(each);
   if constexpr (D == 3) box.add(swept.r);
-  return for_each_seen(partners, body, [&](const Body<D>& other, bool) {
-    return other.boxes[0].vertices.visit(
-        box, [&](uint32_t v) { return solid_touch<D>(swept, other.position(v)) == kNever; });
+  return for_each_seen(partners, body, [&](const Body<D>& other, bool self) {
+    return other.boxes[0].vertices.visit(box, [&](uint32_t v) {
+      return (self && std::find(own, own + D, v) != own + D) || solid_touch<D>(swept, other.position(v)) == kNever;
+    });
   });
 }
 
-#define DSW_PARTNERS(D)                                                                             \
-  template bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a, \
-                                 const Corner& b) noexcept;                                         \
-  template bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const SolidMotion<D>& swept) noexcept
+// Of the body's own parts. Think of the edge p q as split where it is, at m0, and of m0 as moved to m. A simplicial complex of which no
+// two parts without a common vertex touch stays one when it is split. So m gets to its place if no part at m touches, on the way, a part
+// that stays and has no vertex in common with it. Those at m sweep parts of the triangle p m q and, for each face p q r, of the
+// tetrahedron p m q r. A part that stays and has a vertex in common with that enters it there: it leaves it through the side
+// opposite of the vertex, which is tested with the whole of the part, or it ends inside, and then its other end is found there. So the
+// tests are those of any segment, triangle and solid of the body. Those are for m where it is, whatever m0 was: rounding may have put m
+// on the edge, beside it or in its line beyond an end. Below FACES the edge m r cuts a face that is not covered: it is compared where it
+// is then, since nothing stood for it before.
+template <int D>
+bool is_bend_apart(const Partners<D>& partners, const Body<D>& body, uint32_t edge, const double* point) noexcept {
+  if (!partners.reach.contains(point)) return false;
+  const BodyEdge& bent = body.edges[edge];
+  const Corner p{body.position(bent.ends[0]), bent.ends[0]}, q{body.position(bent.ends[1]), bent.ends[1]},
+      m{point, kNone};
+  const auto is_side_apart = [&](const Corner& a, const Corner& b) {
+    return is_segment_apart(partners, body, a, b, edge);
+  };
+  if (!covers_edges(body.level)) return is_side_apart(m, m);
+  // The edge itself is not looked at: its ends are.
+  const auto meets_end = [&] {
+    return segments_touch<D>(p.at, m.at, q.at, q.at) || segments_touch<D>(m.at, q.at, p.at, p.at);
+  };
+  if (body.filter.self && meets_end()) return false;
+  if (!is_side_apart(p, m) || !is_side_apart(m, q)) return false;
+  if constexpr (D == 2) {
+    return is_solid_apart<D>(partners, body, {p.at, m.at, q.at}, bent.ends);
+  } else {
+    const auto is_face_apart = [&](const Corner& a, const Corner& b) {
+      const Corner corners[3] = {a, m, b};
+      return is_triangle_apart(partners, body, corners);
+    };
+    if (!is_face_apart(p, q)) return false;
+    for (const uint32_t f : bent.faces) {
+      if (f == kNone) continue;
+      const BodyFace& face = body.faces[f];
+      const uint32_t far = face.after(p.vertex) == q.vertex ? face.before(p.vertex) : face.after(p.vertex);
+      const Corner r{body.position(far), far};
+      if (!is_side_apart(m, r)) return false;
+      if (!covers_faces(body.level)) continue;
+      const uint32_t own[3] = {p.vertex, q.vertex, far};
+      if (!is_face_apart(p, r) || !is_face_apart(q, r) ||
+          !is_solid_apart<D>(partners, body, {p.at, m.at, q.at, r.at}, own)) {
+        return false;
+      }
+    }
+    return true;
+  }
+}
+
+#define DSW_PARTNERS(D)                                                                                              \
+  template bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a, const Corner& b, \
+                                 uint32_t replaced) noexcept;                                                        \
+  template bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const SolidMotion<D>& swept,        \
+                               const uint32_t* own) noexcept;                                                        \
+  template bool is_bend_apart(const Partners<D>& partners, const Body<D>& body, uint32_t edge,                       \
+                              const double* point) noexcept
 DSW_PARTNERS(2);
 DSW_PARTNERS(3);
 #undef DSW_PARTNERS

@@ -7,6 +7,7 @@
 
 #include <initializer_list>
 
+#include "base/vec.h"
 #include "motion/cast.h"
 
 namespace dsw {
@@ -35,8 +36,8 @@ struct Nearest {
     if (t > 0 && t < 1) take(a + t * ab, {a, b});
   }
   void look_at(const Vec& a, const Vec& b, const Vec& c) {
-    const Vec n = cross(b - a, c - a);
-    const bool inside = dot(cross(a, b), n) > 0 && dot(cross(b, c), n) > 0 && dot(cross(c, a), n) > 0;
+    const Vec n = (b - a).cross(c - a);
+    const bool inside = dot(a.cross(b), n) > 0 && dot(b.cross(c), n) > 0 && dot(c.cross(a), n) > 0;
     if (inside) take(dot(a, n) / dot(n, n) * n, {a, b, c});
   }
   /** Looks at what `last` and up to three others span. */
@@ -72,6 +73,18 @@ double depth(const Vec& direction, const Vec* normals, size_t count) {
   return least;
 }
 
+/** To the middle of the cells and away from all normals, the better one first. */
+void choose(const Vec& middle, const Array<Vec>& normals, double (&directions)[2][3]) {
+  Vec first = unit(middle), second = first;
+  if (!normals.empty()) {
+    second = away_from(normals.data(), normals.size());
+    if (depth(second, normals.data(), normals.size()) > depth(first, normals.data(), normals.size()))
+      std::swap(first, second);
+  }
+  store<3>(first, directions[0]);
+  store<3>(second, directions[1]);
+}
+
 }  // namespace
 
 Inset::Inset(const Environment<3>& env, const Piece& piece, const PieceSurface& surface)
@@ -100,10 +113,12 @@ Inset::Inset(const Environment<3>& env, const Piece& piece, const PieceSurface& 
       const Vec a = difference<3>(p[1], p[0]), b = difference<3>(p[2], p[0]);
       ways_[v].shortest = std::min({ways_[v].shortest, length(a), length(b)});
       ways_[v].longest = std::max({ways_[v].longest, length(a), length(b)});
-      const Vec normal = unit(cross(unit(a), unit(b)));
+      const Vec normal = unit(unit(a).cross(unit(b)));
       if (!is_zero(normal)) normals.push_back(normal);
     }
-    find_directions(v, normals);
+    double middle[3];
+    find_middle(v, middle);
+    choose(to_vec<3>(middle), normals, ways_[v].directions);
   }
   first_.push_back(cells_.size());
 }
@@ -142,21 +157,16 @@ void Inset::find_cells(const Piece& piece, uint32_t vertex) {
   }
 }
 
-void Inset::find_directions(uint32_t vertex, const Array<Vec>& normals) {
+void Inset::find_middle(uint32_t vertex, double* way) const {
   double at[3];
   origin(vertex, at);
   Vec middle;
   for (size_t i = first_[vertex]; i < cells_.size(); ++i) {
     double apex[3];
     centre(env_, cells_[i], apex);
-    middle = middle + difference<3>(apex, at);
+    middle += difference<3>(apex, at);
   }
-  Vec* const directions = ways_[vertex].directions;
-  directions[0] = directions[1] = unit(middle);
-  if (normals.empty()) return;
-  directions[1] = away_from(normals.data(), normals.size());
-  if (depth(directions[1], normals.data(), normals.size()) > depth(directions[0], normals.data(), normals.size()))
-    std::swap(directions[0], directions[1]);
+  store<3>(middle, way);
 }
 
 bool Inset::place(uint32_t vertex, uint32_t attempt, double share, double* position, Cell* cell) const {
@@ -167,7 +177,7 @@ bool Inset::place(uint32_t vertex, uint32_t attempt, double share, double* posit
   const auto scale = static_cast<double>(uint64_t{1} << (round + 1) / 2);
   const double first = share * way.shortest, distance = round % 2 == 1 ? first / scale : first * scale;
   if (round != 0 && distance > kMost * way.longest) return false;
-  store<3>(to_vec<3>(at) + distance * way.directions[attempt % 2], position);
+  store<3>(to_vec<3>(at) + distance * to_vec<3>(way.directions[attempt % 2]), position);
   for (size_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
     if (!contains(env_, cells_[i], position)) continue;
     *cell = cells_[i];

@@ -1,7 +1,6 @@
 #pragma once
 // Places near the vertices of a piece's surface, inside of the piece.
 
-#include "base/vec.h"
 #include "pieces/surface.h"
 
 namespace dsw {
@@ -19,11 +18,12 @@ class Inset {
 
  private:
   struct Way {
-    Vec directions[2] = {};            // of length 1, the better one first
+    double directions[2][3] = {};      // of length 1, the better one first
     double shortest = 0, longest = 0;  // lengths of the edges there
   };
   void find_cells(const Piece& piece, uint32_t vertex);
-  void find_directions(uint32_t vertex, const Array<Vec>& normals);
+  /** From a vertex to the middle of its cells. */
+  void find_middle(uint32_t vertex, double* way) const;
 
   const Environment<3>& env_;
   const PieceSurface& surface_;

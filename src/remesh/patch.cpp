@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "base/vec.h"
+#include "base/position.h"
 #include "environment/validity.h"
 #include "predicates/filtered.h"
 

@@ -38,12 +38,17 @@ void BodyMove<D>::sweep_edges(Body<D>& body, PointArray targets, bool may_skip) 
   const bool asks_cells = body.skipping.by_environment && body.level == SweepLevel::kEdges && !body.keeps_sequences();
   const bool asks_boxes = body.level != SweepLevel::kEdges;
   const bool asks_balls = body.skipping.by_clearance && sweeps_.max_cells == 0;
+  const bool only_places = body.level == SweepLevel::kEdges && !body.keeps_sequences();
+  const bool skips_back = may_skip && body.skipping.back_edges;
+  if (skips_back) find_inwards(body, targets);
   for (uint32_t next = 0; next < body.edges.size();) {
     uint32_t count = gather_edges(body, targets, next);
     if (asks_cells) count = drop_inside(body, targets, count);
     if (asks_balls) count = drop_clear(body, count);
-    if (may_skip) count = drop_short(body, targets, count);
-    for (uint32_t i = 0; i < count; ++i) {
+    if (may_skip && body.skipping.by_similar_motion) count = drop_similar(body, targets, count);
+    if (skips_back) count = drop_back(body, targets, count);
+    for (uint32_t i = 0; i < count && only_places; ++i) cast_places(body, targets, chunk_[i], skips_back);
+    for (uint32_t i = 0; i < count && !only_places; ++i) {
       const uint32_t e = chunk_[i], a = body.edges[e].ends[0], b = body.edges[e].ends[1];
       const bool boxed = asks_boxes && is_edge_boxed(body, targets, e);
       sweep_edge(body, targets, e, a, b, boxed);
@@ -152,31 +157,86 @@ bool BodyMove<D>::is_edge_boxed(const Body<D>& body, PointArray targets, uint32_
   return sweeps_.is_boxed(box, a.from, b.from);
 }
 
-/** Edges whose ends go less than their length, and nearly alike [JCD10] 6.2; they are cast where they arrive. */
+/** Drops the edges for which skips(a, b, e) holds, and casts them where they arrive. If such a cast fails, both ends are in doubt. */
 template <int D>
-uint32_t BodyMove<D>::drop_short(Body<D>& body, PointArray targets, uint32_t count) {
-  const double share = body.skipping.motion_share * body.skipping.motion_share;
-  uint32_t dropped = 0, short_ones[kChunk];
+template <class Skips>
+uint32_t BodyMove<D>::drop_and_cast(Body<D>& body, PointArray targets, uint32_t count, Skips skips) {
+  uint32_t dropped = 0, skipped[kChunk];
   const uint32_t kept = drop(body, count, [&](const Moving& a, const Moving& b, uint32_t e) {
+    const bool skip = skips(a, b, e);
+    skipped[dropped] = e;
+    dropped += skip ? 1 : 0;
+    return skip;
+  });
+  for (uint32_t i = 0; i < dropped; ++i) {
+    const uint32_t e = skipped[i], a = body.edges[e].ends[0], b = body.edges[e].ends[1];
+    cast_edge(body, e, kNone, {moving_[a].arrival, place(body, targets, a, kNone)},
+              {moving_[b].arrival, place(body, targets, b, kNone)});
+  }
+  return kept;
+}
+
+/** Edges whose ends go less than their length, and nearly alike. */
+template <int D>
+uint32_t BodyMove<D>::drop_similar(Body<D>& body, PointArray targets, uint32_t count) {
+  const double share = body.skipping.motion_share * body.skipping.motion_share;
+  return drop_and_cast(body, targets, count, [&](const Moving& a, const Moving& b, uint32_t e) {
     const uint32_t v = body.edges[e].ends[0], w = body.edges[e].ends[1];
     const double *const p = body.position(v), *const q = body.position(w);
     const Vec way_p = difference<D>(a.rank != kNone ? targets[v] : p, p);
     const Vec way_q = difference<D>(b.rank != kNone ? targets[w] : q, q), change = way_p - way_q;
     const double length = distance_squared<D>(p, q), way = std::max(dot(way_p, way_p), dot(way_q, way_q));
-    const bool is_short = (way < length) & (dot(change, change) < share * length);
-    short_ones[dropped] = e;
-    dropped += is_short ? 1 : 0;
-    return is_short;
+    return (way < length) & (dot(change, change) < share * length);
   });
-  for (uint32_t i = 0; i < dropped; ++i) cast_skipped(body, targets, short_ones[i]);
-  return kept;
 }
 
+/** Which vertices go towards the inside of a closed body: against the normals of all faces at them, where these were when the move began.
+ * In doubles: what is left out by this is cast where it arrives. */
 template <int D>
-void BodyMove<D>::cast_skipped(Body<D>& body, PointArray targets, uint32_t e) {
-  const uint32_t a = body.edges[e].ends[0], b = body.edges[e].ends[1];
-  cast_edge(body, e, kNone, {moving_[a].arrival, place(body, targets, a, kNone)},
-            {moving_[b].arrival, place(body, targets, b, kNone)});
+void BodyMove<D>::find_inwards(const Body<D>& body, PointArray targets) {
+  for (const uint32_t v : order_) moving_[v].inwards = moving_[v].rank != kNone;
+  for (uint32_t f = 0; f < body.faces.size(); ++f) {
+    if (!body.has_face(f)) continue;
+    const uint32_t(&corners)[3] = body.faces[f].corners;
+    const double* const p = body.position(corners[0]);
+    const Vec normal = difference<D>(body.position(corners[1]), p).cross(difference<D>(body.position(corners[2]), p));
+    for (const uint32_t v : corners) {
+      Moving& moving = moving_[v];
+      const double* const to = moving.rank != kNone ? targets[v] : body.position(v);
+      moving.inwards &= dot(difference<D>(to, body.position(v)), normal) < 0;  // without a branch: half of them
+    }
+  }
+}
+
+/** Edges both ends of which go towards the inside [JCD10] 6.2. */
+template <int D>
+uint32_t BodyMove<D>::drop_back(Body<D>& body, PointArray targets, uint32_t count) {
+  return drop_and_cast(body, targets, count, [&](const Moving& a, const Moving& b, uint32_t e) {
+    return (uint32_t{a.inwards} & uint32_t{b.inwards} & (body.edges[e].faces[1] != kNone ? 1u : 0u)) != 0;
+  });
+}
+
+/** Casts an edge in its new places, that of the end whose turn comes first and then that of the other one. A first end that goes
+ * towards the inside needs no cast where the other one has its own.
+ * What sweep_edge does for both ends, at EDGES where no sequences are kept, without branches on which end is the first. */
+template <int D>
+void BodyMove<D>::cast_places(Body<D>& body, PointArray targets, uint32_t e, bool skips_back) {
+  const uint32_t(&ends)[2] = body.edges[e].ends;
+  const uint32_t k = moving_[ends[1]].rank < moving_[ends[0]].rank ? 1 : 0, v = ends[k], w = ends[1 - k];
+  Moving &first = moving_[v], &second = moving_[w];
+  const bool both = second.rank != kNone;
+  if (first.rank == kNone) return;
+  if (!first.doubtful) {
+    const bool skips = skips_back && both && first.inwards && !second.inwards && body.edges[e].faces[1] != kNone;
+    ++sweeps_.counts.swept;
+    sweeps_.counts.skipped += skips ? 1 : 0;
+    if (!skips) cast_edge(body, e, v, {first.arrival, targets[v]}, {second.from, body.position(w)});
+  }
+  if (!both) return;
+  second.doubtful = second.doubtful || !first.arrival.valid();
+  if (second.doubtful) return;
+  ++sweeps_.counts.swept;
+  cast_edge(body, e, w, {second.arrival, targets[w]}, {first.arrival, targets[v]});
 }
 
 /** @param boxed as is_edge_boxed says. */

@@ -38,8 +38,12 @@ BodyMove<D>::BodyMove(const Environment<D>& env)
       rooms_(Allocator<double>(env.memory)) {}
 
 template <int D>
-void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const MoveSettings& settings,
+void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const MoveSettings& wanted,
                        MoveRecord& record) {
+  MoveSettings settings = wanted;
+  if (body.is_rigid() && settings.may_insert()) {
+    settings.edge = MoveSettings::slides(settings.edge) ? Response::kSlide : Response::kStop;
+  }
   record.clear();
   sweeps_.max_cells = settings.max_cells;
   start(body, order, targets);
@@ -55,7 +59,8 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
     }
   };
   try {
-    const bool may_skip = body.skipping.by_motion && body.level == SweepLevel::kEdges;
+    const Skipping& skipping = body.skipping;
+    const bool may_skip = (skipping.back_edges || skipping.by_similar_motion) && body.level == SweepLevel::kEdges;
     if (!run(body, targets, settings, record, may_skip)) {
       // An edge that was left out is not free where it ends: once more, and nothing is left out.
       if (edits) {
@@ -115,7 +120,7 @@ bool BodyMove<D>::try_together(Body<D>& body, PlaceFn where, const void* user, d
     double* const to = places_.data() + D * size_t{v};
     std::copy_n(before_[v].position, D, to);
     if (!body.has_vertex(v)) continue;
-    where(user, before_[v].position, fraction, to);
+    where(user, v, before_[v].position, fraction, to);
     if (!is_finite<D>(to)) return false;  // a part of a motion can lead further than the whole
   }
   start(body, order, targets);
@@ -169,13 +174,15 @@ void BodyMove<D>::start(const Body<D>& body, MoveOrder order, PointArray targets
   }
 }
 
-/** False: the body is not free at an edge that was left out. */
+/** False: the body was not free at an edge that was left out. */
 template <int D>
 bool BodyMove<D>::run(Body<D>& body, PointArray targets, const MoveSettings& settings, MoveRecord& record,
                       bool may_skip) {
   sweep_all(body, targets, may_skip);
-  finish(body, targets, settings, record);
-  return !may_skip || are_strays_free(body);
+  if (!finish(body, targets, settings, record, may_skip)) return false;
+  // Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are cast where their
+  // ends arrive, or by the later of these, which moves alone.
+  return !may_skip || std::all_of(strays_.begin(), strays_.end(), [&](uint32_t v) { return is_star_free(body, v); });
 }
 
 /** What is met if nobody else meets anything. */
@@ -292,9 +299,11 @@ void BodyMove<D>::arrive(Body<D>& body, PointArray targets, uint32_t v) const {
   put_vertex(body, v, targets[v], moving_[v].arrival);
 }
 
-/** The vertices in their order: those without doubt arrive, the others move alone. */
+/** The vertices in their order: those without doubt arrive, the others move alone. Returns false if a vertex that has to move alone has
+ * an edge that is not free: vertices before it have left that edge out. */
 template <int D>
-void BodyMove<D>::finish(Body<D>& body, PointArray targets, const MoveSettings& settings, MoveRecord& record) {
+bool BodyMove<D>::finish(Body<D>& body, PointArray targets, const MoveSettings& settings, MoveRecord& record,
+                         bool may_skip) {
   VertexMove<D> alone(env_, body, settings, sweeps_, record);
   for (const uint32_t v : order_) {
     if (moving_[v].rank == kNone) continue;
@@ -302,12 +311,14 @@ void BodyMove<D>::finish(Body<D>& body, PointArray targets, const MoveSettings& 
       arrive(body, targets, v);
       continue;
     }
+    if (may_skip && !is_star_free(body, v)) return false;
     const size_t edits = record.edits.size();
     const bool reached = alone.move(v, targets[v]);
     record.stopped += reached ? 0 : 1;
     if (!reached || record.edits.size() != edits) disturb(body, v);
     for (size_t i = edits; i < record.edits.size(); ++i) disturb(body, record.edits[i].vertex.index);
   }
+  return true;
 }
 
 /** The neighbours of a vertex that is not where they took it to be. */
@@ -324,26 +335,23 @@ void BodyMove<D>::disturb(const Body<D>& body, uint32_t v) {
   });
 }
 
-/** Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are cast where their
- * ends arrive, or by the later of these, which moves alone. */
+/** Whether all edges of a vertex are free where they are. */
 template <int D>
-bool BodyMove<D>::are_strays_free(const Body<D>& body) {
+bool BodyMove<D>::is_star_free(const Body<D>& body, uint32_t v) {
+  if (!body.has_vertex(v)) return true;
+  const BodyVertex<D>& at = body.vertices[v];
   bool free = true;
   const auto run = [&] {
     wave_.run(env_, sweeps_.counters);
     for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.reached(i);
     wave_.clear();
   };
-  for (const uint32_t v : strays_) {
-    if (!body.has_vertex(v)) continue;
-    const BodyVertex<D>& at = body.vertices[v];
-    for_each_edge(body, v, [&](uint32_t e) {
-      const BodyVertex<D>& other = body.vertices[body.edges[e].other(v)];
-      wave_.add(env_, at.cell, at.position, other.position).end = other.cell;
-      if (wave_.full()) run();
-      return true;
-    });
-  }
+  for_each_edge(body, v, [&](uint32_t e) {
+    const BodyVertex<D>& other = body.vertices[body.edges[e].other(v)];
+    wave_.add(env_, at.cell, at.position, other.position).end = other.cell;
+    if (wave_.full()) run();
+    return true;
+  });
   run();
   return free;
 }
@@ -361,7 +369,7 @@ void BodyMove<D>::remove_noise(Body<D>& body, double share, MoveRecord& record) 
     if (count != 2) continue;
     const double *a = body.position(body.edges[edges[0]].other(v)), *b = body.position(body.edges[edges[1]].other(v));
     const Vec line = difference<D>(b, a), off = difference<D>(body.position(v), a);
-    const double size = length(line), beside = length(cross(off, unit(line)));
+    const double size = length(line), beside = length(off.cross(unit(line)));
     if (!(beside <= share * size) || !(dot(off, line) > 0) || !(dot(off, line) < dot(line, line))) continue;
     dsw_body_edit edit;
     reserve_more(record.edits, 1);

@@ -13,8 +13,8 @@ struct MoveOrder {
   size_t count = 0;
 };
 
-/** Where a point that was at `from` is at a fraction of a motion of the whole body. */
-using PlaceFn = void (*)(const void* user, const double* from, double fraction, double* to);
+/** Where a vertex that was at `from` is at a fraction of a motion of the whole body. */
+using PlaceFn = void (*)(const void* user, uint32_t vertex, const double* from, double fraction, double* to);
 
 /** Moves bodies; one for each thread. */
 template <int D>
@@ -45,6 +45,7 @@ class BodyMove {
     Cell from, arrival;     // contains the target, or the vertex that stays; invalid if something is on the path
     bool doubtful = false;  // something is, or may be, met on the way
     Sight sight = Sight::kUnknown;
+    bool inwards = false;  // against the normals of all faces at it
   };
   static_assert(sizeof(Moving) == 16);
 
@@ -63,8 +64,12 @@ class BodyMove {
   uint32_t drop_inside(const Body<D>& body, PointArray targets, uint32_t count);
   bool sees_all_of_cell(PointArray targets, uint32_t v);
   uint32_t drop_clear(Body<D>& body, uint32_t count);
-  uint32_t drop_short(Body<D>& body, PointArray targets, uint32_t count);
-  void cast_skipped(Body<D>& body, PointArray targets, uint32_t e);
+  template <class Skips>
+  uint32_t drop_and_cast(Body<D>& body, PointArray targets, uint32_t count, Skips skips);
+  uint32_t drop_similar(Body<D>& body, PointArray targets, uint32_t count);
+  void find_inwards(const Body<D>& body, PointArray targets);
+  uint32_t drop_back(Body<D>& body, PointArray targets, uint32_t count);
+  void cast_places(Body<D>& body, PointArray targets, uint32_t e, bool skips_back);
   void sweep_edge(Body<D>& body, PointArray targets, uint32_t e, uint32_t v, uint32_t other, bool boxed);
   struct EdgeEnd {
     Cell cell;
@@ -80,9 +85,9 @@ class BodyMove {
   bool shares_strip(const Body<D>& body, uint32_t f) const;
   void run_wave(const Body<D>& body);
   void arrive(Body<D>& body, PointArray targets, uint32_t v) const;
-  void finish(Body<D>& body, PointArray targets, const MoveSettings& settings, MoveRecord& record);
+  bool finish(Body<D>& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip);
   void disturb(const Body<D>& body, uint32_t v);
-  bool are_strays_free(const Body<D>& body);
+  bool is_star_free(const Body<D>& body, uint32_t v);
   void remove_noise(Body<D>& body, double share, MoveRecord& record);
   const double* place(const Body<D>& body, PointArray targets, uint32_t v, uint32_t rank) const;
   Cell cell_at(uint32_t v, uint32_t rank) const;

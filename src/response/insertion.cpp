@@ -12,39 +12,6 @@ bool is_reached(const Environment<D>& env, const double* from, Cell start, const
   return way.end == CastEnd::kReached && way.cell == to.cell;
 }
 
-/** Whether what an edge sweeps when it is bent to pass through `point` touches no partner. A body that sees itself keeps its vertices. */
-template <int D>
-bool is_bend_apart(const Partners<D>& partners, const Body<D>& body, const BodyEdge& edge, const double* point) {
-  if (body.filter.self || !partners.reach.contains(point)) return false;
-  const Corner p{body.position(edge.ends[0]), edge.ends[0]}, q{body.position(edge.ends[1]), edge.ends[1]},
-      m{point, kNone};
-  const auto is_side_apart = [&](const Corner& a, const Corner& b) { return is_segment_apart(partners, body, a, b); };
-  if (!covers_edges(body.level)) return is_side_apart(m, m);
-  if (!is_side_apart(p, m) || !is_side_apart(m, q)) return false;
-  if constexpr (D == 2) {
-    return is_solid_apart<D>(partners, body, {p.at, m.at, q.at});
-  } else {
-    const auto is_face_apart = [&](const Corner& a, const Corner& b) {
-      const Corner corners[3] = {a, m, b};
-      return is_triangle_apart(partners, body, corners);
-    };
-    if (!is_face_apart(p, q)) return false;
-    for (const uint32_t f : edge.faces) {
-      if (f == kNone) continue;
-      const BodyFace& face = body.faces[f];
-      const uint32_t far = face.after(p.vertex) == q.vertex ? face.before(p.vertex) : face.after(p.vertex);
-      const Corner r{body.position(far), far};
-      if (!is_side_apart(m, r)) return false;
-      if (!covers_faces(body.level)) continue;
-      if (!is_face_apart(p, r) || !is_face_apart(q, r) ||
-          !is_solid_apart<D>(partners, body, {p.at, m.at, q.at, r.at})) {
-        return false;
-      }
-    }
-    return true;
-  }
-}
-
 }  // namespace
 
 template <int D>
@@ -52,7 +19,7 @@ bool can_bend(const Environment<D>& env, StarSweep<D>& sweeps, const Body<D>& bo
               Cell* cell) {
   const BodyEdge& e = body.edges[edge];
   const BodyVertex<D>&p = body.vertices[e.ends[0]], &q = body.vertices[e.ends[1]];
-  if (sweeps.partners != nullptr && !is_bend_apart(*sweeps.partners, body, e, point)) return false;
+  if (sweeps.partners != nullptr && !is_bend_apart(*sweeps.partners, body, edge, point)) return false;
   if (body.level == SweepLevel::kPoints) {
     *cell = locate(env, point, p.cell, nullptr).cell;
     return cell->valid() && !is_closed(env, *cell);
@@ -101,9 +68,7 @@ template <int D>
 bool merge_vertex(StarSweep<D>& sweeps, Body<D>& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
   const uint32_t kept = body.edges[edge].other(vertex);
   Cell cell;
-  if ((sweeps.partners != nullptr && body.filter.self) || !can_collapse(body, edge, vertex) ||
-      !sweeps.is_free(body, vertex, body.position(kept), &cell))
-    return false;
+  if (!can_collapse(body, edge, vertex) || !sweeps.can_merge(body, vertex, kept, &cell)) return false;
   if (edit != nullptr) {
     *edit = {};
     edit->vertex = vertex_id(body, vertex);

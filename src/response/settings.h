@@ -8,7 +8,7 @@
 
 namespace dsw {
 
-enum class Response : uint32_t { kStop, kAdaptiveOne, kAdaptiveMany, kHybrid, kSlide };
+enum class Response : uint32_t { kStop, kAdaptiveOne, kAdaptiveMany, kHybrid, kSlide, kAdaptiveSlide };
 enum class Search : uint32_t { kExact, kAll, kBisection };
 
 /** See dsw_move_options. */
@@ -22,10 +22,11 @@ struct MoveSettings {
   double noise_share = 0;
 
   bool may_slide() const { return slides(vertex) || slides(edge); }
-  static bool slides(Response response) { return response == Response::kSlide || response == Response::kHybrid; }
+  static bool slides(Response response) { return response == Response::kSlide || response == Response::kAdaptiveSlide; }
   bool may_edit() const { return may_insert() || noise_share > 0; }
   bool may_insert() const {
-    return edge == Response::kAdaptiveOne || edge == Response::kAdaptiveMany || edge == Response::kHybrid;
+    return edge == Response::kAdaptiveOne || edge == Response::kAdaptiveMany || edge == Response::kHybrid ||
+           edge == Response::kAdaptiveSlide;
   }
 };
 
@@ -33,6 +34,7 @@ struct MoveSettings {
 struct MoveRecord {
   Array<dsw_contact> contacts;
   Array<dsw_contact_partner> partners;  // of the contacts, if bodies meet each other
+  Array<dsw_contact_past> pasts;        // of the contacts: filled in when the move is done
   bool keeps_partners = false;
   Array<dsw_body_edit> edits;
   double fraction = 1;
@@ -42,14 +44,17 @@ struct MoveRecord {
   explicit MoveRecord(const Memory* memory)
       : contacts(Allocator<dsw_contact>(memory)),
         partners(Allocator<dsw_contact_partner>(memory)),
+        pasts(Allocator<dsw_contact_past>(memory)),
         edits(Allocator<dsw_body_edit>(memory)) {}
   void add(const dsw_contact& contact, const dsw_contact_partner& partner = {}) {
     contacts.push_back(contact);
+    pasts.emplace_back();
     if (keeps_partners) partners.push_back(partner);
   }
   void clear() {
     contacts.clear();
     partners.clear();
+    pasts.clear();
     edits.clear();
     fraction = 1;
     moved = stopped = limited = 0;

@@ -54,7 +54,7 @@ bool VertexMove<D>::move(uint32_t v, const double* target) {
       std::copy_n(target, D, to);
       continue;
     }
-    if (response != Response::kSlide && response != Response::kHybrid) return false;
+    if (!MoveSettings::slides(response)) return false;
     if (++slides > kMostSlides || !slide(v, target, contact, walls, to)) return false;
   }
 }
@@ -62,6 +62,8 @@ bool VertexMove<D>::move(uint32_t v, const double* target) {
 /** To `to`, or as far as it is free: then the contacts are in the record, the first of them first. */
 template <int D>
 bool VertexMove<D>::advance(uint32_t v, const double* to) {
+  under_.clear();
+  if (settings_.search == Search::kBisection) return advance_by_halving(v, to);
   const BodyVertex<D>& at = body_.vertices[v];
   StarContact first;
   Cell cell;
@@ -88,7 +90,8 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
   return false;
 }
 
-/** Of what is met of the environment, which may be null, and of other bodies. Returns the first. */
+/** Of what is met of the environment, which may be null, and of other bodies. Returns the first. Notes what is under the touching
+ * edge, if the response wants that. */
 template <int D>
 dsw_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const StarContact* first,
                                            const PairContact<D>& pair) {
@@ -97,32 +100,97 @@ dsw_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const S
   const bool pair_first = first == nullptr || pair.time < contact.time;
   if (pair_first) {
     of_pair = describe(env_, body_, v, to, pair);
-    if (settings_.search == Search::kBisection) bisect(v, of_pair);
     record_.add(of_pair, partner_of(pair));
   } else {
-    if (settings_.search == Search::kBisection) bisect(v, contact);
     record_.add(contact);
   }
-  if (settings_.search == Search::kAll && first != nullptr) {
-    Array<StarContact> all{Allocator<StarContact>(env_.memory)};
-    sweeps_.find_all(body_, v, to, *first, all);
-    for (size_t i = pair_first ? 0 : 1; i < all.size(); ++i) record_.add(describe(env_, body_, v, to, all[i]));
+  const bool records = settings_.search == Search::kAll;
+  bool inserts = settings_.edge == Response::kAdaptiveMany && !pair_first && first->edge != kNone;
+  if (first == nullptr || !(records || inserts)) return pair_first ? of_pair : contact;
+  Array<StarContact> all{Allocator<StarContact>(env_.memory)};
+  sweeps_.find_all(body_, v, to, *first, all);
+  for (size_t i = pair_first ? 0 : 1; i < all.size(); ++i) {
+    inserts = inserts && (all[i].edge != kNone || all[i].face != kNone);  // from there on the vertex is stopped itself
+    const bool is_under = inserts && all[i].edge == first->edge;
+    if (!records && !is_under) continue;
+    const dsw_contact each = describe(env_, body_, v, to, all[i]);
+    if (records) record_.add(each);
+    if (is_under) under_.push_back(each);
   }
   return pair_first ? of_pair : contact;
 }
 
-/** Puts the time to the last of a halving at which the way is free. */
+/** The dichotomic search [JCD10] 4.2: tries of parts of the way, each by the tests that the level asks for, halve what lies between one
+ * that is free and one that is not. The last that is not says what is touched. */
 template <int D>
-void VertexMove<D>::bisect(uint32_t v, dsw_contact& contact) {
-  double free = 0, step = 1, position[D];
-  Cell cell;
+bool VertexMove<D>::advance_by_halving(uint32_t v, const double* to) {
+  const BodyVertex<D> at = body_.vertices[v];
+  double place[D], met_at[D], free_at[D];
+  Cell cell, free_cell = at.cell;
+  StarTry met = sweeps_.try_way(body_, v, to, &cell);
+  if (met.end == SweepEnd::kFree) {
+    put_vertex(body_, v, to, cell);
+    return true;
+  }
+  if (met.end == SweepEnd::kWorkLimit) return false;
+  std::copy_n(to, D, met_at);
+  std::copy_n(at.position, D, free_at);
+  double free = 0, step = 1;
   for (uint32_t k = 0; k < settings_.bisection_depth; ++k) {
     step /= 2;
-    point_at<D>(contact.from, contact.to, free + step, position);
-    if (sweeps_.is_free(body_, v, position, &cell)) free += step;
+    point_at<D>(at.position, to, free + step, place);
+    const StarTry tried = sweeps_.try_way(body_, v, place, &cell);
+    if (tried.end == SweepEnd::kWorkLimit) return false;
+    if (tried.end == SweepEnd::kFree) {
+      free += step;
+      std::copy_n(place, D, free_at);
+      free_cell = cell;
+    } else {
+      met = tried;
+      std::copy_n(place, D, met_at);
+    }
   }
+  dsw_contact_partner partner{};
+  dsw_contact contact = describe_try(v, to, met_at, met, &partner);
   contact.time = free;
-  point_at<D>(contact.from, contact.to, free, contact.position);
+  std::copy_n(free_at, D, contact.position);
+  record_.add(contact, partner);
+  // Off the wall by as much of the way: which way the wall looks is known too badly.
+  const double back = stand_off(contact) / length(difference<D>(to, at.position));
+  if (back > 0 && free > 0) {
+    point_at<D>(at.position, to, std::max(0.0, free - back), place);
+    if (sweeps_.is_free(body_, v, place, &cell)) {
+      std::copy_n(place, D, free_at);
+      free_cell = cell;
+    }
+  }
+  put_vertex(body_, v, free_at, free_cell);
+  return false;
+}
+
+/** What the part of the way that ends at `met` touches, as far as the way to `to` is told of it. */
+template <int D>
+dsw_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
+                                        dsw_contact_partner* partner) {
+  dsw_contact contact;
+  if (tried.of_partner) {
+    PairContact<D> pair;
+    find_first_pair(*sweeps_.partners, body_, v, met, &pair);
+    contact = describe(env_, body_, v, met, pair);
+    *partner = partner_of(pair);
+  } else {
+    CastResult hit;
+    StarContact inside;
+    const bool by_cast = sweeps_.find_obstacle(body_, v, met, tried, &hit, &inside);
+    if (by_cast && tried.edge != kNone) {
+      contact = describe_cast(env_, body_, v, to, tried.edge, met, hit);
+    } else {
+      if (by_cast) inside.contact = path_contact(env_, hit);
+      contact = describe(env_, body_, v, met, inside);
+    }
+  }
+  std::copy_n(to, D, contact.to);
+  return contact;
 }
 
 template <int D>
@@ -131,46 +199,82 @@ double VertexMove<D>::stand_off(const dsw_contact& contact) const {
   return kStandOffShare * extent(env_, env_.map.cell(contact.front.index));
 }
 
-/** Puts a vertex on the touching edge, as near to the contact as is free. */
+/** Whether the response puts vertices on this edge at all: HYBRID only once, as the edges of a vertex that is new are static. */
+template <int D>
+bool VertexMove<D>::may_split(uint32_t v, const dsw_contact& contact) const {
+  if (contact.edge.generation == 0) return false;
+  if (settings_.edge != Response::kHybrid) return true;
+  const uint32_t fixed = body_.edges[contact.edge.index].other(v);
+  return std::none_of(record_.edits.begin(), record_.edits.end(),
+                      [fixed](const dsw_body_edit& edit) { return edit.vertex.index == fixed; });
+}
+
+/** Puts a vertex on the touching edge, as near to the contact as is free; with ADAPTIVE_MANY one at each obstacle under that edge. Of
+ * these the one met first lies on the edge; for the others its parts are bent, in the order in which obstacles are met. What that sweeps
+ * is free, or a vertex is left out. */
 template <int D>
 bool VertexMove<D>::insert(uint32_t v, const dsw_contact& contact) {
-  const size_t inserted = record_.edits.size() - first_edit_;
-  const uint32_t e = contact.edge.index;
-  if (contact.edge.generation == 0 || inserted == kMostInsertions) return false;
-  const uint32_t fixed = body_.edges[e].other(v);
-  if (settings_.edge == Response::kAdaptiveOne) {
-    for (size_t i = first_edit_; i < record_.edits.size(); ++i) {
-      if (record_.edits[i].vertex.index == fixed) return false;
-    }
+  if (!may_split(v, contact)) return false;
+  const uint32_t fixed = body_.edges[contact.edge.index].other(v);
+  const double size = length(difference<D>(body_.position(fixed), body_.position(v)));
+  Array<Part> parts{Allocator<Part>(env_.memory)};
+  parts.push_back({v, fixed, 0, 1});
+  bool any = false;
+  for (size_t i = 0; i <= under_.size(); ++i) {
+    const dsw_contact& at = i == 0 ? contact : under_[i - 1];
+    const auto holds = [&](const Part& part) { return part.from_share < at.along && at.along < part.to_share; };
+    const auto part = std::find_if(parts.begin(), parts.end(), holds);
+    if (part == parts.end()) continue;
+    const uint32_t middle = put_on(*part, size, at, i == 0);
+    if (middle == kNone) continue;
+    any = true;
+    const Part rest{middle, part->to, at.along, part->to_share};
+    part->to = middle;
+    part->to_share = at.along;
+    parts.push_back(rest);
   }
-  if (!(contact.along >= settings_.min_part && contact.along <= 1 - settings_.min_part)) return false;
-  const bool starts_here = body_.edges[e].ends[0] == v;
-  const double share = starts_here ? contact.along : 1 - contact.along;
+  return any;
+}
+
+/** Puts a vertex on a part of an edge of that length, if what remains of it keeps its share. Returns it, or kNone. */
+template <int D>
+uint32_t VertexMove<D>::put_on(const Part& part, double size, const dsw_contact& contact, bool on_edge) {
+  const double before = contact.along - part.from_share, behind = part.to_share - contact.along;
+  if (record_.edits.size() - first_edit_ == kMostInsertions) return kNone;
+  if (!(before >= settings_.min_part && behind >= settings_.min_part)) return kNone;
+  if (!(size * std::min(before, behind) >= settings_.min_length)) return kNone;
+  const uint32_t e = find_edge(body_, part.from, part.to);
   const double *p = body_.position(body_.edges[e].ends[0]), *q = body_.position(body_.edges[e].ends[1]);
-  const double least = length(difference<D>(q, p)) * std::min(share, 1 - share);
-  if (!(least >= settings_.min_length)) return false;
+  const double along = before / (part.to_share - part.from_share);
+  const double share = body_.edges[e].ends[0] == part.from ? along : 1 - along;
   const Vec normal = to_vec<D>(contact.normal);
   double point[D], largest = 0;
-  point_at<D>(p, q, share, point);
+  if (on_edge) {
+    point_at<D>(p, q, share, point);
+  } else {
+    std::copy_n(contact.point, D, point);
+  }
   for (int k = 0; k < D; ++k) largest = std::max(largest, std::fabs(point[k]));
-  const Vec on_edge = to_vec<D>(point);
+  const Vec nearest = to_vec<D>(point);
   // Rounding may have put it on the wrong side: then further and further from the obstacle.
   double lift = std::max(stand_off(contact), largest * std::numeric_limits<double>::epsilon());
   Cell cell;
-  for (int tries = 0; tries < 8; ++tries, lift *= 4) {
-    if (can_bend(env_, sweeps_, body_, e, point, &cell)) {
-      dsw_body_edit edit;
-      reserve_more(record_.edits, 1);
-      reserve_more(body_.inserted, 1);
-      const uint32_t middle = insert_vertex(body_, e, point, cell, share, &edit);
-      record_.edits.push_back(edit);
-      body_.inserted.push_back(middle);
-      return true;
+  for (int tries = 0; tries < 8; ++tries) {
+    if (tries != 0 || !on_edge) {
+      store<D>(nearest + lift * normal, point);
+      if (!is_finite<D>(point)) break;
+      lift *= 4;
     }
-    store<D>(on_edge + lift * normal, point);
-    if (!is_finite<D>(point)) return false;
+    if (!can_bend(env_, sweeps_, body_, e, point, &cell)) continue;
+    dsw_body_edit edit;
+    reserve_more(record_.edits, 1);
+    reserve_more(body_.inserted, 1);
+    const uint32_t middle = insert_vertex(body_, e, point, cell, share, &edit);
+    record_.edits.push_back(edit);
+    body_.inserted.push_back(middle);
+    return middle;
   }
-  return false;
+  return kNone;
 }
 
 /** The rest of the move without its part into the walls that are touched; false if nothing remains. */
@@ -181,10 +285,10 @@ bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_contact& c
   const Vec normal = to_vec<D>(contact.normal);
   Vec rest = difference<D>(target, at);
   const double into = dot(rest, normal);
-  if (into < 0) rest = rest - into * normal;
+  if (into < 0) rest -= into * normal;
   // Along the crease with the latest wall that this would go into. Whether another is in the way is the next sweep's to say.
   for (int k = walls.count - 1; k >= 0; --k) {
-    const Vec crease = unit(cross(walls.normals[k], normal));
+    const Vec crease = unit(walls.normals[k].cross(normal));
     if (dot(rest, walls.normals[k]) >= 0 || is_zero(crease)) continue;
     rest = dot(difference<D>(target, at), crease) * crease;
     break;
@@ -197,7 +301,7 @@ bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_contact& c
   if (is_zero(rest)) return false;
   // The gap is restored only where it has fallen below half.
   const double off = stand_off(contact), gap = dot(difference<D>(at, contact.position), normal);
-  if (gap < off / 2) rest = rest + (off - gap) * normal;
+  if (gap < off / 2) rest += (off - gap) * normal;
   store<D>(to_vec<D>(at) + rest, to);
   if (sweeps_.partners != nullptr && !sweeps_.partners->reach.contains(to)) return false;
   // Where the rest is longer than doubles go, the move ends here.

@@ -11,7 +11,12 @@ class VertexMove {
  public:
   VertexMove(const Environment<D>& env, Body<D>& body, const MoveSettings& settings, StarSweep<D>& sweeps,
              MoveRecord& record)
-      : env_(env), body_(body), settings_(settings), sweeps_(sweeps), record_(record) {}
+      : env_(env),
+        body_(body),
+        settings_(settings),
+        sweeps_(sweeps),
+        record_(record),
+        under_(Allocator<dsw_contact>(env.memory)) {}
 
   /** Moves vertex v, exactly free at the body's level; whether it got to the target. Contacts and edits go to the record. The
    * recorded cells and positions are valid whenever it throws std::bad_alloc. */
@@ -25,10 +30,19 @@ class VertexMove {
   };
 
   bool advance(uint32_t v, const double* to);
+  bool advance_by_halving(uint32_t v, const double* to);
+  dsw_contact describe_try(uint32_t v, const double* to, const double* met, const StarTry& tried,
+                           dsw_contact_partner* partner);
   dsw_contact record_contacts(uint32_t v, const double* to, const StarContact* first, const PairContact<D>& pair);
-  void bisect(uint32_t v, dsw_contact& contact);
   double stand_off(const dsw_contact& contact) const;
   bool insert(uint32_t v, const dsw_contact& contact);
+  bool may_split(uint32_t v, const dsw_contact& contact) const;
+  /** A place for a vertex on the part of an edge between two shares of its length, counted from the moving end. */
+  struct Part {
+    uint32_t from, to;  // vertices
+    double from_share, to_share;
+  };
+  uint32_t put_on(const Part& part, double length, const dsw_contact& contact, bool on_edge);
   bool slide(uint32_t v, const double* target, const dsw_contact& contact, Walls& walls, double* to) const;
 
   const Environment<D>& env_;
@@ -36,7 +50,8 @@ class VertexMove {
   const MoveSettings& settings_;
   StarSweep<D>& sweeps_;
   MoveRecord& record_;
-  size_t first_edit_ = 0;  // of this vertex
+  size_t first_edit_ = 0;     // of this vertex
+  Array<dsw_contact> under_;  // the touching edge, behind the first contact; if vertices are put there
 };
 
 }  // namespace dsw

@@ -41,6 +41,19 @@ void add_triangle(Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32_t c
   add_face(body, a, b, c);
 }
 
+/** What back-edge elimination asks of a body. */
+void check_closed(const Body<3>& body) {
+  if (!is_closed_surface(body)) {
+    fail(DSW_STATUS_NOT_CLOSED,
+         "DSW_BODY_SKIP_BACK_EDGES is for closed surfaces: an edge has not two faces, or a vertex none");
+  }
+  if (!is_turned_outwards(body)) {
+    fail(DSW_STATUS_INVERTED_CELL,
+         "DSW_BODY_SKIP_BACK_EDGES: the volume that the faces hold is not positive; corners must be counter-clockwise "
+         "seen from outside");
+  }
+}
+
 size_t triangle_count(const BodyDescription& d) {
   size_t count = 0;
   for (size_t f = 0; f < d.face_count; ++f) {
@@ -119,11 +132,15 @@ BodyRecord<D> make_body(const Scene<D>& scene, const BodyDescription& d, const C
   body.level = d.level;
   body.skipping = d.skipping;
   body.filter = d.filter;
+  if (d.rigid) body.shape.emplace_back(scene.memory);
   const size_t triangles = triangle_count(d);
   reserve(body, d.vertex_count, d.edge_count + 3 * triangles, triangles);
   for (size_t i = 0; i < d.vertex_count; ++i) add_vertex(body, d.positions[i], cells[i]);
   add_edges(body, d);
-  if constexpr (D == 3) add_faces(body, d);
+  if constexpr (D == 3) {
+    add_faces(body, d);
+    if (body.skipping.back_edges) check_closed(body);
+  }
   body.edges.shrink_to_fit();  // faces may have found their edges
   if (body.keeps_sequences()) {
     body.sequences.erase(body.sequences.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.sequences.end());

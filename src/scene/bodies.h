@@ -1,27 +1,14 @@
 #pragma once
 // The bodies of a scene: their creation, changes and moves. Functions that throw do so before they change anything.
 
-#include <tuple>
-
 #include "base/points.h"
 #include "response/body_move.h"
+#include "scene/touch_history.h"
 
 namespace dsw {
 
 template <int D>
 struct Scene;
-
-/** What stopped a vertex in the move before, to tell lasting contacts from new ones. */
-struct VertexStop {
-  uint64_t obstacle;  // or part of another body
-  uint32_t vertex, generation;
-  dsw_body_id body;
-
-  bool operator<(const VertexStop& other) const {
-    return std::tie(vertex, generation, obstacle, body.index, body.generation) <
-           std::tie(other.vertex, other.generation, other.obstacle, other.body.index, other.body.generation);
-  }
-};
 
 /** A body with what its last move left. */
 template <int D>
@@ -30,19 +17,16 @@ struct BodyRecord {
   MoveRecord record;
   MoveRecord next;              // of a move under way
   Array<BodyVertex<D>> before;  // to go back to, if another body's move fails
-  Array<VertexStop> stops;      // sorted
-  uint64_t followed = 0;        // up to which change of the topology its sequences are true, see gone_facets.h
+  TouchHistory touches;
+  uint64_t followed = 0;  // up to which change of the topology its sequences are true, see gone_facets.h
 
   explicit BodyRecord(const Memory* memory)
-      : body(memory),
-        record(memory),
-        next(memory),
-        before(Allocator<BodyVertex<D>>(memory)),
-        stops(Allocator<VertexStop>(memory)) {}
+      : body(memory), record(memory), next(memory), before(Allocator<BodyVertex<D>>(memory)), touches(memory) {}
   uint64_t memory_bytes() const {
     return body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.partners) +
-           array_bytes(record.edits) + array_bytes(next.contacts) + array_bytes(next.partners) +
-           array_bytes(next.edits) + array_bytes(before) + array_bytes(stops);
+           array_bytes(record.pasts) + array_bytes(record.edits) + array_bytes(next.contacts) +
+           array_bytes(next.partners) + array_bytes(next.pasts) + array_bytes(next.edits) + array_bytes(before) +
+           touches.memory_bytes();
   }
 };
 
@@ -59,6 +43,7 @@ struct BodyDescription {
   SweepLevel level = SweepLevel::kEdgesSwept;
   Skipping skipping;
   ContactFilter filter;
+  bool rigid = false;  // walls move it as a whole
 };
 
 template <int D>

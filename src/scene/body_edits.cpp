@@ -48,11 +48,6 @@ class Neighbours {
   Partners<D> partners_;
 };
 
-template <int D>
-void check_keeps_vertices(const Body<D>& body) {
-  if (body.filter.self) fail(DSW_STATUS_UNSUPPORTED, "a body with DSW_BODY_SELF_CONTACTS keeps its edges and vertices");
-}
-
 }  // namespace
 
 template <int D>
@@ -110,7 +105,6 @@ uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, u
 template <int D>
 void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double share, dsw_body_edit* edit) {
   Body<D>& body = of.body;
-  check_keeps_vertices(body);
   follow_changes(scene, of);
   const BodyEdge& e = body.edges[edge];
   double point[D];
@@ -130,7 +124,6 @@ void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double s
 template <int D>
 void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint32_t vertex, dsw_body_edit* edit) {
   Body<D>& body = of.body;
-  check_keeps_vertices(body);
   follow_changes(scene, of);
   if (!can_collapse(body, edge, vertex)) {
     fail(DSW_STATUS_BAD_CELL, "merging vertex %u into %u would leave no manifold", vertex,

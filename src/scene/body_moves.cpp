@@ -1,42 +1,19 @@
 // Moves of bodies of a scene: one, one as a rigid whole, and many side by side.
 
-#include <algorithm>
 #include <atomic>
 #include <new>
 #include <utility>
 
-#include "contact/describe.h"
-#include "contact/describe_pair.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
 
 namespace dsw {
 namespace {
 
-VertexStop to_stop(const MoveRecord& record, size_t i) noexcept {
-  const dsw_contact& contact = record.contacts[i];
-  const dsw_contact_partner partner = record.keeps_partners ? record.partners[i] : dsw_contact_partner{};
-  const uint64_t obstacle = partner.body.generation != 0 ? part_key(partner) : obstacle_key(contact);
-  return {obstacle, contact.vertex.index, contact.vertex.generation, partner.body};
-}
-
-/** Makes room for what publish() needs. */
-template <int D>
-void prepare(BodyRecord<D>& of) {
-  of.stops.clear();
-  of.stops.reserve(of.record.contacts.size());
-}
-
-/** What a move has left becomes what the host reads. Contacts of vertices that the same obstacle stopped in the move before are
- * lasting ones. */
+/** What a move has left becomes what the host reads. */
 template <int D>
 void publish(BodyRecord<D>& of) noexcept {
-  for (size_t i = 0; i < of.record.contacts.size(); ++i) of.stops.push_back(to_stop(of.record, i));
-  std::sort(of.stops.begin(), of.stops.end());
-  for (size_t i = 0; i < of.next.contacts.size(); ++i) {
-    const bool lasts = std::binary_search(of.stops.begin(), of.stops.end(), to_stop(of.next, i));
-    of.next.contacts[i].history = lasts ? DSW_HISTORY_LASTING : DSW_HISTORY_NEW;
-  }
+  of.touches.follow(of.record, of.next, of.body.vertex_slots);
   std::swap(of.record, of.next);
 }
 
@@ -67,7 +44,7 @@ void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrd
     find_partners(scene, body.body, reach_of(body.body, targets, order, settings.may_slide()), partners);
   }
   move.set_partners(scene.features.contacts ? &partners : nullptr);
-  prepare(body);
+  body.touches.prepare(body.record);
   move.move(body.body, targets, order, settings, body.next);
   publish(body);
   settle_body(scene, body);
@@ -84,7 +61,7 @@ void move_body_together(Scene<D>& scene, BodyRecord<D>& body, PlaceFn place, con
   follow_changes(scene, body);
   if (scene.features.contacts) find_partners(scene, body.body, reach, partners);
   move.set_partners(scene.features.contacts ? &partners : nullptr);
-  prepare(body);
+  body.touches.prepare(body.record);
   move.move_together(body.body, place, user, order, body.next);
   publish(body);
   settle_body(scene, body);
@@ -109,7 +86,7 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count_of_
     } else {
       body.before.assign(body.body.vertices.begin(), body.body.vertices.end());
     }
-    prepare(body);
+    body.touches.prepare(body.record);
     first[i] = at;
     at += body.body.vertices.size();
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/key_table.h"
+#include "base/vec.h"
 #include "environment/marking.h"
 #include "scene/edits.h"
 

@@ -58,8 +58,7 @@ uint32_t saved_dimension(const uint8_t* block, size_t size) noexcept {
   return dimension == 2 ? 2 : 3;
 }
 
-BlockReader::BlockReader(const BlockKind& kind, uint32_t dimension, const uint8_t* block, size_t size)
-    : at_(block + header_bytes(kind)) {
+BlockReader::BlockReader(const BlockKind& kind, uint32_t dimension, const uint8_t* block, size_t size) : at_(block) {
   // Blocks of another version may have a shorter header.
   if (size < kAtSections) {
     fail(DSW_STATUS_TRUNCATED, "the snapshot has %zu bytes, its header alone needs %zu", size, header_bytes(kind));
@@ -78,25 +77,28 @@ BlockReader::BlockReader(const BlockKind& kind, uint32_t dimension, const uint8_
     fail(DSW_STATUS_BAD_VERSION, "the snapshot has format version %u, this library reads %u to %u", version_,
          kind.oldest, kind.version);
   }
-  if (size < total || size < header_bytes(kind)) {
+  BlockKind of = kind;
+  if (version_ != kind.version) of.sections = kind.sections_before;
+  if (size < total || size < header_bytes(of)) {
     fail(DSW_STATUS_TRUNCATED, "the snapshot has %zu of %llu bytes", size,
-         static_cast<unsigned long long>(std::max<uint64_t>(total, header_bytes(kind))));
+         static_cast<unsigned long long>(std::max<uint64_t>(total, header_bytes(of))));
   }
   if (size > total) fail_corrupt("there are bytes behind its end");
   if (size % 8 != 0) fail_corrupt("its size is no multiple of 8");
   if (block_checksum(block, size) != sum) fail_corrupt("its checksum is wrong");
-  if (sections != kind.sections) fail_corrupt("it has another number of sections");
+  if (sections != of.sections) fail_corrupt("it has another number of sections");
   fetch(&header_.flags, block + kAtFlags, 1);
   fetch(header_.counts, block + kAtCounts, 2);
-  fetch(header_.bytes, block + kAtSections, kind.sections);
+  fetch(header_.bytes, block + kAtSections, of.sections);
   for (const uint64_t bytes : header_.bytes) {
     if (bytes > size) fail_corrupt("a section is larger than the block");
   }
-  if (total_bytes(kind, header_) != size) fail_corrupt("the sizes of its sections do not add up");
+  if (total_bytes(of, header_) != size) fail_corrupt("the sizes of its sections do not add up");
+  at_ += header_bytes(of);
 }
 
 void BlockReader::end_section() {
-  const uint64_t bytes = header_.bytes[section_++];
+  const uint64_t bytes = header_.bytes[section_++];  // 0: beyond those of an older version
   for (uint64_t i = bytes; i < padded(bytes); ++i) {
     if (at_[i] != 0) fail_corrupt("bytes between its sections");
   }

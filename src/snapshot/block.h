@@ -10,10 +10,11 @@ namespace dsw {
 
 /** What tells one kind of block from another. */
 struct BlockKind {
-  char magic[9];      // 8 bytes
-  uint32_t version;   // of the format that is written
-  uint32_t oldest;    // of those that are read
-  uint32_t sections;  // how many there are
+  char magic[9];             // 8 bytes
+  uint32_t version;          // of the format that is written
+  uint32_t oldest;           // of those that are read
+  uint32_t sections;         // how many there are
+  uint32_t sections_before;  // in the versions before that which are read
 };
 
 constexpr uint32_t kMostSections = 40;

@@ -35,11 +35,15 @@ enum Number {
   kPartners,  // as many as contacts, or none: whether bodies meet each other
   kCategory,
   kMask,
+  kMoves,    // from version 3 on: that have been followed,
+  kTouches,  // and touches before the last one;
+  kRest,     // numbers of its rest places
   kNumbers
 };
+constexpr size_t kNumbersBefore = kMoves;
 
-constexpr uint64_t kSequencesFlag = 1, kEnvironmentFlag = 2, kClearanceFlag = 4, kMotionFlag = 8, kSelfFlag = 16,
-                   kAllFlags = 31;
+constexpr uint64_t kSequencesFlag = 1, kEnvironmentFlag = 2, kClearanceFlag = 4, kSimilarMotionFlag = 8, kSelfFlag = 16,
+                   kBackEdgesFlag = 32, kRigidFlag = 64, kAllFlags = 127;
 
 template <class To, class From>
 To bits_as(const From& from) {
@@ -52,9 +56,9 @@ To bits_as(const From& from) {
 template <int D>
 uint64_t flags_of(const Body<D>& body) {
   const Skipping& s = body.skipping;
-  return (body.filter.self ? kSelfFlag : 0) | (s.sequences ? kSequencesFlag : 0) |
+  return (body.is_rigid() ? kRigidFlag : 0) | (body.filter.self ? kSelfFlag : 0) | (s.sequences ? kSequencesFlag : 0) |
          (s.by_environment ? kEnvironmentFlag : 0) | (s.by_clearance ? kClearanceFlag : 0) |
-         (s.by_motion ? kMotionFlag : 0);
+         (s.by_similar_motion ? kSimilarMotionFlag : 0) | (s.back_edges ? kBackEdgesFlag : 0);
 }
 
 template <class T>
@@ -88,6 +92,25 @@ void for_each_word(Contact& c, Visit visit) {
 constexpr size_t kContactWords = 19, kAtObstacleKind = 6, kAtKind = 15;  // then cause, tag, history
 
 constexpr size_t kPartnerWords = 8;
+
+constexpr size_t kTouchPlaces = 6, kPastWords = 9, kTouchWords = 10;
+
+/** The parts that a past and a touch have in common. */
+template <class Touch>
+void append_touch(const Touch& t, Array<double>& places, Array<uint32_t>& words) {
+  append(places, t.point, 3);
+  append(places, t.normal, 3);
+  append(words, {static_cast<uint32_t>(t.obstacle.kind), t.obstacle.index, t.obstacle.generation, t.obstacle.local,
+                 t.body.index, t.body.generation});
+}
+template <class Touch>
+void read_touch(const double* places, const uint32_t* words, Touch& t) {
+  if (words[0] > DSW_CELL_VOLUME) fail_corrupt("what a vertex touched before");
+  std::copy_n(places, 3, t.point);
+  std::copy_n(places + 3, 3, t.normal);
+  t.obstacle = {static_cast<dsw_cell_kind>(words[0]), words[1], words[2], words[3]};
+  t.body = {words[4], words[5]};
+}
 
 /** Whether each facet leads to the cell of the next. One that has lost its other side since it was passed makes what is known worthless. */
 template <int D>
@@ -147,6 +170,9 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
   numbers[kPartners] = of.record.partners.size();
   numbers[kCategory] = body.filter.category;
   numbers[kMask] = body.filter.mask;
+  numbers[kMoves] = of.touches.moves;
+  numbers[kTouches] = of.touches.earlier.size();
+  numbers[kRest] = body.is_rigid() ? body.shape[0].rest.size() : 0;
   append(image.bodies, numbers, kNumbers);
   const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
     append(to, from.data(), from.size());
@@ -189,6 +215,21 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
   for (const dsw_contact_partner& p : of.record.partners) {
     append(image.partners, {p.body.index, p.body.generation, p.vertex.index, p.vertex.generation, p.edge.index,
                             p.edge.generation, p.face.index, p.face.generation});
+  }
+  for (const RigidShape<D>& shape : body.shape) {
+    append(image.shapes, shape.moved.rotation, 4);
+    append(image.shapes, shape.moved.centre, D);
+    append(image.shapes, shape.moved.translation, D);
+    append(image.shapes, shape.rest.data(), shape.rest.size());
+  }
+  for (const dsw_contact_past& past : of.record.pasts) {
+    append_touch(past, image.past_places, image.pasts);
+    append(image.pasts, {past.since, past.moves, past.touching});
+  }
+  for (const LastTouch& touch : of.touches.earlier) {
+    append_touch(touch, image.touch_places, image.touches);
+    append(image.touches, {static_cast<uint32_t>(touch.move), static_cast<uint32_t>(touch.move >> 32),
+                           touch.vertex.index, touch.vertex.generation});
   }
 }
 
@@ -341,6 +382,75 @@ void BodyReader<D>::read_partners(BodyRecord<D>& of, uint64_t count) {
 }
 
 template <int D>
+void BodyReader<D>::read_history(BodyRecord<D>& of, const uint64_t* n) {
+  of.record.pasts.resize(of.record.contacts.size());
+  for (size_t i = 0; i < of.record.pasts.size() && !has_history_; ++i) {
+    const dsw_contact& contact = of.record.contacts[i];
+    dsw_contact_past& past = of.record.pasts[i];
+    past.moves = past.touching = 1;
+    if (contact.history != DSW_HISTORY_LASTING) continue;
+    std::copy_n(contact.point, 3, past.point);
+    std::copy_n(contact.normal, 3, past.normal);
+    past.obstacle = contact.obstacle;
+    if (!of.record.partners.empty()) past.body = of.record.partners[i].body;
+    past.since = 1;
+    past.moves = past.touching = 2;
+  }
+  if (!has_history_) return;
+  const double* place = take(image_.past_places, past_place_, kTouchPlaces * of.record.pasts.size());
+  const uint32_t* words = take(image_.pasts, past_, kPastWords * of.record.pasts.size());
+  for (dsw_contact_past& past : of.record.pasts) {
+    read_touch(place, words, past);
+    past.since = words[6];
+    past.moves = words[7];
+    past.touching = words[8];
+    if (past.moves == 0 || past.touching < past.moves) fail_corrupt("for how long a vertex has touched something");
+    place += kTouchPlaces;
+    words += kPastWords;
+  }
+  of.touches.moves = n[kMoves];
+  if (n[kTouches] > of.body.vertices.size()) fail_corrupt("the number of touches");
+  place = take(image_.touch_places, touch_place_, kTouchPlaces * n[kTouches]);
+  words = take(image_.touches, touch_, kTouchWords * n[kTouches]);
+  of.touches.earlier.resize(static_cast<size_t>(n[kTouches]));
+  uint64_t after = 0;  // the last one's vertex
+  for (LastTouch& touch : of.touches.earlier) {
+    read_touch(place, words, touch);
+    touch.move = words[6] | uint64_t{words[7]} << 32;
+    touch.vertex = {words[8], words[9]};
+    if (touch.move >= of.touches.moves || touch.vertex.index < after || touch.vertex.index >= of.body.vertices.size()) {
+      fail_corrupt("a touch before the last move");
+    }
+    after = uint64_t{touch.vertex.index} + 1;
+    place += kTouchPlaces;
+    words += kTouchWords;
+  }
+}
+
+/** Whatever the shape is: it is taken anew where it does not give the body's places. */
+template <int D>
+void BodyReader<D>::read_shape(Body<D>& body, uint64_t rest) {
+  if (!body.is_rigid()) {
+    if (rest != 0) fail_corrupt("a shape of a body that has none");
+    return;
+  }
+  if (rest != 0 && rest != D * uint64_t{body.vertices.size()}) fail_corrupt("the size of a shape");
+  RigidShape<D>& shape = body.shape[0];
+  const double* const place = take(image_.shapes, shape_, 4 + 2 * D + rest);
+  if (!std::all_of(place, place + 4 + 2 * D + rest, [](double x) { return std::isfinite(x); })) fail_corrupt("a shape");
+  std::copy_n(place, 4, shape.moved.rotation);
+  std::copy_n(place + 4, D, shape.moved.centre);
+  std::copy_n(place + 4 + D, D, shape.moved.translation);
+  shape.rest.assign(place + 4 + 2 * D, place + 4 + 2 * D + rest);
+}
+
+template <int D>
+void BodyReader<D>::take_numbers(uint64_t* numbers) {
+  const size_t count = has_history_ ? size_t{kNumbers} : kNumbersBefore;
+  std::fill_n(std::copy_n(take(image_.bodies, body_, count), count, numbers), kNumbers - count, uint64_t{0});
+}
+
+template <int D>
 void BodyReader<D>::check(const Body<D>& body) {
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     if (body.has_vertex(v) && !can_be_at(env_, body.vertices[v].cell, body.position(v))) {
@@ -355,14 +465,16 @@ void BodyReader<D>::check(const Body<D>& body) {
 template <int D>
 void BodyReader<D>::read(BodyRecord<D>& of) {
   Body<D>& body = of.body;
-  const uint64_t* const n = take(image_.bodies, body_, kNumbers);
+  uint64_t n[kNumbers];
+  take_numbers(n);
   constexpr SweepLevel kHighest = D == 3 ? SweepLevel::kFaces : SweepLevel::kEdgesSwept;
-  if (n[kLevel] > static_cast<uint64_t>(kHighest) || n[kFlags] > kAllFlags) fail_corrupt("a body's level");
+  if (n[kLevel] > static_cast<uint64_t>(kHighest) || (n[kFlags] & ~kAllFlags) != 0) fail_corrupt("a body's level");
   body.level = static_cast<SweepLevel>(n[kLevel]);
   body.skipping.sequences = (n[kFlags] & kSequencesFlag) != 0;
   body.skipping.by_environment = (n[kFlags] & kEnvironmentFlag) != 0;
   body.skipping.by_clearance = (n[kFlags] & kClearanceFlag) != 0;
-  body.skipping.by_motion = (n[kFlags] & kMotionFlag) != 0;
+  body.skipping.by_similar_motion = (n[kFlags] & kSimilarMotionFlag) != 0;
+  body.skipping.back_edges = (n[kFlags] & kBackEdgesFlag) != 0;
   body.skipping.motion_share = bits_as<double>(n[kMotionShare]);
   body.clearance_credit = bits_as<int64_t>(n[kCredit]);
   body.filter = {static_cast<uint32_t>(n[kCategory]), static_cast<uint32_t>(n[kMask]), (n[kFlags] & kSelfFlag) != 0};
@@ -375,12 +487,16 @@ void BodyReader<D>::read(BodyRecord<D>& of) {
   read_balls(body, n[kBalls]);
   read_contacts(of, n[kContacts]);
   read_partners(of, n[kPartners]);
+  read_history(of, n);
+  if ((n[kFlags] & kRigidFlag) != 0) body.shape.emplace_back(env_.memory);
+  read_shape(body, n[kRest]);
   reserve(body, 0, 0, 0);
 }
 
 template <int D>
 void BodyReader<D>::skip() {
-  const uint64_t* const n = take(image_.bodies, body_, kNumbers);
+  uint64_t n[kNumbers];
+  take_numbers(n);
   uint64_t numbers[kNumbers] = {};
   const Skipping none;
   numbers[kLevel] = static_cast<uint64_t>(SweepLevel::kEdgesSwept);
@@ -400,7 +516,9 @@ void BodyReader<D>::finish() const {
       edge_slot_ == i.edge_slots.size() && free_edge_ == i.free_edges.size() && face_ == i.faces.size() &&
       face_slot_ == i.face_slots.size() && free_face_ == i.free_faces.size() && inserted_ == i.inserted.size() &&
       sequence_ == i.sequences.size() && ball_ == i.balls.size() && ball_word_ == i.ball_words.size() &&
-      contact_place_ == i.contact_places.size() && contact_ == i.contacts.size() && partner_ == i.partners.size();
+      contact_place_ == i.contact_places.size() && contact_ == i.contacts.size() && partner_ == i.partners.size() &&
+      past_place_ == i.past_places.size() && past_ == i.pasts.size() && touch_place_ == i.touch_places.size() &&
+      touch_ == i.touches.size() && shape_ == i.shapes.size();
   if (!all) fail_corrupt("more of bodies than there are");
 }
 

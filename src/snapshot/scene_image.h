@@ -30,10 +30,16 @@ struct SceneImage {
   Array<double> contact_places;
   Array<uint32_t> contacts;
   Array<uint32_t> partners;  // one for each contact, if bodies meet each other
+  // From version 3 on: what vertices touched before; pasts one for each contact.
+  Array<double> past_places;
+  Array<uint32_t> pasts;
+  Array<double> touch_places;
+  Array<uint32_t> touches;
+  Array<double> shapes;  // of rigid bodies: rotation, centre, translation, rest places
 
   explicit SceneImage(const Memory* memory);
 
-  static constexpr uint32_t kSections = 25;
+  static constexpr uint32_t kSections = 30, kSectionsBefore = 25;
 
   /** Calls visit(array) for all arrays in the order of their sections. */
   template <class Visit>
@@ -49,6 +55,8 @@ struct SceneImage {
     visit(sequences);
     visit(balls), visit(ball_words);
     visit(contact_places), visit(contacts), visit(partners);
+    visit(past_places), visit(pasts), visit(touch_places), visit(touches);
+    visit(shapes);
   }
 };
 
@@ -77,7 +85,9 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image);
 template <int D>
 class BodyReader {
  public:
-  BodyReader(const Environment<D>& env, const SceneImage& image) : env_(env), image_(image) {}
+  /** `has_history`: the image has what vertices touched before their last move. */
+  BodyReader(const Environment<D>& env, const SceneImage& image, bool has_history)
+      : env_(env), image_(image), has_history_(has_history) {}
 
   /** The next one, into an empty record; it is sound, in its cells and free at its level. Whether it is apart from other bodies is not
    * looked at. */
@@ -98,14 +108,19 @@ class BodyReader {
   void read_balls(Body<D>& body, uint64_t count);
   void read_contacts(BodyRecord<D>& of, uint64_t count);
   void read_partners(BodyRecord<D>& of, uint64_t count);
+  void read_shape(Body<D>& body, uint64_t rest);
+  void take_numbers(uint64_t* numbers);
+  void read_history(BodyRecord<D>& of, const uint64_t* numbers);
   void check(const Body<D>& body);
 
   const Environment<D>& env_;
   const SceneImage& image_;
+  bool has_history_;
   // Where the next body begins in each array.
   size_t body_ = 0, vertex_place_ = 0, vertex_ = 0, vertex_slot_ = 0, free_vertex_ = 0, edge_ = 0, edge_slot_ = 0,
          free_edge_ = 0, face_ = 0, face_slot_ = 0, free_face_ = 0, inserted_ = 0, sequence_ = 0, ball_ = 0,
-         ball_word_ = 0, contact_place_ = 0, contact_ = 0, partner_ = 0;
+         ball_word_ = 0, contact_place_ = 0, contact_ = 0, partner_ = 0, past_place_ = 0, past_ = 0, touch_place_ = 0,
+         touch_ = 0, shape_ = 0;
 };
 
 }  // namespace dsw

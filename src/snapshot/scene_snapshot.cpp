@@ -12,7 +12,7 @@
 namespace dsw {
 namespace {
 
-constexpr BlockKind kKind = {"DSWSCN\x1a\n", 2, 2, SceneImage::kSections};
+constexpr BlockKind kKind = {"DSWSCN\x1a\n", 3, 2, SceneImage::kSections, SceneImage::kSectionsBefore};
 constexpr uint32_t kStatistics = 1, kCrossings = 2, kDeforming = 4, kContacts = 8, kLive = 16, kAllFeatures = 31;
 
 constexpr size_t kCounters = 9, kExtents = 3;
@@ -123,9 +123,9 @@ void join_bodies(Scene<D>& scene) {
 }
 
 template <int D>
-void load_bodies(Scene<D>& scene, SceneImage& image) {
+void load_bodies(Scene<D>& scene, SceneImage& image, bool has_history) {
   restore(scene.body_slots, image.body_slots, image.free_bodies);
-  BodyReader<D> reader(scene.env, image);
+  BodyReader<D> reader(scene.env, image, has_history);
   const size_t count = scene.body_slots.slot_count();
   if (count > image.bodies.size()) fail_corrupt("bodies: size");
   scene.bodies.reserve(count);
@@ -195,7 +195,7 @@ void load(Scene<D>& scene, const uint8_t* block, size_t size) {
   }
   scene.statistics = to_statistics(image.numbers.data());
   load_particles(scene, image);
-  load_bodies(scene, image);
+  load_bodies(scene, image, reader.version() == kKind.version);
 }
 
 #define DSW_SCENE_SNAPSHOT(D)                                       \

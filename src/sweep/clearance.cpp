@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/vec.h"
+#include "base/position.h"
 #include "motion/nearest.h"
 
 namespace dsw {

@@ -206,34 +206,71 @@ bool StarSweep<D>::find_hit_edges(const Body<D>& body, uint32_t v, const double*
 }
 
 template <int D>
-bool StarSweep<D>::is_free_of_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
+StarTry StarSweep<D>::try_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
   const BodyVertex<D>& at = body.vertices[v];
+  StarTry tried;
   if (std::equal(to, to + D, at.position)) {
     *cell = at.cell;
-    return true;
+    return tried;
   }
   const CastResult path = cast(env_, at.position, to, at.cell, max_cells, counters);
   *cell = path.cell;
-  if (path.end != CastEnd::kReached || body.level == SweepLevel::kPoints) return path.end == CastEnd::kReached;
-  if (body.level == SweepLevel::kEdges) return !find_hit_edges(body, v, to, path.cell, true);
+  limited_ = path.end == CastEnd::kWorkLimit;
+  bool free = path.end == CastEnd::kReached;
+  const auto answer = [&] {
+    if (!free) tried.end = limited_ ? SweepEnd::kWorkLimit : SweepEnd::kContact;
+    return tried;
+  };
+  if (!free || body.level == SweepLevel::kPoints) return answer();
+  if (body.level == SweepLevel::kEdges) {
+    free = !find_hit_edges(body, v, to, path.cell, true);
+    if (!free) tried.edge = hit_edges_[0];
+    return answer();
+  }
   const PathFacets passed = path_facets(env_.map, at.cell, path);
-  bool free = true;
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
     if (settles(body, {e, v, to, path.cell, fixed.position, fixed.cell, passed})) return true;
-    return free = is_triangle_free({at.position, to, fixed.position}, at.cell);
+    free = is_triangle_free({at.position, to, fixed.position}, at.cell);
+    if (!free) tried.edge = e;
+    return free;
   });
   if constexpr (D == 3) {
-    if (!free || body.level != SweepLevel::kFaces) return free;
+    if (!free || body.level != SweepLevel::kFaces) return answer();
     for_each_face(body, v, [&](uint32_t f) {
       const BodyFace& face = body.faces[f];
       const BodyVertex<D>&q = body.vertices[face.after(v)], &r = body.vertices[face.before(v)];
       const FaceMotion m{at.position, to, q.position, r.position};
       if (stays_inside(m, at.cell, path.cell, q.cell, r.cell)) return true;
-      return free = is_tetrahedron_free(m, at.cell);
+      free = is_tetrahedron_free(m, at.cell);
+      if (!free) tried.face = f;
+      return free;
     });
   }
-  return free;
+  return answer();
+}
+
+template <int D>
+bool StarSweep<D>::find_obstacle(const Body<D>& body, uint32_t v, const double* to, const StarTry& tried,
+                                 CastResult* hit, StarContact* inside) {
+  const BodyVertex<D>& at = body.vertices[v];
+  *inside = {{}, tried.edge, tried.face};
+  const CastResult path = cast(env_, at.position, to, at.cell, 0, counters);
+  if constexpr (D == 3) {
+    if (tried.face != kNone) {
+      const BodyFace& face = body.faces[tried.face];
+      const FaceMotion m{at.position, to, body.position(face.after(v)), body.position(face.before(v))};
+      inside->contact = flood(m, at.cell).contact;
+      return false;
+    }
+  }
+  *hit = path;
+  if (tried.edge == kNone) return true;
+  const double* const q = body.position(body.edges[tried.edge].other(v));
+  *hit = cast(env_, to, q, path.cell, 0, counters);
+  if (hit->end == CastEnd::kHit) return true;
+  inside->contact = flood(EdgeMotion{at.position, to, q}, at.cell).contact;
+  return false;
 }
 
 template <int D>
@@ -256,7 +293,6 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
     const EdgeMotion m{at.position, to, body.position(body.edges[e].other(v))};
     if (is_boxed(bounds<D>(m.p, m.to, m.q), at.cell)) return true;
     const SweepResult swept = flood(m, at.cell);
-    limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, e, kNone}, first, &any);
     return true;
   };
@@ -279,7 +315,6 @@ SweepEnd StarSweep<D>::find_first(const Body<D>& body, uint32_t v, const double*
       const FaceMotion m{at.position, to, body.position(face.after(v)), body.position(face.before(v))};
       if (is_boxed(bounds<D>(m.p, m.to, m.q, m.r), at.cell)) return true;
       const SweepResult swept = flood(m, at.cell);
-      limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
       if (swept.end == SweepEnd::kContact) consider(m.p, to, {swept.contact, kNone, f}, first, &any);
       return true;
     });

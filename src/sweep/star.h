@@ -16,6 +16,13 @@ struct StarContact {
   uint32_t edge = kNone, face = kNone;  // what touches; both kNone: the vertex itself
 };
 
+/** What stands in a way that was tried: what touches, or a partner. */
+struct StarTry {
+  SweepEnd end = SweepEnd::kFree;
+  bool of_partner = false;              // kContact with another body, or of the body with itself
+  uint32_t edge = kNone, face = kNone;  // else kContact of these; both kNone: the path of the vertex
+};
+
 /** How many sweeps of edges were asked for, and how many of those were left out. */
 struct SweepCounts {
   uint32_t swept = 0, skipped = 0;
@@ -29,7 +36,26 @@ class StarSweep {
 
   /** Whether vertex v can go to `to` without meeting anything that the body's level sees, partners included; *cell then contains `to`. */
   bool is_free(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
-    return is_free_of_walls(body, v, to, cell) && is_apart(body, v, to);
+    return try_way(body, v, to, cell).end == SweepEnd::kFree;
+  }
+  /** The same; says what was found first in the order path, edges, faces, partners, which need not be met first. */
+  StarTry try_way(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
+    StarTry tried = try_walls(body, v, to, cell);
+    if (tried.end == SweepEnd::kFree && !is_apart(body, v, to)) {
+      tried.end = SweepEnd::kContact;
+      tried.of_partner = true;
+    }
+    return tried;
+  }
+  /** Where the path, or the edge in its new place, runs into a wall on a way that was tried and not free. False: it does not, as what
+   * is met lies inside of what is swept: `inside` is then the first contact of that. */
+  bool find_obstacle(const Body<D>& body, uint32_t v, const double* to, const StarTry& tried, CastResult* hit,
+                     StarContact* inside);
+  /** Whether it can go to another vertex of the body and become one with that. The two are joined by an edge. */
+  bool can_merge(const Body<D>& body, uint32_t v, uint32_t into, Cell* cell) {
+    const double* const to = body.position(into);
+    return try_walls(body, v, to, cell).end == SweepEnd::kFree &&
+           (partners == nullptr || is_merge_apart(*partners, body, v, into));
   }
   /** Whether it touches no partner on that way. */
   bool is_apart(const Body<D>& body, uint32_t v, const double* to) const {
@@ -116,11 +142,12 @@ class StarSweep {
   SweepResult flood(const Motion& m, Cell start, Collect... collect) {
     const SweepResult swept = flood_.sweep(m, start, max_cells, collect...);
     if (counters != nullptr) counters->cells_visited += swept.cells_visited;
+    limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     return swept;
   }
   bool is_seen(const Body<D>& body, const EdgeSweep& sweep) const;
   bool is_seen(const FaceMotion& m, Cell cell) const;
-  bool is_free_of_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell);
+  StarTry try_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell);
   Settled settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls);
   bool is_clear(const Body<D>& body, const EdgeSweep& sweep) const;
   Settled follow_sequence(const Body<D>& body, const EdgeSweep& sweep);

@@ -2,7 +2,7 @@
 // are the sides of polygons.
 
 #include "base/error.h"
-#include "base/vec.h"
+#include "base/position.h"
 #include "environment/marking.h"
 #include "map/cell_queue.h"
 #include "predicates/filtered.h"

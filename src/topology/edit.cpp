@@ -1,7 +1,7 @@
 #include "topology/edit.h"
 
 #include "base/error.h"
-#include "base/vec.h"
+#include "base/position.h"
 #include "environment/marking.h"
 #include "environment/validity.h"
 #include "map/integrity.h"

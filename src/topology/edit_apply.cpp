@@ -1,6 +1,6 @@
 // An edit that is prepared: applied, taken back, finished. Nothing here fails or allocates.
 
-#include "base/vec.h"
+#include "base/position.h"
 #include "environment/marking.h"
 #include "topology/edit.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/position.h"
 #include "base/slot_pool.h"
-#include "base/vec.h"
 #include "environment/marking.h"
 #include "map/dart.h"
 

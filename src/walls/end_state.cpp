@@ -12,7 +12,12 @@ namespace dsw {
 
 template <int D>
 EndState<D>::EndState(Environment<D>& env, Occupants<D>& all)
-    : env_(env), all_(all), points_(Allocator<Feature>(env.memory)), probe_(env, Obstacle::kCells) {}
+    : env_(env),
+      all_(all),
+      points_(Allocator<Feature>(env.memory)),
+      probe_(env, Obstacle::kCells),
+      repair_(env, all),
+      struck_(Allocator<Feature>(env.memory)) {}
 
 template <int D>
 void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& record) {
@@ -36,7 +41,8 @@ void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& re
   };
   try {
     points_.reserve(kWave);
-    if (!find_way(all_, false, record, try_way, take_back)) return restore_next();
+    repair_.begin(start);
+    if (!find_way(all_, settings.response == DSW_WALL_INSERT, record, try_way, take_back)) return restore_next();
     record.outcome = record.fraction == 1 ? DSW_DEFORM_DONE : DSW_DEFORM_FRACTION;
     release_owned_points(env_);
   } catch (...) {
@@ -56,6 +62,7 @@ Went EndState<D>::try_seats(const WallSettings& settings, WallRecord& record) {
     return went == Went::kThrough;
   };
   points_.clear();
+  struck_.clear();
   for (uint32_t i = 0; i < all_.particle_count; ++i) {
     if (all_.particles[i].cell.valid() && !add({Feature::kParticle, 0, i})) return went;
   }
@@ -68,14 +75,35 @@ Went EndState<D>::try_seats(const WallSettings& settings, WallRecord& record) {
   }
   went = run_seats(settings, record);
   if (went != Went::kThrough) return went;
+  return repair(settings, record) ? Went::kThrough : Went::kStopped;
+}
+
+/** Whether all bodies are free where the environment has gone, after what is done about those that are not. */
+template <int D>
+bool EndState<D>::repair(const WallSettings& settings, WallRecord& record) {
   const auto stop = [](uint32_t, uint32_t) { return false; };
   const auto is_apart = [&](const Body<D>& body) {
     return all_.partners == nullptr || is_body_apart(*all_.partners, body, body.level, stop);
   };
+  auto struck = struck_.begin();
+  for (uint32_t owner = 0; owner < all_.bodies.size(); ++owner) {
+    const auto first = struck;
+    while (struck != struck_.end() && struck->owner == owner) ++struck;
+    const Body<D>* const body = all_.bodies[owner].body;
+    if (body == nullptr || settings.response == DSW_WALL_STOP) continue;
+    const bool is_struck = first != struck;
+    if (!is_struck && probe_.is_free(*body, {})) continue;
+    if (body->is_rigid()) {
+      const Feature* const points = is_struck ? &*first : nullptr;
+      if (!repair_.move(owner, points, static_cast<size_t>(struck - first), record)) return false;
+    } else if (settings.response == DSW_WALL_INSERT) {
+      repair_.bend(owner, settings.min_part, record);
+    }
+  }
   const auto is_free = [&](const typename Occupants<D>::Owner& owner) {
     return owner.body == nullptr || (probe_.is_free(*owner.body, {}) && is_apart(*owner.body));
   };
-  return std::all_of(all_.bodies.begin(), all_.bodies.end(), is_free) ? Went::kThrough : Went::kStopped;
+  return std::all_of(all_.bodies.begin(), all_.bodies.end(), is_free);
 }
 
 /** Follows points from the centres of their cells, side by side. */
@@ -111,12 +139,12 @@ Went EndState<D>::run_seats(const WallSettings& settings, WallRecord& record) {
     wave_.add(env_, c, thin ? at : from, at);
   }
   wave_.run(env_, nullptr);
+  const dsw_wall_response done = settings.response == DSW_WALL_INSERT ? DSW_WALL_PUSH : settings.response;
   for (uint32_t i = 0; i < wave_.count(); ++i) {
     const CastResult& flight = wave_.result(i);
     if (flight.end == CastEnd::kReached) {
       if (flight.cells_visited != 1) seat(all_, points_[i], position(all_, points_[i]), flight.cell);
-    } else if (!put_before(wave_.request(i), flight, points_[i], settings.response, record) ||
-               settings.response == DSW_WALL_STOP) {
+    } else if (!put_before(wave_.request(i), flight, points_[i], done, record) || settings.response == DSW_WALL_STOP) {
       return Went::kStopped;
     }
   }
@@ -133,6 +161,9 @@ bool EndState<D>::put_before(const CastRequest& request, const CastResult& fligh
     record.invalid.push_back(volume_id(env_.map, env_.map.cell_of(o)));
     return false;
   }
+  // One of a rigid body waits for the others.
+  const bool waits = point.kind == Feature::kVertex && all_.bodies[point.owner].body->is_rigid();
+  if (waits && done == DSW_WALL_INSERT) done = DSW_WALL_PUSH;
   const MoveResult<D> move = finish_move(env_, request, flight, true, nullptr);
   dsw_wall_contact contact{};
   std::copy_n(request.from, D, contact.from);
@@ -144,6 +175,10 @@ bool EndState<D>::put_before(const CastRequest& request, const CastResult& fligh
   name_wall(env_, flight.facet, contact);
   name_feature(all_, point, contact);
   record.contacts.push_back(contact);
+  if (waits) {
+    struck_.push_back(point);
+    return true;
+  }
   seat(all_, point, move.position, move.cell);
   ++record.pushed;
   return true;

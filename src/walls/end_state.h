@@ -4,6 +4,7 @@
 
 #include "motion/wave.h"
 #include "sweep/body_probe.h"
+#include "walls/end_repair.h"
 #include "walls/find_way.h"
 
 namespace dsw {
@@ -53,6 +54,7 @@ class EndState {
   Went run_seats(const WallSettings& settings, WallRecord& record);
   bool put_before(const CastRequest& request, const CastResult& flight, const Feature& point, dsw_wall_response done,
                   WallRecord& record);
+  bool repair(const WallSettings& settings, WallRecord& record);
 
   Environment<D>& env_;
   Occupants<D>& all_;
@@ -61,6 +63,8 @@ class EndState {
   WaveCells<D> cells_;
   double centres_[kWave][D];  // of these
   BodyProbe<D> probe_;
+  EndRepair<D> repair_;
+  Array<Feature> struck_;  // vertices of rigid bodies that lie beyond walls
 };
 
 }  // namespace dsw

@@ -16,6 +16,7 @@ Neighbourhood<D>::Neighbourhood(Environment<D>& env, Occupants<D>& all)
       occupied_(Allocator<Cell>(env.memory)),
       open_(Allocator<Cell>(env.memory)),
       around_(env.memory),
+      reach_(env.memory),
       star_(Allocator<Cell>(env.memory)),
       traced_(Allocator<Cell>(env.memory)) {}
 
@@ -174,6 +175,54 @@ bool Neighbourhood<D>::note_vertex(uint32_t owner, uint32_t v) {
 }
 
 template <int D>
+bool Neighbourhood<D>::note_body(uint32_t owner) {
+  const Body<D>& body = *all_.bodies[owner].body;
+  bool free = true;
+  const auto follow = [&](const Feature& feature) {
+    free = trace(feature) && free;
+    note_traced(feature);
+  };
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (body.has_vertex(v)) note_point({Feature::kVertex, owner, v});
+  }
+  for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
+    if (body.has_edge(e)) follow({Feature::kEdge, owner, e});
+  }
+  for (uint32_t f = 0; body.level == SweepLevel::kFaces && f < body.faces.size(); ++f) {
+    if (body.has_face(f)) follow({Feature::kFace, owner, f});
+  }
+  features_.tidy();
+  return free;
+}
+
+template <int D>
+bool Neighbourhood<D>::open_reach(const Feature& feature, const Box<D>& box) {
+  const Map<D>& map = env_.map;
+  bool any = false;
+  reach_.clear();
+  if (feature.is_point()) {
+    reach_.insert(cell_of(all_, feature));
+  } else {
+    trace(feature);
+    for (const Cell c : traced_) reach_.insert(c);
+  }
+  for (size_t i = 0; i < reach_.size(); ++i) {
+    const Cell at = reach_[i];
+    for (uint32_t facet = 0, count = map.facets_of(at); facet < count; ++facet) {
+      const HalfFacet h = map.half_facet(at, facet);
+      if (is_impassable(map, h)) continue;
+      const Cell next = map.cell_of(map.opposite(h));
+      if (reach_.contains(next)) continue;
+      any = open(next) || any;
+      Box<D> room;
+      for (uint32_t k = 0, corners = map.vertices_of(next); k < corners; ++k) room.add(env_.point(next, k));
+      if (room.overlaps(box)) reach_.insert(next);
+    }
+  }
+  return any;
+}
+
+template <int D>
 void Neighbourhood<D>::note(Cell c, const Feature& feature) {
   if (!features_.add(env_.map.index(c), feature)) return;
   if (begun_) {
@@ -198,11 +247,11 @@ void Neighbourhood<D>::add_cell(Cell c) {
   }
 }
 
-/** Lets a cell be entered, from now on all of it where it is in this step. */
+/** Lets a cell be entered, from now on all of it where it is in this step; false if it could be. */
 template <int D>
-void Neighbourhood<D>::open(Cell c) {
+bool Neighbourhood<D>::open(Cell c) {
   const uint32_t index = env_.map.index(c);
-  if (env_.checked.is_open(index)) return;
+  if (env_.checked.is_open(index)) return false;
   open_.push_back(c);
   for (uint32_t i = 0, count = env_.map.vertices_of(c); i < count; ++i) {
     const uint32_t v = env_.map.vertex(c, i);
@@ -213,6 +262,7 @@ void Neighbourhood<D>::open(Cell c) {
     near.first_cell = static_cast<uint32_t>(cells_.size() - 1);
   }
   env_.checked.open(index);
+  return true;
 }
 
 /** Opens the cells that can be reached from one round a vertex. Where a boundary is pinched there can be others at it. */

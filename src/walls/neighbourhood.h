@@ -45,6 +45,11 @@ class Neighbourhood {
   void note_point(const Feature& point) { note(cell_of(all_, point), point); }
   /** Traces and notes a body's edges and faces at a vertex, and itself. Whether all are free. */
   bool note_vertex(uint32_t owner, uint32_t v);
+  /** The same of a whole body, each part once. */
+  bool note_body(uint32_t owner);
+  /** Lets the cells be entered that can be reached from those of a feature through passable
+   * facets without leaving a box; whether there are any that could not. */
+  bool open_reach(const Feature& feature, const Box<D>& box);
 
   uint64_t memory_bytes() const noexcept;
 
@@ -64,7 +69,7 @@ class Neighbourhood {
 
   void note(Cell c, const Feature& feature);
   void add_cell(Cell c);
-  void open(Cell c);
+  bool open(Cell c);
   void explore(uint32_t v, Cell c);
 
   Environment<D>& env_;
@@ -80,7 +85,7 @@ class Neighbourhood {
   Array<CellNode> cells_;
   Array<Cell> occupied_;  // cells with features, before points move
   Array<Cell> open_;      // cells that can be entered
-  CellQueue around_;
+  CellQueue around_, reach_;
   Array<Cell> star_;
   Array<Cell> traced_;
   size_t traced_count_ = 0;  // may be more than there was room for

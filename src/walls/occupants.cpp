@@ -7,6 +7,7 @@ void Occupants<D>::save(bool whole) {
   saved_ = false;
   saved_vertices_.clear();
   saved_bodies_.clear();
+  saved_shapes_.clear();
   saved_particles_.assign(particles, particles + particle_count);
   for (const Owner& owner : bodies) {
     if (owner.body == nullptr) continue;
@@ -14,6 +15,7 @@ void Occupants<D>::save(bool whole) {
       saved_bodies_.push_back(*owner.body);
     } else {
       saved_vertices_.insert(saved_vertices_.end(), owner.body->vertices.begin(), owner.body->vertices.end());
+      saved_shapes_.insert(saved_shapes_.end(), owner.body->shape.begin(), owner.body->shape.end());
     }
   }
   saved_ = true;
@@ -26,6 +28,7 @@ void Occupants<D>::restore() noexcept {
   std::copy(saved_particles_.begin(), saved_particles_.end(), particles);
   auto body = saved_bodies_.begin();
   auto vertex = saved_vertices_.begin();
+  auto shape = saved_shapes_.begin();
   for (const Owner& owner : bodies) {
     if (owner.body == nullptr) continue;
     owner.record->edits.clear();
@@ -34,6 +37,7 @@ void Occupants<D>::restore() noexcept {
     } else if (!saved_vertices_.empty()) {
       put_vertices(*owner.body, &*vertex);
       vertex += static_cast<std::ptrdiff_t>(owner.body->vertices.size());
+      if (owner.body->is_rigid()) std::swap(owner.body->shape[0], *shape++);
     }
   }
 }
@@ -42,6 +46,7 @@ template <int D>
 uint64_t Occupants<D>::memory_bytes() const noexcept {
   uint64_t of_bodies = array_bytes(saved_bodies_);
   for (const Body<D>& each : saved_bodies_) of_bodies += each.memory_bytes();
+  for (const RigidShape<D>& each : saved_shapes_) of_bodies += sizeof each + each.memory_bytes();
   return of_bodies + array_bytes(bodies) + array_bytes(saved_particles_) + array_bytes(saved_vertices_);
 }
 

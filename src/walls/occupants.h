@@ -26,7 +26,8 @@ struct Occupants {
       : bodies(Allocator<Owner>(memory)),
         saved_particles_(Allocator<ParticleState<D>>(memory)),
         saved_vertices_(Allocator<BodyVertex<D>>(memory)),
-        saved_bodies_(Allocator<Body<D>>(memory)) {}
+        saved_bodies_(Allocator<Body<D>>(memory)),
+        saved_shapes_(Allocator<RigidShape<D>>(memory)) {}
 
   /** Keeps where everything is, and if vertices will be inserted the bodies as a whole. Throws std::bad_alloc. */
   void save(bool whole);
@@ -41,6 +42,7 @@ struct Occupants {
   Array<ParticleState<D>> saved_particles_;
   Array<BodyVertex<D>> saved_vertices_;
   Array<Body<D>> saved_bodies_;
+  Array<RigidShape<D>> saved_shapes_;  // of rigid ones, unless they are saved as a whole
 };
 
 /** A vertex, edge or face of a body, or a particle. */

@@ -19,9 +19,11 @@ WallMove<D>::WallMove(Environment<D>& env, Occupants<D>& all, Neighbourhood<D>& 
       around_(around),
       walls_(env),
       sweeps_(env),
+      rigid_(env, all, around),
       features_(Allocator<Feature>(env.memory)),
       hits_(Allocator<WallHit>(env.memory)),
       points_(Allocator<Feature>(env.memory)),
+      pushed_(Allocator<uint32_t>(env.memory)),
       before_(Allocator<Seat>(env.memory)) {}
 
 template <int D>
@@ -34,6 +36,9 @@ typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, cons
   for (int pushes = 0; walls_.has_walls() && find_hits(from, to); ++pushes) {
     record.contacts.push_back(describe(env_, all_, hits_.front(), v, from, to, settings.response));
     if (settings.response == DSW_WALL_STOP) return Moved::kStopped;
+    if (settings.response == DSW_WALL_INSERT && is_rigid(hits_.front().feature)) {
+      record.contacts.back().response = DSW_WALL_PUSH;
+    }
     if (settings.response == DSW_WALL_HOLD || pushes == kMostPushes || !make_room(from, to, settings, record)) {
       record.contacts.back().response = DSW_WALL_HOLD;
       return Moved::kHeld;
@@ -91,9 +96,11 @@ bool WallMove<D>::find_hits(const double* from, const double* to) {
 /** Moves what is hit as the wall's vertex moves, each thing along a way that is free; whether all of it could go. */
 template <int D>
 bool WallMove<D>::make_room(const double* from, const double* to, const WallSettings& settings, WallRecord& record) {
+  if (!push_rigid(from, to, record)) return false;
   points_.clear();
   for (const WallHit& hit : hits_) {
     const Feature& f = hit.feature;
+    if (is_rigid(f)) continue;
     if (f.is_point()) {
       points_.push_back(f);
     } else if (f.kind == Feature::kFace) {
@@ -116,6 +123,20 @@ bool WallMove<D>::make_room(const double* from, const double* to, const WallSett
   for (const Feature& point : points_) {
     if (!push(point, from, to)) return false;
     ++record.pushed;
+  }
+  return true;
+}
+
+/** Moves each rigid body that is hit as a whole. */
+template <int D>
+bool WallMove<D>::push_rigid(const double* from, const double* to, WallRecord& record) {
+  pushed_.clear();
+  for (const WallHit& hit : hits_) {
+    const uint32_t owner = hit.feature.owner;
+    if (!is_rigid(hit.feature) || std::find(pushed_.begin(), pushed_.end(), owner) != pushed_.end()) continue;
+    if (!rigid_.push(hit, walls_, sweeps_, from, to)) return false;
+    pushed_.push_back(owner);
+    record.pushed += static_cast<uint32_t>(all_.bodies[owner].body->vertex_slots.alive_count());
   }
   return true;
 }

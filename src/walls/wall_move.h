@@ -1,7 +1,7 @@
 #pragma once
 // One vertex of the environment on its way to a target, with the walls at it, and what is done about what they meet [JCD10] 5.1.
 
-#include "walls/neighbourhood.h"
+#include "walls/rigid_push.h"
 #include "walls/settings.h"
 
 namespace dsw {
@@ -24,13 +24,18 @@ class WallMove {
   void find_around(Array<dsw_volume_id>& cells) const;
 
   uint64_t memory_bytes() const noexcept {
-    return array_bytes(features_) + array_bytes(hits_) + array_bytes(points_) + array_bytes(before_);
+    return rigid_.memory_bytes() + array_bytes(pushed_) + array_bytes(features_) + array_bytes(hits_) +
+           array_bytes(points_) + array_bytes(before_);
   }
 
  private:
   void look_round(uint32_t v);
   bool find_hits(const double* from, const double* to);
   bool make_room(const double* from, const double* to, const WallSettings& settings, WallRecord& record);
+  bool is_rigid(const Feature& feature) const noexcept {
+    return feature.kind != Feature::kParticle && all_.bodies[feature.owner].body->is_rigid();
+  }
+  bool push_rigid(const double* from, const double* to, WallRecord& record);
   bool push(const Feature& point, const double* from, const double* to);
   uint32_t insert(const WallHit& hit, const double* from, const double* to, double min_part);
   void put(uint32_t v, const double* position);
@@ -44,10 +49,12 @@ class WallMove {
   Neighbourhood<D>& around_;
   WallSweep<D> walls_;
   StarSweep<D> sweeps_;
+  RigidPush<D> rigid_;
   const Array<Cell>* star_ = nullptr;
   Array<Feature> features_;  // in the star
   Array<WallHit> hits_;
-  Array<Feature> points_;  // to be pushed
+  Array<Feature> points_;   // to be pushed
+  Array<uint32_t> pushed_;  // rigid bodies that have been
   struct Seat {
     Feature point;
     Cell cell;

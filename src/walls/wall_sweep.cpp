@@ -1,7 +1,7 @@
 #include "walls/wall_sweep.h"
 
 #include "base/vec.h"
-#include "contact/geometry.h"
+#include "contact/normals.h"
 #include "environment/marking.h"
 #include "predicates/swept_triangle.h"
 
@@ -223,9 +223,9 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
   if (hit.feature.is_point()) {
     std::copy_n(position(all, hit.feature), D, touch.point);
     if constexpr (D == 3) {
-      normal = unit(cross(to_other(0), to_other(1)));
+      normal = unit(to_other(0).cross(to_other(1)));
     } else {
-      normal = Vec{} - swing_normal({from, to, env.point(hit.others[0])}, at, touch.point);
+      normal = Vec::Zero() - swing_normal({from, to, env.point(hit.others[0])}, at, touch.point);
     }
   } else if (hit.feature.kind == Feature::kEdge) {
     const Body<D>& body = *all.bodies[hit.feature.owner].body;
@@ -234,16 +234,16 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
     const Vec edge = difference<D>(y, x);
     double along;
     if constexpr (D == 3) {
-      const Vec wall = unit(to_other(0)), across = cross(edge, wall);
+      const Vec wall = unit(to_other(0)), across = edge.cross(wall);
       const double size = dot(across, across);
-      along = size > 0 ? dot(cross(difference<D>(at, x), wall), across) / size : 0.5;
-      normal = unit(cross(wall, unit(edge)));
+      along = size > 0 ? dot(difference<D>(at, x).cross(wall), across) / size : 0.5;
+      normal = unit(wall.cross(unit(edge)));
     } else {
       const double* const line[2] = {x, y};
-      const int k = std::fabs(edge.x) < std::fabs(edge.y) ? 1 : 0;
+      const int k = std::fabs(edge.x()) < std::fabs(edge.y()) ? 1 : 0;
       const double size = y[k] / 2 - x[k] / 2;  // halves, which do not overflow
       along = size != 0 ? (at[k] / 2 - x[k] / 2) / size : 0.5;
-      normal = Vec{} - normal_on<2>(orient<2>(line, from), line, way);
+      normal = Vec::Zero() - normal_on<2>(orient<2>(line, from), line, way);
     }
     touch.along = std::min(std::max(along, 0.0), 1.0);
     point_at<D>(x, y, touch.along, touch.point);
@@ -251,8 +251,8 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
     const Body<D>& body = *all.bodies[hit.feature.owner].body;
     const uint32_t(&corners)[3] = body.faces[hit.feature.index].corners;
     std::copy_n(at, D, touch.point);
-    normal = unit(cross(difference<D>(body.position(corners[1]), body.position(corners[0])),
-                        difference<D>(body.position(corners[2]), body.position(corners[0]))));
+    normal = unit(difference<D>(body.position(corners[1]), body.position(corners[0]))
+                      .cross(difference<D>(body.position(corners[2]), body.position(corners[0]))));
   }
   if constexpr (D == 3) {
     if (is_zero(normal)) normal = unit(way);

@@ -1,5 +1,5 @@
-// A catheter in a vessel of 200,000 tetrahedra: figure 9 of [JCD10] (how much of the mesh is looked at), long edges against
-// Embree, and sliding along the wall.
+// A catheter in a vessel of 200,000 tetrahedra: long edges against Embree, and sliding along the wall. (Figure 9 of [JCD10] is
+// examples/paper/catheter_length.)
 #include "parts.h"
 
 #include "embree.h"
@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
-#include <unordered_set>
 
 namespace dsw::bench {
 
@@ -111,48 +110,6 @@ Segments segments_of(const std::vector<double>& before, const std::vector<double
   }
   segments.batch = segments.count();
   return segments;
-}
-
-/** Figure 9: different cells that the casts of a step enter. */
-void run_fig9(const VesselCase& vessel, Report& report) {
-  const double cells = static_cast<double>(vessel.mesh.cell_count());
-  double largest = 0.0;
-  for (const std::size_t particles : {5u, 10u, 20u, 30u, 40u, 50u, 60u}) {
-    if (kSpacing * static_cast<double>(particles) + kStep * kStroke > vessel.line.length()) {
-      continue;
-    }
-    Flock flock(vessel.world.environment(), {"", DSW_LEVEL_EDGES, 0}, chain(particles),
-                chain_at(vessel.line, particles, 0), DSW_FEATURE_STATISTICS);
-    double share = 0.0, visits = 0.0;
-    for (std::size_t step = 1; step <= 20; ++step) {
-      std::vector<double> before;
-      std::vector<dsw_volume_id> volumes;
-      flock.places(before, volumes);
-      const auto targets = chain_at(vessel.line, particles, step);
-      const Segments segments = segments_of(before, targets);
-      std::unordered_set<std::uint32_t> entered;
-      for (std::size_t i = 0; i < segments.count(); ++i) {
-        dsw_crossing crossings[1024];
-        std::size_t count = 0;
-        check(dsw_environment_cast_path(vessel.world.environment(), volumes[0], &segments.from[3 * i],
-                                        &segments.to[3 * i], nullptr, crossings, 1024, &count, nullptr));
-        for (std::size_t k = 0; k < count; ++k) {
-          entered.insert(crossings[k].volume.index);
-        }
-      }
-      share = std::max(share, static_cast<double>(entered.size()) / cells);
-      check(dsw_scene_reset_statistics(flock.scene()));
-      flock.move(targets.data());
-      dsw_statistics statistics{};
-      statistics.struct_size = sizeof statistics;
-      check(dsw_scene_get_statistics(flock.scene(), &statistics));
-      visits = std::max(visits, static_cast<double>(statistics.cells_visited) / cells);
-    }
-    report.set("edges.fig9.cells_tested_share.p" + std::to_string(particles), share);
-    report.set("edges.fig9.cell_visits_share.p" + std::to_string(particles), visits);
-    largest = std::max(largest, share);
-  }
-  report.set("edges.fig9.cells_tested_share_max", largest);
 }
 
 using Times = std::map<std::string, std::vector<double>>;
@@ -314,7 +271,6 @@ void run_catheter(const Options& options, Report& report) {
   }
   const VesselCase vessel(real ? options.vessel : "", line);
   report.set("edges.catheter.cells", static_cast<double>(vessel.mesh.cell_count()));
-  run_fig9(vessel, report);
   run_long(vessel, options, report);
   run_sliding(vessel, DSW_RESPONSE_SLIDE, "", options, report);
   run_sliding(vessel, DSW_RESPONSE_STOP, ".stop", options, report);

@@ -1,24 +1,29 @@
-// Figure 11 of [JCD10] in full: particles with six neighbours each in lattices of 1e3 to 1e6 cells, queries alone and with
-// obstacles that come and go, against Bullet, GIMPACT, Embree and a uniform grid; and what the levels of a body cost.
+// Figure 11 of [JCD10]: 225 deformable hexahedra of 8 particles, simulated by shape matching in lattices of 1e3 to 1e6 cells while
+// obstacles come and go; casts and bodies against Bullet, GIMPACT, Embree and a uniform grid. No elimination (section 6) is used.
 #include "parts.h"
 
 #include "bullet.h"
 #include "bullet_change.h"
 #include "embree.h"
-#include "fig11_case.h"
+#include "fig11_bodies.h"
+#include "gimpact.h"
 #include "grid.h"
-#include "sweep_truth_hex.h"
 #include "timing.h"
 
+#include "scenes/soft_hexahedra.h"
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <functional>
 #include <map>
 
 namespace dsw::bench {
 
 namespace {
 
-using Times = std::map<std::string, std::vector<double>>;
+using Make = std::function<std::unique_ptr<Engine>(const WallMesh&)>;
 
 /** Ours as a host would cast by itself: known starts, marks for changes. */
 class OursChanging final : public ChangingEngine {
@@ -67,173 +72,28 @@ class GridChanging final : public ChangingEngine {
   Grid grid_;
 };
 
-/** Runs the first steps of a script with its changes, each period timed as a whole, and puts the walls back.
- * @return ns a cast, changes included, of the median period. */
-template <typename Change, typename Step>
-double time_script(const Script& script, std::size_t periods, Change&& change, Step&& run) {
-  std::vector<double> ns;
-  for (std::size_t period = 0; period < periods; ++period) {
-    ns.push_back(cpu_time_ns([&] {
-                   for (const WallChange& each : script.changes[period]) {
-                     if (!each.volumes.empty()) {
-                       change(each);
-                     }
-                   }
-                   for (std::size_t step = period * kStepsPerChange; step < (period + 1) * kStepsPerChange; ++step) {
-                     run(step);
-                   }
-                 }) /
-                 static_cast<double>(kStepsPerChange * script.segments.batch));
+/** Of the peers' static structures, every way that answers. */
+std::map<std::string, std::vector<Make>> peers() {
+  std::map<std::string, std::vector<Make>> made;
+  for (const BulletKind kind : {BulletKind::kQuantizedRay, BulletKind::kPlainRay, BulletKind::kTreeRay}) {
+    made["bullet_ns"].push_back([kind](const WallMesh& walls) { return make_bullet(kind, walls); });
   }
-  // What the next period would take away first.
-  change(periods < script.changes.size() ? script.changes[periods][0] : script.undo[0]);
-  return median(ns);
-}
-
-double time_script(const Script& script, std::size_t periods, ChangingEngine& engine) {
-  return time_script(
-      script, periods, [&](const WallChange& change) { engine.apply(change); },
-      [&](std::size_t step) { engine.run(step * script.segments.batch, script.segments.batch); });
-}
-
-/** Prepares engines, tries each on the first periods and keeps the fastest. */
-std::unique_ptr<ChangingEngine> keep_fastest(std::vector<std::unique_ptr<ChangingEngine>> engines,
-                                             const Script& script) {
-  std::size_t best = 0;
-  std::vector<double> least(engines.size(), 1e300);
-  for (int round = 0; round < 2; ++round) {
-    for (std::size_t i = 0; i < engines.size(); ++i) {
-      engines[i]->prepare(script.segments);
-      least[i] = std::min(least[i], time_script(script, 1, *engines[i]));
-    }
+  for (const BulletKind kind : {BulletKind::kQuantizedBox, BulletKind::kTreeBox}) {
+    made["bullet_box_ns"].push_back([kind](const WallMesh& walls) { return make_bullet(kind, walls); });
   }
-  for (std::size_t i = 0; i < engines.size(); ++i) {
-    std::printf("    %-40s %.1f ns\n", engines[i]->name().c_str(), least[i]);
-    best = least[i] < least[best] ? i : best;
+  for (std::uint32_t bits = 0; bits < 8; ++bits) {
+    const EmbreeSetting setting = {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, false, false};
+    made["embree_ns"].push_back([setting](const WallMesh& walls) { return make_embree(setting, walls); });
   }
-  return std::move(engines[best]);
-}
-
-/** How many casts of a step two engines answer differently: one is met and the other not, or at another time. */
-std::size_t count_different(const Script& script, ChangingEngine& ours, ChangingEngine& theirs) {
-  std::size_t different = 0;
-  const std::size_t batch = script.segments.batch;
-  for (std::size_t step = 0; step < kStepsPerChange; ++step) {
-    ours.run(step * batch, batch);
-    theirs.run(step * batch, batch);
-    for (std::size_t i = 0; i < batch; ++i) {
-      const Answer a = ours.answer(i), b = theirs.answer(i);
-      different += (a.wall == kNone) != (b.wall == kNone) || std::fabs(a.time - b.time) > 1e-3 ? 1 : 0;
-    }
+  for (const double bucket : {0.5, 1.0, 1.5, 2.0}) {
+    made["grid_ns"].push_back([bucket](const WallMesh& walls) { return std::make_unique<Grid>(walls, bucket); });
   }
-  return different;
-}
-
-struct Contest {
-  std::string label;
-  std::unique_ptr<Fig11Case> scene;
-  Script still, changing;
-  std::unique_ptr<Engine> ours, bullet, bullet_box, embree, grid;
-  std::unique_ptr<ChangingEngine> ours_total, bullet_total, embree_total, grid_total;
-  std::unique_ptr<Gimpact> gimpact;
-  std::vector<std::vector<float>> positions;  // GIMPACT's, of each step
-  Times times;
-};
-
-/** On the heap: engines keep pointers to the scripts. */
-std::unique_ptr<Contest> make_contest(const std::string& label, std::size_t cells, std::size_t steps,
-                                      Agreement& agreement, Report& report) {
-  std::printf("  %s\n", label.c_str());
-  auto made = std::make_unique<Contest>();
-  Contest& contest = *made;
-  contest.label = label;
-  contest.scene = std::make_unique<Fig11Case>(cells);
-  Fig11Case& scene = *contest.scene;
-  contest.still = scene.record(steps, false);
-  contest.changing = scene.record(steps, true);
-  const Segments& segments = contest.still.segments;
-  contest.ours = std::make_unique<Ours>(scene.world, scene.walls);
-  contest.bullet = keep_fastest(make_bullets(scene.walls, false), segments);
-  contest.bullet_box = keep_fastest(make_bullets(scene.walls, true), segments);
-  contest.embree = keep_fastest(make_embrees(scene.walls), segments);
-  contest.grid = keep_fastest(make_grids(scene.walls, {0.5, 1.0, 1.5, 2.0}), segments);
-  std::vector<Engine*> engines = {contest.ours.get(), contest.bullet.get(), contest.bullet_box.get(),
-                                  contest.embree.get(), contest.grid.get()};
-  for (Engine* engine : engines) {
-    engine->prepare(segments);
-  }
-  agreement.compare(segments, engines, scene.walls, 200);
-
-  const Script& script = contest.changing;
-  const std::size_t slots = script.slots;
-  contest.ours_total = std::make_unique<OursChanging>(scene.world);
-  contest.ours_total->prepare(script.segments);
-  contest.grid_total = std::make_unique<GridChanging>(scene.walls);
-  contest.grid_total->prepare(script.segments);
-  std::vector<std::unique_ptr<ChangingEngine>> bullets, embrees;
-  bullets.push_back(make_bullet_tree(scene.walls, slots, false));
-  bullets.push_back(make_bullet_tree(scene.walls, slots, true));
-  bullets.push_back(make_bullet_rebuilt(scene.walls, slots));
-  contest.bullet_total = keep_fastest(std::move(bullets), script);
-  for (const bool refit : {false, true}) {
-    embrees.push_back(make_embree_single(scene.walls, slots, refit));
-  }
-  for (const double chunk : {8.0, 13.0, 20.0}) {
-    embrees.push_back(make_embree_chunks(scene.walls, chunk, false));
-  }
-  contest.embree_total = keep_fastest(std::move(embrees), script);
-  for (ChangingEngine* peer : {contest.bullet_total.get(), contest.embree_total.get(), contest.grid_total.get()}) {
-    for (const WallChange& change : script.changes[0]) {
-      contest.ours_total->apply(change);
-      peer->apply(change);
-    }
-    const std::string name = peer->name().substr(0, peer->name().find(','));
-    report.add("edges.fig11.total_different." + name,
-               static_cast<double>(count_different(script, *contest.ours_total, *peer)));
-    const WallChange& back = script.changes.size() > 1 ? script.changes[1][0] : script.undo[0];
-    contest.ours_total->apply(back);
-    peer->apply(back);
-  }
-  std::vector<std::array<std::uint32_t, 3>> faces;
-  for (const auto& face : scenes::torus_faces()) {
-    faces.push_back(face);
-  }
-  contest.gimpact = std::make_unique<Gimpact>(scene.walls, slots, script.particles / scene.shape.vertices,
-                                              scene.shape.vertices, faces, script.starts);
-  for (const auto& targets : script.targets) {
-    contest.positions.emplace_back(targets.begin(), targets.end());
-  }
+  made["gimpact_ns"] = {[](const WallMesh& walls) {
+    return make_gimpact_meshes(walls, walls.walls.size(), kCastsPerParticle, scenes::kBodyVertices);
+  }};
+  made["gimpact_box_ns"] = {
+      [](const WallMesh& walls) { return make_gimpact_triangles(walls, walls.walls.size(), kCastsPerParticle); }};
   return made;
-}
-
-/** Our bodies through a script with its changes; ns a cast that the paper would make, of the median period. */
-double time_bodies(Contest& contest, std::size_t periods) {
-  const Script& script = contest.changing;
-  Flock flock(contest.scene->world.environment(), {"edges", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_ENVIRONMENT},
-              contest.scene->shape, script.starts);
-  return time_script(
-      script, periods, [&](const WallChange& change) { mark(contest.scene->world, change); },
-      [&](std::size_t step) { flock.move(script.targets[step].data()); });
-}
-
-void time_totals(Contest& contest, std::size_t periods, bool with_gimpact) {
-  const Script& script = contest.changing;
-  contest.times["total_ns"].push_back(time_script(script, periods, *contest.ours_total));
-  contest.times["grid_total_ns"].push_back(time_script(script, periods, *contest.grid_total));
-  contest.times["embree_total_ns"].push_back(time_script(script, periods, *contest.embree_total));
-  contest.times["bullet_total_ns"].push_back(time_script(script, periods, *contest.bullet_total));
-  contest.times["body_total_ns"].push_back(time_bodies(contest, periods));
-  contest.times["mark_ns"].push_back(cpu_time_ns([&] {
-    for (const WallChange& change : script.changes[0]) {
-      mark(contest.scene->world, change);
-    }
-  }));
-  mark(contest.scene->world, script.changes[1][0]);
-  if (with_gimpact) {
-    contest.times["gimpact_total_ns"].push_back(time_script(
-        script, 1, [&](const WallChange& change) { contest.gimpact->apply(change); },
-        [&](std::size_t step) { contest.gimpact->step(contest.positions[step].data()); }));
-  }
 }
 
 /** Of the median step, a cast. */
@@ -245,167 +105,354 @@ double time_steps(Engine& engine, const Segments& segments) {
   return median(std::move(ns));
 }
 
-void time_queries(Contest& contest) {
-  const std::pair<const char*, Engine*> engines[] = {{"ns", contest.ours.get()},
-                                                     {"bullet_ns", contest.bullet.get()},
-                                                     {"bullet_box_ns", contest.bullet_box.get()},
-                                                     {"embree_ns", contest.embree.get()},
-                                                     {"grid_ns", contest.grid.get()}};
-  for (const auto& [key, engine] : engines) {
-    contest.times[key].push_back(time_steps(*engine, contest.still.segments));
+/** The fastest of some ways, each tried alone. */
+Make choose(const std::vector<Make>& ways, const WallMesh& walls, const Segments& segments) {
+  std::size_t best = 0;
+  std::vector<double> ns;
+  for (const Make& make : ways) {
+    const std::unique_ptr<Engine> engine = make(walls);
+    engine->prepare(segments);
+    time_steps(*engine, segments);
+    ns.push_back(time_steps(*engine, segments));
+    std::printf("    %-40s %.1f ns\n", engine->name().c_str(), ns.back());
+    best = ns.back() < ns[best] ? ns.size() - 1 : best;
   }
+  return ways[best];
 }
 
-/** Bodies at every level, step by step in turns. */
-void compare_levels(Contest& contest, Report& report) {
-  const Script& script = contest.still;
-  const std::vector<Variant> variants = {
-      {"points", DSW_LEVEL_POINTS, 0},
-      {"edges", DSW_LEVEL_EDGES, 0},
-      {"edges_environment", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_ENVIRONMENT},
-      {"swept", DSW_LEVEL_EDGES_SWEPT, 0},
-      {"swept_sequences", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SEQUENCES},
-      {"faces", DSW_LEVEL_FACES, 0},
-      {"faces_sequences", DSW_LEVEL_FACES, DSW_BODY_SEQUENCES},
+/** A period: the change of walls before it, then its steps. @return ns a cast. */
+double time_period(const Script& script, std::size_t period, ChangingEngine& engine, const Segments& segments) {
+  engine.prepare(segments);
+  return cpu_time_ns([&] {
+           for (const WallChange& change : script.changes[period]) {
+             engine.apply(change);
+           }
+           for (std::size_t first = 0; first < segments.count(); first += segments.batch) {
+             engine.run(first, segments.batch);
+           }
+         }) /
+         static_cast<double>(segments.count());
+}
+
+/** How many casts two engines answer differently: one is met and the other not, or at another time. */
+std::size_t count_different(const Segments& segments, ChangingEngine& ours, ChangingEngine& theirs) {
+  std::size_t different = 0;
+  for (std::size_t first = 0; first < segments.count(); first += segments.batch) {
+    ours.run(first, segments.batch);
+    theirs.run(first, segments.batch);
+    for (std::size_t i = 0; i < segments.batch; ++i) {
+      const Answer a = ours.answer(i), b = theirs.answer(i);
+      different += (a.wall == kNone) != (b.wall == kNone) || std::fabs(a.time - b.time) > 1e-3 ? 1 : 0;
+    }
+  }
+  return different;
+}
+
+/** All walls of a script by id: those of the lattice, then those that come. */
+WallMesh all_walls(const Fig11Case& scene, const Script& script) {
+  auto walls = scene.walls.walls;
+  walls.resize(script.slots);
+  for (const auto& changes : script.changes) {
+    for (const WallChange& change : changes) {
+      for (const auto& item : change.added) {
+        walls[item.id] = item.wall;
+      }
+    }
+  }
+  return {*scene.walls.points, std::move(walls)};
+}
+
+/** One size: its scene, what happens in it, and all engines. Engines keep pointers into it. */
+class Contest {
+ public:
+  Contest(std::string label, std::size_t cells, std::size_t steps, Report& report)
+      : label_(std::move(label)),
+        scene_(cells),
+        script_(scene_.record(steps, true)),
+        all_(all_walls(scene_, script_)),
+        present_(script_.slots, 0),
+        ours_(scene_.world),
+        bodies_world_(scene_.grid.mesh, 1),
+        flock_(ready_for_bodies(), {"edges", DSW_LEVEL_EDGES, 0}, scene_.shape, script_.starts) {
+    std::fill_n(present_.begin(), scene_.walls.walls.size(), 1);
+    report.set("edges.fig11.mean_step" + label_, script_.mean_step);
+    report.set("edges.fig11.deformation" + label_, script_.deformation);
+    report.set("edges.fig11.stopped_share" + label_, script_.stopped_share);
+    if (!std::isfinite(script_.deformation)) {
+      throw std::runtime_error("the bodies of figure 11 fell apart");
+    }
+    const Segments segments = script_.casts(0, kStepsPerChange);
+    choose_changing("bullet_total_ns", segments,
+                    {[&] { return make_bullet_tree(all_, script_.slots, false); },
+                     [&] { return make_bullet_tree(all_, script_.slots, true); },
+                     [&] { return make_bullet_rebuilt(all_, script_.slots); }});
+    choose_changing(
+        "embree_total_ns", segments,
+        {[&] { return make_embree_single(all_, script_.slots, false); },
+         [&] { return make_embree_single(all_, script_.slots, true); },
+         [&] { return make_embree_chunks(all_, 8.0, false); }, [&] { return make_embree_chunks(all_, 13.0, false); },
+         [&] { return make_embree_chunks(all_, 20.0, false); }});
+    choose_changing(
+        "gimpact_total_ns", segments,
+        {[&] { return make_gimpact_triangles(all_, script_.slots, kCastsPerParticle); },
+         [&] { return make_gimpact_meshes(all_, script_.slots, kCastsPerParticle, scenes::kBodyVertices); }});
+    choose_changing("grid_total_ns", segments, {[&] { return std::make_unique<GridChanging>(all_); }});
+  }
+
+  const std::string& label() const { return label_; }
+  const Script& script() const { return script_; }
+  const scenes::HexGrid& grid() const { return scene_.grid; }
+  Fig11Case& scene() { return scene_; }
+  const std::vector<double>& times(const std::string& key) { return times_[key]; }
+  const std::map<std::string, std::vector<double>>& times() const { return times_; }
+
+  /** Some periods in a row, engine by engine, so that all but the first period of each find their data in the caches.
+   * @param compared the peers' answers in the last period as well. */
+  void time_periods(std::size_t first, std::size_t count, bool compared, Report& report) {
+    std::vector<Segments> segments;
+    for (std::size_t period = first; period < first + count; ++period) {
+      segments.push_back(script_.casts(period * kStepsPerChange, kStepsPerChange));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      times_["total_ns"].push_back(time_period(script_, first + i, ours_, segments[i]));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      times_["body_total_ns"].push_back(time_bodies(first + i));
+    }
+    for (const auto& [key, engine] : changing_) {
+      for (std::size_t i = 0; i < count; ++i) {
+        times_[key].push_back(time_period(script_, first + i, *engine, segments[i]));
+      }
+      if (compared && key != "gimpact_total_ns") {
+        report.add("edges.fig11.total_different." + engine->name().substr(0, engine->name().find(',')),
+                   static_cast<double>(count_different(segments.back(), ours_, *engine)));
+      }
+    }
+    for (std::size_t period = first; period < first + count; ++period) {
+      for (const WallChange& change : script_.changes[period]) {
+        for (const auto& item : change.removed) {
+          present_[item.id] = 0;
+        }
+        for (const auto& item : change.added) {
+          present_[item.id] = 1;
+        }
+      }
+    }
+  }
+
+  /** Queries alone, in the walls as they are now, every peer with a structure made for these. */
+  void time_queries(std::size_t period, int rounds, Agreement& agreement) {
+    const Segments segments = script_.casts(period * kStepsPerChange, kStepsPerChange);
+    std::vector<scenes::Wall> now;
+    for (std::size_t id = 0; id < present_.size(); ++id) {
+      if (present_[id] != 0) {
+        now.push_back(all_.walls[id]);
+      }
+    }
+    const WallMesh walls(*all_.points, std::move(now));
+    if (chosen_.empty()) {
+      for (const auto& [key, ways] : peers()) {
+        chosen_[key] = choose(ways, walls, segments);
+      }
+    }
+    std::vector<std::pair<std::string, std::unique_ptr<Engine>>> engines;
+    engines.emplace_back("ns", std::make_unique<Ours>(scene_.world, walls));
+    std::vector<Engine*> compared = {engines.front().second.get()};
+    for (const auto& [key, make] : chosen_) {
+      engines.emplace_back(key, make(walls));
+      if (key.rfind("gimpact", 0) != 0) {
+        compared.push_back(engines.back().second.get());
+      }
+    }
+    for (const auto& engine : engines) {
+      engine.second->prepare(segments);
+    }
+    for (int round = 0; round < rounds; ++round) {
+      for (const auto& [key, engine] : engines) {
+        times_[key].push_back(time_steps(*engine, segments));
+      }
+    }
+    agreement.compare(segments, compared, walls, 40);
+  }
+
+  /** Bodies have done what was recorded, and the lattice is as it was. */
+  void finish() {
+    std::vector<double> positions;
+    std::vector<dsw_volume_id> volumes;
+    flock_.places(positions, volumes);
+    if (positions != script_.positions.back()) {
+      throw std::runtime_error("bodies of figure 11 went elsewhere than recorded");
+    }
+    for (const WallChange& change : script_.undo) {
+      ours_.apply(change);
+    }
+    changing_.clear();
+  }
+
+ private:
+  using MakeChanging = std::function<std::unique_ptr<ChangingEngine>()>;
+
+  dsw_environment* ready_for_bodies() {
+    mark_cells(bodies_world_, scene_.grid.obstacle);
+    return bodies_world_.environment();
+  }
+
+  /** As time_period, of our bodies. They have an environment of their own, since a mark costs more where a scene has bodies. */
+  double time_bodies(std::size_t period) {
+    return cpu_time_ns([&] {
+             for (const WallChange& change : script_.changes[period]) {
+               mark(bodies_world_, change);
+             }
+             for (std::size_t step = 0; step < kStepsPerChange; ++step) {
+               flock_.move(script_.targets[period * kStepsPerChange + step].data());
+             }
+           }) /
+           static_cast<double>(kStepsPerChange * script_.batch());
+  }
+
+  /** Tries each way on the first period. The structures are made of all walls, then those that are to come vanish. */
+  void choose_changing(const std::string& key, const Segments& segments, const std::vector<MakeChanging>& ways) {
+    WallChange later;
+    for (auto id = static_cast<std::uint32_t>(scene_.walls.walls.size()); id < script_.slots; ++id) {
+      later.removed.push_back({id, all_.walls[id]});
+    }
+    const auto make_ready = [&](const MakeChanging& make) {
+      auto engine = make();
+      engine->apply(later);
+      return engine;
+    };
+    std::size_t best = 0;
+    std::vector<double> ns;
+    for (const MakeChanging& make : ways) {
+      const auto engine = make_ready(make);
+      ns.push_back(time_period(script_, 0, *engine, segments));
+      std::printf("    %-40s %.1f ns\n", engine->name().c_str(), ns.back());
+      best = ns.back() < ns[best] ? ns.size() - 1 : best;
+    }
+    changing_.emplace_back(key, make_ready(ways[best]));
+  }
+
+  std::string label_;
+  Fig11Case scene_;
+  Script script_;
+  WallMesh all_;               // by id, whether present or not
+  std::vector<char> present_;  // by id
+  OursChanging ours_;
+  World bodies_world_;
+  Flock flock_;
+  std::vector<std::pair<std::string, std::unique_ptr<ChangingEngine>>> changing_;
+  std::map<std::string, Make> chosen_;
+  std::map<std::string, std::vector<double>> times_;
+};
+
+void report_ratios(Contest& contest, Report& report) {
+  for (const auto& [key, values] : contest.times()) {
+    report.set("edges.fig11." + key + contest.label(), median(values));
+  }
+  const auto over = [&](const char* key, const char* theirs, const char* ours) {
+    report.set("edges.fig11." + (key + contest.label()), median_ratio(contest.times(theirs), contest.times(ours)));
   };
-  std::vector<std::unique_ptr<Flock>> flocks;
-  for (const Variant& variant : variants) {
-    flocks.push_back(
-        std::make_unique<Flock>(contest.scene->world.environment(), variant, contest.scene->shape, script.starts));
+  over("vs_bullet_segment", "bullet_ns", "ns");
+  over("vs_bullet_box", "bullet_box_ns", "ns");
+  over("vs_gimpact", "gimpact_ns", "ns");
+  over("vs_gimpact_box", "gimpact_box_ns", "ns");
+  over("vs_embree", "embree_ns", "ns");
+  over("vs_grid", "grid_ns", "ns");
+  over("total_vs_bullet", "bullet_total_ns", "total_ns");
+  over("total_vs_gimpact", "gimpact_total_ns", "total_ns");
+  over("total_vs_embree", "embree_total_ns", "total_ns");
+  over("total_vs_grid", "grid_total_ns", "total_ns");
+  const char* best = "bullet_total_ns";
+  for (const char* key : {"embree_total_ns", "gimpact_total_ns"}) {
+    best = median(contest.times(key)) < median(contest.times(best)) ? key : best;
   }
-  std::map<std::string, std::vector<double>> times;
-  for (std::size_t step = 0; step < script.steps; ++step) {
-    for (std::size_t i = 0; i < flocks.size(); ++i) {
-      Flock& flock = *flocks[(step + i) % flocks.size()];
-      times[flock.variant().name].push_back(cpu_time_ns([&] { flock.move(script.targets[step].data()); }) /
-                                            static_cast<double>(script.segments.batch));
-    }
-  }
-  for (const auto& [name, ns] : times) {
-    report.set("edges.fig11.body_ns." + name, median(ns));
-  }
-  report.set("edges.fig11.stopped_share", static_cast<double>(flocks[1]->stopped()) / double(script.particles));
-  report.set("edges.swept_over_edges", median_ratio(times["swept"], times["edges"]));
-  report.set("edges.swept_over_edges.sequences", median_ratio(times["swept_sequences"], times["edges"]));
-  report.set("edges.faces_over_edges", median_ratio(times["faces"], times["edges"]));
-  report.set("edges.faces_over_edges.sequences", median_ratio(times["faces_sequences"], times["edges"]));
-  report.set("edges.fig11.body_over_casts", median(times["edges"]) / median(contest.times.at("ns")));
-  report.set("edges.fig11.body_overhead", median_ratio(times["edges"], times["points"]));
+  over("total_vs_best_peer", best, "total_ns");
+  over("body_total_vs_best_peer", best, "body_total_ns");
+  over("body_total_vs_grid", "grid_total_ns", "body_total_ns");
+  report.set("edges.fig11.ms_per_step" + contest.label(),
+             1e-6 * median(contest.times("total_ns")) * static_cast<double>(contest.script().batch()));
 }
 
-void count_tests(const Contest& contest, const std::string& key, std::uint32_t flags, Report& report) {
-  const Script& script = contest.still;
-  Flock flock(contest.scene->world.environment(), {"", DSW_LEVEL_EDGES, flags}, contest.scene->shape, script.starts,
-              DSW_FEATURE_STATISTICS);
-  check(dsw_scene_reset_statistics(flock.scene()));
-  double asked = 0, skipped = 0;
-  for (const auto& targets : script.targets) {
-    flock.move(targets.data());
-    asked += static_cast<double>(script.particles + flock.swept());
-    skipped += static_cast<double>(flock.skipped());
+/** Figure 10: the lattices, and the smallest with its obstacles, those that come first, and the bodies at the start and at the end. */
+void write_scene(const std::vector<std::unique_ptr<Contest>>& contests, const std::string& path) {
+  nlohmann::ordered_json scene;
+  for (const auto& contest : contests) {
+    const auto& obstacle = contest->grid().obstacle;
+    scene["lattices"].push_back(
+        {{"size", contest->grid().options.size}, {"obstacles", std::count(obstacle.begin(), obstacle.end(), 1)}});
   }
-  dsw_statistics statistics{};
-  statistics.struct_size = sizeof statistics;
-  check(dsw_scene_get_statistics(flock.scene(), &statistics));
-  report.set("edges.fig11.orientation_tests_per_cast" + key, double(statistics.orientation_tests) / asked);
-  report.set("edges.fig11.orientation_tests_per_made_cast" + key,
-             double(statistics.orientation_tests) / double(statistics.casts));
-  report.set("edges.fig11.skipped_share" + key, skipped / asked);
-}
-
-/** Sweeps of the script at both levels, and what is true about some of those that differ or are free. */
-void compare_sweeps(const Contest& contest, std::size_t checked_most, Report& report) {
-  const Segments& segments = contest.still.segments;
-  std::vector<double> from, to, fixed;
-  std::vector<dsw_volume_id> starts;
-  for (std::size_t path = 0; path < segments.count(); path += kCastsPerParticle) {
-    for (std::size_t i = path + 1; i < path + kCastsPerParticle; ++i) {
-      from.insert(from.end(), &segments.from[3 * path], &segments.from[3 * path] + 3);
-      to.insert(to.end(), &segments.to[3 * path], &segments.to[3 * path] + 3);
-      fixed.insert(fixed.end(), &segments.from[3 * i], &segments.from[3 * i] + 3);
-      starts.push_back(segments.starts[path]);
+  const Script& script = contests.front()->script();
+  const scenes::HexGrid& grid = contests.front()->grid();
+  for (std::uint32_t cell = 0; cell < grid.obstacle.size(); ++cell) {
+    if (grid.obstacle[cell] != 0) {
+      scene["obstacles"].push_back(cell);
     }
   }
-  std::vector<dsw_sweep> casts(starts.size()), swept(starts.size());
-  dsw_sweep_options options;
-  dsw_sweep_options_init(&options, sizeof options);
-  options.flags = DSW_SWEEP_START_KNOWN | DSW_SWEEP_START_FREE;
-  for (const dsw_level level : {DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT}) {
-    options.level = level;
-    check(dsw_environment_sweep_edges(contest.scene->world.environment(), starts.size(), starts.data(), from.data(),
-                                      to.data(), fixed.data(), 0, &options,
-                                      (level == DSW_LEVEL_EDGES ? casts : swept).data()));
+  for (const dsw_volume_id& volume : script.changes.front()[1].volumes) {
+    scene["appearing"].push_back(volume.index);
   }
-  std::size_t hits = 0, extra = 0, lost = 0, wrong = 0, checked = 0;
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    const bool by_casts = casts[i].outcome == DSW_OUTCOME_CONTACT, by_sweep = swept[i].outcome == DSW_OUTCOME_CONTACT;
-    hits += by_sweep ? 1 : 0;
-    extra += by_sweep && !by_casts ? 1 : 0;
-    lost += by_casts && !by_sweep ? 1 : 0;
-    if (by_casts == by_sweep && (by_sweep || i % 7 != 0 || checked >= checked_most)) {
-      continue;
+  const auto write_bodies = [&scene](const char* name, const std::vector<double>& positions) {
+    for (std::size_t i = 0; i < positions.size(); i += 3) {
+      auto& bodies = scene[name];
+      if (i % (3 * scenes::kBodyVertices) == 0) {
+        bodies.push_back(nlohmann::ordered_json::array());
+      }
+      bodies.back().push_back({positions[i], positions[i + 1], positions[i + 2]});
     }
-    ++checked;
-    wrong += triangle_meets_obstacle(contest.scene->grid, &from[3 * i], &to[3 * i], &fixed[3 * i]) == by_sweep ? 0 : 1;
+  };
+  write_bodies("bodies", script.positions.front());
+  write_bodies("bodies_at_the_end", script.positions.back());
+  std::ofstream file(path);
+  file << scene.dump() << '\n';
+  if (!file.flush()) {
+    throw std::runtime_error("cannot write " + path);
   }
-  report.set("edges.swept_hits", static_cast<double>(hits));
-  report.set("edges.swept_extra_hits", static_cast<double>(extra) / static_cast<double>(hits));
-  report.set("edges.swept_lost_hits", static_cast<double>(lost));
-  report.set("edges.swept_checked", static_cast<double>(checked));
-  report.set("edges.swept_wrong", static_cast<double>(wrong));
 }
 
 }  // namespace
 
 void run_fig11(const Options& options, Report& report, Agreement& agreement) {
-  const std::size_t steps = options.quick ? 40 : 100, periods = steps / kStepsPerChange;
-  const int rounds = options.quick ? 5 : 9;
+  constexpr std::size_t kSteps = 1000, kPeriods = kSteps / kStepsPerChange;
+  constexpr std::size_t kTurn = 5;                  // periods
+  const std::size_t every = options.quick ? 5 : 2;  // turns, between those after which queries are timed alone
+  const int rounds = options.quick ? 3 : 5;
   std::vector<std::unique_ptr<Contest>> contests;
   const std::pair<const char*, std::size_t> sizes[] = {
       {".n1e3", 1000}, {".n1e4", 10000}, {".n1e5", 100000}, {".n1e6", 1000000}};
   for (const auto& [label, cells] : sizes) {
-    contests.push_back(make_contest(label, cells, steps, agreement, report));
+    std::printf("  %s\n", label);
+    contests.push_back(std::make_unique<Contest>(label, cells, kSteps, report));
   }
-  for (int round = 0; round < rounds; ++round) {
+  if (!options.scene.empty()) {
+    write_scene(contests, options.scene);
+  }
+  for (std::size_t turn = 0; turn < kPeriods / kTurn; ++turn) {
+    const bool alone = turn % every == every / 2;
     for (const auto& contest : contests) {
-      time_queries(*contest);
-      time_totals(*contest, periods, round < 3);
+      contest->time_periods(turn * kTurn, kTurn, alone, report);
+      if (alone) {
+        contest->time_queries((turn + 1) * kTurn - 1, rounds, agreement);
+      }
     }
   }
-  for (const auto& each : contests) {
-    Contest& contest = *each;
-    auto& times = contest.times;
-    for (const auto& [key, values] : times) {
-      report.set("edges.fig11." + key + contest.label, median(values));
-    }
-    const auto& ours = times["ns"];
-    report.set("edges.fig11.vs_bullet_segment" + contest.label, median_ratio(times["bullet_ns"], ours));
-    report.set("edges.fig11.vs_bullet_box" + contest.label, median_ratio(times["bullet_box_ns"], ours));
-    report.set("edges.fig11.vs_embree" + contest.label, median_ratio(times["embree_ns"], ours));
-    report.set("edges.fig11.vs_grid" + contest.label, median_ratio(times["grid_ns"], ours));
-    const auto& total = times["total_ns"];
-    const auto& body = times["body_total_ns"];
-    const auto best = std::min({times["bullet_total_ns"], times["embree_total_ns"], times["gimpact_total_ns"]},
-                               [](const auto& a, const auto& b) { return median(a) < median(b); });
-    report.set("edges.fig11.total_vs_best_peer" + contest.label, median_ratio(best, total));
-    report.set("edges.fig11.total_vs_bullet" + contest.label, median_ratio(times["bullet_total_ns"], total));
-    report.set("edges.fig11.total_vs_gimpact" + contest.label, median_ratio(times["gimpact_total_ns"], total));
-    report.set("edges.fig11.total_vs_embree" + contest.label, median_ratio(times["embree_total_ns"], total));
-    report.set("edges.fig11.total_vs_grid" + contest.label, median_ratio(times["grid_total_ns"], total));
-    report.set("edges.fig11.body_total_vs_best_peer" + contest.label, median_ratio(best, body));
-    report.set("edges.fig11.body_total_vs_grid" + contest.label, median_ratio(times["grid_total_ns"], body));
+  for (const auto& contest : contests) {
+    contest->finish();
+    report_ratios(*contest, report);
+    const Work work = count_work(contest->scene().world, contest->script().casts(0, kStepsPerChange), kStepsPerChange);
+    report.set("edges.fig11.cells_per_cast" + contest->label(), work.cells / work.casts);
+    report.set("edges.fig11.orientation_tests_per_cast.casts_alone" + contest->label(),
+               work.orientation_tests / work.casts);
   }
-  report.set("edges.fig11.flatness", median_ratio(contests[3]->times["total_ns"], contests[0]->times["total_ns"]));
-  report.set("edges.fig11.body_flatness",
-             median_ratio(contests[3]->times["body_total_ns"], contests[0]->times["body_total_ns"]));
-  report.set("edges.fig11.casts_per_step", static_cast<double>(contests[3]->still.segments.batch));
-  compare_levels(*contests[3], report);
-  count_tests(*contests[3], "", DSW_BODY_SKIP_BY_ENVIRONMENT, report);
-  count_tests(*contests[3], ".no_elimination", 0, report);
-  const Work work = count_work(contests[3]->scene->world, contests[3]->still.segments, 10);
-  report.set("edges.fig11.orientation_tests_per_cast.casts_alone", work.orientation_tests / work.casts);
-  report.set("edges.fig11.cells_per_cast", work.cells / work.casts);
-  compare_sweeps(*contests[3], options.quick ? 5000 : 50000, report);
+  Contest &small = *contests.front(), &large = *contests.back();
+  report.set("edges.fig11.bodies", static_cast<double>(kBodies));
+  report.set("edges.fig11.steps", static_cast<double>(large.script().steps));
+  report.set("edges.fig11.shape_matching", 1);
+  report.set("edges.fig11.flatness", median_ratio(large.times("total_ns"), small.times("total_ns")));
+  report.set("edges.fig11.body_flatness", median_ratio(large.times("body_total_ns"), small.times("body_total_ns")));
+  report.set("edges.fig11.casts_per_step", static_cast<double>(large.script().batch()));
+  report.set("edges.fig11.body_over_casts", median_ratio(large.times("body_total_ns"), large.times("total_ns")));
+  const Script still = large.scene().record(options.quick ? 60 : 200, false);
+  measure_fig11_bodies(large.scene(), still, options.quick ? 5000 : 50000, report);
 }
 
 }  // namespace dsw::bench

@@ -1,5 +1,7 @@
 #include "fig11_case.h"
 
+#include "scenes/soft_hexahedra.h"
+
 #include <algorithm>
 #include <unordered_set>
 
@@ -15,14 +17,16 @@ scenes::HexGrid make_grid(std::size_t cells) {
   return scenes::make_hex_grid(options);
 }
 
-BodyShape torus() {
+BodyShape hexahedron(bool with_faces) {
   BodyShape shape;
-  shape.vertices = scenes::kTorusVertices;
-  for (const auto& edge : scenes::torus_edges()) {
+  shape.vertices = scenes::kBodyVertices;
+  for (const auto& edge : scenes::kEdgeVertices) {
     shape.edges.insert(shape.edges.end(), edge.begin(), edge.end());
   }
-  for (const auto& face : scenes::torus_faces()) {
-    shape.corners.insert(shape.corners.end(), face.begin(), face.end());
+  for (const auto& face : scenes::kBodyFaces) {
+    if (with_faces) {
+      shape.corners.insert(shape.corners.end(), {face[0], face[1], face[2], face[0], face[2], face[3]});
+    }
   }
   return shape;
 }
@@ -34,121 +38,173 @@ WallMesh marked_walls(const scenes::HexGrid& grid, World& world) {
   return {grid.mesh.points, std::move(walls)};
 }
 
-using Neighbours = std::vector<std::vector<std::uint32_t>>;
-
-Neighbours neighbours_of(const BodyShape& shape) {
-  Neighbours of(shape.vertices);
-  for (std::size_t e = 0; e < shape.edges.size(); e += 2) {
-    of[shape.edges[e]].push_back(shape.edges[e + 1]);
-    of[shape.edges[e + 1]].push_back(shape.edges[e]);
-  }
-  return of;
-}
-
-/** Cells that vertices or edges of the bodies are in. */
-std::unordered_set<std::uint32_t> met_cells(const World& world, const BodyShape& shape,
-                                            const std::vector<double>& positions,
-                                            const std::vector<dsw_volume_id>& volumes) {
+/** Cells that boxes round the bodies meet. */
+std::unordered_set<std::uint32_t> met_cells(const scenes::HexGrid& grid, const std::vector<double>& positions) {
   std::unordered_set<std::uint32_t> cells;
-  dsw_crossing crossings[64];
-  dsw_cast_options options;
-  dsw_cast_options_init(&options, sizeof options);
-  options.flags = DSW_CAST_START_KNOWN;
-  for (std::size_t first = 0; first < volumes.size(); first += shape.vertices) {
-    for (std::size_t e = 0; e < shape.edges.size(); e += 2) {
-      const std::size_t a = first + shape.edges[e], b = first + shape.edges[e + 1];
-      std::size_t count = 0;
-      check(dsw_environment_cast_path(world.environment(), volumes[a], &positions[3 * a], &positions[3 * b], &options,
-                                      crossings, 64, &count, nullptr));
-      for (std::size_t i = 0; i < count; ++i) {
-        cells.insert(crossings[i].volume.index);
+  for (std::size_t first = 0; first < positions.size(); first += 3 * scenes::kBodyVertices) {
+    const scenes::Box box(&positions[first]);
+    std::array<std::uint32_t, 3> low{}, high{};
+    for (std::size_t k = 0; k < 3; ++k) {  // a body that touches the outside may be rounded onto it
+      const double last = grid.options.size[k] - 1.0;
+      low[k] = static_cast<std::uint32_t>(std::clamp(box.low[k], 0.0, last));
+      high[k] = static_cast<std::uint32_t>(std::clamp(box.high[k], 0.0, last));
+    }
+    for (std::uint32_t z = low[2]; z <= high[2]; ++z) {
+      for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
+        for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
+          cells.insert(grid.cell(x, y, z));
+        }
       }
     }
   }
   return cells;
 }
 
+/** Obstacles that come and go. */
+class Obstacles {
+ public:
+  Obstacles(const scenes::HexGrid& grid, const World& world, const WallMesh& walls)
+      : grid_(grid), world_(world), list_(grid, world, walls) {}
+
+  /** Those of the last time vanish, others appear where no body is. */
+  std::array<WallChange, 2> change(const std::vector<double>& positions) {
+    std::array<WallChange, 2> made;
+    made[0] = list_.turn(added_, false);
+    added_.clear();
+    auto met = met_cells(grid_, positions);
+    for (std::size_t tried = 0; added_.size() < kObstacles && tried < 100 * grid_.obstacle.size(); ++tried) {
+      const auto cell = static_cast<std::uint32_t>(random_.index(grid_.obstacle.size()));
+      if (list_.passable(cell) && met.insert(cell).second) {
+        added_.push_back(cell);
+        for (std::uint32_t side = 0; side < 6; ++side) {  // no two side by side: their wall would come and go
+          met.insert(scenes::neighbour(grid_, cell, side));
+        }
+      }
+    }
+    made[1] = list_.turn(added_, true);
+    for (const WallChange& each : made) {
+      mark(world_, each);
+    }
+    return made;
+  }
+
+  WallChange undo() {
+    const WallChange made = list_.turn(added_, false);
+    mark(world_, made);
+    return made;
+  }
+  std::size_t slots() const { return list_.slots(); }
+
+ private:
+  const scenes::HexGrid& grid_;
+  const World& world_;
+  ChangeList list_;
+  scenes::Random random_{23};
+  std::vector<std::uint32_t> added_;
+};
+
+/** Tells the physics what bodies touched. */
+void answer_contacts(const Flock& flock, scenes::SoftHexahedra& bodies) {
+  for (std::size_t i = 0; i < flock.bodies().size(); ++i) {
+    const dsw_contact* contacts = nullptr;
+    std::size_t count = 0;
+    check(dsw_body_get_contacts(flock.scene(), flock.bodies()[i], &contacts, &count));
+    for (const dsw_contact* contact = contacts; contact != contacts + count; ++contact) {
+      const std::size_t p = contact->vertex.index;
+      std::size_t q = p;
+      if (contact->edge.generation != 0) {
+        dsw_body_vertex_id ends[2];
+        check(dsw_body_get_edge(flock.scene(), flock.bodies()[i], contact->edge, ends));
+        q = ends[0].index == p ? ends[1].index : ends[0].index;
+      }
+      const std::size_t first = i * scenes::kBodyVertices;
+      bodies.bounce(first + p, first + q, contact->along, contact->normal);
+    }
+  }
+}
+
 }  // namespace
 
 void mark(const World& world, const WallChange& change) {
-  check(dsw_environment_mark_volumes(world.environment(), change.volumes.data(), change.volumes.size(),
-                                     change.impassable ? DSW_MARK_IMPASSABLE : DSW_MARK_PASSABLE, 0, nullptr));
+  if (!change.volumes.empty()) {
+    check(dsw_environment_mark_volumes(world.environment(), change.volumes.data(), change.volumes.size(),
+                                       change.impassable ? DSW_MARK_IMPASSABLE : DSW_MARK_PASSABLE, 0, nullptr));
+  }
+}
+
+Segments Script::casts(std::size_t first_step, std::size_t count) const {
+  std::array<std::vector<std::size_t>, scenes::kBodyVertices> neighbours;
+  for (const auto& edge : scenes::kEdgeVertices) {
+    neighbours[edge[0]].push_back(edge[1]);
+    neighbours[edge[1]].push_back(edge[0]);
+  }
+  Segments segments;
+  segments.batch = batch();
+  segments.from.reserve(3 * count * batch());
+  segments.to.reserve(3 * count * batch());
+  segments.starts.reserve(count * batch());
+  for (std::size_t step = first_step; step < first_step + count; ++step) {
+    for (std::size_t v = 0; v < particles; ++v) {
+      const double* const target = &targets[step][3 * v];
+      const auto cast = [&](std::size_t q, std::size_t when) {
+        const double* const start = &positions[when][3 * q];
+        segments.from.insert(segments.from.end(), start, start + 3);
+        segments.to.insert(segments.to.end(), target, target + 3);
+        segments.starts.push_back(volumes[when][q]);
+      };
+      cast(v, step);
+      const std::size_t local = v % scenes::kBodyVertices;
+      for (const std::size_t neighbour : neighbours[local]) {
+        cast(v - local + neighbour, neighbour < local ? step + 1 : step);
+      }
+    }
+  }
+  return segments;
 }
 
 Fig11Case::Fig11Case(std::size_t cells)
-    : shape(torus()), grid(make_grid(cells)), world(grid.mesh, 1), walls(marked_walls(grid, world)) {}
+    : shape(hexahedron(false)),
+      skin(hexahedron(true)),
+      grid(make_grid(cells)),
+      world(grid.mesh, 1),
+      walls(marked_walls(grid, world)) {}
 
 Script Fig11Case::record(std::size_t steps, bool changed) {
-  scenes::TorusMotion motion(grid, {});
+  scenes::SoftHexahedraOptions options;
+  options.bodies = kBodies;
+  scenes::SoftHexahedra bodies(grid, options);
   Script script;
-  script.particles = motion.vertex_count();
+  script.starts = bodies.positions();
+  script.particles = script.starts.size() / 3;
   script.steps = steps;
-  script.segments.batch = kCastsPerParticle * script.particles;
-  ChangeList list(grid, world, walls);
-  const Neighbours neighbours = neighbours_of(shape);
-  scenes::Random random(23);
-  Flock flock(world.environment(), {"driver", DSW_LEVEL_FACES, 0}, shape, motion.starts());
-  std::vector<double> before, after;
-  std::vector<dsw_volume_id> from, to;
-  flock.places(after, to);
-  std::vector<std::uint8_t> arrived(motion.body_count());
-  std::vector<std::uint32_t> added;
-  constexpr std::size_t kWarmUp = 100;  // steps until as many bodies press against something as will ever do
-  for (std::size_t step = 0; step < kWarmUp + steps; ++step) {
-    before = after;
-    from = to;
-    if (step == kWarmUp) {
-      script.starts = before;
+  Obstacles obstacles(grid, world, walls);
+  Flock flock(world.environment(), {"driver", DSW_LEVEL_EDGES, 0}, shape, script.starts);
+  std::vector<double> positions;
+  std::vector<dsw_volume_id> volumes;
+  const auto keep = [&] {
+    flock.places(positions, volumes);
+    script.positions.push_back(positions);
+    script.volumes.push_back(volumes);
+  };
+  keep();
+  const double all = static_cast<double>(steps);
+  for (std::size_t step = 0; step < steps; ++step) {
+    if (changed && step % kStepsPerChange == 0) {
+      script.changes.push_back(obstacles.change(positions));
     }
-    const bool recorded = step >= kWarmUp;
-    if (recorded && changed && (step - kWarmUp) % kStepsPerChange == 0) {
-      script.changes.emplace_back();
-      auto& [gone, come] = script.changes.back();
-      gone = list.turn(added, false);
-      added.clear();
-      auto met = met_cells(world, shape, before, from);
-      while (added.size() < kObstacles) {
-        const auto cell = static_cast<std::uint32_t>(random.index(grid.obstacle.size()));
-        if (list.passable(cell) && met.insert(cell).second) {
-          added.push_back(cell);
-          for (std::uint32_t side = 0; side < 6; ++side) {  // no two side by side: their wall would come and go
-            met.insert(scenes::neighbour(grid, cell, side));
-          }
-        }
-      }
-      come = list.turn(added, true);
-      mark(world, gone);
-      mark(world, come);
-    }
-    flock.move(motion.targets().data());
-    flock.places(after, to);
-    if (recorded) {
-      script.targets.push_back(motion.targets());
-      for (std::size_t v = 0; v < script.particles; ++v) {
-        const std::size_t first = v / shape.vertices * shape.vertices;
-        const double* const target = &motion.targets()[3 * v];
-        const auto cast = [&](const double* start, dsw_volume_id volume) {
-          script.segments.from.insert(script.segments.from.end(), start, start + 3);
-          script.segments.to.insert(script.segments.to.end(), target, target + 3);
-          script.segments.starts.push_back(volume);
-        };
-        cast(&before[3 * v], from[v]);
-        for (const std::uint32_t neighbour : neighbours[v - first]) {
-          const std::size_t q = first + neighbour;
-          cast(q < v ? &after[3 * q] : &before[3 * q], q < v ? to[q] : from[q]);
-        }
-      }
-    }
-    for (std::size_t body = 0; body < arrived.size(); ++body) {
-      arrived[body] = flock.report(body).vertices_stopped == 0 ? 1 : 0;
-    }
-    motion.advance(arrived);
+    script.targets.push_back(bodies.aim());
+    script.mean_step += bodies.speed() / all;
+    script.deformation += bodies.deformation() / all;
+    flock.move(script.targets.back().data());
+    keep();
+    script.stopped_share += static_cast<double>(flock.stopped()) / static_cast<double>(script.particles) / all;
+    bodies.reach(positions);
+    answer_contacts(flock, bodies);
   }
   if (changed) {
-    script.undo.push_back(list.turn(added, false));
-    mark(world, script.undo.back());
+    script.undo.push_back(obstacles.undo());
   }
-  script.slots = list.slots();
+  script.slots = obstacles.slots();
   return script;
 }
 

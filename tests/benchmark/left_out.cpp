@@ -88,11 +88,12 @@ std::vector<Setting> all_settings() {
           flag("sequences", DSW_BODY_SEQUENCES),
           flag("skip by environment", DSW_BODY_SKIP_BY_ENVIRONMENT),
           flag("skip by clearance", DSW_BODY_SKIP_BY_CLEARANCE),
-          flag("skip by motion", DSW_BODY_SKIP_BY_MOTION),
+          flag("skip similar motion", DSW_BODY_SKIP_SIMILAR_MOTION),
           response("slide", DSW_RESPONSE_SLIDE, DSW_RESPONSE_SLIDE),
           response("adaptive_one", DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_ONE),
           response("adaptive_many", DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_MANY),
           response("hybrid", DSW_RESPONSE_SLIDE, DSW_RESPONSE_HYBRID),
+          response("adaptive_slide", DSW_RESPONSE_SLIDE, DSW_RESPONSE_ADAPTIVE_SLIDE),
           search("all", DSW_SEARCH_ALL),
           search("bisection", DSW_SEARCH_BISECTION)};
 }
@@ -193,7 +194,7 @@ class Run {
   /** The bodies begin anew, in a scene of their own. */
   void start(std::uint32_t more_features = 0) {
     bodies_.reset();
-    bodies_ = std::make_unique<Bodies>(world_.environment(), setting_, scene_.shape, script_.starts, more_features);
+    bodies_ = std::make_unique<Bodies>(world_.environment(), setting_, scene_.skin, script_.starts, more_features);
   }
   void stop() { bodies_.reset(); }
 
@@ -316,7 +317,7 @@ std::vector<Row> measure(const Fig11Case& scene, const Script& script, bool libc
   report.set("left_out.bytes_per_cell", nothing_named.bytes_per_cell);
   report.set("left_out.bytes_per_vertex", nothing_named.bytes_per_vertex);
   report.set("left_out.orientation_tests_per_step", nothing_named.tests);
-  measure_casts(runs.front()->world(), script.segments, rows);
+  measure_casts(runs.front()->world(), script.casts(0, script.steps), rows);
   return rows;
 }
 

@@ -32,7 +32,7 @@ for tool in cmake:cmake make:make pkg-config:pkg-config strip:binutils python3:p
   command -v "${tool%%:*}" > /dev/null || missing+=("${tool##*:}")
 done
 # The tree is that of run.sh, so its peers have to be there, too.
-for header in embree3/rtcore.h:libembree-dev bullet/btBulletCollisionCommon.h:libbullet-dev CGAL/version.h:libcgal-dev \
+for header in embree3/rtcore.h:libembree-dev bullet/btBulletCollisionCommon.h:libbullet-dev CGAL/version.h:libcgal-dev box2d/box2d.h:libbox2d-dev \
   gmpxx.h:libgmp-dev nlohmann/json.hpp:nlohmann-json3-dev CLI/CLI.hpp:libcli11-dev gtest/gtest.h:libgtest-dev \
   eigen3/Eigen/Core:libeigen3-dev ccd/ccd.h:libccd-dev; do
   found=

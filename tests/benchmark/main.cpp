@@ -14,13 +14,14 @@ int main(int argc, char** argv) {
   std::string json = "benchmark.json";
   const std::vector<std::string> known = {"hex",       "threads", "tet",      "vessel", "change",  "create",
                                           "fig11",     "fig12",   "catheter", "deform", "coarsen", "cut",
-                                          "obstacles", "remesh",  "self",     "plane"};
+                                          "obstacles", "remesh",  "self",     "plane",  "figure5"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
   app.add_flag("--quick", options.quick, "Fewer steps and rounds");
   app.add_option("--json", json, "File to write");
   app.add_option("--vessel", options.vessel, "Mesh converted by read_mesh.py");
   app.add_option("--data", options.data, "Folder with surfaces and vessels");
+  app.add_option("--scene", options.scene, "File to write: the scene of fig11");
   app.add_option("--part", parts, "Parts to run; all if not given")->check(CLI::IsMember(known));
   CLI11_PARSE(app, argc, argv);
 
@@ -48,6 +49,10 @@ int main(int argc, char** argv) {
     }
     if (wanted("self")) {
       run_self(options, report);
+      run_knot(report);
+    }
+    if (wanted("figure5")) {
+      run_figure5(options, report);
     }
     if (wanted("remesh")) {
       run_remesh(options, report);

@@ -13,6 +13,7 @@ struct Options {
   bool quick = false;
   std::string vessel;  // file of read_mesh.py, or empty
   std::string data;    // folder with surfaces and centrelines, or empty
+  std::string scene;   // file that gets what figure 10 shows, as JSON, or empty
 };
 
 void run_hex(const Options& options, Report& report, Agreement& agreement);
@@ -24,6 +25,8 @@ void run_change(const Options& options, Report& report);
 void run_cut(const Options& options, Report& report);
 void run_obstacles(const Options& options, Report& report);
 void run_self(const Options& options, Report& report);
+void run_figure5(const Options& options, Report& report);
+void run_knot(Report& report);
 void run_remesh(const Options& options, Report& report);
 void run_plane(const Options& options, Report& report);
 void run_plane_rays(const Options& options, Report& report);

@@ -119,7 +119,7 @@ class Caller {
                            ? status == DSW_STATUS_NULL_ARGUMENT || status == before || before != DSW_STATUS_OK
                            : status == wanted;
     if (!holds || status == DSW_STATUS_INTERNAL || status == DSW_STATUS_OUT_OF_MEMORY || status < 0 ||
-        status > DSW_STATUS_WRITE_FAILED) {
+        status > DSW_STATUS_NOT_CLOSED) {
       report(name, what + ": answers " + dsw_status_string(status));
     }
     const std::string_view message = dsw_last_error_message();

@@ -12,7 +12,7 @@ static void every_status_has_its_name(void) {
   CHECK(strcmp(dsw_status_string(DSW_STATUS_OK), "DSW_STATUS_OK") == 0);
   CHECK(strcmp(dsw_status_string(DSW_STATUS_OUTSIDE), "DSW_STATUS_OUTSIDE") == 0);
   CHECK(strcmp(dsw_status_string(DSW_STATUS_INTERNAL), "DSW_STATUS_INTERNAL") == 0);
-  for (i = 0; i <= DSW_STATUS_WRITE_FAILED; ++i) {
+  for (i = 0; i <= DSW_STATUS_NOT_CLOSED; ++i) {
     int other;
     CHECK(strncmp(dsw_status_string((dsw_status)i), "DSW_STATUS_", 11) == 0);
     for (other = 0; other < i; ++other) {
@@ -22,7 +22,7 @@ static void every_status_has_its_name(void) {
 }
 
 static void an_unknown_status_has_a_text(void) {
-  CHECK(strcmp(dsw_status_string((dsw_status)(DSW_STATUS_WRITE_FAILED + 1)), "unknown status") == 0);
+  CHECK(strcmp(dsw_status_string((dsw_status)(DSW_STATUS_NOT_CLOSED + 1)), "unknown status") == 0);
   CHECK(strcmp(dsw_status_string(DSW_STATUS_FORCE_INT32), "unknown status") == 0);
 }
 

@@ -147,6 +147,35 @@ static void a_body_has_what_was_given(void) {
   }
 }
 
+static void back_edges_are_those_of_closed_surfaces_turned_outwards(void) {
+  dsw_body_desc d = pyramid();
+  uint32_t corners[32], i;
+  d.flags = DSW_BODY_SKIP_BACK_EDGES;
+  CHECK_OK(dsw_body_destroy(g_scene, make(&d)));
+  d.face_count -= 1;
+  d.face_corner_count = d.face_offsets[d.face_count];
+  refuses(DSW_STATUS_NOT_CLOSED, &d, "closed surfaces"); /* one face is missing */
+  d.face_count = d.face_corner_count = 0;
+  refuses(DSW_STATUS_NOT_CLOSED, &d, "closed surfaces"); /* no face at all */
+  d = pyramid();
+  d.flags = DSW_BODY_SKIP_BACK_EDGES;
+  for (i = 0; i < d.face_corner_count; ++i) corners[i] = d.face_corners[d.face_corner_count - 1 - i];
+  CHECK(d.face_corner_count <= 32);
+  /* Faces the other way round: the first becomes the last, offsets change where it has more corners. */
+  {
+    uint32_t offsets[16];
+    CHECK(d.face_count < 16);
+    for (i = 0; i <= d.face_count; ++i) {
+      offsets[i] = (uint32_t)d.face_corner_count - d.face_offsets[d.face_count - i];
+    }
+    d.face_offsets = offsets;
+    d.face_corners = corners;
+    refuses(DSW_STATUS_INVERTED_CELL, &d, "is not positive");
+    d.flags = 0;
+    CHECK_OK(dsw_body_destroy(g_scene, make(&d)));
+  }
+}
+
 static void bad_members_are_refused(void) {
   struct {
     dsw_body_desc known;
@@ -169,8 +198,8 @@ static void bad_members_are_refused(void) {
   newer.unknown = 1;
   refuses(DSW_STATUS_UNSUPPORTED, &newer.known, "non-zero byte");
   d = pyramid();
-  d.flags = 0x20;
-  refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->flags is 0x20, this version knows 0x1f");
+  d.flags = 0x80;
+  refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->flags is 0x80, this version knows 0x7f");
   d.flags = 0;
   d.reserved = 1;
   refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->reserved is 1");
@@ -431,6 +460,7 @@ int main(void) {
   g_scene = make_scene(g_env, 0);
   init_writes_the_defaults();
   a_body_has_what_was_given();
+  back_edges_are_those_of_closed_surfaces_turned_outwards();
   bad_members_are_refused();
   bad_topology_is_refused();
   one_that_is_not_free_is_refused();

@@ -291,7 +291,7 @@ static void memory_runs_out(void) {
   size_t count = 0, body_count = 9;
   int call, refusals, i;
   dsw_move_options_init(&o, sizeof o);
-  o.edge_response = DSW_RESPONSE_HYBRID;
+  o.edge_response = DSW_RESPONSE_ADAPTIVE_SLIDE;
   for (call = 0; call < 6; ++call) {
     dsw_status status = DSW_STATUS_OUT_OF_MEMORY;
     if (call > 0) {

@@ -116,6 +116,9 @@ static void bad_bodies_are_refused(void) {
   d.level = (dsw_level)5;
   refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->level is 5");
   d.level = DSW_LEVEL_EDGES;
+  d.flags = DSW_BODY_SKIP_BACK_EDGES;
+  refuses(DSW_STATUS_UNSUPPORTED, &d, "DSW_BODY_SKIP_BACK_EDGES");
+  d.flags = 0;
   d.face_offsets = offsets;
   d.face_corners = corners;
   d.face_count = 1;

@@ -53,7 +53,7 @@ dsw_status Calls::make_bodies(uint32_t which) {
       dsw_body_desc_init(&d, sizeof d);
       d.level = static_cast<dsw_level>(bytes_.below(5));
       d.flags = bytes_.byte();
-      if (bytes_.below(2) == 0) d.flags &= 0xfu;
+      if (bytes_.below(2) == 0) d.flags &= 0x4fu;
       d.positions = positions;
       d.vertex_count = 4;
       d.edges = edges;
@@ -107,7 +107,7 @@ dsw_move_options Calls::options() {
   dsw_move_options o;
   dsw_move_options_init(&o, sizeof o);
   o.vertex_response = bytes_.below(2) == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
-  o.edge_response = static_cast<dsw_response>(bytes_.below(6));
+  o.edge_response = static_cast<dsw_response>(bytes_.below(7));
   o.search = static_cast<dsw_search>(bytes_.below(4));
   o.bisection_depth = bytes_.below(12);
   o.max_cells = bytes_.below(8) == 0 ? bytes_.below(20) : 0;

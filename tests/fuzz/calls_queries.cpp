@@ -197,6 +197,7 @@ dsw_status Calls::look_at_body() {
                    << copy_all<std::array<uint32_t, 3>>(tuples(dsw_body_get_face_vertices))
                    << read_all<dsw_contact>(of_body(dsw_body_get_contacts))
                    << read_all<dsw_contact_partner>(of_body(dsw_body_get_contact_partners))
+                   << read_all<dsw_contact_past>(of_body(dsw_body_get_contact_pasts))
                    << read_all<dsw_body_edit>(of_body(dsw_body_get_edits));
 }
 

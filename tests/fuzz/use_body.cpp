@@ -148,7 +148,7 @@ void move_body(Subject* s, Bytes* bytes) {
   }
   dsw_move_options options;
   dsw_move_options_init(&options, sizeof options);
-  options.edge_response = static_cast<dsw_response>(bytes->below(5));
+  options.edge_response = static_cast<dsw_response>(bytes->below(6));
   const uint8_t choice = bytes->byte();
   options.vertex_response = (choice & 1) != 0 ? DSW_RESPONSE_SLIDE : DSW_RESPONSE_STOP;
   options.search = static_cast<dsw_search>((choice >> 1) % 3);

@@ -11,7 +11,7 @@ namespace dsw::oracle {
 struct BodyMove {
   std::vector<uint32_t> order;  // never empty
   std::vector<Vec> targets;     // by slot
-  bool drops = false;           // elimination by motion: contacts at edges may be missing
+  bool drops = false;           // edges are left out on their way: contacts at edges may be missing
   bool stand_off = false;       // a wide one may leave no way at all
   bool all = false;             // DSW_SEARCH_ALL: more contacts of a vertex may follow the first
 };

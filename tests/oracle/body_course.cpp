@@ -186,7 +186,7 @@ void Course::responding() {
     const BodyMove move = source.move(state);
     dsw_move_options options = options_of(move);
     options.vertex_response = rng_.chance(0.5) ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
-    options.edge_response = static_cast<dsw_response>(rng_.below(5));
+    options.edge_response = static_cast<dsw_response>(rng_.below(6));
     options.min_part = rng_.chance(0.5) ? 0 : 0.02;
     options.noise_share = rng_.chance(0.5) ? 0 : 0.05;
     const bool bisects = rng_.chance(0.15);  // then it is free all the same, and no more is promised
@@ -206,12 +206,12 @@ void Course::responding() {
 }
 
 void Course::eliminating() {
-  BodyChecker checker(arena_, report_.hybrid);
+  BodyChecker checker(arena_, report_.similar);
   Bodies source(arena_, places_, rng_, level_);
   BodyPlan plan;
   BodyState state;
   dsw_body_id body;
-  if (!create(checker, source, report_.hybrid, DSW_BODY_SKIP_BY_MOTION, plan, body, state)) return;
+  if (!create(checker, source, report_.similar, DSW_BODY_SKIP_SIMILAR_MOTION, plan, body, state)) return;
   BodyAnswer answer;
   for (int i = 0; i < 12; ++i) {
     BodyMove move = source.move(state);
@@ -224,12 +224,12 @@ void Course::eliminating() {
         move.targets[v][k] = std::isfinite(x) ? x : state.at[v][k];
       }
     }
-    if (!moved(body, move, options_of(move), answer, report_.hybrid)) break;
-    checker.replay(state, move, level_, answer, " elimination by motion, move " + std::to_string(i));
+    if (!moved(body, move, options_of(move), answer, report_.similar)) break;
+    checker.replay(state, move, level_, answer, " similar motion, move " + std::to_string(i));
     state = answer.after;
   }
-  report_.hybrid_contacts += checker.true_contacts;
-  report_.hybrid_dropped += checker.dropped;
+  report_.similar_contacts += checker.true_contacts;
+  report_.similar_dropped += checker.dropped;
   dsw_body_destroy(scene_, body);
 }
 

@@ -24,7 +24,7 @@ class Course {
   void responding();
   /// Levels, splits, collapses, parts added and removed, rigid motions: free after each, or refused for a reason.
   void editing();
-  /// Elimination by motion: nothing may be met where it ends, on the way something may be.
+  /// Elimination by similar motion: nothing may be met where it ends, on the way something may be.
   void eliminating();
 
  private:

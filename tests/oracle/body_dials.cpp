@@ -1,4 +1,4 @@
-// Bisection: how much earlier than the exact time the reported one is, at every depth.
+// Bisection, which is not told the exact time: how much earlier than that the reported one is, at every depth.
 #include "body_run.h"
 #include "body_scenes.h"
 #include "sweep_scenes.h"

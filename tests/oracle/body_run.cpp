@@ -55,11 +55,11 @@ void bodies_in_arena(Arena& arena, const std::function<std::unique_ptr<Places>(R
 
 void BodyReport::begin(const std::string& scene, const std::string& reproduce) {
   for (SweepReport& r : levels) r.begin(scene, reproduce);
-  hybrid.begin(scene, reproduce);
+  similar.begin(scene, reproduce);
 }
 
 uint64_t BodyReport::faults() const {
-  uint64_t sum = hybrid.total.faults() + (opinions.quantile(0.99) <= Opinions::kMostDegrees ? 0 : 1);
+  uint64_t sum = similar.total.faults() + (opinions.quantile(0.99) <= Opinions::kMostDegrees ? 0 : 1);
   for (const SweepReport& level : levels) sum += level.total.faults();
   return sum;
 }
@@ -129,10 +129,10 @@ std::string to_json(const BodyReport& report) {
   add("body.oracle.responses", static_cast<double>(report.responses));
   add("body.oracle.response_edits", static_cast<double>(report.edits));
   add("body.oracle.body_edits", static_cast<double>(report.body_edits));
-  add("sweep.oracle.not_free_after", static_cast<double>(not_free + report.hybrid.total.not_free_after));
-  add("edges.hybrid_missed_share", share(report.hybrid_dropped, report.hybrid_contacts));
-  add("edges.hybrid_contacts", static_cast<double>(report.hybrid_contacts));
-  add("edges.hybrid_not_free_after", static_cast<double>(report.hybrid.total.not_free_after));
+  add("sweep.oracle.not_free_after", static_cast<double>(not_free + report.similar.total.not_free_after));
+  add("edges.similar_motion_missed_share", share(report.similar_dropped, report.similar_contacts));
+  add("edges.similar_motion_contacts", static_cast<double>(report.similar_contacts));
+  add("edges.similar_motion_not_free_after", static_cast<double>(report.similar.total.not_free_after));
   // Of these scenes: with wires, and ends exactly on edges and corners. The figures of the benchmark are those of contact_check_test.
   add("body.oracle.normal_vs_libccd_deg_p99", report.opinions.quantile(0.99));
   add("body.oracle.normal_qualified_share", report.opinions.share());

@@ -21,15 +21,15 @@ struct BodyRunOptions {
 struct BodyReport {
   explicit BodyReport(int print_most)
       : levels{SweepReport(print_most), SweepReport(print_most), SweepReport(print_most), SweepReport(print_most)},
-        hybrid(print_most) {}
+        similar(print_most) {}
   SweepReport& at(dsw_level level) { return levels[static_cast<size_t>(level) - 1]; }
   uint64_t faults() const;
   void begin(const std::string& scene, const std::string& reproduce);
 
   std::array<SweepReport, 4> levels;
-  SweepReport hybrid;  // elimination by motion; what it drops is no fault
+  SweepReport similar;  // elimination by similar motion; what it drops is no fault
   uint64_t bodies = 0, refused = 0, responses = 0, edits = 0, body_edits = 0, twins = 0;
-  uint64_t hybrid_contacts = 0, hybrid_dropped = 0;
+  uint64_t similar_contacts = 0, similar_dropped = 0;
   double time_error = 0, bisection_slope = 0;
   Opinions opinions;  // on contacts of all bodies
 };

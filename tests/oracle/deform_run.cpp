@@ -23,6 +23,8 @@ class Deformer {
     dsw_body_id id;
     dsw_level level;
     BodyState state;
+    bool rigid;
+    std::vector<Vec> first;  // where it was made
   };
   struct Particle {
     dsw_particle_id id;
@@ -37,6 +39,7 @@ class Deformer {
   bool step();
   void check_way(const Deformed& d, const std::string& how);
   void check(Deformed& d, const std::string& how);
+  void check_shape(const Lodger& lodger, const BodyState& now, const std::string& how);
   void check_vertex(Picture& now, const Vec& at, dsw_volume_id volume, int chamber, const std::string& what);
   int chamber_of(const BodyState& before, const BodyState& now, size_t vertex) const;
   void add_parts(const Lodger& lodger, const BodyState& now, const Deformed& d);
@@ -86,13 +89,14 @@ void Deformer::settle() {
     const auto level = static_cast<dsw_level>(1 + rng_.below(dimension_ == 3 ? 4u : 3u));
     Bodies source(arena_, ground_.places(), rng_, level);
     for (int tries = 0; tries < 10; ++tries) {
-      Lodger lodger{{0, 0}, level, {}};
-      if (create_body(scene_.get(), source.next(), level, rng_.chance(0.5) ? uint32_t{DSW_BODY_SEQUENCES} : 0u, {},
-                      &lodger.id) != DSW_STATUS_OK) {
-        continue;
-      }
+      Lodger lodger{{0, 0}, level, {}, rng_.chance(0.5), {}};
+      const uint32_t flags =
+          (rng_.chance(0.5) ? uint32_t{DSW_BODY_SEQUENCES} : 0u) | (lodger.rigid ? uint32_t{DSW_BODY_RIGID} : 0u);
+      if (create_body(scene_.get(), source.next(), level, flags, {}, &lodger.id) != DSW_STATUS_OK) continue;
       const std::string fault = read_body(scene_.get(), lodger.id, lodger.state);
       if (!fault.empty()) wrong("a new body: " + fault);
+      lodger.first = lodger.state.at;
+      report_.rigid += lodger.rigid ? 1 : 0;
       lodgers_.push_back(lodger);
       ++report_.bodies;
       break;
@@ -184,7 +188,7 @@ dsw_deform_options Deformer::next_options() {
   dsw_deform_options_init(&options, sizeof options);
   options.method = rng_.chance(0.75) ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE;
   options.response = static_cast<dsw_wall_response>(rng_.below(4u));
-  if (options.method == DSW_DEFORM_END_STATE && options.response != DSW_WALL_PUSH) options.response = DSW_WALL_STOP;
+  if (options.method == DSW_DEFORM_END_STATE && options.response == DSW_WALL_HOLD) options.response = DSW_WALL_STOP;
   options.invalid = rng_.chance(0.7) ? DSW_INVALID_HOLD : DSW_INVALID_REFUSE;
   options.most_halvings = 1 + rng_.below(5u);
   return options;
@@ -262,6 +266,31 @@ void Deformer::add_parts(const Lodger& lodger, const BodyState& now, const Defor
   }
 }
 
+/// Whether a rigid body keeps its vertices, edges and distances, to 8 units in the last place of the largest coordinate.
+void Deformer::check_shape(const Lodger& lodger, const BodyState& now, const std::string& how) {
+  if (!lodger.rigid) return;
+  if (now.at != lodger.state.at) ++report_.rigid_moves;
+  double largest = 0;
+  for (const std::vector<Vec>* places : {&lodger.first, &now.at}) {
+    for (const Vec& p : *places) {
+      for (const double x : p) largest = std::max(largest, std::fabs(x));
+    }
+  }
+  bool keeps = now.edges == lodger.state.edges && now.faces == lodger.state.faces;
+  for (size_t a = 0; a < now.at.size(); ++a) {
+    for (size_t b = 0; b < a; ++b) {
+      const auto distance = [&](const std::vector<Vec>& at) {
+        return std::hypot(at[a][0] - at[b][0], at[a][1] - at[b][1], at[a][2] - at[b][2]);
+      };
+      keeps =
+          keeps && std::fabs(distance(now.at) - distance(lodger.first)) <= 8 * std::max(0x1p-52 * largest, 0x1p-1074);
+    }
+  }
+  if (keeps) return;
+  ++report_.bent;
+  report_.faults.fault(SweepReport::kWrong, how + ": a rigid body has lost its shape");
+}
+
 /// Everything against a picture of the environment as it is.
 void Deformer::check(Deformed& d, const std::string& how) {
   const std::unique_ptr<Picture> now = ground_.picture(now_);
@@ -280,6 +309,7 @@ void Deformer::check(Deformed& d, const std::string& how) {
       check_vertex(*now, state.at[v], state.volumes[v], chamber_of(lodger.state, state, v),
                    how + ": vertex " + std::to_string(v));
     }
+    check_shape(lodger, state, how);
     add_parts(lodger, state, d);
     lodger.state = state;
     if (!whole) continue;
@@ -426,6 +456,9 @@ std::string to_json(const DeformReport& r, const std::string& prefix) {
                                                       {"deform.oracle.particles", r.particles},
                                                       {"deform.oracle.contacts", r.contacts},
                                                       {"deform.oracle.pushed", r.pushed},
+                                                      {"deform.oracle.rigid", r.rigid},
+                                                      {"deform.oracle.rigid_moves", r.rigid_moves},
+                                                      {"deform.oracle.bent", r.bent},
                                                       {"deform.oracle.judged_parts", r.judged_parts},
                                                       {"deform.oracle.judged_contacts", r.judged_contacts}};
   std::string text = "{";

@@ -19,13 +19,15 @@ struct DeformReport {
 
   SweepReport faults;
   uint64_t steps = 0, bodies = 0, particles = 0, contacts = 0, pushed = 0, edits = 0;
-  uint64_t lost = 0;          // in another volume than they say, or beyond a wall
-  uint64_t not_free = 0;      // at their level
-  uint64_t wrong = 0;         // answers that do not fit
-  uint64_t whole = 0;         // steps after which the whole environment was valid
-  uint64_t outcomes[4] = {};  // by dsw_deform_outcome
+  uint64_t lost = 0;                    // in another volume than they say, or beyond a wall
+  uint64_t not_free = 0;                // at their level
+  uint64_t rigid = 0, rigid_moves = 0;  // bodies with DSW_BODY_RIGID, and steps in which one was moved
+  uint64_t bent = 0;                    // of those that lost their shape
+  uint64_t wrong = 0;                   // answers that do not fit
+  uint64_t whole = 0;                   // steps after which the whole environment was valid
+  uint64_t outcomes[4] = {};            // by dsw_deform_outcome
   uint64_t judged_parts = 0, judged_contacts = 0;
-  bool right() const { return wrong + lost + not_free == 0 && bodies > 0; }
+  bool right() const { return wrong + lost + not_free + bent == 0 && bodies > 0; }
 };
 
 /// One scene.

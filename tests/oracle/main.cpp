@@ -1,7 +1,8 @@
-// dartsweep_oracle [--casts N] [--plane N] [--plane-sweeps N] [--plane-deformations N] [--sweeps N] [--bodies N [--level L] [--scene-seed S]] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
+// dartsweep_oracle [--casts N] [--plane N] [--plane-sweeps N] [--plane-deformations N] [--sweeps N] [--bodies N [--level L] [--scene-seed S]] [--back-edges N] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
 // Casts, locates and particle moves, swept edges, and moves of bodies (N: of single vertices, at each level), in many
 // small environments, each compared with exact arithmetic; --plane: casts and particle moves in the plane;
-// --plane-sweeps: swept edges and bodies there; --plane-deformations: with walls that move. Without any of these: casts.
+// --back-edges: moves of closed bodies with back-edge elimination; --plane-sweeps: swept edges and bodies there; --plane-deformations: with walls that move. Without any of these: casts.
+#include "back_edges.h"
 #include "body_run.h"
 #include "deform_run.h"
 #include "plane_run.h"
@@ -18,7 +19,7 @@ int main(int argc, char** argv) {
   sweeps.sweeps = 0;
   dsw::oracle::BodyRunOptions bodies;
   dsw::oracle::DeformRunOptions deformations;
-  uint64_t plane_deformations = 0;
+  uint64_t plane_deformations = 0, back_edges = 0;
   dsw::oracle::PlaneRunOptions plane;
   const char* json = nullptr;
   int print_most = 20;
@@ -38,6 +39,8 @@ int main(int argc, char** argv) {
       sweeps.sweeps = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--bodies") == 0 && more) {
       bodies.steps = std::strtoull(argv[++i], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--back-edges") == 0 && more) {
+      back_edges = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--deformations") == 0 && more) {
       deformations.steps = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--scene-seed") == 0 && more) {
@@ -60,7 +63,7 @@ int main(int argc, char** argv) {
     } else {
       std::fprintf(stderr,
                    "usage: %s [--casts N] [--plane N] [--plane-sweeps N] [--sweeps N] [--bodies N [--level 1..4]] "
-                   "[--deformations N] [--plane-deformations N] [--scene-seed S] [--seed S] "
+                   "[--back-edges N] [--deformations N] [--plane-deformations N] [--scene-seed S] [--seed S] "
                    "[--quick] [--only SCENE] "
                    "[--print N] [--stuck] [--json FILE]\n",
                    argv[0]);
@@ -69,9 +72,10 @@ int main(int argc, char** argv) {
   }
   dsw::oracle::Report report(print_most);
   report.show_stuck = show_stuck;
-  const bool with_casts =
-      casts_given || quick ||
-      plane.casts + plane.sweeps + plane_deformations + sweeps.sweeps + bodies.steps + deformations.steps == 0;
+  const bool with_casts = casts_given || quick ||
+                          plane.casts + plane.sweeps + plane_deformations + sweeps.sweeps + bodies.steps +
+                                  deformations.steps + back_edges ==
+                              0;
   if (with_casts) dsw::oracle::run(options, report);
   dsw::oracle::PlaneReport plane_report;
   if (plane.casts != 0) dsw::oracle::run_plane(plane, print_most, plane_report);
@@ -81,6 +85,8 @@ int main(int argc, char** argv) {
   if (sweeps.sweeps != 0) dsw::oracle::run_sweeps(sweeps, sweep_report);
   dsw::oracle::BodyReport body_report(print_most);
   if (bodies.steps != 0) dsw::oracle::run_bodies(bodies, body_report);
+  dsw::oracle::BackEdgeReport back_edge_report(print_most);
+  if (back_edges != 0) dsw::oracle::run_back_edges(back_edges, bodies.seed, back_edge_report);
   dsw::oracle::DeformReport deform_report(print_most);
   if (deformations.steps != 0) dsw::oracle::run_deformations(deformations, deform_report);
   dsw::oracle::DeformReport plane_deform_report(print_most);
@@ -93,6 +99,7 @@ int main(int argc, char** argv) {
   if (with_plane) join(dsw::oracle::to_json(plane_report));
   if (sweeps.sweeps != 0) join(dsw::oracle::to_json(sweep_report));
   if (bodies.steps != 0) join(dsw::oracle::to_json(body_report));
+  if (back_edges != 0) join(dsw::oracle::to_json(back_edge_report));
   if (deform_report.steps != 0) join(dsw::oracle::to_json(deform_report));
   if (plane_deformations != 0) join(dsw::oracle::to_json(plane_deform_report, "plane."));
   std::fputs(text.c_str(), stdout);
@@ -107,7 +114,8 @@ int main(int argc, char** argv) {
   const bool plane_right = !with_plane || (plane_report.faults() == 0 && plane_report.contacts > 0);
   const bool sweeps_right = sweep_report.total.faults() == 0 && sweep_report.total.sweeps > 0;
   const bool bodies_right = body_report.faults() == 0 && body_report.bodies > 0;
-  const bool right = plane_right && (deform_report.right() || deform_report.steps == 0) &&
+  const bool right = plane_right && (back_edges == 0 || back_edge_report.right()) &&
+                     (deform_report.right() || deform_report.steps == 0) &&
                      (plane_deform_report.right() || plane_deformations == 0) && (casts_right || !with_casts) &&
                      (sweeps_right || sweeps.sweeps == 0) && (bodies_right || bodies.steps == 0);
   return right ? 0 : 1;

@@ -77,7 +77,7 @@ void run_plane_sweeps(const PlaneRunOptions& options, int print_most, PlaneRepor
     report.wrong += t.wrong + t.early;
   };
   add(reports.alone.total);
-  add(reports.bodies.hybrid.total);
+  add(reports.bodies.similar.total);
   for (const SweepReport& level : reports.bodies.levels) add(level.total);
   report.bodies = reports.bodies.bodies;
   report.twins = reports.bodies.twins;

@@ -28,7 +28,7 @@ TEST_F(BodyMemoryTest, MovingABody) {
       for (Vec& p : targets) p = {p[0] + 2.25, p[1] + 0.125, p[2]};
       dsw_move_options options = default_options();
       options.vertex_response = DSW_RESPONSE_SLIDE;
-      options.edge_response = DSW_RESPONSE_HYBRID;
+      options.edge_response = flags == 0 ? DSW_RESPONSE_ADAPTIVE_MANY : DSW_RESPONSE_ADAPTIVE_SLIDE;
       const std::string before = bits_of(read(body));
       dsw_move_report report, untouched;
       std::memset(&report, 0x55, sizeof report);

@@ -58,7 +58,7 @@ TEST_F(BodyMoveTest, ArgumentsThatAreRefusedChangeNothing) {
   with(DSW_STATUS_OUT_OF_RANGE, [](dsw_move_options& o) { o.min_part = -0.1; });
   with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.flags = 1; });
   with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.search = static_cast<dsw_search>(3); });
-  with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.edge_response = static_cast<dsw_response>(5); });
+  with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.edge_response = static_cast<dsw_response>(6); });
   with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.vertex_response = DSW_RESPONSE_HYBRID; });
   with(DSW_STATUS_BAD_STRUCT_SIZE, [](dsw_move_options& o) { o.struct_size = 8; });
   EXPECT_EQ(dsw_body_move(scene(), body, nullptr, 2, 0, nullptr, nullptr), DSW_STATUS_NULL_ARGUMENT);
@@ -108,7 +108,7 @@ TEST_F(BodyMoveTest, EachLevelMeetsWhatItSays) {
 
 TEST_F(BodyMoveTest, EdgesThatMoveAlikeAndLessThanTheirLengthAreSweptOnce) {
   const auto skipped = [&](const Vec& to_a, const Vec& to_b) {
-    const dsw_body_id body = make(segment(kA, kB), DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_MOTION);
+    const dsw_body_id body = make(segment(kA, kB), DSW_LEVEL_EDGES, DSW_BODY_SKIP_SIMILAR_MOTION);
     const BodyAnswer answer = move(body, {to_a, to_b});
     EXPECT_EQ(answer.report.vertices_stopped, 0u);
     return answer.report.edges_skipped;
@@ -128,7 +128,7 @@ TEST_F(BodyMoveTest, SkippedEdgesKeepTheirSequences) {
       if (v > 0) plan.edges.push_back({v - 1, v});
     }
     const uint32_t keeps = i == 0 ? 0 : DSW_BODY_SEQUENCES;
-    const dsw_body_id body = make(plan, DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_MOTION | keeps);
+    const dsw_body_id body = make(plan, DSW_LEVEL_EDGES, DSW_BODY_SKIP_SIMILAR_MOTION | keeps);
     Rng rng(3);
     for (int step = 0; step < 50; ++step) {
       std::vector<Vec> targets = read(body).at;
@@ -212,6 +212,65 @@ TEST_F(BodyMoveTest, AllObstaclesUnderTheEdgeComeInTheirOrder) {
   EXPECT_EQ(all.after.at, exact.after.at);
 }
 
+TEST_F(BodyMoveTest, HalvingEndsBetweenAFreePlaceAndOneThatIsNot) {
+  constexpr double kStep = 0x1p-12;
+  mark_wall(2, 1, 1);
+  mark_wall(1, 2, 2);
+  mark_wire(3, 3, 1);
+  Rng rng(17);
+  dsw_move_options options = default_options(), exact = options;
+  options.search = DSW_SEARCH_BISECTION;
+  options.bisection_depth = 12;
+  options.stand_off = exact.stand_off = -1;
+  int of_paths = 0, of_edges = 0, of_faces = 0, far = 0;
+  for (int i = 0; i < 600; ++i) {
+    const dsw_level level = static_cast<dsw_level>(1 + i % 4);
+    const auto inside = [&] { return Vec{rng.range(0.1, 3.9), rng.range(0.1, 3.9), rng.range(0.1, 3.9)}; };
+    const BodyPlan plan = {{inside(), inside(), inside()}, {}, {{0, 1, 2}}};
+    std::vector<Vec> targets = plan.at;
+    targets[0] = inside();
+    dsw_body_id bodies[3];
+    if (create_body(scene(), plan, level, 0, {}, &bodies[0]) != DSW_STATUS_OK) continue;
+    const BodyAnswer halved = move(bodies[0], targets, &options);
+    ASSERT_EQ(dsw_body_destroy(scene(), bodies[0]), DSW_STATUS_OK);
+    if (halved.contacts.empty()) {
+      EXPECT_EQ(halved.after.at[0], targets[0]);
+      continue;
+    }
+    ASSERT_EQ(halved.contacts.size(), 1u);
+    const dsw_contact& c = halved.contacts[0];
+    EXPECT_EQ(std::floor(c.time / kStep), c.time / kStep);
+    // It stands where it is seen free, and the place behind is not free; nor is the target.
+    const Vec to = targets[0];
+    const auto place = [&](double t) {
+      Vec at = plan.at[0];
+      for (size_t k = 0; k < 3; ++k) at[k] += t * (to[k] - at[k]);
+      return at;
+    };
+    for (int k = 1; k < 3; ++k) bodies[k] = make(plan, level);
+    targets[0] = place(c.time);
+    EXPECT_EQ(halved.after.at[0], targets[0]);
+    EXPECT_TRUE(move(bodies[1], targets, &exact).contacts.empty()) << i;
+    targets[0] = place(c.time + kStep);
+    const BodyAnswer behind = move(bodies[2], targets, &exact);
+    EXPECT_EQ(behind.contacts.size(), 1u) << i;
+    for (int k = 1; k < 3; ++k) ASSERT_EQ(dsw_body_destroy(scene(), bodies[k]), DSW_STATUS_OK);
+    // What runs into a face does so on that face.
+    of_faces += c.face.generation != 0 ? 1 : 0;
+    if (c.kind != DSW_CONTACT_PLANE) continue;
+    ++(c.edge.generation != 0 ? of_edges : of_paths);
+    double largest = 0;
+    for (const double x : c.normal) largest = std::max(largest, std::fabs(x));
+    EXPECT_EQ(largest, 1) << i;  // all faces here look along an axis
+    for (size_t k = 0; k < 3; ++k)
+      far += c.normal[k] != 0 && std::fabs(c.point[k] - std::round(c.point[k])) > 1e-12 ? 1 : 0;
+  }
+  EXPECT_GT(of_paths, 20);
+  EXPECT_GT(of_edges, 20);
+  EXPECT_GT(of_faces, 0);
+  EXPECT_EQ(far, 0);
+}
+
 TEST_F(BodyMoveTest, AllObstaclesAtEdgesAreThoseOfTheEdgesThatWereHit) {
   // The edge to vertex 1 passes a wire and ends free, so at EDGES it is not looked at; that to vertex 2 ends in a wall.
   mark_wire(1, 1, 1);
@@ -232,7 +291,8 @@ TEST_F(BodyMoveTest, AllObstaclesAtEdgesAreThoseOfTheEdgesThatWereHit) {
 TEST_F(BodyMoveTest, AnInsertedVertexIsReportedAndSplitsItsEdge) {
   mark_wire(2, 2, 1);
   const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {2.75, 1.5, 1.5};
-  for (dsw_response response : {DSW_RESPONSE_ADAPTIVE_ONE, DSW_RESPONSE_ADAPTIVE_MANY, DSW_RESPONSE_HYBRID}) {
+  for (dsw_response response :
+       {DSW_RESPONSE_ADAPTIVE_ONE, DSW_RESPONSE_ADAPTIVE_MANY, DSW_RESPONSE_HYBRID, DSW_RESPONSE_ADAPTIVE_SLIDE}) {
     const dsw_body_id body = make(segment(from, fixed));
     dsw_move_options options = default_options();
     options.edge_response = response;

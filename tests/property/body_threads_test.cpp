@@ -14,7 +14,7 @@ dsw_move_options round_options(size_t round) {
   dsw_move_options options;
   dsw_move_options_init(&options, sizeof options);
   options.vertex_response = round % 2 == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
-  options.edge_response = static_cast<dsw_response>(round % 5);
+  options.edge_response = static_cast<dsw_response>(round % 6);
   options.noise_share = round % 3 == 0 ? 0.05 : 0;
   return options;
 }

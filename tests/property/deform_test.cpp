@@ -30,12 +30,14 @@ TEST_F(DeformTest, GivesTheSameBitsTwice) {
     place_ = Place();
     SetUp();
     const dsw_body_id body = make(tetrahedron({2.05, 1.5, 1.25}, 0.5), DSW_LEVEL_FACES, DSW_BODY_SEQUENCES);
+    const dsw_body_id tool = make(tetrahedron({2.05, 1.1, 1.25}, 0.3), DSW_LEVEL_FACES, DSW_BODY_RIGID);
     std::vector<double> next = bent(points_of(place_.get()), 0.2);
     ASSERT_EQ(dsw_scene_deform(scene(), next.data(), next.size() / 3, nullptr, nullptr), DSW_STATUS_OK);
     const dsw_wall_contact* contacts = nullptr;
     size_t count = 0;
     ASSERT_EQ(dsw_scene_get_wall_contacts(scene(), &contacts, &count), DSW_STATUS_OK);
-    each = bits_of(read(body)) + std::string(reinterpret_cast<const char*>(next.data()), 8 * next.size()) +
+    each = bits_of(read(body)) + bits_of(read(tool)) +
+           std::string(reinterpret_cast<const char*>(next.data()), 8 * next.size()) +
            std::string(reinterpret_cast<const char*>(contacts), count * sizeof *contacts);
     scene_.reset();
     place_.environment.reset();  // before the array that it reads
@@ -102,10 +104,11 @@ TEST_F(DeformMemoryTest, Deforming) {
   ASSERT_EQ(dsw_particle_create(scene(), at, {0, 0}, &particle), DSW_STATUS_OK);
   const dsw_body_id body = make(tetrahedron({2.05, 1.5, 1.25}, 0.5), DSW_LEVEL_FACES, DSW_BODY_SEQUENCES);
   const dsw_body_id other = make(tetrahedron({0.25, 0.25, 0.25}, 0.5), DSW_LEVEL_EDGES);
+  make(tetrahedron({2.05, 2.25, 1.25}, 0.5), DSW_LEVEL_FACES, DSW_BODY_RIGID);
   std::vector<std::vector<double>> arrays;  // all lent
   for (int method : {DSW_DEFORM_SWEPT, DSW_DEFORM_END_STATE}) {
     for (int response : {DSW_WALL_PUSH, DSW_WALL_INSERT, DSW_WALL_HOLD, DSW_WALL_STOP}) {
-      if (method == DSW_DEFORM_END_STATE && (response == DSW_WALL_INSERT || response == DSW_WALL_HOLD)) continue;
+      if (method == DSW_DEFORM_END_STATE && response == DSW_WALL_HOLD) continue;
       dsw_deform_options options;
       dsw_deform_options_init(&options, sizeof options);
       options.method = static_cast<dsw_deform_method>(method);

@@ -1,4 +1,5 @@
 // Casts on many threads through volumes of which nobody knows yet whether they are valid.
+#include "body_state.h"
 #include "deform_support.h"
 #include "threads.h"
 
@@ -40,6 +41,52 @@ TEST(DeformThreads, FindOutTogetherWhichVolumesAreValid) {
   size_t stopped = 0;
   for (const dsw_flight& f : flights[1]) stopped += f.obstacle == DSW_CELL_VOLUME ? 1 : 0;
   EXPECT_GT(stopped, 20u);
+}
+
+/// A wall that rises under rigid tools and soft ones.
+TEST(DeformThreads, PushRigidBodiesTheSameWay) {
+  std::string bits[3];
+  const uint32_t threads[] = {1, 4, 4};
+  for (size_t turn = 0; turn < 3; ++turn) {
+    Shuffler shuffler;
+    shuffler.threads = 4;
+    const ContextPtr context = context_with(threads[turn], turn == 2 ? &shuffler : nullptr);
+    Place place = place_of(hex_grid(axis(8, 1), axis(8, 1), axis(4, 1)), 0, context.get());
+    ASSERT_PLACE(place);
+    ScenePtr scene = make_scene(place.get(), DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS);
+    std::vector<dsw_body_id> bodies;
+    for (int i = 0; i < 12; ++i) {
+      const double x = 0.5 + 1.8 * (i % 4), y = 0.7 + 2.3 * (i / 4);
+      const BodyPlan plan{{{x, y, 0.05}, {x + 1.2, y + 0.3, 0.06}, {x + 0.4, y + 0.9, 0.07}}, {{0, 1}, {1, 2}}, {}};
+      bodies.push_back({0, 0});
+      ASSERT_EQ(create_body(scene.get(), plan, DSW_LEVEL_EDGES_SWEPT, i % 3 == 0 ? 0u : uint32_t{DSW_BODY_RIGID}, {},
+                            &bodies.back()),
+                DSW_STATUS_OK);
+    }
+    std::vector<double> arrays[2];
+    uint32_t pushed = 0;
+    for (int step = 0; step < 2; ++step) {
+      arrays[step] = points_of(place.get());
+      for (size_t p = 0; p < 81; ++p) arrays[step][3 * p + 2] = 0.3 * (step + 1) * std::sin(static_cast<double>(p * p));
+      dsw_deform_options options;
+      dsw_deform_options_init(&options, sizeof options);
+      options.method = step == 0 ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE;
+      dsw_deform_report report;
+      ASSERT_EQ(dsw_scene_deform(scene.get(), arrays[step].data(), arrays[step].size() / 3, &options, &report),
+                DSW_STATUS_OK);
+      pushed += report.pushed_count;
+    }
+    EXPECT_GT(pushed, 20u);
+    for (const dsw_body_id body : bodies) {
+      BodyState state;
+      ASSERT_EQ(read_body(scene.get(), body, state), "");
+      for (const Vec& at : state.at) bits[turn] += hex(at);
+    }
+    scene.reset();
+    place.environment.reset();  // before the arrays that it reads
+  }
+  EXPECT_EQ(bits[0], bits[1]);
+  EXPECT_EQ(bits[0], bits[2]);
 }
 
 }  // namespace

@@ -251,17 +251,136 @@ TEST_F(TwoBodiesTest, ResponsesWorkOnBodies) {
   EXPECT_EQ(answer.after.at[0], to);
 }
 
-TEST_F(TwoBodiesTest, ABodyThatMeetsItselfKeepsItsVertices) {
+TEST_F(TwoBodiesTest, HalvingStopsBeforeAnotherBody) {
+  const dsw_body_id square = make(wall(2), DSW_LEVEL_FACES);
+  const BodyPlan plan = segment({0.5, 1.25, 1.25}, {0.5, 1.25, 0.5});
+  const std::vector<Vec> to = {{2.5, 1.75, 1.25}, {0.5, 1.25, 0.5}};
+  dsw_move_options options = default_options();
+  options.stand_off = -1;
+  const dsw_body_id twin = make(plan);
+  const BodyAnswer exact = move(twin, to, &options);
+  ASSERT_EQ(dsw_body_destroy(scene(), twin), DSW_STATUS_OK);
+  options.search = DSW_SEARCH_BISECTION;
+  options.bisection_depth = 20;
+  const dsw_body_id wire = make(plan);
+  const BodyAnswer halved = move(wire, to, &options);
+  ASSERT_EQ(exact.contacts.size(), 1u);
+  ASSERT_EQ(halved.contacts.size(), 1u);
+  const double late = exact.contacts[0].time - halved.contacts[0].time;
+  EXPECT_TRUE(late >= 0 && late <= 0x1p-20) << late;
+  EXPECT_EQ(partner(wire).body.index, square.index);
+  EXPECT_EQ(halved.contacts[0].obstacle.kind, DSW_CELL_NONE);
+  EXPECT_EQ(halved.after.at[0][0], halved.contacts[0].position[0]);
+  EXPECT_EQ(halved.contacts[0].to[0], 2.5);
+}
+
+TEST_F(TwoBodiesTest, ABodyThatMeetsItselfIsSplitAndMerged) {
   const dsw_body_id square = make(wall(2), DSW_LEVEL_FACES, DSW_BODY_SELF_CONTACTS);
   const BodyState state = read(square);
-  EXPECT_EQ(dsw_body_split_edge(scene(), square, state.edge_ids[0], 0.5, nullptr), DSW_STATUS_UNSUPPORTED);
-  EXPECT_EQ(dsw_body_collapse_edge(scene(), square, state.edge_ids[0], state.vertices[state.edges[0][0]], nullptr),
-            DSW_STATUS_UNSUPPORTED);
+  for (size_t e = 0; e < state.edges.size(); ++e) {
+    dsw_body_edit edit;
+    ASSERT_EQ(dsw_body_split_edge(scene(), square, state.edge_ids[e], 0.5, &edit), DSW_STATUS_OK);
+    const size_t faces = read(square).faces.size();
+    EXPECT_EQ(faces, state.edges[e][0] + state.edges[e][1] == 2 ? 4u : 3u) << "the diagonal has two faces";
+    ASSERT_EQ(dsw_body_collapse_edge(scene(), square, edit.rest, edit.vertex, nullptr), DSW_STATUS_OK);
+    EXPECT_EQ(read(square).faces.size(), state.faces.size());
+  }
   // One corner goes over an edge that it is no end of.
-  EXPECT_EQ(move(square, {{2, 2.25, 1.5}, state.at[1], state.at[2], state.at[3]}).contacts.size(), 1u);
+  std::vector<Vec> targets = read(square).at;
+  targets[0] = {2, 2.25, 1.5};
+  EXPECT_EQ(move(square, targets).contacts.size(), 1u);
   EXPECT_EQ(create({{{2.5, 1, 1}, {3.5, 2, 1}, {3.5, 1, 1}, {2.5, 2, 1}}, {{0, 1}, {1, 2}, {2, 3}}, {}},
                    DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS),
             DSW_STATUS_OCCUPIED);
+}
+
+TEST_F(TwoBodiesTest, AVertexIsNotMergedAcrossItsOwnBody) {
+  // The middle vertex of a hook goes to the first one; the last one stays, and what lies between is in the way.
+  const std::vector<Vec> hook = {{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}, {0.5, 1.5, 0.5}};
+  const std::vector<std::vector<Vec>> more = {{}, {{0.75, 0.75, 0.5}}, {{0.75, 0.75, 0.25}, {0.75, 0.75, 0.75}}};
+  for (const std::vector<Vec>& each : more) {
+    BodyPlan plan{hook, {{0, 1}, {1, 2}}, {}};
+    plan.at.insert(plan.at.end(), each.begin(), each.end());
+    if (each.size() == 2) plan.edges.push_back({3, 4});
+    const dsw_body_id body = make(plan, DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS);
+    const BodyState state = read(body);
+    EXPECT_EQ(dsw_body_collapse_edge(scene(), body, state.edge_ids[0], state.vertices[1], nullptr),
+              each.empty() ? DSW_STATUS_OK : DSW_STATUS_OCCUPIED);
+    ASSERT_EQ(dsw_body_destroy(scene(), body), DSW_STATUS_OK);
+  }
+}
+
+TEST_F(TwoBodiesTest, AWallBendsABodyThatMeetsItselfUpToItself) {
+  scene_.reset();
+  place_ = place_of(hex_grid(axis(4, 1), axis(4, 1), axis(3, 1)), 0, context_.get());
+  scene_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_DEFORMING);
+  for (const uint32_t z : {0u, 1u}) {
+    for (const uint32_t y : {1u, 2u}) mark_wall(1, y, z);
+  }
+  // A hairpin: its second leg crosses behind the first one, which a corner of the wall comes up to.
+  Meeting wire;
+  wire.level = DSW_LEVEL_EDGES_SWEPT;
+  wire.id = make({{{2.1, 1.2, 1.2}, {2.1, 2.8, 0.8}, {2.6, 3.2, 1}, {2.3, 2.8, 1.2}, {2.3, 1.2, 0.8}},
+                  {{0, 1}, {1, 2}, {2, 3}, {3, 4}},
+                  {}},
+                 wire.level, DSW_BODY_SELF_CONTACTS);
+  std::vector<std::vector<double>> arrays;  // all lent
+  size_t held = 0, inserted = 0;
+  for (int step = 0; step < 12; ++step) {
+    arrays.push_back(points_of(place_.get()));
+    arrays.back()[3 * point(2, 2, 1)] = 2 + 0.04 * (step + 1);
+    dsw_deform_options options;
+    dsw_deform_options_init(&options, sizeof options);
+    options.response = DSW_WALL_INSERT;
+    dsw_deform_report report;
+    ASSERT_EQ(dsw_scene_deform(scene(), arrays.back().data(), arrays.back().size() / 3, &options, &report),
+              DSW_STATUS_OK);
+    held += report.outcome == DSW_DEFORM_HELD ? 1 : 0;
+    wire.state = read(wire.id);
+    ASSERT_TRUE(are_apart(wire, wire)) << step;
+    inserted = wire.state.at.size() - 5;
+  }
+  EXPECT_GE(inserted, 1u);
+  EXPECT_GT(wire.state.at[5][0], 2.2) << "pushed";
+  EXPECT_GT(held, 0u);
+  scene_.reset();
+  place_.environment.reset();  // before what it reads
+}
+
+TEST_F(TwoBodiesTest, ABodyThatMeetsItselfBendsAndIsStraightAgain) {
+  // One leg goes over the post that the other end of the body is, and back.
+  Meeting wire;
+  wire.level = DSW_LEVEL_EDGES_SWEPT;
+  wire.id = make({{{0.5, 0.5, 1.4}, {2.5, 0.5, 1.4}, {3.5, 0.7, 1.5}, {1.5, 2, 1.9}, {1.5, 2, 1.1}},
+                  {{0, 1}, {1, 2}, {2, 3}, {3, 4}},
+                  {}},
+                 wire.level, DSW_BODY_SELF_CONTACTS);
+  dsw_move_options options = default_options();
+  options.edge_response = DSW_RESPONSE_ADAPTIVE_ONE;
+  options.noise_share = 1e-3;
+  options.min_part = 0.1;
+  size_t inserted = 0, removed = 0;
+  for (int step = 0; step < 3; ++step) {
+    const double y = step == 0 ? 3.5 : 0.5;
+    std::vector<Vec> targets = read(wire.id).at;
+    targets[0][1] = y;
+    if (step == 2) targets[5] = {1.5, 0.5, 1.4};  // the new vertex, back in line
+    const std::string before = bits_of(read(wire.id));
+    until_it_succeeds(
+        [&] {
+          return dsw_body_move(scene(), wire.id, targets[0].data(), targets.size(), sizeof(Vec), &options, nullptr);
+        },
+        [&] { return bits_of(read(wire.id)) == before; });
+    const dsw_body_edit* edits = nullptr;
+    size_t count = 0;
+    ASSERT_EQ(dsw_body_get_edits(scene(), wire.id, &edits, &count), DSW_STATUS_OK);
+    for (size_t i = 0; i < count; ++i) ++(edits[i].inserted != 0 ? inserted : removed);
+    wire.state = read(wire.id);
+    ASSERT_TRUE(are_apart(wire, wire)) << y;
+    EXPECT_EQ(wire.state.at[0][1], y);
+    EXPECT_EQ(removed, step == 2 ? 1u : 0u);
+  }
+  EXPECT_EQ(inserted, 1u);
 }
 
 TEST_F(TwoBodiesTest, MemoryThatRunsOutLeavesAllAsItWas) {
@@ -282,7 +401,7 @@ TEST_F(TwoBodiesTest, MemoryThatRunsOutLeavesAllAsItWas) {
   };
   std::string before = state();
   dsw_move_options options = default_options();
-  options.edge_response = DSW_RESPONSE_HYBRID;
+  options.edge_response = DSW_RESPONSE_ADAPTIVE_SLIDE;
   options.vertex_response = DSW_RESPONSE_SLIDE;
   std::vector<double> targets;
   for (int i = 0; i < 3; ++i) {

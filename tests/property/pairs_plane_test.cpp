@@ -260,7 +260,9 @@ TEST_F(PlanePairsTest, AChainMeetsItself) {
   answer = move(body, targets);
   ASSERT_EQ(answer.contacts.size(), 1u);
   EXPECT_TRUE(answer.contacts[0].time == 2.0 / 3 && partner(body).vertex.index == 1);
-  EXPECT_EQ(dsw_body_split_edge(scene(), body, read(body).edge_ids[0], 0.5, nullptr), DSW_STATUS_UNSUPPORTED);
+  dsw_body_edit edit;
+  ASSERT_EQ(dsw_body_split_edge(scene(), body, read(body).edge_ids[0], 0.5, &edit), DSW_STATUS_OK);
+  ASSERT_EQ(dsw_body_collapse_edge(scene(), body, edit.rest, edit.vertex, nullptr), DSW_STATUS_OK);
   BodyPlan crossing = closed({{1, 3, 0}, {2, 3.5, 0}, {2, 3, 0}, {1, 3.5, 0}});
   EXPECT_EQ(create(crossing, DSW_LEVEL_EDGES, DSW_BODY_SELF_CONTACTS), DSW_STATUS_OCCUPIED);
   EXPECT_EQ(create(crossing, DSW_LEVEL_EDGES), DSW_STATUS_OK);
@@ -283,7 +285,7 @@ TEST_F(PlanePairsTest, MemoryThatRunsOutLeavesAllAsItWas) {
   };
   const std::string before = state();
   dsw_move_options options = default_options();
-  options.edge_response = DSW_RESPONSE_HYBRID;
+  options.edge_response = DSW_RESPONSE_ADAPTIVE_SLIDE;
   options.vertex_response = DSW_RESPONSE_SLIDE;
   std::vector<Vec> targets;
   for (int i = 0; i < 3; ++i) {

@@ -94,10 +94,17 @@ inline TouchTruth truth_of_move(const std::vector<Meeting>& bodies, size_t mover
   return first;
 }
 
-/// Whether two bodies that stand still have no point in common, by what touch_test.cpp compares with rationals.
+/// Whether two bodies that stand still have no point in common, by what touch_test.cpp compares with rationals. Of one body: parts
+/// without a common vertex.
 inline bool are_apart(const Meeting& a, const Meeting& b) {
-  for (const Part& one : a.parts()) {
-    for (const Part& other : b.parts()) {
+  const auto share_vertex = [](const Part& one, const Part& other) {
+    return std::find_first_of(one.vertices.begin(), one.vertices.end(), other.vertices.begin(), other.vertices.end()) !=
+           one.vertices.end();
+  };
+  const std::vector<Part> of_a = a.parts(), of_b = b.parts();
+  for (const Part& one : of_a) {
+    for (const Part& other : of_b) {
+      if (&a == &b && share_vertex(one, other)) continue;
       const bool turned = one.vertices.size() == 3;
       if (turned && other.vertices.size() == 3) continue;  // an edge of one would be in the other
       const Part &edge = turned ? other : one, &face = turned ? one : other;

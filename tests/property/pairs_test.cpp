@@ -18,6 +18,7 @@ std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << ki
 
 struct Counts {
   int moves = 0, contacts = 0, missed = 0, false_ones = 0, late = 0, not_free = 0, wrong_part = 0, wrong_normal = 0;
+  int split = 0, merged = 0;
 };
 
 class PairsTest : public testing::TestWithParam<Kind> {
@@ -130,6 +131,26 @@ class PairsTest : public testing::TestWithParam<Kind> {
     body.state = answer.after;
   }
 
+  /// Splits an edge and merges a vertex, where that can be.
+  void edit(Meeting& body) {
+    ASSERT_TRUE(are_apart(body, body));
+    if (body.state.edges.empty()) return;
+    const auto any = [&] { return rng_.below(body.state.edges.size()); };
+    const double share = rng_.below(2) == 0 ? 0.5 : rng_.range(0.1, 0.9);
+    dsw_status status = dsw_body_split_edge(scene_.get(), body.id, body.state.edge_ids[any()], share, nullptr);
+    ASSERT_TRUE(status == DSW_STATUS_OK || status == DSW_STATUS_OCCUPIED) << dsw_last_error_message();
+    counts_.split += status == DSW_STATUS_OK ? 1 : 0;
+    ASSERT_EQ(read_body(scene_.get(), body.id, body.state), "");
+    ASSERT_TRUE(are_apart(body, body));
+    const size_t e = any();
+    const dsw_body_vertex_id gone = body.state.vertices[body.state.edges[e][rng_.below(2)]];
+    status = dsw_body_collapse_edge(scene_.get(), body.id, body.state.edge_ids[e], gone, nullptr);
+    ASSERT_TRUE(status == DSW_STATUS_OK || status == DSW_STATUS_OCCUPIED || status == DSW_STATUS_BAD_CELL)
+        << dsw_last_error_message();
+    counts_.merged += status == DSW_STATUS_OK ? 1 : 0;
+    ASSERT_EQ(read_body(scene_.get(), body.id, body.state), "");
+  }
+
   /// Whether the parts that are named touch at that time.
   bool is_named_part(const Meeting& body, uint32_t v, const Vec& to, const dsw_contact& contact,
                      const dsw_contact_partner& partner) {
@@ -226,8 +247,8 @@ TEST_P(PairsTest, BodiesStayApartWhateverTheResponse) {
     SCOPED_TRACE(round);
     dsw_move_options options = default_options();
     options.vertex_response = round % 2 == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
-    options.edge_response = static_cast<dsw_response>(round % 5);
-    options.search = static_cast<dsw_search>(round % 3);
+    options.edge_response = static_cast<dsw_response>(round % 6);
+    options.search = static_cast<dsw_search>(round / 2 % 3);
     options.min_length = 0.125 * scale_;  // else parts get ever smaller
     options.noise_share = round % 4 == 3 ? 0.05 : 0;
     std::vector<dsw_body_id> ids;
@@ -249,12 +270,19 @@ TEST_P(PairsTest, BodiesStayApartWhateverTheResponse) {
       contacts += reports[i].contact_count;
       edits += reports[i].edit_count;
     }
-    for (size_t i = 0; i < bodies_.size() && round % 5 == 4; ++i) {
-      for (size_t j = 0; j < i; ++j) ASSERT_TRUE(are_apart(bodies_[i], bodies_[j])) << i << " " << j;
+    for (size_t i = 0; i < bodies_.size(); ++i) {
+      if (GetParam().self) {
+        edit(bodies_[i]);
+        ASSERT_TRUE(are_apart(bodies_[i], bodies_[i])) << i;
+      }
+      for (size_t j = 0; j < i && round % 5 == 4; ++j) ASSERT_TRUE(are_apart(bodies_[i], bodies_[j])) << i << " " << j;
     }
   }
   EXPECT_GT(contacts, 50u);
-  EXPECT_EQ(edits != 0, !GetParam().self);
+  EXPECT_GT(edits, 10u);
+  if (!GetParam().self) return;
+  EXPECT_GT(counts_.split, 20);
+  EXPECT_GT(counts_.merged, 10);
 }
 
 }  // namespace

@@ -273,7 +273,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
     dsw_move_options o;
     dsw_move_options_init(&o, sizeof o);
     o.vertex_response = rng_.chance(0.5) ? DSW_RESPONSE_SLIDE : DSW_RESPONSE_STOP;
-    o.edge_response = static_cast<dsw_response>(rng_.below(5u));
+    o.edge_response = static_cast<dsw_response>(rng_.below(6u));
     o.search = static_cast<dsw_search>(rng_.below(3u));
     o.min_part = 0.05;
     o.min_length = 0.05;

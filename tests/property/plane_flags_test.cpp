@@ -160,7 +160,7 @@ std::vector<Case> all_cases() {
   for (const bool cut : {false, true}) {
     for (const bool deforming : {false, true}) {
       for (const dsw_level level : {DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT}) {
-        for (const dsw_response response : {DSW_RESPONSE_STOP, DSW_RESPONSE_HYBRID}) {
+        for (const dsw_response response : {DSW_RESPONSE_STOP, DSW_RESPONSE_ADAPTIVE_SLIDE}) {
           cases.push_back({cut, deforming, level, response});
         }
       }

@@ -127,6 +127,7 @@ void call_the_others(dsw_scene* scene) {
   desc.face_corners = triangle;
   desc.face_count = 1;
   desc.face_corner_count = 3;
+  desc.flags = DSW_BODY_SELF_CONTACTS;
   dsw_body_id body;
   ok(dsw_body_create(scene, &desc, &body));
   ok(dsw_body_set_level(scene, body, DSW_LEVEL_FACES));

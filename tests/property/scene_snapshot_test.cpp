@@ -102,7 +102,7 @@ std::string move_all(dsw_scene* scene, const World& world, Rng& rng, const Ids& 
     dsw_move_options options;
     dsw_move_options_init(&options, sizeof options);
     options.vertex_response = rng.chance(0.5) ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
-    options.edge_response = static_cast<dsw_response>(rng.below(5));
+    options.edge_response = static_cast<dsw_response>(rng.below(6));
     options.noise_share = rng.chance(0.5) ? 0 : 0.05;
     BodyAnswer answer;
     text += move_body(scene, body, targets, &options, answer);

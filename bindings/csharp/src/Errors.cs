@@ -57,6 +57,7 @@ namespace Dartsweep
         case Status.BadTopology: return new BadTopologyException(message);
         case Status.Borrowed: return new BorrowedException(message);
         case Status.WriteFailed: return new WriteFailedException(message);
+        case Status.NotClosed: return new NotClosedException(message);
         default: return new InternalException(message);
       }
     }
@@ -270,5 +271,11 @@ namespace Dartsweep
   public sealed class WriteFailedException : DartsweepException
   {
     internal WriteFailedException(string message) : base(Status.WriteFailed, message) { }
+  }
+
+  /// <summary>The body is not a closed surface.</summary>
+  public sealed class NotClosedException : DartsweepException
+  {
+    internal NotClosedException(string message) : base(Status.NotClosed, message) { }
   }
 }

@@ -201,7 +201,7 @@ namespace Dartsweep
     /// `to` this is all it takes to sweep it again.</summary>
     public Vec3 Fixed0, Fixed1;
     /// <summary>Fraction of that flight. With exact time the largest double not later than the true first time (its limit
-    /// where the shift decides); by bisection a time at which the body is still free.</summary>
+    /// where the shift decides); by bisection a time at which the body is free.</summary>
     public double Time;
     /// <summary>The moving vertex at `time`: from + time * (to - from), rounded.</summary>
     public Vec3 Position;
@@ -247,6 +247,27 @@ namespace Dartsweep
     public BodyVertexId Vertex;
     public BodyEdgeId Edge;
     public BodyFaceId Face;
+  }
+
+  /// <summary>What the vertex of a contact touched before: tells resting, sliding and bouncing apart.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public partial struct ContactPast
+  {
+    /// <summary>Where the vertex was stopped last before this move.</summary>
+    public Vec3 Point;
+    public Vec3 Normal;
+    /// <summary>What was touched there, by the id of that time; null where it was a body.</summary>
+    public Cell Obstacle;
+    /// <summary>The body that was touched there; null where it was the environment.</summary>
+    public BodyId Body;
+    /// <summary>How many moves ago that was: 1 in the move before; 0 never.</summary>
+    public uint Since;
+    /// <summary>For how many moves in a row this obstacle has stopped the vertex, this one included. 1: it is new.</summary>
+    public uint Moves;
+    /// <summary>For how many moves in a row anything has stopped the vertex, this one included.</summary>
+    public uint Touching;
+    /// <summary>0.</summary>
+    internal uint Reserved;
   }
 
   /// <summary>What became of an edge that was split at a new vertex, or of a vertex that was merged into another.

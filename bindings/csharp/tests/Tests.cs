@@ -68,7 +68,7 @@ static class Tests
   {
     Type[] types = { typeof(Vec3), typeof(Cell), typeof(VertexId), typeof(VolumeId), typeof(FaceId), typeof(EdgeId), typeof(ParticleId),
       typeof(BodyId), typeof(BodyVertexId), typeof(BodyEdgeId), typeof(BodyFaceId), typeof(Flight), typeof(Crossing), typeof(Sweep),
-      typeof(Contact), typeof(ContactPartner), typeof(BodyEdit), typeof(MoveReport), typeof(WallContact), typeof(VolumeChange),
+      typeof(Contact), typeof(ContactPartner), typeof(ContactPast), typeof(BodyEdit), typeof(MoveReport), typeof(WallContact), typeof(VolumeChange),
       typeof(CutVertex), typeof(CutFace), typeof(DetachedVertex), typeof(DetachedFace) };
     MethodInfo size = typeof(Environment).Assembly.GetType("Dartsweep.Callbacks").GetMethod("dartsweep_size_of", BindingFlags.Static | BindingFlags.NonPublic);
     for (int i = 0; i < types.Length; ++i)

@@ -4,7 +4,7 @@
 import type {
   BodyCounts, BodyDesc, BodyEdgeId, BodyFaceId, BodyFilter, BodyId, BodyIdArray, BodyVertexId, BodyVertexIdArray, BodyEdit,
   BodyEdgeIdArray, BodyEditArray, BodyFaceIdArray, BuildReport, CarveDesc, CarveReport, CastOptions, Cell, CellKind, CellType,
-  CoarsenOptions, Contact, ContactArray, ContactOpinion, ContactPartnerArray, CrossingArray, CutDesc, CutFace, CutFaceArray, CutReport,
+  CoarsenOptions, Contact, ContactArray, ContactOpinion, ContactPartnerArray, ContactPastArray, CrossingArray, CutDesc, CutFace, CutFaceArray, CutReport,
   CutVertexArray, DeformOptions, DeformReport, Detached, DetachDesc, DetachedFaceArray, DetachedVertexArray, EdgeId, EdgeIdArray,
   EdgeSplit, EnvironmentDesc, EnvironmentInfo, FaceId, FaceIdArray, FaceSplit, FaceVolumes, Flight, FlightArray, Level, Location,
   LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, Neighbour, OpenDesc, OpenReport, Particle, ParticleId,
@@ -251,6 +251,7 @@ export class Body {
   moveRigid(motion: RigidMotion, options?: MoveOptions & { order?: Numbers }): MoveReport;
   getContacts(): ContactArray;
   getContactPartners(): ContactPartnerArray;
+  getContactPasts(): ContactPastArray;
   getEdits(): BodyEditArray;
 }
 

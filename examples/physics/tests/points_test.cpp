@@ -48,5 +48,14 @@ TEST(Points, HeldPointsGiveAndTakeNoMass) {
   EXPECT_EQ(points.inverse_mass(0), 0);
 }
 
+TEST(Points, SharedOutAnewTheyKeepTheirMomentum) {
+  Points points = two_points();
+  const Vector3 before = momentum_of(points);
+  const double sum = points.mass[0] + points.mass[1];
+  points.share_out({0.25 * sum, 0.75 * sum});
+  EXPECT_EQ(points.mass[0], 0.25 * sum);
+  EXPECT_LT((momentum_of(points) - before).norm(), 1e-14);
+}
+
 }  // namespace
 }  // namespace physics

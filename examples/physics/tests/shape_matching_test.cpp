@@ -65,6 +65,40 @@ TEST(PolarDecomposition, IsAOverItsStretchWhereThereIsNoReflection) {
   EXPECT_GT(seen, 50);
 }
 
+// [JCD10] 7.3, Mueller et al. 2005: Jacobi rotations until A^T A is diagonal, its square root S, and R = A S^-1.
+Matrix3 rotation_by_jacobi(const Matrix3& a) {
+  Matrix3 squared = a.transpose() * a, axes = Matrix3::Identity();
+  for (int sweep = 0; sweep < 10; ++sweep) {
+    for (int p = 0; p < 2; ++p) {
+      for (int q = p + 1; q < 3; ++q) {
+        Eigen::JacobiRotation<double> turn;
+        turn.makeJacobi(squared, p, q);
+        squared.applyOnTheLeft(p, q, turn.adjoint());
+        squared.applyOnTheRight(p, q, turn);
+        axes.applyOnTheRight(p, q, turn);
+      }
+    }
+  }
+  return a * axes * squared.diagonal().cwiseSqrt().cwiseInverse().asDiagonal() * axes.transpose();
+}
+
+TEST(PolarDecomposition, IsThatOfJacobiRotationsOfTheSquareWhereThereIsOne) {
+  std::mt19937 bits(6);
+  int seen = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Matrix3 a = random_matrix(&bits);
+    if (a.determinant() < 0.05) {
+      continue;
+    }
+    EXPECT_LT((rotation_of(a, Matrix3::Identity()) - rotation_by_jacobi(a)).norm(), 1e-7);
+    ++seen;
+  }
+  EXPECT_GT(seen, 50);
+  const Matrix3 q = random_rotation(&bits), sheet = q * Vector3(2, 1, 0).asDiagonal();
+  EXPECT_FALSE((rotation_by_jacobi(sheet) - q).norm() < 1e-3) << "the square of a sheet has no inverse";
+  EXPECT_LT((rotation_of(sheet, Matrix3::Identity()) - q).norm(), 1e-7);
+}
+
 TEST(PolarDecomposition, OfAReflectionIsStillARotation) {
   std::mt19937 bits(3);
   for (int i = 0; i < 100; ++i) {
@@ -136,15 +170,15 @@ TEST(ShapeMatching, GoalsKeepTheMomentumOfTheWeights) {
   EXPECT_LT(torque.norm(), 1e-7);
 }
 
-TEST(ShapeMatching, InsertedPointsRestOnTheirEdgeAndWeighOmega) {
+TEST(ShapeMatching, InsertedPointsRestOnTheirEdgeAndWeighOmegaSquared) {
   const Points rest = cube();
   ShapeMatching shape(rest, 0.25);
   shape.split(0, 1, 8, 0.3);
   EXPECT_LT((shape.rest(8) - Vector3(0.3, 0, 0)).norm(), 1e-15);
-  EXPECT_DOUBLE_EQ(shape.weight(8), 0.25);
+  EXPECT_DOUBLE_EQ(shape.weight(8), 0.0625);
   shape.split(8, 1, 9, 0.5);
   EXPECT_LT((shape.rest(9) - Vector3(0.65, 0, 0)).norm(), 1e-15);
-  EXPECT_DOUBLE_EQ(shape.weight(9), 0.25) << "not omega twice";
+  EXPECT_DOUBLE_EQ(shape.weight(9), 0.0625) << "not omega twice";
   shape.merge(8);
   EXPECT_EQ(shape.weight(8), 0);
 }
@@ -162,6 +196,32 @@ TEST(ShapeMatching, AtOmegaZeroInsertedPointsHaveNoSay) {
     EXPECT_EQ(with[i], without[i]);
   }
   EXPECT_LT((with[8] - 0.5 * (with[0] + with[1])).norm(), 1e-14) << "but they have a goal";
+}
+
+TEST(ShapeMatching, InThePlaneAMirroredShapeIsNotTakenForATurnedOne) {
+  Points rest;
+  const Positions square = {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}};
+  Positions mirrored, goals;
+  for (std::size_t i = 0; i < 4; ++i) {
+    rest.set(i, square[i], 1);
+    mirrored.emplace_back(square[i].x(), -square[i].y(), 0);
+  }
+  ShapeMatching plane(rest, 1, true), space(rest, 1);
+  plane.find_goals(mirrored, &goals);
+  EXPECT_NEAR(plane.rotation()(2, 2), 1, 1e-12);
+  EXPECT_NEAR((goals[1] - goals[0]).cross(goals[3] - goals[0]).z(), 3, 1e-7);
+  space.find_goals(mirrored, &goals);
+  EXPECT_NEAR(space.rotation()(2, 2), -1, 1e-7) << "in space it has been turned over";
+  for (double angle = 0; angle < 6; angle += 0.1) {
+    Positions turned;
+    for (const Vector3& at : square) {
+      turned.emplace_back(Eigen::AngleAxisd(angle, Vector3::UnitZ()) * at);
+    }
+    plane.find_goals(turned, &goals);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_LT((goals[i] - turned[i]).norm(), 1e-7);
+    }
+  }
 }
 
 }  // namespace

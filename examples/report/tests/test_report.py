@@ -170,6 +170,16 @@ class Folder(unittest.TestCase):
         self.assertIn(">explodes</text>", svg)
         self.assertNotIn(">10¹", svg)
 
+    def test_a_dial_that_costs_nothing_is_drawn_against_its_setting(self):
+        rows = [("omega", "dartsweep dial", setting, "weight", 1e-4, "step", "rotation", 1 + setting, "degrees", 9, "")
+                for setting in (0, 0.5, 1, 7)]
+        samples.write_rows(self.path / "omega.csv", read.CURVE_COLUMNS, rows)
+        (self.path / "omega.txt").write_text("Take 0.", encoding="utf-8")
+        self.assertEqual(run(self.path)[0], 1)
+        svg = (self.path / "omega.svg").read_text(encoding="utf-8")
+        self.assertIn(">weight</text>", svg)
+        self.assertNotIn("run time per step", svg)
+
     def test_a_heading_that_is_not_agreed_on(self):
         self.edit("curve_0.csv", "seconds_per_item", "time")
         self.refused("curve_0.csv:1:", "the heading must be curve,method,")

@@ -120,17 +120,17 @@ class Ropes {
 };
 
 std::string advise(const Curve& curve) {
-  const Point &exact = curve.points[0], *fastest = &exact, *hybrid = nullptr;
+  const Point &exact = curve.points[0], *fastest = &exact, *similar = nullptr;
   for (const Point& p : curve.points) {
     if (!(p.error > 0) && p.setting.empty() && p.seconds < fastest->seconds) fastest = &p;
-    if (p.method == "dartsweep hybrid" && p.setting == "0.1") hybrid = &p;
+    if (p.method == "dartsweep by similar motion and environment" && p.setting == "0.1") similar = &p;
   }
   return text(
-      "Take what loses nothing: of it %s is the fastest here, in %.2f of the time without. Elimination by motion "
-      "(hybrid, share "
-      "0.1) takes %.2f of that time and misses %.2g %% of the contacts; where edges end is free all the same.",
+      "Take what loses nothing: of it %s is the fastest here, in %.2f of the time without. Elimination by similar "
+      "motion (with that by environment, share 0.1) takes %.2f of that time and misses %.2g %% of the contacts; where "
+      "edges end is free all the same.",
       fastest == &exact ? "none" : fastest->method.c_str() + 10, fastest->seconds / exact.seconds,
-      hybrid->seconds / exact.seconds, 100 * hybrid->error);
+      similar->seconds / exact.seconds, 100 * similar->error);
 }
 
 }  // namespace
@@ -154,10 +154,11 @@ void elimination_curve(const Options& options) {
   add("dartsweep by clearance", DSW_BODY_SKIP_BY_CLEARANCE, 0);
   add("dartsweep by sequences", DSW_BODY_SEQUENCES, 0);
   for (const double share : {0.01, 0.03, 0.05, 0.1, 0.2, 0.5, 1.0}) {
-    add("dartsweep by motion", DSW_BODY_SKIP_BY_MOTION, share);
+    add("dartsweep by similar motion", DSW_BODY_SKIP_SIMILAR_MOTION, share);
   }
   for (const double share : {0.01, 0.03, 0.05, 0.1, 0.2, 0.5, 1.0}) {
-    add("dartsweep hybrid", DSW_BODY_SKIP_BY_MOTION | DSW_BODY_SKIP_BY_ENVIRONMENT, share);
+    add("dartsweep by similar motion and environment", DSW_BODY_SKIP_SIMILAR_MOTION | DSW_BODY_SKIP_BY_ENVIRONMENT,
+        share);
   }
   const auto seconds = time_methods(methods, count * kSteps, options.rounds());
   Curve curve{"elimination", "move of a rope of 16 edges", "share of contacts missed", "", {}, ""};

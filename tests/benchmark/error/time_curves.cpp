@@ -1,4 +1,5 @@
-// Bisection against the exact time of contact, where the whole scene is searched.
+// The dichotomic search against the exact one, where the whole scene is searched: for each contact, and for each move whether it
+// touches or not.
 #include "curves.h"
 #include "moves.h"
 
@@ -8,14 +9,21 @@ namespace dsw::curves {
 
 namespace {
 
-constexpr std::uint32_t kDepths[] = {1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 40, 50};
+constexpr std::uint32_t kDepths[] = {1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 40, 52};
+// The level of the paper, and the one whose moves pass nothing. The first point of each is the exact search's.
+constexpr dsw_level kLevels[] = {DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_EDGES};
+constexpr const char* kSuffix[] = {"", " (EDGES)"};
+constexpr const char* kNames[] = {"EDGES_SWEPT", "EDGES"};
+constexpr std::size_t kPerLevel = 1 + std::size(kDepths);
 
-std::vector<Move> moves_that_touch(Place& place, Rng& rng, std::size_t count, int vertices, dsw_level level) {
+/** Moves of one end of an edge. Only those that touch, or as they come. */
+std::vector<Move> moves_of_ends(Place& place, Rng& rng, std::size_t count, bool touching) {
   std::vector<Move> moves;
   while (moves.size() < count) {
-    Move move = random_move(place, rng, vertices, 1.0, 1.0, level);
+    Move move = random_move(place, rng, 2, 1.0, touching ? 1.0 : 0.25, DSW_LEVEL_EDGES_SWEPT);
     // An event that the shift alone decides has no time of its own.
-    if (!move.truth.events.empty() && move.truth.events[0].order == 0) moves.push_back(std::move(move));
+    const bool met = !move.truth.events.empty(), timed = met && move.truth.events[0].order == 0;
+    if (timed || (!touching && !met)) moves.push_back(std::move(move));
   }
   return moves;
 }
@@ -28,6 +36,7 @@ struct Answers {
 Answers judge(const std::vector<Move>& moves, const Movers& movers) {
   Answers answers;
   for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (moves[i].truth.events.empty()) continue;
     const auto contacts = movers.contacts(i);
     if (contacts.empty()) {
       ++answers.missed;
@@ -42,50 +51,66 @@ Answers judge(const std::vector<Move>& moves, const Movers& movers) {
   return answers;
 }
 
-/** The point at which errors fall below what a double can tell. */
-std::string advise(const Curve& curve, const Point& exact) {
-  const Point* enough = nullptr;
-  for (const Point& p : curve.points) {
-    if (p.method == "dartsweep bisection" && enough == nullptr && p.error < 1e-6) enough = &p;
+/** Which search is faster at which depth, for each level. */
+std::string advise(const Curve& curve) {
+  std::string advice;
+  for (std::size_t level = 0; level < std::size(kLevels); ++level) {
+    const Point* const exact = &curve.points[level * kPerLevel];
+    const Point *const first = exact + 1, *const end = exact + kPerLevel;
+    const Point *last = nullptr, *slowest = first;
+    for (const Point* p = first; p != end && p->seconds < exact->seconds; ++p) last = p;
+    for (const Point* p = first; p != end; ++p) slowest = p->seconds > slowest->seconds ? p : slowest;
+    if (level != 0) advice += ' ';
+    advice += text("At %s the exact search ", kNames[level]);
+    if (last == nullptr) {
+      advice += text("is faster than bisection at every depth: bisection takes %.2f times as long at depth %s",
+                     first->seconds / exact->seconds, exact[1].setting.c_str());
+    } else {
+      advice += text("is slower than bisection up to depth %s, which is off by %.1g%s%s and takes %.2f times as long",
+                     last->setting.c_str(), last->error, curve.error_unit.empty() ? "" : " ", curve.error_unit.c_str(),
+                     last->seconds / exact->seconds);
+    }
+    advice += text(", %.2f times at depth %s.", slowest->seconds / exact->seconds, slowest->setting.c_str());
   }
-  if (enough == nullptr) return "Take the exact time.";
-  return text(
-      "Take the exact time (DSW_SEARCH_EXACT): bisection starts from it and only adds to it. Where a host wants a time "
-      "that "
-      "has itself been seen to be free, depth %s is off by %.1g %s and costs %.2f times as much.",
-      enough->setting.c_str(), enough->error, curve.error_unit.c_str(), enough->seconds / exact.seconds);
+  return advice;
 }
 
-void bisect(const Options& options, int vertices, dsw_level level, Curve& times, Curve* places) {
+void measure(const Options& options, bool touching, Curve& times, Curve* places) {
   Place place(Kind::kFaces, 12, options.seed);
   Rng rng(options.seed + 100);
-  const auto moves = moves_that_touch(place, rng, options.count(300, 3000), vertices, level);
+  const auto moves = moves_of_ends(place, rng, options.count(300, 3000), touching);
+  std::size_t touch = 0;
+  for (const Move& move : moves) touch += move.truth.events.empty() ? 0 : 1;
   std::vector<std::unique_ptr<Movers>> movers;
   std::vector<Method> methods;
-  const auto add = [&](const std::string& name, const std::string& setting, const dsw_move_options& move) {
+  const auto add = [&](const std::string& name, const std::string& setting, dsw_level level,
+                       const dsw_move_options& move) {
     movers.push_back(std::make_unique<Movers>(place, moves, Setting{level, 0, 0, move}));
     Movers* mine = movers.back().get();
     methods.push_back(
         {name, setting, setting.empty() ? "" : "halvings", [mine] { mine->prepare(); }, [mine] { mine->run(); }});
   };
-  add("dartsweep exact", "", move_options());
-  for (const std::uint32_t depth : kDepths) {
-    dsw_move_options move = move_options();
-    move.search = DSW_SEARCH_BISECTION;
-    move.bisection_depth = depth;
-    add("dartsweep bisection", std::to_string(depth), move);
+  for (std::size_t level = 0; level < std::size(kLevels); ++level) {
+    add(std::string("dartsweep exact") + kSuffix[level], "", kLevels[level], move_options());
+    for (const std::uint32_t depth : kDepths) {
+      dsw_move_options move = move_options();
+      move.search = DSW_SEARCH_BISECTION;
+      move.bisection_depth = depth;
+      add(std::string("dartsweep bisection") + kSuffix[level], std::to_string(depth), kLevels[level], move);
+    }
   }
   const auto seconds = time_methods(methods, moves.size(), options.rounds());
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const Answers answers = judge(moves, *movers[i]);
     std::string note = answers.missed == 0 ? "" : text("; missed %zu", answers.missed);
-    if (i == 0) note += text("; %zu times are not the largest double before the exact one", answers.other);
+    if (i % kPerLevel == 0) note += text("; %zu times are not the largest double before the exact one", answers.other);
+    if (!touching) note += text("; %zu of %zu moves touch", touch, moves.size());
     const Method& m = methods[i];
-    times.points.push_back({m.name, m.setting, m.unit, seconds[i], answers.time.mean(), moves.size() - answers.missed,
+    times.points.push_back({m.name, m.setting, m.unit, seconds[i], answers.time.mean(), touch - answers.missed,
                             answers.time.spread() + note});
     if (places == nullptr) continue;
-    places->points.push_back({m.name, m.setting, m.unit, seconds[i], answers.place.mean(),
-                              moves.size() - answers.missed, answers.place.spread()});
+    places->points.push_back(
+        {m.name, m.setting, m.unit, seconds[i], answers.place.mean(), touch - answers.missed, answers.place.spread()});
   }
 }
 
@@ -94,11 +119,13 @@ void bisect(const Options& options, int vertices, dsw_level level, Curve& times,
 void time_curves(const Options& options) {
   Curve edge_time{"edge_time", "move of an edge's end that touches", "time of contact", "of the move", {}, ""};
   Curve edge_place{"edge_place", edge_time.item, "where the moving end is at the contact", "cells", {}, ""};
-  bisect(options, 2, DSW_LEVEL_EDGES_SWEPT, edge_time, &edge_place);
-  edge_time.advice = advise(edge_time, edge_time.points[0]);
-  edge_place.advice = advise(edge_place, edge_place.points[0]);
-  edge_time.write(options.out);
-  edge_place.write(options.out);
+  Curve move_time{"move_time", "move of an edge's end", edge_time.error_name, edge_time.error_unit, {}, ""};
+  measure(options, true, edge_time, &edge_place);
+  measure(options, false, move_time, nullptr);
+  for (Curve* curve : {&edge_time, &edge_place, &move_time}) {
+    curve->advice = advise(*curve);
+    curve->write(options.out);
+  }
 }
 
 }  // namespace dsw::curves

@@ -1,5 +1,5 @@
 // Sides of normals that rounding could turn, against rationals.
-#include "contact/geometry.h"
+#include "contact/normals.h"
 
 #include <gtest/gtest.h>
 
@@ -30,16 +30,16 @@ TEST(SwingNormal, LooksToWhereTheEdgeComesFrom) {
     const mpq_class turn = (exact[1][0] - exact[0][0]) * (exact[2][1] - exact[0][1]) -
                            (exact[1][1] - exact[0][1]) * (exact[2][0] - exact[0][0]);
     const Vec normal = swing_normal({p, to, q}, to, at);
-    EXPECT_NEAR(std::hypot(normal.x, normal.y), 1, 1e-15);
+    EXPECT_NEAR(std::hypot(normal.x(), normal.y()), 1, 1e-15);
     if (sgn(turn) == 0) {
-      EXPECT_LT(normal.x * (to[0] - p[0]) + normal.y * (to[1] - p[1]), 0);
+      EXPECT_LT(normal.x() * (to[0] - p[0]) + normal.y() * (to[1] - p[1]), 0);
       continue;
     }
     ++nearly_along;
     // Where the edge turns to its left, it comes from its right.
     const double left[2] = {q[1] - at[1], at[0] - q[0]};
-    EXPECT_EQ(std::signbit(normal.x), std::signbit(-sgn(turn) * left[0])) << i;
-    EXPECT_EQ(std::signbit(normal.y), std::signbit(-sgn(turn) * left[1])) << i;
+    EXPECT_EQ(std::signbit(normal.x()), std::signbit(-sgn(turn) * left[0])) << i;
+    EXPECT_EQ(std::signbit(normal.y()), std::signbit(-sgn(turn) * left[1])) << i;
   }
   EXPECT_GT(nearly_along, 1000);
 }
@@ -48,10 +48,10 @@ TEST(SwingNormal, LooksToWhereTheEdgeComesFrom) {
 TEST(SwingNormal, HasALengthWhereTheEdgeHasNone) {
   const double p[2] = {0, 0}, q[2] = {1, 0}, to[2] = {2, 2};
   const double end[2] = {1, 1};
-  EXPECT_EQ(swing_normal({p, to, q}, end, q).x, -1);
+  EXPECT_EQ(swing_normal({p, to, q}, end, q).x(), -1);
   const Vec back = swing_normal({p, to, q}, q, q);
-  EXPECT_LT(back.x, 0);
-  EXPECT_EQ(back.x, back.y);
+  EXPECT_LT(back.x(), 0);
+  EXPECT_EQ(back.x(), back.y());
 }
 
 }  // namespace

@@ -133,6 +133,15 @@ class ContactPartner:
     edge: BodyEdgeId
     face: BodyFaceId
 
+class ContactPast:
+    point: NDArray[np.float64]
+    normal: NDArray[np.float64]
+    obstacle: Cell
+    body: BodyId
+    since: int
+    moves: int
+    touching: int
+
 class BodyEdit:
     vertex: BodyVertexId
     ends: NDArray[np.void]

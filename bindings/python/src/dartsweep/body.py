@@ -170,6 +170,10 @@ class Body:
         """The other bodies of these contacts, with Feature.BODY_CONTACTS."""
         return self._core.get_contact_partners()  # type: ignore[no-any-return]
 
+    def contact_pasts(self) -> Records:
+        """What the vertices of these contacts touched before (dtypes.CONTACT_PAST)."""
+        return self._core.get_contact_pasts()  # type: ignore[no-any-return]
+
     def edits(self) -> Records:
         """Vertices that responses inserted and removed in the last move."""
         return self._core.get_edits()  # type: ignore[no-any-return]

@@ -79,6 +79,16 @@ CONTACT = _struct(
     ("history", I4),
 )
 CONTACT_PARTNER = _struct(("body", BODY_ID), ("vertex", BODY_VERTEX_ID), ("edge", BODY_EDGE_ID), ("face", BODY_FACE_ID))
+CONTACT_PAST = _struct(
+    ("point", F8, 3),
+    ("normal", F8, 3),
+    ("obstacle", CELL),
+    ("body", BODY_ID),
+    ("since", U4),
+    ("moves", U4),
+    ("touching", U4),
+    ("reserved", U4),
+)
 BODY_EDIT = _struct(
     ("vertex", BODY_VERTEX_ID),
     ("ends", BODY_VERTEX_ID, 2),
@@ -138,6 +148,7 @@ _core.set_dtype_Crossing(CROSSING)
 _core.set_dtype_Sweep(SWEEP)
 _core.set_dtype_Contact(CONTACT)
 _core.set_dtype_ContactPartner(CONTACT_PARTNER)
+_core.set_dtype_ContactPast(CONTACT_PAST)
 _core.set_dtype_BodyEdit(BODY_EDIT)
 _core.set_dtype_MoveReport(MOVE_REPORT)
 _core.set_dtype_WallContact(WALL_CONTACT)

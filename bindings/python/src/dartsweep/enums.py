@@ -45,6 +45,7 @@ class Status(IntEnum):
     BAD_TOPOLOGY = _core.STATUS_BAD_TOPOLOGY
     BORROWED = _core.STATUS_BORROWED
     WRITE_FAILED = _core.STATUS_WRITE_FAILED
+    NOT_CLOSED = _core.STATUS_NOT_CLOSED
 
 
 class LogLevel(IntEnum):
@@ -178,6 +179,7 @@ class Response(IntEnum):
     ADAPTIVE_MANY = _core.RESPONSE_ADAPTIVE_MANY
     HYBRID = _core.RESPONSE_HYBRID
     SLIDE = _core.RESPONSE_SLIDE
+    ADAPTIVE_SLIDE = _core.RESPONSE_ADAPTIVE_SLIDE
 
 
 class DeformMethod(IntEnum):
@@ -252,13 +254,16 @@ class MarkFlag(IntFlag):
 
 
 class BodyFlag(IntFlag):
-    """Ways of a body to leave out work, and self-contacts."""
+    """Ways of a body to leave out work, self-contacts, and whether walls move it as a whole."""
 
     SEQUENCES = _core.BODY_SEQUENCES
     SKIP_BY_ENVIRONMENT = _core.BODY_SKIP_BY_ENVIRONMENT
     SKIP_BY_CLEARANCE = _core.BODY_SKIP_BY_CLEARANCE
+    SKIP_SIMILAR_MOTION = _core.BODY_SKIP_SIMILAR_MOTION
     SKIP_BY_MOTION = _core.BODY_SKIP_BY_MOTION
     SELF_CONTACTS = _core.BODY_SELF_CONTACTS
+    SKIP_BACK_EDGES = _core.BODY_SKIP_BACK_EDGES
+    RIGID = _core.BODY_RIGID
 
 
 class CutFlag(IntFlag):

@@ -216,6 +216,12 @@ class WriteFailed(Error):
     status = Status.WRITE_FAILED
 
 
+class NotClosed(Error):
+    """The body is not a closed surface."""
+
+    status = Status.NOT_CLOSED
+
+
 class Closed(NullArgument):
     """The object was closed before."""
 

@@ -51,6 +51,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
       case BAD_TOPOLOGY -> new BadTopology(message);
       case BORROWED -> new Borrowed(message);
       case WRITE_FAILED -> new WriteFailed(message);
+      case NOT_CLOSED -> new NotClosed(message);
       case OK -> throw new AssertionError(message);
     };
   }
@@ -297,6 +298,13 @@ public abstract sealed class DartsweepException extends RuntimeException {
   public static final class WriteFailed extends DartsweepException {
     private WriteFailed(String message) {
       super(Status.WRITE_FAILED, message);
+    }
+  }
+
+  /** The body is not a closed surface. */
+  public static final class NotClosed extends DartsweepException {
+    private NotClosed(String message) {
+      super(Status.NOT_CLOSED, message);
     }
   }
 }

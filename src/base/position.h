@@ -1,0 +1,24 @@
+#pragma once
+// Positions: D doubles, lent by a host or stored.
+
+#include <cmath>
+
+namespace dsw {
+
+/** To compare with others; overflows to infinity, which compares as it should. */
+template <int D>
+inline double distance_squared(const double* a, const double* b) noexcept {
+  const double x = a[0] - b[0], y = a[1] - b[1], z = D == 3 ? a[D - 1] - b[D - 1] : 0;
+  return (x * x + y * y) + z * z;
+}
+
+/** p + time * (q - p), rounded; also where q - p is too large for a double. `out` may be p or q. */
+template <int D>
+inline void point_at(const double* p, const double* q, double time, double* out) noexcept {
+  for (int k = 0; k < D; ++k) {
+    const double step = q[k] - p[k];
+    out[k] = std::isfinite(step) ? p[k] + time * step : (1 - time) * p[k] + time * q[k];
+  }
+}
+
+}  // namespace dsw

@@ -1,0 +1,67 @@
+#include "response/rigid_move.h"
+
+namespace dsw {
+
+template <int D>
+RigidMove<D>::RigidMove(const double* quaternion, const double* centre, const double* translation) noexcept
+    : rotation_(quaternion), centre_(to_vec<3>(centre)), translation_(to_vec<3>(translation)) {
+  rotation_.coeffs() /= rotation_.coeffs().cwiseAbs().maxCoeff();  // squares neither over- nor underflow
+  rotation_.normalize();
+  if (rotation_.w() < 0) rotation_.coeffs() *= -1;
+}
+
+template <int D>
+RigidMotion<D> RigidMove<D>::part(double fraction) const noexcept {
+  Eigen::Quaterniond q;
+  q.vec() = fraction * rotation_.vec();
+  q.w() = (1 - fraction) + fraction * rotation_.w();
+  q.normalize();
+  RigidMotion<D> part;
+  std::copy_n(q.coeffs().data(), 4, part.rotation);
+  store<D>(centre_, part.centre);
+  store<D>(fraction * translation_, part.translation);
+  return part;
+}
+
+template <int D>
+void RigidMove<D>::place(const void* user, uint32_t, const double* from, double fraction, double* to) noexcept {
+  static_cast<const RigidMove*>(user)->part(fraction).place(from, to);
+}
+
+template <int D>
+Box<D> RigidMove<D>::reach(const Body<D>& body) const noexcept {
+  double radius = 0;
+  for (const BodyVertex<D>& each : body.vertices) {
+    if (each.cell.valid()) radius = std::max(radius, length(difference<D>(each.position, centre_.data())));
+  }
+  radius *= 1 + 0x1p-20;
+  Box<D> box;
+  for (const double way : {0.0, 1.0}) {
+    const Vec at = centre_ + way * translation_, room = Vec::Constant(radius) + 0x1p-40 * at.cwiseAbs();
+    const Vec low = at - room, high = at + room;
+    box.add(low.data());
+    box.add(high.data());
+  }
+  return box;
+}
+
+template <int D>
+RigidMotion<D> ShapeMove<D>::moved(double fraction) const noexcept {
+  const RigidMotion<D> part = move.part(fraction);
+  RigidMotion<D> all = shape.moved;
+  all.add_about(part.rotation, part.centre, part.translation);
+  return all;
+}
+
+template <int D>
+void ShapeMove<D>::place(const void* user, uint32_t vertex, const double*, double fraction, double* to) noexcept {
+  const ShapeMove& m = *static_cast<const ShapeMove*>(user);
+  m.moved(fraction).place(rest_of(m.shape, vertex), to);
+}
+
+template class RigidMove<2>;
+template class RigidMove<3>;
+template struct ShapeMove<2>;
+template struct ShapeMove<3>;
+
+}  // namespace dsw

@@ -1,0 +1,42 @@
+#pragma once
+// A rotation about a centre and a translation, both made steadily: what dsw_rigid_motion asks for.
+
+#include "base/vec.h"
+#include "body/body.h"
+#include "body/box.h"
+
+namespace dsw {
+
+template <int D>
+class RigidMove {
+ public:
+  /** All finite. The quaternion x y z w has any length but 0; of the two ways round, the shorter one is taken. In the plane x and y of
+   * the quaternion, and what is given as third component, are 0. */
+  RigidMove(const double* quaternion, const double* centre, const double* translation) noexcept;
+
+  /** A fraction of the motion. */
+  RigidMotion<D> part(double fraction) const noexcept;
+  /** Where a point is at a fraction of the motion; `user` is the motion: a PlaceFn. */
+  static void place(const void* user, uint32_t vertex, const double* from, double fraction, double* to) noexcept;
+
+  /** A box around all that a part of it does to a body: points keep their distance from the centre, which goes along a line. */
+  Box<D> reach(const Body<D>& body) const noexcept;
+
+ private:
+  Eigen::Quaterniond rotation_;  // of length 1
+  Vec centre_, translation_;
+};
+
+/** The motion of a body that keeps its shape, added to those that the shape has made. */
+template <int D>
+struct ShapeMove {
+  const RigidMove<D>& move;
+  const RigidShape<D>& shape;
+
+  /** All of them, with a fraction of this one. */
+  RigidMotion<D> moved(double fraction) const noexcept;
+  /** As RigidMove::place. */
+  static void place(const void* user, uint32_t vertex, const double* from, double fraction, double* to) noexcept;
+};
+
+}  // namespace dsw

@@ -1,0 +1,181 @@
+#include "walls/rigid_push.h"
+
+#include "base/points.h"
+
+namespace dsw {
+
+template <int D>
+RigidPushes<D>::RigidPushes(const Body<D>& body, const double* at, const Vec& normal, const Vec& way)
+    : now_(body.shape[0].moved), normal_(normal), way_(way), depth_(dot(normal, way)) {
+  double centre[D], size = 0, count = 0;
+  now_.centre_now(centre);
+  arm_ = difference<D>(at, centre);
+  for (const BodyVertex<D>& vertex : body.vertices) {
+    if (!vertex.cell.valid()) continue;
+    for (int k = 0; k < D; ++k) size = std::max(size, std::fabs(vertex.position[k] - centre[k]));
+    ++count;
+  }
+  if (!(size > 0) || !std::isfinite(size) || !(depth_ > 0)) return;
+  // In units of the size, so that no square overflows. Each vertex counts as a small ball: so a line has an inertia about itself.
+  constexpr double kBall = 0x1p-10;
+  double xx = kBall * count, yy = xx, zz = xx, xy = 0, yz = 0, zx = 0;
+  for (const BodyVertex<D>& vertex : body.vertices) {
+    if (!vertex.cell.valid()) continue;
+    const Vec d = difference<D>(vertex.position, centre);
+    const double x = d.x() / size, y = d.y() / size, z = d.z() / size;
+    xx += y * y + z * z;
+    yy += z * z + x * x;
+    zz += x * x + y * y;
+    xy -= x * y;
+    yz -= y * z;
+    zx -= z * x;
+  }
+  Eigen::Matrix3d inertia;
+  inertia << xx, xy, zx, xy, yy, yz, zx, yz, zz;
+  const Vec lever = arm_ / size, torque = lever.cross(normal), spin = inertia.inverse() * torque;
+  const double mobility = 1 / count + dot(torque, spin), impulse = depth_ / mobility;
+  spin_ = impulse / size * spin;
+  shift_ = impulse / count * normal;
+  // No more than half a radian at once.
+  const double angle = length(spin_);
+  if (std::isfinite(angle) && angle > 0 && std::isfinite(length(shift_))) turn_ = std::min(1.0, 0.5 / angle);
+}
+
+template <int D>
+bool RigidPushes<D>::get(int k, RigidMotion<D>& moved) const noexcept {
+  const double part = k + 1 < kCount ? turn_ / (1 << k) : 0;
+  if (part == 0 && k + 1 < kCount) return false;
+  // Half of the rotation vector, beside 1: an angle a little smaller, without a sine.
+  const Vec half = part / 2 * spin_;
+  double turn[4] = {half.x(), half.y(), half.z(), 1};
+  normalise(turn);
+  RigidMotion<3> about;
+  std::copy_n(turn, 4, about.rotation);
+  Vec arm = arm_;
+  about.place(arm.data(), arm.data());
+  Vec shift = part * shift_ + (1 - part) * way_;
+  const double missing = depth_ - dot(normal_, arm - arm_ + shift);
+  if (missing > 0) shift = shift + missing * normal_;
+  double by[D];
+  store<D>(shift, by);
+  moved = now_;
+  moved.add(turn, by);
+  return true;
+}
+
+template <int D>
+bool find_places(const Body<D>& body, const RigidMotion<D>& moved, Array<double>& places) {
+  places.resize(D * body.vertices.size());
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (!body.has_vertex(v)) continue;
+    moved.place(rest_of(body.shape[0], v), &places[D * size_t{v}]);
+    if (!is_finite<D>(&places[D * size_t{v}])) return false;
+  }
+  return true;
+}
+
+template <int D>
+RigidPush<D>::RigidPush(const Environment<D>& env, Occupants<D>& all, Neighbourhood<D>& around)
+    : env_(env),
+      all_(all),
+      around_(around),
+      before_(Allocator<BodyVertex<D>>(env.memory)),
+      targets_(Allocator<double>(env.memory)) {}
+
+template <int D>
+bool RigidPush<D>::push(const WallHit& hit, const WallSweep<D>& walls, StarSweep<D>& sweeps, const double* from,
+                        const double* to) {
+  const uint32_t owner = hit.feature.owner;
+  Body<D>& body = *all_.bodies[owner].body;
+  keep_shape(body);
+  before_.assign(body.vertices.begin(), body.vertices.end());
+  const WallTouch touch = describe_touch(env_, all_, hit, from, to);
+  const RigidPushes<D> pushes(body, touch.point, to_vec<D>(touch.normal), difference<D>(to, from));
+  for (int k = 0; k < RigidPushes<D>::kCount; ++k) {
+    RigidMotion<D> moved;
+    if (!pushes.get(k, moved) || !find_places(body, moved, targets_)) continue;
+    bool free = go(owner, sweeps);
+    // Perhaps for want of cells: those that only this body gets to have not been opened.
+    if (!free && open_ways(owner)) free = go(owner, sweeps);
+    if (!free) continue;
+    const RigidMotion<D> before = body.shape[0].moved;
+    if (is_clear(owner, walls, from, to)) {
+      body.shape[0].moved = moved;
+      if (around_.note_body(owner)) return true;
+      body.shape[0].moved = before;
+    }
+    put_vertices(body, before_.data());
+  }
+  return false;
+}
+
+/** Moves all vertices to their targets, one after the other, or none. */
+template <int D>
+bool RigidPush<D>::go(uint32_t owner, StarSweep<D>& sweeps) {
+  Body<D>& body = *all_.bodies[owner].body;
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    const double* const to = &targets_[D * size_t{v}];
+    if (!body.has_vertex(v) || std::equal(to, to + D, body.position(v))) continue;
+    Cell cell;
+    if (!sweeps.is_free(body, v, to, &cell)) {
+      put_vertices(body, before_.data());
+      return false;
+    }
+    put_vertex(body, v, to, cell);
+  }
+  return true;
+}
+
+template <int D>
+bool RigidPush<D>::is_clear(uint32_t owner, const WallSweep<D>& walls, const double* from, const double* to) const {
+  const Body<D>& body = *all_.bodies[owner].body;
+  WallHit hit;
+  const auto misses = [&](Feature::Kind kind, uint32_t i) {
+    return !walls.meets(all_, {kind, owner, i}, from, to, &hit);
+  };
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (body.has_vertex(v) && !misses(Feature::kVertex, v)) return false;
+  }
+  for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
+    if (body.has_edge(e) && !misses(Feature::kEdge, e)) return false;
+  }
+  for (uint32_t f = 0; body.level == SweepLevel::kFaces && f < body.faces.size(); ++f) {
+    if (body.has_face(f) && !misses(Feature::kFace, f)) return false;
+  }
+  return true;
+}
+
+/** Lets the cells be entered that the body can meet on its way to the targets; whether there are any that could not. */
+template <int D>
+bool RigidPush<D>::open_ways(uint32_t owner) {
+  const Body<D>& body = *all_.bodies[owner].body;
+  bool any = false;
+  const auto open = [&](const Feature& feature, const uint32_t* vertices, int count) {
+    Box<D> box;
+    for (int k = 0; k < count; ++k) {
+      box.add(body.position(vertices[k]));
+      box.add(&targets_[D * size_t{vertices[k]}]);
+    }
+    any = around_.open_reach(feature, box) || any;
+  };
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (body.has_vertex(v)) open({Feature::kVertex, owner, v}, &v, 1);
+  }
+  for (uint32_t e = 0; body.level >= SweepLevel::kEdges && e < body.edges.size(); ++e) {
+    if (body.has_edge(e)) open({Feature::kEdge, owner, e}, body.edges[e].ends, 2);
+  }
+  for (uint32_t f = 0; body.level == SweepLevel::kFaces && f < body.faces.size(); ++f) {
+    if (body.has_face(f)) open({Feature::kFace, owner, f}, body.faces[f].corners, 3);
+  }
+  return any;
+}
+
+#define DSW_RIGID_PUSH(D)        \
+  template class RigidPushes<D>; \
+  template class RigidPush<D>;   \
+  template bool find_places(const Body<D>& body, const RigidMotion<D>& moved, Array<double>& places)
+DSW_RIGID_PUSH(2);
+DSW_RIGID_PUSH(3);
+#undef DSW_RIGID_PUSH
+
+}  // namespace dsw
