@@ -172,7 +172,9 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
   numbers[kMask] = body.filter.mask;
   numbers[kMoves] = of.touches.moves;
   numbers[kTouches] = of.touches.earlier.size();
-  numbers[kRest] = body.is_rigid() ? body.shape[0].rest.size() : 0;
+  // A vertex that was added since the shape was taken makes the shape worthless: the next move takes it anew.
+  const bool has_rest = body.is_rigid() && body.shape[0].rest.size() == D * vertices;
+  numbers[kRest] = has_rest ? D * vertices : 0;
   append(image.bodies, numbers, kNumbers);
   const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
     append(to, from.data(), from.size());
@@ -220,7 +222,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
     append(image.shapes, shape.moved.rotation, 4);
     append(image.shapes, shape.moved.centre, D);
     append(image.shapes, shape.moved.translation, D);
-    append(image.shapes, shape.rest.data(), shape.rest.size());
+    if (has_rest) append(image.shapes, shape.rest.data(), shape.rest.size());
   }
   for (const dsw_contact_past& past : of.record.pasts) {
     append_touch(past, image.past_places, image.pasts);

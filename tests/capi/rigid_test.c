@@ -387,8 +387,9 @@ static void moves_set_the_shape(unsigned dimension) {
   end();
 }
 
-/* What is loaded is pushed as what was saved. */
-static void snapshots_keep_the_shape(unsigned dimension) {
+/* What is loaded is pushed as what was saved, also when a vertex was added after the last push. */
+static void snapshots_keep_the_shape(unsigned dimension, int is_split) {
+  const size_t count = is_split ? 4 : 3;
   double now[2][MOST_VERTICES][3];
   unsigned char *block, *again;
   size_t size = 0, again_size = 0;
@@ -402,6 +403,10 @@ static void snapshots_keep_the_shape(unsigned dimension) {
     for (x = 0; x < 4; ++x) {
       raise_point(x, 1, 0.3 + 0.01 * x);
       CHECK(deform(NULL).outcome == DSW_DEFORM_DONE);
+    }
+    if (is_split) {
+      const dsw_body_edge_id edge = {1, 1};
+      CHECK_OK(dsw_body_split_edge(g_scene, body, edge, 0.5, NULL));
     }
     if (i == 1) {
       CHECK_OK(dsw_scene_save(g_scene, NULL, 0, &size));
@@ -420,10 +425,10 @@ static void snapshots_keep_the_shape(unsigned dimension) {
       raise_point(x, 1, 0.2 + 0.02 * x);
       CHECK(deform(NULL).outcome == DSW_DEFORM_DONE);
     }
-    read(body, now[i]);
+    CHECK(read(body, now[i]) == count);
     end();
   }
-  CHECK(memcmp(now[0], now[1], 3 * sizeof now[0][0]) == 0);
+  CHECK(memcmp(now[0], now[1], count * sizeof now[0][0]) == 0);
 }
 
 int main(void) {
@@ -438,7 +443,8 @@ int main(void) {
     min_part_holds_there_too(dimension);
     an_edge_is_bent_twice(dimension);
     moves_set_the_shape(dimension);
-    snapshots_keep_the_shape(dimension);
+    snapshots_keep_the_shape(dimension, 0);
+    snapshots_keep_the_shape(dimension, 1);
   }
   return check_result();
 }
