@@ -12,8 +12,7 @@ class KeyTable {
  public:
   static constexpr uint32_t kNone = 0xffffffffu;
 
-  explicit KeyTable(const Memory* memory)
-      : keys_(Allocator<uint64_t>(memory)), slots_(kFirstSlots, kNone, Allocator<uint32_t>(memory)) {}
+  explicit KeyTable(const Memory* memory) : keys_(memory), slots_(kFirstSlots, kNone, memory) {}
 
   uint32_t size() const { return static_cast<uint32_t>(keys_.size()); }
   uint64_t operator[](uint32_t i) const { return keys_[i]; }

@@ -31,7 +31,7 @@ struct Allocator {
   const Memory* memory = nullptr;
 
   Allocator() = default;
-  explicit Allocator(const Memory* source) : memory(source) {}
+  Allocator(const Memory* source) : memory(source) {}
   template <class U>
   Allocator(const Allocator<U>& other) : memory(other.memory) {}
 

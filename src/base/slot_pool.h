@@ -29,7 +29,7 @@ class SlotPool {
 
   /** Slots are retired after `last_generation`; a lower one is for tests. */
   explicit SlotPool(const Memory* memory, uint32_t last_generation = kLastGeneration)
-      : words_(Allocator<uint32_t>(memory)), free_(Allocator<uint32_t>(memory)), last_(last_generation) {}
+      : words_(memory), free_(memory), last_(last_generation) {}
 
   /** A copy has room for what its original has room for: releases cannot fail either. Throws std::bad_alloc. */
   SlotPool(const SlotPool& other) : words_(other.words_), free_(other.free_), last_(other.last_), alive_(other.alive_) {

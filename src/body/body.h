@@ -96,17 +96,17 @@ struct Body {
   Skipping skipping;
 
   explicit Body(const Memory* memory)
-      : vertices(Allocator<BodyVertex<D>>(memory)),
-        edges(Allocator<BodyEdge>(memory)),
-        faces(Allocator<BodyFace>(memory)),
+      : vertices(memory),
+        edges(memory),
+        faces(memory),
         vertex_slots(memory),
         edge_slots(memory),
         face_slots(memory),
-        inserted(Allocator<uint32_t>(memory)),
-        sequences(Allocator<EdgeSequence<D>>(memory)),
-        clearances(Allocator<Clearance<D>>(memory)),
-        boxes(Allocator<BodyBoxes<D>>(memory)),
-        shape(Allocator<RigidShape<D>>(memory)) {}
+        inserted(memory),
+        sequences(memory),
+        clearances(memory),
+        boxes(memory),
+        shape(memory) {}
 
   bool is_rigid() const { return !shape.empty(); }
   bool keeps_sequences() const { return skipping.sequences || level >= SweepLevel::kEdgesSwept; }

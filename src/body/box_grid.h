@@ -12,8 +12,7 @@ namespace dsw {
 template <int D>
 class BoxGrid {
  public:
-  explicit BoxGrid(const Memory* memory)
-      : items_(Allocator<Item>(memory)), heads_(Allocator<uint32_t>(memory)), levels_(Allocator<Level>(memory)) {}
+  explicit BoxGrid(const Memory* memory) : items_(memory), heads_(memory), levels_(memory) {}
 
   /** Room for the numbers below `count`: then nothing below can fail. Throws std::bad_alloc before it changes anything that is seen. */
   void reserve(size_t count);

@@ -13,7 +13,7 @@ template <int D>
 class BoxGroups {
  public:
   /** `apart`: else all go into one. */
-  BoxGroups(const Memory* memory, bool apart) : apart_(apart), boxes_(Allocator<Box<D>>(memory)) {}
+  BoxGroups(const Memory* memory, bool apart) : apart_(apart), boxes_(memory) {}
 
   /** Throws std::bad_alloc. */
   void add(const Box<D>& box);

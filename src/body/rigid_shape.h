@@ -38,7 +38,7 @@ struct RigidShape {
   Array<double> rest;  // D for each vertex; empty: not taken yet
   RigidMotion<D> moved;
 
-  explicit RigidShape(const Memory* memory) : rest(Allocator<double>(memory)) {}
+  explicit RigidShape(const Memory* memory) : rest(memory) {}
   uint64_t memory_bytes() const noexcept { return array_bytes(rest); }
 };
 

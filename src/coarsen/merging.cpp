@@ -43,13 +43,11 @@ bool Merging::Pair::operator<(const Pair& o) const noexcept {
 
 Merging::Merging(const Environment<3>& env)
     : env_(env),
-      parent_(env.map.index_count(), 0u, Allocator<uint32_t>(env.memory)),
+      parent_(env.map.index_count(), 0u, env.memory),
       version_(parent_.size(), 0u, parent_.get_allocator()),
       slot_(parent_.size(), kNoSlot, parent_.get_allocator()),
-      surface_(parent_.size(), 0.0, Allocator<double>(env.memory)),
-      polyhedra_(Allocator<Polyhedron>(env.memory)),
-      free_slots_(parent_.get_allocator()),
-      heap_(Allocator<Pair>(env.memory)) {
+      surface_(parent_.size(), 0.0, env.memory),
+      free_slots_(parent_.get_allocator()) {
   for (uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = i;
 }
 

@@ -48,9 +48,9 @@ class Merging {
   Array<uint32_t> version_;  // by root: grows with every merge
   Array<uint32_t> slot_;     // by root: where its polyhedron is
   Array<double> surface_;    // by root: area of all facets
-  Array<Polyhedron> polyhedra_;
+  Array<Polyhedron> polyhedra_{env_.memory};
   Array<uint32_t> free_slots_;
-  Array<Pair> heap_;
+  Array<Pair> heap_{env_.memory};
   uint64_t trials_ = 0;
   bool complete_ = true;
 };

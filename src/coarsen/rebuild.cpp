@@ -81,7 +81,7 @@ class Rebuild {
         map_(target.map),
         merging_(merging),
         new_index_(new_index),
-        roots_(Allocator<uint32_t>(source.memory)),
+        roots_(source.memory),
         new_word_(source.map.words.size(), kNoFacet, roots_.get_allocator()) {}
 
   void run() {
@@ -201,7 +201,7 @@ class Rebuild {
       if (!source_.regions.empty()) target_.regions.push_back(source_.regions[root]);
       if (!source_.tags.empty()) target_.tags.push_back(source_.tags[root]);
     }
-    Array<uint64_t> edges(Allocator<uint64_t>(source_.memory));
+    Array<uint64_t> edges(source_.memory);
     source_.edge_marks.copy_sorted(edges);
     target_.edge_marks.reserve(edges.size());
     for (const uint64_t key : edges) {

@@ -17,7 +17,7 @@ Vec nearest_on_segment(const Vec& a, const Vec& b) {
 
 template <int D>
 Blade<D>::Blade(const Memory* memory, PointArray points, uint32_t point_count)
-    : points_(points), point_count_(point_count), simplices_(Allocator<Simplex>(memory)) {}
+    : points_(points), point_count_(point_count), simplices_(memory) {}
 
 template <int D>
 void Blade<D>::add(const uint32_t (&corners)[D]) {
@@ -84,7 +84,7 @@ uint64_t Blade<D>::way(size_t side, bool back) const {
 template <int D>
 void Blade<D>::join(const Memory* memory) {
   KeyTable ways(memory);
-  Array<uint32_t> waiting{Allocator<uint32_t>(memory)};  // of each way, the first side without a neighbour, or kNone
+  Array<uint32_t> waiting{memory};  // of each way, the first side without a neighbour, or kNone
   Array<uint32_t> next(D * simplices_.size(), kNone, waiting.get_allocator());  // such side that is named later
   for (size_t side = D * simplices_.size(); side-- != 0;) {
     const uint32_t here = ways.insert(way(side, false)), back = ways.insert(way(side, true));

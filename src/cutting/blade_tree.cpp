@@ -26,8 +26,7 @@ bool BladeTree<D>::Box::overlaps(const Box& other) const {
 }
 
 template <int D>
-BladeTree<D>::BladeTree(const Memory* memory, const Blade<D>& blade)
-    : leaves_(Allocator<Leaf>(memory)), nodes_(Allocator<Node>(memory)) {
+BladeTree<D>::BladeTree(const Memory* memory, const Blade<D>& blade) : leaves_(memory), nodes_(memory) {
   leaves_.resize(blade.simplex_count());
   for (uint32_t t = 0; t < leaves_.size(); ++t) {
     const double* at[D];

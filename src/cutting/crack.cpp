@@ -10,7 +10,7 @@ namespace {
 /** Numbers that are joined to sets. */
 class Sets {
  public:
-  Sets(uint32_t count, const Memory* memory) : parents_(Allocator<uint32_t>(memory)) {
+  Sets(uint32_t count, const Memory* memory) : parents_(memory) {
     for (uint32_t i = 0; i < count; ++i) parents_.push_back(i);
   }
   uint32_t root(uint32_t i) {
@@ -47,17 +47,7 @@ Vec facet_normal(const Environment<D>& env, HalfFacet h) {
 }  // namespace
 
 template <int D>
-Crack<D>::Crack(Environment<D>& env, int32_t region)
-    : env_(env),
-      map_(env.map),
-      region_(region),
-      pairs_(Allocator<FacetPair>(env.memory)),
-      sides_(env.memory),
-      mouths_(Allocator<Mouth>(env.memory)),
-      partings_(Allocator<Parting>(env.memory)),
-      cells_(Allocator<Cell>(env.memory)),
-      places_(env.memory),
-      copies_(Allocator<uint32_t>(env.memory)) {
+Crack<D>::Crack(Environment<D>& env, int32_t region) : env_(env), map_(env.map), region_(region) {
   make_ready(env.map);
 }
 
@@ -149,7 +139,7 @@ void Crack<D>::find_mouth(Dart rim, uint32_t pair, const Array<Dart>& passed) {
 
 template <int D>
 void Crack<D>::find_mouths() {
-  Array<Dart> passed{Allocator<Dart>(env_.memory)};
+  Array<Dart> passed{env_.memory};
   const auto look = [&](uint32_t i, Dart d, HalfFacet end) {
     if (go_round(d, passed) == end) find_mouth(d, i, passed);
   };
@@ -201,7 +191,7 @@ bool Crack<D>::find_shortest_line(uint32_t vertex, const double* normal, const A
   };
   const uint32_t pair = mouths_[mouths[0]].pair;
   const Cell target = mouths.size() == 2 ? mouths_[mouths[1]].dart.cell : Cell{};
-  Array<Step> steps{Allocator<Step>(env_.memory)};
+  Array<Step> steps{env_.memory};
   KeyTable seen(env_.memory);
   const auto visit = [&](Cell c, HalfFacet entry, size_t before) {
     const uint32_t known = seen.size();
@@ -318,7 +308,7 @@ void Crack<D>::part_vertex(uint32_t vertex, const Corner* corners, size_t count,
 template <int D>
 void Crack<D>::part() {
   find_mouths();
-  Array<Corner> corners{Allocator<Corner>(env_.memory)};
+  Array<Corner> corners{env_.memory};
   for (uint32_t i = 0; i < pairs_.size(); ++i) {
     const FacetDraft facet = draft_of(env_, pairs_[i].a);
     for (const uint32_t v : facet.loop) {
@@ -327,13 +317,13 @@ void Crack<D>::part() {
     }
   }
   std::sort(corners.begin(), corners.end());
-  Array<MouthAt> mouths{Allocator<MouthAt>(env_.memory)};
+  Array<MouthAt> mouths{env_.memory};
   for (uint32_t m = 0; m < mouths_.size(); ++m) {
     mouths.push_back({dart_vertex(map_, mouths_[m].dart), m});
     if (D == 3) mouths.push_back({dart_target(map_, mouths_[m].dart), m});
   }
   std::sort(mouths.begin(), mouths.end());
-  Array<uint32_t> here{Allocator<uint32_t>(env_.memory)};
+  Array<uint32_t> here{env_.memory};
   auto mouth = mouths.begin();
   for (size_t i = 0, end = 0; i < corners.size(); i = end) {
     const uint32_t v = corners[i].vertex;

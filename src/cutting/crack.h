@@ -89,13 +89,13 @@ class Crack {
   Environment<D>& env_;
   const Map<D>& map_;
   int32_t region_;
-  Array<FacetPair> pairs_;
-  KeyTable sides_;  // half-facets of pairs, by word
-  Array<Mouth> mouths_;
-  Array<Parting> partings_;
-  Array<Cell> cells_;
-  KeyTable places_;         // both ends of the darts at vertices that come apart
-  Array<uint32_t> copies_;  // of these
+  Array<FacetPair> pairs_{env_.memory};
+  KeyTable sides_{env_.memory};  // half-facets of pairs, by word
+  Array<Mouth> mouths_{env_.memory};
+  Array<Parting> partings_{env_.memory};
+  Array<Cell> cells_{env_.memory};
+  KeyTable places_{env_.memory};         // both ends of the darts at vertices that come apart
+  Array<uint32_t> copies_{env_.memory};  // of these
 };
 
 }  // namespace dsw

@@ -22,20 +22,7 @@ bool pierces(const double* p, const double* q, const double* const* triangle, in
 }  // namespace
 
 template <int D>
-Crossings<D>::Crossings(const Environment<D>& env, const Blade<D>& blade)
-    : env_(env),
-      map_(env.map),
-      blade_(blade),
-      cells_(Allocator<MetCell>(env.memory)),
-      cell_numbers_(env.memory),
-      meetings_(env.memory),
-      next_(Allocator<uint32_t>(env.memory)),
-      crossings_(Allocator<Crossing>(env.memory)),
-      edges_(env.memory),
-      points_(Allocator<BladePoint<D>>(env.memory)),
-      corners_(Allocator<Corner>(env.memory)),
-      beyond_(Allocator<Cell>(env.memory)),
-      found_(Allocator<BladePoint<D>>(env.memory)) {}
+Crossings<D>::Crossings(const Environment<D>& env, const Blade<D>& blade) : env_(env), map_(env.map), blade_(blade) {}
 
 template <int D>
 void Crossings<D>::flood(Cell start) {

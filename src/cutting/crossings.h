@@ -89,17 +89,17 @@ class Crossings {
   const Environment<D>& env_;
   const Map<D>& map_;
   const Blade<D>& blade_;
-  Array<MetCell> cells_;
-  KeyTable cell_numbers_;   // by unit
-  KeyTable meetings_;       // number of the cell and simplex
-  uint32_t looked_at_ = 0;  // of them
-  Array<uint32_t> next_;    // the meeting of the same cell before
-  Array<Crossing> crossings_;
-  KeyTable edges_;
-  Array<BladePoint<D>> points_;
-  Array<Corner> corners_;
-  Array<Cell> beyond_;          // behind the facets that the simplex passes
-  Array<BladePoint<D>> found_;  // points of the simplex in the cell that is looked at
+  Array<MetCell> cells_{env_.memory};
+  KeyTable cell_numbers_{env_.memory};  // by unit
+  KeyTable meetings_{env_.memory};      // number of the cell and simplex
+  uint32_t looked_at_ = 0;              // of them
+  Array<uint32_t> next_{env_.memory};   // the meeting of the same cell before
+  Array<Crossing> crossings_{env_.memory};
+  KeyTable edges_{env_.memory};
+  Array<BladePoint<D>> points_{env_.memory};
+  Array<Corner> corners_{env_.memory};
+  Array<Cell> beyond_{env_.memory};          // behind the facets that the simplex passes
+  Array<BladePoint<D>> found_{env_.memory};  // points of the simplex in the cell that is looked at
 };
 
 }  // namespace dsw

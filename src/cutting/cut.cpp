@@ -15,14 +15,6 @@ Cut<D>::Cut(Environment<D>& env, const Blade<D>& blade, const CutSettings& setti
       settings_(settings),
       crossings_(crossings),
       inside_(inside),
-      vertices_(Allocator<uint32_t>(env.memory)),
-      line_numbers_(env.memory),
-      lines_(Allocator<Line>(env.memory)),
-      changed_(env.memory),
-      drafts_(Allocator<size_t>(env.memory)),
-      origins_(Allocator<Cell>(env.memory)),
-      splits_(Allocator<Split>(env.memory)),
-      old_faces_(Allocator<CutFace>(env.memory)),
       record_(env.memory) {
   section_.emplace(env, crossings_, settings.snap);
   for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
@@ -45,7 +37,7 @@ bool Cut<D>::can_split(Cell c) const {
 /** Cells that come out invalid stay whole, and all is written anew: each time more of them, so this ends. */
 template <int D>
 void Cut<D>::prepare(std::optional<Edit<D>>& edit) {
-  Array<uint32_t> invalid{Allocator<uint32_t>(env_.memory)};
+  Array<uint32_t> invalid{env_.memory};
   for (;;) {
     edit.emplace(env_);
     if (!write(*edit)) continue;
@@ -115,7 +107,7 @@ template <int D>
 void Cut<D>::choose_lines() {
   line_numbers_ = KeyTable(env_.memory);
   lines_.clear();
-  Array<Chord> chords{Allocator<Chord>(env_.memory)};
+  Array<Chord> chords{env_.memory};
   for (uint32_t i = 0; i < crossings_.cell_count(); ++i) {
     if (section_->loop(i).empty()) continue;
     section_->list_chords(i, chords);
@@ -193,7 +185,7 @@ bool Cut<D>::write_lines(CellDraft& draft) {
 /** In the order of nodes, so that facets are cut alike on both sides. */
 template <int D>
 void Cut<D>::insert_vertices(CellDraft& draft) const {
-  Array<uint32_t> nodes{Allocator<uint32_t>(env_.memory)};
+  Array<uint32_t> nodes{env_.memory};
   const Shape shape = map_.shape(draft.from);
   for (uint32_t d = 0; d < shape.dart_count(); ++d) {
     if (shape.dart_beta2(d) < d) continue;
@@ -364,7 +356,7 @@ void Cut<D>::keep_whole(Cell c) {
     section_->keep_whole(cell);
     return;
   }
-  Array<uint8_t> near(section_->node_count(), 0, Allocator<uint8_t>(env_.memory));
+  Array<uint8_t> near(section_->node_count(), 0, env_.memory);
   const Shape shape = map_.shape(c);
   for (uint32_t d = 0; d < shape.dart_count(); ++d) {
     const uint32_t a = dart_vertex(map_, {c, d}), on_edge = section_->node_on(a, dart_target(map_, {c, d}));
@@ -434,7 +426,7 @@ void Cut<D>::measure(Edit<D>& edit) {
     const FacetDraft facet = draft_of(env_, face.front);
     for (const uint32_t v : facet.loop) add_vertex(section_->node_at(v), v);
   }
-  Array<uint32_t> split_of(crossings_.cell_count(), kNoCell, Allocator<uint32_t>(env_.memory));
+  Array<uint32_t> split_of(crossings_.cell_count(), kNoCell, env_.memory);
   for (uint32_t i = 0; i < splits_.size(); ++i) split_of[splits_[i].cell] = i;
   for (const BladePoint<D>& point : crossings_.points()) {
     if (split_of[point.cell] == kNoCell) continue;

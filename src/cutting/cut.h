@@ -38,8 +38,7 @@ struct CutRecord {
   uint32_t met = 0, split = 0, changed = 0;  // cells
   double distance = 0;
 
-  explicit CutRecord(const Memory* memory)
-      : vertices(Allocator<NewVertex>(memory)), faces(Allocator<CutFace>(memory)), whole(Allocator<Cell>(memory)) {}
+  explicit CutRecord(const Memory* memory) : vertices(memory), faces(memory), whole(memory) {}
 };
 
 template <int D>
@@ -104,14 +103,14 @@ class Cut {
   const Crossings<D>& crossings_;
   const Inside<D>* inside_;
   std::optional<Section<D>> section_;
-  Array<uint32_t> vertices_;  // by node; kNoCell: it is not needed
-  KeyTable line_numbers_;     // by the lower address of the facet
-  Array<Line> lines_;
-  KeyTable changed_;      // cells, by unit
-  Array<size_t> drafts_;  // of these, the first of each
-  Array<Cell> origins_;   // of drafts
-  Array<Split> splits_;
-  Array<CutFace> old_faces_;
+  Array<uint32_t> vertices_{env_.memory};  // by node; kNoCell: it is not needed
+  KeyTable line_numbers_{env_.memory};     // by the lower address of the facet
+  Array<Line> lines_{env_.memory};
+  KeyTable changed_{env_.memory};      // cells, by unit
+  Array<size_t> drafts_{env_.memory};  // of these, the first of each
+  Array<Cell> origins_{env_.memory};   // of drafts
+  Array<Split> splits_{env_.memory};
+  Array<CutFace> old_faces_{env_.memory};
   CutRecord record_;
 };
 

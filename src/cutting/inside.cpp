@@ -26,13 +26,7 @@ bool seed_all(Crossings<D>& crossings, const BladeTree<D>& tree, Cell c, const t
 
 template <int D>
 Inside<D>::Inside(const Environment<D>& env, const Blade<D>& blade, Crossings<D>& crossings)
-    : env_(env),
-      map_(env.map),
-      blade_(blade),
-      crossings_(crossings),
-      tree_(env.memory, blade),
-      numbers_(env.memory),
-      cells_(Allocator<Known>(env.memory)) {}
+    : env_(env), map_(env.map), blade_(blade), crossings_(crossings), tree_(env.memory, blade) {}
 
 template <int D>
 void Inside<D>::flood_from(Cell start, uint32_t* visited) {

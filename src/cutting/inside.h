@@ -51,8 +51,8 @@ class Inside {
   const Blade<D>& blade_;
   Crossings<D>& crossings_;
   BladeTree<D> tree_;
-  KeyTable numbers_;  // of cells, by unit
-  Array<Known> cells_;
+  KeyTable numbers_{env_.memory};  // of cells, by unit
+  Array<Known> cells_{env_.memory};
   uint32_t done_ = 0;  // cells whose neighbours have been looked at
 };
 

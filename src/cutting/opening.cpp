@@ -19,12 +19,7 @@ Opening<D>::Opening(Environment<D>& env, const Crack<D>& crack, const OpenSettin
       map_(env.map),
       crack_(crack),
       settings_(settings),
-      ways_(crack.partings().size(), Way{}, Allocator<Way>(env.memory)),
-      fresh_(env.memory),
-      of_fresh_(Allocator<uint32_t>(env.memory)),
-      changed_(env.memory),
-      gaps_(Allocator<Gap>(env.memory)),
-      sides_(Allocator<Side>(env.memory)),
+      ways_(crack.partings().size(), Way{}, env.memory),
       record_(env.memory) {}
 
 template <int D>
@@ -37,7 +32,7 @@ void Opening<D>::Way::shorten(int k) {
 /** Vertices of cells that come out invalid go half as far, and all is written anew: as often as the shares allow, so this ends. */
 template <int D>
 void Opening<D>::prepare(std::optional<Edit<D>>& edit) {
-  Array<uint32_t> bad{Allocator<uint32_t>(env_.memory)};
+  Array<uint32_t> bad{env_.memory};
   for (;;) {
     edit.emplace(env_);
     bad.clear();
@@ -253,12 +248,12 @@ void Opening<D>::cut_facets(Edit<D>& edit, Array<uint32_t>& bad) const {
     uint32_t word;
     Place at;
   };
-  Array<Key> keys{Allocator<Key>(env_.memory)};
+  Array<Key> keys{env_.memory};
   const auto key_of = [](const FacetDraft& facet, HalfFacet h) {
     return facet.pair != kNoPair ? kNoPair - 1 - facet.pair : h.word;
   };
   size_t drafts = changed_.size() + gaps_.size();
-  Array<double> apices{Allocator<double>(env_.memory)};
+  Array<double> apices{env_.memory};
   apices.resize(3 * drafts);
   for (size_t i = 0; i < drafts; ++i) {
     centre(env_, edit.draft(i), &apices[3 * i]);

@@ -21,8 +21,7 @@ struct OpenRecord {
   uint32_t shortened = 0, changed = 0;
   double smallest = 0, largest = 0;  // width
 
-  explicit OpenRecord(const Memory* memory)
-      : vertices(Allocator<NewVertex>(memory)), faces(Allocator<CutFace>(memory)) {}
+  explicit OpenRecord(const Memory* memory) : vertices(memory), faces(memory) {}
 };
 
 template <int D>
@@ -85,12 +84,12 @@ class Opening {
   const Map<D>& map_;
   const Crack<D>& crack_;
   OpenSettings settings_;
-  Array<Way> ways_;           // by parting
-  KeyTable fresh_;            // new vertices
-  Array<uint32_t> of_fresh_;  // twice the number of the parting, with that of the copy
-  KeyTable changed_;          // cells by unit; numbers are those of their drafts
-  Array<Gap> gaps_;
-  Array<Side> sides_;
+  Array<Way> ways_;                        // by parting
+  KeyTable fresh_{env_.memory};            // new vertices
+  Array<uint32_t> of_fresh_{env_.memory};  // twice the number of the parting, with that of the copy
+  KeyTable changed_{env_.memory};          // cells by unit; numbers are those of their drafts
+  Array<Gap> gaps_{env_.memory};
+  Array<Side> sides_{env_.memory};
   uint32_t pairs_ = 0;  // of new facets
   OpenRecord record_;
 };

@@ -64,8 +64,8 @@ class Section {
   const Environment<D>& env_;
   const Map<D>& map_;
   const Crossings<D>& crossings_;
-  Array<Node> nodes_;
-  KeyTable places_;  // of nodes: both vertices of an edge, or twice the old one
+  Array<Node> nodes_{env_.memory};
+  KeyTable places_{env_.memory};  // of nodes: both vertices of an edge, or twice the old one
   Array<Array<uint32_t>> loops_;
   Array<uint8_t> barred_;
 };

@@ -9,8 +9,7 @@ namespace {
 template <int D>
 class Search {
  public:
-  Search(const Environment<D>& env, const Blade<D>& blade)
-      : env_(env), blade_(blade), crossings_(env, blade), seen_(env.memory), heap_(Allocator<Entry>(env.memory)) {}
+  Search(const Environment<D>& env, const Blade<D>& blade) : env_(env), blade_(blade), crossings_(env, blade) {}
 
   Cell run(Cell from, uint32_t* visited) {
     push(from);
@@ -53,8 +52,8 @@ class Search {
   const Environment<D>& env_;
   const Blade<D>& blade_;
   Crossings<D> crossings_;
-  KeyTable seen_;
-  Array<Entry> heap_;
+  KeyTable seen_{env_.memory};
+  Array<Entry> heap_{env_.memory};
 };
 
 }  // namespace

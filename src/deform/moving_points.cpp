@@ -9,11 +9,7 @@
 namespace dsw {
 
 template <int D>
-MovingPoints<D>::MovingPoints(Environment<D>& env)
-    : env_(env),
-      place_(Allocator<uint32_t>(env.memory)),
-      touched_(Allocator<uint32_t>(env.memory)),
-      targets_(Allocator<double>(env.memory)) {}
+MovingPoints<D>::MovingPoints(Environment<D>& env) : env_(env) {}
 
 template <int D>
 void MovingPoints<D>::begin(double* next) {

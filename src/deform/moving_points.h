@@ -52,9 +52,9 @@ class MovingPoints {
   Environment<D>& env_;
   const double* start_ = nullptr;
   double* next_ = nullptr;
-  Array<uint32_t> place_;  // by vertex: its place in touched_
-  Array<uint32_t> touched_;
-  Array<double> targets_;  // of those
+  Array<uint32_t> place_{env_.memory};  // by vertex: its place in touched_
+  Array<uint32_t> touched_{env_.memory};
+  Array<double> targets_{env_.memory};  // of those
 };
 
 }  // namespace dsw

@@ -266,12 +266,7 @@ struct Weights<3> {
 template <int D>
 class Check {
  public:
-  explicit Check(const Environment<D>& env)
-      : env_(env),
-        surface_(env),
-        tree_(env, surface_),
-        overlap_(env, surface_),
-        bad_cells_(Allocator<uint32_t>(env.memory)) {
+  explicit Check(const Environment<D>& env) : env_(env), surface_(env), tree_(env, surface_), overlap_(env, surface_) {
     std::copy_n(at(surface_.simplices[0].vertex[0]), D, lower_);
     std::copy_n(lower_, D, upper_);
     for (const Simplex& t : surface_.simplices) {
@@ -346,7 +341,7 @@ class Check {
   }
 
   void check_sheets() {
-    Array<uint8_t> done(surface_.simplices.size(), 0, Allocator<uint8_t>(env_.memory));
+    Array<uint8_t> done(surface_.simplices.size(), 0, env_.memory);
     for (uint32_t i = 0; i < surface_.simplices.size(); ++i) {
       if (done[surface_.sheet[i]] != 0) continue;
       int covered = 0;
@@ -400,7 +395,7 @@ class Check {
   BoundarySurface<D> surface_;
   BoundaryTree<D> tree_;
   Overlap<D> overlap_;
-  Array<uint32_t> bad_cells_;
+  Array<uint32_t> bad_cells_{env_.memory};
   double lower_[D], upper_[D];  // of the surface, which is that of all points that cells use
 };
 

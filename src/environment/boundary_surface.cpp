@@ -77,10 +77,9 @@ void find_mates(const Map<2>& map, const Array<FacetStart>& starts, const FacetS
 }  // namespace
 
 template <int D>
-BoundarySurface<D>::BoundarySurface(const Environment<D>& env)
-    : simplices(Allocator<BoundarySimplex<D>>(env.memory)), sheet(Allocator<uint32_t>(env.memory)) {
+BoundarySurface<D>::BoundarySurface(const Environment<D>& env) : simplices(env.memory), sheet(env.memory) {
   const Map<D>& map = env.map;
-  Array<FacetStart> starts{Allocator<FacetStart>(env.memory)};
+  Array<FacetStart> starts{env.memory};
   for_each_cell(map, [&](Cell c) {
     const Shape shape = map.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
@@ -113,7 +112,7 @@ BoundarySurface<D>::BoundarySurface(const Environment<D>& env)
 
 template <int D>
 BoundaryTree<D>::BoundaryTree(const Environment<D>& env, const BoundarySurface<D>& surface)
-    : nodes_(Allocator<Node>(env.memory)), order_(surface.simplices.size(), 0, Allocator<uint32_t>(env.memory)) {
+    : nodes_(env.memory), order_(surface.simplices.size(), 0, env.memory) {
   const uint32_t count = static_cast<uint32_t>(order_.size());
   if (count == 0) return;
   for (uint32_t i = 0; i < count; ++i) order_[i] = i;

@@ -45,7 +45,7 @@ template <int D>
 template <int D>
 void validate(Environment<D>& env, BuildReport& report) {
   Map<D>& map = env.map;
-  Array<Cell> changed{Allocator<Cell>(env.memory)};
+  Array<Cell> changed{env.memory};
   Offenders inverted, invalid;
   const auto settle = [&](Cell c, CellState state) {
     const uint32_t i = map.index(c);
@@ -104,7 +104,7 @@ template <int D>
 uint32_t count_parts(const Environment<D>& env) {
   const Map<D>& map = env.map;
   // Union by the lower index, with path halving; nearly linear.
-  Array<uint32_t> parent(map.index_count(), 0, Allocator<uint32_t>(env.memory));
+  Array<uint32_t> parent(map.index_count(), 0, env.memory);
   for (uint32_t i = 0; i < parent.size(); ++i) parent[i] = i;
   const auto root = [&](uint32_t i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
@@ -131,7 +131,7 @@ template <int D>
 void finish_topology(Environment<D>& env, BuildReport* report) {
   const Map<D>& map = env.map;
   env.part_count = count_parts(env);
-  Array<uint64_t> used((size_t{map.vertex_count} + 63) / 64, 0, Allocator<uint64_t>(env.memory));
+  Array<uint64_t> used((size_t{map.vertex_count} + 63) / 64, 0, env.memory);
   for_each_cell(map, [&](Cell c) {
     for (uint32_t k = 0, n = map.vertices_of(c); k < n; ++k) {
       const uint32_t v = map.vertex(c, k);

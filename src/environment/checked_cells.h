@@ -14,7 +14,7 @@ class CheckedCells {
  public:
   enum class Known : uint32_t { kNothing, kInvalid, kValid };
 
-  explicit CheckedCells(const Memory* memory) : stamps_(Allocator<std::atomic<uint32_t>>(memory)) {}
+  explicit CheckedCells(const Memory* memory) : stamps_(memory) {}
 
   /** Whether points move at all; if not, nothing is kept. */
   bool active() const noexcept { return round_ != 0; }

@@ -10,7 +10,7 @@ namespace dsw {
 /** Open addressing with linear probing; iteration order never reaches a result. */
 class EdgeMarks {
  public:
-  explicit EdgeMarks(const Memory* memory) : slots_(Allocator<uint64_t>(memory)) {}
+  explicit EdgeMarks(const Memory* memory) : slots_(memory) {}
 
   bool contains(uint32_t a, uint32_t b) const noexcept;
   /** Makes room for `more` further edges, so that as many inserts cannot fail. */

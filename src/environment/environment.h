@@ -39,14 +39,14 @@ struct Environment {
   explicit Environment(const Memory* source)
       : memory(source),
         map(source),
-        owned_points(Allocator<double>(source)),
-        regions(Allocator<int32_t>(source)),
-        tags(Allocator<uint32_t>(source)),
+        owned_points(source),
+        regions(source),
+        tags(source),
         edge_marks(source),
-        vertex_marks(Allocator<uint64_t>(source)),
+        vertex_marks(source),
         grid(source),
         checked(source),
-        local_points(Allocator<float>(source)) {}
+        local_points(source) {}
   Environment(const Environment&) = delete;
   Environment& operator=(const Environment&) = delete;
 

@@ -63,8 +63,8 @@ bool same_cycle(const Map<2>&, HalfFacet, Cell, HalfFacet, uint32_t, bool) { ret
 template <int D>
 MatchDefect match_facets(Environment<D>& env, Offenders& offenders) {
   Map<D>& map = env.map;
-  Array<uint32_t> chain(map.vertex_count, kEnd, Allocator<uint32_t>(env.memory));
-  Array<Candidate> candidates{Allocator<Candidate>(env.memory)};
+  Array<uint32_t> chain(map.vertex_count, kEnd, env.memory);
+  Array<Candidate> candidates{env.memory};
   candidates.reserve(size_t{map.cell_count} * (D + 1));
   MatchDefect defect = MatchDefect::kNone;
   const auto offend = [&](MatchDefect kind, uint32_t first, uint32_t second) {

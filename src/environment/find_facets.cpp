@@ -11,7 +11,7 @@ constexpr uint32_t kNoQuery = 0xffffffffu;
 class Queries {
  public:
   Queries(uint32_t vertex_count, size_t count, const Memory* memory)
-      : head_(vertex_count, kNoQuery, Allocator<uint32_t>(memory)), next_(count, kNoQuery, head_.get_allocator()) {}
+      : head_(vertex_count, kNoQuery, memory), next_(count, kNoQuery, head_.get_allocator()) {}
 
   void add(uint32_t query, uint32_t lowest) {
     next_[query] = head_[lowest];
@@ -30,7 +30,7 @@ template <int D>
 void find_facets(const Environment<D>& env, size_t count, const size_t* offsets, const uint32_t* indices,
                  HalfFacet* out, size_t* missing) {
   const Map<D>& map = env.map;
-  Array<uint32_t> sorted{indices + offsets[0], indices + offsets[count], Allocator<uint32_t>(env.memory)};
+  Array<uint32_t> sorted{indices + offsets[0], indices + offsets[count], env.memory};
   const auto begin = [&](size_t i) { return sorted.begin() + static_cast<ptrdiff_t>(offsets[i] - offsets[0]); };
   Queries queries(map.vertex_count, count, env.memory);
   for (size_t i = 0; i < count; ++i) {
@@ -39,7 +39,7 @@ void find_facets(const Environment<D>& env, size_t count, const size_t* offsets,
     if (begin(i) != begin(i + 1) && *(begin(i + 1) - 1) < map.vertex_count)
       queries.add(static_cast<uint32_t>(i), *begin(i));
   }
-  Array<uint32_t> face{Allocator<uint32_t>(env.memory)};
+  Array<uint32_t> face{env.memory};
   size_t found = 0;
   for_each_cell(map, [&](Cell cell) {
     const Shape shape = map.shape(cell);

@@ -96,7 +96,7 @@ void build_grid(Environment<D>& env) {
   std::copy(env.lower, env.lower + D, grid.lower);
   // Cells much larger than the others are listed often: then fewer buckets, so that the lists stay in proportion.
   const size_t most = size_t{8} * env.map.cell_count + 64;
-  Array<uint32_t> counts{Allocator<uint32_t>(env.memory)};
+  Array<uint32_t> counts{env.memory};
   size_t entries = 0;
   for (uint32_t wanted = env.map.cell_count;; wanted /= 2) {
     choose_sizes(grid, env.upper, wanted);

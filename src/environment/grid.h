@@ -20,7 +20,7 @@ struct Grid {
   uint32_t size[D] = {};  // buckets along each axis
   double lower[D] = {}, buckets_per_unit[D] = {};
 
-  explicit Grid(const Memory* memory) : first(Allocator<uint32_t>(memory)), cells(Allocator<uint32_t>(memory)) {}
+  explicit Grid(const Memory* memory) : first(memory), cells(memory) {}
   bool empty() const { return first.empty(); }
   uint64_t memory_bytes() const { return array_bytes(first) + array_bytes(cells); }
 };

@@ -85,7 +85,7 @@ Array<size_t> triangulate(const Array<const double*>& loop, const double* apex, 
     const double* points[3] = {loop[i], loop[j], loop[k]};
     return orient<3>(points, apex) < 0 && (beyond == nullptr || orient<3>(points, beyond) > 0);
   };
-  Array<size_t> third(n * n, n, Allocator<size_t>(loop.get_allocator())), triangles(third.get_allocator());
+  Array<size_t> third(n * n, n, loop.get_allocator()), triangles(third.get_allocator());
   const auto possible = [&](size_t i, size_t j) { return j == i + 1 || third[i * n + j] != n; };
   for (size_t span = 2; span < n; ++span) {
     for (size_t i = 0; i + span < n; ++i) {
@@ -99,7 +99,7 @@ Array<size_t> triangulate(const Array<const double*>& loop, const double* apex, 
   struct Part {
     size_t i, j;
   };
-  Array<Part> parts{Allocator<Part>(third.get_allocator())};
+  Array<Part> parts{third.get_allocator()};
   parts.push_back({0, n - 1});
   while (!parts.empty()) {
     const auto [i, j] = parts.back();
@@ -120,7 +120,7 @@ void recut_cell(Environment<3>& env, Cell c, Array<Cell>& changed) {
     const uint32_t size = env.map.shape(c).facet_size(f);
     if (size == 3 || size > kMostTriangulated || is_cut_well(env, c, f, apex)) continue;
     const Facet facet = read_facet(env, c, f);
-    Array<const double*> loop{Allocator<const double*>(env.memory)};
+    Array<const double*> loop{env.memory};
     for (const uint16_t v : facet.loop) loop.push_back(env.point(c, v));
     const Array<size_t> triangles = triangulate(loop, facet.apex, facet.other.valid() ? facet.other_apex : nullptr);
     if (triangles.empty()) continue;

@@ -8,8 +8,7 @@ namespace dsw {
 
 class CellQueue {
  public:
-  explicit CellQueue(const Memory* memory)
-      : cells_(Allocator<Cell>(memory)), slots_(kFirstSlots, kNoCell, Allocator<uint32_t>(memory)) {}
+  explicit CellQueue(const Memory* memory) : cells_(memory), slots_(kFirstSlots, kNoCell, memory) {}
 
   size_t size() const { return cells_.size(); }
   Cell operator[](size_t i) const { return cells_[i]; }

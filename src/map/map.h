@@ -106,16 +106,16 @@ struct Map {
   uint32_t facet_count = 0;  // a facet between two cells counts once
 
   explicit Map(const Memory* memory)
-      : words(Allocator<uint32_t>(memory)),
-        shape_tables(Allocator<uint16_t>(memory)),
-        shape_offsets(Allocator<uint32_t>(memory)),
-        unit_of_cell(Allocator<uint32_t>(memory)),
-        cell_of_unit(Allocator<uint32_t>(memory)),
+      : words(memory),
+        shape_tables(memory),
+        shape_offsets(memory),
+        unit_of_cell(memory),
+        cell_of_unit(memory),
         cell_slots(memory),
         vertex_slots(memory),
-        vertex_uses(Allocator<uint32_t>(memory)),
-        free_records(Allocator<uint32_t>(memory)),
-        free_shapes(Allocator<uint32_t>(memory)) {}
+        vertex_uses(memory),
+        free_records(memory),
+        free_shapes(memory) {}
 
   /** Whether cells have changed, or are about to: only then are there indices without a cell. */
   bool has_changed() const { return cell_slots.slot_count() != 0; }

@@ -9,7 +9,7 @@ namespace dsw {
 
 class LineTable {
  public:
-  explicit LineTable(const Memory* memory) : slots_(kFirstSlots, Slot{}, Allocator<Slot>(memory)) {}
+  explicit LineTable(const Memory* memory) : slots_(kFirstSlots, Slot{}, memory) {}
 
   void clear() {
     used_ = 0;

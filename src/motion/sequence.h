@@ -98,7 +98,7 @@ bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceVi
 template <int D>
 class SequenceWriter {
  public:
-  explicit SequenceWriter(const Memory* memory) : facets_(Allocator<uint32_t>(memory)) {}
+  explicit SequenceWriter(const Memory* memory) : facets_(memory) {}
 
   /** Both must outlive the cast. Throws std::bad_alloc the first time. */
   void attach(const Environment<D>& env, CastRequest& request) {

@@ -147,14 +147,7 @@ bool is_lower(const Map<D>& map, HalfFacet a, HalfFacet b) {
 }  // namespace
 
 template <int D>
-SolidSweep<D>::SolidSweep(const Environment<D>& env)
-    : env_(env),
-      map_(env.map),
-      cells_(env.memory),
-      lines_(env.memory),
-      corners_(Allocator<Corner>(env.memory)),
-      found_(Allocator<SweepContact>(env.memory)),
-      around_(env.memory) {}
+SolidSweep<D>::SolidSweep(const Environment<D>& env) : env_(env), map_(env.map) {}
 
 template <int D>
 void SolidSweep<D>::clear() {

@@ -83,10 +83,10 @@ class SolidSweep {
   const Environment<D>& env_;
   const Map<D>& map_;
   SweepResult result_;
-  CellQueue cells_;            // met
-  LineTable lines_;            // where they pierce the swept plane; of a solid: vertices that have been judged
-  Array<Corner> corners_;      // of the cell that is looked at
-  Array<SweepContact> found_;  // if they are collected
+  CellQueue cells_{env_.memory};        // met
+  LineTable lines_{env_.memory};        // where they pierce the swept plane; of a solid: vertices that have been judged
+  Array<Corner> corners_{env_.memory};  // of the cell that is looked at
+  Array<SweepContact> found_{env_.memory};  // if they are collected
 
  private:
   void enter_neighbours(const Solid& solid, Cell c);
@@ -96,7 +96,7 @@ class SolidSweep {
   bool judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet);
 
   bool collect_ = false;
-  CellQueue around_;  // round the vertex that is judged
+  CellQueue around_{env_.memory};  // round the vertex that is judged
 };
 
 }  // namespace dsw

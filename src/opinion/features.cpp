@@ -160,7 +160,7 @@ NoFeatures edge_features(const Environment<3>& env, const Frame& frame, const To
   const Shape shape = map.shape(touch.edge.cell);
   Wedge wedge{frame.at_vertex(touch.edge.cell, shape.dart_vertex(touch.edge.local)),
               frame.at_vertex(touch.edge.cell, shape.dart_vertex(shape.beta1(touch.edge.local))),
-              Array<Vec>(Allocator<Vec>(env.memory))};
+              Array<Vec>(env.memory)};
   const auto look_at = [&](Dart d) {
     if (is_impassable(map, half_facet(map, d))) {
       wedge.corners.push_back(frame.at_vertex(d.cell, third_corner(map.shape(d.cell), d.local)));
@@ -179,7 +179,7 @@ NoFeatures diagonal_features(const Environment<3>& env, const Frame& frame, cons
   const Cell c = env.map.cell_of(touch.wall);
   const Shape shape = env.map.shape(c);
   const uint32_t facet = env.map.local_of(touch.wall, c);
-  Wedge wedge{{}, {}, Array<Vec>(Allocator<Vec>(env.memory))};
+  Wedge wedge{{}, {}, Array<Vec>(env.memory)};
   double nearest = -1;
   const uint16_t* const local = shape.simplices();
   for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {

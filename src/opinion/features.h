@@ -27,7 +27,7 @@ enum class NoFeatures : uint32_t { kFound, kParallel, kOutsideCone, kDegenerate 
 
 /** The hull of points. */
 struct Hull {
-  explicit Hull(const Memory* memory) : points(Allocator<double>(memory)) {}
+  explicit Hull(const Memory* memory) : points(memory) {}
   size_t count() const { return points.size() / 3; }
   Array<double> points;  // 3 each
 };

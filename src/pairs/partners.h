@@ -18,7 +18,7 @@ struct Partners {
   Array<Partner<D>> all;
   Box<D> reach = Box<D>::everything();  // the body does not leave it: all that is met there is in the list
 
-  explicit Partners(const Memory* memory) : all(Allocator<Partner<D>>(memory)) {}
+  explicit Partners(const Memory* memory) : all(memory) {}
 };
 
 /** Parts of a body meet those of another that its level covers; of its own those with no vertex in common. */

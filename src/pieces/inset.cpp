@@ -88,18 +88,14 @@ void choose(const Vec& middle, const Array<Vec>& normals, double (&directions)[2
 }  // namespace
 
 Inset::Inset(const Environment<3>& env, const Piece& piece, const PieceSurface& surface)
-    : env_(env),
-      surface_(surface),
-      ways_(surface.vertices.size(), Way{}, Allocator<Way>(env.memory)),
-      cells_(Allocator<Cell>(env.memory)),
-      first_(Allocator<size_t>(env.memory)) {
+    : env_(env), surface_(surface), ways_(surface.vertices.size(), Way{}, env.memory) {
   // Corners of triangles, vertex by vertex.
-  Array<uint32_t> corners(surface.triangles.size() * 3, 0, Allocator<uint32_t>(env.memory));
+  Array<uint32_t> corners(surface.triangles.size() * 3, 0, env.memory);
   const auto vertex_of = [&](uint32_t corner) { return surface.triangles[corner / 3].corners[corner % 3]; };
   for (uint32_t i = 0; i < corners.size(); ++i) corners[i] = i;
   std::sort(corners.begin(), corners.end(),
             [&](uint32_t a, uint32_t b) { return vertex_of(a) != vertex_of(b) ? vertex_of(a) < vertex_of(b) : a < b; });
-  Array<Vec> normals{Allocator<Vec>(env.memory)};
+  Array<Vec> normals{env.memory};
   const uint32_t* corner = corners.data();
   for (uint32_t v = 0; v < surface.vertices.size(); ++v) {
     first_.push_back(cells_.size());

@@ -28,8 +28,8 @@ class Inset {
   const Environment<3>& env_;
   const PieceSurface& surface_;
   Array<Way> ways_;
-  Array<Cell> cells_;    // of the piece at each vertex that hang together with its fan, one after the other
-  Array<size_t> first_;  // of a vertex; one more at the end
+  Array<Cell> cells_{env_.memory};  // of the piece at each vertex that hang together with its fan, one after the other
+  Array<size_t> first_{env_.memory};  // of a vertex; one more at the end
 };
 
 }  // namespace dsw

@@ -22,14 +22,7 @@ void for_each_dart(const Map<3>& map, HalfFacet h, Visit visit) {
 /** Facets without another side at the vertices of those that a piece has, and which of them lie in one place. */
 class Cracks {
  public:
-  Cracks(const Environment<3>& env, const CellQueue& piece)
-      : env_(env),
-        map_(env.map),
-        piece_(piece),
-        around_(env.memory),
-        vertices_(env.memory),
-        cells_at_(Allocator<uint32_t>(env.memory)),
-        open_(Allocator<Open>(env.memory)) {}
+  Cracks(const Environment<3>& env, const CellQueue& piece) : env_(env), map_(env.map), piece_(piece) {}
 
   void find(Array<FacetPair>& pairs) {
     for (size_t i = 0; i < piece_.size(); ++i) note_vertices(piece_[i]);
@@ -103,7 +96,7 @@ class Cracks {
   /** False: the other side of a crack can lie where nothing has led to yet. */
   bool pair_up(Array<FacetPair>& pairs) {
     std::sort(open_.begin(), open_.end());
-    Array<bool> paired(open_.size(), false, Allocator<bool>(env_.memory));
+    Array<bool> paired(open_.size(), false, env_.memory);
     bool all_seen = true;
     for (size_t i = 0; i < open_.size(); ++i) {
       const HalfFacet h{open_[i].word};
@@ -138,20 +131,16 @@ class Cracks {
   const Environment<3>& env_;
   const Map<3>& map_;
   const CellQueue& piece_;
-  CellQueue around_;
+  CellQueue around_{env_.memory};
   size_t looked_at_ = 0;
-  KeyTable vertices_;         // of the piece's facets without another side
-  Array<uint32_t> cells_at_;  // by vertex, how many have been looked at
-  Array<Open> open_;
+  KeyTable vertices_{env_.memory};         // of the piece's facets without another side
+  Array<uint32_t> cells_at_{env_.memory};  // by vertex, how many have been looked at
+  Array<Open> open_{env_.memory};
 };
 
 }  // namespace
 
-Piece::Piece(const Environment<3>& env, Cell start, size_t most)
-    : env_(env),
-      cells_(env.memory),
-      cracks_(Allocator<FacetPair>(env.memory)),
-      sewn_(Allocator<FacetPair>(env.memory)) {
+Piece::Piece(const Environment<3>& env, Cell start, size_t most) : env_(env) {
   find_cells(start, most);
   find_cracks();
 }

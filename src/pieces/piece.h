@@ -31,9 +31,9 @@ class Piece {
   void find_cracks();
 
   const Environment<3>& env_;
-  CellQueue cells_;
-  Array<FacetPair> cracks_;
-  Array<FacetPair> sewn_;  // the same from each side that is the piece's, sorted by `a`
+  CellQueue cells_{env_.memory};
+  Array<FacetPair> cracks_{env_.memory};
+  Array<FacetPair> sewn_{env_.memory};  // the same from each side that is the piece's, sorted by `a`
 };
 
 }  // namespace dsw

@@ -16,9 +16,9 @@ class Net {
       : map_(env.map),
         piece_(piece),
         facets_(env.memory),
-        first_(Allocator<uint32_t>(env.memory)),
-        partners_(Allocator<uint32_t>(env.memory)),
-        vertices_(Allocator<uint32_t>(env.memory)) {
+        first_(env.memory),
+        partners_(env.memory),
+        vertices_(env.memory) {
     first_.push_back(0);
     for (size_t i = 0; i < piece.size(); ++i) {
       for (uint32_t f = 0, facets = map_.facets_of(piece[i]); f < facets; ++f) {
@@ -105,12 +105,7 @@ struct Side {
 class Triangles {
  public:
   Triangles(const Environment<3>& env, const Net& net, PieceSurface& out)
-      : map_(env.map),
-        net_(net),
-        out_(out),
-        sides_(Allocator<Side>(env.memory)),
-        middles_(Allocator<uint32_t>(env.memory)),
-        whole_(Allocator<SurfaceTriangle>(env.memory)) {}
+      : map_(env.map), net_(net), out_(out), sides_(env.memory), middles_(env.memory), whole_(env.memory) {}
 
   void make() {
     for (uint32_t f = 0; f < net_.facet_count(); ++f) add_facet(f);
@@ -187,7 +182,7 @@ class Triangles {
 }  // namespace
 
 PieceSurface::PieceSurface(const Environment<3>& env, const Piece& piece)
-    : vertices(Allocator<SurfaceVertex>(env.memory)), triangles(Allocator<SurfaceTriangle>(env.memory)) {
+    : vertices(env.memory), triangles(env.memory) {
   Net net(env, piece);
   net.number_vertices(vertices);
   Triangles(env, net, *this).make();

@@ -53,15 +53,10 @@ Mending::Mending(Environment<3>& env, const double* next, const MendSettings& se
       settings_(settings),
       record_(env.memory),
       surface_(env),
-      ring_(env.memory),
       around_(env.memory),
       grown_(env.memory),
       trial_(env.memory),
-      best_(env.memory),
-      wanted_(Allocator<Cell>(env.memory)),
-      patches_(Allocator<Patch>(env.memory)),
-      mended_(env.memory),
-      patch_(Allocator<uint32_t>(env.memory)) {
+      best_(env.memory) {
   make_ready(env.map);
 }
 
@@ -259,7 +254,7 @@ void Mending::keep_grown() {
 
 /** False: some patches had to be given up, and it is to be written anew. */
 bool Mending::write(Edit<3>& edit) {
-  Array<uint32_t> patch_of_draft{Allocator<uint32_t>(env_.memory)}, invalid(patch_of_draft);
+  Array<uint32_t> patch_of_draft{env_.memory}, invalid(patch_of_draft);
   uint32_t pairs = 0;
   for (uint32_t p = 0; p < patches_.size(); ++p) {
     if (patches_[p].filling == Patch::Filling::kNothing) continue;

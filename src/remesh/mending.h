@@ -19,7 +19,7 @@ struct MendRecord {
   uint32_t patches = 0, gone = 0, made = 0, most_faces = 0;
   Array<Cell> left;  // of those wanted, as they were; by index
 
-  explicit MendRecord(const Memory* memory) : left(Allocator<Cell>(memory)) {}
+  explicit MendRecord(const Memory* memory) : left(memory) {}
 };
 
 /** Whether a cell is valid with these positions, exactly. */
@@ -64,12 +64,12 @@ class Mending {
   MendSettings settings_;
   MendRecord record_;
   RimSurface surface_;
-  CellQueue ring_, around_;
+  CellQueue ring_{env_.memory}, around_;
   Patch grown_, trial_, best_;
-  Array<Cell> wanted_;
-  Array<Patch> patches_;   // those without a filling are no more
-  KeyTable mended_;        // cells of patches, by unit
-  Array<uint32_t> patch_;  // of each
+  Array<Cell> wanted_{env_.memory};
+  Array<Patch> patches_{env_.memory};   // those without a filling are no more
+  KeyTable mended_{env_.memory};        // cells of patches, by unit
+  Array<uint32_t> patch_{env_.memory};  // of each
 };
 
 }  // namespace dsw

@@ -45,13 +45,7 @@ double shape_of(const double* const* corners) {
 }  // namespace
 
 RimSurface::RimSurface(const Environment<3>& env)
-    : env_(env),
-      vertices_(Allocator<uint32_t>(env.memory)),
-      triangles_(Allocator<uint8_t>(env.memory)),
-      loops_(Allocator<uint16_t>(env.memory)),
-      first_(loops_.get_allocator()),
-      table_(loops_.get_allocator()),
-      at_(Allocator<const double*>(env.memory)) {}
+    : env_(env), first_(loops_.get_allocator()), table_(loops_.get_allocator()) {}
 
 bool RimSurface::read(const Rim& rim, uint32_t most_facets) {
   vertices_.clear();
@@ -202,7 +196,7 @@ uint32_t fill_with_one_cell(Edit<3>& edit, const Patch& patch) {
 /** One for each triangle of the rim without the apex. Between two of them there is a new triangle, unless that is one of the rim. */
 uint32_t fill_with_tetrahedra(Edit<3>& edit, const Patch& patch, uint32_t& pairs) {
   const Environment<3>& env = edit.environment();
-  Array<FacetDraft> rim{Allocator<FacetDraft>(env.memory)};
+  Array<FacetDraft> rim{env.memory};
   for (const HalfFacet h : patch.rim) rim.push_back(draft_of(env, h));
   KeyTable edges(env.memory);
   uint32_t used = 0;

@@ -26,7 +26,7 @@ struct Patch {
   Filling filling = Filling::kNothing;
   uint32_t apex = 0;  // kTetrahedra: the vertex of the rim that all of them have
 
-  explicit Patch(const Memory* memory) : cells(Allocator<Cell>(memory)), rim(Allocator<HalfFacet>(memory)) {}
+  explicit Patch(const Memory* memory) : cells(memory), rim(memory) {}
 };
 
 /** A rim on paper. */
@@ -57,11 +57,11 @@ class RimSurface {
   double quality(const double* points, uint32_t vertex, double worst) const;
 
   const Environment<3>& env_;
-  Array<uint32_t> vertices_;       // of the environment, in the order of first use
-  Array<uint8_t> triangles_;       // three places in vertices_ each
-  Array<uint16_t> loops_, first_;  // of the facets
+  Array<uint32_t> vertices_{env_.memory};       // of the environment, in the order of first use
+  Array<uint8_t> triangles_{env_.memory};       // three places in vertices_ each
+  Array<uint16_t> loops_{env_.memory}, first_;  // of the facets
   Array<uint16_t> table_;
-  Array<const double*> at_;
+  Array<const double*> at_{env_.memory};
 };
 
 /** Writes what fills a patch into an edit; `pairs` counts facets between two new cells. No more cells come than go, and each has the

@@ -23,19 +23,7 @@ bool is_same_point(const double* a, const double* b) {
 }  // namespace
 
 template <int D>
-BodyMove<D>::BodyMove(const Environment<D>& env)
-    : env_(env),
-      sweeps_(env),
-      writers_(Allocator<SequenceWriter<D>>(env.memory)),
-      order_(Allocator<uint32_t>(env.memory)),
-      moving_(Allocator<Moving>(env.memory)),
-      crossed_(Allocator<PathFacets>(env.memory)),
-      strays_(Allocator<uint32_t>(env.memory)),
-      keeps_(Allocator<bool>(env.memory)),
-      sides_(Allocator<uint32_t>(env.memory)),
-      before_(Allocator<BodyVertex<D>>(env.memory)),
-      places_(Allocator<double>(env.memory)),
-      rooms_(Allocator<double>(env.memory)) {}
+BodyMove<D>::BodyMove(const Environment<D>& env) : env_(env), sweeps_(env), keeps_(env.memory) {}
 
 template <int D>
 void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const MoveSettings& wanted,

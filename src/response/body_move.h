@@ -97,17 +97,17 @@ class BodyMove {
   Wave<D> wave_;
   uint32_t wave_vertices_[kWave] = {};  // kNone: of both ends of the edge
   uint32_t wave_edges_[kWave] = {};
-  Array<SequenceWriter<D>> writers_;  // of the wave, if sequences are kept
-  uint32_t chunk_[kChunk] = {};       // edges that are looked at
-  Array<uint32_t> order_;
-  Array<Moving> moving_;         // by vertex
-  Array<PathFacets> crossed_;    // by vertex, if sequences are kept: on its path
-  Array<uint32_t> strays_;       // vertices that are not where their neighbours took them to be
-  Array<bool> keeps_;            // by edge, at FACES: it keeps to one sequence all through the move
-  Array<uint32_t> sides_;        // by face, at FACES: its edges, that opposite of corner k in place k
-  Array<BodyVertex<D>> before_;  // to go back to
-  Array<double> places_;         // of all vertices, when they move together
-  Array<double> rooms_;          // by vertex, if balls are kept: see room_squared
+  Array<SequenceWriter<D>> writers_{env_.memory};  // of the wave, if sequences are kept
+  uint32_t chunk_[kChunk] = {};                    // edges that are looked at
+  Array<uint32_t> order_{env_.memory};
+  Array<Moving> moving_{env_.memory};         // by vertex
+  Array<PathFacets> crossed_{env_.memory};    // by vertex, if sequences are kept: on its path
+  Array<uint32_t> strays_{env_.memory};       // vertices that are not where their neighbours took them to be
+  Array<bool> keeps_;                         // by edge, at FACES: it keeps to one sequence all through the move
+  Array<uint32_t> sides_{env_.memory};        // by face, at FACES: its edges, that opposite of corner k in place k
+  Array<BodyVertex<D>> before_{env_.memory};  // to go back to
+  Array<double> places_{env_.memory};         // of all vertices, when they move together
+  Array<double> rooms_{env_.memory};          // by vertex, if balls are kept: see room_squared
 };
 
 }  // namespace dsw

@@ -41,11 +41,7 @@ struct MoveRecord {
   uint32_t moved = 0, stopped = 0, limited = 0;
   SweepCounts sweeps;
 
-  explicit MoveRecord(const Memory* memory)
-      : contacts(Allocator<dsw_contact>(memory)),
-        partners(Allocator<dsw_contact_partner>(memory)),
-        pasts(Allocator<dsw_contact_past>(memory)),
-        edits(Allocator<dsw_body_edit>(memory)) {}
+  explicit MoveRecord(const Memory* memory) : contacts(memory), partners(memory), pasts(memory), edits(memory) {}
   void add(const dsw_contact& contact, const dsw_contact_partner& partner = {}) {
     contacts.push_back(contact);
     pasts.emplace_back();

@@ -107,7 +107,7 @@ dsw_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const S
   const bool records = settings_.search == Search::kAll;
   bool inserts = settings_.edge == Response::kAdaptiveMany && !pair_first && first->edge != kNone;
   if (first == nullptr || !(records || inserts)) return pair_first ? of_pair : contact;
-  Array<StarContact> all{Allocator<StarContact>(env_.memory)};
+  Array<StarContact> all{env_.memory};
   sweeps_.find_all(body_, v, to, *first, all);
   for (size_t i = pair_first ? 0 : 1; i < all.size(); ++i) {
     inserts = inserts && (all[i].edge != kNone || all[i].face != kNone);  // from there on the vertex is stopped itself
@@ -217,7 +217,7 @@ bool VertexMove<D>::insert(uint32_t v, const dsw_contact& contact) {
   if (!may_split(v, contact)) return false;
   const uint32_t fixed = body_.edges[contact.edge.index].other(v);
   const double size = length(difference<D>(body_.position(fixed), body_.position(v)));
-  Array<Part> parts{Allocator<Part>(env_.memory)};
+  Array<Part> parts{env_.memory};
   parts.push_back({v, fixed, 0, 1});
   bool any = false;
   for (size_t i = 0; i <= under_.size(); ++i) {

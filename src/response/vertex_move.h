@@ -11,12 +11,7 @@ class VertexMove {
  public:
   VertexMove(const Environment<D>& env, Body<D>& body, const MoveSettings& settings, StarSweep<D>& sweeps,
              MoveRecord& record)
-      : env_(env),
-        body_(body),
-        settings_(settings),
-        sweeps_(sweeps),
-        record_(record),
-        under_(Allocator<dsw_contact>(env.memory)) {}
+      : env_(env), body_(body), settings_(settings), sweeps_(sweeps), record_(record) {}
 
   /** Moves vertex v, exactly free at the body's level; whether it got to the target. Contacts and edits go to the record. The
    * recorded cells and positions are valid whenever it throws std::bad_alloc. */
@@ -50,8 +45,8 @@ class VertexMove {
   const MoveSettings& settings_;
   StarSweep<D>& sweeps_;
   MoveRecord& record_;
-  size_t first_edit_ = 0;     // of this vertex
-  Array<dsw_contact> under_;  // the touching edge, behind the first contact; if vertices are put there
+  size_t first_edit_ = 0;                  // of this vertex
+  Array<dsw_contact> under_{env_.memory};  // the touching edge, behind the first contact; if vertices are put there
 };
 
 }  // namespace dsw

@@ -168,7 +168,7 @@ dsw_body_id enter_body(Scene<D>& scene, BodyRecord<D>&& made) {
 template <int D>
 dsw_body_id create_body(Scene<D>& scene, const BodyDescription& d) {
   if (d.vertex_count >= kNone) fail(DSW_STATUS_TOO_LARGE, "desc->vertex_count is %zu", d.vertex_count);
-  Array<Cell> cells(d.vertex_count, Cell{}, Allocator<Cell>(scene.memory));
+  Array<Cell> cells(d.vertex_count, Cell{}, scene.memory);
   place_points(scene, d.positions, d.vertex_count, d.hints, true, cells.data(), nullptr);
   BodyRecord<D> made = make_body(scene, d, cells.data());
   check_free(scene, made.body, made.body.level);

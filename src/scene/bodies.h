@@ -21,7 +21,7 @@ struct BodyRecord {
   uint64_t followed = 0;  // up to which change of the topology its sequences are true, see gone_facets.h
 
   explicit BodyRecord(const Memory* memory)
-      : body(memory), record(memory), next(memory), before(Allocator<BodyVertex<D>>(memory)), touches(memory) {}
+      : body(memory), record(memory), next(memory), before(memory), touches(memory) {}
   uint64_t memory_bytes() const {
     return body.memory_bytes() + array_bytes(record.contacts) + array_bytes(record.partners) +
            array_bytes(record.pasts) + array_bytes(record.edits) + array_bytes(next.contacts) +

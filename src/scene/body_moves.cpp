@@ -71,11 +71,11 @@ void move_body_together(Scene<D>& scene, BodyRecord<D>& body, PlaceFn place, con
 template <int D>
 void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count_of_bodies, PointArray targets,
                  const MoveSettings& settings) {
-  Array<size_t> first(count_of_bodies, 0, Allocator<size_t>(scene.memory));
-  Array<CastCounters> casts(count_of_bodies, CastCounters{}, Allocator<CastCounters>(scene.memory));
+  Array<size_t> first(count_of_bodies, 0, scene.memory);
+  Array<CastCounters> casts(count_of_bodies, CastCounters{}, scene.memory);
   // If one runs out of memory, none has moved.
   const bool edits = settings.may_edit();
-  Array<Body<D>> wholes{Allocator<Body<D>>(scene.memory)};
+  Array<Body<D>> wholes{scene.memory};
   wholes.reserve(edits ? count_of_bodies : 0);
   size_t at = 0;
   for (size_t i = 0; i < count_of_bodies; ++i) {

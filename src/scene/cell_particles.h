@@ -9,7 +9,7 @@ namespace dsw {
 
 class CellParticles {
  public:
-  explicit CellParticles(const Memory* memory) : nodes_(Allocator<Node>(memory)), heads_(Allocator<uint32_t>(memory)) {}
+  explicit CellParticles(const Memory* memory) : nodes_(memory), heads_(memory) {}
 
   /** Room for the slots below `count`: then nothing below can fail. Throws std::bad_alloc before it changes anything that is seen. */
   void reserve(size_t count);

@@ -19,9 +19,9 @@ Detachment::Detachment(Environment<3>& env, Scene<3>& scene, Cell start, size_t 
       piece_(env, start, most),
       surface_(env, piece_),
       inset_(env, piece_, surface_),
-      tried_(surface_.vertices.size(), 0, Allocator<uint32_t>(env.memory)),
-      positions_(surface_.vertices.size() * 3, 0, Allocator<double>(env.memory)),
-      cells_(surface_.vertices.size(), Cell{}, Allocator<Cell>(env.memory)),
+      tried_(surface_.vertices.size(), 0, env.memory),
+      positions_(surface_.vertices.size() * 3, 0, env.memory),
+      cells_(surface_.vertices.size(), Cell{}, env.memory),
       made_(env.memory) {}
 
 dsw_body_id Detachment::carry_out(const BodyDescription& like, double share, uint32_t attempts) {
@@ -105,7 +105,7 @@ void Detachment::place(uint32_t vertex) {
 void Detachment::place_all(const BodyDescription& like) {
   for (uint32_t v = 0; v < surface_.vertices.size(); ++v) place(v);
   const auto faces = static_cast<uint32_t>(surface_.triangles.size());
-  Array<uint32_t> offsets{Allocator<uint32_t>(env_.memory)}, corners(offsets);
+  Array<uint32_t> offsets{env_.memory}, corners(offsets);
   for (uint32_t t = 0; t < faces; ++t) {
     offsets.push_back(3 * t);
     for (const uint32_t v : surface_.triangles[t].corners) corners.push_back(v);

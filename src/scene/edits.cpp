@@ -22,18 +22,15 @@ class Followers {
         scene_(scene),
         places_(scene.memory, scene.keeps_boxes()),
         near_(scene, find_places()),
-        particles_(Allocator<Seat>(scene.memory)),
-        vertices_(Allocator<Seat>(scene.memory)),
-        sequences_(Allocator<KeptSequence>(scene.memory)),
-        new_cells_(scene.memory) {}
+        vertices_(scene.memory) {}
 
   /** Finds new cells; those without any that is passable go to the scene's occupants. */
   void find_cells() {
-    Array<Cell> marked{Allocator<Cell>(scene_.memory)};
+    Array<Cell> marked{scene_.memory};
     edit_.for_each_marked([&](Cell c) { marked.push_back(c); });
     looked_at_ += find_occupants(scene_, marked.data(), marked.size());
     find_cells_of_particles();
-    Array<uint32_t> scratch{Allocator<uint32_t>(scene_.memory)};
+    Array<uint32_t> scratch{scene_.memory};
     for (const typename NearBodies<D>::Near& each : near_) {
       const Body<D>& body = scene_.bodies[each.slot].body;
       bool all = true;
@@ -215,10 +212,10 @@ class Followers {
   Scene<D>& scene_;
   BoxGroups<D> places_;
   NearBodies<D> near_;
-  Array<Seat> particles_, vertices_;
-  Array<KeptSequence> sequences_;
+  Array<Seat> particles_{scene_.memory}, vertices_;
+  Array<KeptSequence> sequences_{scene_.memory};
   bool keeps_sequences_ = false;
-  CellQueue new_cells_;  // once they are asked for
+  CellQueue new_cells_{scene_.memory};  // once they are asked for
   uint64_t looked_at_ = 0;
 };
 

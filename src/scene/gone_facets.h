@@ -11,7 +11,7 @@ namespace dsw {
 template <int D>
 class GoneFacets {
  public:
-  explicit GoneFacets(const Memory* memory) : words_(memory), last_(Allocator<uint64_t>(memory)) {}
+  explicit GoneFacets(const Memory* memory) : words_(memory), last_(memory) {}
 
   /** Room for the half-facets of an edit that is prepared. Throws std::bad_alloc. */
   void reserve(const Edit<D>& edit);

@@ -119,12 +119,12 @@ void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level) {
 template <int D>
 void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, PointArray targets,
                   const size_t* first_target, bool slides, Islands<D>& islands) {
-  Array<uint32_t> roots(count, 0, Allocator<uint32_t>(scene.memory));
+  Array<uint32_t> roots(count, 0, scene.memory);
   std::iota(roots.begin(), roots.end(), 0u);
   if (scene.features.contacts) {
     BoxGrid<D> reaches(scene.memory);
     reaches.reserve(count);
-    Array<bool> moves(scene.bodies.size(), false, Allocator<bool>(scene.memory));
+    Array<bool> moves(scene.bodies.size(), false, scene.memory);
     islands.partners.assign(count, Partners<D>(scene.memory));
     for (uint32_t i = 0; i < count; ++i) {
       const PointArray own{targets.data + first_target[i] * targets.step, targets.step};

@@ -34,10 +34,7 @@ struct Islands {
   Array<uint32_t> first;        // of each island in `bodies`; one more at the end
   Array<Partners<D>> partners;  // by place; empty unless bodies meet each other
 
-  explicit Islands(const Memory* memory)
-      : bodies(Allocator<uint32_t>(memory)),
-        first(Allocator<uint32_t>(memory)),
-        partners(Allocator<Partners<D>>(memory)) {}
+  explicit Islands(const Memory* memory) : bodies(memory), first(memory), partners(memory) {}
   size_t count() const { return first.size() - 1; }
 };
 

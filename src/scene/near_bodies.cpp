@@ -28,8 +28,7 @@ bool has_fewer_parts(const Scene<D>& scene, size_t count) {
 }  // namespace
 
 template <int D>
-NearBodies<D>::NearBodies(const Scene<D>& scene, BoxGroups<D>& places)
-    : boxes_(Allocator<Box<D>>(scene.memory)), bodies_(Allocator<Near>(scene.memory)) {
+NearBodies<D>::NearBodies(const Scene<D>& scene, BoxGroups<D>& places) : boxes_(scene.memory), bodies_(scene.memory) {
   if (!scene.keeps_boxes()) {
     boxes_.assign(places.boxes().begin(), places.boxes().end());
     for_each_body(scene, [&](uint32_t slot, const Body<D>&) {
@@ -42,7 +41,7 @@ NearBodies<D>::NearBodies(const Scene<D>& scene, BoxGroups<D>& places)
     uint32_t slot, box;
     bool operator<(const Pair& o) const { return slot != o.slot ? slot < o.slot : box < o.box; }
   };
-  Array<Pair> pairs{Allocator<Pair>(scene.memory)};
+  Array<Pair> pairs{scene.memory};
   for (uint32_t i = 0; i < places.boxes().size(); ++i) {
     scene.body_boxes.visit(places.boxes()[i], [&](uint32_t slot) {
       pairs.push_back({slot, i});

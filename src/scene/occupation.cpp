@@ -55,10 +55,7 @@ template <int D, class Item>
 class Trial {
  public:
   Trial(Environment<D>& env, const Scene<D>& scene)
-      : env_(env),
-        version_(env.obstacle_version),
-        changed_(Allocator<Item>(scene.memory)),
-        places_(scene.memory, scene.keeps_boxes()) {}
+      : env_(env), version_(env.obstacle_version), changed_(scene.memory), places_(scene.memory, scene.keeps_boxes()) {}
   ~Trial() {
     for (const Item item : changed_) set_mark(env_, item, false);
     if (!changed_.empty()) env_.obstacle_version = version_;

@@ -13,7 +13,7 @@ namespace {
 /** Cells of new particles: on the spot for one, in borrowed memory for many. */
 class CellScratch {
  public:
-  CellScratch(const Memory* memory, size_t count) : many_(count > 1 ? count : 0, Cell{}, Allocator<Cell>(memory)) {}
+  CellScratch(const Memory* memory, size_t count) : many_(count > 1 ? count : 0, Cell{}, memory) {}
   Cell* data() { return many_.empty() ? &one_ : many_.data(); }
 
  private:
@@ -136,7 +136,7 @@ size_t find_occupants(Scene<D>& scene, const Cell* cells, size_t count) {
   uint64_t seen[kBits / 64] = {};
   const auto bit_of = [](uint32_t unit) { return (unit * 0x9e3779b1u) >> 20; };
   uint32_t few[kFew];
-  Array<uint32_t> many(count > kFew ? count : 0, 0u, Allocator<uint32_t>(scene.memory));
+  Array<uint32_t> many(count > kFew ? count : 0, 0u, scene.memory);
   uint32_t* const units = count > kFew ? many.data() : few;
   for (size_t i = 0; i < count; ++i) {
     units[i] = cells[i].unit;

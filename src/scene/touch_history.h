@@ -17,8 +17,7 @@ struct LastTouch {
 
 class TouchHistory {
  public:
-  explicit TouchHistory(const Memory* memory)
-      : earlier(Allocator<LastTouch>(memory)), stops_(Allocator<Stop>(memory)), later_(Allocator<LastTouch>(memory)) {}
+  explicit TouchHistory(const Memory* memory) : earlier(memory), stops_(memory), later_(memory) {}
 
   /** Before a move: makes room for follow(). `last` is what the move before has left. Throws
    * std::bad_alloc. */

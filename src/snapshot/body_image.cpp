@@ -300,7 +300,7 @@ void BodyReader<D>::read_sequences(Body<D>& body, uint64_t count) {
   const bool fits = body.keeps_sequences() ? count == body.edges.size() : count <= body.edges.size();
   if (!fits) fail_corrupt("the number of sequences");
   keep_sequences(body, static_cast<size_t>(count));
-  Array<uint32_t> facets{Allocator<uint32_t>(env_.memory)};
+  Array<uint32_t> facets{env_.memory};
   for (EdgeSequence<D>& sequence : body.sequences) {
     const uint32_t word = *take(image_.sequences, sequence_, 1);
     if (word == kUnknown) {
@@ -459,7 +459,7 @@ void BodyReader<D>::check(const Body<D>& body) {
       fail_corrupt("a vertex is not where it is said to be, or that was in another environment");
     }
   }
-  Array<uint32_t> blocked{Allocator<uint32_t>(env_.memory)};
+  Array<uint32_t> blocked{env_.memory};
   BodyProbe<D>(env_, Obstacle::kCells).find_blocked(body, body.level, blocked);
   if (!blocked.empty()) fail_corrupt("a body is not free, or that was in another environment");
 }

@@ -225,7 +225,7 @@ void load_edge_marks(Environment<D>& env, const Array<uint64_t>& keys) {
     if (a >= b || b >= env.map.vertex_count) fail_corrupt("a marked edge");
   }
   if (keys.empty()) return;
-  Array<uint8_t> found(keys.size(), 0, Allocator<uint8_t>(env.memory));
+  Array<uint8_t> found(keys.size(), 0, env.memory);
   for_each_edge_key(env.map, [&](uint64_t key) {
     const auto at = std::lower_bound(keys.begin(), keys.end(), key);
     if (at != keys.end() && *at == key) found[static_cast<size_t>(at - keys.begin())] = 1;
@@ -271,7 +271,7 @@ void load_box(Environment<D>& env, const Array<double>& box, bool moving) {
 }
 
 void read_slots(BlockReader& reader, SlotPool& slots, const Memory* memory) {
-  Array<uint32_t> words{Allocator<uint32_t>(memory)}, free{Allocator<uint32_t>(memory)};
+  Array<uint32_t> words{memory}, free{memory};
   reader.read(words);
   reader.read(free);
   if (!slots.restore(std::move(words), std::move(free))) fail_corrupt("generations");
@@ -288,7 +288,7 @@ template <int D>
 void save(const Environment<D>& env, uint8_t* out) {
   const Map<D>& map = env.map;
   const BlockHeader h = header_of(env);
-  Array<uint64_t> edges{Allocator<uint64_t>(env.memory)};
+  Array<uint64_t> edges{env.memory};
   edges.reserve(env.edge_marks.size());
   env.edge_marks.copy_sorted(edges);
 
@@ -330,8 +330,8 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   Map<D>& map = env.map;
   map.vertex_count = h.counts[0];
   map.cell_count = h.counts[1];
-  Array<uint64_t> edges{Allocator<uint64_t>(env.memory)};
-  Array<double> box{Allocator<double>(env.memory)};
+  Array<uint64_t> edges{env.memory};
+  Array<double> box{env.memory};
   reader.read(map.words);
   reader.read(map.shape_tables);
   reader.read(env.owned_points);

@@ -35,8 +35,7 @@ bool is_face_free(const Environment<3>& env, SweepFlood<3>& flood, const Body<3>
 }
 
 template <int D>
-BodyProbe<D>::BodyProbe(const Environment<D>& env, Obstacle kind)
-    : env_(env), kind_(kind), flood_(env), near_(Allocator<uint32_t>(env.memory)) {}
+BodyProbe<D>::BodyProbe(const Environment<D>& env, Obstacle kind) : env_(env), kind_(kind), flood_(env) {}
 
 /** Each calls visit(index) for what is not free, until it returns false; whether it never did. */
 template <int D>

@@ -46,7 +46,7 @@ class BodyProbe {
   Obstacle kind_;
   SweepFlood<D> flood_;
   Wave<D> wave_;
-  Array<uint32_t> near_;
+  Array<uint32_t> near_{env_.memory};
 };
 
 }  // namespace dsw

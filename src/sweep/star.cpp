@@ -21,12 +21,7 @@ uint64_t feature(const StarContact& c) noexcept {
 }  // namespace
 
 template <int D>
-StarSweep<D>::StarSweep(const Environment<D>& env)
-    : env_(env),
-      probe_(env),
-      flood_(env),
-      before_(Allocator<uint32_t>(env.memory)),
-      hit_edges_(Allocator<uint32_t>(env.memory)) {}
+StarSweep<D>::StarSweep(const Environment<D>& env) : env_(env), probe_(env), flood_(env) {}
 
 /** Whether what an edge sweeps lies in the cell that its ends are in, which need not be convex. From one end in its new place all of the
  * cell is seen, hence the edge lies in it; where the triangle counts, from both: so the moving end's path lies in the cell, and what joins

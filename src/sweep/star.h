@@ -162,10 +162,10 @@ class StarSweep {
   bool limited_ = false;  // the work limit was met
   BoxProbe<D> probe_;
   SweepFlood<D> flood_;
-  Array<uint32_t> before_;  // facets of a sequence, to go back to
+  Array<uint32_t> before_{env_.memory};  // facets of a sequence, to go back to
   Wave<D> wave_;
   uint32_t wave_edges_[kWave] = {};
-  Array<uint32_t> hit_edges_;  // at EDGES: those whose new place is not free
+  Array<uint32_t> hit_edges_{env_.memory};  // at EDGES: those whose new place is not free
 };
 
 }  // namespace dsw

@@ -20,8 +20,7 @@ class Addition {
         env_(edit.environment()),
         in_(input),
         offsets_(input.offsets, input.index_bytes),
-        connectivity_(input.connectivity, input.index_bytes),
-        places_(Allocator<Place>(env_.memory)) {}
+        connectivity_(input.connectivity, input.index_bytes) {}
 
   void run() {
     for (uint32_t i = 0; i < in_.cell_count; ++i) read(i);
@@ -100,7 +99,7 @@ class Addition {
       for (const size_t corner : {at, at + 1 == end ? begin : at + 1}) side.loop.push_back(vertex(i, corner));
       draft.facets.push_back(std::move(side));
     }
-    Array<uint32_t> order{Allocator<uint32_t>(env_.memory)};
+    Array<uint32_t> order{env_.memory};
     if (draft.facets.size() < 3 || !order_sides(draft, 0, order)) {
       fail(DSW_STATUS_BAD_CELL, "new volume %u has less than three vertices, or one twice", i);
     }
@@ -193,7 +192,7 @@ class Addition {
   const Environment<D>& env_;
   const NewCells& in_;
   Integers offsets_, connectivity_;
-  Array<Place> places_;  // sorted by vertices
+  Array<Place> places_{env_.memory};  // sorted by vertices
 };
 
 }  // namespace

@@ -112,7 +112,7 @@ bool cut_anew(const Environment<3>& env, FacetDraft& facet, const Array<uint32_t
     fail(DSW_STATUS_TOO_LARGE, "a face of %zu vertices has to be cut anew, more than %u", hole.size(),
          kMostTriangulated);
   }
-  Array<const double*> points{Allocator<const double*>(env.memory)};
+  Array<const double*> points{env.memory};
   for (const uint32_t v : hole) points.push_back(env.point(v));
   const Array<size_t> triangles = triangulate(points, apex, beyond);
   for (const size_t place : triangles) facet.triangles.push_back(hole[place]);
@@ -130,7 +130,7 @@ void list_vertices(const CellDraft& draft, Array<uint32_t>& out) {
 
 template <int D>
 void centre(const Environment<D>& env, const CellDraft& draft, double* out) {
-  Array<uint32_t> vertices{Allocator<uint32_t>(env.memory)};
+  Array<uint32_t> vertices{env.memory};
   list_vertices(draft, vertices);
   const double count = static_cast<double>(vertices.size());
   for (int k = 0; k < D; ++k) {
@@ -243,7 +243,7 @@ bool part_along(const CellDraft& whole, const Array<uint32_t>& loop, CellDraft& 
     if (at == loop.size()) return false;
     return loop[(at + 1) % loop.size()] == b || loop[(at + loop.size() - 1) % loop.size()] == b;
   };
-  Array<uint8_t> is_left(facets, 0, Allocator<uint8_t>(loop.get_allocator()));
+  Array<uint8_t> is_left(facets, 0, loop.get_allocator());
   Array<uint32_t> stack(loop.get_allocator());
   const auto visit = [&](uint32_t facet) {
     if (is_left[facet] != 0) return;

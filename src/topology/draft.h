@@ -18,8 +18,7 @@ struct FacetDraft {
   uint32_t pair = kNoPair;  // of a new facet between two new cells: a number that both sides have
   bool marked = false;
 
-  explicit FacetDraft(const Memory* memory)
-      : loop(Allocator<uint32_t>(memory)), triangles(Allocator<uint32_t>(memory)) {}
+  explicit FacetDraft(const Memory* memory) : loop(memory), triangles(memory) {}
 
   uint32_t place_of(uint32_t vertex) const {
     return static_cast<uint32_t>(std::find(loop.begin(), loop.end(), vertex) - loop.begin());
@@ -38,7 +37,7 @@ struct CellDraft {
   int32_t region = 0;
   uint32_t tag = 0;
 
-  explicit CellDraft(const Memory* memory) : facets(Allocator<FacetDraft>(memory)), also(Allocator<Cell>(memory)) {}
+  explicit CellDraft(const Memory* memory) : facets(memory), also(memory) {}
 };
 
 /** A facet as it is. */

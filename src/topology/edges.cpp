@@ -93,13 +93,7 @@ template <int D>
 class Collapse {
  public:
   Collapse(Edit<D>& edit, uint32_t from, uint32_t to)
-      : edit_(edit),
-        env_(edit.environment()),
-        map_(env_.map),
-        from_(from),
-        to_(to),
-        cells_(Allocator<Cell>(env_.memory)),
-        flat_(Allocator<Flat>(env_.memory)) {}
+      : edit_(edit), env_(edit.environment()), map_(env_.map), from_(from), to_(to) {}
 
   void run(Cell first) {
     CellQueue around(env_.memory);
@@ -179,8 +173,8 @@ class Collapse {
   const Environment<D>& env_;
   const Map<D>& map_;
   uint32_t from_, to_;
-  Array<Cell> cells_;
-  Array<Flat> flat_;
+  Array<Cell> cells_{env_.memory};
+  Array<Flat> flat_{env_.memory};
 };
 
 }  // namespace
@@ -220,7 +214,7 @@ MergedEdge merge_edges(Edit<3>& edit, Dart d, uint32_t vertex) {
     uint32_t facet;
     Array<uint32_t> loop;
   };
-  Array<Hole> holes{Allocator<Hole>(env.memory)};
+  Array<Hole> holes{env.memory};
   for (size_t i = 0; i < count; ++i) {
     CellDraft& draft = edit.draft(i);
     for (uint32_t f = 0; f < draft.facets.size(); ++f) {
@@ -268,7 +262,7 @@ MergedEdge merge_edges(Edit<2>& edit, Dart d, uint32_t vertex) {
     fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u at vertex %u is a triangle: nothing would be left of it", map.index(c),
          vertex);
   }
-  Array<uint32_t> ends{Allocator<uint32_t>(env.memory)};
+  Array<uint32_t> ends{env.memory};
   for (const uint32_t corner : {before, after}) ends.push_back(map.vertex(d.cell, corner));
   edit.replace(d.cell);
   unite(edit, h, g, ends);

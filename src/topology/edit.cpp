@@ -10,23 +10,7 @@
 namespace dsw {
 
 template <int D>
-Edit<D>::Edit(Environment<D>& env)
-    : env_(env),
-      map_(env.map),
-      local_points_(Allocator<float>(env.memory)),
-      gone_(env.memory),
-      removed_(Allocator<Cell>(env.memory)),
-      drafts_(Allocator<CellDraft>(env.memory)),
-      ancestors_(env.memory),
-      first_heir_(Allocator<uint32_t>(env.memory)),
-      heirs_(Allocator<Heir>(env.memory)),
-      made_(Allocator<Made>(env.memory)),
-      links_(Allocator<Link>(env.memory)),
-      marks_(Allocator<MarkChange>(env.memory)),
-      cell_marks_(Allocator<CellMark>(env.memory)),
-      vertices_(Allocator<uint32_t>(env.memory)),
-      points_before_(Allocator<double>(env.memory)),
-      changes_(Allocator<VolumeChange>(env.memory)) {
+Edit<D>::Edit(Environment<D>& env) : env_(env), map_(env.map) {
   make_ready(map_);
   local_points_.swap(env_.local_points);
   room_ = room_of(map_);
@@ -287,7 +271,7 @@ void Edit<D>::collect_links() {
 
 template <int D>
 void Edit<D>::connect() {
-  Array<Origin> origins{Allocator<Origin>(env_.memory)};
+  Array<Origin> origins{env_.memory};
   for (uint32_t i = 0; i < drafts_.size(); ++i) {
     for (uint32_t f = 0; f < drafts_[i].facets.size(); ++f) {
       const FacetDraft& facet = drafts_[i].facets[f];

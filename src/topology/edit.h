@@ -95,7 +95,7 @@ class Edit {
     Cell cell;
     uint32_t units = 0, shape = kNoCell, index = 0;
     Array<uint32_t> words;  // of the draft's facets
-    explicit Made(const Memory* memory) : words(Allocator<uint32_t>(memory)) {}
+    explicit Made(const Memory* memory) : words(memory) {}
   };
   struct Link {
     uint32_t word, before, after;
@@ -148,20 +148,20 @@ class Edit {
   size_t point_doubles_, vertex_mark_words_;
   uint64_t version_ = 0;  // of obstacles, before it was applied
   bool applied_ = false, finished_ = false, made_regions_ = false, made_tags_ = false;
-  Array<float> local_points_;  // of the environment, to be put back
-  KeyTable gone_;              // units of removed_, in the order in which they were named
-  Array<Cell> removed_;
-  Array<CellDraft> drafts_;
-  KeyTable ancestors_;  // units of the cells that drafts come of
-  Array<uint32_t> first_heir_;
-  Array<Heir> heirs_;
-  Array<Made> made_;
-  Array<Link> links_;
-  Array<MarkChange> marks_;
-  Array<CellMark> cell_marks_;
-  Array<uint32_t> vertices_;     // new ones
-  Array<double> points_before_;  // in their places
-  Array<VolumeChange> changes_;
+  Array<float> local_points_{env_.memory};  // of the environment, to be put back
+  KeyTable gone_{env_.memory};              // units of removed_, in the order in which they were named
+  Array<Cell> removed_{env_.memory};
+  Array<CellDraft> drafts_{env_.memory};
+  KeyTable ancestors_{env_.memory};  // units of the cells that drafts come of
+  Array<uint32_t> first_heir_{env_.memory};
+  Array<Heir> heirs_{env_.memory};
+  Array<Made> made_{env_.memory};
+  Array<Link> links_{env_.memory};
+  Array<MarkChange> marks_{env_.memory};
+  Array<CellMark> cell_marks_{env_.memory};
+  Array<uint32_t> vertices_{env_.memory};     // new ones
+  Array<double> points_before_{env_.memory};  // in their places
+  Array<VolumeChange> changes_{env_.memory};
   uint32_t fresh_ = 0;  // cells that get an index of their own
   int64_t sides_ = 0, boundary_ = 0, marked_ = 0,
           cells_ = 0;  // by how much counts change; facets counted from both sides

@@ -12,10 +12,7 @@ struct Layout {
   Array<uint32_t> facets;    // numbers in the record of the draft's
   Array<uint16_t> table;     // of a general form: its shape
 
-  explicit Layout(const Memory* memory)
-      : vertices(Allocator<uint32_t>(memory)),
-        facets(Allocator<uint32_t>(memory)),
-        table(Allocator<uint16_t>(memory)) {}
+  explicit Layout(const Memory* memory) : vertices(memory), facets(memory), table(memory) {}
 };
 
 /** False: the facets would not close a sphere, the sides of a polygon no loop. Throws TOO_LARGE, std::bad_alloc. */

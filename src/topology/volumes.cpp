@@ -101,7 +101,7 @@ void check_loop(const Map<2>& map, Cell c, const uint32_t* loop, size_t count) {
 template <int D>
 void sew(Edit<D>& edit, const FacetPair* pairs, size_t count) {
   const Environment<D>& env = edit.environment();
-  Array<uint32_t> words{Allocator<uint32_t>(env.memory)};
+  Array<uint32_t> words{env.memory};
   for (size_t i = 0; i < count; ++i) {
     check_pair(env, pairs[i], i);
     words.push_back(pairs[i].a.word);

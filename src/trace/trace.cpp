@@ -69,7 +69,7 @@ template <int D>
 class SharedPoints {
  public:
   SharedPoints(Addition& addition, const Environment<D>& env)
-      : addition_(addition), env_(env), index_(env.map.vertex_count, kNone, Allocator<uint32_t>(env.memory)) {}
+      : addition_(addition), env_(env), index_(env.map.vertex_count, kNone, env.memory) {}
   uint32_t operator[](uint32_t vertex) {
     if (index_[vertex] == kNone) index_[vertex] = addition_.point<D>(env_.point(vertex));
     return index_[vertex];
@@ -130,7 +130,7 @@ void clear(Trace& trace) noexcept {
 template <int D>
 void add_cells(Trace& trace, const Environment<D>& env, const Cell* cells, size_t count, uint32_t label) {
   Addition addition(trace, label);
-  Array<uint32_t> points{Allocator<uint32_t>(trace.memory())};
+  Array<uint32_t> points{trace.memory()};
   for (size_t i = 0; i < count; ++i) {
     const Shape shape = env.map.shape(cells[i]);
     points.clear();
@@ -145,11 +145,11 @@ void add_impassable(Trace& trace, const Environment<D>& env, bool with_boundary,
   const Map<D>& map = env.map;
   Addition addition(trace, label);
   SharedPoints<D> points(addition, env);
-  Array<uint64_t> edges{Allocator<uint64_t>(env.memory)};
+  Array<uint64_t> edges{env.memory};
   edges.reserve(env.edge_marks.size());
   env.edge_marks.copy_sorted(edges);
-  Array<uint8_t> edge_shown(edges.size(), 0, Allocator<uint8_t>(env.memory));
-  Array<uint8_t> vertex_shown(env.marked_vertices == 0 ? 0 : map.vertex_count, 0, Allocator<uint8_t>(env.memory));
+  Array<uint8_t> edge_shown(edges.size(), 0, env.memory);
+  Array<uint8_t> vertex_shown(env.marked_vertices == 0 ? 0 : map.vertex_count, 0, env.memory);
   for_each_cell(map, [&](Cell c) {
     if (map.marked(c)) return;
     const Shape shape = map.shape(c);
@@ -189,7 +189,7 @@ void add_walk(Trace& trace, const Environment<D>& env, dsw_volume_id start, cons
   size_t count = 0;
   cast_path(env, start, from, to, detailed, nullptr, 0, &count, &flight);
   if (count == 0) return;
-  Array<dsw_crossing> crossings(count, dsw_crossing{}, Allocator<dsw_crossing>(trace.memory()));
+  Array<dsw_crossing> crossings(count, dsw_crossing{}, trace.memory());
   cast_path(env, start, from, to, detailed, crossings.data(), count, &count, &flight);
 
   Addition addition(trace, label);

@@ -15,13 +15,13 @@ struct Trace {
   Array<uint32_t> triangles, triangle_labels;  // 3 indices each
 
   explicit Trace(const Memory* memory)
-      : points(Allocator<double>(memory)),
-        vertices(Allocator<uint32_t>(memory)),
-        vertex_labels(Allocator<uint32_t>(memory)),
-        segments(Allocator<uint32_t>(memory)),
-        segment_labels(Allocator<uint32_t>(memory)),
-        triangles(Allocator<uint32_t>(memory)),
-        triangle_labels(Allocator<uint32_t>(memory)) {}
+      : points(memory),
+        vertices(memory),
+        vertex_labels(memory),
+        segments(memory),
+        segment_labels(memory),
+        triangles(memory),
+        triangle_labels(memory) {}
   const Memory* memory() const { return points.get_allocator().memory; }
   size_t point_count() const { return points.size() / 3; }
 };

@@ -35,12 +35,7 @@ Vec across(const Vec& a, const Vec& line) noexcept { return a - dot(a, line) * l
 
 template <int D>
 EndRepair<D>::EndRepair(const Environment<D>& env, Occupants<D>& all)
-    : env_(env),
-      all_(all),
-      probe_(env, Obstacle::kCells),
-      starts_(Allocator<double>(env.memory)),
-      cells_(Allocator<Cell>(env.memory)),
-      places_(Allocator<double>(env.memory)) {}
+    : env_(env), all_(all), probe_(env, Obstacle::kCells) {}
 
 template <int D>
 bool EndRepair<D>::move(uint32_t owner, const Feature* struck, size_t count, WallRecord& record) {

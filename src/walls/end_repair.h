@@ -47,9 +47,9 @@ class EndRepair {
   BodyProbe<D> probe_;
   const double* start_ = nullptr;
   // By vertex of the body at hand: a point that is known to be on the right side of all walls.
-  Array<double> starts_;
-  Array<Cell> cells_;
-  Array<double> places_;
+  Array<double> starts_{env_.memory};
+  Array<Cell> cells_{env_.memory};
+  Array<double> places_{env_.memory};
   uint32_t edge_ = kNone;  // that the last look has found
 };
 

@@ -12,18 +12,13 @@ namespace dsw {
 
 template <int D>
 EndState<D>::EndState(Environment<D>& env, Occupants<D>& all)
-    : env_(env),
-      all_(all),
-      points_(Allocator<Feature>(env.memory)),
-      probe_(env, Obstacle::kCells),
-      repair_(env, all),
-      struck_(Allocator<Feature>(env.memory)) {}
+    : env_(env), all_(all), probe_(env, Obstacle::kCells), repair_(env, all) {}
 
 template <int D>
 void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& record) {
   const double* const start = env_.points;
   const size_t count = env_.map.vertex_count;
-  Array<double> targets{Allocator<double>(env_.memory)};  // if the way is shortened
+  Array<double> targets{env_.memory};  // if the way is shortened
   const auto read_points = [&](const double* points) {
     env_.points = points;
     env_.renew_version();

@@ -59,12 +59,12 @@ class EndState {
   Environment<D>& env_;
   Occupants<D>& all_;
   Wave<D> wave_;
-  Array<Feature> points_;  // of the wave
+  Array<Feature> points_{env_.memory};  // of the wave
   WaveCells<D> cells_;
   double centres_[kWave][D];  // of these
   BodyProbe<D> probe_;
   EndRepair<D> repair_;
-  Array<Feature> struck_;  // vertices of rigid bodies that lie beyond walls
+  Array<Feature> struck_{env_.memory};  // vertices of rigid bodies that lie beyond walls
 };
 
 }  // namespace dsw

@@ -6,19 +6,7 @@ namespace dsw {
 
 template <int D>
 Neighbourhood<D>::Neighbourhood(Environment<D>& env, Occupants<D>& all)
-    : env_(env),
-      all_(all),
-      points_(env),
-      features_(env.memory),
-      flood_(env),
-      near_(Allocator<Near>(env.memory)),
-      cells_(Allocator<CellNode>(env.memory)),
-      occupied_(Allocator<Cell>(env.memory)),
-      open_(Allocator<Cell>(env.memory)),
-      around_(env.memory),
-      reach_(env.memory),
-      star_(Allocator<Cell>(env.memory)),
-      traced_(Allocator<Cell>(env.memory)) {}
+    : env_(env), all_(all), points_(env), features_(env.memory), flood_(env), reach_(env.memory) {}
 
 template <int D>
 void Neighbourhood<D>::find_occupants() {

@@ -81,13 +81,13 @@ class Neighbourhood {
   double fraction_ = 0;  // where vertices are that have not had their turn
   uint32_t step_ = 0;
   size_t near_count_ = 0;
-  Array<Near> near_;  // by place among the touched
-  Array<CellNode> cells_;
-  Array<Cell> occupied_;  // cells with features, before points move
-  Array<Cell> open_;      // cells that can be entered
-  CellQueue around_, reach_;
-  Array<Cell> star_;
-  Array<Cell> traced_;
+  Array<Near> near_{env_.memory};  // by place among the touched
+  Array<CellNode> cells_{env_.memory};
+  Array<Cell> occupied_{env_.memory};  // cells with features, before points move
+  Array<Cell> open_{env_.memory};      // cells that can be entered
+  CellQueue around_{env_.memory}, reach_;
+  Array<Cell> star_{env_.memory};
+  Array<Cell> traced_{env_.memory};
   size_t traced_count_ = 0;  // may be more than there was room for
 };
 

@@ -23,11 +23,11 @@ struct Occupants {
   const Partners<D>* partners = nullptr;  // all bodies, if they meet each other
 
   explicit Occupants(const Memory* memory)
-      : bodies(Allocator<Owner>(memory)),
-        saved_particles_(Allocator<ParticleState<D>>(memory)),
-        saved_vertices_(Allocator<BodyVertex<D>>(memory)),
-        saved_bodies_(Allocator<Body<D>>(memory)),
-        saved_shapes_(Allocator<RigidShape<D>>(memory)) {}
+      : bodies(memory),
+        saved_particles_(memory),
+        saved_vertices_(memory),
+        saved_bodies_(memory),
+        saved_shapes_(memory) {}
 
   /** Keeps where everything is, and if vertices will be inserted the bodies as a whole. Throws std::bad_alloc. */
   void save(bool whole);
@@ -84,7 +84,7 @@ inline void seat(Occupants<D>& all, const Feature& point, const double* at, Cell
 /** Features by cell. One may be noted in more cells than it lies in, and more than once. */
 class CellFeatures {
  public:
-  explicit CellFeatures(const Memory* memory) : heads_(Allocator<uint32_t>(memory)), nodes_(Allocator<Node>(memory)) {}
+  explicit CellFeatures(const Memory* memory) : heads_(memory), nodes_(memory) {}
 
   /** Empty, for so many cells. Throws std::bad_alloc. */
   void start(size_t cells) {

@@ -76,11 +76,7 @@ bool find_places(const Body<D>& body, const RigidMotion<D>& moved, Array<double>
 
 template <int D>
 RigidPush<D>::RigidPush(const Environment<D>& env, Occupants<D>& all, Neighbourhood<D>& around)
-    : env_(env),
-      all_(all),
-      around_(around),
-      before_(Allocator<BodyVertex<D>>(env.memory)),
-      targets_(Allocator<double>(env.memory)) {}
+    : env_(env), all_(all), around_(around) {}
 
 template <int D>
 bool RigidPush<D>::push(const WallHit& hit, const WallSweep<D>& walls, StarSweep<D>& sweeps, const double* from,

@@ -50,8 +50,8 @@ class RigidPush {
   const Environment<D>& env_;
   Occupants<D>& all_;
   Neighbourhood<D>& around_;
-  Array<BodyVertex<D>> before_;
-  Array<double> targets_;
+  Array<BodyVertex<D>> before_{env_.memory};
+  Array<double> targets_{env_.memory};
 };
 
 /** Where a motion takes all vertices of a body from its rest places; false if one would be no

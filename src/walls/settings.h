@@ -25,10 +25,7 @@ struct WallRecord {
   double fraction = 1;
   uint32_t steps = 0, near = 0, pushed = 0;
 
-  explicit WallRecord(const Memory* memory)
-      : contacts(Allocator<dsw_wall_contact>(memory)),
-        held(Allocator<dsw_vertex_id>(memory)),
-        invalid(Allocator<dsw_volume_id>(memory)) {}
+  explicit WallRecord(const Memory* memory) : contacts(memory), held(memory), invalid(memory) {}
   void clear() {
     contacts.clear();
     held.clear();

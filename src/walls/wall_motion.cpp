@@ -6,7 +6,7 @@ namespace dsw {
 
 template <int D>
 WallMotion<D>::WallMotion(Environment<D>& env, Occupants<D>& all)
-    : env_(env), all_(all), around_(env, all), move_(env, all, around_), turns_(Allocator<uint32_t>(env.memory)) {}
+    : env_(env), all_(all), around_(env, all), move_(env, all, around_) {}
 
 template <int D>
 void WallMotion<D>::run(double* next, const WallSettings& settings, WallRecord& record) {

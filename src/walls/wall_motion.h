@@ -33,7 +33,7 @@ class WallMotion {
   Occupants<D>& all_;
   Neighbourhood<D> around_;
   WallMove<D> move_;
-  Array<uint32_t> turns_;
+  Array<uint32_t> turns_{env_.memory};
 };
 
 }  // namespace dsw

@@ -14,17 +14,7 @@ constexpr int kMostPushes = 4;
 
 template <int D>
 WallMove<D>::WallMove(Environment<D>& env, Occupants<D>& all, Neighbourhood<D>& around)
-    : env_(env),
-      all_(all),
-      around_(around),
-      walls_(env),
-      sweeps_(env),
-      rigid_(env, all, around),
-      features_(Allocator<Feature>(env.memory)),
-      hits_(Allocator<WallHit>(env.memory)),
-      points_(Allocator<Feature>(env.memory)),
-      pushed_(Allocator<uint32_t>(env.memory)),
-      before_(Allocator<Seat>(env.memory)) {}
+    : env_(env), all_(all), around_(around), walls_(env), sweeps_(env), rigid_(env, all, around) {}
 
 template <int D>
 typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, const WallSettings& settings,

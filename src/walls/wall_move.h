@@ -51,15 +51,15 @@ class WallMove {
   StarSweep<D> sweeps_;
   RigidPush<D> rigid_;
   const Array<Cell>* star_ = nullptr;
-  Array<Feature> features_;  // in the star
-  Array<WallHit> hits_;
-  Array<Feature> points_;   // to be pushed
-  Array<uint32_t> pushed_;  // rigid bodies that have been
+  Array<Feature> features_{env_.memory};  // in the star
+  Array<WallHit> hits_{env_.memory};
+  Array<Feature> points_{env_.memory};   // to be pushed
+  Array<uint32_t> pushed_{env_.memory};  // rigid bodies that have been
   struct Seat {
     Feature point;
     Cell cell;
   };
-  Array<Seat> before_;  // cells of the star's points
+  Array<Seat> before_{env_.memory};  // cells of the star's points
 };
 
 }  // namespace dsw

@@ -80,8 +80,7 @@ void keep_first(const WallHit& found, WallHit* hit, bool* any) noexcept {
 }  // namespace
 
 template <int D>
-WallSweep<D>::WallSweep(const Environment<D>& env)
-    : env_(env), simplices_(Allocator<WallPart<D - 1>>(env.memory)), ridges_(Allocator<WallPart<D - 2>>(env.memory)) {}
+WallSweep<D>::WallSweep(const Environment<D>& env) : env_(env) {}
 
 template <int D>
 void WallSweep<D>::start(uint32_t vertex, const Array<Cell>& star) {

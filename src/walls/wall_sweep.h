@@ -49,9 +49,9 @@ class WallSweep {
 
   const Environment<D>& env_;
   uint32_t vertex_ = kNone;
-  bool impassable_ = false;           // the vertex: by its mark, or by a ridge, as every wall has one at it
-  Array<WallPart<D - 1>> simplices_;  // of facets: met by points
-  Array<WallPart<D - 2>> ridges_;     // of those, and wires; in the plane the vertex: met by edges
+  bool impassable_ = false;  // the vertex: by its mark, or by a ridge, as every wall has one at it
+  Array<WallPart<D - 1>> simplices_{env_.memory};  // of facets: met by points
+  Array<WallPart<D - 2>> ridges_{env_.memory};     // of those, and wires; in the plane the vertex: met by edges
 };
 
 /** Where and how a hit touches. */
