@@ -1,5 +1,7 @@
 #include "body/body.h"
 
+#include "base/dimensions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -450,25 +452,21 @@ void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept {
   note(body, kept);
 }
 
-#define DSW_BODY(D)                                                                                     \
-  template uint32_t find_edge(const Body<D>& body, uint32_t a, uint32_t b) noexcept;                    \
-  template void reserve(Body<D>& body, size_t more_vertices, size_t more_edges, size_t more_faces);     \
-  template void keep_sequences(Body<D>& body, size_t edges);                                            \
-  template void keep_boxes(Body<D>& body);                                                              \
-  template void tighten_bounds(Body<D>& body) noexcept;                                                 \
-  template void put_vertex(Body<D>& body, uint32_t vertex, const double* position, Cell cell) noexcept; \
-  template void put_vertices(Body<D>& body, const BodyVertex<D>* from) noexcept;                        \
-  template uint32_t add_vertex(Body<D>& body, const double* position, Cell cell) noexcept;              \
-  template uint32_t add_edge(Body<D>& body, uint32_t a, uint32_t b) noexcept;                           \
-  template void remove_face(Body<D>& body, uint32_t face) noexcept;                                     \
-  template void remove_edge(Body<D>& body, uint32_t edge) noexcept;                                     \
-  template void remove_vertex(Body<D>& body, uint32_t vertex) noexcept;                                 \
-  template uint32_t split_edge(Body<D>& body, uint32_t edge, uint32_t middle) noexcept;                 \
-  template bool can_collapse(const Body<D>& body, uint32_t edge, uint32_t vertex) noexcept;             \
-  template void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept
-DSW_BODY(2);
-DSW_BODY(3);
-#undef DSW_BODY
+DSW_INSTANTIATE(find_edge);
+DSW_INSTANTIATE(reserve);
+DSW_INSTANTIATE(keep_sequences);
+DSW_INSTANTIATE(keep_boxes);
+DSW_INSTANTIATE(tighten_bounds);
+DSW_INSTANTIATE(put_vertex);
+DSW_INSTANTIATE(put_vertices);
+DSW_INSTANTIATE(add_vertex);
+DSW_INSTANTIATE(add_edge);
+DSW_INSTANTIATE(remove_face);
+DSW_INSTANTIATE(remove_edge);
+DSW_INSTANTIATE(remove_vertex);
+DSW_INSTANTIATE(split_edge);
+DSW_INSTANTIATE(can_collapse);
+DSW_INSTANTIATE(collapse_edge);
 // Nothing of the plane gets faces.
 template uint32_t find_face(const Body<3>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;
 template FaceDefect face_defect(const Body<3>& body, uint32_t a, uint32_t b, uint32_t c) noexcept;

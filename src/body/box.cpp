@@ -26,9 +26,7 @@ bool Box<D>::overlaps(const double* const* points, int count) const noexcept {
   return overlaps(box);
 }
 
-#define DSW_BOX(D) template struct Box<D>
-DSW_BOX(2);
-DSW_BOX(3);
-#undef DSW_BOX
+template struct Box<2>;
+template struct Box<3>;
 
 }  // namespace dsw

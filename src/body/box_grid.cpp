@@ -114,9 +114,7 @@ typename BoxGrid<D>::Look BoxGrid<D>::find_range(const Level& level, const Box<D
   return cells <= static_cast<double>(items_.size()) + 8 ? Look::kRange : Look::kEverywhere;
 }
 
-#define DSW_BOX_GRID(D) template class BoxGrid<D>
-DSW_BOX_GRID(2);
-DSW_BOX_GRID(3);
-#undef DSW_BOX_GRID
+template class BoxGrid<2>;
+template class BoxGrid<3>;
 
 }  // namespace dsw

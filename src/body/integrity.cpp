@@ -1,5 +1,7 @@
 #include "body/integrity.h"
 
+#include "base/dimensions.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -109,9 +111,6 @@ const char* check_integrity(const Body<D>& body) {
   return std::all_of(body.inserted.begin(), body.inserted.end(), lives) ? nullptr : "an inserted vertex is gone";
 }
 
-#define DSW_INTEGRITY(D) template const char* check_integrity(const Body<D>& body)
-DSW_INTEGRITY(2);
-DSW_INTEGRITY(3);
-#undef DSW_INTEGRITY
+DSW_INSTANTIATE(check_integrity);
 
 }  // namespace dsw

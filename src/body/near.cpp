@@ -1,5 +1,7 @@
 #include "body/near.h"
 
+#include "base/dimensions.h"
+
 #include <algorithm>
 
 namespace dsw {
@@ -67,12 +69,10 @@ void find_overlapping(const BoxGrid<D>& grid, const Places<D>& places, Array<uin
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-#define DSW_NEAR(D)            \
-  template class BoxGroups<D>; \
-  template struct Places<D>;   \
-  template void find_overlapping(const BoxGrid<D>& grid, const Places<D>& places, Array<uint32_t>& found)
-DSW_NEAR(2);
-DSW_NEAR(3);
-#undef DSW_NEAR
+template class BoxGroups<2>;
+template class BoxGroups<3>;
+template struct Places<2>;
+template struct Places<3>;
+DSW_INSTANTIATE(find_overlapping);
 
 }  // namespace dsw

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "base/vec.h"
 #include "body/body.h"
 
@@ -69,11 +70,8 @@ void keep_shape(Body<D>& body) {
   }
 }
 
-#define DSW_RIGID_SHAPE(D)        \
-  template struct RigidMotion<D>; \
-  template void keep_shape(Body<D>& body)
-DSW_RIGID_SHAPE(2);
-DSW_RIGID_SHAPE(3);
-#undef DSW_RIGID_SHAPE
+template struct RigidMotion<2>;
+template struct RigidMotion<3>;
+DSW_INSTANTIATE(keep_shape);
 
 }  // namespace dsw

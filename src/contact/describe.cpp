@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "environment/marking.h"
 
 namespace dsw {
@@ -105,16 +106,12 @@ uint64_t obstacle_key(const dsw_contact& contact) noexcept {
          (contact.obstacle.local & 0xffffffu);
 }
 
-#define DSW_DESCRIBE(D)                                                                                            \
-  template dsw_body_vertex_id vertex_id(const Body<D>& body, uint32_t v) noexcept;                                 \
-  template dsw_body_edge_id edge_id(const Body<D>& body, uint32_t e) noexcept;                                     \
-  template dsw_body_face_id face_id(const Body<D>& body, uint32_t f) noexcept;                                     \
-  template dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to,      \
-                                const StarContact& met);                                                           \
-  template dsw_contact describe_cast(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, \
-                                     uint32_t edge, const double* end, const CastResult& hit)
-DSW_DESCRIBE(2);
-DSW_DESCRIBE(3);
-#undef DSW_DESCRIBE
+DSW_INSTANTIATE(vertex_id);
+template dsw_body_edge_id edge_id(const Body<2>& body, uint32_t e) noexcept;
+template dsw_body_edge_id edge_id(const Body<3>& body, uint32_t e) noexcept;
+template dsw_body_face_id face_id(const Body<2>& body, uint32_t f) noexcept;
+template dsw_body_face_id face_id(const Body<3>& body, uint32_t f) noexcept;
+DSW_INSTANTIATE(describe);
+DSW_INSTANTIATE(describe_cast);
 
 }  // namespace dsw

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "contact/describe.h"
 #include "contact/geometry.h"
 #include "contact/normals.h"
@@ -126,12 +127,10 @@ uint64_t part_key(const dsw_contact_partner& partner) noexcept {
   return uint64_t{3} << 32 | partner.face.index;
 }
 
-#define DSW_DESCRIBE_PAIR(D)                                                                                  \
-  template dsw_contact describe(const Environment<D>& env, const Body<D>& body, uint32_t v, const double* to, \
-                                const PairContact<D>& met);                                                   \
-  template dsw_contact_partner partner_of(const PairContact<D>& met) noexcept
-DSW_DESCRIBE_PAIR(2);
-DSW_DESCRIBE_PAIR(3);
-#undef DSW_DESCRIBE_PAIR
+template dsw_contact describe(const Environment<2>& env, const Body<2>& body, uint32_t v, const double* to,
+                              const PairContact<2>& met);
+template dsw_contact describe(const Environment<3>& env, const Body<3>& body, uint32_t v, const double* to,
+                              const PairContact<3>& met);
+DSW_INSTANTIATE(partner_of);
 
 }  // namespace dsw

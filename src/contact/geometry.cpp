@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "contact/names.h"
 #include "contact/normals.h"
 #include "motion/move.h"
@@ -127,15 +128,10 @@ ContactGeometry contact_geometry(const Environment<D>& env, const double* p, con
   return g;
 }
 
-#define DSW_GEOMETRY(D)                                                                                                \
-  template ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to,              \
-                                            const SweepContact& contact);                                              \
-  template Vec normal_on<D>(int side, const double* const* corners, const Vec& move);                                  \
-  template HalfFacet facing(const Environment<D>& env, HalfFacet wall, const double* normal) noexcept;                 \
-  template HalfFacet seen_wall(const Environment<D>& env, const SweepContact& contact, const double* normal) noexcept; \
-  template double share_along<D>(const double* end, const double* q, const double* point)
-DSW_GEOMETRY(2);
-DSW_GEOMETRY(3);
-#undef DSW_GEOMETRY
+DSW_INSTANTIATE(contact_geometry);
+DSW_INSTANTIATE(normal_on);
+DSW_INSTANTIATE(facing);
+DSW_INSTANTIATE(seen_wall);
+DSW_INSTANTIATE(share_along);
 
 }  // namespace dsw

@@ -12,9 +12,7 @@ dsw_edge_id edge_id(const Map<D>& map, Dart d) noexcept {
   return {map.index(lowest.cell), map.generation(lowest.cell), map.shape(lowest.cell).dart_edge(lowest.local)};
 }
 
-#define DSW_NAMES(D) template dsw_edge_id edge_id(const Map<D>& map, Dart d) noexcept
-DSW_NAMES(3);
-DSW_NAMES(2);
-#undef DSW_NAMES
+template dsw_edge_id edge_id(const Map<2>& map, Dart d) noexcept;
+template dsw_edge_id edge_id(const Map<3>& map, Dart d) noexcept;
 
 }  // namespace dsw

@@ -1,5 +1,6 @@
 #include "cutting/blade.h"
 
+#include "base/dimensions.h"
 #include "base/key_table.h"
 #include "base/vec.h"
 
@@ -139,16 +140,17 @@ double distance_to_simplex(const double* from, const double* const* corners) {
   return length(scale * best);
 }
 
-#define DSW_BLADE(D)                                                                                             \
-  template Blade<D>::Blade(const Memory* memory, PointArray points, uint32_t point_count);                       \
-  template Blade<D> Blade<D>::of_grid(const Memory* memory, PointArray points, uint32_t rows, uint32_t columns); \
-  template Blade<D> Blade<D>::of_simplices(const Memory* memory, PointArray points, uint32_t point_count,        \
-                                           const uint32_t* corners, uint32_t simplex_count);                     \
-  template uint32_t Blade<D>::find_rim() const;                                                                  \
-  template double distance_to_simplex<D>(const double* from, const double* const* corners)
-DSW_BLADE(3);
-DSW_BLADE(2);
-#undef DSW_BLADE
+template Blade<2>::Blade(const Memory* memory, PointArray points, uint32_t point_count);
+template Blade<3>::Blade(const Memory* memory, PointArray points, uint32_t point_count);
+template Blade<2> Blade<2>::of_grid(const Memory* memory, PointArray points, uint32_t rows, uint32_t columns);
+template Blade<3> Blade<3>::of_grid(const Memory* memory, PointArray points, uint32_t rows, uint32_t columns);
+template Blade<2> Blade<2>::of_simplices(const Memory* memory, PointArray points, uint32_t point_count,
+                                         const uint32_t* corners, uint32_t simplex_count);
+template Blade<3> Blade<3>::of_simplices(const Memory* memory, PointArray points, uint32_t point_count,
+                                         const uint32_t* corners, uint32_t simplex_count);
+template uint32_t Blade<2>::find_rim() const;
+template uint32_t Blade<3>::find_rim() const;
+DSW_INSTANTIATE(distance_to_simplex);
 template Blade<3> Blade<3>::fan(const Memory* memory, PointArray points, uint32_t point_count);
 
 }  // namespace dsw

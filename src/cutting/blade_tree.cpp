@@ -65,9 +65,7 @@ void BladeTree<D>::build(uint32_t first, uint32_t end) {
   nodes_[number].next = static_cast<uint32_t>(nodes_.size());
 }
 
-#define DSW_BLADE_TREE(D) template class BladeTree<D>
-DSW_BLADE_TREE(3);
-DSW_BLADE_TREE(2);
-#undef DSW_BLADE_TREE
+template class BladeTree<2>;
+template class BladeTree<3>;
 
 }  // namespace dsw

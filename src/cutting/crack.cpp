@@ -334,12 +334,7 @@ void Crack<D>::part() {
   }
 }
 
-#define DSW_CRACK(D)                                               \
-  template Crack<D>::Crack(Environment<D>& env, int32_t region);   \
-  template void Crack<D>::add(HalfFacet a, HalfFacet b, size_t i); \
-  template void Crack<D>::part()
-DSW_CRACK(3);
-DSW_CRACK(2);
-#undef DSW_CRACK
+template class Crack<2>;
+template class Crack<3>;
 
 }  // namespace dsw

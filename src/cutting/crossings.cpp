@@ -218,9 +218,7 @@ void Crossings<D>::note_crossings(Cell c, uint32_t simplex, const BladeSimplex<D
   }
 }
 
-#define DSW_CROSSINGS(D) template class Crossings<D>
-DSW_CROSSINGS(3);
-DSW_CROSSINGS(2);
-#undef DSW_CROSSINGS
+template class Crossings<2>;
+template class Crossings<3>;
 
 }  // namespace dsw

@@ -443,12 +443,11 @@ void Cut<D>::measure(Edit<D>& edit) {
   }
 }
 
-#define DSW_CUT(D)                                                                              \
-  template Cut<D>::Cut(Environment<D>& env, const Blade<D>& blade, const CutSettings& settings, \
-                       const Crossings<D>& crossings, const Inside<D>* inside);                 \
-  template void Cut<D>::prepare(std::optional<Edit<D>>& edit)
-DSW_CUT(3);
-DSW_CUT(2);
-#undef DSW_CUT
+template Cut<2>::Cut(Environment<2>& env, const Blade<2>& blade, const CutSettings& settings,
+                     const Crossings<2>& crossings, const Inside<2>* inside);
+template Cut<3>::Cut(Environment<3>& env, const Blade<3>& blade, const CutSettings& settings,
+                     const Crossings<3>& crossings, const Inside<3>* inside);
+template void Cut<2>::prepare(std::optional<Edit<2>>& edit);
+template void Cut<3>::prepare(std::optional<Edit<3>>& edit);
 
 }  // namespace dsw

@@ -1,5 +1,6 @@
 #include "cutting/fold.h"
 
+#include "base/dimensions.h"
 #include "predicates/filtered.h"
 #include "topology/draft.h"
 
@@ -94,9 +95,6 @@ bool is_folded(const Environment<D>& env, Dart of) {
   return turn.is_done() && !face_each_other(draft_of(env, half_facet(map, d)), draft_of(env, half_facet(map, last)));
 }
 
-#define DSW_FOLD(D) template bool is_folded(const Environment<D>& env, Dart of)
-DSW_FOLD(3);
-DSW_FOLD(2);
-#undef DSW_FOLD
+DSW_INSTANTIATE(is_folded);
 
 }  // namespace dsw

@@ -1,5 +1,6 @@
 #include "cutting/inside.h"
 
+#include "base/dimensions.h"
 #include "cutting/start.h"
 #include "map/dart.h"
 #include "motion/cast.h"
@@ -175,12 +176,9 @@ bool closes(const Environment<D>& env, const Crossings<D>& crossings) {
   return crosses;
 }
 
-#define DSW_INSIDE(D)                                                                                \
-  template class Inside<D>;                                                                          \
-  template void find_all(const Environment<D>& env, const Blade<D>& blade, Crossings<D>& crossings); \
-  template bool closes(const Environment<D>& env, const Crossings<D>& crossings)
-DSW_INSIDE(3);
-DSW_INSIDE(2);
-#undef DSW_INSIDE
+template class Inside<2>;
+template class Inside<3>;
+DSW_INSTANTIATE(find_all);
+DSW_INSTANTIATE(closes);
 
 }  // namespace dsw

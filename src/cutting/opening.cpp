@@ -356,11 +356,9 @@ void Opening<D>::write_record(Edit<D>& edit) {
   record_.changed = changed_.size();
 }
 
-#define DSW_OPENING(D)                                                                                    \
-  template Opening<D>::Opening(Environment<D>& env, const Crack<D>& crack, const OpenSettings& settings); \
-  template void Opening<D>::prepare(std::optional<Edit<D>>& edit)
-DSW_OPENING(3);
-DSW_OPENING(2);
-#undef DSW_OPENING
+template Opening<2>::Opening(Environment<2>& env, const Crack<2>& crack, const OpenSettings& settings);
+template Opening<3>::Opening(Environment<3>& env, const Crack<3>& crack, const OpenSettings& settings);
+template void Opening<2>::prepare(std::optional<Edit<2>>& edit);
+template void Opening<3>::prepare(std::optional<Edit<3>>& edit);
 
 }  // namespace dsw

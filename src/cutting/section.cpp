@@ -168,12 +168,10 @@ bool Section<D>::is_facet(Cell c, const Shape& shape, const Array<uint32_t>& loo
   return false;
 }
 
-#define DSW_SECTION(D)                                                                                 \
-  template Section<D>::Section(const Environment<D>& env, const Crossings<D>& crossings, double snap); \
-  template bool Section<D>::is_crossed(uint32_t cell) const
-DSW_SECTION(3);
-DSW_SECTION(2);
-#undef DSW_SECTION
+template Section<2>::Section(const Environment<2>& env, const Crossings<2>& crossings, double snap);
+template Section<3>::Section(const Environment<3>& env, const Crossings<3>& crossings, double snap);
+template bool Section<2>::is_crossed(uint32_t cell) const;
+template bool Section<3>::is_crossed(uint32_t cell) const;
 template void Section<3>::list_chords(uint32_t cell, Array<Chord>& out) const;
 
 }  // namespace dsw

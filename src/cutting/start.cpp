@@ -1,5 +1,6 @@
 #include "cutting/start.h"
 
+#include "base/dimensions.h"
 #include "motion/locate.h"
 
 namespace dsw {
@@ -73,10 +74,6 @@ Cell find_start(const Environment<D>& env, const Blade<D>& blade, Cell hint, uin
   return {};
 }
 
-#define DSW_START(D) \
-  template Cell find_start(const Environment<D>& env, const Blade<D>& blade, Cell hint, uint32_t* visited)
-DSW_START(3);
-DSW_START(2);
-#undef DSW_START
+DSW_INSTANTIATE(find_start);
 
 }  // namespace dsw

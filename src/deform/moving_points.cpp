@@ -80,9 +80,7 @@ void MovingPoints<D>::shorten(double fraction) noexcept {
   }
 }
 
-#define DSW_MOVING_POINTS(D) template class MovingPoints<D>
-DSW_MOVING_POINTS(2);
-DSW_MOVING_POINTS(3);
-#undef DSW_MOVING_POINTS
+template class MovingPoints<2>;
+template class MovingPoints<3>;
 
 }  // namespace dsw

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "environment/boundary_surface.h"
 #include "predicates/filtered.h"
 
@@ -406,7 +407,6 @@ bool boundary_crosses(const Environment<D>& env, Offenders* offenders) {
   return Check<D>(env).run(offenders);
 }
 
-template bool boundary_crosses(const Environment<2>&, Offenders*);
-template bool boundary_crosses(const Environment<3>&, Offenders*);
+DSW_INSTANTIATE(boundary_crosses);
 
 }  // namespace dsw

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "base/error.h"
 #include "environment/facet_matcher.h"
 #include "environment/mesh_reader.h"
@@ -155,11 +156,8 @@ void finish_topology(Environment<D>& env, BuildReport* report) {
   if (report != nullptr) report->unused_point_count = unused;
 }
 
-template void build(Environment<2>&, const MeshInput&, BuildReport&);
-template void build(Environment<3>&, const MeshInput&, BuildReport&);
-template uint32_t count_parts(const Environment<2>&);
-template uint32_t count_parts(const Environment<3>&);
-template void finish_topology(Environment<2>&, BuildReport*);
-template void finish_topology(Environment<3>&, BuildReport*);
+DSW_INSTANTIATE(build);
+DSW_INSTANTIATE(count_parts);
+DSW_INSTANTIATE(finish_topology);
 
 }  // namespace dsw

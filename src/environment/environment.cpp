@@ -1,5 +1,7 @@
 #include "environment/environment.h"
 
+#include "base/dimensions.h"
+
 namespace dsw {
 
 template <int D>
@@ -14,7 +16,6 @@ void centre(const Environment<D>& env, Cell c, double* out) {
       env.map.vertices_of(c), [&](uint32_t i) { return env.point(c, i); }, out);
 }
 
-template void centre(const Environment<2>&, Cell, double*);
-template void centre(const Environment<3>&, Cell, double*);
+DSW_INSTANTIATE(centre);
 
 }  // namespace dsw

@@ -1,5 +1,7 @@
 #include "environment/facet_matcher.h"
 
+#include "base/dimensions.h"
+
 namespace dsw {
 namespace {
 
@@ -115,7 +117,6 @@ MatchDefect match_facets(Environment<D>& env, Offenders& offenders) {
   return defect;
 }
 
-template MatchDefect match_facets(Environment<2>&, Offenders&);
-template MatchDefect match_facets(Environment<3>&, Offenders&);
+DSW_INSTANTIATE(match_facets);
 
 }  // namespace dsw

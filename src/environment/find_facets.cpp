@@ -1,5 +1,7 @@
 #include "environment/find_facets.h"
 
+#include "base/dimensions.h"
+
 #include <algorithm>
 
 namespace dsw {
@@ -61,8 +63,7 @@ void find_facets(const Environment<D>& env, size_t count, const size_t* offsets,
   *missing = count - found;
 }
 
-template void find_facets(const Environment<2>&, size_t, const size_t*, const uint32_t*, HalfFacet*, size_t*);
-template void find_facets(const Environment<3>&, size_t, const size_t*, const uint32_t*, HalfFacet*, size_t*);
+DSW_INSTANTIATE(find_facets);
 
 void find_edges(const Environment<3>& env, size_t count, const uint32_t* indices, Dart* out, size_t* missing) {
   const Map<3>& map = env.map;

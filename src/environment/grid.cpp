@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/dimensions.h"
 #include "environment/environment.h"
 
 namespace dsw {
@@ -131,9 +132,7 @@ bool find_bucket(const Grid<D>& grid, const double* upper, const double* point, 
   return true;
 }
 
-template void build_grid(Environment<2>&);
-template void build_grid(Environment<3>&);
-template bool find_bucket(const Grid<2>&, const double*, const double*, size_t*) noexcept;
-template bool find_bucket(const Grid<3>&, const double*, const double*, size_t*) noexcept;
+DSW_INSTANTIATE(build_grid);
+DSW_INSTANTIATE(find_bucket);
 
 }  // namespace dsw

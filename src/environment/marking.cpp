@@ -1,5 +1,7 @@
 #include "environment/marking.h"
 
+#include "base/dimensions.h"
+
 namespace dsw {
 namespace {
 
@@ -95,16 +97,12 @@ bool vertex_impassable(const Environment<D>& env, uint32_t vertex) noexcept {
   return false;
 }
 
-#define DSW_MARKING(D)                                                                \
-  template void reserve_edge_marks<D>(Environment<D>&, size_t);                       \
-  template void reserve_vertex_marks<D>(Environment<D>&);                             \
-  template bool set_cell_mark<D>(Environment<D>&, Cell, bool) noexcept;               \
-  template bool set_facet_mark<D>(Environment<D>&, HalfFacet, bool) noexcept;         \
-  template bool set_edge_mark<D>(Environment<D>&, uint32_t, uint32_t, bool) noexcept; \
-  template bool set_vertex_mark<D>(Environment<D>&, uint32_t, bool) noexcept;         \
-  template bool vertex_impassable<D>(const Environment<D>&, uint32_t) noexcept
-DSW_MARKING(2);
-DSW_MARKING(3);
-#undef DSW_MARKING
+DSW_INSTANTIATE(reserve_edge_marks);
+DSW_INSTANTIATE(reserve_vertex_marks);
+DSW_INSTANTIATE(set_cell_mark);
+DSW_INSTANTIATE(set_facet_mark);
+DSW_INSTANTIATE(set_edge_mark);
+DSW_INSTANTIATE(set_vertex_mark);
+DSW_INSTANTIATE(vertex_impassable);
 
 }  // namespace dsw

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <vector>
 
+#include "base/dimensions.h"
 #include "base/error.h"
 
 namespace dsw {
@@ -386,13 +387,9 @@ void mirror_cell(Environment<D>& env, Cell c) {
   if (D == 3) w[0] = (w[0] & ~kShapeMask) | cuts_of(form, v);
 }
 
-template CellType cell_type<2>(uint32_t);
-template CellType cell_type<3>(uint32_t);
-template void read_points(Environment<2>&, const MeshInput&, BuildReport&);
-template void read_points(Environment<3>&, const MeshInput&, BuildReport&);
-template void read_cells(Environment<2>&, const MeshInput&, BuildReport&);
-template void read_cells(Environment<3>&, const MeshInput&, BuildReport&);
-template void mirror_cell(Environment<2>&, Cell);
-template void mirror_cell(Environment<3>&, Cell);
+DSW_INSTANTIATE(cell_type);
+DSW_INSTANTIATE(read_points);
+DSW_INSTANTIATE(read_cells);
+DSW_INSTANTIATE(mirror_cell);
 
 }  // namespace dsw

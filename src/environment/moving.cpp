@@ -1,5 +1,6 @@
 #include "environment/moving.h"
 
+#include "base/dimensions.h"
 #include "environment/local_points.h"
 
 namespace dsw {
@@ -22,9 +23,7 @@ void release_owned_points(Environment<D>& env) noexcept {
   Array<double>(env.owned_points.get_allocator()).swap(env.owned_points);
 }
 
-template void release_owned_points(Environment<2>&) noexcept;
-template void release_owned_points(Environment<3>&) noexcept;
-template void let_points_move(Environment<2>&);
-template void let_points_move(Environment<3>&);
+DSW_INSTANTIATE(release_owned_points);
+DSW_INSTANTIATE(let_points_move);
 
 }  // namespace dsw

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/dimensions.h"
 #include "predicates/filtered.h"
 
 namespace dsw {
@@ -167,9 +168,7 @@ bool find_out_validity(const Environment<D>& env, Cell c) noexcept {
   return valid;
 }
 
-template bool find_out_validity(const Environment<2>&, Cell) noexcept;
-template bool find_out_validity(const Environment<3>&, Cell) noexcept;
-template CellState check_cell(const Environment<2>&, Cell) noexcept;
-template CellState check_cell(const Environment<3>&, Cell) noexcept;
+DSW_INSTANTIATE(find_out_validity);
+DSW_INSTANTIATE(check_cell);
 
 }  // namespace dsw

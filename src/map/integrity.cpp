@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "base/dimensions.h"
 #include "map/records.h"
 
 namespace dsw {
@@ -423,13 +424,9 @@ const char* check_integrity(const Map<D>& map) {
   return facets == map.facet_count && boundary == map.boundary_facet_count ? nullptr : "facets are counted wrongly";
 }
 
-template const char* check_integrity(const Map<2>&);
-template const char* check_integrity(const Map<3>&);
-template size_t sound_table_length<2>(const uint16_t*, size_t, Array<uint16_t>&);
-template size_t sound_table_length<3>(const uint16_t*, size_t, Array<uint16_t>&);
-template uint32_t record_units(const Map<2>&, uint32_t);
-template uint32_t record_units(const Map<3>&, uint32_t);
-template void count_facets(const Map<2>&, uint32_t*, uint32_t*);
-template void count_facets(const Map<3>&, uint32_t*, uint32_t*);
+DSW_INSTANTIATE(check_integrity);
+DSW_INSTANTIATE(sound_table_length);
+DSW_INSTANTIATE(record_units);
+DSW_INSTANTIATE(count_facets);
 
 }  // namespace dsw

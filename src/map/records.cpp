@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "base/error.h"
 #include "map/integrity.h"
 
@@ -213,19 +214,15 @@ void shrink(Map<D>& map, const Room& before) noexcept {
   map.free_shapes.resize(before.shape_lists);
 }
 
-#define DSW_RECORDS(D)                                                                                  \
-  template void make_ready(Map<D>& map);                                                                \
-  template uint32_t take_record(Map<D>& map, uint32_t units);                                           \
-  template uint32_t take_shape(Map<D>& map, const Array<uint16_t>& table);                              \
-  template void reserve_return(Map<D>& map, Cell c);                                                    \
-  template void give_back(Map<D>& map, Cell c) noexcept;                                                \
-  template Room room_of(const Map<D>& map) noexcept;                                                    \
-  template void untake_record(Map<D>& map, uint32_t unit, uint32_t units, const Room& before) noexcept; \
-  template void untake_shape(Map<D>& map, uint32_t number, const Room& before) noexcept;                \
-  template void shrink(Map<D>& map, const Room& before) noexcept;                                       \
-  template uint32_t shape_length(const Map<D>& map, uint32_t number) noexcept
-DSW_RECORDS(3);
-DSW_RECORDS(2);
-#undef DSW_RECORDS
+DSW_INSTANTIATE(make_ready);
+DSW_INSTANTIATE(take_record);
+DSW_INSTANTIATE(take_shape);
+DSW_INSTANTIATE(reserve_return);
+DSW_INSTANTIATE(give_back);
+DSW_INSTANTIATE(room_of);
+DSW_INSTANTIATE(untake_record);
+DSW_INSTANTIATE(untake_shape);
+DSW_INSTANTIATE(shrink);
+DSW_INSTANTIATE(shape_length);
 
 }  // namespace dsw

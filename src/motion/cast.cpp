@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/dimensions.h"
 #include "motion/walk.h"
 #include "predicates/plane_hit.h"
 
@@ -85,16 +86,10 @@ double crossing_time(const Environment<D>& env, Cell cell, uint32_t simplex, con
 
 template CastResult cast(const Environment<2>&, const CastRequest&, CastCounters*) noexcept;
 template CastResult cast(const Environment<3>&, const CastRequest&, CastCounters*) noexcept;
-template void cast_side_by_side(const Environment<2>&, const CastRequest*, uint32_t, CastResult*,
-                                CastCounters*) noexcept;
-template bool contains(const Environment<2>&, Cell, const double*) noexcept;
-template void cast_side_by_side(const Environment<3>&, const CastRequest*, uint32_t, CastResult*,
-                                CastCounters*) noexcept;
-template bool contains(const Environment<3>&, Cell, const double*) noexcept;
-template bool sees_all(const Environment<2>&, Cell, const double*, CastCounters*) noexcept;
-template bool sees_all(const Environment<3>&, Cell, const double*, CastCounters*) noexcept;
-template bool admits_with_centre(const Environment<2>&, Cell, double*) noexcept;
-template bool admits_with_centre(const Environment<3>&, Cell, double*) noexcept;
+DSW_INSTANTIATE(cast_side_by_side);
+DSW_INSTANTIATE(contains);
+DSW_INSTANTIATE(sees_all);
+DSW_INSTANTIATE(admits_with_centre);
 template double crossing_time(const Environment<2>&, Cell, uint32_t, const double*, const double*) noexcept;
 template double crossing_time(const Environment<3>&, Cell, uint32_t, const double*, const double*) noexcept;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "motion/cast.h"
 #include "predicates/filtered.h"
 
@@ -82,7 +83,6 @@ FeatureRef classify(const Environment<D>& env, const double* point, Cell c, bool
   return {D, c, 0};
 }
 
-template FeatureRef classify(const Environment<2>&, const double*, Cell, bool*) noexcept;
-template FeatureRef classify(const Environment<3>&, const double*, Cell, bool*) noexcept;
+DSW_INSTANTIATE(classify);
 
 }  // namespace dsw

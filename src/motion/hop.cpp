@@ -1,5 +1,6 @@
 #include "motion/hop.h"
 
+#include "base/dimensions.h"
 #include "motion/line_sides.h"
 #include "motion/standard_facets.h"
 #include "predicates/filtered.h"
@@ -74,11 +75,6 @@ bool passes_between(const Environment<D>& env, Cell first, Cell second, const do
          !is_closed(env, second) && passes(facet, from, to);
 }
 
-#define DSW_HOP(D)                                                                                     \
-  template bool passes_between(const Environment<D>& env, Cell first, Cell second, const double* from, \
-                               const double* to) noexcept
-DSW_HOP(2);
-DSW_HOP(3);
-#undef DSW_HOP
+DSW_INSTANTIATE(passes_between);
 
 }  // namespace dsw

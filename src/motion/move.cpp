@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "motion/retreat.h"
 #include "motion/standard_facets.h"
 #include "predicates/plane_hit.h"
@@ -61,9 +62,6 @@ MoveResult<D> finish_move(const Environment<D>& env, const CastRequest& request,
   return result;
 }
 
-template MoveResult<2> finish_move(const Environment<2>&, const CastRequest&, const CastResult&, bool,
-                                   CastCounters*) noexcept;
-template MoveResult<3> finish_move(const Environment<3>&, const CastRequest&, const CastResult&, bool,
-                                   CastCounters*) noexcept;
+DSW_INSTANTIATE(finish_move);
 
 }  // namespace dsw

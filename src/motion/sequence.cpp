@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "base/dimensions.h"
 #include "base/slot_pool.h"
 #include "motion/line_sides.h"
 #include "motion/shear.h"
@@ -264,16 +265,12 @@ void SequenceWriter<D>::write(void* user, Cell from, uint32_t simplex, Cell) noe
   w.facets_.push_back(map.half_facet(from, facet).word);
 }
 
-#define DSW_SEQUENCE(D)                                                                                             \
-  template struct EdgeSequence<D>;                                                                                  \
-  template class SequenceWriter<D>;                                                                                 \
-  template bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, \
-                        Cell first, Cell last) noexcept;                                                            \
-  template PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;                  \
-  template bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to,    \
-                     Pivot<D>& pivot)
-DSW_SEQUENCE(2);
-DSW_SEQUENCE(3);
-#undef DSW_SEQUENCE
+template struct EdgeSequence<2>;
+template struct EdgeSequence<3>;
+template class SequenceWriter<2>;
+template class SequenceWriter<3>;
+DSW_INSTANTIATE(follows);
+DSW_INSTANTIATE(path_facets);
+DSW_INSTANTIATE(turn);
 
 }  // namespace dsw

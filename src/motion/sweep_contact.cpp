@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/dimensions.h"
 #include "motion/standard_facets.h"
 
 namespace dsw {
@@ -57,12 +58,7 @@ bool comes_before(const Map<D>& map, const double* p, const double* to, const Sw
   return order_of(map, a) < order_of(map, b);
 }
 
-#define DSW_SWEEP_CONTACT(D)                                                                              \
-  template SweepContact path_contact(const Environment<D>& env, const CastResult& path) noexcept;         \
-  template bool comes_before(const Map<D>& map, const double* p, const double* to, const SweepContact& a, \
-                             const SweepContact& b) noexcept
-DSW_SWEEP_CONTACT(2);
-DSW_SWEEP_CONTACT(3);
-#undef DSW_SWEEP_CONTACT
+DSW_INSTANTIATE(path_contact);
+DSW_INSTANTIATE(comes_before);
 
 }  // namespace dsw

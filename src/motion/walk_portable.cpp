@@ -1,3 +1,4 @@
+#include "base/dimensions.h"
 #include "motion/walk.h"
 
 namespace dsw {
@@ -9,7 +10,6 @@ template <int D>
 Walk<D> portable_walk() noexcept {
   return portable::this_walk<D>();
 }
-template Walk<2> portable_walk() noexcept;
-template Walk<3> portable_walk() noexcept;
+DSW_INSTANTIATE(portable_walk);
 
 }  // namespace dsw

@@ -4,6 +4,8 @@
 
 #include "pairs/pair_sweep.h"
 
+#include "base/dimensions.h"
+
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -265,13 +267,8 @@ bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t 
   return first->time != kNever;
 }
 
-#define DSW_PAIR_SWEEP(D)                                                                                              \
-  template bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept; \
-  template bool is_merge_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, uint32_t into) noexcept;  \
-  template bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,        \
-                                PairContact<D>* first) noexcept
-DSW_PAIR_SWEEP(2);
-DSW_PAIR_SWEEP(3);
-#undef DSW_PAIR_SWEEP
+DSW_INSTANTIATE(is_way_apart);
+DSW_INSTANTIATE(is_merge_apart);
+DSW_INSTANTIATE(find_first_pair);
 
 }  // namespace dsw

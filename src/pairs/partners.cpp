@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "predicates/touch.h"
 
 namespace dsw {
@@ -173,15 +174,8 @@ bool is_bend_apart(const Partners<D>& partners, const Body<D>& body, uint32_t ed
   }
 }
 
-#define DSW_PARTNERS(D)                                                                                              \
-  template bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a, const Corner& b, \
-                                 uint32_t replaced) noexcept;                                                        \
-  template bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const SolidMotion<D>& swept,        \
-                               const uint32_t* own) noexcept;                                                        \
-  template bool is_bend_apart(const Partners<D>& partners, const Body<D>& body, uint32_t edge,                       \
-                              const double* point) noexcept
-DSW_PARTNERS(2);
-DSW_PARTNERS(3);
-#undef DSW_PARTNERS
+DSW_INSTANTIATE(is_segment_apart);
+DSW_INSTANTIATE(is_solid_apart);
+DSW_INSTANTIATE(is_bend_apart);
 
 }  // namespace dsw

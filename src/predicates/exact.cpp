@@ -5,6 +5,7 @@
 // reaches this file is mostly ties, and an expansion of a tie has to be carried to its last component.
 #include "predicates/exact.h"
 
+#include "base/dimensions.h"
 #include "predicates/integers.h"
 
 namespace dsw {
@@ -104,16 +105,10 @@ int orient(const double* const* simplex, const double* q) noexcept {
   return evaluate<D>(points, [](const auto& x) noexcept { return orient_of(x); });
 }
 
-template ShiftedSign plane_side<2>(const double* const*, const double*) noexcept;
-template ShiftedSign plane_side<3>(const double* const*, const double*) noexcept;
-template ShiftedSign line_side<2>(const double*, const double*, const double* const*) noexcept;
-template ShiftedSign line_side<3>(const double*, const double*, const double* const*) noexcept;
-template ShiftedSign compare_times<2>(const double*, const double*, const double* const*,
-                                      const double* const*) noexcept;
-template ShiftedSign compare_times<3>(const double*, const double*, const double* const*,
-                                      const double* const*) noexcept;
-template int orient<2>(const double* const*, const double*) noexcept;
-template int orient<3>(const double* const*, const double*) noexcept;
+DSW_INSTANTIATE(plane_side);
+DSW_INSTANTIATE(line_side);
+DSW_INSTANTIATE(compare_times);
+DSW_INSTANTIATE(orient);
 
 }  // namespace exact
 }  // namespace dsw

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/dimensions.h"
 #include "predicates/certified_hit.h"
 #include "predicates/integers.h"
 #include "predicates/ratio.h"
@@ -154,13 +155,9 @@ void unit_normal(const double* const* simplex, double* normal) noexcept {
   });
 }
 
-template PlaneHit<2> plane_hit<2>(const double*, const double*, const double* const*) noexcept;
-template PlaneHit<3> plane_hit<3>(const double*, const double*, const double* const*) noexcept;
-template void plane_hits<2>(const PlaneFlight<2>*, uint32_t, PlaneHit<2>*) noexcept;
-template void plane_hits<3>(const PlaneFlight<3>*, uint32_t, PlaneHit<3>*) noexcept;
-template double crossing_time<2>(const double*, const double*, const double* const*) noexcept;
-template double crossing_time<3>(const double*, const double*, const double* const*) noexcept;
-template void unit_normal<2>(const double* const*, double*) noexcept;
-template void unit_normal<3>(const double* const*, double*) noexcept;
+DSW_INSTANTIATE(plane_hit);
+DSW_INSTANTIATE(plane_hits);
+DSW_INSTANTIATE(crossing_time);
+DSW_INSTANTIATE(unit_normal);
 
 }  // namespace dsw

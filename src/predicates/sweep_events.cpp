@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/dimensions.h"
 #include "predicates/filtered.h"
 #include "predicates/integers.h"
 #include "predicates/plane_hit.h"
@@ -240,9 +241,7 @@ double event_time(const double* p, const double* to, const SweepEvent& event) no
   return time;
 }
 
-template ShiftedSign compare_events<2>(const double*, const double*, const SweepEvent&, const SweepEvent&) noexcept;
-template ShiftedSign compare_events<3>(const double*, const double*, const SweepEvent&, const SweepEvent&) noexcept;
-template double event_time<2>(const double*, const double*, const SweepEvent&) noexcept;
-template double event_time<3>(const double*, const double*, const SweepEvent&) noexcept;
+DSW_INSTANTIATE(compare_events);
+DSW_INSTANTIATE(event_time);
 
 }  // namespace dsw

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "predicates/filtered.h"
 
 namespace dsw {
@@ -199,12 +200,8 @@ double solid_touch(const SolidMotion<D>& m, const double* v) noexcept {
   return event_time<D>(m.p, m.to, event);
 }
 
-#define DSW_TOUCH(D)                                                                                              \
-  template bool segments_touch<D>(const double* a, const double* b, const double* c, const double* d) noexcept;   \
-  template EdgeTouch path_touch<D>(const double* p, const double* to, const double* a, const double* b) noexcept; \
-  template double solid_touch<D>(const SolidMotion<D>& m, const double* v) noexcept
-DSW_TOUCH(2);
-DSW_TOUCH(3);
-#undef DSW_TOUCH
+DSW_INSTANTIATE(segments_touch);
+DSW_INSTANTIATE(path_touch);
+DSW_INSTANTIATE(solid_touch);
 
 }  // namespace dsw

@@ -306,14 +306,15 @@ void BodyMove<D>::run_edges(Body<D>& body) {
 }
 
 // What body_move.cpp calls.
-#define DSW_BODY_EDGES(D)                                                                          \
-  template void BodyMove<D>::run_wave(const Body<D>&);                                             \
-  template const double* BodyMove<D>::place(const Body<D>&, PointArray, uint32_t, uint32_t) const; \
-  template Cell BodyMove<D>::cell_at(uint32_t, uint32_t) const;                                    \
-  template void BodyMove<D>::sweep_edges(Body<D>&, PointArray, bool);                              \
-  template void BodyMove<D>::include_way(const Body<D>&, PointArray, uint32_t, Bounds<D>&) const
-DSW_BODY_EDGES(2);
-DSW_BODY_EDGES(3);
-#undef DSW_BODY_EDGES
+template void BodyMove<2>::run_wave(const Body<2>&);
+template void BodyMove<3>::run_wave(const Body<3>&);
+template const double* BodyMove<2>::place(const Body<2>&, PointArray, uint32_t, uint32_t) const;
+template const double* BodyMove<3>::place(const Body<3>&, PointArray, uint32_t, uint32_t) const;
+template Cell BodyMove<2>::cell_at(uint32_t, uint32_t) const;
+template Cell BodyMove<3>::cell_at(uint32_t, uint32_t) const;
+template void BodyMove<2>::sweep_edges(Body<2>&, PointArray, bool);
+template void BodyMove<3>::sweep_edges(Body<3>&, PointArray, bool);
+template void BodyMove<2>::include_way(const Body<2>&, PointArray, uint32_t, Bounds<2>&) const;
+template void BodyMove<3>::include_way(const Body<3>&, PointArray, uint32_t, Bounds<3>&) const;
 
 }  // namespace dsw

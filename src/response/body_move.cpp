@@ -365,12 +365,11 @@ void BodyMove<D>::remove_noise(Body<D>& body, double share, MoveRecord& record) 
   }
 }
 
-#define DSW_BODY_MOVE(D)                                                                              \
-  template BodyMove<D>::BodyMove(const Environment<D>&);                                              \
-  template void BodyMove<D>::move(Body<D>&, PointArray, MoveOrder, const MoveSettings&, MoveRecord&); \
-  template void BodyMove<D>::move_together(Body<D>&, PlaceFn, const void*, MoveOrder, MoveRecord&)
-DSW_BODY_MOVE(2);
-DSW_BODY_MOVE(3);
-#undef DSW_BODY_MOVE
+template BodyMove<2>::BodyMove(const Environment<2>&);
+template BodyMove<3>::BodyMove(const Environment<3>&);
+template void BodyMove<2>::move(Body<2>&, PointArray, MoveOrder, const MoveSettings&, MoveRecord&);
+template void BodyMove<3>::move(Body<3>&, PointArray, MoveOrder, const MoveSettings&, MoveRecord&);
+template void BodyMove<2>::move_together(Body<2>&, PlaceFn, const void*, MoveOrder, MoveRecord&);
+template void BodyMove<3>::move_together(Body<3>&, PlaceFn, const void*, MoveOrder, MoveRecord&);
 
 }  // namespace dsw

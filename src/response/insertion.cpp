@@ -1,5 +1,6 @@
 #include "response/insertion.h"
 
+#include "base/dimensions.h"
 #include "contact/describe.h"
 #include "motion/locate.h"
 
@@ -79,14 +80,8 @@ bool merge_vertex(StarSweep<D>& sweeps, Body<D>& body, uint32_t edge, uint32_t v
   return true;
 }
 
-#define DSW_INSERTION(D)                                                                                      \
-  template bool can_bend(const Environment<D>& env, StarSweep<D>& sweeps, const Body<D>& body, uint32_t edge, \
-                         const double* point, Cell* cell);                                                    \
-  template uint32_t insert_vertex(Body<D>& body, uint32_t edge, const double* point, Cell cell, double share, \
-                                  dsw_body_edit* edit);                                                       \
-  template bool merge_vertex(StarSweep<D>& sweeps, Body<D>& body, uint32_t edge, uint32_t vertex, dsw_body_edit* edit)
-DSW_INSERTION(2);
-DSW_INSERTION(3);
-#undef DSW_INSERTION
+DSW_INSTANTIATE(can_bend);
+DSW_INSTANTIATE(insert_vertex);
+DSW_INSTANTIATE(merge_vertex);
 
 }  // namespace dsw

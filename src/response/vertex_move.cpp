@@ -308,9 +308,7 @@ bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_contact& c
   return is_finite<D>(to) && !std::equal(to, to + D, at);
 }
 
-#define DSW_VERTEX_MOVE(D) template class VertexMove<D>
-DSW_VERTEX_MOVE(2);
-DSW_VERTEX_MOVE(3);
-#undef DSW_VERTEX_MOVE
+template class VertexMove<2>;
+template class VertexMove<3>;
 
 }  // namespace dsw

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/dimensions.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
 #include "sweep/body_probe.h"
@@ -217,20 +218,16 @@ void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter) {
   }
 }
 
-#define DSW_BODIES(D)                                                                                             \
-  template dsw_body_id create_body(Scene<D>& scene, const BodyDescription& description);                          \
-  template BodyRecord<D> make_body(const Scene<D>& scene, const BodyDescription& description, const Cell* cells); \
-  template dsw_body_id enter_body(Scene<D>& scene, BodyRecord<D>&& made);                                         \
-  template void prepare_body(const Scene<D>& scene, BodyRecord<D>& of);                                           \
-  template void follow_changes(const Scene<D>& scene, BodyRecord<D>& of) noexcept;                                \
-  template void destroy_body(Scene<D>& scene, uint32_t slot) noexcept;                                            \
-  template BodyRecord<D>& check_body(Scene<D>& scene, dsw_body_id id, ArgumentName argument, size_t index);       \
-  template void set_level(Scene<D>& scene, Body<D>& body, SweepLevel level);                                      \
-  template void set_filter(Scene<D>& scene, Body<D>& body, const ContactFilter& filter);                          \
-  template void check_free(Scene<D>& scene, const Body<D>& body, SweepLevel level)
-DSW_BODIES(2);
-DSW_BODIES(3);
-#undef DSW_BODIES
+DSW_INSTANTIATE(create_body);
+DSW_INSTANTIATE(make_body);
+DSW_INSTANTIATE(enter_body);
+DSW_INSTANTIATE(prepare_body);
+DSW_INSTANTIATE(follow_changes);
+DSW_INSTANTIATE(destroy_body);
+DSW_INSTANTIATE(check_body);
+DSW_INSTANTIATE(set_level);
+DSW_INSTANTIATE(set_filter);
+DSW_INSTANTIATE(check_free);
 template void check_face(const Body<3>& body, size_t face, uint32_t a, uint32_t b, uint32_t c);
 
 }  // namespace dsw

@@ -1,5 +1,6 @@
 // Changes of a body while it lives, each verified free at its level.
 
+#include "base/dimensions.h"
 #include "contact/describe.h"
 #include "motion/move.h"
 #include "response/insertion.h"
@@ -137,15 +138,10 @@ void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint3
   }
 }
 
-#define DSW_BODY_EDITS(D)                                                                                              \
-  template uint32_t add_body_vertex(Scene<D>& scene, BodyRecord<D>& of, const double* position, dsw_volume_id hint);   \
-  template uint32_t add_body_edge(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b);                             \
-  template void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double share, dsw_body_edit* edit); \
-  template void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint32_t vertex,                 \
-                                   dsw_body_edit* edit)
-DSW_BODY_EDITS(2);
-DSW_BODY_EDITS(3);
-#undef DSW_BODY_EDITS
+DSW_INSTANTIATE(add_body_vertex);
+DSW_INSTANTIATE(add_body_edge);
+DSW_INSTANTIATE(split_body_edge);
+DSW_INSTANTIATE(collapse_body_edge);
 template uint32_t add_body_face(Scene<3>& scene, Body<3>& body, uint32_t a, uint32_t b, uint32_t c);
 
 }  // namespace dsw

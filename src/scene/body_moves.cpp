@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "base/dimensions.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
 
@@ -128,15 +129,8 @@ void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count_of_
   }
 }
 
-#define DSW_BODY_MOVES(D)                                                                                    \
-  template void move_body(Scene<D>& scene, BodyRecord<D>& body, PointArray targets, MoveOrder order,         \
-                          const MoveSettings& settings);                                                     \
-  template void move_body_together(Scene<D>& scene, BodyRecord<D>& body, PlaceFn place, const void* user,    \
-                                   MoveOrder order, const Box<D>& reach);                                    \
-  template void move_bodies(Scene<D>& scene, BodyRecord<D>* const* bodies, size_t count, PointArray targets, \
-                            const MoveSettings& settings)
-DSW_BODY_MOVES(2);
-DSW_BODY_MOVES(3);
-#undef DSW_BODY_MOVES
+DSW_INSTANTIATE(move_body);
+DSW_INSTANTIATE(move_body_together);
+DSW_INSTANTIATE(move_bodies);
 
 }  // namespace dsw

@@ -1,5 +1,6 @@
 #include "scene/deformation.h"
 
+#include "base/dimensions.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
 
@@ -93,11 +94,8 @@ void renew_ids(Deformation<3>& deformation) noexcept {
   }
 }
 
-#define DSW_DEFORMATION(D)        \
-  template struct Deformation<D>; \
-  template void deform(Scene<D>& scene, double* next, const WallSettings& settings)
-DSW_DEFORMATION(2);
-DSW_DEFORMATION(3);
-#undef DSW_DEFORMATION
+template struct Deformation<2>;
+template struct Deformation<3>;
+DSW_INSTANTIATE(deform);
 
 }  // namespace dsw

@@ -3,6 +3,7 @@
 
 #include "scene/edits.h"
 
+#include "base/dimensions.h"
 #include "map/cell_queue.h"
 #include "motion/cast.h"
 #include "scene/near_bodies.h"
@@ -281,12 +282,10 @@ bool carry_out_prepared(Edit<D>& edit, Scene<D>& scene, const Meanwhile* meanwhi
   }
 }
 
-#define DSW_EDITS(D)                                                \
-  template void carry_out(Edit<D>& edit, Scene<D>* scene);          \
-  template void carry_out_prepared(Edit<D>& edit, Scene<D>* scene); \
-  template bool carry_out_prepared(Edit<D>& edit, Scene<D>& scene, const Meanwhile* meanwhile)
-DSW_EDITS(3);
-DSW_EDITS(2);
-#undef DSW_EDITS
+DSW_INSTANTIATE(carry_out);
+template void carry_out_prepared(Edit<2>& edit, Scene<2>* scene);
+template void carry_out_prepared(Edit<3>& edit, Scene<3>* scene);
+template bool carry_out_prepared(Edit<2>& edit, Scene<2>& scene, const Meanwhile* meanwhile);
+template bool carry_out_prepared(Edit<3>& edit, Scene<3>& scene, const Meanwhile* meanwhile);
 
 }  // namespace dsw

@@ -57,9 +57,7 @@ bool GoneFacets<D>::are_in(const EdgeSequence<D>& sequence, uint64_t since) cons
   });
 }
 
-#define DSW_GONE_FACETS(D) template class GoneFacets<D>
-DSW_GONE_FACETS(2);
-DSW_GONE_FACETS(3);
-#undef DSW_GONE_FACETS
+template class GoneFacets<2>;
+template class GoneFacets<3>;
 
 }  // namespace dsw

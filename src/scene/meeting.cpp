@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/dimensions.h"
 #include "scene/scene.h"
 
 namespace dsw {
@@ -158,17 +159,14 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
   islands.first.push_back(static_cast<uint32_t>(count));
 }
 
-#define DSW_MEETING(D)                                                                                                 \
-  template void note_body(Scene<D>& scene, uint32_t slot) noexcept;                                                    \
-  template void settle_body(Scene<D>& scene, BodyRecord<D>& of) noexcept;                                              \
-  template Box<D> reach_of(const Body<D>& body, PointArray targets, MoveOrder order, bool slides) noexcept;            \
-  template Box<D> reach_of(const Body<D>& body) noexcept;                                                              \
-  template void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners); \
-  template void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level);                                   \
-  template void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, PointArray targets,    \
-                             const size_t* first_target, bool slides, Islands<D>& islands)
-DSW_MEETING(2);
-DSW_MEETING(3);
-#undef DSW_MEETING
+DSW_INSTANTIATE(note_body);
+DSW_INSTANTIATE(settle_body);
+template Box<2> reach_of(const Body<2>& body, PointArray targets, MoveOrder order, bool slides) noexcept;
+template Box<3> reach_of(const Body<3>& body, PointArray targets, MoveOrder order, bool slides) noexcept;
+template Box<2> reach_of(const Body<2>& body) noexcept;
+template Box<3> reach_of(const Body<3>& body) noexcept;
+DSW_INSTANTIATE(find_partners);
+DSW_INSTANTIATE(check_apart);
+DSW_INSTANTIATE(find_islands);
 
 }  // namespace dsw

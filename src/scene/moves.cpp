@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "motion/wave.h"
 #include "scene/batch.h"
 #include "scene/scene.h"
@@ -217,16 +218,10 @@ void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t cou
   });
 }
 
-#define DSW_MOVES(D)                                                                                                \
-  template void check_particle<D>(const Scene<D>&, dsw_particle_id);                                                \
-  template void check_particles<D>(const Scene<D>&, const dsw_particle_id*, size_t);                                \
-  template void move_particle<D>(Scene<D>&, dsw_particle_id, const double*, const FlightOptions&, dsw_flight*);     \
-  template void move_particles<D>(Scene<D>&, const dsw_particle_id*, size_t, PointArray, const FlightOptions&,      \
-                                  dsw_flight*);                                                                     \
-  template void cast_from_particles<D>(Scene<D>&, const dsw_particle_id*, size_t, PointArray, const FlightOptions&, \
-                                       dsw_flight*)
-DSW_MOVES(2);
-DSW_MOVES(3);
-#undef DSW_MOVES
+DSW_INSTANTIATE(check_particle);
+DSW_INSTANTIATE(check_particles);
+DSW_INSTANTIATE(move_particle);
+DSW_INSTANTIATE(move_particles);
+DSW_INSTANTIATE(cast_from_particles);
 
 }  // namespace dsw

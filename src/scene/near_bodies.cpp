@@ -63,9 +63,7 @@ const Places<D>& NearBodies<D>::places_of(uint32_t slot) const {
   return std::lower_bound(bodies_.begin(), bodies_.end(), slot, before)->places;
 }
 
-#define DSW_NEAR_BODIES(D) template class NearBodies<D>
-DSW_NEAR_BODIES(2);
-DSW_NEAR_BODIES(3);
-#undef DSW_NEAR_BODIES
+template class NearBodies<2>;
+template class NearBodies<3>;
 
 }  // namespace dsw

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "base/dimensions.h"
 #include "base/error.h"
 #include "scene/near_bodies.h"
 #include "sweep/body_probe.h"
@@ -231,18 +232,14 @@ size_t mark_between(Environment<D>& env, Scene<D>* scene, int32_t a, int32_t b, 
   return count;
 }
 
-#define DSW_OCCUPATION(D)                                                                  \
-  template void refuse(const Scene<D>&);                                                   \
-  template void find_occupant_bodies(Scene<D>&, const NearBodies<D>&, BodyProbe<D>&);      \
-  template void count_looked_at(Scene<D>&, uint64_t) noexcept;                             \
-  template void clear_occupants(Scene<D>*) noexcept;                                       \
-  template size_t mark_cells(Environment<D>&, Scene<D>*, const Cell*, size_t, bool, bool); \
-  template void mark_facets(Environment<D>&, Scene<D>*, const HalfFacet*, size_t, bool);   \
-  template size_t mark_region(Environment<D>&, Scene<D>*, int32_t, bool, bool, size_t*);   \
-  template size_t mark_between(Environment<D>&, Scene<D>*, int32_t, int32_t, bool)
-DSW_OCCUPATION(2);
-DSW_OCCUPATION(3);
-#undef DSW_OCCUPATION
+DSW_INSTANTIATE(refuse);
+DSW_INSTANTIATE(find_occupant_bodies);
+DSW_INSTANTIATE(count_looked_at);
+DSW_INSTANTIATE(clear_occupants);
+DSW_INSTANTIATE(mark_cells);
+DSW_INSTANTIATE(mark_facets);
+DSW_INSTANTIATE(mark_region);
+DSW_INSTANTIATE(mark_between);
 
 template void mark_edges(Environment<3>&, Scene<3>*, const Dart*, size_t, bool);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "environment/marking.h"
 #include "motion/locate.h"
 #include "scene/batch.h"
@@ -166,15 +167,10 @@ size_t find_occupants_of_region(Scene<D>& scene, int32_t region) {
   return scene.particles.size();
 }
 
-#define DSW_PARTICLES(D)                                                                                          \
-  template void place_points<D>(const Scene<D>&, PointArray, size_t, const dsw_volume_id*, bool, Cell*, size_t*); \
-  template void create_particles<D>(Scene<D>&, PointArray, size_t, const dsw_volume_id*, bool, dsw_particle_id*,  \
-                                    size_t*);                                                                     \
-  template void destroy_particle<D>(Scene<D>&, uint32_t) noexcept;                                                \
-  template size_t find_occupants<D>(Scene<D>&, const Cell*, size_t);                                              \
-  template size_t find_occupants_of_region<D>(Scene<D>&, int32_t)
-DSW_PARTICLES(2);
-DSW_PARTICLES(3);
-#undef DSW_PARTICLES
+DSW_INSTANTIATE(place_points);
+DSW_INSTANTIATE(create_particles);
+DSW_INSTANTIATE(destroy_particle);
+DSW_INSTANTIATE(find_occupants);
+DSW_INSTANTIATE(find_occupants_of_region);
 
 }  // namespace dsw

@@ -1,5 +1,6 @@
 #include "scene/report.h"
 
+#include "base/dimensions.h"
 #include "motion/standard_facets.h"
 #include "predicates/plane_hit.h"
 
@@ -143,16 +144,10 @@ dsw_crossing report_crossing(const Environment<D>& env, Cell from, uint32_t simp
           crossing_time(env, from, simplex, start, target)};
 }
 
-#define DSW_REPORT(D)                                                                                     \
-  template void report_cast<D>(const Environment<D>&, const CastRequest&, const CastResult&, bool,        \
-                               dsw_flight*) noexcept;                                                     \
-  template void report_wave<D>(const Environment<D>&, const Wave<D>&, bool, dsw_flight* const*) noexcept; \
-  template void report_no_start<D>(const Environment<D>&, const double*, Cell, dsw_flight*) noexcept;     \
-  template void report_move<D>(const Environment<D>&, const MoveResult<D>&, bool, dsw_flight*) noexcept;  \
-  template dsw_crossing report_crossing<D>(const Environment<D>&, Cell, uint32_t, Cell, const double*,    \
-                                           const double*) noexcept
-DSW_REPORT(2);
-DSW_REPORT(3);
-#undef DSW_REPORT
+DSW_INSTANTIATE(report_cast);
+DSW_INSTANTIATE(report_wave);
+DSW_INSTANTIATE(report_no_start);
+DSW_INSTANTIATE(report_move);
+DSW_INSTANTIATE(report_crossing);
 
 }  // namespace dsw

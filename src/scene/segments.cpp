@@ -1,5 +1,6 @@
 #include "scene/segments.h"
 
+#include "base/dimensions.h"
 #include "motion/locate.h"
 #include "motion/wave.h"
 #include "scene/batch.h"
@@ -94,16 +95,9 @@ void locate_points(const Environment<D>& env, const Parallel& parallel, PointArr
   share_out(parallel, count, body);
 }
 
-#define DSW_SEGMENTS(D)                                                                                            \
-  template Cell locate_point<D>(const Environment<D>&, const double*, dsw_volume_id) noexcept;                     \
-  template void cast_segments<D>(const Environment<D>&, const Parallel&, size_t, const dsw_volume_id*, PointArray, \
-                                 PointArray, const SegmentOptions&, dsw_flight*);                                  \
-  template void cast_path<D>(const Environment<D>&, dsw_volume_id, const double*, const double*,                   \
-                             const SegmentOptions&, dsw_crossing*, size_t, size_t*, dsw_flight*) noexcept;         \
-  template void locate_points<D>(const Environment<D>&, const Parallel&, PointArray, size_t, const dsw_volume_id*, \
-                                 dsw_volume_id*)
-DSW_SEGMENTS(2);
-DSW_SEGMENTS(3);
-#undef DSW_SEGMENTS
+DSW_INSTANTIATE(locate_point);
+DSW_INSTANTIATE(cast_segments);
+DSW_INSTANTIATE(cast_path);
+DSW_INSTANTIATE(locate_points);
 
 }  // namespace dsw

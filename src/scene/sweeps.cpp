@@ -4,6 +4,7 @@
 #include <atomic>
 #include <new>
 
+#include "base/dimensions.h"
 #include "contact/geometry.h"
 #include "scene/batch.h"
 #include "scene/report.h"
@@ -149,12 +150,6 @@ void sweep_edges(const Environment<D>& env, const Parallel& parallel, size_t cou
   if (out_of_memory) throw std::bad_alloc();
 }
 
-#define DSW_SWEEPS(D)                                                                                      \
-  template void sweep_edges(const Environment<D>& env, const Parallel& parallel, size_t count,             \
-                            const dsw_volume_id* starts, PointArray from, PointArray to, PointArray fixed, \
-                            const SweepOptions& options, dsw_sweep* sweeps)
-DSW_SWEEPS(2);
-DSW_SWEEPS(3);
-#undef DSW_SWEEPS
+DSW_INSTANTIATE(sweep_edges);
 
 }  // namespace dsw

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <type_traits>
 
+#include "base/dimensions.h"
 #include "body/integrity.h"
 #include "motion/locate.h"
 #include "motion/nearest.h"
@@ -524,12 +525,9 @@ void BodyReader<D>::finish() const {
   if (!all) fail_corrupt("more of bodies than there are");
 }
 
-#define DSW_BODY_IMAGE(D)                                                                      \
-  template bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexcept; \
-  template void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image);     \
-  template class BodyReader<D>
-DSW_BODY_IMAGE(2);
-DSW_BODY_IMAGE(3);
-#undef DSW_BODY_IMAGE
+DSW_INSTANTIATE(can_be_at);
+DSW_INSTANTIATE(append);
+template class BodyReader<2>;
+template class BodyReader<3>;
 
 }  // namespace dsw

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "base/dimensions.h"
 #include "scene/meeting.h"
 #include "snapshot/scene_image.h"
 
@@ -198,13 +199,9 @@ void load(Scene<D>& scene, const uint8_t* block, size_t size) {
   load_bodies(scene, image, reader.version() == kKind.version);
 }
 
-#define DSW_SCENE_SNAPSHOT(D)                                       \
-  template size_t snapshot_bytes(const Scene<D>&);                  \
-  template void save(const Scene<D>&, uint8_t*);                    \
-  template SceneFeatures saved_features<D>(const uint8_t*, size_t); \
-  template void load(Scene<D>&, const uint8_t*, size_t)
-DSW_SCENE_SNAPSHOT(2);
-DSW_SCENE_SNAPSHOT(3);
-#undef DSW_SCENE_SNAPSHOT
+DSW_INSTANTIATE(snapshot_bytes);
+DSW_INSTANTIATE(save);
+DSW_INSTANTIATE(saved_features);
+DSW_INSTANTIATE(load);
 
 }  // namespace dsw

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/dimensions.h"
 #include "environment/builder.h"
 #include "environment/moving.h"
 #include "environment/validity.h"
@@ -371,11 +372,8 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   if ((h.flags & kHasGrid) != 0) build_grid(env);
 }
 
-template size_t snapshot_bytes(const Environment<2>&);
-template size_t snapshot_bytes(const Environment<3>&);
-template void save(const Environment<2>&, uint8_t*);
-template void save(const Environment<3>&, uint8_t*);
-template void load(Environment<2>&, const uint8_t*, size_t);
-template void load(Environment<3>&, const uint8_t*, size_t);
+DSW_INSTANTIATE(snapshot_bytes);
+DSW_INSTANTIATE(save);
+DSW_INSTANTIATE(load);
 
 }  // namespace dsw

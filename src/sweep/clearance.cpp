@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/dimensions.h"
 #include "base/position.h"
 #include "motion/nearest.h"
 
@@ -99,15 +100,9 @@ void earn_credit(Body<D>& body, uint32_t saved, uint32_t swept) noexcept {
   body.clearance_credit = std::min(body.clearance_credit + kSaved * saved + kSwept * swept, most);
 }
 
-#define DSW_CLEARANCE(D)                                                                                      \
-  template bool covers(const Environment<D>& env, const Clearance<D>& ball, const double* a, const double* b, \
-                       const double* c) noexcept;                                                             \
-  template double room_squared(const Environment<D>& env, const Clearance<D>& ball, const double* at,         \
-                               double way) noexcept;                                                          \
-  template void refresh_clearance(const Environment<D>& env, Body<D>& body, uint32_t v, double needed);       \
-  template void earn_credit(Body<D>& body, uint32_t saved, uint32_t swept) noexcept
-DSW_CLEARANCE(2);
-DSW_CLEARANCE(3);
-#undef DSW_CLEARANCE
+DSW_INSTANTIATE(covers);
+DSW_INSTANTIATE(room_squared);
+DSW_INSTANTIATE(refresh_clearance);
+DSW_INSTANTIATE(earn_credit);
 
 }  // namespace dsw

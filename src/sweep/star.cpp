@@ -362,9 +362,7 @@ void StarSweep<D>::consider(const double* p, const double* to, const StarContact
   *any = true;
 }
 
-#define DSW_STAR(D) template class StarSweep<D>
-DSW_STAR(2);
-DSW_STAR(3);
-#undef DSW_STAR
+template class StarSweep<2>;
+template class StarSweep<3>;
 
 }  // namespace dsw

@@ -1,5 +1,6 @@
 // Volumes added to an environment: read, joined with each other and with what is there, cut so that they are valid.
 
+#include "base/dimensions.h"
 #include "base/error.h"
 #include "environment/mesh_reader.h"
 #include "topology/operations.h"
@@ -202,7 +203,6 @@ void add_cells(Edit<D>& edit, const NewCells& input) {
   Addition<D>(edit, input).run();
 }
 
-template void add_cells(Edit<3>& edit, const NewCells& input);
-template void add_cells(Edit<2>& edit, const NewCells& input);
+DSW_INSTANTIATE(add_cells);
 
 }  // namespace dsw

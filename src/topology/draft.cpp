@@ -263,12 +263,11 @@ bool part_along(const CellDraft& whole, const Array<uint32_t>& loop, CellDraft& 
   return !right.facets.empty();
 }
 
-#define DSW_DRAFT(D)                                                    \
-  template FacetDraft draft_of(const Environment<D>& env, HalfFacet h); \
-  template CellDraft draft_of(const Environment<D>& env, Cell c);       \
-  template void centre(const Environment<D>& env, const CellDraft& draft, double* out)
-DSW_DRAFT(3);
-DSW_DRAFT(2);
-#undef DSW_DRAFT
+template FacetDraft draft_of(const Environment<2>& env, HalfFacet h);
+template FacetDraft draft_of(const Environment<3>& env, HalfFacet h);
+template CellDraft draft_of(const Environment<2>& env, Cell c);
+template CellDraft draft_of(const Environment<3>& env, Cell c);
+template void centre(const Environment<2>& env, const CellDraft& draft, double* out);
+template void centre(const Environment<3>& env, const CellDraft& draft, double* out);
 
 }  // namespace dsw

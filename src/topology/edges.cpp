@@ -1,6 +1,7 @@
 // Edges split by a vertex, merged where a vertex goes, and collapsed. All volumes round the edge, or the vertex, change. In the plane edges
 // are the sides of polygons.
 
+#include "base/dimensions.h"
 #include "base/error.h"
 #include "base/position.h"
 #include "environment/marking.h"
@@ -275,11 +276,7 @@ void collapse_edge(Edit<D>& edit, Dart d, uint32_t vertex) {
   Collapse<D>(edit, vertex, to).run(d.cell);
 }
 
-#define DSW_EDGES(D)                                                 \
-  template uint32_t split_edge(Edit<D>& edit, Dart d, double share); \
-  template void collapse_edge(Edit<D>& edit, Dart d, uint32_t vertex)
-DSW_EDGES(3);
-DSW_EDGES(2);
-#undef DSW_EDGES
+DSW_INSTANTIATE(split_edge);
+DSW_INSTANTIATE(collapse_edge);
 
 }  // namespace dsw

@@ -421,9 +421,7 @@ void Edit<D>::reserve_labels() {
       env_.tags, [](const CellDraft& draft) { return draft.tag; }, made_tags_);
 }
 
-#define DSW_EDIT(D) template class Edit<D>
-DSW_EDIT(3);
-DSW_EDIT(2);
-#undef DSW_EDIT
+template class Edit<2>;
+template class Edit<3>;
 
 }  // namespace dsw

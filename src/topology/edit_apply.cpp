@@ -129,12 +129,11 @@ void Edit<D>::finish() noexcept {
   finished_ = true;
 }
 
-#define DSW_EDIT_APPLY(D)                   \
-  template void Edit<D>::apply() noexcept;  \
-  template void Edit<D>::revert() noexcept; \
-  template void Edit<D>::finish() noexcept
-DSW_EDIT_APPLY(3);
-DSW_EDIT_APPLY(2);
-#undef DSW_EDIT_APPLY
+template void Edit<2>::apply() noexcept;
+template void Edit<3>::apply() noexcept;
+template void Edit<2>::revert() noexcept;
+template void Edit<3>::revert() noexcept;
+template void Edit<2>::finish() noexcept;
+template void Edit<3>::finish() noexcept;
 
 }  // namespace dsw

@@ -1,5 +1,6 @@
 // Faces sewn and unsewn, volumes removed, merged and split.
 
+#include "base/dimensions.h"
 #include "base/error.h"
 #include "topology/operations.h"
 
@@ -210,14 +211,10 @@ SplitCell split_cell(Edit<D>& edit, Cell c, const uint32_t* loop, size_t count) 
   return {first, edit.add(std::move(right)), left_facet, right_facet};
 }
 
-#define DSW_VOLUMES(D)                                                        \
-  template void sew(Edit<D>& edit, const FacetPair* pairs, size_t count);     \
-  template void unsew(Edit<D>& edit, HalfFacet h);                            \
-  template void remove_cells(Edit<D>& edit, const Cell* cells, size_t count); \
-  template size_t merge_cells(Edit<D>& edit, HalfFacet h);                    \
-  template SplitCell split_cell(Edit<D>& edit, Cell c, const uint32_t* loop, size_t count)
-DSW_VOLUMES(3);
-DSW_VOLUMES(2);
-#undef DSW_VOLUMES
+DSW_INSTANTIATE(sew);
+DSW_INSTANTIATE(unsew);
+DSW_INSTANTIATE(remove_cells);
+DSW_INSTANTIATE(merge_cells);
+DSW_INSTANTIATE(split_cell);
 
 }  // namespace dsw

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "base/error.h"
 #include "base/position.h"
 #include "base/slot_pool.h"
@@ -213,13 +214,8 @@ void add_contact(Trace& trace, const dsw_flight& flight, double normal_length, u
   addition.keep();
 }
 
-#define DSW_TRACE(D)                                                                                                 \
-  template void add_cells(Trace& trace, const Environment<D>& env, const Cell* cells, size_t count, uint32_t label); \
-  template void add_impassable(Trace& trace, const Environment<D>& env, bool with_boundary, uint32_t label);         \
-  template void add_walk(Trace& trace, const Environment<D>& env, dsw_volume_id start, const double* from,           \
-                         const double* to, const SegmentOptions& options, double normal_length, uint32_t label)
-DSW_TRACE(2);
-DSW_TRACE(3);
-#undef DSW_TRACE
+DSW_INSTANTIATE(add_cells);
+DSW_INSTANTIATE(add_impassable);
+DSW_INSTANTIATE(add_walk);
 
 }  // namespace dsw

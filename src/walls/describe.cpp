@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/dimensions.h"
 #include "contact/describe.h"
 #include "contact/geometry.h"
 
@@ -47,14 +48,13 @@ void name_wall(const Environment<D>& env, HalfFacet wall, dsw_wall_contact& cont
   contact.tag = obstacle_tag(env, wall, env.map.cell_of(wall));
 }
 
-#define DSW_DESCRIBE(D)                                                                                            \
-  template dsw_wall_contact describe(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit,       \
-                                     uint32_t vertex, const double* from, const double* to,                        \
-                                     dsw_wall_response done) noexcept;                                             \
-  template void name_feature(const Occupants<D>& all, const Feature& feature, dsw_wall_contact& contact) noexcept; \
-  template void name_wall(const Environment<D>& env, HalfFacet wall, dsw_wall_contact& contact) noexcept
-DSW_DESCRIBE(2);
-DSW_DESCRIBE(3);
-#undef DSW_DESCRIBE
+template dsw_wall_contact describe(const Environment<2>& env, const Occupants<2>& all, const WallHit& hit,
+                                   uint32_t vertex, const double* from, const double* to,
+                                   dsw_wall_response done) noexcept;
+template dsw_wall_contact describe(const Environment<3>& env, const Occupants<3>& all, const WallHit& hit,
+                                   uint32_t vertex, const double* from, const double* to,
+                                   dsw_wall_response done) noexcept;
+DSW_INSTANTIATE(name_feature);
+DSW_INSTANTIATE(name_wall);
 
 }  // namespace dsw

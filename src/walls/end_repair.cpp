@@ -244,9 +244,7 @@ void EndRepair<D>::add_contact(uint32_t owner, uint32_t edge, const Way& way, ds
   record.contacts.push_back(contact);
 }
 
-#define DSW_END_REPAIR(D) template class EndRepair<D>
-DSW_END_REPAIR(2);
-DSW_END_REPAIR(3);
-#undef DSW_END_REPAIR
+template class EndRepair<2>;
+template class EndRepair<3>;
 
 }  // namespace dsw

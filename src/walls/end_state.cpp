@@ -179,9 +179,7 @@ bool EndState<D>::put_before(const CastRequest& request, const CastResult& fligh
   return true;
 }
 
-#define DSW_END_STATE(D) template class EndState<D>
-DSW_END_STATE(2);
-DSW_END_STATE(3);
-#undef DSW_END_STATE
+template class EndState<2>;
+template class EndState<3>;
 
 }  // namespace dsw

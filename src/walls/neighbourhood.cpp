@@ -270,9 +270,7 @@ uint64_t Neighbourhood<D>::memory_bytes() const noexcept {
          array_bytes(occupied_) + array_bytes(open_) + array_bytes(star_) + array_bytes(traced_);
 }
 
-#define DSW_NEIGHBOURHOOD(D) template class Neighbourhood<D>
-DSW_NEIGHBOURHOOD(2);
-DSW_NEIGHBOURHOOD(3);
-#undef DSW_NEIGHBOURHOOD
+template class Neighbourhood<2>;
+template class Neighbourhood<3>;
 
 }  // namespace dsw

@@ -50,9 +50,7 @@ uint64_t Occupants<D>::memory_bytes() const noexcept {
   return of_bodies + array_bytes(bodies) + array_bytes(saved_particles_) + array_bytes(saved_vertices_);
 }
 
-#define DSW_OCCUPANTS(D) template struct Occupants<D>
-DSW_OCCUPANTS(2);
-DSW_OCCUPANTS(3);
-#undef DSW_OCCUPANTS
+template struct Occupants<2>;
+template struct Occupants<3>;
 
 }  // namespace dsw

@@ -1,5 +1,6 @@
 #include "walls/rigid_push.h"
 
+#include "base/dimensions.h"
 #include "base/points.h"
 
 namespace dsw {
@@ -166,12 +167,10 @@ bool RigidPush<D>::open_ways(uint32_t owner) {
   return any;
 }
 
-#define DSW_RIGID_PUSH(D)        \
-  template class RigidPushes<D>; \
-  template class RigidPush<D>;   \
-  template bool find_places(const Body<D>& body, const RigidMotion<D>& moved, Array<double>& places)
-DSW_RIGID_PUSH(2);
-DSW_RIGID_PUSH(3);
-#undef DSW_RIGID_PUSH
+template class RigidPushes<2>;
+template class RigidPushes<3>;
+template class RigidPush<2>;
+template class RigidPush<3>;
+DSW_INSTANTIATE(find_places);
 
 }  // namespace dsw

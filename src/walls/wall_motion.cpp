@@ -80,9 +80,7 @@ void WallMotion<D>::finish(WallRecord& record) {
   points.finish();
 }
 
-#define DSW_WALL_MOTION(D) template class WallMotion<D>
-DSW_WALL_MOTION(2);
-DSW_WALL_MOTION(3);
-#undef DSW_WALL_MOTION
+template class WallMotion<2>;
+template class WallMotion<3>;
 
 }  // namespace dsw

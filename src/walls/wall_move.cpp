@@ -229,9 +229,7 @@ void WallMove<D>::find_around(Array<dsw_volume_id>& cells) const {
   for (const Cell c : *star_) cells.push_back(volume_id(env_.map, c));
 }
 
-#define DSW_WALL_MOVE(D) template class WallMove<D>
-DSW_WALL_MOVE(2);
-DSW_WALL_MOVE(3);
-#undef DSW_WALL_MOVE
+template class WallMove<2>;
+template class WallMove<3>;
 
 }  // namespace dsw

@@ -1,5 +1,6 @@
 #include "walls/wall_sweep.h"
 
+#include "base/dimensions.h"
 #include "base/vec.h"
 #include "contact/normals.h"
 #include "environment/marking.h"
@@ -261,12 +262,8 @@ WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, con
   return touch;
 }
 
-#define DSW_WALL_SWEEP(D)                                                                                   \
-  template class WallSweep<D>;                                                                              \
-  template WallTouch describe_touch(const Environment<D>& env, const Occupants<D>& all, const WallHit& hit, \
-                                    const double* from, const double* to)
-DSW_WALL_SWEEP(2);
-DSW_WALL_SWEEP(3);
-#undef DSW_WALL_SWEEP
+template class WallSweep<2>;
+template class WallSweep<3>;
+DSW_INSTANTIATE(describe_touch);
 
 }  // namespace dsw
