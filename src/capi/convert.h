@@ -8,9 +8,9 @@
 #include "capi/describe.h"
 #include "capi/handle.h"
 #include "map/dart.h"
-#include "scene/report.h"
-#include "scene/segments.h"
-#include "scene/sweeps.h"
+#include "query/report.h"
+#include "query/segments.h"
+#include "query/sweeps.h"
 #include "topology/edit.h"
 
 namespace dsw::capi {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "capi/convert.h"
-#include "motion/classify.h"
-#include "motion/nearest.h"
+#include "locate/classify.h"
+#include "locate/nearest.h"
 #include "predicates/plane_hit.h"
 
 namespace capi = dsw::capi;

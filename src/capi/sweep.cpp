@@ -1,7 +1,7 @@
 #include "dartsweep/sweep.h"
 
 #include "capi/convert.h"
-#include "scene/sweeps.h"
+#include "query/sweeps.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;

@@ -5,10 +5,10 @@
 #include "base/dimensions.h"
 #include "contact/names.h"
 #include "contact/normals.h"
-#include "motion/move.h"
-#include "motion/standard_facets.h"
 #include "predicates/filtered.h"
 #include "predicates/plane_hit.h"
+#include "walk/move.h"
+#include "walk/standard_facets.h"
 
 namespace dsw {
 namespace {

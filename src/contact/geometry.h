@@ -1,7 +1,7 @@
 #pragma once
 // Where and how something is touched: doubles that follow from an exact event.
 
-#include "motion/sweep.h"
+#include "flood/sweep.h"
 
 namespace dsw {
 

@@ -2,8 +2,8 @@
 
 #include "base/position.h"
 #include "map/dart.h"
-#include "motion/cast.h"
 #include "predicates/plane_hit.h"
+#include "walk/cast.h"
 
 namespace dsw {
 namespace {

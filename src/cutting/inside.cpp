@@ -3,7 +3,7 @@
 #include "base/dimensions.h"
 #include "cutting/start.h"
 #include "map/dart.h"
-#include "motion/cast.h"
+#include "walk/cast.h"
 
 namespace dsw {
 namespace {

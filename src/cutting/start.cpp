@@ -1,7 +1,7 @@
 #include "cutting/start.h"
 
 #include "base/dimensions.h"
-#include "motion/locate.h"
+#include "locate/locate.h"
 
 namespace dsw {
 namespace {

@@ -8,7 +8,7 @@
 #include <initializer_list>
 
 #include "base/vec.h"
-#include "motion/cast.h"
+#include "walk/cast.h"
 
 namespace dsw {
 namespace {

@@ -10,14 +10,14 @@
 namespace dsw {
 
 template <int D>
-void BodyMove<D>::run_wave(const Body<D>& body) {
-  wave_.run(env_, sweeps_.counters);
-  for (uint32_t i = 0; i < wave_.count(); ++i) {
-    if (wave_.reached(i)) continue;
-    if (wave_vertices_[i] != kNone) {
-      moving_[wave_vertices_[i]].doubtful = true;
+void BodyMove<D>::run_packet(const Body<D>& body) {
+  packet_.run(env_, sweeps_.counters);
+  for (uint32_t i = 0; i < packet_.count(); ++i) {
+    if (packet_.reached(i)) continue;
+    if (packet_vertices_[i] != kNone) {
+      moving_[packet_vertices_[i]].doubtful = true;
     } else {
-      for (const uint32_t v : body.edges[wave_edges_[i]].ends) moving_[v].doubtful = true;
+      for (const uint32_t v : body.edges[packet_edges_[i]].ends) moving_[v].doubtful = true;
     }
   }
 }
@@ -281,33 +281,33 @@ void BodyMove<D>::sweep_edge(Body<D>& body, PointArray targets, uint32_t e, uint
  * @param v whose way is in doubt if it is not; kNone: that of both ends. */
 template <int D>
 void BodyMove<D>::cast_edge(Body<D>& body, uint32_t e, uint32_t v, const EdgeEnd& from, const EdgeEnd& to) {
-  const uint32_t at = wave_.count();
-  wave_vertices_[at] = v;
-  wave_edges_[at] = e;
-  CastRequest& request = wave_.add(env_, from.cell, from.position, to.position);
+  const uint32_t at = packet_.count();
+  packet_vertices_[at] = v;
+  packet_edges_[at] = e;
+  CastRequest& request = packet_.add(env_, from.cell, from.position, to.position);
   request.end = to.cell;
   request.max_cells = sweeps_.max_cells;
   if (body.keeps_sequences()) {
     if (writers_.size() == at) writers_.emplace_back(env_.memory);
     writers_[at].attach(env_, request);
   }
-  if (wave_.full()) run_edges(body);
+  if (packet_.full()) run_edges(body);
 }
 
 template <int D>
 void BodyMove<D>::run_edges(Body<D>& body) {
-  run_wave(body);
+  run_packet(body);
   if (body.keeps_sequences()) {
-    for (uint32_t i = 0; i < wave_.count(); ++i) {
-      if (wave_.reached(i)) writers_[i].finish(body.sequences[wave_edges_[i]]);
+    for (uint32_t i = 0; i < packet_.count(); ++i) {
+      if (packet_.reached(i)) writers_[i].finish(body.sequences[packet_edges_[i]]);
     }
   }
-  wave_.clear();
+  packet_.clear();
 }
 
 // What body_move.cpp calls.
-template void BodyMove<2>::run_wave(const Body<2>&);
-template void BodyMove<3>::run_wave(const Body<3>&);
+template void BodyMove<2>::run_packet(const Body<2>&);
+template void BodyMove<3>::run_packet(const Body<3>&);
 template const double* BodyMove<2>::place(const Body<2>&, PointArray, uint32_t, uint32_t) const;
 template const double* BodyMove<3>::place(const Body<3>&, PointArray, uint32_t, uint32_t) const;
 template Cell BodyMove<2>::cell_at(uint32_t, uint32_t) const;

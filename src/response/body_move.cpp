@@ -145,9 +145,9 @@ void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to
 template <int D>
 void BodyMove<D>::start(const Body<D>& body, MoveOrder order, PointArray targets) {
   sweeps_.counts = {};
-  wave_.clear();  // of casts left by a move that ran out of memory
+  packet_.clear();  // of casts left by a move that ran out of memory
   strays_.clear();
-  if (body.keeps_sequences()) writers_.reserve(kWave);  // casts point at them
+  if (body.keeps_sequences()) writers_.reserve(kPacket);  // casts point at them
   order_.clear();
   moving_.assign(body.vertices.size(), Moving{});
   if (body.keeps_sequences()) crossed_.assign(body.vertices.size(), PathFacets{});
@@ -205,20 +205,20 @@ void BodyMove<D>::measure_clearances(Body<D>& body, PointArray targets) {
 template <int D>
 void BodyMove<D>::cast_paths(const Body<D>& body, PointArray targets) {
   const auto run = [&] {
-    run_wave(body);
-    for (uint32_t i = 0; i < wave_.count(); ++i) {
-      const CastResult& path = wave_.result(i);
-      Moving& moving = moving_[wave_vertices_[i]];
+    run_packet(body);
+    for (uint32_t i = 0; i < packet_.count(); ++i) {
+      const CastResult& path = packet_.result(i);
+      Moving& moving = moving_[packet_vertices_[i]];
       moving.arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
-      if (body.keeps_sequences()) crossed_[wave_vertices_[i]] = path_facets(env_.map, wave_.request(i).start, path);
+      if (body.keeps_sequences()) crossed_[packet_vertices_[i]] = path_facets(env_.map, packet_.request(i).start, path);
     }
-    wave_.clear();
+    packet_.clear();
   };
   for (const uint32_t v : order_) {
     if (moving_[v].rank == kNone) continue;
-    wave_vertices_[wave_.count()] = v;
-    wave_.add(env_, body.vertices[v].cell, body.position(v), targets[v]).max_cells = sweeps_.max_cells;
-    if (wave_.full()) run();
+    packet_vertices_[packet_.count()] = v;
+    packet_.add(env_, body.vertices[v].cell, body.position(v), targets[v]).max_cells = sweeps_.max_cells;
+    if (packet_.full()) run();
   }
   run();
 }
@@ -330,14 +330,14 @@ bool BodyMove<D>::is_star_free(const Body<D>& body, uint32_t v) {
   const BodyVertex<D>& at = body.vertices[v];
   bool free = true;
   const auto run = [&] {
-    wave_.run(env_, sweeps_.counters);
-    for (uint32_t i = 0; i < wave_.count(); ++i) free = free && wave_.reached(i);
-    wave_.clear();
+    packet_.run(env_, sweeps_.counters);
+    for (uint32_t i = 0; i < packet_.count(); ++i) free = free && packet_.reached(i);
+    packet_.clear();
   };
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex<D>& other = body.vertices[body.edges[e].other(v)];
-    wave_.add(env_, at.cell, at.position, other.position).end = other.cell;
-    if (wave_.full()) run();
+    packet_.add(env_, at.cell, at.position, other.position).end = other.cell;
+    if (packet_.full()) run();
     return true;
   });
   run();

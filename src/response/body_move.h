@@ -2,7 +2,7 @@
 // A whole body moved: its vertices go to their targets one after the other.
 
 #include "base/points.h"
-#include "motion/sequence.h"
+#include "flood/sequence.h"
 #include "response/settings.h"
 
 namespace dsw {
@@ -83,7 +83,7 @@ class BodyMove {
   void sweep_faces(const Body<D>& body, PointArray targets);
   void find_sides(const Body<D>& body);
   bool shares_strip(const Body<D>& body, uint32_t f) const;
-  void run_wave(const Body<D>& body);
+  void run_packet(const Body<D>& body);
   void arrive(Body<D>& body, PointArray targets, uint32_t v) const;
   bool finish(Body<D>& body, PointArray targets, const MoveSettings& settings, MoveRecord& record, bool may_skip);
   void disturb(const Body<D>& body, uint32_t v);
@@ -94,10 +94,10 @@ class BodyMove {
 
   const Environment<D>& env_;
   StarSweep<D> sweeps_;
-  Wave<D> wave_;
-  uint32_t wave_vertices_[kWave] = {};  // kNone: of both ends of the edge
-  uint32_t wave_edges_[kWave] = {};
-  Array<SequenceWriter<D>> writers_{env_.memory};  // of the wave, if sequences are kept
+  Packet<D> packet_;
+  uint32_t packet_vertices_[kPacket] = {};  // kNone: of both ends of the edge
+  uint32_t packet_edges_[kPacket] = {};
+  Array<SequenceWriter<D>> writers_{env_.memory};  // of the packet, if sequences are kept
   uint32_t chunk_[kChunk] = {};                    // edges that are looked at
   Array<uint32_t> order_{env_.memory};
   Array<Moving> moving_{env_.memory};         // by vertex

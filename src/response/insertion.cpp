@@ -2,7 +2,7 @@
 
 #include "base/dimensions.h"
 #include "contact/describe.h"
-#include "motion/locate.h"
+#include "locate/locate.h"
 
 namespace dsw {
 namespace {

@@ -5,8 +5,8 @@
 #include "base/points.h"
 #include "contact/describe.h"
 #include "contact/describe_pair.h"
-#include "motion/retreat.h"
 #include "response/insertion.h"
+#include "walk/retreat.h"
 
 namespace dsw {
 namespace {

@@ -2,10 +2,10 @@
 
 #include "base/dimensions.h"
 #include "contact/describe.h"
-#include "motion/move.h"
 #include "response/insertion.h"
 #include "scene/meeting.h"
 #include "scene/scene.h"
+#include "walk/move.h"
 
 namespace dsw {
 namespace {

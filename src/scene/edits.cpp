@@ -5,10 +5,10 @@
 
 #include "base/dimensions.h"
 #include "map/cell_queue.h"
-#include "motion/cast.h"
 #include "scene/near_bodies.h"
 #include "scene/occupation.h"
 #include "sweep/body_probe.h"
+#include "walk/cast.h"
 
 namespace dsw {
 namespace {

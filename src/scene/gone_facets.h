@@ -3,7 +3,7 @@
 // all bodies at each change.
 
 #include "base/key_table.h"
-#include "motion/sequence.h"
+#include "flood/sequence.h"
 #include "topology/edit.h"
 
 namespace dsw {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "base/batch.h"
 #include "base/dimensions.h"
-#include "motion/wave.h"
-#include "scene/batch.h"
 #include "scene/scene.h"
+#include "walk/packet.h"
 
 namespace dsw {
 namespace {
@@ -91,25 +91,25 @@ void finish_one(const Scene<D>& scene, ParticleState<D>& state, const CastReques
   if (report != nullptr) report_move(scene.env, result, detail, report);
 }
 
-/** Casts of particles' moves, a wave at a time; `done(first, wave)` is called for each, in their order. */
+/** Casts of particles' moves, a packet at a time; `done(first, packet)` is called for each, in their order. */
 template <int D, class Done>
 void cast_particles(Scene<D>& scene, const dsw_particle_id* ids, PointArray targets, uint32_t max_cells,
                     bool with_crossings, size_t begin, size_t end, CastCounters* counters, const Done& done) noexcept {
-  Wave<D> wave;
-  CrossingWriter<D> writers[kWave];
+  Packet<D> packet;
+  CrossingWriter<D> writers[kPacket];
   while (begin < end) {
     const size_t first = begin;
-    for (wave.clear(); begin < end && !wave.full(); ++begin) {
+    for (packet.clear(); begin < end && !packet.full(); ++begin) {
       if (begin + kRecordAhead < end) prefetch_record(scene.env, scene.particles[ids[begin + kRecordAhead].index].cell);
       const ParticleState<D>& state = scene.particles[ids[begin].index];
-      CrossingWriter<D>& writer = writers[wave.count()];
-      CastRequest& request = wave.add(scene.env, state.cell, state.position, targets[begin]);
+      CrossingWriter<D>& writer = writers[packet.count()];
+      CastRequest& request = packet.add(scene.env, state.cell, state.position, targets[begin]);
       request.max_cells = max_cells;
       request.forecast = state.forecast;
       if (with_crossings) writer.start(scene, begin, request);
     }
-    wave.run(scene.env, counters);
-    done(first, wave);
+    packet.run(scene.env, counters);
+    done(first, packet);
   }
 }
 
@@ -120,8 +120,8 @@ void prepare_crossings(Scene<D>& scene, const dsw_particle_id* ids, size_t count
                        uint32_t max_cells) {
   Array<size_t> first(count + 1, size_t{0}, scene.crossing_first.get_allocator());
   auto body = [&](size_t begin, size_t end) noexcept {
-    cast_particles(scene, ids, targets, max_cells, false, begin, end, nullptr, [&](size_t at, const Wave<D>& wave) {
-      for (uint32_t i = 0; i < wave.count(); ++i) first[at + i + 1] = wave.result(i).cells_visited;
+    cast_particles(scene, ids, targets, max_cells, false, begin, end, nullptr, [&](size_t at, const Packet<D>& packet) {
+      for (uint32_t i = 0; i < packet.count(); ++i) first[at + i + 1] = packet.result(i).cells_visited;
     });
   };
   share_out(scene.parallel, count, body);
@@ -160,9 +160,9 @@ void move_checked(Scene<D>& scene, const dsw_particle_id* ids, size_t count, Poi
   if (scene.features.crossings) prepare_crossings(scene, ids, count, targets, options.max_cells);
   run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
     cast_particles(scene, ids, targets, options.max_cells, scene.features.crossings, begin, end,
-                   statistics == nullptr ? nullptr : &statistics->cast, [&](size_t first, const Wave<D>& wave) {
-                     for (uint32_t i = 0; i < wave.count(); ++i) {
-                       finish_one(scene, scene.particles[ids[first + i].index], wave.request(i), wave.result(i),
+                   statistics == nullptr ? nullptr : &statistics->cast, [&](size_t first, const Packet<D>& packet) {
+                     for (uint32_t i = 0; i < packet.count(); ++i) {
+                       finish_one(scene, scene.particles[ids[first + i].index], packet.request(i), packet.result(i),
                                   options.detail, flights == nullptr ? nullptr : flights + first + i, statistics);
                      }
                    });
@@ -207,13 +207,13 @@ void cast_from_particles(Scene<D>& scene, const dsw_particle_id* ids, size_t cou
   prepare_statistics(scene, count);
   run_batch(scene, count, [&](size_t begin, size_t end, SceneStatistics* statistics) noexcept {
     cast_particles(scene, ids, to, options.max_cells, false, begin, end,
-                   statistics == nullptr ? nullptr : &statistics->cast, [&](size_t first, const Wave<D>& wave) {
-                     dsw_flight* reports[kWave];
-                     for (uint32_t i = 0; i < wave.count(); ++i) {
+                   statistics == nullptr ? nullptr : &statistics->cast, [&](size_t first, const Packet<D>& packet) {
+                     dsw_flight* reports[kPacket];
+                     for (uint32_t i = 0; i < packet.count(); ++i) {
                        reports[i] = flights + first + i;
-                       if (statistics != nullptr && wave.result(i).end == CastEnd::kHit) ++statistics->contacts;
+                       if (statistics != nullptr && packet.result(i).end == CastEnd::kHit) ++statistics->contacts;
                      }
-                     report_wave(scene.env, wave, options.detail, reports);
+                     report_packet(scene.env, packet, options.detail, reports);
                    });
   });
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "base/batch.h"
 #include "base/dimensions.h"
 #include "environment/marking.h"
-#include "motion/locate.h"
-#include "scene/batch.h"
+#include "locate/locate.h"
 #include "scene/scene.h"
 
 namespace dsw {

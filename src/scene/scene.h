@@ -11,13 +11,13 @@
 #include "base/points.h"
 #include "base/slot_pool.h"
 #include "environment/environment.h"
-#include "motion/move.h"
-#include "motion/particle_state.h"
+#include "query/report.h"
 #include "scene/bodies.h"
 #include "scene/cell_particles.h"
 #include "scene/deformation.h"
 #include "scene/gone_facets.h"
-#include "scene/report.h"
+#include "walk/move.h"
+#include "walk/particle_state.h"
 
 namespace dsw {
 

@@ -8,8 +8,8 @@
 
 #include "base/dimensions.h"
 #include "body/integrity.h"
-#include "motion/locate.h"
-#include "motion/nearest.h"
+#include "locate/locate.h"
+#include "locate/nearest.h"
 #include "scene/scene.h"
 #include "snapshot/scene_image.h"
 #include "sweep/body_probe.h"

@@ -23,7 +23,7 @@ struct SceneImage {
   Array<uint32_t> faces;  // corners
   Array<uint32_t> face_slots, free_faces;
   Array<uint32_t> inserted;
-  // For each edge twice the count of its facets, plus 1 if they are in rows (motion/sequence.h); then the cell and local number of each.
+  // For each edge twice the count of its facets, plus 1 if they are in rows (flood/sequence.h); then the cell and local number of each.
   Array<uint32_t> sequences;
   Array<double> balls;         // centre, radius, wanted
   Array<uint32_t> ball_words;  // wait, patience, whether it is of the present environment

@@ -54,15 +54,15 @@ template <int D>
 template <class Visit>
 bool BodyProbe<D>::visit_edges(const Body<D>& body, const Places<D>& changed, SweepLevel level, Visit visit) {
   if (kind_ == Obstacle::kWires || level == SweepLevel::kPoints) return true;
-  uint32_t edges[kWave];
-  wave_.clear();
+  uint32_t edges[kPacket];
+  packet_.clear();
   const auto run = [&] {
-    wave_.run(env_, nullptr);
+    packet_.run(env_, nullptr);
     bool go_on = true;
-    for (uint32_t i = 0; i < wave_.count() && go_on; ++i) {
-      if (!wave_.reached(i)) go_on = visit(edges[i]);
+    for (uint32_t i = 0; i < packet_.count() && go_on; ++i) {
+      if (!packet_.reached(i)) go_on = visit(edges[i]);
     }
-    wave_.clear();
+    packet_.clear();
     return go_on;
   };
   const auto look = [&](uint32_t e) {
@@ -70,9 +70,9 @@ bool BodyProbe<D>::visit_edges(const Body<D>& body, const Places<D>& changed, Sw
     const BodyVertex<D>&a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
     const double* const ends[2] = {a.position, b.position};
     if (!changed.overlap(ends, 2)) return true;
-    edges[wave_.count()] = e;
-    wave_.add(env_, a.cell, a.position, b.position).end = b.cell;
-    return !wave_.full() || run();
+    edges[packet_.count()] = e;
+    packet_.add(env_, a.cell, a.position, b.position).end = b.cell;
+    return !packet_.full() || run();
   };
   return visit_near(body, &BodyBoxes<D>::edges, body.edges.size(), changed, near_, looked_at, look) && run();
 }

@@ -2,8 +2,8 @@
 // Whether bodies stay free when something becomes impassable.
 
 #include "body/near.h"
-#include "motion/sweep.h"
-#include "motion/wave.h"
+#include "flood/sweep.h"
+#include "walk/packet.h"
 
 namespace dsw {
 
@@ -45,7 +45,7 @@ class BodyProbe {
   const Environment<D>& env_;
   Obstacle kind_;
   SweepFlood<D> flood_;
-  Wave<D> wave_;
+  Packet<D> packet_;
   Array<uint32_t> near_{env_.memory};
 };
 

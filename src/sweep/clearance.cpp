@@ -5,7 +5,7 @@
 
 #include "base/dimensions.h"
 #include "base/position.h"
-#include "motion/nearest.h"
+#include "locate/nearest.h"
 
 namespace dsw {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "environment/marking.h"
-#include "motion/hop.h"
-#include "motion/sequence.h"
+#include "flood/hop.h"
+#include "flood/sequence.h"
 #include "sweep/clearance.h"
 
 namespace dsw {
@@ -176,24 +176,24 @@ bool StarSweep<D>::stays_before_wall(const BodyVertex<D>& at, const double* to, 
 template <int D>
 bool StarSweep<D>::find_hit_edges(const Body<D>& body, uint32_t v, const double* to, Cell cell, bool one_is_enough) {
   hit_edges_.clear();
-  wave_.clear();  // of casts that ran out of memory
+  packet_.clear();  // of casts that ran out of memory
   const auto run = [&] {
-    wave_.run(env_, counters);
-    for (uint32_t i = 0; i < wave_.count(); ++i) {
-      const CastEnd end = wave_.result(i).end;
-      if (!wave_.reached(i)) hit_edges_.push_back(wave_edges_[i]);
+    packet_.run(env_, counters);
+    for (uint32_t i = 0; i < packet_.count(); ++i) {
+      const CastEnd end = packet_.result(i).end;
+      if (!packet_.reached(i)) hit_edges_.push_back(packet_edges_[i]);
       limited_ = limited_ || end == CastEnd::kWorkLimit;
     }
-    wave_.clear();
+    packet_.clear();
   };
   for_each_edge(body, v, [&](uint32_t e) {
     const BodyVertex<D>& fixed = body.vertices[body.edges[e].other(v)];
     if (settles(body, {e, v, to, cell, fixed.position, fixed.cell, {}})) return true;
-    wave_edges_[wave_.count()] = e;
-    CastRequest& request = wave_.add(env_, cell, to, fixed.position);
+    packet_edges_[packet_.count()] = e;
+    CastRequest& request = packet_.add(env_, cell, to, fixed.position);
     request.end = fixed.cell;
     request.max_cells = max_cells;
-    if (wave_.full()) run();
+    if (packet_.full()) run();
     return !(one_is_enough && !hit_edges_.empty());
   });
   run();

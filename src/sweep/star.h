@@ -3,10 +3,10 @@
 // the triangles that they sweep, at FACES also the tetrahedra that its faces sweep [JCD10] 4.1.
 
 #include "body/body.h"
-#include "motion/box_probe.h"
-#include "motion/sweep.h"
-#include "motion/wave.h"
+#include "flood/box_probe.h"
+#include "flood/sweep.h"
 #include "pairs/pair_sweep.h"
+#include "walk/packet.h"
 
 namespace dsw {
 
@@ -163,8 +163,8 @@ class StarSweep {
   BoxProbe<D> probe_;
   SweepFlood<D> flood_;
   Array<uint32_t> before_{env_.memory};  // facets of a sequence, to go back to
-  Wave<D> wave_;
-  uint32_t wave_edges_[kWave] = {};
+  Packet<D> packet_;
+  uint32_t packet_edges_[kPacket] = {};
   Array<uint32_t> hit_edges_{env_.memory};  // at EDGES: those whose new place is not free
 };
 

@@ -3,7 +3,7 @@
 
 #include "dartsweep/contact.h"
 #include "environment/environment.h"
-#include "scene/segments.h"
+#include "query/segments.h"
 
 namespace dsw {
 

@@ -2,10 +2,10 @@
 
 #include "base/points.h"
 #include "environment/moving.h"
-#include "motion/move.h"
-#include "motion/standard_facets.h"
 #include "predicates/plane_hit.h"
 #include "response/insertion.h"
+#include "walk/move.h"
+#include "walk/standard_facets.h"
 #include "walls/describe.h"
 
 namespace dsw {

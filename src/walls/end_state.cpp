@@ -2,11 +2,11 @@
 
 #include "base/points.h"
 #include "contact/names.h"
-#include "deform/moving_points.h"
 #include "environment/moving.h"
-#include "motion/move.h"
-#include "motion/prefetch.h"
+#include "walk/move.h"
+#include "walk/prefetch.h"
 #include "walls/describe.h"
+#include "walls/moving_points.h"
 
 namespace dsw {
 
@@ -35,7 +35,7 @@ void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& re
     return settings.refuses_invalid ? Went::kRefused : Went::kStopped;
   };
   try {
-    points_.reserve(kWave);
+    points_.reserve(kPacket);
     repair_.begin(start);
     if (!find_way(all_, settings.response == DSW_WALL_INSERT, record, try_way, take_back)) return restore_next();
     record.outcome = record.fraction == 1 ? DSW_DEFORM_DONE : DSW_DEFORM_FRACTION;
@@ -53,7 +53,7 @@ Went EndState<D>::try_seats(const WallSettings& settings, WallRecord& record) {
   Went went = Went::kThrough;
   const auto add = [&](const Feature& point) {
     points_.push_back(point);
-    if (points_.size() == kWave) went = run_seats(settings, record);
+    if (points_.size() == kPacket) went = run_seats(settings, record);
     return went == Went::kThrough;
   };
   points_.clear();
@@ -104,7 +104,7 @@ bool EndState<D>::repair(const WallSettings& settings, WallRecord& record) {
 /** Follows points from the centres of their cells, side by side. */
 template <int D>
 Went EndState<D>::run_seats(const WallSettings& settings, WallRecord& record) {
-  uint8_t place[kWave];  // of their cells
+  uint8_t place[kPacket];  // of their cells
   cells_.clear();
   for (size_t i = 0; i < points_.size(); ++i) {
     const Cell c = cell_of(all_, points_[i]);
@@ -123,7 +123,7 @@ Went EndState<D>::run_seats(const WallSettings& settings, WallRecord& record) {
       return Went::kInvalid;
     }
   }
-  wave_.clear();
+  packet_.clear();
   for (size_t i = 0; i < points_.size(); ++i) {
     const Cell c = cells_[place[i]];
     const double* const from = centres_[place[i]];
@@ -131,15 +131,16 @@ Went EndState<D>::run_seats(const WallSettings& settings, WallRecord& record) {
     const double* const at = position(all_, points_[i]);
     const bool thin = env_.map.form(c) == Form::kSimplex && !contains(env_, c, from);
     if (thin && !contains(env_, c, at)) return Went::kStopped;
-    wave_.add(env_, c, thin ? at : from, at);
+    packet_.add(env_, c, thin ? at : from, at);
   }
-  wave_.run(env_, nullptr);
+  packet_.run(env_, nullptr);
   const dsw_wall_response done = settings.response == DSW_WALL_INSERT ? DSW_WALL_PUSH : settings.response;
-  for (uint32_t i = 0; i < wave_.count(); ++i) {
-    const CastResult& flight = wave_.result(i);
+  for (uint32_t i = 0; i < packet_.count(); ++i) {
+    const CastResult& flight = packet_.result(i);
     if (flight.end == CastEnd::kReached) {
       if (flight.cells_visited != 1) seat(all_, points_[i], position(all_, points_[i]), flight.cell);
-    } else if (!put_before(wave_.request(i), flight, points_[i], done, record) || settings.response == DSW_WALL_STOP) {
+    } else if (!put_before(packet_.request(i), flight, points_[i], done, record) ||
+               settings.response == DSW_WALL_STOP) {
       return Went::kStopped;
     }
   }

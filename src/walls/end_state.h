@@ -2,16 +2,16 @@
 // The environment's points go to new places at once [JCD10] 5.1: occupants are looked for where they are then. That tells rightly on which
 // side of a wall they are when walls move less than a cell is thick.
 
-#include "motion/wave.h"
 #include "sweep/body_probe.h"
+#include "walk/packet.h"
 #include "walls/end_repair.h"
 #include "walls/find_way.h"
 
 namespace dsw {
 
-/** The cells that the points of a wave lie in, each once: neighbours on a body share them. */
+/** The cells that the points of a packet lie in, each once: neighbours on a body share them. */
 template <int D>
-class WaveCells {
+class PacketCells {
  public:
   void clear() noexcept {
     count_ = 0;
@@ -33,10 +33,10 @@ class WaveCells {
  private:
   static constexpr uint32_t kSlots = 256;
   static constexpr uint8_t kEmpty = 0xff;
-  static_assert(2 * kWave <= kSlots);
+  static_assert(2 * kPacket <= kSlots);
 
   uint32_t count_ = 0;
-  Cell cells_[kWave];
+  Cell cells_[kPacket];
   uint8_t places_[kSlots];  // by hash, linear probing
 };
 
@@ -58,10 +58,10 @@ class EndState {
 
   Environment<D>& env_;
   Occupants<D>& all_;
-  Wave<D> wave_;
-  Array<Feature> points_{env_.memory};  // of the wave
-  WaveCells<D> cells_;
-  double centres_[kWave][D];  // of these
+  Packet<D> packet_;
+  Array<Feature> points_{env_.memory};  // of the packet
+  PacketCells<D> cells_;
+  double centres_[kPacket][D];  // of these
   BodyProbe<D> probe_;
   EndRepair<D> repair_;
   Array<Feature> struck_{env_.memory};  // vertices of rigid bodies that lie beyond walls

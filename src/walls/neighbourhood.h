@@ -2,9 +2,9 @@
 // The part of an environment that matters while its points move: cells that hold occupants, their vertices ("near"), and the cells round
 // those. Only these cells can be entered meanwhile; the rest of the environment is at its new place already.
 
-#include "deform/moving_points.h"
+#include "flood/sweep.h"
 #include "map/cell_queue.h"
-#include "motion/sweep.h"
+#include "walls/moving_points.h"
 #include "walls/occupants.h"
 
 namespace dsw {

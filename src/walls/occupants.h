@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "motion/particle_state.h"
 #include "response/settings.h"
+#include "walk/particle_state.h"
 
 namespace dsw {
 

@@ -8,9 +8,9 @@
 #include "host_memory.h"
 #include "map/dart.h"
 #include "map/integrity.h"
-#include "motion/cast.h"
 #include "remesh/mending.h"
 #include "sweep/body_probe.h"
+#include "walk/cast.h"
 
 namespace dsw::oracle {
 namespace {

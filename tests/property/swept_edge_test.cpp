@@ -2,12 +2,12 @@
 
 #include "swept_cases.h"
 
-#include "motion/cast.h"
-#include "motion/hop.h"
-#include "motion/locate.h"
-#include "motion/sequence.h"
-#include "motion/sweep.h"
+#include "flood/hop.h"
+#include "flood/sequence.h"
+#include "flood/sweep.h"
+#include "locate/locate.h"
 #include "sweep/star.h"
+#include "walk/cast.h"
 
 namespace dsw::swept {
 namespace {

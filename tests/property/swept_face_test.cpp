@@ -2,9 +2,9 @@
 
 #include "swept_cases.h"
 
-#include "motion/box_probe.h"
-#include "motion/locate.h"
-#include "motion/sweep.h"
+#include "flood/box_probe.h"
+#include "flood/sweep.h"
+#include "locate/locate.h"
 
 namespace dsw::swept {
 namespace {

@@ -9,13 +9,13 @@
 #include "base/error.h"
 #include "environment/builder.h"
 #include "environment/marking.h"
-#include "motion/cast.h"
-#include "motion/hop.h"
-#include "motion/locate.h"
-#include "motion/sequence.h"
+#include "flood/hop.h"
+#include "flood/sequence.h"
+#include "locate/locate.h"
 #include "plane_scenes.h"
 #include "sweep/star.h"
 #include "swept_cases.h"
+#include "walk/cast.h"
 
 namespace dsw::swept {
 namespace {

@@ -4,11 +4,11 @@
 #include <set>
 
 #include "cutting/crossings.h"
+#include "locate/locate.h"
 #include "map/integrity.h"
-#include "motion/cast.h"
-#include "motion/locate.h"
 #include "random_edits.h"
 #include "random_shapes.h"
+#include "walk/cast.h"
 
 namespace dsw::oracle {
 namespace {

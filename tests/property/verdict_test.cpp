@@ -2,7 +2,7 @@
 
 #include "swept_cases.h"
 
-#include "motion/locate.h"
+#include "locate/locate.h"
 #include "verdict/verdict.h"
 
 namespace dsw::swept {

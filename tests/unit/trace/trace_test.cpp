@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "environment/marking.h"
+#include "locate/locate.h"
 #include "map/dart.h"
-#include "motion/locate.h"
 #include "small_meshes.h"
 
 namespace {

@@ -1,0 +1,276 @@
+#include "flood/sequence.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "base/dimensions.h"
+#include "base/slot_pool.h"
+#include "flood/line_sides.h"
+#include "walk/shear.h"
+#include "walk/standard_facets.h"
+
+namespace dsw {
+namespace {
+
+const PassTriangles kPassTriangles = choose_pass_triangles();
+
+template <int D>
+using LineTests = std::conditional_t<D == 3, Shear, LineSides>;
+size_t pass(Shear& line, const FacetRows<3>& triangles) noexcept { return kPassTriangles(line, triangles); }
+size_t pass(LineSides& line, const FacetRows<2>& sides) noexcept { return line.pass(sides); }
+
+/** Whether rows hold facets of a cell like this one: their corners are all that a line test needs. */
+bool is_for_rows(const Map<3>& map, Cell c) noexcept { return map.form(c) == Form::kSimplex; }
+bool is_for_rows(const Map<2>& map, Cell c) noexcept { return map.convex(c); }
+
+/** The vertices of a facet that is kept in rows, in the order of its shape. */
+template <int D>
+struct Corners {
+  uint32_t vertices[D];
+
+  Corners(const Map<D>& map, uint32_t facet) noexcept {
+    if constexpr (D == 3) {
+      const uint32_t* const w = map.words.data() + facet / kUnitWords<3> * size_t{kUnitWords<3>};
+      const uint8_t(&local)[3] = kTetrahedronFacets[facet % kUnitWords<3> - (kUnitWords<3> - 4)];
+      for (int i = 0; i < 3; ++i) vertices[i] = w[local[i]] & kVertexMask;
+    } else {
+      const Cell c = map.cell_of({facet});
+      const uint32_t side = map.local_of({facet}, c), next = side + 1;
+      vertices[0] = map.vertex(c, side);
+      vertices[1] = map.vertex(c, next == map.vertices_of(c) ? 0 : next);
+    }
+  }
+  bool has(const Pivot<D>& pivot) const noexcept {
+    const uint32_t *const begin = vertices, *const end = vertices + D;
+    return std::all_of(pivot.vertices, pivot.vertices + (D - 1),
+                       [&](uint32_t vertex) { return std::find(begin, end, vertex) != end; });
+  }
+};
+
+/** What is known of facets in rows from `begin` to before `end`. */
+template <int D>
+void read_rows(const Environment<D>& env, EdgeSequence<D>& sequence, size_t begin, size_t end) noexcept {
+  for (size_t n = begin; n < end; ++n) {
+    const Corners<D> corners(env.map, sequence.facets[n]);
+    for (int i = 0; i < D; ++i) sequence.rows.set(n, i, env.point(corners.vertices[i]));
+  }
+}
+
+/** Of facets in rows: whether all are, and the cells valid, and in the plane still convex. */
+template <int D>
+bool are_passable(const Environment<D>& env, const Array<uint32_t>& facets) noexcept {
+  const Map<D>& map = env.map;
+  uint32_t marks = 0;
+  for (const uint32_t f : facets) {
+    const Cell c = D == 3 ? Cell{f / kUnitWords<3>} : map.cell_of({f});
+    if (D == 2 && !map.convex(c)) return false;
+    marks |= map.record(c)[0] | map.words[f];
+  }
+  if ((marks & kMarkBit) != 0) return false;
+  return !env.checked.active() ||
+         std::all_of(facets.begin(), facets.end(), [&](uint32_t f) { return admits(env, map.cell_of({f})); });
+}
+
+/** Facets that are not in rows. Whether all are passable, and their cells exactly convex. */
+bool pass(const Environment<3>& env, Shear& shear, const Array<uint32_t>& facets) noexcept {
+  const Map<3>& map = env.map;
+  uint32_t marks = 0;
+  for (const uint32_t f : facets) {
+    const Cell c = map.cell_of({f});
+    if (!map.convex(c) || !admits(env, c)) return false;
+    const uint32_t* const w = map.record(c);
+    const uint32_t facet = map.local_of({f}, c);
+    marks |= w[0] | map.words[f];
+    if (form_of(w[0]) == Form::kBox) {
+      const uint8_t(&local)[4] = kBoxFacets[facet];
+      Shear::Point corners[4];
+      for (int i = 0; i < 4; ++i) corners[i] = shear(env.point(w[kUnitWords<3> + local[i]]));
+      for (int i = 0; i < 4; ++i) shear.pass(corners[i], corners[(i + 1) % 4]);
+      continue;
+    }
+    const Shape shape = map.shape(c);
+    for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
+      shear.pass(shear(env.point(c, shape.dart_vertex(d))), shear(env.point(c, shape.dart_vertex(shape.beta1(d)))));
+    }
+  }
+  return (marks & kMarkBit) == 0;
+}
+
+template <int D>
+bool is_same_point(const double* a, const double* b) noexcept {
+  return std::equal(a, a + D, b);
+}
+
+/** What a line passes on the wrong side of a facet that it does not pass. */
+Pivot<3> missed(const Environment<3>& env, Shear& line, const Corners<3>& corners) noexcept {
+  Shear::Point points[3];
+  for (int i = 0; i < 3; ++i) points[i] = line(env.point(corners.vertices[i]));
+  int side = 0;
+  while (side < 2 && Shear::side(points[side], points[side + 1]) > 0) ++side;
+  return {{corners.vertices[side], corners.vertices[(side + 1) % 3]}};
+}
+Pivot<2> missed(const Environment<2>& env, LineSides& line, const Corners<2>& corners) noexcept {
+  return {{corners.vertices[line.side(env.point(corners.vertices[0])) < 0 ? 1 : 0]}};
+}
+
+/** The other facet of a cell at a pivot of `entered`. */
+HalfFacet other_at(const Map<3>& map, Cell c, HalfFacet entered, const Pivot<3>& edge) noexcept {
+  HalfFacet other;
+  for (uint32_t f = 0; f < 4; ++f) {
+    const HalfFacet h = map.half_facet(c, f);
+    const uint32_t tip = map.vertex(c, kTetrahedronTips[f]);
+    if (h != entered && tip != edge.vertices[0] && tip != edge.vertices[1]) other = h;
+  }
+  return other;
+}
+HalfFacet other_at(const Map<2>& map, Cell c, HalfFacet entered, const Pivot<2>& vertex) noexcept {
+  const uint32_t count = map.vertices_of(c), side = map.local_of(entered, c);
+  const bool begins_there = map.vertex(c, side) == vertex.vertices[0];
+  return map.half_facet(c, (side + (begins_there ? count - 1 : 1)) % count);
+}
+
+}  // namespace
+
+template <int D>
+void EdgeSequence<D>::replace(const Environment<D>& env, size_t begin, size_t end, const uint32_t* by, size_t count) {
+  const size_t removed = end - begin, size = facets.size() - removed + count;
+  const bool all = (in_rows || removed == facets.size()) &&
+                   std::all_of(by, by + count, [&](uint32_t f) { return is_for_rows(env.map, env.map.cell_of({f})); });
+  if (size > facets.size()) reserve_more(facets, size - facets.size());
+  if (all) rows.reserve(size);
+  const auto at = facets.erase(facets.begin() + static_cast<std::ptrdiff_t>(begin),
+                               facets.begin() + static_cast<std::ptrdiff_t>(end));
+  facets.insert(at, by, by + count);
+  placed = false;
+  if (all) {
+    rows.replace(begin, in_rows ? removed : 0, count);
+    in_rows = true;
+    read_rows(env, *this, begin, begin + count);
+  } else {
+    rows.clear();
+    in_rows = false;
+  }
+}
+
+template <int D>
+bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
+             Cell last) noexcept {
+  const Map<D>& map = env.map;
+  const Array<uint32_t>& facets = sequence.facets;
+  if (facets.empty()) return first == last && map.convex(first);
+  if (!sequence.known() || map.cell_of({facets.front()}) != first) return false;
+  if (map.cell_of(map.opposite({facets.back()})) != last) return false;
+  if (!map.convex(last) || is_closed(env, last)) return false;
+  LineTests<D> line(from, to);
+  if (!sequence.in_rows) {
+    if constexpr (D == 3) return pass(env, line, facets) && line.passed_all();
+    return false;
+  }
+  if (sequence.version != env.obstacle_version) {
+    if (!are_passable(env, facets)) return false;
+    read_rows(env, sequence, 0, facets.size());
+    sequence.version = env.obstacle_version;
+    sequence.placed = false;
+  }
+  if (sequence.placed && is_same_point<D>(from, sequence.from) && is_same_point<D>(to, sequence.to)) return true;
+  if (pass(line, sequence.rows) < facets.size() || !line.passed_all()) return false;
+  std::copy_n(from, D, sequence.from);
+  std::copy_n(to, D, sequence.to);
+  sequence.placed = true;
+  return true;
+}
+
+template <int D>
+PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept {
+  PathFacets passed;
+  if (path.end != CastEnd::kReached || path.cells_visited < 2 || path.cells_visited > 3) return passed;
+  passed.facets[0] = map.half_facet(start, path.first_facet);
+  passed.count = 1;
+  if (path.cells_visited == 2) return passed;
+  // Two tetrahedra have one facet in common; other cells may have several.
+  if (D == 3 && (map.form(path.previous) != Form::kSimplex || map.form(path.cell) != Form::kSimplex)) return {};
+  for (uint32_t f = 0, facets = map.facets_of(path.previous); f < facets; ++f) {
+    const HalfFacet h = map.half_facet(path.previous, f), o = map.opposite(h);
+    if (!o.valid() || map.cell_of(o) != path.cell) continue;
+    if (passed.count == 2) return {};
+    passed.facets[1] = h;
+    passed.count = 2;
+  }
+  return passed;
+}
+
+template <int D>
+bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Pivot<D>& pivot) {
+  constexpr size_t kMost = 64;  // facets at a pivot
+  const Map<D>& map = env.map;
+  const Array<uint32_t>& old = sequence.facets;
+  if (!sequence.in_rows || sequence.version != env.obstacle_version) return false;
+  LineTests<D> line(from, to);
+  const size_t begin = pass(line, sequence.rows);
+  if (begin == old.size()) return false;
+  pivot = missed(env, line, Corners<D>(map, old[begin]));
+  size_t end = begin + 1;
+  while (end < old.size() && Corners<D>(map, old[end]).has(pivot)) ++end;
+
+  const Cell last = map.cell_of(map.opposite({old[end - 1]}));
+  uint32_t turned[kMost];
+  size_t count = 0;
+  HalfFacet entered{old[begin]};
+  for (Cell c = map.cell_of(entered); c != last; c = map.cell_of(entered)) {
+    if (!is_for_rows(map, c) || is_closed(env, c) || count == kMost) return false;
+    const HalfFacet next = other_at(map, c, entered, pivot);
+    turned[count++] = next.word;
+    entered = map.opposite(next);
+    if (!entered.valid() || map.facet_marked(next)) return false;
+  }
+  sequence.replace(env, begin, end, turned, count);
+  return true;
+}
+
+bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {
+  // Facet i of a sequence in the direction of the view.
+  const auto at = [&](const SequenceView& s, size_t i) {
+    return s.turned ? map.opposite({s.facets[s.count - 1 - i]}).word : s.facets[i];
+  };
+  const auto is_sum = [&](const SequenceView& whole, const SequenceView& first, const SequenceView& second) {
+    if (whole.count != first.count + second.count) return false;
+    for (size_t i = 0; i < whole.count; ++i) {
+      if (at(whole, i) != (i < first.count ? at(first, i) : at(second, i - first.count))) return false;
+    }
+    return true;
+  };
+  const auto turn = [](SequenceView s) { return SequenceView{s.facets, s.count, !s.turned}; };
+  return is_sum(turn(ca), ab, bc) || is_sum(turn(ab), bc, ca) || is_sum(turn(bc), ca, ab);
+}
+
+template <int D>
+void SequenceWriter<D>::finish(EdgeSequence<D>& sequence) {
+  if (passed_ == facets_.size()) {
+    sequence.assign(*env_, facets_);
+    sequence.version = env_->obstacle_version;
+    return;
+  }
+  sequence.facets.reserve(1);
+  sequence.forget();
+  facets_.reserve(2 * passed_);
+}
+
+template <int D>
+void SequenceWriter<D>::write(void* user, Cell from, uint32_t simplex, Cell) noexcept {
+  SequenceWriter<D>& w = *static_cast<SequenceWriter<D>*>(user);
+  ++w.passed_;
+  if (w.facets_.size() == w.facets_.capacity()) return;
+  const Map<D>& map = w.env_->map;
+  const uint32_t facet = map.form(from) == Form::kSimplex ? simplex : map.shape(from).simplex_facets(D)[simplex];
+  w.facets_.push_back(map.half_facet(from, facet).word);
+}
+
+template struct EdgeSequence<2>;
+template struct EdgeSequence<3>;
+template class SequenceWriter<2>;
+template class SequenceWriter<3>;
+DSW_INSTANTIATE(follows);
+DSW_INSTANTIATE(path_facets);
+DSW_INSTANTIATE(turn);
+
+}  // namespace dsw

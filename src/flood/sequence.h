@@ -1,0 +1,124 @@
+#pragma once
+// The sequence of facets that an edge passes through on its way: kept from move to move, it is the edge's own forecast.
+
+#include "environment/environment.h"
+#include "walk/cast.h"
+#include "walk/facet_rows.h"
+
+namespace dsw {
+
+/** The half-facets that an edge was last known to pass, each seen from the cell that is left; a single kNoFacet if they are unknown. */
+template <int D>
+struct EdgeSequence {
+  static constexpr uint64_t kNever = ~uint64_t{0};
+
+  Array<uint32_t> facets;
+  bool in_rows = true;        // they are of tetrahedra, in the plane of convex polygons; if so, and only then:
+  bool placed = false;        // whether they are known to be passed from `from` to `to`
+  uint64_t version = kNever;  // of the environment when they were passable
+  FacetRows<D> rows;          // the facets, of that version
+  double from[D] = {}, to[D] = {};
+
+  explicit EdgeSequence(const Allocator<uint32_t>& allocator) : facets(allocator), rows(allocator) {}
+
+  void clear() noexcept {
+    facets.clear();
+    rows.clear();
+    in_rows = true;
+    placed = false;
+  }
+  /** Makes what is known unknown. There is room for one facet. */
+  void forget() noexcept {
+    facets.resize(1);
+    facets[0] = kNoFacet;
+    rows.clear();
+    in_rows = false;
+    placed = false;
+  }
+  bool known() const noexcept { return facets.empty() || facets[0] != kNoFacet; }
+  /** Puts `count` facets where those from `begin` to before `end` are. Throws std::bad_alloc, and then what was known still is; not if
+   * there are none more than before. */
+  void replace(const Environment<D>& env, size_t begin, size_t end, const uint32_t* by, size_t count);
+  void assign(const Environment<D>& env, const Array<uint32_t>& passed) {
+    replace(env, 0, facets.size(), passed.data(), passed.size());
+  }
+  /** One more or one less, first or last. */
+  void add(const Environment<D>& env, HalfFacet facet, bool first) {
+    const size_t at = first ? 0 : facets.size();
+    replace(env, at, at, &facet.word, 1);
+  }
+  void remove(const Environment<D>& env, bool first) noexcept {
+    const size_t at = first ? 0 : facets.size() - 1;
+    replace(env, at, at + 1, nullptr, 0);
+  }
+};
+
+/** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all passable. Cells
+ * are exactly convex with flat facets. False also where a filter cannot tell: then the segment must be cast. Much cheaper than a cast:
+ * nothing waits for a decision. Notes the place. O(facets). */
+template <int D>
+bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
+             Cell last) noexcept;
+
+/** The facets that a path passes, each seen from the cell that is left: none where it stays in its cell or passes more than two. */
+struct PathFacets {
+  uint32_t count = 0;
+  HalfFacet facets[2];
+};
+template <int D>
+PathFacets path_facets(const Map<D>& map, Cell start, const CastResult& path) noexcept;
+
+/** What an edge turns round: an edge of the environment, in the plane a vertex. */
+template <int D>
+struct Pivot {
+  uint32_t vertices[D - 1] = {};
+};
+
+/** Turns a sequence that is kept in rows round the first pivot that the segment passes on the wrong side: what it then passes is the
+ * other half of the facets there. The sequence may still not be that of the segment. False, and nothing is changed: there is no such
+ * pivot, or no passable way round it. Throws std::bad_alloc. */
+template <int D>
+bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Pivot<D>& pivot);
+
+/** A sequence as it was noted, or passed the other way round. */
+struct SequenceView {
+  const uint32_t* facets = nullptr;
+  size_t count = 0;
+  bool turned = false;
+};
+
+/** Whether the three sides of a triangle, a to b, b to c and c to a, lie in the same strip of cells: one of them passes what the two
+ * others pass, one after the other. Each has been found by `follows`, so it passes every facet where all lines of that look the same
+ * way; there the facet is convex, and the cells are, so the triangle lies in the strip and no edge of a cell pierces it. Asked of faces, so
+ * not in the plane. */
+bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept;
+
+/** Notes the half-facets that casts pass. A cast allocates nothing: what finds no room makes the sequence unknown, and room for the
+ * next time is made by `finish`. */
+template <int D>
+class SequenceWriter {
+ public:
+  explicit SequenceWriter(const Memory* memory) : facets_(memory) {}
+
+  /** Both must outlive the cast. Throws std::bad_alloc the first time. */
+  void attach(const Environment<D>& env, CastRequest& request) {
+    facets_.reserve(kFirstRoom);
+    env_ = &env;
+    facets_.clear();
+    passed_ = 0;
+    request.crossing = write;
+    request.crossing_user = this;
+  }
+  /** Copies the sequence of a cast that reached its target. Throws std::bad_alloc. */
+  void finish(EdgeSequence<D>& sequence);
+
+ private:
+  static constexpr size_t kFirstRoom = 16;
+  static void write(void* user, Cell from, uint32_t simplex, Cell to) noexcept;
+
+  const Environment<D>* env_ = nullptr;
+  Array<uint32_t> facets_;
+  size_t passed_ = 0;
+};
+
+}  // namespace dsw

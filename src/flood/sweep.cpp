@@ -1,0 +1,206 @@
+#include "flood/sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "predicates/filtered.h"
+#include "predicates/tally.h"
+#include "walk/standard_facets.h"
+
+namespace dsw {
+namespace {
+
+int side_of_plane(const double* const* triangle, const double* x) noexcept {
+  return plane_side<3>(triangle, x, NoTally{}).sign;
+}
+int side_of_line(const double* p, const double* q, const double* a, const double* b) noexcept {
+  const double* const ridge[2] = {a, b};
+  return line_side<3>(p, q, ridge, NoTally{}).sign;
+}
+
+/** Whether body segment p q passes through a triangle, in either direction. */
+bool passes_through(const double* p, const double* q, const double* const* triangle) noexcept {
+  const int after = side_of_plane(triangle, q);
+  if (side_of_plane(triangle, p) == after) return false;
+  for (int k = 0; k < 3; ++k) {
+    if (side_of_line(p, q, triangle[k], triangle[(k + 1) % 3]) != after) return false;
+  }
+  return true;
+}
+
+/** The numbers of an event's environment vertices; those of a line in ascending order. */
+std::array<ptrdiff_t, 3> event_key(const Environment<3>& env, const SweepContact& c) {
+  // The first point of an edge event is the body's.
+  const bool of_line = c.event.kind == EventKind::kEdge;
+  std::array<ptrdiff_t, 3> key{-1};
+  for (size_t i = of_line ? 1 : 0; i < 3; ++i) key[i] = c.event.points[i] - env.points;
+  if (of_line && key[2] < key[1]) std::swap(key[1], key[2]);
+  return key;
+}
+
+}  // namespace
+
+SweepResult SweepFlood<3>::sweep(const EdgeMotion& m, Cell start, uint32_t max_cells, bool collect) {
+  const SweptTriangle triangle(m);
+  triangle_ = &triangle;
+  clear();
+  collect_ = collect;
+  flood(start, max_cells, [&](Cell c) {
+    if (!read_corners(c)) return;
+    const Shape shape = map_.shape(c);
+    look_at_facets(c, shape);
+    if (env_.marked_edges != 0) look_at_wires(c, shape);
+  });
+  if (collect_) sort_found();
+  return result_;
+}
+
+/** Reads the vertices of a cell. False for a hexahedron all of whose facets lie beside the triangle's box: the main path, where p, p'
+ * and q are in one cell and nothing can be met. It holds for warped cells too. */
+bool SweepFlood<3>::read_corners(Cell c) {
+  read_vertices(c, *triangle_);
+  if (map_.form(c) != Form::kBox) return true;
+  for (const auto& f : kBoxFacets) {
+    const uint32_t beyond =
+        corners_[f[0]].beyond & corners_[f[1]].beyond & corners_[f[2]].beyond & corners_[f[3]].beyond;
+    if (beyond == 0) return true;
+  }
+  return false;
+}
+
+int SweepFlood<3>::side(Corner& corner) const {
+  if (corner.side == kUnknown) corner.side = triangle_->side(corner.at);
+  return corner.side;
+}
+
+/** See SweptTriangle; the sides of both are known, and differ. */
+uint32_t SweepFlood<3>::outside(const Corner& a, const Corner& b) {
+  return lines_.value(a.vertex, b.vertex, [&] { return triangle_->outside(a.at, b.at, b.side); });
+}
+
+/** Enters what lies behind passable facets that the triangle meets. A cell that it does not meet is not read, and one that has
+ * been entered is not marked. */
+void SweepFlood<3>::look_at_facets(Cell c, const Shape& shape) {
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
+    const bool wall = !o.valid() || map_.facet_marked(h);
+    if ((!wall && cells_.contains(Cell{o.word / kUnitWords<3>})) || !facet_met(shape, f)) continue;
+    if (wall || is_impassable(env_, h)) {
+      look_at_obstacle(c, shape, f);
+    } else {
+      cells_.insert(map_.cell_of(o));
+    }
+  }
+}
+
+bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
+  const uint32_t first = shape.simplex_first(facet), last = shape.simplex_first(facet + 1);
+  if (last > first + 1) {
+    uint32_t beyond = ~0u;
+    for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
+      beyond &= corners_[shape.dart_vertex(d)].beyond;
+    }
+    if (beyond != 0) return false;
+  }
+  for (uint32_t s = first; s < last; ++s) {
+    if (simplex_met(shape.simplices() + 3 * s)) return true;
+  }
+  return false;
+}
+
+/** Whether the swept triangle meets a simplex. The simplex meets the swept plane in a segment between two of its sides: that
+ * meets the triangle if one of its ends lies inside, and not if both lie outside of one side of it. Else it meets the triangle where
+ * a side of that passes through the simplex; it ends outside and passes two sides then, so that two of the three need be asked. */
+bool SweepFlood<3>::simplex_met(const uint16_t* local) {
+  Corner* const corner[3] = {&corners_[local[0]], &corners_[local[1]], &corners_[local[2]]};
+  if ((corner[0]->beyond & corner[1]->beyond & corner[2]->beyond) != 0) return false;
+  const int sides[3] = {side(*corner[0]), side(*corner[1]), side(*corner[2])};
+  if (sides[0] == sides[1] && sides[1] == sides[2]) return false;
+  uint32_t common = ~0u;
+  for (int k = 0; k < 3; ++k) {
+    const int next = k == 2 ? 0 : k + 1;
+    if (sides[k] == sides[next]) continue;
+    const uint32_t bits = outside(*corner[k], *corner[next]);
+    if (bits == 0) return true;
+    common &= bits;
+  }
+  if (common != 0) return false;
+  const double* const simplex[3] = {corner[0]->at, corner[1]->at, corner[2]->at};
+  const EdgeMotion& m = triangle_->motion();
+  return passes_through(m.p, m.to, simplex) || passes_through(m.to, m.q, simplex);
+}
+
+/** All events of an impassable facet. */
+void SweepFlood<3>::look_at_obstacle(Cell c, const Shape& shape, uint32_t facet) {
+  const EdgeMotion& m = triangle_->motion();
+  SweepContact found;
+  found.front = c;
+  found.facet = map_.half_facet(c, facet);
+  for (found.simplex = shape.simplex_first(facet); found.simplex < shape.simplex_first(facet + 1); ++found.simplex) {
+    const uint16_t* const local = shape.simplices() + 3 * found.simplex;
+    Corner* const corner[3] = {&corners_[local[0]], &corners_[local[1]], &corners_[local[2]]};
+    if ((corner[0]->beyond & corner[1]->beyond & corner[2]->beyond) != 0) continue;
+    const int sides[3] = {side(*corner[0]), side(*corner[1]), side(*corner[2])};
+    if (sides[0] == sides[1] && sides[1] == sides[2]) continue;
+    const double* const simplex[3] = {corner[0]->at, corner[1]->at, corner[2]->at};
+    found.faces_start = side_of_plane(simplex, m.p) < 0;
+    for (int k = 0; k < 3; ++k) {
+      const int next = k == 2 ? 0 : k + 1;
+      if (sides[k] == sides[next] || outside(*corner[k], *corner[next]) != 0) continue;
+      found.event = {{m.q, simplex[k], simplex[next]}, EventKind::kEdge};
+      found.dart = kNoFacet;
+      for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
+        if (shape.dart_vertex(d) == local[k] && shape.dart_vertex(shape.beta1(d)) == local[next]) found.dart = d;
+      }
+      consider(found);
+    }
+    // Seen from the side it comes from; from the other the same event belongs to the cell on this side.
+    if (found.faces_start && passes_through(m.p, m.to, simplex)) {
+      found.event = {{simplex[0], simplex[1], simplex[2]}, EventKind::kVertex};
+      found.dart = kNoFacet;
+      consider(found);
+    }
+  }
+}
+
+void SweepFlood<3>::look_at_wires(Cell c, const Shape& shape) {
+  SweepContact found;
+  found.front = c;
+  for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+    if (d > shape.dart_beta2(d)) continue;  // once an edge
+    Corner &a = corners_[shape.dart_vertex(d)], &b = corners_[shape.dart_vertex(shape.beta1(d))];
+    if ((a.beyond & b.beyond) != 0 || side(a) == side(b)) continue;
+    if (!env_.edge_marks.contains(a.vertex, b.vertex) || outside(a, b) != 0) continue;
+    found.event = {{triangle_->motion().q, a.at, b.at}, EventKind::kEdge};
+    found.dart = d;
+    consider(found);
+  }
+}
+
+/** Keeps the earlier contact; one line seen from several cells is compared by names alone. */
+void SweepFlood<3>::consider(const SweepContact& found) {
+  if (collect_) found_.push_back(found);
+  if (result_.end == SweepEnd::kContact &&
+      !comes_before(map_, triangle_->motion().p, triangle_->motion().to, found, result_.contact))
+    return;
+  result_.end = SweepEnd::kContact;
+  result_.contact = found;
+}
+
+/** Of each event the contact that counts, and these in their order. No two are equivalent in either, so no result depends on
+ * how they are sorted. */
+void SweepFlood<3>::sort_found() {
+  const auto before = [this](const SweepContact& a, const SweepContact& b) {
+    return comes_before(map_, triangle_->motion().p, triangle_->motion().to, a, b);
+  };
+  const auto by_event = [&](const SweepContact& a, const SweepContact& b) {
+    if (same_event(a, b)) return before(a, b);
+    return event_key(env_, a) < event_key(env_, b);
+  };
+  std::sort(found_.begin(), found_.end(), by_event);
+  found_.erase(std::unique(found_.begin(), found_.end(), same_event), found_.end());
+  std::sort(found_.begin(), found_.end(), before);
+}
+
+}  // namespace dsw

@@ -1,0 +1,46 @@
+#pragma once
+// What the swept edges and faces of one moving vertex meet, and in which order.
+
+#include "environment/environment.h"
+#include "predicates/sweep_events.h"
+#include "walk/cast.h"
+
+namespace dsw {
+
+constexpr uint32_t kNoVertex = 0xffffffffu;
+
+/** What an edge or a face meets. Its event borrows the body's points. */
+struct SweepContact {
+  SweepEvent event;
+  Cell front;       // the cell from which it is met
+  HalfFacet facet;  // impassable, seen from `front`; invalid for a wire. Of a face: the lowest impassable facet
+      // at the vertex by its canonical name, from its passable side; invalid if only a mark or a wire makes it impassable
+  bool faces_start = false;     // p lies on this side of the plane
+  uint32_t simplex = 0;         // of `front`, in `facet`; not of a face
+  uint32_t dart = kNoFacet;     // of `front`, along the obstacle's edge; kNoFacet for other events and on a diagonal
+  uint32_t vertex = kNoVertex;  // of a face, in the plane of an edge: the environment vertex it meets
+};
+
+/** That of a cast which hit something: the moving end alone. */
+template <int D>
+SweepContact path_contact(const Environment<D>& env, const CastResult& path) noexcept;
+
+/** In the order in which they count at one time. */
+enum class ContactKind : uint32_t { kVertex, kEdge, kPlane };
+
+inline ContactKind kind_of(const SweepContact& c) {
+  if (c.vertex != kNoVertex) return ContactKind::kVertex;
+  return c.dart != kNoFacet ? ContactKind::kEdge : ContactKind::kPlane;
+}
+
+/** Whether two contacts are the same thing of the body at the same thing of the environment, seen from whichever cell. */
+bool same_event(const SweepContact& a, const SweepContact& b) noexcept;
+
+/** Whether `a` counts before `b` when a vertex goes from p to p' and they are contacts of any of its edges and faces: by exact
+ * time, then kind, then the canonical names of what is met and from where. Neither comes before the other only if the same
+ * is met from the same place: then the caller's order of edges and faces counts. */
+template <int D>
+bool comes_before(const Map<D>& map, const double* p, const double* to, const SweepContact& a,
+                  const SweepContact& b) noexcept;
+
+}  // namespace dsw

@@ -1,0 +1,103 @@
+#include "query/segments.h"
+
+#include "base/batch.h"
+#include "base/dimensions.h"
+#include "locate/locate.h"
+#include "query/starts.h"
+#include "walk/packet.h"
+
+namespace dsw {
+namespace {
+
+/** Casts segments begin .. end-1, a packet at a time. */
+template <int D>
+void cast_range(const Environment<D>& env, Starts<D> starts, PointArray from, PointArray to, SegmentOptions options,
+                size_t begin, size_t end, dsw_flight* flights) noexcept {
+  Packet<D> packet;
+  dsw_flight* reports[kPacket];
+  while (begin < end) {
+    for (packet.clear(); begin < end && !packet.full(); ++begin) {
+      if (begin + kRecordAhead < end) starts.prefetch(begin + kRecordAhead);
+      const Cell cell = starts.find(begin, from[begin]);
+      if (is_passable(env, cell)) {
+        reports[packet.count()] = flights + begin;
+        packet.add(env, cell, from[begin], to[begin]).max_cells = options.max_cells;
+      } else {
+        report_no_start(env, from[begin], cell, flights + begin);
+      }
+    }
+    packet.run(env, nullptr);
+    report_packet(env, packet, options.detail, reports);
+  }
+}
+
+template <int D>
+struct PathWriter {
+  const Environment<D>* env;
+  const double* from;
+  const double* to;
+  dsw_crossing* next;
+
+  static void write(void* user, Cell from_cell, uint32_t simplex, Cell to_cell) {
+    PathWriter& w = *static_cast<PathWriter*>(user);
+    *w.next++ = report_crossing(*w.env, from_cell, simplex, to_cell, w.from, w.to);
+  }
+};
+
+}  // namespace
+
+template <int D>
+Cell locate_point(const Environment<D>& env, const double* point, dsw_volume_id hint) noexcept {
+  return locate(env, point, is_null(hint) ? Cell{} : env.map.cell(hint.index), nullptr).cell;
+}
+
+template <int D>
+void cast_segments(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
+                   PointArray from, PointArray to, const SegmentOptions& options, dsw_flight* flights) {
+  const Starts<D> where(env, starts, options.start_known);
+  auto body = [&](size_t begin, size_t end) noexcept {
+    cast_range(env, where, from, to, options, begin, end, flights);
+  };
+  share_out(parallel, count, body);
+}
+
+template <int D>
+void cast_path(const Environment<D>& env, dsw_volume_id start, const double* from, const double* to,
+               const SegmentOptions& options, dsw_crossing* crossings, size_t capacity, size_t* count,
+               dsw_flight* flight) noexcept {
+  CastRequest request;
+  request.from = from;
+  request.to = to;
+  request.start = Starts<D>(env, &start, options.start_known).find(0, from);
+  request.max_cells = options.max_cells;
+  *count = 0;
+  if (!is_passable(env, request.start)) return report_no_start(env, from, request.start, flight);
+  CastResult result = cast(env, request, nullptr);
+  report_cast(env, request, result, options.detail, flight);
+  *count = result.cells_visited;
+  if (capacity < *count) return;
+  // Cast again, now that the room is known to be enough: a buffer that is too small stays untouched.
+  PathWriter<D> writer{&env, from, to, crossings};
+  *writer.next++ = {volume_id(env.map, request.start), {0, 0, 0}, 0};
+  request.crossing = PathWriter<D>::write;
+  request.crossing_user = &writer;
+  cast(env, request, nullptr);
+}
+
+template <int D>
+void locate_points(const Environment<D>& env, const Parallel& parallel, PointArray points, size_t count,
+                   const dsw_volume_id* hints, dsw_volume_id* volumes) {
+  auto body = [&](size_t begin, size_t end) noexcept {
+    for (size_t i = begin; i < end; ++i) {
+      volumes[i] = volume_id(env.map, locate_point(env, points[i], hints == nullptr ? dsw_volume_id{0, 0} : hints[i]));
+    }
+  };
+  share_out(parallel, count, body);
+}
+
+DSW_INSTANTIATE(locate_point);
+DSW_INSTANTIATE(cast_segments);
+DSW_INSTANTIATE(cast_path);
+DSW_INSTANTIATE(locate_points);
+
+}  // namespace dsw

@@ -1,0 +1,57 @@
+// Four triangles side by side.
+
+#include "walk/shear.h"
+
+#if defined(__x86_64__)
+
+#include <immintrin.h>
+
+// The target holds for what is defined from here on, not for the headers above.
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+
+#include "walk/shear_lanes.inl"
+
+namespace dsw {
+namespace {
+
+struct Four {
+  using Vector = __m256d;
+  static constexpr size_t kCount = 4;
+  static Vector all(double x) noexcept { return _mm256_set1_pd(x); }
+  static Vector load(const double* x) noexcept { return _mm256_loadu_pd(x); }
+  static Vector min(Vector a, Vector b) noexcept { return _mm256_min_pd(a, b); }
+  static Vector max(Vector a, Vector b) noexcept { return _mm256_max_pd(a, b); }
+  static Vector absolute(Vector a) noexcept { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
+  static unsigned not_positive(Vector a) noexcept {
+    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_NGT_UQ)));
+  }
+  static double lowest(Vector a) noexcept {
+    const __m128d two = _mm_min_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));
+    return _mm_cvtsd_f64(_mm_min_pd(two, _mm_unpackhi_pd(two, two)));
+  }
+  static double largest(Vector a) noexcept {
+    const __m128d two = _mm_max_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));
+    return _mm_cvtsd_f64(_mm_max_pd(two, _mm_unpackhi_pd(two, two)));
+  }
+};
+
+}  // namespace
+
+size_t pass_triangles_avx2(Shear& shear, const FacetRows<3>& triangles) noexcept {
+  return triangles.size() < Four::kCount ? pass_triangles(shear, triangles) : ShearLanes<Four>(shear).pass(triangles);
+}
+
+}  // namespace dsw
+
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+
+#endif

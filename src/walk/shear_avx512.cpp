@@ -1,0 +1,52 @@
+// Eight triangles side by side.
+
+#include "walk/shear.h"
+
+#if defined(__x86_64__)
+
+#include <immintrin.h>
+
+// The target holds for what is defined from here on, not for the headers above.
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2,avx512f,avx512vl,avx512dq"))), apply_to = function)
+#else
+#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 says it of its own intrinsics
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC push_options
+#pragma GCC target("avx2,avx512f,avx512vl,avx512dq")
+#endif
+
+#include "walk/shear_lanes.inl"
+
+namespace dsw {
+namespace {
+
+struct Eight {
+  using Vector = __m512d;
+  static constexpr size_t kCount = 8;
+  static Vector all(double x) noexcept { return _mm512_set1_pd(x); }
+  static Vector load(const double* x) noexcept { return _mm512_loadu_pd(x); }
+  static Vector min(Vector a, Vector b) noexcept { return _mm512_min_pd(a, b); }
+  static Vector max(Vector a, Vector b) noexcept { return _mm512_max_pd(a, b); }
+  static Vector absolute(Vector a) noexcept { return _mm512_abs_pd(a); }
+  static unsigned not_positive(Vector a) noexcept { return _mm512_cmp_pd_mask(a, _mm512_setzero_pd(), _CMP_NGT_UQ); }
+  static double lowest(Vector a) noexcept { return _mm512_reduce_min_pd(a); }
+  static double largest(Vector a) noexcept { return _mm512_reduce_max_pd(a); }
+};
+
+}  // namespace
+
+size_t pass_triangles_avx512(Shear& shear, const FacetRows<3>& triangles) noexcept {
+  return triangles.size() < Eight::kCount ? pass_triangles_avx2(shear, triangles)
+                                          : ShearLanes<Eight>(shear).pass(triangles);
+}
+
+}  // namespace dsw
+
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+
+#endif

@@ -1,0 +1,59 @@
+#pragma once
+// The walk, compiled for several instruction sets. All give the same bits; which one runs is chosen once, when the library
+// is loaded. This header holds what they share, so that the files included per instruction set include nothing.
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "environment/local_points.h"
+#include "predicates/filtered.h"
+#include "walk/cast.h"
+#include "walk/prefetch.h"
+#include "walk/shear.h"
+#include "walk/standard_facets.h"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+// What runs for every cell is inlined into the walk; what runs for one in a thousand stays out of its registers.
+#define DSW_HOT inline __attribute__((always_inline))
+#define DSW_COLD __attribute__((noinline, cold))
+
+namespace dsw {
+
+/** Counting in the hot loops: a policy, so that a scene without statistics pays nothing. */
+struct CountNothing {
+  void test() noexcept {}
+  void tests(uint32_t) noexcept {}
+  void exact() noexcept {}
+  void tie() noexcept {}
+};
+
+struct CountAll {
+  CastCounters* counters;
+  void test() noexcept { ++counters->orientation_tests; }
+  void tests(uint32_t n) noexcept { counters->orientation_tests += n; }
+  void exact() noexcept { ++counters->exact_fallbacks; }
+  void tie() noexcept { ++counters->ties; }
+};
+
+template <int D>
+struct Walk {
+  void (*plain)(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results) noexcept;
+  void (*counted)(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
+                  CastCounters* counters) noexcept;
+  bool (*contains)(const Environment<D>& env, Cell cell, const double* centre, const double* point) noexcept;
+  bool (*sees_all)(const Environment<D>& env, Cell cell, const double* point) noexcept;
+  bool (*admits_with_centre)(const Environment<D>& env, Cell cell, double* centre) noexcept;
+};
+
+template <int D>
+Walk<D> portable_walk() noexcept;
+#if defined(__x86_64__)
+Walk<3> avx2_walk() noexcept;
+Walk<3> avx512_walk() noexcept;
+#endif
+
+}  // namespace dsw

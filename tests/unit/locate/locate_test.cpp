@@ -1,0 +1,167 @@
+// Locating: every way to ask gives the one cell that contains the shifted point; classify gives what lies exactly there.
+// On lattices both are known from the coordinates alone.
+
+#include "locate/locate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "environment/test_mesh.h"
+#include "locate/classify.h"
+
+namespace {
+
+using namespace dsw;
+using namespace dsw::test;
+
+/** The lattice cell of x + e: on a common side the upper one. -1 outside. */
+int cell_along(double x, int count) { return x < 0 || x >= count ? -1 : static_cast<int>(std::floor(x)); }
+
+template <int D>
+void expect_everywhere(Environment<D>& env, const double* p, Cell expected) {
+  for (const bool with_grid : {false, true}) {
+    if (with_grid) build_grid(env);
+    EXPECT_EQ(locate(env, p, Cell{}, nullptr).cell, expected) << "grid " << with_grid;
+    for (uint32_t hint = 0; hint < env.map.cell_count; ++hint) {
+      EXPECT_EQ(locate(env, p, env.map.cell(hint), nullptr).cell, expected) << "grid " << with_grid << " hint " << hint;
+    }
+    env.grid.first.clear();
+    env.grid.cells.clear();
+  }
+}
+
+TEST(Locate, LatticePointsBelongToTheUpperCell) {
+  Mesh3 mesh;
+  add_boxes(mesh, 3, 2, 2);
+  const auto env = mesh.build();
+  for (int code = 0; code < 11 * 9 * 9; ++code) {  // halves from -1 on
+    const double p[3] = {code % 11 * 0.5 - 1, code / 11 % 9 * 0.5 - 1, code / 99 * 0.5 - 1};
+    const int x = cell_along(p[0], 3), y = cell_along(p[1], 2), z = cell_along(p[2], 2);
+    const bool inside = x >= 0 && y >= 0 && z >= 0;
+    const Cell expected = inside ? env->map.cell(static_cast<uint32_t>(x + 3 * (y + 2 * z))) : Cell{};
+    expect_everywhere(*env, p, expected);
+    if (HasFailure()) FAIL() << p[0] << " " << p[1] << " " << p[2];
+  }
+}
+
+TEST(Locate, RoundACornerTheWalkLeavesAndTheScanFinds) {
+  Mesh3 mesh;  // a bent row of boxes: the straight way between its ends leads outside
+  add_boxes(mesh, 5, 5, 1, 0, 0, 0, 1, [](int x, int y, int) { return x == 0 || y == 4 || x == 4; });
+  const auto env = mesh.build();
+  for (uint32_t i = 0; i < env->map.cell_count; ++i) {
+    double p[3];
+    centre(*env, env->map.cell(i), p);
+    expect_everywhere(*env, p, env->map.cell(i));
+  }
+  const double hole[3] = {2.5, 1.5, 0.5}, huge[3] = {1e300, -1e300, 0.5};
+  expect_everywhere(*env, hole, Cell{});
+  expect_everywhere(*env, huge, Cell{});
+}
+
+TEST(Locate, ImpassableCellsAreWalkedThrough) {
+  Mesh3 mesh;
+  add_boxes(mesh, 7, 1, 1);
+  const auto env = mesh.build();
+  for (uint32_t i = 1; i < 6; ++i) env->map.record(env->map.cell(i))[0] |= kMarkBit;
+  CastCounters counters;
+  const double p[3] = {6.5, 0.5, 0.25};
+  EXPECT_EQ(locate(*env, p, env->map.cell(0), &counters).cell, env->map.cell(6));
+  EXPECT_EQ(counters.casts, 1u);
+  EXPECT_EQ(counters.cells_visited, 7u);
+}
+
+TEST(Locate, EveryPointHasExactlyOneCell) {
+  const auto env = mixed_mesh().build();
+  Random random(17);
+  uint32_t inside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double p[3] = {random.below(17) * 0.25 - 1, random.below(17) * 0.25 - 1.5, random.below(17) * 0.25 - 1.5};
+    Cell holder;
+    for (uint32_t c = 0; c < env->map.cell_count; ++c) {
+      if (!contains(*env, env->map.cell(c), p)) continue;
+      ASSERT_FALSE(holder.valid()) << "in two cells";
+      holder = env->map.cell(c);
+    }
+    inside += holder.valid() ? 1u : 0u;
+    expect_everywhere(*env, p, holder);
+  }
+  EXPECT_GT(inside, 50u);
+}
+
+TEST(Locate, InThePlane) {
+  Mesh2 mesh;
+  add_squares(mesh, 3, 3);
+  const auto env = mesh.build();
+  for (int code = 0; code < 81; ++code) {
+    const double p[2] = {code % 9 * 0.5 - 0.5, code / 9 * 0.5 - 0.5};
+    const int x = cell_along(p[0], 3), y = cell_along(p[1], 3);
+    expect_everywhere(*env, p, x >= 0 && y >= 0 ? env->map.cell(static_cast<uint32_t>(x + 3 * y)) : Cell{});
+  }
+}
+
+TEST(Classify, LatticePointsByTheirCoordinates) {
+  Mesh3 mesh;
+  add_boxes(mesh, 2, 2, 2);
+  const auto env = mesh.build();
+  for (int code = 0; code < 17 * 17 * 17; ++code) {  // quarters from -1 on: cuts of faces are among them
+    const double p[3] = {code % 17 * 0.25 - 1, code / 17 % 17 * 0.25 - 1, code / 289 * 0.25 - 1};
+    for (uint32_t i = 0; i < 8; ++i) {
+      const Cell c = env->map.cell(i);
+      const double* low = env->point(c, 0);
+      int free_axes = 0;
+      bool closed = true;
+      for (int k = 0; k < 3; ++k) {
+        closed = closed && p[k] >= low[k] && p[k] <= low[k] + 1;
+        free_axes += p[k] > low[k] && p[k] < low[k] + 1 ? 1 : 0;
+      }
+      bool inside = !closed;
+      const FeatureRef feature = classify(*env, p, c, &inside);
+      ASSERT_EQ(inside, closed);
+      if (!closed) continue;
+      ASSERT_EQ(feature.dimension, free_axes);
+      ASSERT_EQ(feature.cell, c);
+      const Shape shape = env->map.shape(c);
+      // The feature named is the one whose vertices span the point: on each axis that is not free all agree with it.
+      for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+        const bool of_edge = feature.dimension == 1 && shape.dart_edge(d) == feature.local;
+        const bool of_face = feature.dimension == 2 && shape.dart_facet(d) == feature.local;
+        const bool of_vertex = feature.dimension == 0 && shape.dart_vertex(d) == feature.local;
+        if (!of_edge && !of_face && !of_vertex) continue;
+        for (int k = 0; k < 3; ++k) {
+          if (p[k] == low[k] || p[k] == low[k] + 1) {
+            ASSERT_EQ(env->point(c, shape.dart_vertex(d))[k], p[k]);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Classify, ExactBesideAWarpedFaceAndAtAnyScale) {
+  for (const double scale : {1.0, 0x1p-900, 0x1p900}) {
+    Mesh3 mesh;
+    add_boxes(mesh, 1, 1, 1);
+    mesh.points[3 * 7 + 2] = 1.5;  // the corner (1, 1, 1) up: the top is cut from vertex 4 at (0, 0, 1) to it
+    for (double& x : mesh.points) x *= scale;
+    const auto env = mesh.build();
+    const Cell c = env->map.cell(0);
+    const auto dimension = [&](double x, double y, double z) {
+      const double p[3] = {x * scale, y * scale, z * scale};
+      bool inside = false;
+      const FeatureRef feature = classify(*env, p, c, &inside);
+      return inside ? feature.dimension : -1;
+    };
+    EXPECT_EQ(dimension(0.5, 0.5, 1.25), 2) << "the cut lies in the face, it is no edge";
+    EXPECT_EQ(dimension(0.5, 0.5, std::nextafter(1.25, 2)), -1);
+    EXPECT_EQ(dimension(0.5, 0.5, std::nextafter(1.25, 1)), 3);
+    EXPECT_EQ(dimension(0.75, 0.25, 1.125), 2);
+    EXPECT_EQ(dimension(1, 0.5, 1.25), 1);
+    EXPECT_EQ(dimension(1, 0.5, std::nextafter(1.25, 1)), 2);
+    EXPECT_EQ(dimension(1, 0.5, std::nextafter(1.25, 2)), -1);
+    EXPECT_EQ(dimension(1, 1, 1.5), 0);
+    EXPECT_EQ(dimension(1, 1, 1), 1);
+  }
+}
+
+}  // namespace

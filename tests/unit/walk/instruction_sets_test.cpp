@@ -1,0 +1,314 @@
+// The walk gives the same results and counts the same work whatever instruction set it was compiled for and however casts are
+// grouped.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "coarsen/coarsen.h"
+#include "environment/marking.h"
+#include "locate/locate.h"
+#include "small_meshes.h"
+#include "walk/shear.h"
+#include "walk/walk.h"
+
+namespace {
+
+using namespace dsw;
+using namespace dsw::testing_meshes;
+
+constexpr int kSize = 5;
+constexpr int kCasts = 3300;  // for each of the scenes and scales below: more than 1e5 in all
+
+struct NamedWalk {
+  const char* name;
+  Walk<3> walk;
+};
+
+std::vector<NamedWalk> walks() {
+  std::vector<NamedWalk> all{{"portable", portable_walk<3>()}};
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2")) all.push_back({"avx2", avx2_walk()});
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+    all.push_back({"avx512", avx512_walk()});
+  }
+#endif
+  return all;
+}
+
+struct Crossing {
+  uint32_t from, simplex, to;
+  bool operator==(const Crossing& o) const { return from == o.from && simplex == o.simplex && to == o.to; }
+};
+
+void note(void* user, Cell from, uint32_t simplex, Cell to) {
+  static_cast<std::vector<Crossing>*>(user)->push_back({from.unit, simplex, to.unit});
+}
+
+void expect_same(const CastResult& a, const CastResult& b) {
+  EXPECT_EQ(a.end, b.end);
+  EXPECT_EQ(a.cell, b.cell);
+  EXPECT_EQ(a.facet, b.facet);
+  EXPECT_EQ(a.simplex, b.simplex);
+  EXPECT_EQ(a.previous, b.previous);
+  EXPECT_EQ(a.cells_visited, b.cells_visited);
+  EXPECT_EQ(a.first_facet, b.first_facet);
+}
+
+void expect_same(const CastCounters& a, const CastCounters& b) {
+  EXPECT_EQ(a.casts, b.casts);
+  EXPECT_EQ(a.cells_visited, b.cells_visited);
+  EXPECT_EQ(a.orientation_tests, b.orientation_tests);
+  EXPECT_EQ(a.exact_fallbacks, b.exact_fallbacks);
+  EXPECT_EQ(a.ties, b.ties);
+}
+
+/** Random points; where ties are wanted, on the lattice of half cells or on a vertex. */
+class Points {
+ public:
+  Points(const SmallMesh& mesh, double scale, uint32_t seed) : mesh_(mesh), scale_(scale), random_(seed) {}
+  void next(double (&p)[3], bool tie, double margin) {
+    if (tie && random_() % 2 == 0) {
+      const size_t vertex = below(static_cast<uint32_t>(mesh_.points.size() / 3));
+      std::copy_n(mesh_.points.begin() + static_cast<std::ptrdiff_t>(3 * vertex), 3, p);
+      return;
+    }
+    for (double& x : p) {
+      const double low = -margin, high = kSize + margin;
+      const double at = low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+      x = (tie ? std::round(2 * at) / 2 : at) * scale_;
+    }
+  }
+  uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
+
+ private:
+  const SmallMesh& mesh_;
+  double scale_;
+  std::mt19937 random_;
+};
+
+SmallMesh mixed_lattice() {
+  SmallMesh mesh = lattice(kSize, kHexahedron);
+  SmallMesh mixed = mesh;
+  mixed.name = "pyramids, polyhedra and hexahedra";
+  mixed.types.clear();
+  mixed.offsets = {0};
+  mixed.connectivity.clear();
+  for (size_t i = 0; i < mesh.types.size(); ++i) {
+    const std::vector<int64_t> c(mesh.connectivity.begin() + static_cast<std::ptrdiff_t>(8 * i),
+                                 mesh.connectivity.begin() + static_cast<std::ptrdiff_t>(8 * i + 8));
+    switch (i % 3) {
+      case 0:
+        mixed.cell(kHexahedron, c);
+        break;
+      case 1:
+        mixed.polyhedron(box_faces(c));
+        break;
+      default: {
+        const int64_t apex = static_cast<int64_t>(mixed.points.size() / 3);
+        const auto corner = [&](size_t k, size_t axis) { return mixed.points[3 * static_cast<size_t>(c[k]) + axis]; };
+        const double middle[3] = {corner(0, 0) + 0.5, corner(0, 1) + 0.5, corner(0, 2) + 0.5};
+        mixed.point(middle[0], middle[1], middle[2]);
+        for (const auto& face : box_faces(c)) mixed.cell(kPyramid, {face[3], face[2], face[1], face[0], apex});
+        break;
+      }
+    }
+  }
+  return mixed;
+}
+
+/** Columns of wedges: every cell of a lattice cut along a vertical diagonal. */
+SmallMesh wedge_lattice() {
+  const SmallMesh mesh = lattice(kSize, kHexahedron);
+  SmallMesh wedges = mesh;
+  wedges.name = "wedges";
+  wedges.types.clear();
+  wedges.offsets = {0};
+  wedges.connectivity.clear();
+  for (size_t i = 0; i < mesh.types.size(); ++i) {
+    const int64_t* c = mesh.connectivity.data() + 8 * i;
+    wedges.cell(kWedge, {c[0], c[3], c[1], c[4], c[7], c[5]});
+    wedges.cell(kWedge, {c[1], c[3], c[2], c[5], c[7], c[6]});
+  }
+  return wedges;
+}
+
+/** A cast and what the portable walk said of it, alone. */
+struct Flown {
+  double from[3], to[3], apex[3];
+  bool contained;
+  CastResult expected;
+  std::vector<Crossing> expected_crossings, crossings;
+};
+
+struct Group {
+  uint32_t count = 0;
+  Flown casts[kPacket];
+  CastRequest requests[kPacket];
+  CastCounters counters;  // of all together
+};
+
+/** Casts a group side by side, counted and not. */
+void compare(const Environment<3>& env, Group& group, const Walk<3>& walk) {
+  CastResult results[kPacket];
+  CastCounters counters;
+  for (uint32_t i = 0; i < group.count; ++i) {
+    group.casts[i].crossings.clear();
+    group.requests[i].crossing_user = &group.casts[i].crossings;
+  }
+  walk.counted(env, group.requests, group.count, results, &counters);
+  expect_same(group.counters, counters);
+  for (uint32_t i = 0; i < group.count; ++i) {
+    const Flown& cast = group.casts[i];
+    SCOPED_TRACE(testing::Message() << i << " of " << group.count << std::hexfloat << " from " << cast.from[0] << " "
+                                    << cast.from[1] << " " << cast.from[2] << " to " << cast.to[0] << " " << cast.to[1]
+                                    << " " << cast.to[2]);
+    expect_same(cast.expected, results[i]);
+    EXPECT_EQ(cast.crossings, cast.expected_crossings);
+    EXPECT_EQ(walk.contains(env, cast.expected.cell, cast.apex, cast.to), cast.contained);
+    EXPECT_EQ(walk.sees_all(env, cast.expected.cell, cast.to),
+              portable_walk<3>().sees_all(env, cast.expected.cell, cast.to));
+    group.requests[i].crossing = nullptr;
+  }
+  walk.plain(env, group.requests, group.count, results);
+  for (uint32_t i = 0; i < group.count; ++i) {
+    expect_same(group.casts[i].expected, results[i]);
+    group.requests[i].crossing = note;
+  }
+}
+
+class InstructionSetTest : public testing::TestWithParam<double> {};
+
+TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
+  const std::vector<NamedWalk> all = walks();
+  const double scale = GetParam();
+  const std::vector<SmallMesh> meshes = {lattice(kSize, kHexahedron),
+                                         lattice(kSize, kHexahedron, 0.12),
+                                         lattice(kSize, kTetra),
+                                         lattice(kSize, kTetra, 0.03),
+                                         lattice(kSize, kPolyhedron),
+                                         lattice(kSize, kPolyhedron, 0.12),
+                                         wedge_lattice(),
+                                         mixed_lattice()};
+  uint32_t seed = 17;
+  for (size_t m = 0; m < meshes.size() + 2; ++m) {  // two more: tetrahedra that are merged
+    SmallMesh mesh = meshes[m % meshes.size() + (m < meshes.size() ? 0 : 2)];
+    SCOPED_TRACE(mesh.name + (m < meshes.size() ? "" : ", merged"));
+    for (double& x : mesh.points) x *= scale;
+    Environment<3> built(nullptr), merged(nullptr);
+    build_mesh(built, mesh);
+    if (m >= meshes.size()) {
+      Array<uint32_t> new_index;
+      CoarsenReport report;
+      coarsen(built, {m % 2 == 0 ? 16u : 28u, 0}, merged, new_index, report);
+    }
+    Environment<3>& env = m < meshes.size() ? built : merged;
+    const Map<3>& map = env.map;
+    Points points(mesh, scale, ++seed);
+    for (uint32_t i = 0; i < map.cell_count; ++i) {
+      const Cell c = map.cell(i);
+      if (points.below(30) == 0) set_cell_mark(env, c, true);
+      if (points.below(20) == 0) set_facet_mark(env, map.half_facet(c, points.below(map.facets_of(c))), true);
+    }
+    CastCounters total;
+    uint32_t hits = 0;
+    Group group;
+    for (int n = 0; n < kCasts; ++n) {
+      Flown& cast = group.casts[group.count];
+      points.next(cast.from, n % 2 == 0, 0);
+      points.next(cast.to, n % 4 < 2, n % 3 == 0 ? 1 : 0);
+      const Cell start = locate(env, cast.from, Cell{}, nullptr).cell;
+      if (!start.valid()) continue;  // on the far boundary, shifted out
+      CastRequest& request = group.requests[group.count] = CastRequest{};
+      request.from = cast.from;
+      request.to = cast.to;
+      request.start = start;
+      request.max_cells = n % 7 == 0 ? 1 + points.below(6) : 0;
+      request.forecast = n % 5 == 0 ? points.below(map.facets_of(start)) : kNoFacet;
+      request.through_walls = n % 6 == 0;
+      request.crossing = note;
+      cast.expected_crossings.clear();
+      request.crossing_user = &cast.expected_crossings;
+      const CastCounters before = group.counters;
+      all[0].walk.counted(env, &request, 1, &cast.expected, &group.counters);
+      EXPECT_EQ(group.counters.casts, before.casts + 1);
+      centre(env, cast.expected.cell, cast.apex);
+      cast.contained = all[0].walk.contains(env, cast.expected.cell, cast.apex, cast.to);
+      const bool reached = cast.expected.end == CastEnd::kReached;
+      // A merged cell that is not convex can be left through a wall on the way to a target in it.
+      const bool can_be_left = m >= meshes.size() && !env.map.convex(cast.expected.cell);
+      EXPECT_TRUE(cast.contained == reached || (can_be_left && cast.contained));
+      hits += cast.expected.end == CastEnd::kHit ? 1u : 0u;
+      if (++group.count < 1 + static_cast<uint32_t>(n) % kPacket) continue;  // groups of all sizes
+      for (const NamedWalk& other : all) {
+        SCOPED_TRACE(testing::Message() << other.name << ", cast " << n);
+        compare(env, group, other.walk);
+        if (HasFailure()) return;
+      }
+      total.add(group.counters);
+      group.count = 0;
+      group.counters = {};
+    }
+    EXPECT_GT(total.casts, kCasts * 4u / 5u);
+    EXPECT_GT(total.cells_visited, 2 * total.casts);
+    EXPECT_GT(total.ties, total.casts / 5);
+    EXPECT_GT(hits, kCasts / 10u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scales, InstructionSetTest, testing::Values(1.0, 0x1p-3, 1e100, 1e-100, 1e-300));
+
+TEST(InstructionSets, TrianglesArePassedWithTheSameBits) {
+#if defined(__x86_64__)
+  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP();
+  std::vector<PassTriangles> sets{pass_triangles_avx2};
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
+    sets.push_back(pass_triangles_avx512);
+  }
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> coordinate(-1, 1), distance(0.5, 1);
+  size_t passed = 0, missed = 0;
+  for (int round = 0; round < 6000; ++round) {
+    const double scale = std::ldexp(1.0, round % 5 * 50 - 100);
+    // The line of an axis, either way, and nearly so.
+    double line[2][3];
+    const int axis = round % 3;
+    for (double& x : line[0]) x = scale * coordinate(random);
+    for (int k = 0; k < 3; ++k) line[1][k] = line[0][k] + 0.01 * scale * coordinate(random);
+    line[1][axis] += round % 2 == 0 ? scale : -scale;
+    FacetRows<3> triangles{Allocator<double>(nullptr)};
+    const size_t count = static_cast<size_t>(round % 23);
+    triangles.reserve(count);
+    triangles.replace(0, 0, count);
+    for (size_t n = 0; n < count; ++n) {
+      // Round the line, and one in fifty the other way round.
+      const bool reversed = (round % 2 == 1) != (random() % 50 == 0);
+      for (int i = 0; i < 3; ++i) {
+        const double angle = 2.0943951 * (reversed ? -i : i), away = scale * distance(random);
+        double corner[3];
+        corner[axis] = line[0][axis] + scale * coordinate(random);
+        corner[(axis + 1) % 3] = line[0][(axis + 1) % 3] + away * std::cos(angle);
+        corner[(axis + 2) % 3] = line[0][(axis + 2) % 3] + away * std::sin(angle);
+        triangles.set(n, i, corner);
+      }
+    }
+    Shear portable(line[0], line[1]);
+    const size_t by_one = pass_triangles(portable, triangles);
+    ++(by_one == count ? passed : missed);
+    for (const PassTriangles pass : sets) {
+      Shear shear(line[0], line[1]);
+      ASSERT_EQ(by_one, pass(shear, triangles));
+      if (by_one != count) continue;
+      ASSERT_EQ(portable.lowest(), shear.lowest());
+      ASSERT_EQ(portable.largest(), shear.largest());
+    }
+  }
+  EXPECT_GT(passed, 1000u);
+  EXPECT_GT(missed, 1000u);
+#else
+  GTEST_SKIP();
+#endif
+}
+
+}  // namespace
