@@ -227,7 +227,7 @@ bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* fr
   return true;
 }
 
-bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {
+bool share_sleeve(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept {
   // Facet i of a sequence in the direction of the view.
   const auto at = [&](const SequenceView& s, size_t i) {
     return s.turned ? map.opposite({s.facets[s.count - 1 - i]}).word : s.facets[i];

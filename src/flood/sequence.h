@@ -87,11 +87,11 @@ struct SequenceView {
   bool turned = false;
 };
 
-/** Whether the three sides of a triangle, a to b, b to c and c to a, lie in the same strip of cells: one of them passes what the two
+/** Whether the three sides of a triangle, a to b, b to c and c to a, lie in the same sleeve of cells: one of them passes what the two
  * others pass, one after the other. Each has been found by `follows`, so it passes every facet where all lines of that look the same
- * way; there the facet is convex, and the cells are, so the triangle lies in the strip and no edge of a cell pierces it. Asked of faces, so
+ * way; there the facet is convex, and the cells are, so the triangle lies in the sleeve and no edge of a cell pierces it. Asked of faces, so
  * not in the plane. */
-bool share_strip(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept;
+bool share_sleeve(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept;
 
 /** Notes the half-facets that casts pass. A cast allocates nothing: what finds no room makes the sequence unknown, and room for the
  * next time is made by `finish`. */

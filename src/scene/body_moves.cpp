@@ -20,8 +20,8 @@ void publish(BodyRecord<D>& of) noexcept {
 
 template <int D>
 BodyMove<D>& mover_of(Scene<D>& scene) {
-  if (scene.mover.empty()) scene.mover.emplace_back(scene.env);
-  return scene.mover[0];
+  if (scene.mover.get() == nullptr) scene.mover.make(scene.env);
+  return *scene.mover.get();
 }
 
 template <int D>

@@ -69,7 +69,7 @@ struct Scene {
   Array<BodyRecord<D>> bodies;              // by slot
   SlotPool body_slots;
   BoxGrid<D> body_boxes;              // by slot, if bodies keep boxes
-  Array<BodyMove<D>> mover;           // none or one: what moves of single bodies keep from call to call
+  Owned<BodyMove<D>> mover;           // if one has moved: what moves of single bodies keep from call to call
   Array<uint32_t> offending;          // pairs of vertices of edges that were found not free
   Owned<Deformation<D>> deformation;  // if named
   Owned<LiveRegister<D>> live;        // if named
@@ -103,8 +103,8 @@ struct Scene {
   /** Whether the boxes of bodies and their parts are kept. */
   bool keeps_boxes() const { return features.contacts || features.live; }
   uint64_t memory_bytes() const {
-    uint64_t of_bodies = array_bytes(bodies) + array_bytes(mover) + body_slots.memory_bytes() +
-                         body_boxes.memory_bytes() + array_bytes(offending);
+    uint64_t of_bodies = array_bytes(bodies) + (mover.get() != nullptr ? sizeof(BodyMove<D>) : 0) +
+                         body_slots.memory_bytes() + body_boxes.memory_bytes() + array_bytes(offending);
     for (const BodyRecord<D>& each : bodies) of_bodies += each.memory_bytes();
     if (deformation.get() != nullptr) of_bodies += deformation.get()->memory_bytes();
     if (live.get() != nullptr) of_bodies += live.get()->memory_bytes();

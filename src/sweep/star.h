@@ -6,6 +6,7 @@
 #include "flood/box_probe.h"
 #include "flood/sweep.h"
 #include "pairs/pair_sweep.h"
+#include "sweep/known_edge.h"
 #include "walk/packet.h"
 
 namespace dsw {
@@ -69,20 +70,7 @@ class StarSweep {
   /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only that. */
   void find_all(const Body<D>& body, uint32_t v, const double* to, const StarContact& first, Array<StarContact>& all);
 
-  /** The sweep of edge e when its end v goes to `to`, in `arrival`, and the other end is at q, in `fixed`. */
-  struct EdgeSweep {
-    uint32_t e, v;
-    const double* to;
-    Cell arrival;
-    const double* q;
-    Cell fixed;
-    PathFacets crossed;  // on the path of v
-  };
-  /** What is known without a look at the triangle: nothing, or that nothing is met because it lies inside of one convex cell, of one that
-   * is not convex, of a box or a ball that is free, of the strip of cells that the edge is known to cross, or of these and the others at
-   * one edge that it turns round, in the plane at a few vertices. */
-  enum class Settled : uint32_t { kNo, kInside, kSeen, kBoxed, kClear, kStrip, kTurned };
-  /** Counts what is settled. The path of v is free.
+  /** What is known of the sweep of an edge; counts what is settled.
    * @param ask_balls whether the balls of its ends have not been asked. */
   Settled settle(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls = true) {
     ++counts.swept;
@@ -91,7 +79,7 @@ class StarSweep {
     const Cell from = body.vertices[sweep.v].cell;
     if ((skipping.by_environment || keeps) && from == sweep.arrival && from == sweep.fixed) {
       const bool convex = env_.map.convex(from);
-      if (convex || is_seen(body, sweep)) {
+      if (convex || is_seen(env_, body.level, sweep, counters)) {
         if (keeps) body.sequences[sweep.e].clear();
         counts.skipped += skipping.by_environment ? 1 : 0;
         return convex ? Settled::kInside : Settled::kSeen;
@@ -107,12 +95,10 @@ class StarSweep {
     return Settled::kBoxed;
   }
   bool settles(const Body<D>& body, const EdgeSweep& sweep) { return settle(body, sweep) != Settled::kNo; }
-  /** Whether the edge is known to keep to its sequence in its present place. */
-  bool keeps_sequence(const Body<D>& body, uint32_t e) const;
 
   /** Whether what a face sweeps lies inside of one cell, and so meets nothing. The cells contain p, to, q and r of `m`. */
   bool stays_inside(const FaceMotion& m, Cell from, Cell arrival, Cell q, Cell r) const {
-    return from == arrival && from == q && from == r && (env_.map.convex(from) || is_seen(m, from));
+    return from == arrival && from == q && from == r && (env_.map.convex(from) || is_face_seen(m, from));
   }
 
   /** Whether a box is seen to be free from all of these cells: then nothing that is swept inside of it from one of them meets
@@ -138,6 +124,12 @@ class StarSweep {
   const Partners<D>* partners = nullptr;  // other bodies that the body can meet; null: none
 
  private:
+  /** The first of the contacts on one way. */
+  struct Earliest {
+    StarContact* contact;
+    bool any = false;
+  };
+  void consider(const double* p, const double* to, StarContact found, Earliest& earliest) const;
   template <class Motion, class... Collect>
   SweepResult flood(const Motion& m, Cell start, Collect... collect) {
     const SweepResult swept = flood_.sweep(m, start, max_cells, collect...);
@@ -145,18 +137,17 @@ class StarSweep {
     limited_ = limited_ || swept.end == SweepEnd::kWorkLimit;
     return swept;
   }
-  bool is_seen(const Body<D>& body, const EdgeSweep& sweep) const;
-  bool is_seen(const FaceMotion& m, Cell cell) const;
-  StarTry try_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell);
+  bool is_face_seen(const FaceMotion& m, Cell cell) const;
   Settled settle_by_what_is_kept(const Body<D>& body, const EdgeSweep& sweep, bool ask_balls);
-  bool is_clear(const Body<D>& body, const EdgeSweep& sweep) const;
-  Settled follow_sequence(const Body<D>& body, const EdgeSweep& sweep);
-  bool pass_on(EdgeSequence<D>& sequence, HalfFacet crossed, Cell from, bool first) const;
-  bool turns(const Body<D>& body, const EdgeSweep& sweep, bool first);
-  bool turns_freely(const Body<D>& body, const EdgeSweep& sweep, const Pivot<D>& pivot) const;
-  bool stays_before_wall(const BodyVertex<D>& at, const double* to, Cell front, const BodyVertex<D>& fixed) const;
+  CastResult cast_path(const Body<D>& body, uint32_t v, const double* to);
+  StarTry try_walls(const Body<D>& body, uint32_t v, const double* to, Cell* cell);
+  uint32_t find_swept_edge(const Body<D>& body, uint32_t v, const double* to, const CastResult& path);
+  uint32_t find_swept_face(const Body<D>& body, uint32_t v, const double* to, const CastResult& path);
   bool find_hit_edges(const Body<D>& body, uint32_t v, const double* to, Cell cell, bool one_is_enough);
-  void consider(const double* p, const double* to, const StarContact& found, StarContact* first, bool* any) const;
+  void consider_edge(const Body<D>& body, uint32_t v, const double* to, uint32_t e, Earliest& earliest);
+  void consider_face(const Body<D>& body, uint32_t v, const double* to, uint32_t f, Earliest& earliest);
+  void collect_edge(const Body<D>& body, uint32_t v, const double* to, uint32_t e, const StarContact& first,
+                    Array<StarContact>& all);
 
   const Environment<D>& env_;
   bool limited_ = false;  // the work limit was met

@@ -111,8 +111,8 @@ EdgeSequence<3> facets_passed(const Environment<3>& env, const double* from, con
 }
 
 /** What is known of an edge's sweep from what the edge passes at first; the path of its end is free. */
-StarSweep<3>::Settled settled_by(const Environment<3>& env, const double* p, Cell start, const double* to, Cell target,
-                                 const double* q, const EdgeSequence<3>& before, const EdgeSequence<3>& path) {
+Settled settled_by(const Environment<3>& env, const double* p, Cell start, const double* to, Cell target,
+                   const double* q, const EdgeSequence<3>& before, const EdgeSequence<3>& path) {
   Body<3> body(nullptr);
   reserve(body, 2, 1, 0);
   add_vertex(body, p, start);
@@ -183,14 +183,13 @@ TEST(SweptEdgeTest, WhatSequencesSettleMeetsNothing) {
         const SweepEnd end = flood.sweep(EdgeMotion{x[0].data(), x[1].data(), x[2].data()}, start, 0).end;
         const bool strip =
             known[0] && known[1] && known[2] &&
-            share_strip(env->map, {path.facets.data(), path.facets.size()}, {after.facets.data(), after.facets.size()},
-                        {before.facets.data(), before.facets.size(), true});
+            share_sleeve(env->map, {path.facets.data(), path.facets.size()}, {after.facets.data(), after.facets.size()},
+                         {before.facets.data(), before.facets.size(), true});
         if (known[0] && known[1]) {
           const auto how = settled_by(*env, x[0].data(), start, x[1].data(), target, x[2].data(), before, path);
-          kept += how == StarSweep<3>::Settled::kStrip ? 1 : 0;
-          turned += how == StarSweep<3>::Settled::kTurned ? 1 : 0;
-          ASSERT_TRUE(how == StarSweep<3>::Settled::kNo || end == SweepEnd::kFree)
-              << kind.name << " " << seed << " " << i;
+          kept += how == Settled::kSleeve ? 1 : 0;
+          turned += how == Settled::kTurned ? 1 : 0;
+          ASSERT_TRUE(how == Settled::kNo || end == SweepEnd::kFree) << kind.name << " " << seed << " " << i;
         }
         if (strip) {
           ++settled;

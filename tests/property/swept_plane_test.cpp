@@ -22,7 +22,6 @@ namespace {
 
 using oracle::plane::Vec;
 using oracle::plane::World;
-using Settled = StarSweep<2>::Settled;
 
 /// Null where creation may refuse the world, and does.
 std::unique_ptr<Environment<2>> environment_of(const World& world, bool may_be_refused) {
@@ -209,12 +208,12 @@ TEST(SweptPlane, WhatIsSettledMeetsNothing) {
     const auto count = [&](Settled how) { return of[static_cast<int>(how)]; };
     RecordProperty("settled", std::to_string(count(Settled::kInside)) + " inside, " +
                                   std::to_string(count(Settled::kSeen)) + " seen, " +
-                                  std::to_string(count(Settled::kStrip)) + " strip, " +
+                                  std::to_string(count(Settled::kSleeve)) + " sleeve, " +
                                   std::to_string(count(Settled::kTurned)) + " turned; " + std::to_string(open) +
                                   " free and open, " + std::to_string(hit) + " hit");
     EXPECT_GT(count(Settled::kInside), share_of(500));
     EXPECT_GT(count(Settled::kSeen), share_of(50));
-    EXPECT_GT(count(Settled::kStrip), share_of(5000));
+    EXPECT_GT(count(Settled::kSleeve), share_of(5000));
     EXPECT_GT(count(Settled::kTurned), share_of(1000));
     EXPECT_GT(long_ones, share_of(1000));
     EXPECT_GT(hit, share_of(500));

@@ -1,0 +1,28 @@
+#include "response/course.h"
+
+#include <algorithm>
+
+namespace dsw {
+
+template <int D>
+void Course<D>::start(Body<D>& moved, PointArray to, MoveOrder wanted) {
+  body = &moved;
+  targets = to;
+  order.clear();
+  vertices.assign(body->vertices.size(), Vertex{});
+  keeps.assign(body->level == SweepLevel::kFaces ? body->edges.size() : 0, true);
+  for (size_t v = 0; v < vertices.size(); ++v) vertices[v].from = vertices[v].arrival = body->vertices[v].cell;
+  const size_t count = wanted.vertices != nullptr ? wanted.count : body->vertices.size();
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t v = wanted.vertices != nullptr ? wanted.vertices[i] : static_cast<uint32_t>(i);
+    if (!body->has_vertex(v)) continue;
+    // One that is told to stay is done: nothing moves.
+    if (!std::equal(to[v], to[v] + D, body->position(v))) vertices[v].rank = static_cast<uint32_t>(order.size());
+    order.push_back(v);
+  }
+}
+
+template struct Course<2>;
+template struct Course<3>;
+
+}  // namespace dsw

@@ -1,0 +1,56 @@
+#pragma once
+// One move of a body: where its vertices go, in which order, and what is known of their ways if nobody meets anything.
+
+#include "base/points.h"
+#include "sweep/star.h"
+
+namespace dsw {
+
+/** Which vertices move, and in which order. */
+struct MoveOrder {
+  const uint32_t* vertices = nullptr;  // null: all living ones by index
+  size_t count = 0;
+};
+
+template <int D>
+struct Course {
+  /** Whether all of the cell is seen from the target, if it is not convex. */
+  enum class Sight : uint8_t { kUnknown, kWhole, kPart };
+
+  /** What sweeps of edges ask of their ends: small, since edges ask in no order. */
+  struct Vertex {
+    uint32_t rank = kNone;  // place in the order; kNone: stays
+    Cell from, arrival;     // contains the target, or the vertex that stays; invalid if something is on the path
+    bool doubtful = false;  // something is, or may be, met on the way
+    Sight sight = Sight::kUnknown;
+    bool inwards = false;  // against the normals of all faces at it
+  };
+  static_assert(sizeof(Vertex) == 16);
+
+  Body<D>* body = nullptr;
+  PointArray targets;
+  Array<uint32_t> order;
+  Array<Vertex> vertices;  // by index
+  Array<bool> keeps;       // by edge, at FACES: it keeps to one sequence all through the move
+
+  explicit Course(const Memory* memory) : order(memory), vertices(memory), keeps(memory) {}
+  /** Throws std::bad_alloc. */
+  void start(Body<D>& moved, PointArray to, MoveOrder wanted);
+
+  bool moves(uint32_t v) const { return vertices[v].rank != kNone; }
+  /** Where vertex v is when it is the turn of the vertex with `rank`; of kNone: at the end. */
+  const double* place(uint32_t v, uint32_t rank) const {
+    return vertices[v].rank < rank ? targets[v] : body->position(v);
+  }
+  Cell cell_at(uint32_t v, uint32_t rank) const {
+    return vertices[v].rank < rank ? vertices[v].arrival : vertices[v].from;
+  }
+  /** Adds all places of a vertex on its way. */
+  void include_way(uint32_t v, Bounds<D>& box) const {
+    box.include(body->position(v));
+    if (moves(v)) box.include(targets[v]);
+  }
+  void arrive(uint32_t v) const { put_vertex(*body, v, targets[v], vertices[v].arrival); }
+};
+
+}  // namespace dsw

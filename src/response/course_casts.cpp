@@ -1,0 +1,97 @@
+#include "response/course_casts.h"
+
+namespace dsw {
+
+template <int D>
+void CourseCasts<D>::start() {
+  packet_.clear();  // of casts left by a move that ran out of memory
+  if (!course_.body->keeps_sequences()) return;
+  writers_.reserve(kPacket);  // casts point at them
+  crossed_.assign(course_.vertices.size(), PathFacets{});
+}
+
+template <int D>
+void CourseCasts<D>::run() {
+  packet_.run(env_, sweeps_.counters);
+  for (uint32_t i = 0; i < packet_.count(); ++i) {
+    if (packet_.reached(i)) continue;
+    if (vertices_[i] != kNone) {
+      course_.vertices[vertices_[i]].doubtful = true;
+    } else {
+      for (const uint32_t v : course_.body->edges[edges_[i]].ends) course_.vertices[v].doubtful = true;
+    }
+  }
+}
+
+template <int D>
+void CourseCasts<D>::cast_paths() {
+  const Body<D>& body = *course_.body;
+  const auto run_paths = [&] {
+    run();
+    for (uint32_t i = 0; i < packet_.count(); ++i) {
+      const CastResult& path = packet_.result(i);
+      course_.vertices[vertices_[i]].arrival = path.end == CastEnd::kReached ? path.cell : Cell{};
+      if (body.keeps_sequences()) crossed_[vertices_[i]] = path_facets(env_.map, packet_.request(i).start, path);
+    }
+    packet_.clear();
+  };
+  for (const uint32_t v : course_.order) {
+    if (!course_.moves(v)) continue;
+    vertices_[packet_.count()] = v;
+    packet_.add(env_, body.vertices[v].cell, body.position(v), course_.targets[v]).max_cells = sweeps_.max_cells;
+    if (packet_.full()) run_paths();
+  }
+  run_paths();
+}
+
+template <int D>
+void CourseCasts<D>::add_edge(uint32_t e, uint32_t v, const End& from, const End& to) {
+  const uint32_t at = packet_.count();
+  vertices_[at] = v;
+  edges_[at] = e;
+  CastRequest& request = packet_.add(env_, from.cell, from.position, to.position);
+  request.end = to.cell;
+  request.max_cells = sweeps_.max_cells;
+  if (course_.body->keeps_sequences()) {
+    if (writers_.size() == at) writers_.emplace_back(env_.memory);
+    writers_[at].attach(env_, request);
+  }
+  if (packet_.full()) run_edges();
+}
+
+template <int D>
+void CourseCasts<D>::run_edges() {
+  run();
+  if (course_.body->keeps_sequences()) {
+    for (uint32_t i = 0; i < packet_.count(); ++i) {
+      if (packet_.reached(i)) writers_[i].finish(course_.body->sequences[edges_[i]]);
+    }
+  }
+  packet_.clear();
+}
+
+template <int D>
+bool CourseCasts<D>::is_star_free(uint32_t v) {
+  const Body<D>& body = *course_.body;
+  if (!body.has_vertex(v)) return true;
+  const BodyVertex<D>& at = body.vertices[v];
+  bool free = true;
+  const auto run_some = [&] {
+    packet_.run(env_, sweeps_.counters);
+    for (uint32_t i = 0; i < packet_.count(); ++i) free = free && packet_.reached(i);
+    packet_.clear();
+  };
+  for_each_edge(body, v, [&](uint32_t e) {
+    const BodyVertex<D>& other = body.vertices[body.edges[e].other(v)];
+    packet_.add(env_, at.cell, at.position, other.position).end = other.cell;
+    if (packet_.full()) run_some();
+    return true;
+  });
+  run_some();
+  return free;
+}
+
+template class CourseCasts<2>;
+template class CourseCasts<3>;
+
+}  // namespace dsw

@@ -1,0 +1,50 @@
+#pragma once
+// Casts of a body on its course, side by side.
+
+#include "flood/sequence.h"
+#include "response/course.h"
+#include "walk/packet.h"
+
+namespace dsw {
+
+/** Casts paths and edges in packets. Where a cast is not free, the vertices that rely on it are in doubt. */
+template <int D>
+class CourseCasts {
+ public:
+  struct End {
+    Cell cell;
+    const double* position;
+  };
+
+  CourseCasts(const Environment<D>& env, const StarSweep<D>& sweeps, Course<D>& course)
+      : env_(env), sweeps_(sweeps), course_(course) {}
+
+  /** For a course that has just started. Throws std::bad_alloc, as add_edge and run_edges do. */
+  void start();
+  /** Casts the paths of all vertices that move, which tells where they arrive. */
+  void cast_paths();
+  /** The facets on the path of a vertex; none unless sequences are kept. */
+  PathFacets crossed(uint32_t v) const { return course_.body->keeps_sequences() ? crossed_[v] : PathFacets{}; }
+
+  /** To see whether edge e is free in a new place, and which cells it crosses there.
+   * @param v whose way is in doubt if it is not; kNone: that of both ends. */
+  void add_edge(uint32_t e, uint32_t v, const End& from, const End& to);
+  /** Casts the edges that have been added. */
+  void run_edges();
+  /** Whether all edges of a vertex are free where they are. */
+  bool is_star_free(uint32_t v);
+
+ private:
+  void run();
+
+  const Environment<D>& env_;
+  const StarSweep<D>& sweeps_;
+  Course<D>& course_;
+  Packet<D> packet_;
+  uint32_t vertices_[kPacket] = {};  // kNone: of both ends of the edge
+  uint32_t edges_[kPacket] = {};
+  Array<SequenceWriter<D>> writers_{env_.memory};  // of the packet, if sequences are kept
+  Array<PathFacets> crossed_{env_.memory};         // by vertex, if sequences are kept
+};
+
+}  // namespace dsw

@@ -1,0 +1,180 @@
+#include "response/edge_pass.h"
+
+#include <algorithm>
+
+namespace dsw {
+
+template <int D>
+void EdgePass<D>::sweep(bool may_skip) {
+  const Body<D>& body = *course_.body;
+  const bool only_places = body.level == SweepLevel::kEdges && !body.keeps_sequences();
+  const bool skips_back = may_skip && body.skipping.back_edges;
+  sieve_.start(may_skip);
+  while (sieve_.next()) {
+    for (const uint32_t e : sieve_) {
+      if (only_places) {
+        cast_places(e, skips_back);
+      } else {
+        sweep_ways(e);
+      }
+    }
+  }
+  casts_.run_edges();
+}
+
+/** Casts an edge in its new places, that of the end whose turn comes first and then that of the other one. A first end that goes
+ * towards the inside needs no cast where the other one has its own.
+ * What sweep_way does for both ends, at EDGES where no sequences are kept, without branches on which end is the first. */
+template <int D>
+void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
+  const Body<D>& body = *course_.body;
+  const PointArray targets = course_.targets;
+  const uint32_t(&ends)[2] = body.edges[e].ends;
+  const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
+  const uint32_t v = ends[k], w = ends[1 - k];
+  typename Course<D>::Vertex &first = course_.vertices[v], &second = course_.vertices[w];
+  const bool both = second.rank != kNone;
+  if (first.rank == kNone) return;
+  if (!first.doubtful) {
+    const bool skips = skips_back && both && first.inwards && !second.inwards && body.edges[e].faces[1] != kNone;
+    ++sweeps_.counts.swept;
+    sweeps_.counts.skipped += skips ? 1 : 0;
+    if (!skips) casts_.add_edge(e, v, {first.arrival, targets[v]}, {second.from, body.position(w)});
+  }
+  if (!both) return;
+  second.doubtful = second.doubtful || !first.arrival.valid();
+  if (second.doubtful) return;
+  ++sweeps_.counts.swept;
+  casts_.add_edge(e, w, {second.arrival, targets[w]}, {first.arrival, targets[v]});
+}
+
+template <int D>
+void EdgePass<D>::sweep_ways(uint32_t e) {
+  const uint32_t a = course_.body->edges[e].ends[0], b = course_.body->edges[e].ends[1];
+  const bool boxed = course_.body->level != SweepLevel::kEdges && is_boxed(e);
+  sweep_way(e, a, b, boxed);
+  sweep_way(e, b, a, boxed);
+}
+
+/** @param boxed as is_boxed says. */
+template <int D>
+void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) {
+  const Body<D>& body = *course_.body;
+  typename Course<D>::Vertex& moving = course_.vertices[v];
+  if (moving.rank == kNone) return;
+  const Cell fixed = course_.cell_at(other, moving.rank);
+  // Where the other one will be is not known if there is something on its way.
+  moving.doubtful = moving.doubtful || !fixed.valid();
+  if (moving.doubtful) {
+    if (!course_.keeps.empty()) course_.keeps[e] = false;
+    return;
+  }
+  const EdgeSweep sweep{
+      e, v, course_.targets[v], moving.arrival, course_.place(other, moving.rank), fixed, casts_.crossed(v)};
+  const Settled settled = boxed ? sweeps_.settle_boxed(body) : sweeps_.settle(body, sweep, false);
+  if (!course_.keeps.empty()) {
+    const bool same =
+        settled == Settled::kInside || (settled == Settled::kSleeve && body.vertices[v].cell == moving.arrival);
+    course_.keeps[e] = course_.keeps[e] && same;
+  }
+  if (settled != Settled::kNo) return;
+  if (body.level != SweepLevel::kEdges) {
+    const BodyVertex<D>& from = body.vertices[v];
+    moving.doubtful = !sweeps_.is_triangle_free({from.position, sweep.to, sweep.q}, from.cell);
+    if (moving.doubtful) return;
+  }
+  // A sequence is noted in the direction of the edge.
+  const typename CourseCasts<D>::End moved{sweep.arrival, sweep.to}, still{sweep.fixed, sweep.q};
+  const bool turned = body.keeps_sequences() && body.edges[e].ends[0] != v;
+  casts_.add_edge(e, v, turned ? still : moved, turned ? moved : still);
+}
+
+/** Whether an edge and what both of its ends sweep lie in a box that is free. Not asked of edges that stay inside of one cell, which is
+ * seen sooner, and of those known to cross more cells than a box may meet: they have their sequences. */
+template <int D>
+bool EdgePass<D>::is_boxed(uint32_t e) {
+  constexpr size_t kMostFacets = 3;
+  const Body<D>& body = *course_.body;
+  const uint32_t v = body.edges[e].ends[0], w = body.edges[e].ends[1];
+  const typename Course<D>::Vertex &a = course_.vertices[v], &b = course_.vertices[w];
+  if ((a.rank == kNone && b.rank == kNone) || !BoxProbe<D>::suits(env_, a.from)) return false;
+  if (a.from == a.arrival && a.from == b.from && a.from == b.arrival && env_.map.convex(a.from)) return false;
+  if (body.sequences[e].facets.size() > kMostFacets) return false;
+  Bounds<D> box(body.position(v));
+  course_.include_way(v, box);
+  course_.include_way(w, box);
+  return sweeps_.is_boxed(box, a.from, b.from);
+}
+
+template <int D>
+void FacePass<D>::sweep() {
+  find_sides();
+  for (uint32_t f = 0; f < course_.body->faces.size(); ++f) {
+    if (course_.body->has_face(f) && !shares_sleeve(f) && !is_boxed(f)) sweep_face(f);
+  }
+}
+
+template <int D>
+void FacePass<D>::find_sides() {
+  const Body<D>& body = *course_.body;
+  sides_.assign(3 * body.faces.size(), kNone);
+  for (uint32_t e = 0; e < body.edges.size(); ++e) {
+    for (const uint32_t f : body.edges[e].faces) {
+      if (f == kNone) continue;
+      const uint32_t(&corners)[3] = body.faces[f].corners, (&ends)[2] = body.edges[e].ends;
+      uint32_t opposite = 0;
+      while (corners[opposite] == ends[0] || corners[opposite] == ends[1]) ++opposite;
+      sides_[3 * size_t{f} + opposite] = e;
+    }
+  }
+}
+
+/** What a face sweeps when its vertices move in their order. */
+template <int D>
+void FacePass<D>::sweep_face(uint32_t f) {
+  const Body<D>& body = *course_.body;
+  for (const uint32_t v : body.faces[f].corners) {
+    typename Course<D>::Vertex& moving = course_.vertices[v];
+    if (moving.rank == kNone || moving.doubtful) continue;
+    const uint32_t q = body.faces[f].after(v), r = body.faces[f].before(v), rank = moving.rank;
+    const Cell from = body.vertices[v].cell;
+    const FaceMotion m{body.position(v), course_.targets[v], course_.place(q, rank), course_.place(r, rank)};
+    if (sweeps_.stays_inside(m, from, moving.arrival, course_.cell_at(q, rank), course_.cell_at(r, rank))) continue;
+    moving.doubtful = !sweeps_.is_tetrahedron_free(m, from);
+  }
+}
+
+/** Whether a face and what it sweeps lie in a box that is free. */
+template <int D>
+bool FacePass<D>::is_boxed(uint32_t f) {
+  const uint32_t(&corners)[3] = course_.body->faces[f].corners;
+  const auto from = [&](int k) { return course_.vertices[corners[k]].from; };
+  const bool stays = std::none_of(corners, corners + 3, [&](uint32_t v) { return course_.moves(v); });
+  if (stays || !BoxProbe<D>::suits(env_, from(0))) return false;
+  Bounds<D> box(course_.body->position(corners[0]));
+  for (const uint32_t v : corners) course_.include_way(v, box);
+  return sweeps_.is_boxed(box, from(0), from(1), from(2));
+}
+
+/** Whether a face's edges keep to their sequences all through the move, and lie in one sleeve of cells. Then no edge of the environment
+ * pierces the face, before, between or after, nor what its edges sweep: so no vertex is inside of the tetrahedra. */
+template <int D>
+bool FacePass<D>::shares_sleeve(uint32_t f) const {
+  const Body<D>& body = *course_.body;
+  SequenceView views[3];
+  for (uint32_t k = 0; k < 3; ++k) {
+    const uint32_t e = sides_[3 * size_t{f} + k];
+    const uint32_t(&ends)[2] = body.edges[e].ends;
+    const bool moves = course_.moves(ends[0]) || course_.moves(ends[1]);
+    if (moves ? !course_.keeps[e] : !keeps_sequence(env_, body, e)) return false;
+    const Array<uint32_t>& facets = body.sequences[e].facets;
+    views[k] = {facets.data(), facets.size(), ends[0] != body.faces[f].corners[(k + 1) % 3]};
+  }
+  return share_sleeve(env_.map, views[2], views[0], views[1]);
+}
+
+template class EdgePass<2>;
+template class EdgePass<3>;
+template class FacePass<3>;  // nothing of the plane has faces
+
+}  // namespace dsw

@@ -1,0 +1,52 @@
+#pragma once
+// Edges and faces of a body on its course, as if nobody met anything: vertices that may meet something are in doubt.
+
+#include "response/edge_sieve.h"
+
+namespace dsw {
+
+template <int D>
+class EdgePass {
+ public:
+  EdgePass(const Environment<D>& env, StarSweep<D>& sweeps, Course<D>& course, CourseCasts<D>& casts)
+      : env_(env), sweeps_(sweeps), course_(course), casts_(casts), sieve_(env, sweeps, course, casts) {}
+
+  /** @param may_skip whether edges may be left out on their way that are free where they end. Throws std::bad_alloc. */
+  void sweep(bool may_skip);
+
+ private:
+  void cast_places(uint32_t e, bool skips_back);
+  void sweep_ways(uint32_t e);
+  void sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed);
+  bool is_boxed(uint32_t e);
+
+  const Environment<D>& env_;
+  StarSweep<D>& sweeps_;
+  Course<D>& course_;
+  CourseCasts<D>& casts_;
+  EdgeSieve<D> sieve_;
+};
+
+/** Its edges have been swept. */
+template <int D>
+class FacePass {
+ public:
+  FacePass(const Environment<D>& env, StarSweep<D>& sweeps, Course<D>& course)
+      : env_(env), sweeps_(sweeps), course_(course) {}
+
+  /** Throws std::bad_alloc. */
+  void sweep();
+
+ private:
+  void find_sides();
+  void sweep_face(uint32_t f);
+  bool is_boxed(uint32_t f);
+  bool shares_sleeve(uint32_t f) const;
+
+  const Environment<D>& env_;
+  StarSweep<D>& sweeps_;
+  Course<D>& course_;
+  Array<uint32_t> sides_{env_.memory};  // by face: its edges, that opposite of corner k in place k
+};
+
+}  // namespace dsw

@@ -1,0 +1,49 @@
+#pragma once
+// Which edges of a body on its course have to be looked at one by one.
+
+#include "response/course_casts.h"
+
+namespace dsw {
+
+/** Gives edges a chunk at a time, without those that do not move or are known to be free. */
+template <int D>
+class EdgeSieve {
+ public:
+  EdgeSieve(const Environment<D>& env, StarSweep<D>& sweeps, Course<D>& course, CourseCasts<D>& casts)
+      : env_(env), sweeps_(sweeps), course_(course), casts_(casts) {}
+
+  /** @param may_skip whether edges may be left out on their way that are free where they end. Throws std::bad_alloc. */
+  void start(bool may_skip);
+  /** The next chunk; false: there is none. Throws std::bad_alloc. */
+  bool next();
+  const uint32_t* begin() const { return chunk_; }
+  const uint32_t* end() const { return chunk_ + count_; }
+
+ private:
+  static constexpr uint32_t kChunk = 64;
+  using Vertex = typename Course<D>::Vertex;
+
+  void measure_clearances();
+  void find_inwards();
+  void gather();
+  template <class Drops>
+  void drop(Drops drops);
+  template <class Skips>
+  void drop_and_cast(Skips skips);
+  bool sees_all_of_cell(uint32_t v);
+  void drop_inside();
+  void drop_clear();
+  void drop_similar();
+  void drop_back();
+
+  const Environment<D>& env_;
+  StarSweep<D>& sweeps_;
+  Course<D>& course_;
+  CourseCasts<D>& casts_;
+  bool may_skip_ = false;
+  uint32_t next_ = 0, count_ = 0;
+  uint32_t chunk_[kChunk] = {};
+  Array<double> rooms_{env_.memory};  // by vertex, if balls are kept: see room_squared
+};
+
+}  // namespace dsw

@@ -1,0 +1,139 @@
+#include "sweep/known_edge.h"
+
+#include "base/dimensions.h"
+#include "environment/marking.h"
+#include "flood/hop.h"
+#include "flood/sequence.h"
+#include "sweep/clearance.h"
+
+namespace dsw {
+namespace {
+
+constexpr int kMostTurns = 4;  // then a cast costs no more
+
+/** The path of an end has passed a facet of `from`: the edge has one facet less to pass, or one more. */
+template <int D>
+bool pass_on(const Environment<D>& env, EdgeSequence<D>& sequence, HalfFacet crossed, Cell from, bool first) {
+  // As the sequence names it: passed on the way from ends[0].
+  const HalfFacet beyond = env.map.opposite(crossed);
+  const HalfFacet left = first ? crossed : beyond, met = first ? beyond : crossed;
+  if (!sequence.facets.empty()) {
+    const HalfFacet end{first ? sequence.facets.front() : sequence.facets.back()};
+    // What is noted may be of another place, at EDGES: then it does not go on where the path has left its cell.
+    if (env.map.cell_of(first ? end : env.map.opposite(end)) != from) return false;
+    if (end == left) {
+      sequence.remove(env, first);
+      return true;
+    }
+  }
+  sequence.add(env, met, first);
+  return true;
+}
+
+/** Whether a triangle is free one side of which passes, in the old place, half of the facets round a pivot, and another, in the new place,
+ * the others.
+ * In space: before and after these the sides share facets, and what of the triangle lies there is in cells, as in one sleeve. Let Q be what
+ * lies between. Its boundary is in the cells round the edge and goes once round the edge's line, so Q meets that line; with the edge's ends
+ * on either side of the triangle's plane it does so in a point y of the edge. Q is convex: each of its points is between y and one of its
+ * boundary. Both are in one cell, as all of these cells have the edge, so all between is in that cell.
+ * In the plane the edge may have turned round several vertices, all asked here. All cells and facets at each are passable, as the sequence
+ * before or after has them. So the triangle's sides lie in an open set, of what is passable, where they can be drawn together into a
+ * point, over one vertex after the other; a point of the triangle outside of it would be one that they wind round. */
+template <int D>
+bool turns_freely(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, const Pivot<D>& pivot) {
+  if constexpr (D == 3) {
+    const double* const triangle[3] = {body.position(sweep.v), sweep.to, sweep.q};
+    const uint32_t(&edge)[2] = pivot.vertices;
+    const int a = orient<D>(triangle, env.point(edge[0])), b = orient<D>(triangle, env.point(edge[1]));
+    return a * b < 0 && (env.marked_edges == 0 || !env.edge_marks.contains(edge[0], edge[1]));
+  } else {
+    return !vertex_marked(env, pivot.vertices[0]);
+  }
+}
+
+/** Whether the edge goes to the other side of a pivot, or of a few, and is free there with what it sweeps on its way; at EDGES the new
+ * place is all that counts. */
+template <int D>
+bool turns(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, bool first) {
+  EdgeSequence<D>& sequence = body.sequences[sweep.e];
+  const double *const from = first ? sweep.to : sweep.q, *const to = first ? sweep.q : sweep.to;
+  const Cell start = first ? sweep.arrival : sweep.fixed, end = first ? sweep.fixed : sweep.arrival;
+  const bool swept = body.level != SweepLevel::kEdges;
+  Pivot<D> pivot;
+  for (int rest = swept && D == 3 ? 1 : kMostTurns; rest != 0; --rest) {
+    if (!turn(env, sequence, from, to, pivot) || (swept && !turns_freely(env, body, sweep, pivot))) break;
+    if (follows(env, sequence, from, to, start, end)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+template <int D>
+bool is_seen(const Environment<D>& env, SweepLevel level, const EdgeSweep& sweep, CastCounters* counters) {
+  const bool from_target = sees_all(env, sweep.arrival, sweep.to, counters);
+  if (from_target == (level == SweepLevel::kEdges)) return from_target;
+  return sees_all(env, sweep.fixed, sweep.q, counters);
+}
+
+template <int D>
+bool is_clear(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep) {
+  const double* const p = body.position(sweep.v);
+  return covers(env, body.clearances[sweep.v], p, sweep.to, sweep.q) ||
+         covers(env, body.clearances[body.edges[sweep.e].other(sweep.v)], p, sweep.to, sweep.q);
+}
+
+template <int D>
+Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
+                        Array<uint32_t>& before) {
+  EdgeSequence<D>& sequence = body.sequences[sweep.e];
+  const BodyVertex<D>& from = body.vertices[sweep.v];
+  const bool first = body.edges[sweep.e].ends[0] == sweep.v;
+  const auto keeps = [&](const double* p, Cell cell) {
+    return first ? follows(env, sequence, p, sweep.q, cell, sweep.fixed)
+                 : follows(env, sequence, sweep.q, p, sweep.fixed, cell);
+  };
+  const auto passes_on = [&] {
+    Cell cell = from.cell;
+    for (uint32_t i = 0; i < sweep.crossed.count; ++i) {
+      if (!pass_on(env, sequence, sweep.crossed.facets[i], cell, first)) return false;
+      cell = env.map.cell_of(env.map.opposite(sweep.crossed.facets[i]));
+    }
+    return cell == sweep.arrival;
+  };
+  if (!sequence.known()) return Settled::kNo;
+  if (from.cell != sweep.arrival && sweep.crossed.count == 0) return Settled::kNo;
+  if (body.level != SweepLevel::kEdges && !keeps(from.position, from.cell)) return Settled::kNo;
+  const bool stays = sweep.crossed.count == 0;
+  if (stays && keeps(sweep.to, sweep.arrival)) return Settled::kSleeve;
+  before = sequence.facets;
+  if (passes_on()) {
+    if (!stays && keeps(sweep.to, sweep.arrival)) return Settled::kSleeve;
+    if (turns(env, body, sweep, first)) return Settled::kTurned;
+  }
+  sequence.assign(env, before);
+  return Settled::kNo;
+}
+
+template <int D>
+bool keeps_sequence(const Environment<D>& env, const Body<D>& body, uint32_t e) {
+  const BodyVertex<D>&a = body.vertices[body.edges[e].ends[0]], &b = body.vertices[body.edges[e].ends[1]];
+  return follows(env, body.sequences[e], a.position, b.position, a.cell, b.cell);
+}
+
+template <int D>
+bool stays_before_wall(const Environment<D>& env, const BodyVertex<D>& at, const double* to, Cell front,
+                       const BodyVertex<D>& fixed) {
+  if (at.cell != front) return false;
+  if (front == fixed.cell) return env.map.convex(front);
+  return passes_between(env, front, fixed.cell, at.position, fixed.position) &&
+         passes_between(env, front, fixed.cell, to, fixed.position);
+}
+
+DSW_INSTANTIATE(is_seen);
+DSW_INSTANTIATE(is_clear);
+DSW_INSTANTIATE(follow_sequence);
+DSW_INSTANTIATE(keeps_sequence);
+DSW_INSTANTIATE(stays_before_wall);
+
+}  // namespace dsw
