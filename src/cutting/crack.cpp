@@ -7,25 +7,6 @@
 namespace dsw {
 namespace {
 
-/** Numbers that are joined to sets. */
-class Sets {
- public:
-  Sets(uint32_t count, const Memory* memory) : parents_(memory) {
-    for (uint32_t i = 0; i < count; ++i) parents_.push_back(i);
-  }
-  uint32_t root(uint32_t i) {
-    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-  void join(uint32_t i, uint32_t j) {
-    const uint32_t a = root(i), b = root(j);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  Array<uint32_t> parents_;
-};
-
 /** Out of the cell, in space twice as long as the facet is large. */
 template <int D>
 Vec facet_normal(const Environment<D>& env, HalfFacet h) {
@@ -160,11 +141,11 @@ void Crack<D>::find_mouths() {
 
 /** Of the crack at a vertex, to either side, whichever facet of a pair comes first. */
 template <int D>
-void Crack<D>::rough_normal(const Corner* corners, size_t count, double* normal) const {
+void Crack<D>::rough_normal(const Meeting& at, double* normal) const {
   Vec sum;
-  for (size_t i = 0; i < count; ++i) {
-    if (corners[i].side != 0) continue;
-    const Vec n = facet_normal(env_, side(corners[i]));
+  for (size_t i = 0; i < at.count; ++i) {
+    if (at.corners[i].side != 0) continue;
+    const Vec n = facet_normal(env_, side(at.corners[i]));
     sum += (dot(n, sum) < 0 ? -1.0 : 1.0) * n;
   }
   store<3>(sum, normal);
@@ -173,24 +154,24 @@ void Crack<D>::rough_normal(const Corner* corners, size_t count, double* normal)
 /** A line through the space at a vertex, from mouth to mouth or from the only mouth to the outer boundary; at best where the crack's plane goes
  * on. Gives the facets that it crosses; false: there is none. */
 template <int D>
-bool Crack<D>::find_line(uint32_t vertex, const double* normal, const Array<uint32_t>& mouths,
-                         KeyTable& crossed) const {
-  if (mouths.empty()) return true;
-  if (mouths.size() > 2) return false;
-  return find_shortest_line(vertex, normal, mouths, crossed) || find_shortest_line(vertex, nullptr, mouths, crossed);
+bool Crack<D>::find_line(const Meeting& at, KeyTable& crossed) const {
+  if (at.mouths.empty()) return true;
+  if (at.mouths.size() > 2) return false;
+  double normal[3];
+  rough_normal(at, normal);
+  return find_shortest_line(at, normal, crossed) || find_shortest_line(at, nullptr, crossed);
 }
 
 /** The shortest such line, with a normal only through facets on both sides of that plane. */
 template <int D>
-bool Crack<D>::find_shortest_line(uint32_t vertex, const double* normal, const Array<uint32_t>& mouths,
-                                  KeyTable& crossed) const {
+bool Crack<D>::find_shortest_line(const Meeting& at, const double* normal, KeyTable& crossed) const {
   struct Step {
     Cell cell;
     HalfFacet entry;  // in the cell before
     size_t before;
   };
-  const uint32_t pair = mouths_[mouths[0]].pair;
-  const Cell target = mouths.size() == 2 ? mouths_[mouths[1]].dart.cell : Cell{};
+  const uint32_t pair = mouths_[at.mouths[0]].pair;
+  const Cell target = at.mouths.size() == 2 ? mouths_[at.mouths[1]].dart.cell : Cell{};
   Array<Step> steps{env_.memory};
   KeyTable seen(env_.memory);
   const auto visit = [&](Cell c, HalfFacet entry, size_t before) {
@@ -204,7 +185,7 @@ bool Crack<D>::find_shortest_line(uint32_t vertex, const double* normal, const A
   const auto cross_back = [&](size_t i) {
     for (; i != 0; i = steps[i].before) cross(steps[i].entry);
   };
-  visit(mouths_[mouths[0]].dart.cell, {}, 0);
+  visit(mouths_[at.mouths[0]].dart.cell, {}, 0);
   for (size_t i = 0; i < steps.size(); ++i) {
     const Cell c = steps[i].cell;
     if (c == target) {
@@ -213,11 +194,11 @@ bool Crack<D>::find_shortest_line(uint32_t vertex, const double* normal, const A
     }
     const Shape shape = map_.shape(c);
     for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-      if (map_.vertex(c, shape.dart_vertex(d)) != vertex) continue;
+      if (map_.vertex(c, shape.dart_vertex(d)) != at.vertex) continue;
       const HalfFacet h = map_.half_facet(c, shape.dart_facet(d)), o = map_.opposite(h);
       if (is_in_crack(h)) continue;
       const auto height = [&](uint32_t dart) {
-        return dot(to_vec<3>(normal), difference<D>(env_.point(c, shape.dart_vertex(dart)), env_.point(vertex)));
+        return dot(to_vec<3>(normal), difference<D>(env_.point(c, shape.dart_vertex(dart)), env_.point(at.vertex)));
       };
       if (normal != nullptr && height(shape.beta0(d)) * height(shape.beta1(d)) > 0) continue;
       if (o.valid()) {
@@ -241,45 +222,73 @@ bool Crack<D>::is_mouth(Dart d, const Array<uint32_t>& mouths) const {
   });
 }
 
+/** The cells at a vertex. False: others have it, too, and would stay where it was. */
+template <int D>
+bool Crack<D>::find_cells_at(const Meeting& at, CellQueue& around) const {
+  for (size_t i = 0; i < at.count; ++i) around.insert(map_.cell_of(side(at.corners[i])));
+  for_each_cell_at_vertex(map_, at.vertex, around, [](Cell) {});
+  return around.size() == map_.vertex_uses[at.vertex];
+}
+
+/** Calls visit(out, in) for the darts of some cells that start at a vertex, with those that end there. */
+template <int D>
+template <class Visit>
+void Crack<D>::for_each_dart_at(uint32_t vertex, const CellQueue& around, Visit visit) const {
+  for (size_t i = 0; i < around.size(); ++i) {
+    const Shape shape = map_.shape(around[i]);
+    for (uint32_t d = 0; d < shape.dart_count(); ++d) {
+      if (map_.vertex(around[i], shape.dart_vertex(d)) != vertex) continue;
+      const Dart out{around[i], d};
+      visit(out, D == 3 ? Dart{around[i], shape.beta0(d)} : across_ridge(map_, out));
+    }
+  }
+}
+
 /** The cells at a vertex hang together round it through facets and edges, but not across the crack and the line that carries it on; in the plane
  * through sides and their own corners, but not across the crack and a mouth. */
 template <int D>
-void Crack<D>::part_vertex(uint32_t vertex, const Corner* corners, size_t count, const Array<uint32_t>& mouths) {
-  CellQueue around(env_.memory);
-  for (size_t i = 0; i < count; ++i) around.insert(map_.cell_of(side(corners[i])));
-  for_each_cell_at_vertex(map_, vertex, around, [](Cell) {});
-  if (around.size() != map_.vertex_uses[vertex]) return;  // others would stay where it was
-  KeyTable crossed(env_.memory), ends(env_.memory);
-  if constexpr (D == 3) {
-    double normal[3];
-    rough_normal(corners, count, normal);
-    if (!find_line(vertex, normal, mouths, crossed)) return;
-  }
-  const auto for_each_dart = [&](auto visit) {
-    for (size_t i = 0; i < around.size(); ++i) {
-      const Shape shape = map_.shape(around[i]);
-      for (uint32_t d = 0; d < shape.dart_count(); ++d) {
-        if (map_.vertex(around[i], shape.dart_vertex(d)) != vertex) continue;
-        const Dart out{around[i], d};
-        visit(out, D == 3 ? Dart{around[i], shape.beta0(d)} : across_ridge(map_, out));
-      }
-    }
-  };
-  for_each_dart([&](Dart out, Dart in) {
+DisjointSets Crack<D>::join_ends(const Meeting& at, const CellQueue& around, const KeyTable& crossed,
+                                 KeyTable& ends) const {
+  for_each_dart_at(at.vertex, around, [&](Dart out, Dart in) {
     ends.insert(start_key(out));
     ends.insert(end_key(in));
   });
-  Sets sets(ends.size(), env_.memory);
-  const auto number = [&](uint64_t key) { return ends.find(key); };
-  for_each_dart([&](Dart out, Dart in) {
+  DisjointSets sets(ends.size(), env_.memory);
+  for_each_dart_at(at.vertex, around, [&](Dart out, Dart in) {
     const HalfFacet h = half_facet(map_, out);
-    if (D == 3 && crossed.find(h.word) == kNone) sets.join(number(start_key(out)), number(end_key(in)));
-    if (!is_mouth(out, mouths)) sets.join(number(start_key(out)), number(end_key(across_ridge(map_, out))));
-    if (is_in_crack(h) || !map_.opposite(h).valid()) return;
-    sets.join(number(start_key(out)), number(end_key(cross(map_, out))));
+    const auto join = [&](Dart end) { sets.join(ends.find(start_key(out)), ends.find(end_key(end))); };
+    if (D == 3 && crossed.find(h.word) == kNone) join(in);
+    if (!is_mouth(out, at.mouths)) join(across_ridge(map_, out));
+    if (!is_in_crack(h) && map_.opposite(h).valid()) join(cross(map_, out));
   });
-  const auto root_at = [&](const Corner& c) { return sets.root(number(key_at(side(c), vertex))); };
-  const uint32_t first = root_at(corners[0]);
+  return sets;
+}
+
+/** Of the crack at a vertex, from the corners in the set `first` to the others; of unit length. False: it is zero. */
+template <int D>
+template <class RootAt>
+bool Crack<D>::find_normal(const Meeting& at, uint32_t first, RootAt root_at, double* out) const {
+  Vec normal;
+  for (size_t i = 0; i + 1 < at.count; ++i) {
+    const Corner &a = at.corners[i], &b = at.corners[i + 1];
+    if (a.pair != b.pair || root_at(a) == root_at(b)) continue;
+    normal += facet_normal(env_, side(root_at(a) == first ? a : b));
+  }
+  normal = unit(normal);
+  store<3>(normal, out);
+  return !is_zero(normal);
+}
+
+/** Parts a vertex, if the crack leaves the cells at it in two sets. */
+template <int D>
+void Crack<D>::part_vertex(const Meeting& at) {
+  CellQueue around(env_.memory);
+  if (!find_cells_at(at, around)) return;
+  KeyTable crossed(env_.memory), ends(env_.memory);
+  if (D == 3 && !find_line(at, crossed)) return;
+  DisjointSets sets = join_ends(at, around, crossed, ends);
+  const auto root_at = [&](const Corner& c) { return sets.root(ends.find(key_at(side(c), at.vertex))); };
+  const uint32_t first = root_at(at.corners[0]);
   uint32_t other = first;
   for (uint32_t i = 0; i < ends.size(); ++i) {
     const uint32_t root = sets.root(i);
@@ -288,17 +297,12 @@ void Crack<D>::part_vertex(uint32_t vertex, const Corner* corners, size_t count,
     other = root;
   }
   if (other == first) return;
-  Vec normal;
-  for (size_t i = 0; i + 1 < count; ++i) {
-    if (corners[i].pair != corners[i + 1].pair || root_at(corners[i]) == root_at(corners[i + 1])) continue;
-    normal += facet_normal(env_, side(corners[root_at(corners[i]) == first ? i : i + 1]));
-  }
-  normal = unit(normal);
-  if (is_zero(normal)) return;
-  const auto first_cell = static_cast<uint32_t>(cells_.size());
-  for (size_t i = 0; i < around.size(); ++i) cells_.push_back(around[i]);
+  Parting parted{at.vertex, {}, static_cast<uint32_t>(cells_.size()), 0};
+  if (!find_normal(at, first, root_at, parted.normal)) return;
   const auto parting = static_cast<uint32_t>(partings_.size());
-  partings_.push_back({vertex, {normal.x(), normal.y(), normal.z()}, first_cell, static_cast<uint32_t>(cells_.size())});
+  for (size_t i = 0; i < around.size(); ++i) cells_.push_back(around[i]);
+  parted.end_cell = static_cast<uint32_t>(cells_.size());
+  partings_.push_back(parted);
   for (uint32_t i = 0; i < ends.size(); ++i) {
     places_.insert(ends[i]);
     copies_.push_back(2 * parting + (sets.root(i) == first ? 0 : 1));
@@ -330,7 +334,7 @@ void Crack<D>::part() {
     while (end < corners.size() && corners[end].vertex == v) ++end;
     here.clear();
     for (; mouth != mouths.end() && mouth->vertex == v; ++mouth) here.push_back(mouth->mouth);
-    part_vertex(v, &corners[i], end - i, here);
+    part_vertex({v, &corners[i], end - i, here});
   }
 }
 

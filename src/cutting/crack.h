@@ -9,6 +9,7 @@
 // In the plane the cells at a vertex are arcs of a circle, and the crack is points on it: two of them leave the arcs in two sets, or one and the outer
 // boundary, or one and the corner of a cell of the space, which is where the gap opens into that.
 
+#include "base/disjoint_sets.h"
 #include "base/key_table.h"
 #include "map/cell_queue.h"
 #include "topology/operations.h"
@@ -61,6 +62,13 @@ class Crack {
       return vertex != o.vertex ? vertex < o.vertex : pair != o.pair ? pair < o.pair : side < o.side;
     }
   };
+  /** What of the crack and of its mouths is at a vertex. */
+  struct Meeting {
+    uint32_t vertex;
+    const Corner* corners;
+    size_t count;
+    const Array<uint32_t>& mouths;
+  };
   struct MouthAt {
     uint32_t vertex, mouth;
     bool operator<(const MouthAt& o) const { return vertex != o.vertex ? vertex < o.vertex : mouth < o.mouth; }
@@ -79,11 +87,16 @@ class Crack {
   HalfFacet go_round(Dart d, Array<Dart>& passed) const;
   void find_mouth(Dart rim, uint32_t pair, const Array<Dart>& passed);
   void find_mouths();
-  void part_vertex(uint32_t vertex, const Corner* corners, size_t count, const Array<uint32_t>& mouths);
-  void rough_normal(const Corner* corners, size_t count, double* normal) const;
-  bool find_line(uint32_t vertex, const double* normal, const Array<uint32_t>& mouths, KeyTable& crossed) const;
-  bool find_shortest_line(uint32_t vertex, const double* normal, const Array<uint32_t>& mouths,
-                          KeyTable& crossed) const;
+  void part_vertex(const Meeting& at);
+  bool find_cells_at(const Meeting& at, CellQueue& around) const;
+  template <class Visit>
+  void for_each_dart_at(uint32_t vertex, const CellQueue& around, Visit visit) const;
+  DisjointSets join_ends(const Meeting& at, const CellQueue& around, const KeyTable& crossed, KeyTable& ends) const;
+  template <class RootAt>
+  bool find_normal(const Meeting& at, uint32_t first, RootAt root_at, double* out) const;
+  void rough_normal(const Meeting& at, double* normal) const;
+  bool find_line(const Meeting& at, KeyTable& crossed) const;
+  bool find_shortest_line(const Meeting& at, const double* normal, KeyTable& crossed) const;
   bool is_mouth(Dart d, const Array<uint32_t>& mouths) const;
 
   Environment<D>& env_;

@@ -11,6 +11,81 @@ namespace {
 
 constexpr double kLeastShare = 1.0 / 4096;  // below a copy does not move
 
+/** Cuts the facets of drafts into triangles that are positive seen from the cells on both sides. */
+template <int D>
+class FacetCutter {
+ public:
+  /** Of the first `drafts` drafts of an edit. */
+  FacetCutter(const Environment<D>& env, Edit<D>& edit, size_t drafts);
+
+  /** A facet of draft i: what it needs. False: it has no triangles and there are none for it. */
+  bool cut(FacetDraft& facet, size_t i);
+
+ private:
+  struct Key {
+    uint32_t word;
+    size_t draft;
+    uint32_t facet;
+    bool operator<(const Key& o) const {
+      if (word != o.word) return word < o.word;
+      return draft != o.draft ? draft < o.draft : facet < o.facet;
+    }
+  };
+  /** What a facet and the one on its other side have in common, seen from one of its half-facets. */
+  static uint32_t word_of(const FacetDraft& facet, HalfFacet h) {
+    return facet.pair != kNoPair ? kNoPair - 1 - facet.pair : h.word;
+  }
+  FacetDraft& facet_of(const Key& key) { return edit_.draft(key.draft).facets[key.facet]; }
+  const Key* find_other_side(const FacetDraft& facet);
+
+  const Environment<D>& env_;
+  Edit<D>& edit_;
+  Array<double> apices_{env_.memory};  // by draft: a point inside of the cell
+  Array<Key> keys_{env_.memory};
+};
+
+template <int D>
+FacetCutter<D>::FacetCutter(const Environment<D>& env, Edit<D>& edit, size_t drafts) : env_(env), edit_(edit) {
+  apices_.resize(3 * drafts);
+  for (size_t i = 0; i < drafts; ++i) {
+    centre(env_, edit.draft(i), &apices_[3 * i]);
+    for (uint32_t f = 0; f < edit.draft(i).facets.size(); ++f) {
+      const FacetDraft& facet = edit.draft(i).facets[f];
+      keys_.push_back({word_of(facet, facet.near), i, f});
+    }
+  }
+  std::sort(keys_.begin(), keys_.end());
+}
+
+/** Null where there is none among the drafts. */
+template <int D>
+auto FacetCutter<D>::find_other_side(const FacetDraft& facet) -> const Key* {
+  if (facet.pair == kNoPair && !facet.far.valid()) return nullptr;
+  const uint32_t word = word_of(facet, facet.far);
+  for (auto at = std::lower_bound(keys_.begin(), keys_.end(), Key{word, 0, 0}); at != keys_.end() && at->word == word;
+       ++at) {
+    const FacetDraft& other = facet_of(*at);
+    if (&other != &facet && face_each_other(facet, other)) return &*at;
+  }
+  return nullptr;
+}
+
+template <int D>
+bool FacetCutter<D>::cut(FacetDraft& facet, size_t i) {
+  const bool is_new = facet.triangles.empty();
+  if (!is_new && facet.loop.size() == 3) return true;
+  const Key* const other = find_other_side(facet);
+  const double *const apex = &apices_[3 * i], *const beyond = other == nullptr ? nullptr : &apices_[3 * other->draft];
+  // The outer boundary, and what lies at cells that stay, keep their triangles.
+  if (!is_new && (other == nullptr || is_cut_well(env_, facet, apex, beyond))) return true;
+  FacetDraft anew = facet;
+  anew.triangles.clear();
+  if (anew.loop.size() > kMostTriangulated || !cut_anew(env_, anew, anew.loop, apex, beyond)) return !is_new;
+  facet.triangles = anew.triangles;
+  if (other != nullptr) cut_like(facet_of(*other), facet);
+  return true;
+}
+
 }  // namespace
 
 template <int D>
@@ -244,57 +319,11 @@ void Opening<D>::join_sides(Edit<D>& edit) {
  * which there are none go to `bad`. */
 template <int D>
 void Opening<D>::cut_facets(Edit<D>& edit, Array<uint32_t>& bad) const {
-  struct Key {
-    uint32_t word;
-    Place at;
-  };
-  Array<Key> keys{env_.memory};
-  const auto key_of = [](const FacetDraft& facet, HalfFacet h) {
-    return facet.pair != kNoPair ? kNoPair - 1 - facet.pair : h.word;
-  };
-  size_t drafts = changed_.size() + gaps_.size();
-  Array<double> apices{env_.memory};
-  apices.resize(3 * drafts);
-  for (size_t i = 0; i < drafts; ++i) {
-    centre(env_, edit.draft(i), &apices[3 * i]);
-    for (uint32_t f = 0; f < edit.draft(i).facets.size(); ++f) {
-      const FacetDraft& facet = edit.draft(i).facets[f];
-      keys.push_back({key_of(facet, facet.near), {i, f}});
-    }
-  }
-  std::sort(keys.begin(), keys.end(), [](const Key& x, const Key& y) {
-    if (x.word != y.word) return x.word < y.word;
-    return x.at.draft != y.at.draft ? x.at.draft < y.at.draft : x.at.facet < y.at.facet;
-  });
-  const auto find_other = [&](const FacetDraft& facet) -> const Key* {
-    const uint32_t word = key_of(facet, facet.far);
-    auto at = std::lower_bound(keys.begin(), keys.end(), word, [](const Key& k, uint32_t w) { return k.word < w; });
-    for (; at != keys.end() && at->word == word; ++at) {
-      const FacetDraft& other = edit.draft(at->at.draft).facets[at->at.facet];
-      if (&other != &facet && face_each_other(facet, other)) return &*at;
-    }
-    return nullptr;
-  };
+  const size_t drafts = changed_.size() + gaps_.size();
+  FacetCutter<D> cutter(env_, edit, drafts);
   for (size_t i = 0; i < drafts; ++i) {
     for (FacetDraft& facet : edit.draft(i).facets) {
-      const bool is_new = facet.triangles.empty();
-      if (!is_new && facet.loop.size() == 3) continue;
-      const bool outer = facet.pair == kNoPair && !facet.far.valid();
-      const Key* const other = outer ? nullptr : find_other(facet);
-      if (!is_new && other == nullptr)
-        continue;  // the outer boundary, and what lies at cells that stay, keep their triangles
-      const double *const apex = &apices[3 * i], *const beyond =
-                                                     other == nullptr ? nullptr : &apices[3 * other->at.draft];
-      if (!is_new && is_cut_well(env_, facet, apex, beyond)) continue;
-      FacetDraft anew = facet;
-      anew.triangles.clear();
-      const bool found = anew.loop.size() <= kMostTriangulated && cut_anew(env_, anew, anew.loop, apex, beyond);
-      if (found) {
-        facet.triangles = anew.triangles;
-        if (other != nullptr) cut_like(edit.draft(other->at.draft).facets[other->at.facet], facet);
-      } else if (is_new) {
-        bad.push_back(static_cast<uint32_t>(i));
-      }
+      if (!cutter.cut(facet, i)) bad.push_back(static_cast<uint32_t>(i));
     }
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/disjoint_sets.h"
+
 namespace dsw {
 namespace {
 
@@ -95,19 +97,13 @@ BoundarySurface<D>::BoundarySurface(const Environment<D>& env) : simplices(env.m
   });
   std::sort(starts.begin(), starts.end());
   for (const FacetStart& start : starts) find_mates(map, starts, start, *this);
-  sheet.resize(simplices.size());
-  for (uint32_t i = 0; i < sheet.size(); ++i) sheet[i] = i;
-  const auto root = [&](uint32_t i) {
-    while (sheet[i] != i) i = sheet[i] = sheet[sheet[i]];
-    return i;
-  };
-  for (uint32_t i = 0; i < sheet.size(); ++i) {
-    for (const uint32_t mate : simplices[i].mate) {
-      const uint32_t a = root(i), b = root(mate / D);
-      sheet[std::max(a, b)] = std::min(a, b);
-    }
+  const auto count = static_cast<uint32_t>(simplices.size());
+  DisjointSets sheets(count, env.memory);
+  for (uint32_t i = 0; i < count; ++i) {
+    for (const uint32_t mate : simplices[i].mate) sheets.join(i, mate / D);
   }
-  for (uint32_t i = 0; i < sheet.size(); ++i) sheet[i] = root(i);
+  sheet.resize(count);
+  for (uint32_t i = 0; i < count; ++i) sheet[i] = sheets.root(i);
 }
 
 template <int D>

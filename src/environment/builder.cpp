@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "environment/facet_matcher.h"
 #include "environment/mesh_reader.h"
@@ -104,13 +105,7 @@ void build(Environment<D>& env, const MeshInput& input, BuildReport& report) {
 template <int D>
 uint32_t count_parts(const Environment<D>& env) {
   const Map<D>& map = env.map;
-  // Union by the lower index, with path halving; nearly linear.
-  Array<uint32_t> parent(map.index_count(), 0, env.memory);
-  for (uint32_t i = 0; i < parent.size(); ++i) parent[i] = i;
-  const auto root = [&](uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  DisjointSets parts(map.index_count(), env.memory);
   uint32_t count = map.cell_count;
   for_each_cell(map, [&](Cell c) {
     const uint32_t i = map.index(c);
@@ -118,11 +113,7 @@ uint32_t count_parts(const Environment<D>& env) {
       const HalfFacet o = map.opposite(map.half_facet(c, f));
       if (!o.valid()) continue;
       const uint32_t j = map.index(map.cell_of(o));
-      if (j > i) continue;
-      const uint32_t a = root(i), b = root(j);
-      if (a == b) continue;
-      parent[std::max(a, b)] = std::min(a, b);
-      --count;
+      if (j < i && parts.join(i, j)) --count;
     }
   });
   return count;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/dimensions.h"
+#include "base/disjoint_sets.h"
 #include "scene/scene.h"
 
 namespace dsw {
@@ -31,17 +32,6 @@ Partner<D> name(const Scene<D>& scene, uint32_t slot) {
 template <int D>
 uint32_t slot_of(const Scene<D>& scene, const BodyRecord<D>& record) {
   return static_cast<uint32_t>(&record - scene.bodies.data());
-}
-
-/** The lowest of those joined with i. */
-uint32_t root_of(Array<uint32_t>& roots, uint32_t i) noexcept {
-  while (roots[i] != i) i = roots[i] = roots[roots[i]];
-  return i;
-}
-
-void join(Array<uint32_t>& roots, uint32_t i, uint32_t j) noexcept {
-  const uint32_t a = root_of(roots, i), b = root_of(roots, j);
-  roots[std::max(a, b)] = std::min(a, b);
 }
 
 }  // namespace
@@ -120,8 +110,7 @@ void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level) {
 template <int D>
 void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t count, PointArray targets,
                   const size_t* first_target, bool slides, Islands<D>& islands) {
-  Array<uint32_t> roots(count, 0, scene.memory);
-  std::iota(roots.begin(), roots.end(), 0u);
+  DisjointSets sets(static_cast<uint32_t>(count), scene.memory);
   if (scene.features.contacts) {
     BoxGrid<D> reaches(scene.memory);
     reaches.reserve(count);
@@ -143,18 +132,19 @@ void find_islands(const Scene<D>& scene, BodyRecord<D>* const* moving, size_t co
       reaches.visit(partners.reach, [&](uint32_t j) {
         if (i == j ? !filter.self : !filter.sees(moving[j]->body.filter)) return true;
         partners.all.push_back(name(scene, slot_of(scene, *moving[j])));
-        join(roots, i, j);
+        sets.join(i, j);
         return true;
       });
     }
   }
   islands.bodies.resize(count);
   std::iota(islands.bodies.begin(), islands.bodies.end(), 0u);
-  for (uint32_t i = 0; i < count; ++i) roots[i] = root_of(roots, i);
-  std::sort(islands.bodies.begin(), islands.bodies.end(),
-            [&](uint32_t i, uint32_t j) { return roots[i] != roots[j] ? roots[i] < roots[j] : i < j; });
+  std::sort(islands.bodies.begin(), islands.bodies.end(), [&](uint32_t i, uint32_t j) {
+    const uint32_t a = sets.root(i), b = sets.root(j);
+    return a != b ? a < b : i < j;
+  });
   for (uint32_t k = 0; k < count; ++k) {
-    if (roots[islands.bodies[k]] == islands.bodies[k]) islands.first.push_back(k);
+    if (sets.root(islands.bodies[k]) == islands.bodies[k]) islands.first.push_back(k);
   }
   islands.first.push_back(static_cast<uint32_t>(count));
 }
