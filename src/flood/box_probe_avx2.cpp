@@ -1,5 +1,6 @@
 // Three coordinates side by side.
 
+#include "base/target.h"
 #include "flood/box_probe.h"
 #include "walk/standard_facets.h"
 
@@ -7,13 +8,7 @@
 
 #include <immintrin.h>
 
-// The target holds for what is defined from here on, not for the headers above.
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2")
-#endif
+DSW_BEGIN_TARGET("avx2")
 
 namespace dsw {
 
@@ -38,10 +33,6 @@ uint32_t facets_in_box_avx2(const double* points, const uint32_t* vertices, cons
 
 }  // namespace dsw
 
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
+DSW_END_TARGET
 
 #endif

@@ -2,19 +2,15 @@
 // expressions are the same, and fused operations leave roundings out.
 #include "predicates/certified_hit.h"
 
+#include "base/target.h"
+
 #if defined(__x86_64__)
 
 #include <immintrin.h>
 
 #include "predicates/certified_hit_bounds.h"
 
-// The target holds for what is defined from here on, not for the headers above.
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
-#endif
+DSW_BEGIN_TARGET("avx2,fma")
 
 namespace dsw {
 namespace {
@@ -149,10 +145,6 @@ uint32_t certified_hits_with_fma(const PlaneFlight<3>* flights, PlaneHit<3>* hit
 
 }  // namespace dsw
 
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
+DSW_END_TARGET
 
 #endif

@@ -2,17 +2,13 @@
 
 #include "walk/shear.h"
 
+#include "base/target.h"
+
 #if defined(__x86_64__)
 
 #include <immintrin.h>
 
-// The target holds for what is defined from here on, not for the headers above.
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2")
-#endif
+DSW_BEGIN_TARGET("avx2")
 
 #include "walk/shear_lanes.inl"
 
@@ -48,10 +44,6 @@ size_t pass_triangles_avx2(Shear& shear, const FacetRows<3>& triangles) noexcept
 
 }  // namespace dsw
 
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
+DSW_END_TARGET
 
 #endif

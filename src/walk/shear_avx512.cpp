@@ -2,19 +2,17 @@
 
 #include "walk/shear.h"
 
+#include "base/target.h"
+
 #if defined(__x86_64__)
 
 #include <immintrin.h>
 
-// The target holds for what is defined from here on, not for the headers above.
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,avx512f,avx512vl,avx512dq"))), apply_to = function)
-#else
+#if !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 says it of its own intrinsics
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#pragma GCC push_options
-#pragma GCC target("avx2,avx512f,avx512vl,avx512dq")
 #endif
+DSW_BEGIN_TARGET("avx2,avx512f,avx512vl,avx512dq")
 
 #include "walk/shear_lanes.inl"
 
@@ -43,10 +41,6 @@ size_t pass_triangles_avx512(Shear& shear, const FacetRows<3>& triangles) noexce
 
 }  // namespace dsw
 
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
+DSW_END_TARGET
 
 #endif
