@@ -1,6 +1,6 @@
 #pragma once
-// Sharing a batch out over threads. Work is cut by index into chunks whose size does not depend on the number of threads,
-// and chunks never share state, so the results have the same bits for any number of threads.
+// Sharing a batch out over threads. Work is cut by index into chunks whose size does not depend on the number of
+// threads, and chunks never share state, so the results have the same bits for any number of threads.
 
 #include <cstddef>
 

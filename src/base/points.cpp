@@ -18,7 +18,7 @@ bool is_finite(const double* point, int dimension) noexcept {
 using Pair = double __attribute__((vector_size(16)));
 using PairBits = int64_t __attribute__((vector_size(16)));
 
-/** One streaming pass without branches: x - x is 0 for a finite x and NaN, which is not all zero bits, for any other. */
+/** One pass without branches: x - x is 0 for a finite x and NaN, which is not all zero bits, for any other. */
 bool all_finite(const double* values, size_t count) noexcept {
   constexpr size_t kPairs = 4;
   PairBits seen[kPairs] = {};

@@ -102,8 +102,8 @@ class SlotPool {
   /** All that a pool knows, for snapshots: a word for each slot, and the free ones in the order of their release. */
   const Array<uint32_t>& words() const noexcept { return words_; }
   const Array<uint32_t>& free_slots() const noexcept { return free_; }
-  /** Takes over what words() and free_slots() of another pool were. False if no pool has them: then this one is useless. Throws
-   * std::bad_alloc. */
+  /** Takes over what words() and free_slots() of another pool were. False if no pool has them: then this one is
+   * useless. Throws std::bad_alloc. */
   bool restore(Array<uint32_t>&& words, Array<uint32_t>&& free) {
     words_ = std::move(words);
     free_ = std::move(free);

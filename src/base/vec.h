@@ -1,9 +1,10 @@
 #pragma once
 // Vectors of Eigen, with what Eigen does in another order of operations than ours, or for no plane.
 //
-// Results have the same bits for any compiler, instruction set and host. So Eigen is told to use no vector instructions, which add in
-// another order, and gets a namespace of its own: in a program that is linked to the static library and uses Eigen, too, the linker
-// keeps one of two functions of the same name, and that of the host may fuse multiplications and additions.
+// Results have the same bits for any compiler, instruction set and host. So Eigen is told to use no vector
+// instructions, which add in another order, and gets a namespace of its own: in a program that is linked to the static
+// library and uses Eigen, too, the linker keeps one of two functions of the same name, and that of the host may fuse
+// multiplications and additions.
 //
 // Never `auto` for what Eigen's operators return: it refers to operands that may be gone.
 

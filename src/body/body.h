@@ -1,6 +1,6 @@
 #pragma once
-// A body: vertices joined by edges and triangles, a manifold where it is a surface. Its topology and where its vertices are;
-// knows nothing of what is free.
+// A body: vertices joined by edges and triangles, a manifold where it is a surface. Its topology and where its vertices
+// are; knows nothing of what is free.
 
 #include <cstdint>
 
@@ -85,7 +85,8 @@ struct Body {
   Array<BodyFace> faces;
   SlotPool vertex_slots, edge_slots, face_slots;
   Array<uint32_t> inserted;  // vertices that a response has inserted
-  // By edge, if they are kept: the facets passed from ends[0] to ends[1], see flood/sequence.h. A forecast: changes no result.
+  // By edge, if they are kept: the facets passed from ends[0] to ends[1], see flood/sequence.h. A forecast: changes no
+  // result.
   mutable Array<EdgeSequence<D>> sequences;
   Array<Clearance<D>> clearances;  // by vertex, if they are kept
   int64_t clearance_credit = 0;    // what measuring them may cost, see sweep/clearance.h
@@ -208,15 +209,16 @@ void remove_edge(Body<D>& body, uint32_t edge) noexcept;
 template <int D>
 void remove_vertex(Body<D>& body, uint32_t vertex) noexcept;
 
-/** Puts `middle`, a vertex without edges, on an edge: the edge keeps ends[0], a new one goes on to ends[1], every face at it is cut in
- * two (and keeps the part at ends[0]). Room: 1 + its faces edges, its faces. Returns the new edge. */
+/** Puts `middle`, a vertex without edges, on an edge: the edge keeps ends[0], a new one goes on to ends[1], every face
+ * at it is cut in two (and keeps the part at ends[0]). Room: 1 + its faces edges, its faces. Returns the new edge. */
 template <int D>
 uint32_t split_edge(Body<D>& body, uint32_t edge, uint32_t middle) noexcept;
 
-/** Whether merging `vertex` into the other end of `edge` leaves a manifold (the link condition) without repeated edges. */
+/** Whether merging `vertex` into the other end of `edge` leaves a manifold (link condition) without repeated edges. */
 template <int D>
 bool can_collapse(const Body<D>& body, uint32_t edge, uint32_t vertex) noexcept;
-/** Merges `vertex` into the other end of `edge`. Edges and faces of `vertex` now end there; the faces at `edge` are gone. */
+/** Merges `vertex` into the other end of `edge`. Edges and faces of `vertex` now end there; the faces at `edge` are
+ * gone. */
 template <int D>
 void collapse_edge(Body<D>& body, uint32_t edge, uint32_t vertex) noexcept;
 

@@ -1,5 +1,6 @@
-// A box of a level is at most as large as a cell, so that one which overlaps a given box is noted at most one cell below it. Cells' numbers
-// come from coordinates times a power of two, rounded at most where that underflows: in order all the same, and that is what counts.
+// A box of a level is at most as large as a cell, so that one which overlaps a given box is noted at most one cell
+// below it. Cells' numbers come from coordinates times a power of two, rounded at most where that underflows: in order
+// all the same, and that is what counts.
 
 #include "body/box_grid.h"
 

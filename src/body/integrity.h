@@ -5,8 +5,8 @@
 
 namespace dsw {
 
-/** Null, or the name of the first invariant found broken: slots, ends and corners that live, lists that are whole, a manifold where there
- * are faces. Where vertices are is not looked at. O(n log n); throws std::bad_alloc only. */
+/** Null, or the name of the first invariant found broken: slots, ends and corners that live, lists that are whole, a
+ * manifold where there are faces. Where vertices are is not looked at. O(n log n); throws std::bad_alloc only. */
 template <int D>
 const char* check_integrity(const Body<D>& body);
 

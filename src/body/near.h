@@ -7,8 +7,8 @@
 
 namespace dsw {
 
-/** Boxes of many things as fewer, larger ones, as long as these are hardly larger: of things that come one after the other and lie beside
- * each other. */
+/** Boxes of many things as fewer, larger ones, as long as these are hardly larger: of things that come one after the
+ * other and lie beside each other. */
 template <int D>
 class BoxGroups {
  public:
@@ -41,9 +41,9 @@ struct Places {
 template <int D>
 void find_overlapping(const BoxGrid<D>& grid, const Places<D>& places, Array<uint32_t>& found);
 
-/** Calls visit(number) for parts of a body until it returns false; whether it never did. A body that keeps boxes has those near the
- * places visited, by number; another one all of them. `near` is scratch, `looked_at` grows by how many there are. Throws
- * std::bad_alloc. */
+/** Calls visit(number) for parts of a body until it returns false; whether it never did. A body that keeps boxes has
+ * those near the places visited, by number; another one all of them. `near` is scratch, `looked_at` grows by how many
+ * there are. Throws std::bad_alloc. */
 template <int D, class Visit>
 bool visit_near(const Body<D>& body, const BoxGrid<D> BodyBoxes<D>::*grid, size_t count, const Places<D>& places,
                 Array<uint32_t>& near, uint64_t& looked_at, Visit visit) {

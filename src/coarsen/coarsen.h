@@ -11,9 +11,9 @@ struct CoarsenReport {
   double area_before = 0, area_after = 0;  // of the facets that can be passed
 };
 
-/** Fills an empty environment with what `source` is, its passable tetrahedra merged where marks, regions and tags allow. Vertices keep
- * their numbers. `new_index`: by cell index of the source the index of the cell that now holds it; kNoCell where there is no
- * cell. The points of `source` must not move. Throws std::bad_alloc, TOO_LARGE. O(n log n). */
+/** Fills an empty environment with what `source` is, its passable tetrahedra merged where marks, regions and tags
+ * allow. Vertices keep their numbers. `new_index`: by cell index of the source the index of the cell that now holds it;
+ * kNoCell without a cell. The points of `source` must not move. Throws std::bad_alloc, TOO_LARGE. O(n log n). */
 void coarsen(const Environment<3>& source, const CoarsenOptions& options, Environment<3>& target,
              Array<uint32_t>& new_index, CoarsenReport& report);
 

@@ -55,8 +55,8 @@ bool join(const Environment<3>& env, const uint32_t* facets, uint32_t count, Sur
   return true;
 }
 
-/** The numbering that starts at a dart: its triangle first, then, side by side of the triangles met, those beyond. What is new about
- * each triangle after the first is the number of its apex. */
+/** The numbering that starts at a dart: its triangle first, then, side by side of the triangles met, those beyond. What
+ * is new about each triangle after the first is the number of its apex. */
 struct Numbering {
   uint8_t darts[kMostFacets];   // of each triangle, the side that it was met through
   uint8_t apexes[kMostFacets];  // by number

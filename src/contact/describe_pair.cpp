@@ -13,8 +13,8 @@
 namespace dsw {
 namespace {
 
-/** What a motion has across a line, turned round. Of one along the line, which is known exactly, that would be what rounding leaves: then it
- * is the motion itself. */
+/** What a motion has across a line, turned round. Of one along the line, which is known exactly, that would be what
+ * rounding leaves: then it is the motion itself. */
 Vec back_across(const Vec& move, const Vec& line, bool is_along) {
   if (is_along) return against(Vec::Zero(), move);
   const Vec along = unit(line), way = unit(move);

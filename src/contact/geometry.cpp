@@ -18,8 +18,8 @@ Vec across_edges(const EdgeMotion& m, const double* position, const SweepEvent& 
   return unit(unit(difference<3>(m.q, position)).cross(unit(difference<3>(event.points[2], event.points[1]))));
 }
 
-/** Where segment ab pierces the swept plane, by the exact ratio. It does not lie in it: shifted, both ends of a line in that
- * plane are on one side. */
+/** Where segment ab pierces the swept plane, by the exact ratio. It does not lie in it: shifted, both ends of a line in
+ * that plane are on one side. */
 void piercing_point(const EdgeMotion& m, const double* a, const double* b, double* point) {
   const double* const swept[3] = {m.p, m.to, m.q};
   if (swept_side(m, b).sign < 0) std::swap(a, b);

@@ -18,11 +18,12 @@ template <int D>
 ContactGeometry contact_geometry(const Environment<D>& env, const double* p, const double* to,
                                  const SweepContact& contact);
 
-/** An impassable facet from the side to which a normal looks; where an impassable cell is there, or nothing, as it is given. */
+/** An impassable facet from the side to which a normal looks; where an impassable cell is there, or nothing, as it is
+ * given. */
 template <int D>
 HalfFacet facing(const Environment<D>& env, HalfFacet wall, const double* normal) noexcept;
 
-/** The facet of a contact from where it is met: from `front`; at a vertex that need not be at the facet, then as above. */
+/** The facet of a contact from where it is met: from `front`; at a vertex that need not be at the facet: as above. */
 template <int D>
 HalfFacet seen_wall(const Environment<D>& env, const SweepContact& contact, const double* normal) noexcept;
 

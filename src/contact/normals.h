@@ -9,12 +9,12 @@ namespace dsw {
 /** `chosen` turned against the motion; where there is none, against the motion itself. */
 Vec against(const Vec& chosen, const Vec& move);
 
-/** Unit normal of a triangle, in the plane of an edge, on that side of it. Of what moves within it, against the motion. */
+/** Unit normal of a triangle, in the plane of an edge, on that side. Of what moves within it, against the motion. */
 template <int D>
 Vec normal_on(int side, const double* const* corners, const Vec& move);
 
-/** Unit normal of an edge of the plane which swings about m.q where its end is at `position` and it lies on the point `at`: on the
- * side that it comes from. */
+/** Unit normal of an edge of the plane which swings about m.q where its end is at `position` and it lies on the point
+ * `at`: on the side that it comes from. */
 Vec swing_normal(const EdgeMotion& m, const double* position, const double* at);
 
 }  // namespace dsw

@@ -70,8 +70,8 @@ Blade<D> Blade<D>::fan(const Memory* memory, PointArray points, uint32_t point_c
   return blade;
 }
 
-/** What tells where a side runs and in which direction, or what it would be if it ran back: its two points; in the plane its point, at which the
- * segment begins or ends. */
+/** What tells where a side runs and in which direction, or what it would be if it ran back: its two points; in the
+ * plane its point, at which the segment begins or ends. */
 template <int D>
 uint64_t Blade<D>::way(size_t side, bool back) const {
   const uint32_t* const ends = simplices_[side / D].corners;
@@ -81,7 +81,7 @@ uint64_t Blade<D>::way(size_t side, bool back) const {
   return back ? uint64_t{to} << 32 | from : uint64_t{from} << 32 | to;
 }
 
-/** Sides are neighbours that join the same points in opposite directions; where there are several, those named first. */
+/** Sides are neighbours that join the same points in opposite directions; if there are several, those named first. */
 template <int D>
 void Blade<D>::join(const Memory* memory) {
   KeyTable ways(memory);

@@ -1,6 +1,6 @@
 #pragma once
-// A surface to cut with, of triangles: what a blade's edge sweeps, a shape, or what a loop spans. In the plane it is a line, of segments. Any of
-// these simplices may be flat: what is degenerate cuts nothing.
+// A surface to cut with, of triangles: what a blade's edge sweeps, a shape, or what a loop spans. In the plane it is a
+// line, of segments. Any of these simplices may be flat: what is degenerate cuts nothing.
 
 #include "base/memory.h"
 #include "base/points.h"
@@ -54,8 +54,9 @@ class Blade {
   /** Points are read in place. Throws std::bad_alloc, as all that makes one. */
   Blade(const Memory* memory, PointArray points, uint32_t point_count);
 
-  /** A chain of `columns` points at `rows` places, row after row: of each four neighbours, the triangle before the diagonal from the first
-   * to the last, and that behind it. In the plane the chain is one point, and the segments join its places. */
+  /** A chain of `columns` points at `rows` places, row after row: of each four neighbours, the triangle before the
+   * diagonal from the first to the last, and that behind it. In the plane the chain is one point, and the segments join
+   * its places. */
   static Blade of_grid(const Memory* memory, PointArray points, uint32_t rows, uint32_t columns);
   /** D points each. */
   static Blade of_simplices(const Memory* memory, PointArray points, uint32_t point_count, const uint32_t* corners,
@@ -70,8 +71,8 @@ class Blade {
   void corners(uint32_t simplex, const double* out[D]) const {
     for (int k = 0; k < D; ++k) out[k] = points_[simplices_[simplex].corners[k]];
   }
-  /** The simplex across side `side` of a simplex, in which the blade goes on; kNone: it ends. In space the side joins the corners `side` and
-   * the next, and the other triangle runs the other way there; in the plane it is corner `side`. */
+  /** The simplex across side `side` of a simplex, in which the blade goes on; kNone: it ends. In space the side joins
+   * the corners `side` and the next, the other triangle runs the other way there; in the plane it is corner `side`. */
   uint32_t neighbour(uint32_t simplex, int side) const { return simplices_[simplex].neighbours[side]; }
   /** A simplex that has no neighbour across one of its sides, or kNone: the blade is closed. O(simplices). */
   uint32_t find_rim() const;

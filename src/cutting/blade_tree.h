@@ -1,6 +1,6 @@
 #pragma once
-// Boxes round the simplices of a blade, halved until few are left: which of them can meet what is in a box. Boxes are closed, so that what
-// lies apart stays apart whatever the shift.
+// Boxes round the simplices of a blade, halved until few are left: which of them can meet what is in a box. Boxes are
+// closed, so that what lies apart stays apart whatever the shift.
 
 #include "cutting/blade.h"
 

@@ -57,7 +57,8 @@ void Crack<D>::add(HalfFacet a, HalfFacet b, size_t i) {
   pairs_.push_back({a, b});
 }
 
-/** Where a half-facet has a vertex: at the start of one of its darts; a side of the plane, that is one dart, also at its end. */
+/** Where a half-facet has a vertex: at the start of one of its darts; a side of the plane, that is one dart, also at
+ * its end. */
 template <int D>
 uint64_t Crack<D>::key_at(HalfFacet h, uint32_t vertex) const {
   const Cell c = map_.cell_of(h);
@@ -77,7 +78,8 @@ bool Crack<D>::is_space(Cell c, uint32_t pair) const {
   return region_ != 0 && env_.region(c) == region_ && env_.region(a) != region_ && env_.region(b) != region_;
 }
 
-/** The cells round a ridge, from a facet of the crack to the next one, which is returned; invalid at the outer boundary. */
+/** The cells round a ridge, from a facet of the crack to the next one, which is returned; invalid at the outer
+ * boundary. */
 template <int D>
 HalfFacet Crack<D>::go_round(Dart d, Array<Dart>& passed) const {
   passed.clear();
@@ -151,8 +153,8 @@ void Crack<D>::rough_normal(const Meeting& at, double* normal) const {
   store<3>(sum, normal);
 }
 
-/** A line through the space at a vertex, from mouth to mouth or from the only mouth to the outer boundary; at best where the crack's plane goes
- * on. Gives the facets that it crosses; false: there is none. */
+/** A line through the space at a vertex, from mouth to mouth or from the only mouth to the outer boundary; at best
+ * where the crack's plane goes on. Gives the facets that it crosses; false: there is none. */
 template <int D>
 bool Crack<D>::find_line(const Meeting& at, KeyTable& crossed) const {
   if (at.mouths.empty()) return true;
@@ -244,8 +246,8 @@ void Crack<D>::for_each_dart_at(uint32_t vertex, const CellQueue& around, Visit 
   }
 }
 
-/** The cells at a vertex hang together round it through facets and edges, but not across the crack and the line that carries it on; in the plane
- * through sides and their own corners, but not across the crack and a mouth. */
+/** The cells at a vertex hang together round it through facets and edges, but not across the crack and the line that
+ * carries it on; in the plane through sides and their own corners, but not across the crack and a mouth. */
 template <int D>
 DisjointSets Crack<D>::join_ends(const Meeting& at, const CellQueue& around, const KeyTable& crossed,
                                  KeyTable& ends) const {

@@ -1,13 +1,15 @@
 #pragma once
-// What of a crack comes apart: the vertices round which its faces leave the cells in two, and which of these get which copy.
+// What of a crack comes apart: the vertices round which its faces leave the cells in two, and which of these get which
+// copy.
 //
-// Seen from a vertex the cells at it are polygons on a sphere (on the outer boundary a part of it), and the crack a line there. Where the
-// line ends inside of material the vertex stays one. Where it ends at cells of the space into which the crack opens, such as air beside a
-// tissue, it is carried on through these, from one end to the other or to the outer boundary: then they, too, are on its two
-// sides, and the tissue's surface parts.
+// Seen from a vertex the cells at it are polygons on a sphere (on the outer boundary a part of it), and the crack a
+// line there. Where the line ends inside of material the vertex stays one. Where it ends at cells of the space into
+// which the crack opens, such as air beside a tissue, it is carried on through these, from one end to the other or to
+// the outer boundary: then they, too, are on its two sides, and the tissue's surface parts.
 //
-// In the plane the cells at a vertex are arcs of a circle, and the crack is points on it: two of them leave the arcs in two sets, or one and the outer
-// boundary, or one and the corner of a cell of the space, which is where the gap opens into that.
+// In the plane the cells at a vertex are arcs of a circle, and the crack is points on it: two of them leave the arcs in
+// two sets, or one and the outer boundary, or one and the corner of a cell of the space, which is where the gap opens
+// into that.
 
 #include "base/disjoint_sets.h"
 #include "base/key_table.h"
@@ -16,8 +18,8 @@
 
 namespace dsw {
 
-/** An edge of the crack's rim, at space: the cell in which the gap ends there, named by a dart of the edge. In the plane it is a vertex, where the
- * dart starts. */
+/** An edge of the crack's rim, at space: the cell in which the gap ends there, named by a dart of the edge. In the
+ * plane it is a vertex, where the dart starts. */
 struct Mouth {
   Dart dart;
   uint32_t pair;
@@ -31,8 +33,8 @@ class Crack {
   /** Cells of `region` are space, too, unless that is 0. Throws as all here std::bad_alloc. */
   Crack(Environment<D>& env, int32_t region);
 
-  /** Adds a face: an inner one, or two on the outer boundary that lie on each other. `i` names it in messages. Throws BAD_TOPOLOGY,
-   * DUPLICATE_ID. */
+  /** Adds a face: an inner one, or two on the outer boundary that lie on each other. `i` names it in messages. Throws
+   * BAD_TOPOLOGY, DUPLICATE_ID. */
   void add(HalfFacet a, HalfFacet b, size_t i);
   /** After all are added. O(darts of the cells at their vertices). */
   void part();
@@ -50,7 +52,8 @@ class Crack {
   const Array<Parting>& partings() const { return partings_; }
   Cell cell(uint32_t i) const { return cells_[i]; }
 
-  /** Twice the number of the parting, with the copy, that a dart's facet has at its start or at its end; kNone: one vertex. */
+  /** Twice the number of the parting, with the copy, that a dart's facet has at its start or at its end; kNone: one
+   * vertex. */
   uint32_t copy_at_start(Dart d) const { return copy_of(start_key(d)); }
   uint32_t copy_at_end(Dart d) const { return copy_of(end_key(d)); }
 

@@ -147,8 +147,8 @@ typename Crossings<D>::Met Crossings<D>::meet(Cell c, uint32_t simplex, const Bl
   return met;
 }
 
-/** Whether the blade's simplex meets one of the cell's boundary: an edge of one passes through the other. In the plane both are edges, so asking
- * once is enough. */
+/** Whether the blade's simplex meets one of the cell's boundary: an edge of one passes through the other. In the plane
+ * both are edges, so asking once is enough. */
 template <int D>
 bool Crossings<D>::meet_boundary(const uint16_t* local, const BladeSimplex<D>& blade,
                                  [[maybe_unused]] const double* const (&at)[D], [[maybe_unused]] Met& met) {

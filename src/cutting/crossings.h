@@ -1,6 +1,6 @@
 #pragma once
-// What a blade meets, exact under the shift of predicates/: the blade is a body's surface that stands still. A flood goes from
-// cell to cell and from simplex to simplex of the blade, through passable and impassable cells alike.
+// What a blade meets, exact under the shift of predicates/: the blade is a body's surface that stands still. A flood
+// goes from cell to cell and from simplex to simplex of the blade, through passable and impassable cells alike.
 
 #include "base/key_table.h"
 #include "cutting/blade.h"

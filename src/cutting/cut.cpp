@@ -122,8 +122,8 @@ void Cut<D>::choose_lines() {
   }
 }
 
-/** Cells that are split, and those at new vertices and lines. Where a boundary is pinched an edge has volumes that are not joined with each
- * other there: if one of those changes, all that are joined with it do. */
+/** Cells that are split, and those at new vertices and lines. Where a boundary is pinched an edge has volumes that are
+ * not joined with each other there: if one of those changes, all that are joined with it do. */
 template <int D>
 void Cut<D>::choose_cells() {
   changed_ = KeyTable(env_.memory);
@@ -272,8 +272,8 @@ bool Cut<D>::is_before_blade(const CellDraft& part, const Array<uint32_t>& nodes
   return side >= 0;
 }
 
-/** Facets with nothing but old vertices on the blade are on the cut if the cells beside them are on its two sides. The blade need not meet
- * both. A cut that closes takes those, too, of which that is not to be told. */
+/** Facets with nothing but old vertices on the blade are on the cut if the cells beside them are on its two sides. The
+ * blade need not meet both. A cut that closes takes those, too, of which that is not to be told. */
 template <int D>
 void Cut<D>::find_old_faces() {
   old_faces_.clear();
@@ -311,8 +311,9 @@ int Cut<D>::side_of(uint32_t on, uint32_t off) const {
   return section_->node(section_->node_at(on)).side;
 }
 
-/** On which side a cell is that touches the cut and is not split; 0: that is not to be told. One with nothing but vertices on the blade is where
- * these were if the blade did not meet it, else it counts as before it: its faces are then on the cut where the blade is behind them. */
+/** On which side a cell is that touches the cut and is not split; 0: that is not to be told. One with nothing but
+ * vertices on the blade is where these were if the blade did not meet it, else it counts as before it: its faces are
+ * then on the cut where the blade is behind them. */
 template <int D>
 int Cut<D>::side_of(Cell c) const {
   int side = 0;
@@ -410,7 +411,8 @@ void Cut<D>::write_record(Edit<D>& edit) {
   measure(edit);
 }
 
-/** Distances of the cut's vertices from the blade, and of the blade's points from the faces in the cells that hold them. */
+/** Distances of the cut's vertices from the blade, and of the blade's points from the faces in the cells that hold
+ * them. */
 template <int D>
 void Cut<D>::measure(Edit<D>& edit) {
   const auto add = [&](double distance) { record_.distance = std::max(record_.distance, distance); };

@@ -1,6 +1,6 @@
 #pragma once
-// A cut along a blade, written as one edit [JCD10] 5.2: edges that the blade crosses are split, then facets, then cells. Cells for which
-// that gives nothing valid stay whole.
+// A cut along a blade, written as one edit [JCD10] 5.2: edges that the blade crosses are split, then facets, then
+// cells. Cells for which that gives nothing valid stay whole.
 
 #include <optional>
 
@@ -44,8 +44,8 @@ struct CutRecord {
 template <int D>
 class Cut {
  public:
-  /** Crossings as a flood has left them. With `inside`, only cells are split of which one part is inside then and the other is not. Throws
-   * std::bad_alloc. */
+  /** Crossings as a flood has left them. With `inside`, only cells are split of which one part is inside then and the
+   * other is not. Throws std::bad_alloc. */
   Cut(Environment<D>& env, const Blade<D>& blade, const CutSettings& settings, const Crossings<D>& crossings,
       const Inside<D>* inside = nullptr);
 

@@ -7,8 +7,8 @@
 namespace dsw {
 namespace {
 
-/** How far half-planes round an edge, in the plane rays from a vertex, have turned from the first of them on; each step is less than half of the
- * way. */
+/** How far half-planes round an edge, in the plane rays from a vertex, have turned from the first of them on; each step
+ * is less than half of the way. */
 template <int D>
 class Turn {
  public:

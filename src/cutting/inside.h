@@ -1,6 +1,7 @@
 #pragma once
-// Which cells lie inside of a closed surface: those round whose centre it turns. How often it does is asked once, of a ray; from there on a
-// flood knows it, as it changes only where the way from one centre to the next, by a vertex that the two cells share, crosses the surface.
+// Which cells lie inside of a closed surface: those round whose centre it turns. How often it does is asked once, of a
+// ray; from there on a flood knows it, as it changes only where the way from one centre to the next, by a vertex that
+// the two cells share, crosses the surface.
 
 #include "cutting/blade_tree.h"
 #include "cutting/crossings.h"
@@ -14,8 +15,8 @@ class Inside {
   /** What the surface crosses is left in *crossings. Throws std::bad_alloc, as all here. */
   Inside(const Environment<D>& env, const Blade<D>& blade, Crossings<D>& crossings);
 
-  /** Floods through cells that are inside or crossed, from a cell that is; else from the first that is crossed, see start.h. O(facets of
-   * cells that are, with a search in a tree of simplices for each cell beside one). */
+  /** Floods through cells that are inside or crossed, from a cell that is; else from the first that is crossed, see
+   * start.h. O(facets of cells that are, with a search in a tree of simplices for each cell beside one). */
   void flood_from(Cell start, uint32_t* visited);
   /** The same from all cells that are. O(cells). */
   void flood_all();
@@ -27,7 +28,8 @@ class Inside {
   /** Whether a point that is thought to lie in a cell is inside. */
   bool holds(Cell c, const double* point) const;
 
-  /** What is inside becomes passable in an edit that is prepared; lists those cells that are not yet, as they will be. O(cells). */
+  /** What is inside becomes passable in an edit that is prepared; lists those cells that are not yet, as they will be.
+   * O(cells). */
   void carve(Edit<D>& edit, Array<Cell>& carved) const;
 
  private:

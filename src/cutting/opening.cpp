@@ -104,7 +104,8 @@ void Opening<D>::Way::shorten(int k) {
   stays = shares[0] == 0 && shares[1] == 0;
 }
 
-/** Vertices of cells that come out invalid go half as far, and all is written anew: as often as the shares allow, so this ends. */
+/** Vertices of cells that come out invalid go half as far, and all is written anew: as often as the shares allow, so
+ * this ends. */
 template <int D>
 void Opening<D>::prepare(std::optional<Edit<D>>& edit) {
   Array<uint32_t> bad{env_.memory};
@@ -188,7 +189,8 @@ void Opening<D>::write_cells(Edit<D>& edit) {
   }
 }
 
-/** Puts copies in the places of vertices; both, where the line from rim to rim crosses the facet. Then it has to be cut anew. */
+/** Puts copies in the places of vertices; both, where the line from rim to rim crosses the facet. Then it has to be cut
+ * anew. */
 template <int D>
 void Opening<D>::write_facet(FacetDraft& facet, Dart first) const {
   if constexpr (D == 2) {
@@ -315,8 +317,8 @@ void Opening<D>::join_sides(Edit<D>& edit) {
   }
 }
 
-/** Triangles for new facets, and others for those that are not positive any more seen from the cells on both sides. Drafts with a facet for
- * which there are none go to `bad`. */
+/** Triangles for new facets, and others for those that are not positive any more seen from the cells on both sides.
+ * Drafts with a facet for which there are none go to `bad`. */
 template <int D>
 void Opening<D>::cut_facets(Edit<D>& edit, Array<uint32_t>& bad) const {
   const size_t drafts = changed_.size() + gaps_.size();

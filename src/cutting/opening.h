@@ -1,6 +1,6 @@
 #pragma once
-// A crack opens: the copies of its vertices move apart, and the gap between its lips is filled with passable cells, one for each face. Written as
-// one edit [JCD10] 5.2.
+// A crack opens: the copies of its vertices move apart, and the gap between its lips is filled with passable cells, one
+// for each face. Written as one edit [JCD10] 5.2.
 
 #include <optional>
 
@@ -37,7 +37,8 @@ class Opening {
   const OpenRecord& record() const { return record_; }
 
  private:
-  /** How far the copies of a vertex go. Both shares 1: half of the width each; what one can't go the other one goes, if it can. */
+  /** How far the copies of a vertex go. Both shares 1: half of the width each; what one can't go the other one goes, if
+   * it can. */
   struct Way {
     double shares[2] = {1, 1};
     bool stays = false;

@@ -1,10 +1,12 @@
 #pragma once
-// Which cells a blade splits and along which loops. Where it crosses an edge there is a node: a vertex to come, or the nearer end of
-// the edge if that is within a share of its length; such a vertex then takes all crossings of its edges. Across a facet with two nodes
-// runs one line; a cell is split where such lines, and edges between old vertices on the blade, are one closed loop round it. In the plane a
-// cell with two nodes is split between them, as a facet is in space.
+// Which cells a blade splits and along which loops. Where it crosses an edge there is a node: a vertex to come, or the
+// nearer end of the edge if that is within a share of its length; such a vertex then takes all crossings of its edges.
+// Across a facet with two nodes runs one line; a cell is split where such lines, and edges between old vertices on the
+// blade, are one closed loop round it. In the plane a cell with two nodes is split between them, as a facet is in
+// space.
 //
-// A cell stays whole where the blade ends inside or crosses an edge twice, or where lines do not say how it is to be split.
+// A cell stays whole where the blade ends inside or crosses an edge twice, or where lines do not say how it is to be
+// split.
 
 #include "cutting/crossings.h"
 

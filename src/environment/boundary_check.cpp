@@ -1,9 +1,10 @@
-// Every boundary triangle has a solid inner side, and so has every edge between two mates: the sector between them. Where
-// two such solids round a common line overlap, the boundary crosses itself; nothing else needs a look at pairs (two equally
-// turned triangles of one plane that overlap do so round an edge of one of them as well). If they never do, walking along
-// a connected sheet of the boundary never changes how often the space just inside of it is covered (contacts in single
-// points can be walked round), and one ray for every sheet tells whether that is once. In the plane sides take the place of triangles, and
-// solids are compared round common points, which cannot be walked round. No tolerance, and no shift where contact is judged.
+// Every boundary triangle has a solid inner side, and so has every edge between two mates: the sector between them.
+// Where two such solids round a common line overlap, the boundary crosses itself; nothing else needs a look at pairs
+// (two equally turned triangles of one plane that overlap do so round an edge of one of them as well). If they never
+// do, walking along a connected sheet of the boundary never changes how often the space just inside of it is covered
+// (contacts in single points can be walked round), and one ray for every sheet tells whether that is once. In the plane
+// sides take the place of triangles, and solids are compared round common points, which cannot be walked round. No
+// tolerance, and no shift where contact is judged.
 
 #include "environment/boundary_check.h"
 
@@ -16,14 +17,15 @@
 namespace dsw {
 namespace {
 
-/** The solid round a ridge: from `from` on, counter-clockwise (in space right-handed about the line), to `to`; all round if both point the
- * same way. */
+/** The solid round a ridge: from `from` on, counter-clockwise (in space right-handed about the line), to `to`; all
+ * round if both point the same way. */
 struct Sector {
   uint32_t from, to;
 };
 
-/** Whether the direction of x lies in a sector, its start included and its end not. quarter(from, x): how far it is from one to the other,
- * 0 not at all, 1 less than half a turn, 2 half, 3 more; is_before(x, y): whether y follows x within half a turn. */
+/** Whether the direction of x lies in a sector, its start included and its end not. quarter(from, x): how far it is
+ * from one to the other, 0 not at all, 1 less than half a turn, 2 half, 3 more; is_before(x, y): whether y follows x
+ * within half a turn. */
 template <class Quarter, class IsBefore>
 bool starts_in(Sector sector, uint32_t x, Quarter quarter, IsBefore is_before) {
   const int of_x = quarter(sector.from, x), of_end = quarter(sector.from, sector.to);

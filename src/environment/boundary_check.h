@@ -1,6 +1,7 @@
 #pragma once
-// Whether the outer boundary passes through itself. Cells that are valid one by one and linked facet to facet cover every
-// point as often as the boundary winds round it, so they are a partition exactly if that is nowhere more than once.
+// Whether the outer boundary passes through itself. Cells that are valid one by one and linked facet to facet cover
+// every point as often as the boundary winds round it, so they are a partition exactly if that is nowhere more than
+// once.
 
 #include "environment/builder.h"
 

@@ -20,7 +20,7 @@ uint32_t first_of(const Array<FacetStart>& starts, HalfFacet h) {
   return std::lower_bound(starts.begin(), starts.end(), FacetStart{h.word, 0})->first;
 }
 
-/** Edge of a facet's triangles that runs from local vertex u to v; the triangle's number in the shape times 3, plus k. */
+/** Edge of a facet's triangles that runs from local vertex u to v; the triangle's number in the shape by 3, plus k. */
 uint32_t find_edge(const Shape& shape, uint32_t facet, uint32_t u, uint32_t v) {
   for (uint32_t s = shape.simplex_first(facet); s < shape.simplex_first(facet + 1); ++s) {
     const uint16_t* local = shape.simplices() + 3 * s;

@@ -1,17 +1,20 @@
 #pragma once
-// The outer boundary as simplices (triangles in space, sides in the plane), with a tree of boxes over it: what the boundary check works on.
+// The outer boundary as simplices (triangles in space, sides in the plane), with a tree of boxes over it: what the
+// boundary check works on.
 
 #include "environment/environment.h"
 #include "map/dart.h"
 
 namespace dsw {
 
-/** A simplex of a facet with one cell: a triangle, counter-clockwise seen from outside; in the plane a side, the cell on its left. */
+/** A simplex of a facet with one cell: a triangle, counter-clockwise seen from outside; in the plane a side, the cell
+ * on its left. */
 template <int D>
 struct BoundarySimplex {
   uint32_t vertex[D];
-  /** Ridge k joins vertex k to the next; in the plane it is vertex k. Across it lies ridge mate[k] % D of simplex mate[k] / D: the one
-   * that is met by turning about the ridge through the cells behind. Several sheets may meet in one ridge; mates belong together. */
+  /** Ridge k joins vertex k to the next; in the plane it is vertex k. Across it lies ridge mate[k] % D of simplex
+   * mate[k] / D: the one that is met by turning about the ridge through the cells behind. Several sheets may meet in
+   * one ridge; mates belong together. */
   uint32_t mate[D];
   Cell cell;
 };

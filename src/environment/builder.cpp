@@ -42,8 +42,8 @@ template <int D>
   fail(DSW_STATUS_SHARED_FACE, "cells %u and %u share a face with a third cell", a, b);
 }
 
-/** Validates all cells and notes which are convex. A cell that fails gets its facets cut anew, which can spoil a cell seen
- * before: those are looked at again. */
+/** Validates all cells and notes which are convex. A cell that fails gets its facets cut anew, which can spoil a cell
+ * seen before: those are looked at again. */
 template <int D>
 void validate(Environment<D>& env, BuildReport& report) {
   Map<D>& map = env.map;

@@ -40,8 +40,8 @@ struct BuildReport {
   uint32_t reoriented_count = 0, unused_point_count = 0, convex_cell_count = 0;
 };
 
-/** Fills an empty environment; throws Error (and leaves the environment useless) on the first kind of defect found, with
- * the first offenders of that kind in the report. Order of checks: sizes, points finite, cells well-formed, facets
+/** Fills an empty environment; throws Error (and leaves the environment useless) on the first kind of defect found,
+ * with the first offenders of that kind in the report. Order of checks: sizes, points finite, cells well-formed, facets
  * matched, cells valid. */
 template <int D>
 void build(Environment<D>& env, const MeshInput& input, BuildReport& report);

@@ -1,6 +1,7 @@
 #pragma once
-// What is known of the cells of an environment whose points move: whether they are valid in its present geometry. A cell is looked
-// at when it is first entered, on whatever thread, since looking at all of them would take as long as there are cells.
+// What is known of the cells of an environment whose points move: whether they are valid in its present geometry. A
+// cell is looked at when it is first entered, on whatever thread, since looking at all of them would take as long as
+// there are cells.
 
 #include <atomic>
 #include <cstddef>

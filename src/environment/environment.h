@@ -1,6 +1,6 @@
 #pragma once
-// An environment: a map with positions, labels and marks. Cells are unions of simplices that are never stored: a simplex is
-// itself, any other cell the star of its centre over the simplices of its facets.
+// An environment: a map with positions, labels and marks. Cells are unions of simplices that are never stored: a
+// simplex is itself, any other cell the star of its centre over the simplices of its facets.
 
 #include <cmath>
 #include <cstdint>

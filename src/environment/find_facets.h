@@ -6,8 +6,8 @@
 
 namespace dsw {
 
-/** Query i has the vertices indices[offsets[i] .. offsets[i+1]-1], in any order. out[i]: the canonical half-facet, invalid if
- * there is none; *missing: how many those are. Expected O(facets + vertices given). */
+/** Query i has the vertices indices[offsets[i] .. offsets[i+1]-1], in any order. out[i]: the canonical half-facet,
+ * invalid if there is none; *missing: how many those are. Expected O(facets + vertices given). */
 template <int D>
 void find_facets(const Environment<D>& env, size_t count, const size_t* offsets, const uint32_t* indices,
                  HalfFacet* out, size_t* missing);

@@ -77,8 +77,8 @@ bool is_cut_well(const Environment<3>& env, Cell c, uint32_t f, const double* ap
 
 }  // namespace
 
-/** The part between positions i and j has such triangles if some k between them makes a positive triangle and both remaining parts have
- * them. Fans are among what is tried. */
+/** The part between positions i and j has such triangles if some k between them makes a positive triangle and both
+ * remaining parts have them. Fans are among what is tried. */
 Array<size_t> triangulate(const Array<const double*>& loop, const double* apex, const double* beyond) {
   const size_t n = loop.size();
   const auto is_positive = [&](size_t i, size_t j, size_t k) {

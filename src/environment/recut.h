@@ -7,8 +7,8 @@ namespace dsw {
 
 constexpr uint32_t kMostTriangulated = 256;  // vertices of a loop that is worth a search of cubic time
 
-/** Triangles, three places in the loop each, that fill a loop and are positive seen from a point, and negative from a point `beyond`
- * unless that is null. Empty: there are none. Exact. O(n^3). Throws std::bad_alloc. */
+/** Triangles, three places in the loop each, that fill a loop and are positive seen from a point, and negative from a
+ * point `beyond` unless that is null. Empty: there are none. Exact. O(n^3). Throws std::bad_alloc. */
 Array<size_t> triangulate(const Array<const double*>& loop, const double* apex, const double* beyond);
 
 /** Cuts those facets of a cell anew that spoil its star, the same way for both sides, if a triangulation exists that is

@@ -9,7 +9,7 @@ namespace dsw {
 namespace {
 
 /** Exactly flat facets, and no vertex beyond a facet across any of its edges: with positive stars that cover every
- * direction once, locally convex is convex. Facets have to be convex too, which says more where two lie in one plane. */
+ * direction once, locally convex is convex. Facets have to be convex too, which says more if two lie in one plane. */
 bool is_flat_and_convex(const Environment<3>& env, Cell c, const Shape& shape, const double* apex) noexcept {
   const double* triangle[3];
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
@@ -37,8 +37,8 @@ bool is_flat_and_convex(const Environment<2>& env, Cell c, const Shape& shape, c
   return true;
 }
 
-/** How many boundary simplices the ray from `from` (strictly inside all of them) through `through` pierces, both shifted.
- * `read(s, points)` gives the points of a simplex. */
+/** How many boundary simplices the ray from `from` (strictly inside all of them) through `through` pierces, both
+ * shifted. `read(s, points)` gives the points of a simplex. */
 template <int D, class Read>
 uint32_t count_pierced(uint32_t simplex_count, Read read, const double* from, const double* through) noexcept {
   NoTally none;
@@ -81,9 +81,10 @@ CellState check_simplices(uint32_t simplex_count, Read read, const double* apex)
   return CellState::kValid;
 }
 
-/** Whether a hexahedron is valid, and so clearly that the filter sees it: any three vertices of a facet, in its order, have a positive
- * volume with the centre. Then seen from there facets are convex, however they are cut, and a vertex has three angles of less than pi.
- * Round it that makes less than 3 pi, so once; and a sphere that covers a sphere without a branch covers it once. */
+/** Whether a hexahedron is valid, and so clearly that the filter sees it: any three vertices of a facet, in its order,
+ * have a positive volume with the centre. Then seen from there facets are convex, however they are cut, and a vertex
+ * has three angles of less than pi. Round it that makes less than 3 pi, so once; and a sphere that covers a sphere
+ * without a branch covers it once. */
 bool is_plainly_valid(const Environment<3>& env, Cell c) noexcept {
   const uint32_t* const w = env.map.record(c);
   if (form_of(w[0]) != Form::kBox) return false;

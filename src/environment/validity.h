@@ -12,8 +12,8 @@ enum class CellState { kValid, kValidConvex, kInverted, kInvalid };
 template <int D>
 CellState check_cell(const Environment<D>& env, Cell c) noexcept;
 
-/** Whether a polyhedron that no environment has yet would be valid: its vertices in their order, and triangles that close a
- * sphere, three places among the vertices each, counter-clockwise seen from outside. */
+/** Whether a polyhedron that no environment has yet would be valid: its vertices in their order, and triangles that
+ * close a sphere, three places among the vertices each, counter-clockwise seen from outside. */
 bool is_valid_star(const double* const* vertices, uint32_t vertex_count, const uint8_t* triangles,
                    uint32_t triangle_count) noexcept;
 

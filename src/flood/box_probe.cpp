@@ -1,7 +1,7 @@
-// Why a free box is enough. The flood of a sweep goes through passable facets that are met by what is swept, so by the box: this one
-// goes through them too. An impassable facet that the sweep meets would have been met here, from the same cell. A vertex inside of what
-// a face sweeps is in the box, so all facets at it meet the box: going round it through passable ones the flood has entered all cells
-// there, or met an impassable one.
+// Why a free box is enough. The flood of a sweep goes through passable facets that are met by what is swept, so by the
+// box: this one goes through them too. An impassable facet that the sweep meets would have been met here, from the same
+// cell. A vertex inside of what a face sweeps is in the box, so all facets at it meet the box: going round it through
+// passable ones the flood has entered all cells there, or met an impassable one.
 
 #include "flood/box_probe.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Boxes that hold nothing impassable: what a body sweeps inside of one is free, whatever it is. Found out by comparisons alone,
-// in hexahedra, which are often larger than what is swept.
+// Boxes that hold nothing impassable: what a body sweeps inside of one is free, whatever it is. Found out by
+// comparisons alone, in hexahedra, which are often larger than what is swept.
 
 #include <cstdint>
 
@@ -31,8 +31,8 @@ Bounds<D> bounds(const double* first, Points... others) noexcept {
   return box;
 }
 
-/** Floods a box as SweepFlood does what is swept; one for each thread. The flood of anything inside of the box enters only cells
- * that this one enters, if it starts in one of them, and meets only what this one meets. */
+/** Floods a box as SweepFlood does what is swept; one for each thread. The flood of anything inside of the box enters
+ * only cells that this one enters, if it starts in one of them, and meets only what this one meets. */
 template <int D>
 class BoxProbe;
 
@@ -44,8 +44,8 @@ class BoxProbe<3> {
   /** Whether it looks at cells like this one at all. */
   static bool suits(const Environment<3>& env, Cell c) noexcept { return env.map.form(c) == Form::kBox; }
 
-  /** Whether no obstacle is met in the box, from `start`, which is passable. False also where that would take long to find out: at
-   * other cells than hexahedra, and in a box that meets more than eight. */
+  /** Whether no obstacle is met in the box, from `start`, which is passable. False also where that would take long to
+   * find out: at other cells than hexahedra, and in a box that meets more than eight. */
   bool is_free(const Bounds<3>& box, Cell start) noexcept;
 
   /** Whether the last flood entered a cell. */
@@ -66,8 +66,8 @@ class BoxProbe<3> {
   uint32_t count_ = 0;
 };
 
-/** Says nothing: in the plane an edge's sequence tells as much sooner. Measured with boxes of eight polygons, moves of edges that are
- * 0.2 to 2 cells long took up to 1.7 times as long. */
+/** Says nothing: in the plane an edge's sequence tells as much sooner. Measured with boxes of eight polygons, moves of
+ * edges that are 0.2 to 2 cells long took up to 1.7 times as long. */
 template <>
 class BoxProbe<2> {
  public:
@@ -77,8 +77,8 @@ class BoxProbe<2> {
   bool has_entered(Cell) const noexcept { return false; }
 };
 
-/** The facets of a hexahedron that may meet a box, a bit each: no side of it has all of their vertices strictly beyond, so that no shift
- * could bring them together. */
+/** The facets of a hexahedron that may meet a box, a bit each: no side of it has all of their vertices strictly beyond,
+ * so that no shift could bring them together. */
 using FacetsInBox = uint32_t (*)(const double* points, const uint32_t* vertices, const Bounds<3>& box) noexcept;
 FacetsInBox choose_facets_in_box() noexcept;
 uint32_t facets_in_box(const double* points, const uint32_t* vertices, const Bounds<3>& box) noexcept;

@@ -5,9 +5,9 @@
 
 namespace dsw {
 
-/** Whether a line passes the passable facet between two exactly convex cells, on its way from the first to the second: line tests with
- * the facet's ridges alone. False also where a filter cannot tell, and in space of cells that are neither tetrahedra, pyramids nor
- * hexahedra. */
+/** Whether a line passes the passable facet between two exactly convex cells, on its way from the first to the second:
+ * line tests with the facet's ridges alone. False also where a filter cannot tell, and in space of cells that are
+ * neither tetrahedra, pyramids nor hexahedra. */
 template <int D>
 bool passes_between(const Environment<D>& env, Cell first, Cell second, const double* from, const double* to) noexcept;
 

@@ -1,6 +1,6 @@
 #pragma once
-// Line tests of many points of the plane against one line, without a branch on what a filter says: its bound over all of them is asked
-// once, at the end.
+// Line tests of many points of the plane against one line, without a branch on what a filter says: its bound over all
+// of them is asked once, at the end.
 
 #include <algorithm>
 
@@ -21,7 +21,8 @@ class LineSides {
     extent_ = {filter::larger(extent_.x, size.x), filter::larger(extent_.y, size.y)};
     return way_.x * a.y - way_.y * a.x;
   }
-  /** Whether the line leaves a polygon through its side from a to b, as far as rounded tests tell: they are on its right and left. */
+  /** Whether the line leaves a polygon through its side from a to b, as far as rounded tests tell: they are on its
+   * right and left. */
   bool pass(const double* a, const double* b) noexcept {
     const double least = filter::smaller(-side(a), side(b));
     lowest_ = filter::smaller(lowest_, least);

@@ -7,7 +7,8 @@
 
 namespace dsw {
 
-/** The half-facets that an edge was last known to pass, each seen from the cell that is left; a single kNoFacet if they are unknown. */
+/** The half-facets that an edge was last known to pass, each seen from the cell that is left; a single kNoFacet if they
+ * are unknown. */
 template <int D>
 struct EdgeSequence {
   static constexpr uint64_t kNever = ~uint64_t{0};
@@ -36,8 +37,8 @@ struct EdgeSequence {
     placed = false;
   }
   bool known() const noexcept { return facets.empty() || facets[0] != kNoFacet; }
-  /** Puts `count` facets where those from `begin` to before `end` are. Throws std::bad_alloc, and then what was known still is; not if
-   * there are none more than before. */
+  /** Puts `count` facets where those from `begin` to before `end` are. Throws std::bad_alloc, and then what was known
+   * still is; not if there are none more than before. */
   void replace(const Environment<D>& env, size_t begin, size_t end, const uint32_t* by, size_t count);
   void assign(const Environment<D>& env, const Array<uint32_t>& passed) {
     replace(env, 0, facets.size(), passed.data(), passed.size());
@@ -53,14 +54,15 @@ struct EdgeSequence {
   }
 };
 
-/** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all passable. Cells
- * are exactly convex with flat facets. False also where a filter cannot tell: then the segment must be cast. Much cheaper than a cast:
- * nothing waits for a decision. Notes the place. O(facets). */
+/** Whether a segment from a point in `first` to a point in `last` leaves its cells through just these half-facets, all
+ * passable. Cells are exactly convex with flat facets. False also where a filter cannot tell: then the segment must be
+ * cast. Much cheaper than a cast: nothing waits for a decision. Notes the place. O(facets). */
 template <int D>
 bool follows(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Cell first,
              Cell last) noexcept;
 
-/** The facets that a path passes, each seen from the cell that is left: none where it stays in its cell or passes more than two. */
+/** The facets that a path passes, each seen from the cell that is left: none where it stays in its cell or passes more
+ * than two. */
 struct PathFacets {
   uint32_t count = 0;
   HalfFacet facets[2];
@@ -74,9 +76,9 @@ struct Pivot {
   uint32_t vertices[D - 1] = {};
 };
 
-/** Turns a sequence that is kept in rows round the first pivot that the segment passes on the wrong side: what it then passes is the
- * other half of the facets there. The sequence may still not be that of the segment. False, and nothing is changed: there is no such
- * pivot, or no passable way round it. Throws std::bad_alloc. */
+/** Turns a sequence that is kept in rows round the first pivot that the segment passes on the wrong side: what it then
+ * passes is the other half of the facets there. The sequence may still not be that of the segment. False, and nothing
+ * is changed: there is no such pivot, or no passable way round it. Throws std::bad_alloc. */
 template <int D>
 bool turn(const Environment<D>& env, EdgeSequence<D>& sequence, const double* from, const double* to, Pivot<D>& pivot);
 
@@ -87,14 +89,14 @@ struct SequenceView {
   bool turned = false;
 };
 
-/** Whether the three sides of a triangle, a to b, b to c and c to a, lie in the same sleeve of cells: one of them passes what the two
- * others pass, one after the other. Each has been found by `follows`, so it passes every facet where all lines of that look the same
- * way; there the facet is convex, and the cells are, so the triangle lies in the sleeve and no edge of a cell pierces it. Asked of faces, so
- * not in the plane. */
+/** Whether the three sides of a triangle, a to b, b to c and c to a, lie in the same sleeve of cells: one of them
+ * passes what the two others pass, one after the other. Each has been found by `follows`, so it passes every facet
+ * where all lines of that look the same way; there the facet is convex, and the cells are, so the triangle lies in the
+ * sleeve and no edge of a cell pierces it. Asked of faces, so not in the plane. */
 bool share_sleeve(const Map<3>& map, SequenceView ab, SequenceView bc, SequenceView ca) noexcept;
 
-/** Notes the half-facets that casts pass. A cast allocates nothing: what finds no room makes the sequence unknown, and room for the
- * next time is made by `finish`. */
+/** Notes the half-facets that casts pass. A cast allocates nothing: what finds no room makes the sequence unknown, and
+ * room for the next time is made by `finish`. */
 template <int D>
 class SequenceWriter {
  public:

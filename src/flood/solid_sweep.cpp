@@ -1,17 +1,18 @@
-// The solid's points are, at each time t, those of the face p(t) q r, in the plane of the edge p(t) q, so that whatever lies inside is
-// met once.
+// The solid's points are, at each time t, those of the face p(t) q r, in the plane of the edge p(t) q, so that whatever
+// lies inside is met once.
 //
-// Why vertices are enough. Let the face meet what is impassable for the first time at t. Before that it was free, so it meets
-// only the rim of an obstacle: of its vertices, edges and facets one that the face at t supports. If that touches an edge of the
-// face, then the sweep of this edge has it (q r stays and was free). Else it is inside of the face. The time at which the
-// face meets a point runs through a segment or facet inside of the tetrahedron without an extreme in between, or stays the same: its least
-// value is taken at a vertex, or where it leaves the tetrahedron, at an edge of the face. So it is a vertex, at the same time. In the
-// plane read edge for face, end for edge, and path for sweep of an edge.
+// Why vertices are enough. Let the face meet what is impassable for the first time at t. Before that it was free, so it
+// meets only the rim of an obstacle: of its vertices, edges and facets one that the face at t supports. If that touches
+// an edge of the face, then the sweep of this edge has it (q r stays and was free). Else it is inside of the face. The
+// time at which the face meets a point runs through a segment or facet inside of the tetrahedron without an extreme in
+// between, or stays the same: its least value is taken at a vertex, or where it leaves the tetrahedron, at an edge of
+// the face. So it is a vertex, at the same time. In the plane read edge for face, end for edge, and path for sweep of
+// an edge.
 //
-// Why the flood sees it. What is swept before t is free, connected and holds p: the cells it meets are reached through passable
-// facets that the solid meets. The vertex lies on the rim of what is swept, so in one of those cells; and since cells
-// meet in whole vertices, edges and facets, it is a vertex of that cell. Everything the flood finds is inside of the
-// solid and met at its time, so nothing is found too early.
+// Why the flood sees it. What is swept before t is free, connected and holds p: the cells it meets are reached through
+// passable facets that the solid meets. The vertex lies on the rim of what is swept, so in one of those cells; and
+// since cells meet in whole vertices, edges and facets, it is a vertex of that cell. Everything the flood finds is
+// inside of the solid and met at its time, so nothing is found too early.
 
 #include "flood/solid_sweep.h"
 
@@ -25,8 +26,8 @@
 
 namespace dsw {
 
-// Vertices of the tetrahedron: p, p', q, r. Face i lies opposite of vertex i; it is counter-clockwise seen from outside if r lies
-// on the outer side of p p' q, else all four are turned round.
+// Vertices of the tetrahedron: p, p', q, r. Face i lies opposite of vertex i; it is counter-clockwise seen from outside
+// if r lies on the outer side of p p' q, else all four are turned round.
 template <>
 struct SolidSweep<3>::Solid {
   static constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
@@ -66,10 +67,10 @@ struct SolidSweep<3>::Solid {
     return line(f[1], f[2], a, b) == first && line(f[2], f[0], a, b) == first;
   }
 
-  /** Whether a triangle of the environment, with `codes` from beyond(), meets the tetrahedron. What they share is a convex
-   * polygon. If none of its corners is one of the triangle or lies on an edge of it, then it is all that the tetrahedron
-   * has of the plane, and every edge of the tetrahedron that crosses the plane crosses the triangle. An edge that meets the
-   * tetrahedron with both ends outside passes through two faces: one may be left out. */
+  /** Whether a triangle of the environment, with `codes` from beyond(), meets the tetrahedron. What they share is a
+   * convex polygon. If none of its corners is one of the triangle or lies on an edge of it, then it is all that the
+   * tetrahedron has of the plane, and every edge of the tetrahedron that crosses the plane crosses the triangle. An
+   * edge that meets the tetrahedron with both ends outside passes through two faces: one may be left out. */
   bool meets(const double* const* triangle, const uint32_t* codes) const {
     if ((codes[0] & codes[1] & codes[2]) != 0) return false;
     if (codes[0] == 0 || codes[1] == 0 || codes[2] == 0) return true;
@@ -117,8 +118,9 @@ struct SolidSweep<2>::Solid {
 
   SweepEvent event(const double* v) const { return {{at[2], v, nullptr}, EventKind::kEdge}; }
 
-  /** Whether a segment of the environment, with `codes` from beyond(), meets the triangle. If both ends lie outside, but not of one
-   * side, and the line passes the triangle, then it enters that and leaves it between them: beyond the exit all is outside of one side. */
+  /** Whether a segment of the environment, with `codes` from beyond(), meets the triangle. If both ends lie outside,
+   * but not of one side, and the line passes the triangle, then it enters that and leaves it between them: beyond the
+   * exit all is outside of one side. */
   bool meets(const double* const* segment, const uint32_t* codes) const {
     if ((codes[0] & codes[1]) != 0) return false;
     if (codes[0] == 0 || codes[1] == 0) return true;
@@ -239,8 +241,9 @@ void SolidSweep<D>::judge(const Solid& solid, Cell c, const Corner& corner) {
   best = found;
 }
 
-/** Whether a vertex of cell c is impassable, and its lowest impassable facet, seen from where one can be. All cells round it are linked
- * through facets at it, but for vertices of the outer boundary, where each part of them has facets of that. */
+/** Whether a vertex of cell c is impassable, and its lowest impassable facet, seen from where one can be. All cells
+ * round it are linked through facets at it, but for vertices of the outer boundary, where each part of them has facets
+ * of that. */
 template <int D>
 bool SolidSweep<D>::judge_vertex(Cell c, uint32_t vertex, HalfFacet& facet) {
   bool impassable = vertex_marked(env_, vertex);

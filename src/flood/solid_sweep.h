@@ -1,6 +1,6 @@
 #pragma once
-// What a moving vertex p of a body sweeps on its way to p', where that has the dimension of the space: with a face p q r the tetrahedron
-// p p' q r, in the plane with an edge p q the triangle p p' q [JCD10] 4.1. Exact under the shift.
+// What a moving vertex p of a body sweeps on its way to p', where that has the dimension of the space: with a face p q
+// r the tetrahedron p p' q r, in the plane with an edge p q the triangle p p' q [JCD10] 4.1. Exact under the shift.
 
 #include "flood/line_table.h"
 #include "flood/sweep_contact.h"
@@ -16,26 +16,26 @@ struct SweepResult {
   uint32_t cells_visited = 0;
 };
 
-/** Floods from the cell of p over all cells that what is swept meets without crossing anything impassable: what is swept before the first
- * contact is connected and holds p, so that the first contact is the earliest of what the flood sees. Keeps its memory from sweep to
- * sweep; one for each thread. */
+/** Floods from the cell of p over all cells that what is swept meets without crossing anything impassable: what is
+ * swept before the first contact is connected and holds p, so that the first contact is the earliest of what the flood
+ * sees. Keeps its memory from sweep to sweep; one for each thread. */
 template <int D>
 class SolidSweep {
  public:
   explicit SolidSweep(const Environment<D>& env);
 
-  /** The first impassable vertex that a face meets, in the plane an edge; `start` contains m.p, and the face is free where it stands.
-   * What enters through the triangles p p' q and p p' r is left to the sweeps of these edges, in the plane what enters through p p' to
-   * the path of p: where they find nothing earlier, this is the first contact. Nothing is found where p, p', q, r lie in one plane, or
-   * p, p', q in one line. With `collect`, all() has every contact afterwards. Throws std::bad_alloc. O(cells met, and cells round the
-   * vertices inside). */
+  /** The first impassable vertex that a face meets, in the plane an edge; `start` contains m.p, and the face is free
+   * where it stands. What enters through the triangles p p' q and p p' r is left to the sweeps of these edges, in the
+   * plane what enters through p p' to the path of p: where they find nothing earlier, this is the first contact.
+   * Nothing is found where p, p', q, r lie in one plane, or p, p', q in one line. With `collect`, all() has every
+   * contact afterwards. Throws std::bad_alloc. O(cells met, and cells round the vertices inside). */
   SweepResult sweep(const SolidMotion<D>& m, Cell start, uint32_t max_cells, bool collect = false);
 
   /** The cells met by the last sweep. */
   const CellQueue& cells() const { return cells_; }
 
-  /** Every contact of the last sweep that collected, also of one that met the work limit: in the order of comes_before, one for each
-   * vertex and for each line and triangle. Sorting throws nothing. */
+  /** Every contact of the last sweep that collected, also of one that met the work limit: in the order of comes_before,
+   * one for each vertex and for each line and triangle. Sorting throws nothing. */
   const Array<SweepContact>& all() const { return found_; }
 
  protected:

@@ -56,8 +56,8 @@ SweepResult SweepFlood<3>::sweep(const EdgeMotion& m, Cell start, uint32_t max_c
   return result_;
 }
 
-/** Reads the vertices of a cell. False for a hexahedron all of whose facets lie beside the triangle's box: the main path, where p, p'
- * and q are in one cell and nothing can be met. It holds for warped cells too. */
+/** Reads the vertices of a cell. False for a hexahedron all of whose facets lie beside the triangle's box: the main
+ * path, where p, p' and q are in one cell and nothing can be met. It holds for warped cells too. */
 bool SweepFlood<3>::read_corners(Cell c) {
   read_vertices(c, *triangle_);
   if (map_.form(c) != Form::kBox) return true;
@@ -79,8 +79,8 @@ uint32_t SweepFlood<3>::outside(const Corner& a, const Corner& b) {
   return lines_.value(a.vertex, b.vertex, [&] { return triangle_->outside(a.at, b.at, b.side); });
 }
 
-/** Enters what lies behind passable facets that the triangle meets. A cell that it does not meet is not read, and one that has
- * been entered is not marked. */
+/** Enters what lies behind passable facets that the triangle meets. A cell that it does not meet is not read, and one
+ * that has been entered is not marked. */
 void SweepFlood<3>::look_at_facets(Cell c, const Shape& shape) {
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
@@ -109,9 +109,10 @@ bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
   return false;
 }
 
-/** Whether the swept triangle meets a simplex. The simplex meets the swept plane in a segment between two of its sides: that
- * meets the triangle if one of its ends lies inside, and not if both lie outside of one side of it. Else it meets the triangle where
- * a side of that passes through the simplex; it ends outside and passes two sides then, so that two of the three need be asked. */
+/** Whether the swept triangle meets a simplex. The simplex meets the swept plane in a segment between two of its sides:
+ * that meets the triangle if one of its ends lies inside, and not if both lie outside of one side of it. Else it meets
+ * the triangle where a side of that passes through the simplex; it ends outside and passes two sides then, so that two
+ * of the three need be asked. */
 bool SweepFlood<3>::simplex_met(const uint16_t* local) {
   Corner* const corner[3] = {&corners_[local[0]], &corners_[local[1]], &corners_[local[2]]};
   if ((corner[0]->beyond & corner[1]->beyond & corner[2]->beyond) != 0) return false;
@@ -188,8 +189,8 @@ void SweepFlood<3>::consider(const SweepContact& found) {
   result_.contact = found;
 }
 
-/** Of each event the contact that counts, and these in their order. No two are equivalent in either, so no result depends on
- * how they are sorted. */
+/** Of each event the contact that counts, and these in their order. No two are equivalent in either, so no result
+ * depends on how they are sorted. */
 void SweepFlood<3>::sort_found() {
   const auto before = [this](const SweepContact& a, const SweepContact& b) {
     return comes_before(map_, triangle_->motion().p, triangle_->motion().to, a, b);

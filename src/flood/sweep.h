@@ -1,6 +1,6 @@
 #pragma once
-// What a moving vertex p of a body sweeps on its way to p', exact under the shift: with an edge p q the triangle p p' q [JCD10] 4.1,
-// with a face p q r the tetrahedron p p' q r. In the plane there are no faces, and an edge sweeps a solid.
+// What a moving vertex p of a body sweeps on its way to p', exact under the shift: with an edge p q the triangle p p' q
+// [JCD10] 4.1, with a face p q r the tetrahedron p p' q r. In the plane there are no faces, and an edge sweeps a solid.
 
 #include "flood/solid_sweep.h"
 #include "predicates/swept_triangle.h"
@@ -22,8 +22,8 @@ class SweepFlood<3> : public SolidSweep<3> {
   using SolidSweep<3>::SolidSweep;
   using SolidSweep<3>::sweep;
 
-  /** `start` contains m.p, and the edge p q is free. Nothing is found where p, p', q are collinear: the path of p is the sweep
-   * then. With `collect`, all() has every contact afterwards. Throws std::bad_alloc. O(cells met). */
+  /** `start` contains m.p, and the edge p q is free. Nothing is found where p, p', q are collinear: the path of p is
+   * the sweep then. With `collect`, all() has every contact afterwards. Throws std::bad_alloc. O(cells met). */
   SweepResult sweep(const EdgeMotion& m, Cell start, uint32_t max_cells, bool collect = false);
 
  private:

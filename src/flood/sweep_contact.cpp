@@ -9,8 +9,8 @@
 namespace dsw {
 namespace {
 
-/** Order of contacts at one time and of one kind: vertices by number; facets before wires; those that p sees; then by the
- * canonical name of the facet, the cell it is seen from, and inside that. */
+/** Order of contacts at one time and of one kind: vertices by number; facets before wires; those that p sees; then by
+ * the canonical name of the facet, the cell it is seen from, and inside that. */
 template <int D>
 auto order_of(const Map<D>& map, const SweepContact& c) {
   const HalfFacet h = c.facet.valid() ? canonical(map, c.facet) : HalfFacet{};
@@ -19,8 +19,8 @@ auto order_of(const Map<D>& map, const SweepContact& c) {
                          h.valid() ? map.local_of(h, owner) : c.dart, map.index(c.front), c.simplex, c.dart);
 }
 
-/** Whether the moving end passes the plane of one flat facet in both: what a path and an edge say of it may name two of its
- * triangles, and that their times are equal would be found last of all. */
+/** Whether the moving end passes the plane of one flat facet in both: what a path and an edge say of it may name two of
+ * its triangles, and that their times are equal would be found last of all. */
 template <int D>
 bool same_plane(const Map<D>& map, const SweepContact& a, const SweepContact& b) noexcept {
   return a.event.kind == EventKind::kVertex && b.event.kind == EventKind::kVertex && a.facet.valid() &&

@@ -14,7 +14,8 @@ struct SweepContact {
   SweepEvent event;
   Cell front;       // the cell from which it is met
   HalfFacet facet;  // impassable, seen from `front`; invalid for a wire. Of a face: the lowest impassable facet
-      // at the vertex by its canonical name, from its passable side; invalid if only a mark or a wire makes it impassable
+      // at the vertex by its canonical name, from its passable side; invalid if only a mark or a wire makes it
+      // impassable
   bool faces_start = false;     // p lies on this side of the plane
   uint32_t simplex = 0;         // of `front`, in `facet`; not of a face
   uint32_t dart = kNoFacet;     // of `front`, along the obstacle's edge; kNoFacet for other events and on a diagonal
@@ -33,12 +34,12 @@ inline ContactKind kind_of(const SweepContact& c) {
   return c.dart != kNoFacet ? ContactKind::kEdge : ContactKind::kPlane;
 }
 
-/** Whether two contacts are the same thing of the body at the same thing of the environment, seen from whichever cell. */
+/** Whether two contacts are the same thing of the body at the same thing of the environment, seen from any cell. */
 bool same_event(const SweepContact& a, const SweepContact& b) noexcept;
 
-/** Whether `a` counts before `b` when a vertex goes from p to p' and they are contacts of any of its edges and faces: by exact
- * time, then kind, then the canonical names of what is met and from where. Neither comes before the other only if the same
- * is met from the same place: then the caller's order of edges and faces counts. */
+/** Whether `a` counts before `b` when a vertex goes from p to p' and they are contacts of any of its edges and faces:
+ * by exact time, then kind, then the canonical names of what is met and from where. Neither comes before the other only
+ * if the same is met from the same place: then the caller's order of edges and faces counts. */
 template <int D>
 bool comes_before(const Map<D>& map, const double* p, const double* to, const SweepContact& a,
                   const SweepContact& b) noexcept;

@@ -5,8 +5,8 @@
 
 namespace dsw {
 
-/** A cell of any dimension, named by a cell of full dimension and a number in its shape: vertex, edge (in space), facet; none for the
- * cell itself. */
+/** A cell of any dimension, named by a cell of full dimension and a number in its shape: vertex, edge (in space),
+ * facet; none for the cell itself. */
 struct FeatureRef {
   int dimension = 0;
   Cell cell;

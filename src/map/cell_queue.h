@@ -22,7 +22,8 @@ class CellQueue {
     if (2 * cells_.size() >= slots_.size()) grow();
   }
 
-  /** Last in, first out, so that no chain is broken before its end is gone; what a large flood left behind is not swept. */
+  /** Last in, first out, so that no chain is broken before its end is gone; what a large flood left behind is not
+   * swept. */
   void clear() {
     for (; !cells_.empty(); cells_.pop_back()) slots_[slot_of(cells_.back())] = kNoCell;
   }
@@ -44,8 +45,8 @@ class CellQueue {
   Array<uint32_t> slots_;  // their units by hash, linear probing; kNoCell is empty
 };
 
-/** Adds to `around` the cells that can be reached from those in it through facets at a vertex, passable or not; visit(cell) is called for
- * all. Where a boundary is pinched there can be others at the vertex. Throws std::bad_alloc. */
+/** Adds to `around` the cells that can be reached from those in it through facets at a vertex, passable or not;
+ * visit(cell) is called for all. At a pinched boundary there can be others. Throws std::bad_alloc. */
 template <int D, class Visit>
 void for_each_cell_at_vertex(const Map<D>& map, uint32_t vertex, CellQueue& around, Visit visit) {
   for (size_t i = 0; i < around.size(); ++i) {

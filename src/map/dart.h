@@ -1,8 +1,8 @@
 #pragma once
-// Darts and the involutions that link them, for code that follows orbits; casts work on half-facets and never come here.
-// In space: beta1 next in face, beta2 other face of the same volume, beta3 other volume of the same face. In the plane:
-// beta1 next in face, beta2 other face of the same edge. The last of them, which crosses a facet, is `cross`; at the
-// outer boundary it is missing, and cross answers with an invalid cell.
+// Darts and the involutions that link them, for code that follows orbits; casts work on half-facets and never come
+// here. In space: beta1 next in face, beta2 other face of the same volume, beta3 other volume of the same face. In the
+// plane: beta1 next in face, beta2 other face of the same edge. The last of them, which crosses a facet, is `cross`; at
+// the outer boundary it is missing, and cross answers with an invalid cell.
 
 #include "map/map.h"
 
@@ -48,8 +48,9 @@ inline Dart beta2(const Map<3>& map, Dart d) { return {d.cell, map.shape(d.cell)
 inline Dart beta2(const Map<2>& map, Dart d) { return cross(map, d); }
 inline Dart beta3(const Map<3>& map, Dart d) { return cross(map, d); }
 
-/** The dart of the cell's other facet at a ridge. In space that is beta2, of the same edge; in the plane the ridge is the vertex where `d` starts, and
- * the other side ends there. On its far side `cross` finds a dart of the same ridge in the next cell round it. */
+/** The dart of the cell's other facet at a ridge. In space that is beta2, of the same edge; in the plane the ridge is
+ * the vertex where `d` starts, and the other side ends there. On its far side `cross` finds a dart of the same ridge in
+ * the next cell round it. */
 template <int D>
 Dart across_ridge(const Map<D>& map, Dart d) {
   const Shape shape = map.shape(d.cell);
@@ -67,8 +68,8 @@ void for_each_edge_both_ways(const Map<D>& map, Cell c, Visit visit) {
   }
 }
 
-/** Calls visit(dart) for one dart of every volume round the edge of `d`, starting at `d`: on through beta3 o beta2 until it
- * closes or meets the outer boundary, then from `d` the other way. Stops when visit returns false. */
+/** Calls visit(dart) for one dart of every volume round the edge of `d`, starting at `d`: on through beta3 o beta2
+ * until it closes or meets the outer boundary, then from `d` the other way. Stops when visit returns false. */
 template <class Visit>
 void for_each_volume_round_edge(const Map<3>& map, Dart d, Visit visit) {
   Dart e = d;

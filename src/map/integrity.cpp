@@ -1,5 +1,5 @@
-// Checked in an order in which nothing is followed before it is known to be sound: shapes, then records and the tables that
-// find them, then links.
+// Checked in an order in which nothing is followed before it is known to be sound: shapes, then records and the tables
+// that find them, then links.
 
 #include "map/integrity.h"
 
@@ -15,8 +15,8 @@ namespace {
 
 uint32_t side_key(uint32_t from, uint32_t to) { return from << 16 | to; }
 
-/** Whether the triangles of facet f fill its loop: they have each of its darts for a side, and every other side twice, once
- * in either direction. As there are two less than vertices, that leaves no room for anything but a disc. */
+/** Whether the triangles of facet f fill its loop: they have each of its darts for a side, and every other side twice,
+ * once in either direction. As there are two less than vertices, that leaves no room for anything but a disc. */
 bool fills_loop(const Shape& shape, uint32_t f, Array<uint32_t>& sides, Array<uint32_t>& darts) {
   sides.clear();
   darts.clear();
@@ -162,8 +162,8 @@ bool shared_shapes_sound(const Map<D>& map) {
   return true;
 }
 
-/** Of a map that has changed: what is free is in the lists of what is free. Records are sound; `records` of them and `shapes` of
- * their shapes are free. */
+/** Of a map that has changed: what is free is in the lists of what is free. Records are sound; `records` of them and
+ * `shapes` of their shapes are free. */
 template <int D>
 const char* check_free(const Map<D>& map, size_t records, size_t shapes) {
   const auto units_of_free = [&](uint32_t unit) {
@@ -208,7 +208,7 @@ const char* check_slots(const Map<D>& map) {
   return nullptr;
 }
 
-/** Records follow each other without gaps and the tables say where; before the first change also in the order of cells. */
+/** Records follow each other without gaps and the tables say where; before the first change in the order of cells. */
 template <int D>
 const char* check_records(const Map<D>& map) {
   const uint64_t units = map.words.size() / kUnitWords<D>;

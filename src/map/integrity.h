@@ -10,9 +10,9 @@ namespace dsw {
 template <int D>
 const char* check_integrity(const Map<D>& map);
 
-/** Length of the shape table that starts at `table`, of which `available` words may be read; 0 when it is not sound: not
- * what append_polyhedron (in the plane append_polygon) makes of its loops, with any triangles that fill them. `scratch` is
- * overwritten. */
+/** Length of the shape table that starts at `table`, of which `available` words may be read; 0 when it is not sound:
+ * not what append_polyhedron (in the plane append_polygon) makes of its loops, with any triangles that fill them.
+ * `scratch` is overwritten. */
 template <int D>
 size_t sound_table_length(const uint16_t* table, size_t available, Array<uint16_t>& scratch);
 

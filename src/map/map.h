@@ -1,16 +1,17 @@
 #pragma once
 // The combinatorial map: cells as records in one array of 32-bit words, linked facet to facet.
 //
-// Records are made of units of 2 (D + 1) words and start on one: a simplex fills a unit. Word 0 of every unit that can be pointed at tells
-// what it is: bit 31 the cell's own impassable mark, bits 28 to 30 its Form; of the rest a simplex keeps the index of its
-// vertex 0, any other form bit 27 "convex with flat facets" and in bits 0 to 26 its cuts or its shape number.
+// Records are made of units of 2 (D + 1) words and start on one: a simplex fills a unit. Word 0 of every unit that can
+// be pointed at tells what it is: bit 31 the cell's own impassable mark, bits 28 to 30 its Form; of the rest a simplex
+// keeps the index of its vertex 0, any other form bit 27 "convex with flat facets" and in bits 0 to 26 its cuts or its
+// shape number.
 //   simplex            1 unit:  w0..wD vertices, then as many links of facets
 //   pyramid .. box     2 units: links at the end of the first, vertices from the second on
-//   general            links, then vertices, in all words but word 0 of its units, vertices in space from a new unit on; word 0
-//                      of every unit but the first is a continuation that counts back to the first
-//   free               units that a cell has left: their number in bits 0 to 26, in w1 the next free record of that size
-// A facet of a cell (a "half-facet") is named by the address of its link word, which is why a link needs no decoding: it is
-// the address of the half-facet on the other side, with bit 31 for the facet's own mark. kNoFacet: the outer boundary.
+//   general            links, then vertices, in all words but word 0 of its units, vertices in space from a new unit
+//                      on; word 0 of every unit but the first is a continuation that counts back to the first
+//   free               units that a cell has left: their number in bits 0 to 26, in w1 the next free one of that size
+// A facet of a cell (a "half-facet") is named by the address of its link word, so a link needs no decoding: it is the
+// address of the half-facet on the other side, with bit 31 for the facet's own mark. kNoFacet: the outer boundary.
 // Nothing else is stored: beta1 and beta2 come from the shape, beta3 from the link.
 
 #include <cstdint>

@@ -86,7 +86,8 @@ struct FacetLoops {
   uint32_t vertex_count;
 };
 
-/** Begins a table that no cell has; the two words after it lead to the next of its length. No shape has so many vertices. */
+/** Begins a table that no cell has; the two words after it lead to the next of its length. No shape has so many
+ * vertices. */
 constexpr uint16_t kFreeShape = 0xffff;
 
 /** Why loops do not make a shape. */
@@ -96,7 +97,7 @@ enum class ShapeDefect { kNone, kTooLarge, kShortFacet, kRepeatedVertex, kOpen, 
  * `tables` is as before. */
 ShapeDefect append_polyhedron(const FacetLoops& loops, const uint16_t* base, Array<uint16_t>& tables);
 
-/** Cuts a facet of a polyhedron table anew, into the given triangles: three local vertices each, oriented as the facet. */
+/** Cuts a facet of a polyhedron table into the given triangles: three local vertices each, oriented as the facet. */
 void set_triangles(uint16_t* table, uint32_t facet, const uint16_t* triangles);
 
 /** Table of a standard form in space; bit f of `cuts` says that quad facet number f (in the order of facets, triangles

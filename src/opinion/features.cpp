@@ -69,7 +69,8 @@ bool is_at_contact(const Hull& hull) {
   return true;
 }
 
-/** Makes the obstacle as large as 1, and the body with it. libccd does not survive features that are not where they touch. */
+/** Makes the obstacle as large as 1, and the body with it. libccd does not survive features that are not where they
+ * touch. */
 NoFeatures rescale(const Frame& frame, Features& features) {
   double size = 0;
   for (const double x : features.obstacle.points) size = std::max(size, std::fabs(x));
@@ -222,7 +223,7 @@ double inside_by(const Triangle& t) {
   return least;
 }
 
-/** The obstacle behind a wall: its volume where that is convex, else the tetrahedron over one of the wall's triangles. */
+/** The obstacle behind a wall: its volume where that is convex, else the tetrahedron over one of its triangles. */
 void add_behind(const Environment<3>& env, const Frame& frame, HalfFacet wall, const Triangle& t, Hull& hull) {
   const HalfFacet other = env.map.opposite(wall);
   const Cell behind = other.valid() ? env.map.cell_of(other) : Cell{};

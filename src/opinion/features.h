@@ -1,6 +1,6 @@
 #pragma once
-// The two convex features of a contact, ready for a test of how deep one lies in the other: seen from the contact point, of unit
-// size, the body's one pushed in against the normal.
+// The two convex features of a contact, ready for a test of how deep one lies in the other: seen from the contact
+// point, of unit size, the body's one pushed in against the normal.
 
 #include "environment/environment.h"
 
@@ -38,7 +38,7 @@ struct Features {
   double unit = 0;  // length of 1, scene units
 };
 
-/** Both features; the body's is where it touches, not yet pushed in. May throw std::bad_alloc. O(cells round the edge). */
+/** Both features; the body's is where it touches, not yet pushed in. Throws std::bad_alloc. O(cells round the edge). */
 NoFeatures find_features(const Environment<3>& env, const Touch& touch, Features& features);
 
 /** The point of a hull that lies farthest in a direction. */

@@ -18,8 +18,8 @@ static_assert(std::is_same_v<ccd_real_t, double>, "libccd must be built for doub
 constexpr unsigned long kMostIterations = 200;
 constexpr uint32_t kMostCalls = 1000;  // of both support functions; ordinary contacts take below a hundred
 
-/** libccd compares products of the depth with its tolerance, and squares of it with the machine's epsilon. At this size of
- * features both leave room below a depth of 1e-6 of them. */
+/** libccd compares products of the depth with its tolerance, and squares of it with the machine's epsilon. At this size
+ * of features both leave room below a depth of 1e-6 of them. */
 constexpr double kSize = 64;
 constexpr double kTolerance = 1e-13;
 

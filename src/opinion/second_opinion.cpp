@@ -11,8 +11,8 @@ namespace {
 /** How deep to push in, of the features' size. At exact touch libccd's normals are noise. */
 constexpr double kDepths[] = {1e-6, 1e-5};
 
-/** By how much of that depth features that only touch may seem to overlap along a normal of theirs. Where libccd's way out is no
- * normal in this sense it leads through something near, not through the contact. */
+/** By how much of that depth features that only touch may seem to overlap along a normal of theirs. Where libccd's way
+ * out is no normal in this sense it leads through something near, not through the contact. */
 constexpr double kSlack = 1e-2;
 
 /** Normals farther apart than this, radians, are two. If both are normals the contact is at the border of a feature. */

@@ -1,6 +1,6 @@
-// A vertex against faces, edges against edges and faces against vertices find every first touch, since what stands apart first
-// touches with the boundary of one of both; in the plane a vertex against edges and edges against vertices. Vertices without edges are
-// edges of no length.
+// A vertex against faces, edges against edges and faces against vertices find every first touch, since what stands
+// apart first touches with the boundary of one of both; in the plane a vertex against edges and edges against vertices.
+// Vertices without edges are edges of no length.
 
 #include "pairs/pair_sweep.h"
 
@@ -50,9 +50,10 @@ class StarTouches {
     return go_on;
   }
 
-  // Of its own parts, on the way into another vertex k. The path lies on edge v k, which was apart from all that has no vertex in common;
-  // that edge and the faces at it only shrink. The other edges v q sweep triangles v k q: what has a vertex in common with that
-  // starts there, and enters it only if it ends inside, or leaves it through a side that was apart from it. Faces sweep tetrahedra.
+  // Of its own parts, on the way into another vertex k. The path lies on edge v k, which was apart from all that has no
+  // vertex in common; that edge and the faces at it only shrink. The other edges v q sweep triangles v k q: what has a
+  // vertex in common with that starts there, and enters it only if it ends inside, or leaves it through a side that was
+  // apart from it. Faces sweep tetrahedra.
   bool merge() {
     if (!covers_edges(body_.level)) {
       return body_.boxes[0].vertices.visit(path_box(), [&](uint32_t w) {

@@ -1,5 +1,6 @@
 #pragma once
-// What of other bodies, or of its own, a body touches when one of its vertices moves and everything else stands still [JCD10] 4.4.
+// What of other bodies, or of its own, a body touches when one of its vertices moves and everything else stands still
+// [JCD10] 4.4.
 
 #include "pairs/partners.h"
 #include "predicates/touch.h"
@@ -23,12 +24,13 @@ struct PairContact {
 template <int D>
 bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept;
 
-/** Whether vertex v can go to `into`, the other end of one of its edges, and become one with it. noexcept as is_way_apart. */
+/** Whether vertex v can go to `into`, the other end of one of its edges, and become one with it. noexcept as
+ * is_way_apart. */
 template <int D>
 bool is_merge_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, uint32_t into) noexcept;
 
-/** What is touched first on that way. Of equal times, as they are rounded, the vertex before edges before faces, then the other
- * body with the lowest index and of its parts vertices before edges before faces, all by index. */
+/** What is touched first on that way. Of equal times, as they are rounded, the vertex before edges before faces, then
+ * the other body with the lowest index and of its parts vertices before edges before faces, all by index. */
 template <int D>
 bool find_first_pair(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to,
                      PairContact<D>* first) noexcept;

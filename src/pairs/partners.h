@@ -36,25 +36,25 @@ struct Corner {
   uint32_t vertex;
 };
 
-/** Whether a segment of a body, of which both ends may be one, touches none of the partners. `replaced` is an edge of the body that the
- * segment is to take the place of, with others: this edge and the faces at it are not looked at. */
+/** Whether a segment of a body, of which both ends may be one, touches none of the partners. `replaced` is an edge of
+ * the body that the segment is to take the place of, with others: this edge and the faces at it are not looked at. */
 template <int D>
 bool is_segment_apart(const Partners<D>& partners, const Body<D>& body, const Corner& a, const Corner& b,
                       uint32_t replaced = kNone) noexcept;
 /** Whether the inside of a triangle in space does; that of its edges is known. */
 bool is_triangle_apart(const Partners<3>& partners, const Body<3>& body, const Corner* corners) noexcept;
-/** Whether the inside of a tetrahedron does, in the plane that of a triangle; that of its boundary is known. `own`: D vertices of the
- * body that are corners of the solid. */
+/** Whether the inside of a tetrahedron does, in the plane that of a triangle; that of its boundary is known. `own`: D
+ * vertices of the body that are corners of the solid. */
 template <int D>
 bool is_solid_apart(const Partners<D>& partners, const Body<D>& body, const SolidMotion<D>& swept,
                     const uint32_t* own) noexcept;
-/** Whether no partner touches what an edge and the faces at it sweep when the edge is bent to pass through `point`, and what they are
- * then. Of its own parts the body meets those with no vertex in common with the part that sweeps. */
+/** Whether no partner touches what an edge and the faces at it sweep when the edge is bent to pass through `point`, and
+ * what they are then. Of its own parts the body meets those with no vertex in common with the part that sweeps. */
 template <int D>
 bool is_bend_apart(const Partners<D>& partners, const Body<D>& body, uint32_t edge, const double* point) noexcept;
 
-/** Looks at all that a level covers of a body; calls blocked(a, b) with two vertices of each part that is not apart until it returns
- * false. Whether all of it is apart. O(size of the body + what is near). */
+/** Looks at all that a level covers of a body; calls blocked(a, b) with two vertices of each part that is not apart
+ * until it returns false. Whether all of it is apart. O(size of the body + what is near). */
 template <int D, class Blocked>
 bool is_body_apart(const Partners<D>& partners, const Body<D>& body, SweepLevel level, Blocked blocked) {
   const auto corner = [&](uint32_t v) { return Corner{body.position(v), v}; };

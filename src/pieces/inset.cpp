@@ -1,7 +1,8 @@
-// A vertex drawn along d leaves all triangles at it behind if d points behind each of them. Of all such directions the one that is farthest
-// from being along a triangle is opposite to the point nearest to the origin of the convex hull of their unit normals, which is found as
-// by Gilbert, Johnson and Keerthi ("A fast procedure for computing the distance", 1988). Where there is no such direction, as at a
-// saddle, that to the middle of the cells can still do: the better of the two comes first.
+// A vertex drawn along d leaves all triangles at it behind if d points behind each of them. Of all such directions the
+// one that is farthest from being along a triangle is opposite to the point nearest to the origin of the convex hull of
+// their unit normals, which is found as by Gilbert, Johnson and Keerthi ("A fast procedure for computing the distance",
+// 1988). Where there is no such direction, as at a saddle, that to the middle of the cells can still do: the better of
+// the two comes first.
 
 #include "pieces/inset.h"
 
@@ -50,7 +51,8 @@ struct Nearest {
   }
 };
 
-/** Opposite to the nearest point of the normals' hull. It comes nearer in every round, and there are few that it can be. */
+/** Opposite to the nearest point of the normals' hull. It comes nearer in every round, and there are few that it can
+ * be. */
 Vec away_from(const Vec* normals, size_t count) {
   Nearest nearest;
   nearest.look_at(normals[0]);

@@ -10,8 +10,9 @@ class Inset {
   /** Throws std::bad_alloc. O(size of the piece). */
   Inset(const Environment<3>& env, const Piece& piece, const PieceSurface& surface);
 
-  /** The `attempt`-th place that a vertex can be drawn to, from 0 on: `share` of the shortest edge there in two directions, then half of
-   * that, twice as much, a quarter, ... False if it is too far, or in no cell of the piece at the vertex. */
+  /** The `attempt`-th place that a vertex can be drawn to, from 0 on: `share` of the shortest edge there in two
+   * directions, then half of that, twice as much, a quarter, ... False if it is too far, or in no cell of the piece at
+   * the vertex. */
   bool place(uint32_t vertex, uint32_t attempt, double share, double* position, Cell* cell) const;
   /** Where it is before, rounded. */
   void origin(uint32_t vertex, double* position) const;

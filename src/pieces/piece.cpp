@@ -1,6 +1,6 @@
-// The other side of a crack has the same vertices, so it is looked for among cells that share some with the crack: from the piece on
-// through facets, round the crack's rim. What that can't reach (a piece that is cut out all round) is told by the number of cells that
-// a vertex has; only then all cells are looked at.
+// The other side of a crack has the same vertices, so it is looked for among cells that share some with the crack: from
+// the piece on through facets, round the crack's rim. What that can't reach (a piece that is cut out all round) is told
+// by the number of cells that a vertex has; only then all cells are looked at.
 
 #include "pieces/piece.h"
 

@@ -8,8 +8,8 @@ namespace dsw {
 
 class Piece {
  public:
-  /** All that hangs together with `start`. Throws BAD_TOPOLOGY if that is passable, TOO_LARGE where it is more than `most` cells,
-   * INVALID_CELL where one of them is, and std::bad_alloc. The map is ready to change. */
+  /** All that hangs together with `start`. Throws BAD_TOPOLOGY if that is passable, TOO_LARGE where it is more than
+   * `most` cells, INVALID_CELL where one of them is, and std::bad_alloc. The map is ready to change. */
   Piece(const Environment<3>& env, Cell start, size_t most);
 
   size_t size() const { return cells_.size(); }

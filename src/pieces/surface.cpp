@@ -1,6 +1,6 @@
-// Facets that follow each other round an edge, inside of the piece, are neighbours: so an edge has two triangles, also where the piece
-// touches itself there, and what is round a vertex falls into fans. Two edges can then still have the same ends; all but one of
-// them are split in the middle.
+// Facets that follow each other round an edge, inside of the piece, are neighbours: so an edge has two triangles, also
+// where the piece touches itself there, and what is round a vertex falls into fans. Two edges can then still have the
+// same ends; all but one of them are split in the middle.
 
 #include "pieces/surface.h"
 
@@ -70,8 +70,8 @@ class Net {
     const uint32_t f = facet_of(k);
     return k + 1 == first_[f + 1] ? first_[f] : k + 1;
   }
-  /** The dart of the same edge in the next facet of the surface, on round the edge inside of the piece. It ends: this orbit is a chain
-   * between two such facets. */
+  /** The dart of the same edge in the next facet of the surface, on round the edge inside of the piece. It ends: this
+   * orbit is a chain between two such facets. */
   uint32_t find_partner(Dart d) const {
     Dart e = beta2(map_, d);
     while (!piece_.is_surface(half_facet(map_, e))) e = beta2(map_, across(e));

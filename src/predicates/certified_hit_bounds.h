@@ -1,16 +1,16 @@
 // The bounds of certified_hit, and its last step. Private to this folder.
 //
-// Let u = 2^-53; S_k = |e1_i e2_j| + |e1_j e2_i| for component k of n = e1 x e2; m_k the largest |component| on axis k of
-// e1, e2, a-p, q-p, and M = mx my mz. Differences of doubles are exact as two doubles. Then
-//   n_k: two products (8u^2 each of its own size), an exact difference of the high parts, low parts below 6.02u S_k summed
-//        in two additions:                                       error < 22u^2 S_k, |n_k| <= S_k(1 + u)
-//   n.w: the errors of n_k, three products of 8u^2, exact sums of the high parts, low parts below 5.1u in four additions:
-//        3 * 22u^2 * 2M + 28u^2 * 3 * 2M                         error < 301u^2 M
+// Let u = 2^-53; S_k = |e1_i e2_j| + |e1_j e2_i| for component k of n = e1 x e2; m_k the largest |component| on axis k
+// of e1, e2, a-p, q-p, and M = mx my mz. Differences of doubles are exact as two doubles. Then
+//   n_k: two products (8u^2 each of its own size), an exact difference of the high parts, low parts below 6.02u S_k
+//        summed in two additions:                                       error < 22u^2 S_k, |n_k| <= S_k(1 + u)
+//   n.w: the errors of n_k, three products of 8u^2, exact sums of the high parts, low parts below 5.1u in four
+//        additions: 3 * 22u^2 * 2M + 28u^2 * 3 * 2M                         error < 301u^2 M
 // With roundings in M and S_k themselves: kTimeError = 320u^2 and kNormalError = 24u^2. Products of numbers in
-// [2^-140, 2^160] that underflow add less than 2^-740, against u^2 M > 2^-526; S_k is tested against 2^-500 for the same
-// reason.
-//   t = N/d: quotient of the high parts, residual N - t0 d with an error below 9u^2 N, its quotient by the high part of d
-//        (6u^2), and the sum: 15u^2, called 32u^2 t. With E the error of N and d, t <= 1:  error < 2.01 E / d + 32u^2.
+// [2^-140, 2^160] that underflow add less than 2^-740, against u^2 M > 2^-526; S_k is tested against 2^-500 for
+// the same reason.
+//   t = N/d: quotient of the high parts, residual N - t0 d with an error below 9u^2 N, its quotient by the high part of
+//        d (6u^2), and the sum: 15u^2, called 32u^2 t. E the error of N and d, t <= 1:  error < 2.01 E / d + 32u^2.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// certified_hit.cpp with the three axes side by side; see there for the bounds, which hold here too: the expressions are the
-// same, and fused operations leave roundings out.
+// certified_hit.cpp with the three axes side by side; see there for the bounds, which hold here too: the expressions
+// are the same, and fused operations leave roundings out.
 #include "predicates/certified_hit.h"
 
 #include "base/target.h"

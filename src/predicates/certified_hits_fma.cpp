@@ -1,5 +1,5 @@
-// certified_hit.cpp for four flights, a lane for each, down to the unit normal; see there for the bounds, which hold here too: the
-// expressions are the same, and fused operations leave roundings out.
+// certified_hit.cpp for four flights, a lane for each, down to the unit normal; see there for the bounds, which hold
+// here too: the expressions are the same, and fused operations leave roundings out.
 #include "predicates/certified_hit.h"
 
 #include "base/target.h"

@@ -1,8 +1,8 @@
 // Numbers as unevaluated sums of two doubles, |low| <= half an ulp of high. Private to this folder.
 //
 // Sources: T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971); M.
-// Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building blocks of double-word arithmetic,
-// ACM TOMS 44 (2017). The bounds that matter here are derived where they are used.
+// Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building blocks of double-word
+// arithmetic, ACM TOMS 44 (2017). The bounds that matter here are derived where they are used.
 #pragma once
 
 namespace dsw {

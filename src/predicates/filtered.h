@@ -219,8 +219,8 @@ inline ShiftedSign line_side(const double* p, const double* q, const double* con
   return filter::count(exact::line_side<D>(p, q, ridge), true, tally);
 }
 
-// Sign of how body segment p->q passes ridge k of a simplex: +1 on the simplex's side for one that pierces it outwards. In space the ridge
-// is the edge from corner k to the next, in the plane corner k.
+// Sign of how body segment p->q passes ridge k of a simplex: +1 on the simplex's side for one that pierces it outwards.
+// In space the ridge is the edge from corner k to the next, in the plane corner k.
 template <int D, class Tally>
 inline int ridge_side(const double* p, const double* q, const double* const (&simplex)[D], int k,
                       Tally&& tally) noexcept {

@@ -1,5 +1,5 @@
-// Times and normals: double-double where its bound leaves one answer, else the exact integers of the predicates, which also
-// settle times that are doubles themselves. Both give the same bits.
+// Times and normals: double-double where its bound leaves one answer, else the exact integers of the predicates, which
+// also settle times that are doubles themselves. Both give the same bits.
 #include "predicates/plane_hit.h"
 
 #include <algorithm>

@@ -19,8 +19,8 @@ class PointBox {
     }
   }
 
-  // A bit for each side of the box that v lies strictly beyond: no shift brings them together. Points with a bit in common do
-  // not meet what is in the box, nor does anything between them.
+  // A bit for each side of the box that v lies strictly beyond: no shift brings them together. Points with a bit in
+  // common do not meet what is in the box, nor does anything between them.
   std::uint32_t beyond(const double* v) const noexcept {
     std::uint32_t bits = 0;
     for (int k = 0; k < D; ++k) {

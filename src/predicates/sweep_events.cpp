@@ -88,8 +88,9 @@ int sign_of_denominator(const Coefficients<R, D>& c) noexcept {
   return c.d0.sign() != 0 ? c.d0.sign() : c.d.first_sign();
 }
 
-// N_a D_b - N_b D_a as a polynomial in e, where s = (e, e^2, e^3), or (e, e^2): sign of its first coefficient that is not 0. Axes have one
-// scale here, 2^g, so that coefficients with one component of s want a factor 2^g and those with two 2^2g.
+// N_a D_b - N_b D_a as a polynomial in e, where s = (e, e^2, e^3), or (e, e^2): sign of its first coefficient that is
+// not 0. Axes have one scale here, 2^g, so that coefficients with one component of s want a factor 2^g and those with
+// two 2^2g.
 template <int D>
 int compare_shifted(const Coefficients<Large, D>& a, const Coefficients<Large, D>& b, int g) noexcept {
   const auto product = [](const auto& x, const auto& y) { return wide(x) * wide(y); };
@@ -138,8 +139,8 @@ template <int D>
 }
 
 // The filter: as that of compare_times. In space L is one determinant for p and one for p', of an error below 50uM each
-// (filter_bounds.h), M over the vectors of both, and one rounded difference of values below 6.1M: 113uM for numerator and
-// denominator. In the plane these are 10uM and 2.1M: 25uM.
+// (filter_bounds.h), M over the vectors of both, and one rounded difference of values below 6.1M: 113uM for numerator
+// and denominator. In the plane these are 10uM and 2.1M: 25uM.
 template <int D>
 constexpr double kTurnFilter = (D == 3 ? 113 : 25) * kUnitRoundoff;
 
@@ -200,8 +201,8 @@ ShiftedSign compare_events(const double* p, const double* to, const SweepEvent& 
 
 namespace {
 
-// What all kinds of events are without the shift: p passes the plane of three points, in the plane the line of two, turned so that it
-// passes it outwards. False where a filter does not see it pass.
+// What all kinds of events are without the shift: p passes the plane of three points, in the plane the line of two,
+// turned so that it passes it outwards. False where a filter does not see it pass.
 template <int D>
 bool plane_passed(const double* p, const double* to, const SweepEvent& event, const double* (&plane)[D]) noexcept {
   std::copy_n(event.points, D, plane);

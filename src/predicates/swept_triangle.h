@@ -1,5 +1,6 @@
-// The triangle that an edge sweeps against many points and lines of the environment: what depends on it alone is computed
-// once. Filters as in filter_bounds.h, whose proof allows any row of a determinant to come first; then exact.h.
+// The triangle that an edge sweeps against many points and lines of the environment: what depends on it alone is
+// computed once. Filters as in filter_bounds.h, whose proof allows any row of a determinant to come first; then
+// exact.h.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +38,8 @@ class SweptTriangle {
     return swept_side(m_, v).sign;
   }
 
-  // Where line a b, with b on side `side_of_b` and a on the other, pierces the plane: a bit for each side of the triangle,
-  // p p', p' q and q p, that has it outside. 0: inside of the triangle.
+  // Where line a b, with b on side `side_of_b` and a on the other, pierces the plane: a bit for each side of the
+  // triangle, p p', p' q and q p, that has it outside. 0: inside of the triangle.
   std::uint32_t outside(const double* a, const double* b, int side_of_b) const noexcept {
     const filter::Vec<3> a_start = filter::difference<3>(a, m_.p), b_start = filter::difference<3>(b, m_.p);
     const filter::Vec<3> a_end = filter::difference<3>(a, m_.to), b_end = filter::difference<3>(b, m_.to);

@@ -1,6 +1,6 @@
-// Everything is an orientation without the shift, in space or, for what lies in a plane, along an axis along which the plane is not seen
-// edge-on. Every time is that of a vertex passing a plane: planes through what lies in a plane or line get points beside it. Those
-// beside a plane have no part in the plane's own dimension.
+// Everything is an orientation without the shift, in space or, for what lies in a plane, along an axis along which the
+// plane is not seen edge-on. Every time is that of a vertex passing a plane: planes through what lies in a plane or
+// line get points beside it. Those beside a plane have no part in the plane's own dimension.
 #include "predicates/touch.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Whether and when closed simplices of bodies touch. Both are shifted alike, so the shift cancels and does not enter: touching
-// counts, also where everything lies in one plane or line. A vertex goes from p to p' (`to`), the rest of its body stays; times are
-// the largest doubles not above the exact ones, for any finite input.
+// Whether and when closed simplices of bodies touch. Both are shifted alike, so the shift cancels and does not enter:
+// touching counts, also where everything lies in one plane or line. A vertex goes from p to p' (`to`), the rest of its
+// body stays; times are the largest doubles not above the exact ones, for any finite input.
 #pragma once
 
 #include "predicates/sweep_events.h"
@@ -33,12 +33,12 @@ EdgeTouch path_touch(const double* p, const double* to, const double* a, const d
 // The first time at which the moving vertex is on triangle a b c, if it does not start there.
 double vertex_touch(const double* p, const double* to, const double* const* triangle) noexcept;
 
-// The first time at which edge p(t) q touches segment a b, if it does not at the start. a and b may be one point; so may p and q:
-// then the vertex alone moves.
+// The first time at which edge p(t) q touches segment a b, if it does not at the start. a and b may be one point; so
+// may p and q: then the vertex alone moves.
 EdgeTouch edge_touch(const EdgeMotion& m, const double* a, const double* b) noexcept;
 
-// The first time at which point v is on face p(t) q r, in the plane on edge p(t) q. Nothing where p, p', q, r lie in one plane, or p, p', q
-// in one line: its edges, or the path, touch v then.
+// The first time at which point v is on face p(t) q r, in the plane on edge p(t) q. Nothing where p, p', q, r lie in
+// one plane, or p, p', q in one line: its edges, or the path, touch v then.
 template <int D>
 double solid_touch(const SolidMotion<D>& m, const double* v) noexcept;
 

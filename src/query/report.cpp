@@ -29,8 +29,8 @@ dsw_outcome outcome_of(CastEnd end) noexcept {
                                   : DSW_OUTCOME_WORK_LIMIT;
 }
 
-/** What every report of a free cast holds, and the rest of one that reached its target. Every member once: cleared first,
- * it takes twice as many stores. */
+/** What every report of a free cast holds, and the rest of one that reached its target. Every member once: cleared
+ * first, it takes twice as many stores. */
 template <int D>
 void report_arrival(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
                     dsw_flight* flight) noexcept {

@@ -10,8 +10,8 @@
 
 namespace dsw {
 
-/** All zero. Copied in words, because GCC 12 makes a string instruction of clearing it, which takes longer than a cast in
- * one cell. */
+/** All zero. Copied in words, because GCC 12 makes a string instruction of clearing it, which takes longer than a cast
+ * in one cell. */
 inline void clear(dsw_flight* flight) noexcept {
   static const dsw_flight kZero{};
   std::memcpy(flight, &kZero, 56);
@@ -23,8 +23,8 @@ template <int D>
 void report_cast(const Environment<D>& env, const CastRequest& request, const CastResult& result, bool detail,
                  dsw_flight* flight) noexcept;
 
-/** Reports of a packet of free casts. First as if all had reached their targets, then those that did not: their work overlaps
- * when it is not scattered. */
+/** Reports of a packet of free casts. First as if all had reached their targets, then those that did not: their work
+ * overlaps when it is not scattered. */
 template <int D>
 void report_packet(const Environment<D>& env, const Packet<D>& packet, bool detail,
                    dsw_flight* const* flights) noexcept;

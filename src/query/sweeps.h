@@ -16,8 +16,8 @@ struct SweepOptions {
   bool start_free = false;   // the edges are free where they start
 };
 
-/** Sweeps edges from[i] fixed[i] to to[i] fixed[i]; `starts` may be null. Throws when memory runs out; `sweeps` is undefined
- * then. */
+/** Sweeps edges from[i] fixed[i] to to[i] fixed[i]; `starts` may be null. Throws when memory runs out; `sweeps` is
+ * undefined then. */
 template <int D>
 void sweep_edges(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                  PointArray from, PointArray to, PointArray fixed, const SweepOptions& options, dsw_sweep* sweeps);

@@ -1,5 +1,6 @@
-// A patch starts with an invalid cell and grows by the neighbour that leaves the fewest triangles to be seen from their wrong side. Where
-// a vertex has gone too far that takes in the cells round it one after the other, until it is inside and vanishes.
+// A patch starts with an invalid cell and grows by the neighbour that leaves the fewest triangles to be seen from their
+// wrong side. Where a vertex has gone too far that takes in the cells round it one after the other, until it is inside
+// and vanishes.
 
 #include "remesh/mending.h"
 
@@ -211,8 +212,8 @@ bool Mending::grow(Cell seed, uint32_t first) {
   return grow(seed, first, Aim::kTetrahedra) || grow(seed, first, Aim::kOneCell);
 }
 
-/** Makes grown_ a patch that can be filled. It grows by the neighbour that is best for an aim; `first`: across this facet of the seed
- * to begin with, counted from 1, or 0. */
+/** Makes grown_ a patch that can be filled. It grows by the neighbour that is best for an aim; `first`: across this
+ * facet of the seed to begin with, counted from 1, or 0. */
 bool Mending::grow(Cell seed, uint32_t first, Aim aim) {
   if (!start(seed)) return false;
   for (uint32_t least = kUnknown, since = 0;;) {

@@ -27,16 +27,16 @@ bool is_valid_with(Environment<3>& env, const double* points, Cell c) noexcept;
 
 class Mending {
  public:
-  /** `next`: positions in which cells have to be valid besides the present ones, or null. Makes the map ready to change. Throws
-   * std::bad_alloc, as all that follows. */
+  /** `next`: positions in which cells have to be valid besides the present ones, or null. Makes the map ready to
+   * change. Throws std::bad_alloc, as all that follows. */
   Mending(Environment<3>& env, const double* next, const MendSettings& settings);
 
   /** Wants a cell mended, if it is invalid now or next. */
   void want(Cell c);
   /** Likewise all that are. O(cells). */
   void want_all();
-  /** Looks for what mends them, the lowest index first, and prepares an edit that does; none if nothing was found. Throws as
-   * Edit::prepare, but for what is wrong with cells. */
+  /** Looks for what mends them, the lowest index first, and prepares an edit that does; none if nothing was found.
+   * Throws as Edit::prepare, but for what is wrong with cells. */
   void prepare(std::optional<Edit<3>>& edit);
   const MendRecord& record() const noexcept { return record_; }
 

@@ -1,5 +1,5 @@
-// One vertex from which the whole rim is seen makes an edge collapse of the cells round a vertex, a flip of those round an edge, and cuts
-// a large cell into tetrahedra. All of these are one thing here.
+// One vertex from which the whole rim is seen makes an edge collapse of the cells round a vertex, a flip of those round
+// an edge, and cuts a large cell into tetrahedra. All of these are one thing here.
 
 #include "remesh/patch.h"
 
@@ -193,7 +193,8 @@ uint32_t fill_with_one_cell(Edit<3>& edit, const Patch& patch) {
   return 1;
 }
 
-/** One for each triangle of the rim without the apex. Between two of them there is a new triangle, unless that is one of the rim. */
+/** One for each triangle of the rim without the apex. Between two of them there is a new triangle, unless that is one
+ * of the rim. */
 uint32_t fill_with_tetrahedra(Edit<3>& edit, const Patch& patch, uint32_t& pairs) {
   const Environment<3>& env = edit.environment();
   Array<FacetDraft> rim{env.memory};

@@ -38,15 +38,15 @@ class RimSurface {
   bool read(const Rim& rim, uint32_t most_facets);
   /** Triangles that one cell in place of the patch would see from their wrong side, in all positions. */
   uint32_t count_wrong(const Geometry& geometry);
-  /** Likewise that a vertex of the rim sees, the one with the fewest; `most` if that is not fewer, or there are other facets than
-   * triangles. */
+  /** Likewise that a vertex of the rim sees, the one with the fewest; `most` if that is not fewer, or there are other
+   * facets than triangles. */
   uint32_t count_wrong_from_vertex(const Geometry& geometry, uint32_t most);
   /** Whether it closes one sphere. */
   bool is_sphere();
   /** Whether one cell in place of the patch would be valid. */
   bool is_valid_cell(const Geometry& geometry);
-  /** The vertex from which all triangles are seen best from inside; kNoVertex if there is none from which all are positive, or there would
-   * be more than so many. Only for rims of triangles. */
+  /** The vertex from which all triangles are seen best from inside; kNoVertex if there is none from which all are
+   * positive, or there would be more than so many. Only for rims of triangles. */
   uint32_t find_apex(const Geometry& geometry, size_t most_tetrahedra);
 
   static constexpr uint32_t kNoVertex = 0xffffffffu;
@@ -64,8 +64,8 @@ class RimSurface {
   Array<const double*> at_{env_.memory};
 };
 
-/** Writes what fills a patch into an edit; `pairs` counts facets between two new cells. No more cells come than go, and each has the
- * index of one that goes. Returns how many. */
+/** Writes what fills a patch into an edit; `pairs` counts facets between two new cells. No more cells come than go, and
+ * each has the index of one that goes. Returns how many. */
 uint32_t fill(Edit<3>& edit, const Patch& patch, uint32_t& pairs);
 
 }  // namespace dsw

@@ -1,5 +1,6 @@
-// All vertices first move as if nobody met anything, side by side; whoever does, and whoever relied on them, then moves one by one.
-// What comes out is that of one vertex after the other: a sweep depends on others only through where their vertices are at its turn.
+// All vertices first move as if nobody met anything, side by side; whoever does, and whoever relied on them, then moves
+// one by one. What comes out is that of one vertex after the other: a sweep depends on others only through where their
+// vertices are at its turn.
 
 #include "response/body_move.h"
 
@@ -151,8 +152,8 @@ template <int D>
 bool BodyMove<D>::run(const MoveSettings& settings, MoveRecord& record, bool may_skip) {
   sweep_all(may_skip);
   if (!finish(settings, record, may_skip)) return false;
-  // Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are cast where their
-  // ends arrive, or by the later of these, which moves alone.
+  // Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are
+  // cast where their ends arrive, or by the later of these, which moves alone.
   return !may_skip || std::all_of(strays_.begin(), strays_.end(), [&](uint32_t v) { return casts_.is_star_free(v); });
 }
 
@@ -171,8 +172,8 @@ bool BodyMove<D>::arrives(uint32_t v) const {
   return !course_.vertices[v].doubtful && sweeps_.is_apart(*course_.body, v, course_.targets[v]);
 }
 
-/** The vertices in their order: those without doubt arrive, the others move alone. Returns false if a vertex that has to move alone has
- * an edge that is not free: vertices before it have left that edge out. */
+/** The vertices in their order: those without doubt arrive, the others move alone. Returns false if a vertex that has
+ * to move alone has an edge that is not free: vertices before it have left that edge out. */
 template <int D>
 bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool may_skip) {
   VertexMove<D> alone(env_, *course_.body, settings, sweeps_, record);

@@ -26,8 +26,8 @@ class BodyMove {
   /** Moves a body. Throws std::bad_alloc with the body as it was; the record is cleared first. */
   void move(Body<D>& body, PointArray targets, MoveOrder order, const MoveSettings& settings, MoveRecord& record);
 
-  /** Moves all vertices of a body to where(user, from, fraction), as far as nothing is touched: with the first contact the body is put
-   * back and the fraction halved, up to 52 times. Throws as move does. */
+  /** Moves all vertices of a body to where(user, from, fraction), as far as nothing is touched: with the first contact
+   * the body is put back and the fraction halved, up to 52 times. Throws as move does. */
   void move_together(Body<D>& body, PlaceFn where, const void* user, MoveOrder order, MoveRecord& record);
 
   void set_counters(CastCounters* counters) { sweeps_.counters = counters; }

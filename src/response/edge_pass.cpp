@@ -22,9 +22,9 @@ void EdgePass<D>::sweep(bool may_skip) {
   casts_.run_edges();
 }
 
-/** Casts an edge in its new places, that of the end whose turn comes first and then that of the other one. A first end that goes
- * towards the inside needs no cast where the other one has its own.
- * What sweep_way does for both ends, at EDGES where no sequences are kept, without branches on which end is the first. */
+/** Casts an edge in its new places, that of the end whose turn comes first and then that of the other one. A first end
+ * that goes towards the inside needs no cast where the other one has its own. What sweep_way does for both ends, at
+ * EDGES where no sequences are kept, without branches on which end is the first. */
 template <int D>
 void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
   const Body<D>& body = *course_.body;
@@ -89,8 +89,9 @@ void EdgePass<D>::sweep_way(uint32_t e, uint32_t v, uint32_t other, bool boxed) 
   casts_.add_edge(e, v, turned ? still : moved, turned ? moved : still);
 }
 
-/** Whether an edge and what both of its ends sweep lie in a box that is free. Not asked of edges that stay inside of one cell, which is
- * seen sooner, and of those known to cross more cells than a box may meet: they have their sequences. */
+/** Whether an edge and what both of its ends sweep lie in a box that is free. Not asked of edges that stay inside of
+ * one cell, which is seen sooner, and of those known to cross more cells than a box may meet: they have their
+ * sequences. */
 template <int D>
 bool EdgePass<D>::is_boxed(uint32_t e) {
   constexpr size_t kMostFacets = 3;
@@ -156,8 +157,9 @@ bool FacePass<D>::is_boxed(uint32_t f) {
   return sweeps_.is_boxed(box, from(0), from(1), from(2));
 }
 
-/** Whether a face's edges keep to their sequences all through the move, and lie in one sleeve of cells. Then no edge of the environment
- * pierces the face, before, between or after, nor what its edges sweep: so no vertex is inside of the tetrahedra. */
+/** Whether a face's edges keep to their sequences all through the move, and lie in one sleeve of cells. Then no edge of
+ * the environment pierces the face, before, between or after, nor what its edges sweep: so no vertex is inside of the
+ * tetrahedra. */
 template <int D>
 bool FacePass<D>::shares_sleeve(uint32_t f) const {
   const Body<D>& body = *course_.body;

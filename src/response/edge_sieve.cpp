@@ -37,8 +37,8 @@ void EdgeSieve<D>::measure_clearances() {
   }
 }
 
-/** Which vertices go towards the inside of a closed body: against the normals of all faces at them, where these were when the move began.
- * In doubles: what is left out by this is cast where it arrives. */
+/** Which vertices go towards the inside of a closed body: against the normals of all faces at them, where these were
+ * when the move began. In doubles: what is left out by this is cast where it arrives. */
 template <int D>
 void EdgeSieve<D>::find_inwards() {
   const Body<D>& body = *course_.body;
@@ -84,7 +84,8 @@ void EdgeSieve<D>::gather() {
   }
 }
 
-/** Drops the edges that do not move, and those without doubt for which drops(a, b, e) holds: these are counted as skipped. */
+/** Drops the edges that do not move, and those without doubt for which drops(a, b, e) holds: these are counted as
+ * skipped. */
 template <int D>
 template <class Drops>
 void EdgeSieve<D>::drop(Drops drops) {
@@ -105,7 +106,8 @@ void EdgeSieve<D>::drop(Drops drops) {
   count_ = kept;
 }
 
-/** Drops the edges for which skips(a, b, e) holds, and casts them where they arrive. If such a cast fails, both ends are in doubt. */
+/** Drops the edges for which skips(a, b, e) holds, and casts them where they arrive. If such a cast fails, both ends
+ * are in doubt. */
 template <int D>
 template <class Skips>
 void EdgeSieve<D>::drop_and_cast(Skips skips) {
@@ -133,8 +135,8 @@ bool EdgeSieve<D>::sees_all_of_cell(uint32_t v) {
   return at.sight == Sight::kWhole;
 }
 
-/** Edges that do not leave a cell [JCD10] 6.1. If it is not convex: it is seen whole from the first target that an end goes to, from there
- * on an end of the edge. */
+/** Edges that do not leave a cell [JCD10] 6.1. If it is not convex: it is seen whole from the first target that an end
+ * goes to, from there on an end of the edge. */
 template <int D>
 void EdgeSieve<D>::drop_inside() {
   drop([&](const Vertex& a, const Vertex& b, uint32_t e) {

@@ -6,13 +6,14 @@
 
 namespace dsw {
 
-/** Whether an edge can be bent to pass through `point`: what that sweeps is free at the body's level. *cell then contains it. */
+/** Whether an edge can be bent to pass through `point`: what that sweeps is free at the body's level. *cell then
+ * contains it. */
 template <int D>
 bool can_bend(const Environment<D>& env, StarSweep<D>& sweeps, const Body<D>& body, uint32_t edge, const double* point,
               Cell* cell);
 
-/** Splits an edge at a point that can_bend has allowed; throws std::bad_alloc before it changes anything. Returns the new
- * vertex. */
+/** Splits an edge at a point that can_bend has allowed; throws std::bad_alloc before it changes anything. Returns the
+ * new vertex. */
 template <int D>
 uint32_t insert_vertex(Body<D>& body, uint32_t edge, const double* point, Cell cell, double share, dsw_body_edit* edit);
 

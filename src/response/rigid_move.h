@@ -10,8 +10,8 @@ namespace dsw {
 template <int D>
 class RigidMove {
  public:
-  /** All finite. The quaternion x y z w has any length but 0; of the two ways round, the shorter one is taken. In the plane x and y of
-   * the quaternion, and what is given as third component, are 0. */
+  /** All finite. The quaternion x y z w has any length but 0; of the two ways round, the shorter one is taken. In the
+   * plane x and y of the quaternion, and what is given as third component, are 0. */
   RigidMove(const double* quaternion, const double* centre, const double* translation) noexcept;
 
   /** A fraction of the motion. */
@@ -19,7 +19,8 @@ class RigidMove {
   /** Where a point is at a fraction of the motion; `user` is the motion: a PlaceFn. */
   static void place(const void* user, uint32_t vertex, const double* from, double fraction, double* to) noexcept;
 
-  /** A box around all that a part of it does to a body: points keep their distance from the centre, which goes along a line. */
+  /** A box around all that a part of it does to a body: points keep their distance from the centre, which goes along a
+   * line. */
   Box<D> reach(const Body<D>& body) const noexcept;
 
  private:

@@ -90,8 +90,8 @@ bool VertexMove<D>::advance(uint32_t v, const double* to) {
   return false;
 }
 
-/** Of what is met of the environment, which may be null, and of other bodies. Returns the first. Notes what is under the touching
- * edge, if the response wants that. */
+/** Of what is met of the environment, which may be null, and of other bodies. Returns the first. Notes what is under
+ * the touching edge, if the response wants that. */
 template <int D>
 dsw_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const StarContact* first,
                                            const PairContact<D>& pair) {
@@ -120,8 +120,8 @@ dsw_contact VertexMove<D>::record_contacts(uint32_t v, const double* to, const S
   return pair_first ? of_pair : contact;
 }
 
-/** The dichotomic search [JCD10] 4.2: tries of parts of the way, each by the tests that the level asks for, halve what lies between one
- * that is free and one that is not. The last that is not says what is touched. */
+/** The dichotomic search [JCD10] 4.2: tries of parts of the way, each by the tests that the level asks for, halve what
+ * lies between one that is free and one that is not. The last that is not says what is touched. */
 template <int D>
 bool VertexMove<D>::advance_by_halving(uint32_t v, const double* to) {
   const BodyVertex<D> at = body_.vertices[v];
@@ -199,7 +199,8 @@ double VertexMove<D>::stand_off(const dsw_contact& contact) const {
   return kStandOffShare * extent(env_, env_.map.cell(contact.front.index));
 }
 
-/** Whether the response puts vertices on this edge at all: HYBRID only once, as the edges of a vertex that is new are static. */
+/** Whether the response puts vertices on this edge at all: HYBRID only once, as the edges of a vertex that is new are
+ * static. */
 template <int D>
 bool VertexMove<D>::may_split(uint32_t v, const dsw_contact& contact) const {
   if (contact.edge.generation == 0) return false;
@@ -209,9 +210,9 @@ bool VertexMove<D>::may_split(uint32_t v, const dsw_contact& contact) const {
                       [fixed](const dsw_body_edit& edit) { return edit.vertex.index == fixed; });
 }
 
-/** Puts a vertex on the touching edge, as near to the contact as is free; with ADAPTIVE_MANY one at each obstacle under that edge. Of
- * these the one met first lies on the edge; for the others its parts are bent, in the order in which obstacles are met. What that sweeps
- * is free, or a vertex is left out. */
+/** Puts a vertex on the touching edge, as near to the contact as is free; with ADAPTIVE_MANY one at each obstacle under
+ * that edge. Of these the one met first lies on the edge; for the others its parts are bent, in the order in which
+ * obstacles are met. What that sweeps is free, or a vertex is left out. */
 template <int D>
 bool VertexMove<D>::insert(uint32_t v, const dsw_contact& contact) {
   if (!may_split(v, contact)) return false;
@@ -286,7 +287,8 @@ bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_contact& c
   Vec rest = difference<D>(target, at);
   const double into = dot(rest, normal);
   if (into < 0) rest -= into * normal;
-  // Along the crease with the latest wall that this would go into. Whether another is in the way is the next sweep's to say.
+  // Along the crease with the latest wall that this would go into. Whether another is in the way is the next sweep's to
+  // say.
   for (int k = walls.count - 1; k >= 0; --k) {
     const Vec crease = unit(walls.normals[k].cross(normal));
     if (dot(rest, walls.normals[k]) >= 0 || is_zero(crease)) continue;

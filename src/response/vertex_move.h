@@ -13,8 +13,8 @@ class VertexMove {
              MoveRecord& record)
       : env_(env), body_(body), settings_(settings), sweeps_(sweeps), record_(record) {}
 
-  /** Moves vertex v, exactly free at the body's level; whether it got to the target. Contacts and edits go to the record. The
-   * recorded cells and positions are valid whenever it throws std::bad_alloc. */
+  /** Moves vertex v, exactly free at the body's level; whether it got to the target. Contacts and edits go to the
+   * record. The recorded cells and positions are valid whenever it throws std::bad_alloc. */
   bool move(uint32_t v, const double* target);
 
  private:

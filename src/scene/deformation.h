@@ -24,13 +24,14 @@ struct Deformation {
   uint64_t memory_bytes() const noexcept;
 };
 
-/** Takes the points of a scene's environment to `next`. Throws std::bad_alloc and NON_FINITE: then nothing has changed. */
+/** Takes a scene's environment to the points `next`. Throws std::bad_alloc and NON_FINITE: then nothing has changed. */
 template <int D>
 void deform(Scene<D>& scene, double* next, const WallSettings& settings);
 
 /** Wants those cells mended that hold something, and those at their vertices. Throws std::bad_alloc. */
 void want_near(Scene<3>& scene, Mending& mending);
-/** What the last deformation left names cells as they are called now; for one in the course of a change of the topology. */
+/** What the last deformation left names cells as they are called now; for one in the course of a change of the
+ * topology. */
 void renew_ids(Deformation<3>& deformation) noexcept;
 
 }  // namespace dsw

@@ -14,8 +14,9 @@ class Detachment {
   const Piece& piece() const { return piece_; }
   const PieceSurface& surface() const { return surface_; }
 
-  /** Carries it out. `like` has the body's level, flags and filter; its vertices are drawn in by `share` as Inset says, each in up to
-   * `attempts` places. Throws OCCUPIED if it is not free then, or touches a body, and std::bad_alloc; nothing has changed then. */
+  /** Carries it out. `like` has the body's level, flags and filter; its vertices are drawn in by `share` as Inset says,
+   * each in up to `attempts` places. Throws OCCUPIED if it is not free then, or touches a body, and std::bad_alloc;
+   * nothing has changed then. */
   dsw_body_id carry_out(const BodyDescription& like, double share, uint32_t attempts);
   /** The largest distance by which a vertex was drawn in, rounded. */
   double distance() const { return distance_; }

@@ -1,5 +1,6 @@
-// The new cells lie where the old ones were, so each point of those is in exactly one of these, under the shift; where the outer
-// boundary moves, or volumes are removed, it can be in none. Bodies are looked at after the change has been applied.
+// The new cells lie where the old ones were, so each point of those is in exactly one of these, under the shift; where
+// the outer boundary moves, or volumes are removed, it can be in none. Bodies are looked at after the change has been
+// applied.
 
 #include "scene/edits.h"
 
@@ -47,14 +48,16 @@ class Followers {
     }
   }
 
-  /** After the edit was applied: bodies that are not free go to the scene's occupants. Their vertices are in their new cells. */
+  /** After the edit was applied: bodies that are not free go to the scene's occupants. Their vertices are in their new
+   * cells. */
   void find_blocked_bodies() {
     BodyProbe<D> probe(env_, Obstacle::kCells);
     find_occupant_bodies(scene_, near_, probe);
     looked_at_ += probe.looked_at;
   }
 
-  /** Makes room for what is noted, or if it may have to be taken back keeps copies of the sequences that are going to be forgotten. */
+  /** Makes room for what is noted, or if it may have to be taken back keeps copies of the sequences that are going to
+   * be forgotten. */
   void prepare(bool may_go_back) {
     keeps_sequences_ = may_go_back;
     if (may_go_back) {
@@ -144,8 +147,8 @@ class Followers {
   }
   bool has_to_move(Cell c) const { return c.valid() && edit_.is_removed(c); }
   bool is_passable(Cell c) const { return c.valid() && !env_.map.marked(c); }
-  /** The new cell of a point that was in `old`; none if no way leads there that meets no wall. Nearly always it is one of those that come
-   * of `old`; else what the point was in, or a wall, has moved over it. */
+  /** The new cell of a point that was in `old`; none if no way leads there that meets no wall. Nearly always it is one
+   * of those that come of `old`; else what the point was in, or a wall, has moved over it. */
   Cell find(const double* point, Cell old) {
     Cell found;
     edit_.for_each_heir(old, [&](size_t i) {

@@ -6,23 +6,24 @@
 
 namespace dsw {
 
-/** Carries an edit out. `scene` is the only one that uses the environment, or null. Particles and vertices of bodies in cells that
- * go get those new cells that contain them. Throws OCCUPIED, and leaves in the scene who is in the way, unless all of them are in
- * passable cells then and all bodies are free; and what prepare() throws. Then nothing has changed.
- * O(what changes + particles and size of the bodies; what of them is near if the scene keeps that). */
+/** Carries an edit out. `scene` is the only one that uses the environment, or null. Particles and vertices of bodies in
+ * cells that go get those new cells that contain them. Throws OCCUPIED, and leaves in the scene who is in the way,
+ * unless all of them are in passable cells then and all bodies are free; and what prepare() throws. Then nothing has
+ * changed. O(what changes + particles and size of the bodies; what of them is near if the scene keeps that). */
 template <int D>
 void carry_out(Edit<D>& edit, Scene<D>* scene);
 /** The same with an edit that is prepared. */
 template <int D>
 void carry_out_prepared(Edit<D>& edit, Scene<D>* scene);
 
-/** What is done in the changed environment while the change can be taken back, which it is if this returns false or throws. */
+/** What is done in the changed environment while the change can be taken back, which it is if this returns false or
+ * throws. */
 struct Meanwhile {
   bool (*run)(void* user);
   void* user;
 };
-/** Likewise, with something done meanwhile unless that is null. Returns whether the change stays. Ids are the old ones then: the
- * cells that come have the indices that they will have, and the generations of those that had them. */
+/** Likewise, with something done meanwhile unless that is null. Returns whether the change stays. Ids are the old ones
+ * then: the cells that come have the indices that they will have, and the generations of those that had them. */
 template <int D>
 bool carry_out_prepared(Edit<D>& edit, Scene<D>& scene, const Meanwhile* meanwhile);
 

@@ -1,6 +1,6 @@
 #pragma once
-// What changes of the topology did to half-facets, so that a body forgets the sequences that name them when it is used next, instead of
-// all bodies at each change.
+// What changes of the topology did to half-facets, so that a body forgets the sequences that name them when it is used
+// next, instead of all bodies at each change.
 
 #include "base/key_table.h"
 #include "flood/sequence.h"

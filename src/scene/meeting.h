@@ -23,7 +23,8 @@ Box<D> reach_of(const Body<D>& body) noexcept;
 template <int D>
 void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners);
 
-/** Throws OCCUPIED, and fills scene.offending, unless a body is apart from others, and if it sees itself from that, at a level. */
+/** Throws OCCUPIED, and fills scene.offending, unless a body is apart from others, and if it sees itself from that, at
+ * a level. */
 template <int D>
 void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level);
 

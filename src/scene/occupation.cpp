@@ -1,5 +1,5 @@
-// Bodies are tested after the marks have been set, so that one cast or sweep tells whether any of them is in the way; only what really
-// changed is remembered, and taken back where it must not be. Without bodies nothing is remembered.
+// Bodies are tested after the marks have been set, so that one cast or sweep tells whether any of them is in the way;
+// only what really changed is remembered, and taken back where it must not be. Without bodies nothing is remembered.
 
 #include "scene/occupation.h"
 
@@ -93,7 +93,8 @@ size_t leave_out_particles(Environment<D>& env, const Scene<D>& scene) noexcept 
   return left_out;
 }
 
-/** Marks the items that for_each(visit) visits; scene.occupants has the particles among them. Returns how many were left out. */
+/** Marks the items that for_each(visit) visits; scene.occupants has the particles among them. Returns how many were
+ * left out. */
 template <class Item, int D, class ForEach>
 size_t try_marks(Environment<D>& env, Scene<D>& scene, bool skip_occupied, ForEach for_each) {
   Trial<D, Item> trial(env, scene);

@@ -1,8 +1,8 @@
 #pragma once
 // Marking while a scene lives in the environment: what its particles and bodies occupy does not become impassable.
 //
-// `scene` is the only one that uses the environment, or null. All functions throw std::bad_alloc, and OCCUPIED unless what is
-// occupied may be skipped, and have then changed nothing; they leave in the scene who was in the way.
+// `scene` is the only one that uses the environment, or null. All functions throw std::bad_alloc, and OCCUPIED unless
+// what is occupied may be skipped, and have then changed nothing; they leave in the scene who was in the way.
 
 #include "environment/marking.h"
 #include "scene/scene.h"

@@ -119,7 +119,8 @@ struct FlightOptions {
   bool detail = true;
 };
 
-/** Finds the cells of `count` points and throws unless each is in a passable one; arguments as those of create_particles. */
+/** Finds the cells of `count` points and throws unless each is in a passable one; arguments as those of
+ * create_particles. */
 template <int D>
 void place_points(const Scene<D>& scene, PointArray positions, size_t count, const dsw_volume_id* hints, bool indexed,
                   Cell* cells, size_t* offender);

@@ -113,7 +113,8 @@ void read_touch(const double* places, const uint32_t* words, Touch& t) {
   t.body = {words[4], words[5]};
 }
 
-/** Whether each facet leads to the cell of the next. One that has lost its other side since it was passed makes what is known worthless. */
+/** Whether each facet leads to the cell of the next. One that has lost its other side since it was passed makes what is
+ * known worthless. */
 template <int D>
 bool is_whole(const Map<D>& map, const Array<uint32_t>& facets) {
   for (size_t i = 0; i < facets.size(); ++i) {

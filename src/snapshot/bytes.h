@@ -29,8 +29,8 @@ void fetch(T* values, const uint8_t* in, size_t count) noexcept {
   for (size_t i = 0; kBigEndian && i < count; ++i) std::reverse(bytes + i * sizeof(T), bytes + (i + 1) * sizeof(T));
 }
 
-/** Goes on from `sum` over bytes whose count is a multiple of 8. Every step is a bijection of the sum for a given word and
- * of the word for a given sum, so that a block with one damaged word never has the sum of the sound one. */
+/** Goes on from `sum` over bytes whose count is a multiple of 8. Every step is a bijection of the sum for a given word
+ * and of the word for a given sum, so that a block with one damaged word never has the sum of the sound one. */
 inline uint64_t checksum(uint64_t sum, const uint8_t* bytes, size_t size) noexcept {
   for (size_t i = 0; i < size; i += 8) {
     uint64_t word;

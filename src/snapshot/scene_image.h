@@ -1,5 +1,6 @@
 #pragma once
-// What is in a scene as flat arrays, one for each section of its snapshot: filled from a scene, or read and then turned into one.
+// What is in a scene as flat arrays, one for each section of its snapshot: filled from a scene, or read and then turned
+// into one.
 
 #include "scene/bodies.h"
 #include "snapshot/block.h"
@@ -7,7 +8,8 @@
 namespace dsw {
 
 struct SceneImage {
-  // Of the scene. The numbers are the counters of its statistics, then what its environment had of cells, indices and vertices.
+  // Of the scene. The numbers are the counters of its statistics, then what its environment had of cells, indices and
+  // vertices.
   Array<uint64_t> numbers;
   Array<double> particle_places;
   Array<uint32_t> particles;  // cell and forecast
@@ -23,7 +25,8 @@ struct SceneImage {
   Array<uint32_t> faces;  // corners
   Array<uint32_t> face_slots, free_faces;
   Array<uint32_t> inserted;
-  // For each edge twice the count of its facets, plus 1 if they are in rows (flood/sequence.h); then the cell and local number of each.
+  // For each edge twice the count of its facets, plus 1 if they are in rows (flood/sequence.h); then the cell and local
+  // number of each.
   Array<uint32_t> sequences;
   Array<double> balls;         // centre, radius, wanted
   Array<uint32_t> ball_words;  // wait, patience, whether it is of the present environment
@@ -89,8 +92,8 @@ class BodyReader {
   BodyReader(const Environment<D>& env, const SceneImage& image, bool has_history)
       : env_(env), image_(image), has_history_(has_history) {}
 
-  /** The next one, into an empty record; it is sound, in its cells and free at its level. Whether it is apart from other bodies is not
-   * looked at. */
+  /** The next one, into an empty record; it is sound, in its cells and free at its level. Whether it is apart from
+   * other bodies is not looked at. */
   void read(BodyRecord<D>& of);
   /** The next one, which must be empty. */
   void skip();

@@ -1,5 +1,5 @@
-// A scene's particles and bodies with the ids of both, and the counters. What lasts for one call (crossings, occupants, edits of a move) is
-// left out.
+// A scene's particles and bodies with the ids of both, and the counters. What lasts for one call (crossings, occupants,
+// edits of a move) is left out.
 
 #include "snapshot/scene_snapshot.h"
 

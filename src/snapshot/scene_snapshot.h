@@ -17,9 +17,9 @@ void save(const Scene<D>& scene, uint8_t* out);
 template <int D>
 SceneFeatures saved_features(const uint8_t* block, size_t size);
 
-/** Fills a new scene with these features. The block is not trusted: memory is bounded by a multiple of its size, and all that is in it is
- * looked at in the scene's environment. Throws Error with TRUNCATED, BAD_VERSION or CORRUPT, or std::bad_alloc, and leaves the scene
- * useless then. */
+/** Fills a new scene with these features. The block is not trusted: memory is bounded by a multiple of its size, and
+ * all that is in it is looked at in the scene's environment. Throws Error with TRUNCATED, BAD_VERSION or CORRUPT, or
+ * std::bad_alloc, and leaves the scene useless then. */
 template <int D>
 void load(Scene<D>& scene, const uint8_t* block, size_t size);
 

@@ -1,6 +1,6 @@
-// Saving copies arrays; nothing that can be worked out again is stored. Loading trusts no byte: sizes before memory, the
-// checksum before contents, topology before geometry, and only blocks that `save` could have written are accepted, so that
-// a loaded environment saves to the same bytes.
+// Saving copies arrays; nothing that can be worked out again is stored. Loading trusts no byte: sizes before memory,
+// the checksum before contents, topology before geometry, and only blocks that `save` could have written are accepted,
+// so that a loaded environment saves to the same bytes.
 
 #include "snapshot/snapshot.h"
 
@@ -167,8 +167,8 @@ void restore_layout(Map<D>& map) {
   if (unit != units) fail_corrupt("records: another number than cells");
 }
 
-/** The tables of cells that have changed: from where their records are said to start, as far as it takes to read them; whether all of that
- * is sound, check_integrity says. */
+/** The tables of cells that have changed: from where their records are said to start, as far as it takes to read them;
+ * whether all of that is sound, check_integrity says. */
 template <int D>
 void restore_changes(Map<D>& map) {
   const size_t units = map.words.size() / kUnitWords<D>;

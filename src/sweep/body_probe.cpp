@@ -1,5 +1,5 @@
-// Vertices are looked up, edges cast and faces swept by one of their edges, each once: when a body is created or its level raised, and
-// when obstacles appear; then only what overlaps their boxes is looked at.
+// Vertices are looked up, edges cast and faces swept by one of their edges, each once: when a body is created or its
+// level raised, and when obstacles appear; then only what overlaps their boxes is looked at.
 
 #include "sweep/body_probe.h"
 
@@ -29,7 +29,8 @@ bool is_face_free(const Environment<3>& env, SweepFlood<3>& flood, const Body<3>
   const EdgeMotion m{body.position(c[0]), body.position(c[1]), body.position(c[2])};
   const Cell start = body.vertices[c[0]].cell;
   if (flood.sweep(m, start, 0, true).end != SweepEnd::kFree) return false;
-  // Over a fold of the environment the flood is in another part of it than the corners. Of corners in one line it goes nowhere.
+  // Over a fold of the environment the flood is in another part of it than the corners. Of corners in one line it goes
+  // nowhere.
   const auto is_met = [&](uint32_t v) { return flood.cells().contains(body.vertices[v].cell); };
   return (is_met(c[1]) && is_met(c[2])) || swept_side(m, env.point(start, 0)).sign == 0;
 }

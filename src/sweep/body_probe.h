@@ -7,16 +7,16 @@
 
 namespace dsw {
 
-/** Whether a face that stands still is free, if its edges are: the triangle that its first edge sweeps over it. `flood` has the cells that
- * it meets, and if it is not free all contacts. Throws std::bad_alloc. */
+/** Whether a face that stands still is free, if its edges are: the triangle that its first edge sweeps over it. `flood`
+ * has the cells that it meets, and if it is not free all contacts. Throws std::bad_alloc. */
 bool is_face_free(const Environment<3>& env, SweepFlood<3>& flood, const Body<3>& body, uint32_t face);
 
 /** What has become impassable. */
 enum class Obstacle { kCells, kFacets, kWires };
 
-/** Looks for what of a body, which stands still, meets obstacles in some places. At every level
- * vertices lie in cells; edges are stopped by facets from EDGES on; at FACES facets and wires pierce faces. The shift lets neither
- * an edge meet a wire nor anything a single vertex. */
+/** Looks for what of a body, which stands still, meets obstacles in some places. At every level vertices lie in cells;
+ * edges are stopped by facets from EDGES on; at FACES facets and wires pierce faces. The shift lets neither an edge
+ * meet a wire nor anything a single vertex. */
 template <int D>
 class BodyProbe {
  public:
@@ -29,7 +29,8 @@ class BodyProbe {
   /** Appends the ends of the edges that are not free at a level; if all are, two corners of each face that is not. */
   void find_blocked(const Body<D>& body, SweepLevel level, Array<uint32_t>& pairs);
 
-  /** Takes back the marks of the cells that the body meets. All of them have just been set. Returns how many there were. */
+  /** Takes back the marks of the cells that the body meets. All of them have just been set. Returns how many there
+   * were. */
   size_t leave_out(Environment<D>& env, const Body<D>& body, const Places<D>& changed);
 
   uint64_t looked_at = 0;  // vertices, edges and faces

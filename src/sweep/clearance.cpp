@@ -13,11 +13,12 @@ namespace {
 constexpr uint32_t kMostPatience = 1024;
 constexpr double kReach = 4;    // how far is measured, in units of what is needed
 constexpr double kLasts = 1.5;  // a ball of so many of these units is not left at once
-// Credit, in hundredths of a cast: half of what is saved may be spent again, and a twentieth of what is not. A cell that a measurement
-// looks at takes as long as some 25 casts.
+// Credit, in hundredths of a cast: half of what is saved may be spent again, and a twentieth of what is not. A cell
+// that a measurement looks at takes as long as some 25 casts.
 constexpr int64_t kSaved = 50, kSwept = 5, kCell = 2500, kMostOfEdge = 200;
-// The distance to an obstacle is rounded. What is left of a ball is free if that error, a few units in the last place of the
-// coordinates, is smaller than what is left out of it. The obstacle's count too: its ends can be far from where it is near.
+// The distance to an obstacle is rounded. What is left of a ball is free if that error, a few units in the last place
+// of the coordinates, is smaller than what is left out of it. The obstacle's count too: its ends can be far from where
+// it is near.
 constexpr double kKept = 0.999, kLeastShare = 1e-9;
 
 template <int D>
@@ -46,7 +47,8 @@ bool borrow(const Environment<D>& env, Body<D>& body, uint32_t v, double needed)
 template <int D>
 bool measure(const Environment<D>& env, Body<D>& body, uint32_t v, double needed) {
   const double reach = kReach * needed;
-  // The extent of points that move, which bounds the rounding below, is not known; and with each deformation balls are gone.
+  // The extent of points that move, which bounds the rounding below, is not known; and with each deformation balls are
+  // gone.
   if (env.checked.active() || body.clearance_credit < 0 || !std::isfinite(reach)) return false;
   Clearance<D>& ball = body.clearances[v];
   const double* const at = body.position(v);

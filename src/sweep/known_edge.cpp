@@ -30,15 +30,16 @@ bool pass_on(const Environment<D>& env, EdgeSequence<D>& sequence, HalfFacet cro
   return true;
 }
 
-/** Whether a triangle is free one side of which passes, in the old place, half of the facets round a pivot, and another, in the new place,
- * the others.
- * In space: before and after these the sides share facets, and what of the triangle lies there is in cells, as in one sleeve. Let Q be what
- * lies between. Its boundary is in the cells round the edge and goes once round the edge's line, so Q meets that line; with the edge's ends
- * on either side of the triangle's plane it does so in a point y of the edge. Q is convex: each of its points is between y and one of its
- * boundary. Both are in one cell, as all of these cells have the edge, so all between is in that cell.
- * In the plane the edge may have turned round several vertices, all asked here. All cells and facets at each are passable, as the sequence
- * before or after has them. So the triangle's sides lie in an open set, of what is passable, where they can be drawn together into a
- * point, over one vertex after the other; a point of the triangle outside of it would be one that they wind round. */
+/** Whether a triangle is free one side of which passes, in the old place, half of the facets round a pivot, and
+ * another, in the new place, the others. In space: before and after these the sides share facets, and what of the
+ * triangle lies there is in cells, as in one sleeve. Let Q be what lies between. Its boundary is in the cells round the
+ * edge and goes once round the edge's line, so Q meets that line; with the edge's ends on either side of the triangle's
+ * plane it does so in a point y of the edge. Q is convex: each of its points is between y and one of its boundary. Both
+ * are in one cell, as all of these cells have the edge, so all between is in that cell. In the plane the edge may have
+ * turned round several vertices, all asked here. All cells and facets at each are passable, as the sequence before or
+ * after has them. So the triangle's sides lie in an open set, of what is passable, where they can be drawn together
+ * into a point, over one vertex after the other; a point of the triangle outside of it would be one that they wind
+ * round. */
 template <int D>
 bool turns_freely(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, const Pivot<D>& pivot) {
   if constexpr (D == 3) {
@@ -51,8 +52,8 @@ bool turns_freely(const Environment<D>& env, const Body<D>& body, const EdgeSwee
   }
 }
 
-/** Whether the edge goes to the other side of a pivot, or of a few, and is free there with what it sweeps on its way; at EDGES the new
- * place is all that counts. */
+/** Whether the edge goes to the other side of a pivot, or of a few, and is free there with what it sweeps on its way;
+ * at EDGES the new place is all that counts. */
 template <int D>
 bool turns(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep, bool first) {
   EdgeSequence<D>& sequence = body.sequences[sweep.e];

@@ -6,7 +6,8 @@
 
 namespace dsw {
 
-/** The sweep of edge e when its end v goes to `to`, in `arrival`, and the other end is at q, in `fixed`. The path of v is free. */
+/** The sweep of edge e when its end v goes to `to`, in `arrival`, and the other end is at q, in `fixed`. The path of v
+ * is free. */
 struct EdgeSweep {
   uint32_t e, v;
   const double* to;
@@ -16,14 +17,14 @@ struct EdgeSweep {
   PathFacets crossed;  // on the path of v
 };
 
-/** What is known: nothing, or that nothing is met because the triangle lies inside of one convex cell, of one that is not convex, of a
- * box or a ball that is free, of the sleeve of cells that the edge is known to cross, or of these and the others at one edge that it
- * turns round, in the plane at a few vertices. */
+/** What is known: nothing, or that nothing is met because the triangle lies inside of one convex cell, of one that is
+ * not convex, of a box or a ball that is free, of the sleeve of cells that the edge is known to cross, or of these and
+ * the others at one edge that it turns round, in the plane at a few vertices. */
 enum class Settled : uint32_t { kNo, kInside, kSeen, kBoxed, kClear, kSleeve, kTurned };
 
-/** Whether the triangle lies in the cell that its corners are in, which need not be convex. From one end in its new place all of the
- * cell is seen, hence the edge lies in it; where the triangle counts, from both: so the moving end's path lies in the cell, and what joins
- * that to the fixed end. */
+/** Whether the triangle lies in the cell that its corners are in, which need not be convex. From one end in its new
+ * place all of the cell is seen, hence the edge lies in it; where the triangle counts, from both: so the moving end's
+ * path lies in the cell, and what joins that to the fixed end. */
 template <int D>
 bool is_seen(const Environment<D>& env, SweepLevel level, const EdgeSweep& sweep, CastCounters* counters);
 
@@ -31,11 +32,11 @@ bool is_seen(const Environment<D>& env, SweepLevel level, const EdgeSweep& sweep
 template <int D>
 bool is_clear(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep);
 
-/** Whether the edge keeps to the facets that it was last known to pass, but for those that its end passes itself, and for those round
- * a pivot to whose other side it goes: then it is free in its new place. If it kept to them before, too, the
- * triangle's sides share a sleeve of cells, or part at one pivot. A path of two facets may come from one cell beside the sleeve and go to
- * another: its facets cut off the triangle's corners in these, and what is left lies in the cell between them and in the sleeve. kNo, kSleeve or
- * kTurned; `before` is scratch. Throws std::bad_alloc. */
+/** Whether the edge keeps to the facets that it was last known to pass, but for those that its end passes itself, and
+ * for those round a pivot to whose other side it goes: then it is free in its new place. If it kept to them before,
+ * too, the triangle's sides share a sleeve of cells, or part at one pivot. A path of two facets may come from one cell
+ * beside the sleeve and go to another: its facets cut off the triangle's corners in these, and what is left lies in the
+ * cell between them and in the sleeve. kNo, kSleeve or kTurned; `before` is scratch. Throws std::bad_alloc. */
 template <int D>
 Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const EdgeSweep& sweep,
                         Array<uint32_t>& before);
@@ -44,9 +45,9 @@ Settled follow_sequence(const Environment<D>& env, const Body<D>& body, const Ed
 template <int D>
 bool keeps_sequence(const Environment<D>& env, const Body<D>& body, uint32_t e);
 
-/** Whether an edge meets nothing before its moving end meets a wall of the cell `front`: up to there it stays in that cell, or in
- * that and a second one and passes between them. Of a line through q the sides of a ridge change linearly on the way of its other end:
- * where it passes the facet at both ends of the way, it does so between. */
+/** Whether an edge meets nothing before its moving end meets a wall of the cell `front`: up to there it stays in that
+ * cell, or in that and a second one and passes between them. Of a line through q the sides of a ridge change linearly
+ * on the way of its other end: where it passes the facet at both ends of the way, it does so between. */
 template <int D>
 bool stays_before_wall(const Environment<D>& env, const BodyVertex<D>& at, const double* to, Cell front,
                        const BodyVertex<D>& fixed);

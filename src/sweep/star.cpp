@@ -48,7 +48,7 @@ Settled StarSweep<D>::settle_by_what_is_kept(const Body<D>& body, const EdgeSwee
   return settled;
 }
 
-/** Whether an edge is not known to be free in its new place; fills hit_edges_ with all, or with some if one is enough. */
+/** Whether an edge is not known to be free in its new place; fills hit_edges_ with all, or some if one is enough. */
 template <int D>
 bool StarSweep<D>::find_hit_edges(const Body<D>& body, uint32_t v, const double* to, Cell cell, bool one_is_enough) {
   hit_edges_.clear();

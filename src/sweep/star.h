@@ -1,6 +1,6 @@
 #pragma once
-// What a body sweeps when one of its vertices moves: the path of the vertex, at EDGES its edges in their new places, at EDGES_SWEPT
-// the triangles that they sweep, at FACES also the tetrahedra that its faces sweep [JCD10] 4.1.
+// What a body sweeps when one of its vertices moves: the path of the vertex, at EDGES its edges in their new places, at
+// EDGES_SWEPT the triangles that they sweep, at FACES also the tetrahedra that its faces sweep [JCD10] 4.1.
 
 #include "body/body.h"
 #include "flood/box_probe.h"
@@ -35,7 +35,8 @@ class StarSweep {
  public:
   explicit StarSweep(const Environment<D>& env);
 
-  /** Whether vertex v can go to `to` without meeting anything that the body's level sees, partners included; *cell then contains `to`. */
+  /** Whether vertex v can go to `to` without meeting anything that the body's level sees, partners included; *cell then
+   * contains `to`. */
   bool is_free(const Body<D>& body, uint32_t v, const double* to, Cell* cell) {
     return try_way(body, v, to, cell).end == SweepEnd::kFree;
   }
@@ -48,8 +49,8 @@ class StarSweep {
     }
     return tried;
   }
-  /** Where the path, or the edge in its new place, runs into a wall on a way that was tried and not free. False: it does not, as what
-   * is met lies inside of what is swept: `inside` is then the first contact of that. */
+  /** Where the path, or the edge in its new place, runs into a wall on a way that was tried and not free. False: it
+   * does not, as what is met lies inside of what is swept: `inside` is then the first contact of that. */
   bool find_obstacle(const Body<D>& body, uint32_t v, const double* to, const StarTry& tried, CastResult* hit,
                      StarContact* inside);
   /** Whether it can go to another vertex of the body and become one with that. The two are joined by an edge. */
@@ -63,11 +64,12 @@ class StarSweep {
     return partners == nullptr || is_way_apart(*partners, body, v, to);
   }
 
-  /** The first contact with the environment on that way, whose event borrows the body's points and `to`. Without one *cell is set. At
-   * the work limit neither. */
+  /** The first contact with the environment on that way, whose event borrows the body's points and `to`. Without one
+   * *cell is set. At the work limit neither. */
   SweepEnd find_first(const Body<D>& body, uint32_t v, const double* to, StarContact* first, Cell* cell);
 
-  /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only that. */
+  /** All contacts on that way of the vertex and its edges, by time, where find_first has found `first`; of faces only
+   * that. */
   void find_all(const Body<D>& body, uint32_t v, const double* to, const StarContact& first, Array<StarContact>& all);
 
   /** What is known of the sweep of an edge; counts what is settled.
@@ -96,13 +98,13 @@ class StarSweep {
   }
   bool settles(const Body<D>& body, const EdgeSweep& sweep) { return settle(body, sweep) != Settled::kNo; }
 
-  /** Whether what a face sweeps lies inside of one cell, and so meets nothing. The cells contain p, to, q and r of `m`. */
+  /** Whether what a face sweeps lies inside of one cell and meets nothing. The cells contain p, to, q and r of `m`. */
   bool stays_inside(const FaceMotion& m, Cell from, Cell arrival, Cell q, Cell r) const {
     return from == arrival && from == q && from == r && (env_.map.convex(from) || is_face_seen(m, from));
   }
 
-  /** Whether a box is seen to be free from all of these cells: then nothing that is swept inside of it from one of them meets
-   * anything. Not asked with a work limit, which is that of the cells that a sweep itself meets. */
+  /** Whether a box is seen to be free from all of these cells: then nothing that is swept inside of it from one of them
+   * meets anything. Not asked with a work limit, which is that of the cells that a sweep itself meets. */
   template <class... Cells>
   bool is_boxed(const Bounds<D>& box, Cell start, Cells... others) noexcept {
     return max_cells == 0 && probe_.is_free(box, start) && (probe_.has_entered(others) && ...);

@@ -170,7 +170,8 @@ class Addition {
     fail(DSW_STATUS_NOT_FOUND, "sew_to[%zu]: no new volume has the vertices of this face on its other side", i);
   }
 
-  /** Where the usual cut spoils a star another one is looked for, as at creation. What is sewn is cut like the other side. */
+  /** Where the usual cut spoils a star another one is looked for, as at creation. What is sewn is cut like the other
+   * side. */
   void cut() {
     for (size_t k = 0; k < places_.size(); ++k) {
       FacetDraft& here = facet(places_[k]);

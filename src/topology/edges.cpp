@@ -1,5 +1,5 @@
-// Edges split by a vertex, merged where a vertex goes, and collapsed. All volumes round the edge, or the vertex, change. In the plane edges
-// are the sides of polygons.
+// Edges split by a vertex, merged where a vertex goes, and collapsed. All volumes round the edge, or the vertex,
+// change. In the plane edges are the sides of polygons.
 
 #include "base/dimensions.h"
 #include "base/error.h"
@@ -12,7 +12,7 @@
 namespace dsw {
 namespace {
 
-/** Takes a vertex out of a facet; the loop that its triangles leave empty, from the vertex after it to the one before. */
+/** Takes a vertex out of a facet; the loop that its triangles leave, from the vertex after it to the one before. */
 Array<uint32_t> take_out(FacetDraft& facet, uint32_t vertex) {
   const uint32_t at = facet.place_of(vertex);
   const uint32_t last = facet.after(at, facet.loop.size() - 1);

@@ -247,7 +247,8 @@ typename Edit<D>::Link* Edit<D>::find_link(uint32_t word) {
   return &*std::lower_bound(links_.begin(), links_.end(), Link{word, 0, 0});
 }
 
-/** Every half-facet of a cell that stays whose link has to change. Unless a new facet claims it, it then is on the outside. */
+/** Every half-facet of a cell that stays whose link has to change. Unless a new facet claims it, it then is on the
+ * outside. */
 template <int D>
 void Edit<D>::collect_links() {
   const auto add = [&](HalfFacet h) {
@@ -333,7 +334,8 @@ void Edit<D>::check_cells(Array<uint32_t>* invalid) {
   }
 }
 
-/** Whether an edge of a cell that goes is still that of a new cell, or of one that stays and is joined to it through faces. */
+/** Whether an edge of a cell that goes is still that of a new cell, or of one that stays and is joined to it through
+ * faces. */
 template <int D>
 bool Edit<D>::is_edge_left(Dart d) const {
   const uint32_t a = dart_vertex(map_, d), b = dart_target(map_, d);

@@ -1,10 +1,11 @@
 #pragma once
-// One change of the topology: some cells go, others take their place. It is written down, prepared (all that can fail: cells
-// checked exactly, room made, records written where nothing leads to them yet), applied (the links of the cells around lead to the new
-// cells; can be taken back), and finished. An edit that is not finished leaves everything as it was.
+// One change of the topology: some cells go, others take their place. It is written down, prepared (all that can fail:
+// cells checked exactly, room made, records written where nothing leads to them yet), applied (the links of the cells
+// around lead to the new cells; can be taken back), and finished. An edit that is not finished leaves everything as it
+// was.
 //
-// Paper 5.2 names the operations; that cells are replaced instead of changed in place is ours: what was is still there when bodies are
-// asked whether they stay free.
+// Paper 5.2 names the operations; that cells are replaced instead of changed in place is ours: what was is still there
+// when bodies are asked whether they stay free.
 
 #include "base/key_table.h"
 #include "map/records.h"
@@ -28,7 +29,8 @@ class Edit {
 
   /** A cell goes. */
   void remove(Cell c);
-  /** A cell goes and what takes its place is drafted, at first as it is. Returns the draft's number; asked again, the same. */
+  /** A cell goes and what takes its place is drafted, at first as it is. Returns the draft's number; asked again, the
+   * same. */
   size_t replace(Cell c);
   /** A further draft; returns its number. */
   size_t add(CellDraft&& draft);
@@ -37,7 +39,7 @@ class Edit {
   CellDraft* find_draft(Cell c);
   /** A vertex with this position. Throws BORROWED where points are the host's without room for it. */
   uint32_t add_vertex(const double* position);
-  /** Likewise, at `share` of the way from one end of an edge to the other; the edge's mark goes to both of its parts. */
+  /** Likewise, at `share` of the way along an edge; the edge's mark goes to both of its parts. */
   uint32_t add_vertex(uint32_t a, uint32_t b, double share);
   /** Links of cells that stay: the half-facet leads to another (which is told separately) or to the outside. */
   void set_link(HalfFacet h, HalfFacet to, bool marked);
@@ -48,8 +50,8 @@ class Edit {
   /** After prepare(). */
   void set_draft_mark(size_t i, bool marked) noexcept;
 
-  /** Throws INVALID_CELL, BAD_CELL, BAD_TOPOLOGY, TOO_LARGE, std::bad_alloc. With `invalid`, drafts that would be the reason for one of
-   * the first two are put there instead; if there are any, the edit is of no more use. */
+  /** Throws INVALID_CELL, BAD_CELL, BAD_TOPOLOGY, TOO_LARGE, std::bad_alloc. With `invalid`, drafts that would be the
+   * reason for one of the first two are put there instead; if there are any, the edit is of no more use. */
   void prepare(Array<uint32_t>* invalid = nullptr);
   void apply() noexcept;
   /** Takes an applied edit back. */

@@ -83,8 +83,8 @@ class SharedPoints {
   Array<uint32_t> index_;
 };
 
-/** Adds simplices `begin` .. `end` - 1 of a cell: triangles, or the segments that sides are; `point` gives the trace's point of a local
- * vertex. */
+/** Adds simplices `begin` .. `end` - 1 of a cell: triangles, or the segments that sides are; `point` gives the trace's
+ * point of a local vertex. */
 template <int D, class Point>
 void add_simplices(Addition& addition, const Shape& shape, uint32_t begin, uint32_t end, const Point& point) {
   for (uint32_t s = begin; s < end; ++s) {

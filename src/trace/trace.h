@@ -1,5 +1,6 @@
 #pragma once
-// Geometry for viewers, collected into plain arrays. Every function adds all it has to add or, when memory runs out, nothing.
+// Geometry for viewers, collected into plain arrays. Every function adds all it has to add or, when memory runs out,
+// nothing.
 
 #include "dartsweep/contact.h"
 #include "environment/environment.h"
@@ -29,12 +30,12 @@ struct Trace {
 /** Empties a trace; its memory stays. */
 void clear(Trace& trace) noexcept;
 
-/** Adds the boundary triangles of cells, counter-clockwise seen from outside; in the plane their sides, as they turn. */
+/** Adds the boundary triangles of cells, counter-clockwise from outside; in the plane their sides, as they turn. */
 template <int D>
 void add_cells(Trace& trace, const Environment<D>& env, const Cell* cells, size_t count, uint32_t label);
 
-/** Adds what is impassable and borders a passable cell: simplices of facets as add_cells has them, of the passable cell (of the canonical
- * one where both are); marked edges; marked vertices. */
+/** Adds what is impassable and borders a passable cell: simplices of facets as add_cells has them, of the passable cell
+ * (of the canonical one where both are); marked edges; marked vertices. */
 template <int D>
 void add_impassable(Trace& trace, const Environment<D>& env, bool with_boundary, uint32_t label);
 

@@ -1,5 +1,5 @@
-// Hexahedra: all planes of a cell at once, a lane for each facet. Vertices are taken relative to the target q, so that with
-// a, b, c relative
+// Hexahedra: all planes of a cell at once, a lane for each facet. Vertices are taken relative to the target q, so that
+// with a, b, c relative
 //   plane test of q against triangle a b c  = -det(a, b, c) = b . (a x c)
 //   line test of p -> q against edge a -> b = -(p - q) . (a x b)
 // and the two triangles of a facet share the cross product of its diagonal.
@@ -77,8 +77,8 @@ struct Piercings {
   uint32_t settled;  // the filter answers for those with q outside of a triangle
 };
 
-/** `out1`, `out2`: quads with q outside of their triangles. `back`: p -> q. The diagonal decides between a quad's triangles, two
- * more edges whether that one is pierced. */
+/** `out1`, `out2`: quads with q outside of their triangles. `back`: p -> q. The diagonal decides between a quad's
+ * triangles, two more edges whether that one is pierced. */
 DSW_HOT Piercings pierce(const Quads& quads, uint32_t out1, uint32_t out2, const Points& back, Lanes bound) noexcept {
   const Lanes minus_bound = Lanes::all(0) - bound;
   const Lanes over = dot(quads.diagonal, back);  // > 0: on the side of the second triangle
@@ -92,7 +92,8 @@ DSW_HOT Piercings pierce(const Quads& quads, uint32_t out1, uint32_t out2, const
   const uint32_t beside = Lanes::bits(Lanes::greater(minus_bound, edge1) | Lanes::greater(minus_bound, edge2));
   const uint32_t q_outside = (on_second & out2) | (on_first & out1);
   const uint32_t hit = q_outside & inside1 & inside2;
-  // p against the triangle: minus that of q plus the three line tests is minus the volume seen from p, four determinants.
+  // p against the triangle: minus that of q plus the three line tests is minus the volume seen from p, four
+  // determinants.
   const Lanes of_q = Lanes::select(is_second, quads.second, quads.first);
   const Lanes magnitude = Lanes::absolute(over);
   const Lanes of_p = ((of_q - edge1) - edge2) - magnitude;
@@ -137,7 +138,8 @@ inline BoxExits box_exits(const Environment<3>& env, const uint32_t* w, const do
   return exits;
 }
 
-/** Whether a hexahedron with this centre is so clearly valid that the filter sees it, as is_plainly_valid in environment/validity.cpp asks. */
+/** Whether a hexahedron with this centre is so clearly valid that the filter sees it, as is_plainly_valid in
+ * environment/validity.cpp asks. */
 inline bool is_plainly_valid(const Environment<3>& env, const uint32_t* w, const double* apex) noexcept {
   const BoxVertices v(env.points, w + kUnitWords<3>, apex);
   const Points c0 = corner<0>(v), c1 = corner<1>(v), c2 = corner<2>(v), c3 = corner<3>(v);

@@ -1,5 +1,5 @@
-// Hexahedra eight casts at a time, a lane for each: the signs of box.inl bit for bit, but of the work for one cast only its
-// loads are left. Flat ones share cross products too: each serves both facets at its edge.
+// Hexahedra eight casts at a time, a lane for each: the signs of box.inl bit for bit, but of the work for one cast only
+// its loads are left. Flat ones share cross products too: each serves both facets at its edge.
 
 struct Boxes {
   const uint32_t* records[kAbreast];
@@ -108,7 +108,8 @@ struct RingPlanes {
     least.v = _mm512_min_pd(least.v, _mm512_abs_pd(det.v));
   }
 
-  /** The two facets at the edge from a to the next: with the vertex after, an even one; with the vertex before, an odd one. */
+  /** The two facets at the edge from a to the next: with the vertex after, an even one; with the vertex before, an odd
+   * one. */
   DSW_HOT void test_beside(uint32_t a, uint32_t even, uint32_t odd) noexcept {
     const Points normal = cross(ring.at[a], ring.at[a + 1]);
     test(normal, (a + 2) % 6, even);

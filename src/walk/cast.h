@@ -1,7 +1,7 @@
 #pragma once
 // A cast: one straight flight of a point through an environment, cell by cell, to its target or to the first impassable
-// facet [JCD10] 3.3. Exact under the shift of predicates/: start and target are thought of as shifted by one infinitesimal,
-// so the start lies in one cell and the segment pierces one simplex of a facet at a time.
+// facet [JCD10] 3.3. Exact under the shift of predicates/: start and target are thought of as shifted by one
+// infinitesimal, so the start lies in one cell and the segment pierces one simplex of a facet at a time.
 
 #include <cstdint>
 
@@ -69,21 +69,22 @@ CastResult cast(const Environment<D>& env, const double* from, const double* to,
 
 constexpr uint32_t kPacket = 128;  // most casts that run side by side
 
-/** The same for `count` <= kPacket casts, which together take half the time or less. Results and counters do not depend on how
- * casts are grouped. */
+/** The same for `count` <= kPacket casts, which together take half the time or less. Results and counters do not depend
+ * on how casts are grouped. */
 template <int D>
 void cast_side_by_side(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
                        CastCounters* counters) noexcept;
 
-/** Whether a point, shifted, lies in a cell: inside all planes of a convex one; else nothing of the cell's boundary stands
- * between its centre and the point. */
+/** Whether a point, shifted, lies in a cell: inside all planes of a convex one; else nothing of the cell's boundary
+ * stands between its centre and the point. */
 template <int D>
 bool contains(const Environment<D>& env, Cell cell, const double* point) noexcept;
 
-/** Whether the filter sees that a point lies strictly inside of all boundary planes of a hexahedron that need not be convex, in the plane
- * of the lines of a polygon's sides. All points with that property form a convex set, which holds the centre of a valid cell; on the way
- * from there to one of them no boundary simplex can be passed, as its plane is not. So the set lies in the cell. And a cell is star-shaped
- * as seen from each of them: what joins it to any other point of the cell lies in the cell. False for other polyhedra. */
+/** Whether the filter sees that a point lies strictly inside of all boundary planes of a hexahedron that need not be
+ * convex, in the plane of the lines of a polygon's sides. All points with that property form a convex set, which holds
+ * the centre of a valid cell; on the way from there to one of them no boundary simplex can be passed, as its plane is
+ * not. So the set lies in the cell. And a cell is star-shaped as seen from each of them: what joins it to any other
+ * point of the cell lies in the cell. False for other polyhedra. */
 template <int D>
 bool sees_all(const Environment<D>& env, Cell cell, const double* point, CastCounters* counters) noexcept;
 

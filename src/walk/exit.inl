@@ -1,5 +1,5 @@
-// Through which simplex of its boundary does a segment leave a cell? The boundary walk : only planes with the
-// target outside are candidates; if there is none, the rest of the segment stays inside. Of several candidates exact line
+// Through which simplex of its boundary does a segment leave a cell? The boundary walk : only planes with the target
+// outside are candidates; if there is none, the rest of the segment stays inside. Of several candidates exact line
 // tests tell which is pierced. It needs no centre, and no convexity either: where a cell is not convex the segment can
 // leave it more than once, and the earliest exit after the entry counts.
 
@@ -17,8 +17,8 @@ struct Entry {
   uint32_t simplex = 0;             // of that cell, crossed last
   HalfFacet through;                // the facet crossed last, seen from the cell entered; invalid for the first cell
 
-  /** The facet crossed has the target inside, since the segment came in through it: its bit, for a form whose links end a
-   * unit. Nothing is asked about it. */
+  /** The facet crossed has the target inside, since the segment came in through it: its bit, for a form whose links end
+   * a unit. Nothing is asked about it. */
   uint32_t known_inside(uint32_t facet_count) const noexcept {
     return through.valid() ? 1u << (through.word % kUnitWords<3> - (kUnitWords<3> - facet_count)) : 0;
   }
@@ -72,8 +72,8 @@ class ExitFinder {
     return {};
   }
 
-  /** The first half of finding the exit: all planes of a cell that has a kernel, without a branch on their signs. `line`: from p to
-   * q; may be unwritten where no cell is of general shape. */
+  /** The first half of finding the exit: all planes of a cell that has a kernel, without a branch on their signs.
+   * `line`: from p to q; may be unwritten where no cell is of general shape. */
   DSW_HOT Look look(Cell c, const Entry& entry, CastLine& line) noexcept {
     const uint32_t* w = map_.record(c);
     const Form form = form_of(w[0]);
@@ -107,7 +107,8 @@ class ExitFinder {
     return Look::of_nothing();
   }
 
-  /** The second half, with the same line: which facet it is. `forecast`: a facet to ask first, where that saves asking the others. */
+  /** The second half, with the same line: which facet it is. `forecast`: a facet to ask first, where that saves asking
+   * the others. */
   DSW_HOT Exit choose(Cell c, const Look& look, const CastLine& line, const Entry& entry, uint32_t forecast) noexcept {
     if constexpr (D == 3) {
       if (look.kind == LookKind::kPlanes) return exit_flat(c, look.facets);
@@ -120,8 +121,8 @@ class ExitFinder {
     return apart().exit_many(c, entry);
   }
 
-  /** Whether q lies in a cell, p being its centre. Where planes alone decide the centre is not asked: that of a sliver can
-   * round to a point outside. */
+  /** Whether q lies in a cell, p being its centre. Where planes alone decide the centre is not asked: that of a sliver
+   * can round to a point outside. */
   bool contains(Cell c) noexcept {
     const uint32_t* w = map_.record(c);
     if constexpr (D == 3) {
@@ -159,7 +160,7 @@ class ExitFinder {
     void tie() noexcept { tally.tie(); }
   };
 
-  /** A copy for what is not inlined: an object whose address is passed on lives in memory, and this one in registers. */
+  /** A copy for what is not inlined: an object whose address is passed on lives in memory, this one in registers. */
   DSW_HOT ExitFinder apart() const noexcept { return *this; }
 
   void points_of(Cell c, const uint16_t* local, const double* (&out)[D]) const noexcept {
@@ -183,8 +184,8 @@ class ExitFinder {
     return form == Form::kSimplex ? f : form == Form::kPyramid ? f + (f != 0 ? 1 : 0) : 2 * f;
   }
 
-  /** Of two facets that share a ridge and both have q outside: whether the segment passes it on the side of f. 0: they share
-   * none. For the same forms. */
+  /** Of two facets that share a ridge and both have q outside: whether the segment passes it on the side of f. 0: they
+   * share none. For the same forms. */
   DSW_HOT int keeps(Cell c, uint32_t f, uint32_t g) noexcept {
     const uint32_t* w = map_.record(c);
     const Form form = form_of(w[0]);
@@ -254,8 +255,8 @@ class ExitFinder {
     return {side, side};
   }
 
-  // Cells that need not be convex: one plane a simplex. Of a hexahedron the lanes settle nearly all; what they leave open is
-  // asked triangle by triangle.
+  // Cells that need not be convex: one plane a simplex. Of a hexahedron the lanes settle nearly all; what they leave
+  // open is asked triangle by triangle.
 
   /** The earliest of the exits seen so far. */
   struct Earliest {
@@ -296,8 +297,8 @@ class ExitFinder {
     return best.exit;
   }
 
-  /** Of the triangles that the line pierces outwards: a segment that is in the cell can leave it nowhere else, so of a single one
-   * nothing but the target is asked. */
+  /** Of the triangles that the line pierces outwards: a segment that is in the cell can leave it nowhere else, so of a
+   * single one nothing but the target is asked. */
   DSW_HOT Exit exit_along(Cell c, const CastLine& line, const Entry& entry) noexcept {
     const uint32_t pierced = line.pierced;
     if (__builtin_expect((pierced & (pierced - 1)) != 0, 0)) return apart().earliest_of(c, pierced, entry);

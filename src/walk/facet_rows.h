@@ -1,6 +1,6 @@
 #pragma once
-// Facets in rows, one for each coordinate of a corner: triangles in space, segments in the plane. Several are read side by side, and in
-// the order in which they lie in memory.
+// Facets in rows, one for each coordinate of a corner: triangles in space, segments in the plane. Several are read side
+// by side, and in the order in which they lie in memory.
 
 #include <algorithm>
 #include <cstring>

@@ -1,6 +1,6 @@
-// Six doubles side by side, one for each facet of a hexahedron: the same operations in the same order on every instruction
-// set, so the bits are the same. Included once for each instruction set, inside a namespace of its own. (Operators are
-// not friends defined in the class, because GCC compiles those for the wrong target.)
+// Six doubles side by side, one for each facet of a hexahedron: the same operations in the same order on every
+// instruction set, so the bits are the same. Included once for each instruction set, inside a namespace of its own.
+// (Operators are not friends defined in the class, because GCC compiles those for the wrong target.)
 
 /** Largest |component| on every axis over the vectors that meet in the determinants of a cell. */
 struct Extent {
@@ -16,7 +16,7 @@ struct Extent {
 
 #if defined(DSW_ISA_AVX512)
 
-/** One 512-bit register. For six facets the last two lanes are idle: they hold one point, so every sign in them is 0. */
+/** One 512-bit register. For six facets the last two lanes are idle: they hold one point, so all signs there are 0. */
 struct Lanes {
   using Mask = unsigned;
   __m512d v;
@@ -82,8 +82,8 @@ struct FlatBoxVertices {
   }
 };
 
-/** The vertices of a hexahedron relative to a point, two in the halves of a register, then paired so that one permutation
- * of two registers takes any corner of all facets out of them. */
+/** The vertices of a hexahedron relative to a point, two in the halves of a register, then paired so that one
+ * permutation of two registers takes any corner of all facets out of them. */
 struct BoxVertices {
   Extent extent;
   __m512d xz[2], y[2];  // x0 x1 z0 z1 x4 x5 z4 z5 and the same of 2 3 6 7; y0 y1 . . y4 y5 . . likewise

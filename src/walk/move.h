@@ -17,8 +17,8 @@ struct MoveResult {
   bool work_limited = false;
 };
 
-/** The move of a point, of which `flight` was the cast; `request.from` lies in `request.start`. The cell and position of the
- * result are always valid; in the worst case they are those of the start. */
+/** The move of a point, of which `flight` was the cast; `request.from` lies in `request.start`. The cell and position
+ * of the result are always valid; in the worst case they are those of the start. */
 template <int D>
 MoveResult<D> finish_move(const Environment<D>& env, const CastRequest& request, const CastResult& flight,
                           bool with_normal, CastCounters* counters) noexcept;

@@ -32,7 +32,7 @@ class Packet {
 
   const CastRequest& request(uint32_t i) const noexcept { return requests_[i]; }
   const CastResult& result(uint32_t i) const noexcept { return results_[i]; }
-  /** Whether a cast came to its target, in the cell that is known to hold it: over a fold it can come to it in another. */
+  /** Whether a cast came to its target, in the cell known to hold it: over a fold it can come to it in another. */
   bool reached(uint32_t i) const noexcept {
     const Cell end = requests_[i].end;
     return results_[i].end == CastEnd::kReached && (!end.valid() || results_[i].cell == end);

@@ -1,8 +1,8 @@
-// Convex cells of the plane. A line sees the vertices on the way round such a cell change from its right to its left where it leaves,
-// and once more where it came in: so the side through which it leaves is found by halving.
+// Convex cells of the plane. A line sees the vertices on the way round such a cell change from its right to its left
+// where it leaves, and once more where it came in: so the side through which it leaves is found by halving.
 
-/** A convex cell and a segment p q whose part from its entry, or from p, on begins in it. Where its vertices stand is found once: asking
- * the map for each costs a short move a sixth more. */
+/** A convex cell and a segment p q whose part from its entry, or from p, on begins in it. Where its vertices stand is
+ * found once: asking the map for each costs a short move a sixth more. */
 template <class Tally>
 class ConvexPolygon {
  public:
@@ -16,8 +16,8 @@ class ConvexPolygon {
     first_ = is_general_ ? first_vertex_item<2>(size_) : 0;
   }
 
-  /** The side through which the segment leaves; kNoFacet: it ends in the cell. `entered`: the side through which it came in; kNoFacet: p
-   * lies in the cell, and `forecast` may name a side to ask first. */
+  /** The side through which the segment leaves; kNoFacet: it ends in the cell. `entered`: the side through which it
+   * came in; kNoFacet: p lies in the cell, and `forecast` may name a side to ask first. */
   uint32_t exit(uint32_t entered, uint32_t forecast) noexcept {
     if (entered != kNoFacet) {
       const uint32_t f = pierced(next(entered), size_ - 1);

@@ -1,6 +1,6 @@
-// Polyhedra: the line of a cast against all triangles of the boundary side by side, by the shear of shear.h. A line that comes out
-// of a cell pierces mostly one triangle outwards, whatever the cell's form; a plane is asked only for that one. What the filter
-// leaves open is asked again triangle by triangle.
+// Polyhedra: the line of a cast against all triangles of the boundary side by side, by the shear of shear.h. A line
+// that comes out of a cell pierces mostly one triangle outwards, whatever the cell's form; a plane is asked only for
+// that one. What the filter leaves open is asked again triangle by triangle.
 
 constexpr uint32_t kMostCorners = 16;    // two registers of one coordinate
 constexpr uint32_t kMostTriangles = 28;  // what a sphere with as many vertices has; a bit each
@@ -32,13 +32,14 @@ inline bool has_line_exits(const Shape& shape) noexcept {
   return shape.vertex_count() <= kMostCorners && shape.simplex_count() <= kMostTriangles;
 }
 
-/** The line from a cell's vertex 0 for single precision. With u = 2^-24, m over the stored coordinates and C those of vertex 0 on the
- * plane: a point X = (A_i - s_i A_k) + C_i meets five roundings and three of its inputs, together less than 8.1 u m + 2.1 u |C|; C itself
- * is off by 9 M / 2^53 with M over p -> vertex 0 (shear.h). With |X| <= N = 2 m + |C| that is e < 4.1 u N + 9 M / 2^53, and
- * X_i Y_j - X_j Y_i with its three roundings is off by 4 N e + 2 e^2 + 4 u N^2 < 20.4 u N^2 + 37 N M / 2^53 for e < N / 100.
- * These sides are the weights, each at most 2 N^2, of a triangle's vertices where the line pierces it. The sum of weights times z, how far
- * vertices lie ahead of q along the axis k, says whether q is passed before that. z = A_k + z_0 is at most Z = N + |z_0|, and off by
- * 3 u Z + 2 M / 2^53. With five roundings the sum is off by (3 * 20.4 + 6 * 3 + 6 * 5) u N^2 Z + (3 * 37 N Z + 12 N^2) M / 2^53, less than four
+/** The line from a cell's vertex 0 for single precision. With u = 2^-24, m over the stored coordinates and C those of
+ * vertex 0 on the plane: a point X = (A_i - s_i A_k) + C_i meets five roundings and three of its inputs, together less
+ * than 8.1 u m + 2.1 u |C|; C itself is off by 9 M / 2^53 with M over p -> vertex 0 (shear.h). With |X| <= N = 2 m +
+ * |C| that is e < 4.1 u N + 9 M / 2^53, and X_i Y_j - X_j Y_i with its three roundings is off by 4 N e + 2 e^2 + 4 u
+ * N^2 < 20.4 u N^2 + 37 N M / 2^53 for e < N / 100. These sides are the weights, each at most 2 N^2, of a triangle's
+ * vertices where the line pierces it. The sum of weights times z, how far vertices lie ahead of q along the axis k,
+ * says whether q is passed before that. z = A_k + z_0 is at most Z = N + |z_0|, and off by 3 u Z + 2 M / 2^53. With
+ * five roundings the sum is off by (3 * 20.4 + 6 * 3 + 6 * 5) u N^2 Z + (3 * 37 N Z + 12 N^2) M / 2^53, less than four
  * times the bound of a side and Z. */
 struct NearLine {
   float slope_i, slope_j, i, j, z;  // of vertex 0

@@ -1,6 +1,6 @@
 #pragma once
-// Batches know which cells come next: asking the memory for them while a packet is filled hides most of what casts in random
-// cells wait for.
+// Batches know which cells come next: asking the memory for them while a packet is filled hides most of what casts in
+// random cells wait for.
 
 #include "environment/environment.h"
 
@@ -32,7 +32,8 @@ inline void prefetch_vertices(const Environment<D>& env, Cell c) noexcept {
   for (int i = 0; i <= D; ++i) __builtin_prefetch(env.point(w[i] & kVertexMask));
 }
 
-/** What a look at a polyhedron reads, as far as most have it: local points, and of the shape counts and triangles. The record is read. */
+/** What a look at a polyhedron reads, as far as most have it: local points, and of the shape counts and triangles. The
+ * record is read. */
 template <int D>
 inline void prefetch_polyhedron(const Environment<D>& env, Cell c) noexcept {
   const uint32_t word = env.map.record(c)[0];

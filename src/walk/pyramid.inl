@@ -1,5 +1,5 @@
-// Pyramids that are convex with a flat base: five planes from the vertices relative to the target, three cross products serving
-// all of them, one filter bound for the cell.
+// Pyramids that are convex with a flat base: five planes from the vertices relative to the target, three cross products
+// serving all of them, one filter bound for the cell.
 
 struct RelativePyramid {
   double x[5], y[5], z[5];

@@ -18,8 +18,8 @@ double largest_coordinate(const double* p) noexcept {
   return largest;
 }
 
-/** Largest coordinate on the way from p to q: of all of it, but up to `time` where it ends 2^10 times as far out. The target of such
- * a long way says nothing about where it stops. */
+/** Largest coordinate on the way from p to q: of all of it, but up to `time` where it ends 2^10 times as far out. The
+ * target of such a long way says nothing about where it stops. */
 template <int D>
 double reach(const double* p, const double* q, double time) noexcept {
   constexpr double kLong = 1024;
@@ -33,7 +33,8 @@ double reach(const double* p, const double* q, double time) noexcept {
   return std::max(start, target);
 }
 
-/** First step back from a contact at `time`: one unit in the last place of the largest coordinate, as a fraction of the move. */
+/** First step back from a contact at `time`: one unit in the last place of the largest coordinate, as a fraction of the
+ * move. */
 template <int D>
 double first_step(const double* p, const double* q, double time) noexcept {
   using Limits = std::numeric_limits<double>;
@@ -46,8 +47,8 @@ double first_step(const double* p, const double* q, double time) noexcept {
   return std::min(std::max(step, is_long ? Limits::denorm_min() : Limits::epsilon() / 2), 1.0);
 }
 
-/** Where the contact of a long way comes so early that no double tells its time well: q comes nearer on this way, and `time` is found
- * again there, by bisection, as the last at which is_free. */
+/** Where the contact of a long way comes so early that no double tells its time well: q comes nearer on this way, and
+ * `time` is found again there, by bisection, as the last at which is_free. */
 template <int D, class IsFree>
 void shorten(const double* p, double* q, double* time, IsFree is_free) {
   constexpr double kLeast = std::numeric_limits<double>::min();
@@ -69,8 +70,8 @@ void shorten(const double* p, double* q, double* time, IsFree is_free) {
   *time = time_of(free);
 }
 
-/** Candidates recede from `time` on the way from p to q by doubling steps, at most 60; `position` is the first for which is_free, or p.
- * Returns whether one was. */
+/** Candidates recede from `time` on the way from p to q by doubling steps, at most 60; `position` is the first for
+ * which is_free, or p. Returns whether one was. */
 template <int D, class IsFree>
 bool retreat(const double* p, const double* q, double time, double* position, IsFree is_free) {
   double step = first_step<D>(p, q, time);

@@ -1,7 +1,7 @@
 #pragma once
-// Line tests of many edges against one line, by a shear along the line onto the plane of two axes: with d = q - p, its longest
-// component d_k and A' = A - (A_k / d_k) d, d.(A x B) = d_k (A'_i B'_j - A'_j B'_i).
-// With u the unit roundoff and M over the components of all A: A is off by uM, the ratio of two components of d by 4u, A' by 9uM with
+// Line tests of many edges against one line, by a shear along the line onto the plane of two axes: with d = q - p, its
+// longest component d_k and A' = A - (A_k / d_k) d, d.(A x B) = d_k (A'_i B'_j - A'_j B'_i). With u the unit roundoff
+// and M over the components of all A: A is off by uM, the ratio of two components of d by 4u, A' by 9uM with
 // |A'| <= 2M, and the two products and their difference by (72 + 16)uM^2.
 
 #include <algorithm>
@@ -43,7 +43,8 @@ class Shear {
     return {a - slopes_[0] * c, b - slopes_[1] * c};
   }
   static double side(const Point& a, const Point& b) noexcept { return a.i * b.j - a.j * b.i; }
-  /** The line leaves a facet whose boundary goes from a to b, counter-clockwise seen from outside, if this is positive for all. */
+  /** The line leaves a facet whose boundary goes from a to b, counter-clockwise seen from outside, if this is positive
+   * for all. */
   void pass(const Point& a, const Point& b) noexcept { lowest_ = std::min(lowest_, side(a, b)); }
 
   /** Of all tests, and of all components of points. */
@@ -81,8 +82,8 @@ class Shear {
   double slopes_[2], largest_, lowest_ = 1e300;
 };
 
-/** Passes triangles until one is not passed; returns how many were, all or up to that one. As far as rounded tests tell: ask `passed_all`
- * too. Several instruction sets, the same number, and the same bits if all were passed. */
+/** Passes triangles until one is not passed; returns how many were, all or up to that one. As far as rounded tests
+ * tell: ask `passed_all` too. Several instruction sets, the same number, and the same bits if all were passed. */
 using PassTriangles = size_t (*)(Shear& shear, const FacetRows<3>& triangles) noexcept;
 size_t pass_triangles(Shear& shear, const FacetRows<3>& triangles) noexcept;
 #if defined(__x86_64__)

@@ -1,5 +1,5 @@
-// Triangles side by side, one in each lane: the operations of `pass_triangles` in the same order, so the same bits. Included once for
-// each instruction set, whose `Lanes` is a type of its own.
+// Triangles side by side, one in each lane: the operations of `pass_triangles` in the same order, so the same bits.
+// Included once for each instruction set, whose `Lanes` is a type of its own.
 
 namespace dsw {
 

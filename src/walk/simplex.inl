@@ -1,5 +1,5 @@
-// Tetrahedra: the four planes from the vertices relative to the target, two cross products serving all of them, one filter
-// bound for the cell.
+// Tetrahedra: the four planes from the vertices relative to the target, two cross products serving all of them, one
+// filter bound for the cell.
 
 struct RelativeTetrahedron {
   double x[4], y[4], z[4];

@@ -13,8 +13,8 @@ constexpr uint8_t kTetrahedronTips[4] = {2, 0, 1, 3};
 /** A triangle repeats its last vertex. */
 constexpr uint8_t kPyramidFacets[5][4] = {{0, 3, 2, 1}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}};
 
-/** Three vertices give the plane of a flat facet, so that vertices 0 and 6 of a box need not be read: what remains of a facet
- * are three neighbours on the ring 1 2 3 7 4 5. They may lie in a row; then no filter settles the facet. */
+/** Three vertices give the plane of a flat facet, so that vertices 0 and 6 of a box need not be read: what remains of a
+ * facet are three neighbours on the ring 1 2 3 7 4 5. They may lie in a row; then no filter settles the facet. */
 constexpr uint8_t kFlatFacets[3][6] = {{3, 2, 4, 7, 1, 5}, {4, 5, 1, 2, 3, 7}, {7, 1, 5, 3, 2, 4}};
 
 /** The ridge that two facets share: its vertices in the order of the first facet; a == b if there is none. */

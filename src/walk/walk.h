@@ -1,6 +1,6 @@
 #pragma once
-// The walk, compiled for several instruction sets. All give the same bits; which one runs is chosen once, when the library
-// is loaded. This header holds what they share, so that the files included per instruction set include nothing.
+// The walk, compiled for several instruction sets. All give the same bits; which one runs is chosen once, when the
+// library is loaded. This header holds what they share, so that the files included per instruction set include nothing.
 
 #include <algorithm>
 #include <cmath>

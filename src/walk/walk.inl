@@ -1,5 +1,6 @@
-// One cast from its start to its end; see cast.h. Included once for each instruction set, in a namespace of its own, after
-// the headers it needs: nothing that another translation unit might share is compiled for a machine it may not run on.
+// One cast from its start to its end; see cast.h. Included once for each instruction set, in a namespace of its own,
+// after the headers it needs: nothing that another translation unit might share is compiled for a machine it may not
+// run on.
 
 // Each needs the one before.
 // clang-format off
@@ -16,8 +17,8 @@ constexpr uint32_t kAbreast = 8;  // casts that are looked at together
 #include "walk/exit.inl"
 // clang-format on
 
-/** One bit of 64 for a cell. All visited cells' bits together say "never entered before" for certain; the opposite is only a
- * suspicion, which costs a comparison of times and nothing else. */
+/** One bit of 64 for a cell. All visited cells' bits together say "never entered before" for certain; the opposite is
+ * only a suspicion, which costs a comparison of times and nothing else. */
 inline uint64_t visit_bit(Cell c) { return uint64_t{1} << ((c.unit * 0x9e3779b1u) >> 26); }
 
 /** As find_out_validity, with the cell's centre. */
@@ -52,8 +53,9 @@ struct Flight {
   uint64_t visited;
 };
 
-/** Casts side by side. One step of a cast is three waits (for a cell's record, for its vertices, for the sign of a plane
- * that nobody can predict); a pass over many casts for each of the three overlaps what one cast alone would sit through. */
+/** Casts side by side. One step of a cast is three waits (for a cell's record, for its vertices, for the sign of a
+ * plane that nobody can predict); a pass over many casts for each of the three overlaps what one cast alone would sit
+ * through. */
 template <int D, class Tally>
 class Walkers {
  public:

@@ -81,8 +81,8 @@ void EndRepair<D>::put(Body<D>& body, const RigidMotion<D>& moved) noexcept {
   }
 }
 
-/** Finds the cells of a body's vertices; or of those that lie beyond a wall the one that has farthest to go, or the first edge that is not
- * free. */
+/** Finds the cells of a body's vertices; or of those that lie beyond a wall the one that has farthest to go, or the
+ * first edge that is not free. */
 template <int D>
 typename EndRepair<D>::Look EndRepair<D>::look(uint32_t owner, Way* way) {
   Body<D>& body = *all_.bodies[owner].body;
@@ -119,8 +119,9 @@ typename EndRepair<D>::Look EndRepair<D>::look(uint32_t owner, Way* way) {
   return free ? Look::kFree : Look::kStuck;
 }
 
-/** Whether an edge is not free; then how far which of its points has to move to pass what it meets: in the sense of the normals of the walls that
- * are met from both ends, or if these are opposite in that of the wall's motion. No wall: that is not known. */
+/** Whether an edge is not free; then how far which of its points has to move to pass what it meets: in the sense of the
+ * normals of the walls that are met from both ends, or if these are opposite in that of the wall's motion. No wall:
+ * that is not known. */
 template <int D>
 bool EndRepair<D>::find_way(const Body<D>& body, uint32_t edge, Way* way) const {
   const uint32_t(&ends)[2] = body.edges[edge].ends;

@@ -1,6 +1,7 @@
 #pragma once
-// What is done about bodies of which edges are not free where the environment has gone, or rigid ones of which vertices lie beyond walls
-// [JCD10] 5.1: rigid ones move as a whole, edges of others get new vertices. What comes of it is looked at where it is, not on its way.
+// What is done about bodies of which edges are not free where the environment has gone, or rigid ones of which vertices
+// lie beyond walls [JCD10] 5.1: rigid ones move as a whole, edges of others get new vertices. What comes of it is
+// looked at where it is, not on its way.
 
 #include "sweep/body_probe.h"
 #include "walls/rigid_push.h"

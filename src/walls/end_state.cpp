@@ -148,7 +148,8 @@ Went EndState<D>::run_seats(const WallSettings& settings, WallRecord& record) {
   return Went::kThrough;
 }
 
-/** Puts a point that lies beyond a wall to where the way from its cell's centre meets that; false if an invalid cell is met. */
+/** Puts a point that lies beyond a wall to where the way from its cell's centre meets that; false if an invalid cell is
+ * met. */
 template <int D>
 bool EndState<D>::put_before(const CastRequest& request, const CastResult& flight, const Feature& point,
                              dsw_wall_response done, WallRecord& record) {

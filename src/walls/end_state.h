@@ -1,6 +1,6 @@
 #pragma once
-// The environment's points go to new places at once [JCD10] 5.1: occupants are looked for where they are then. That tells rightly on which
-// side of a wall they are when walls move less than a cell is thick.
+// The environment's points go to new places at once [JCD10] 5.1: occupants are looked for where they are then. That
+// tells rightly on which side of a wall they are when walls move less than a cell is thick.
 
 #include "sweep/body_probe.h"
 #include "walk/packet.h"
@@ -45,8 +45,8 @@ class EndState {
  public:
   EndState(Environment<D>& env, Occupants<D>& all);
 
-  /** See WallMotion::run. What has come to lie beyond a wall is put before it. Where that is not enough, or a cell that is met would not
-   * be valid, the way is shortened. O(occupants, volumes met). */
+  /** See WallMotion::run. What has come to lie beyond a wall is put before it. Where that is not enough, or a cell that
+   * is met would not be valid, the way is shortened. O(occupants, volumes met). */
   void run(double* next, const WallSettings& settings, WallRecord& record);
 
  private:

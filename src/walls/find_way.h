@@ -7,9 +7,9 @@ namespace dsw {
 
 enum class Went { kThrough, kStopped, kInvalid, kRefused };
 
-/** Tries the whole way; where it is stopped half of it, a quarter, ... and at last none. try_way(way) tells how it went; take_back() puts the
- * environment to where it was, this the occupants. Whether one was made: `record` has its fraction, and what stopped the one before.
- * `whole`: see Occupants::save. */
+/** Tries the whole way; where it is stopped half of it, a quarter, ... and at last none. try_way(way) tells how it
+ * went; take_back() puts the environment to where it was, this the occupants. Whether one was made: `record` has its
+ * fraction, and what stopped the one before. `whole`: see Occupants::save. */
 template <int D, class TryWay, class TakeBack>
 bool find_way(Occupants<D>& all, bool whole, WallRecord& record, TryWay try_way, TakeBack take_back) {
   constexpr int kMostHalvings = 52;

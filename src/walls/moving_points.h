@@ -17,14 +17,14 @@ inline void point_on_way(const double* start, const double* target, double fract
   }
 }
 
-/** Those near bodies are taken there step by step; all others are there at once, since nobody looks at them on the way. */
+/** Those near bodies are taken there step by step; all others are there at once: nobody looks at them on the way. */
 template <int D>
 class MovingPoints {
  public:
   explicit MovingPoints(Environment<D>& env);
 
-  /** From the environment's present points to those in `next`, which the environment reads, and this writes, from now on. Throws
-   * std::bad_alloc. */
+  /** From the environment's present points to those in `next`, which the environment reads, and this writes, from now
+   * on. Throws std::bad_alloc. */
   void begin(double* next);
   /** Makes `next` the environment's points, as they are now. */
   void finish() noexcept;
@@ -32,8 +32,8 @@ class MovingPoints {
   void take_back() noexcept;
 
   bool is_touched(uint32_t v) const noexcept { return place_[v] != kUntouched; }
-  /** Puts a vertex to where it is at a fraction of the way, from where on it is moved by hand. Throws std::bad_alloc, and NON_FINITE
-   * for a target that is not. */
+  /** Puts a vertex to where it is at a fraction of the way, from where on it is moved by hand. Throws std::bad_alloc,
+   * and NON_FINITE for a target that is not. */
   void touch(uint32_t v, double fraction);
   const Array<uint32_t>& touched() const noexcept { return touched_; }
   /** Place of a touched vertex in that. */

@@ -253,7 +253,7 @@ bool Neighbourhood<D>::open(Cell c) {
   return true;
 }
 
-/** Opens the cells that can be reached from one round a vertex. Where a boundary is pinched there can be others at it. */
+/** Opens the cells that can be reached from one round a vertex. At a pinched boundary there can be others. */
 template <int D>
 void Neighbourhood<D>::explore(uint32_t v, Cell c) {
   around_.clear();

@@ -1,6 +1,7 @@
 #pragma once
-// The part of an environment that matters while its points move: cells that hold occupants, their vertices ("near"), and the cells round
-// those. Only these cells can be entered meanwhile; the rest of the environment is at its new place already.
+// The part of an environment that matters while its points move: cells that hold occupants, their vertices ("near"),
+// and the cells round those. Only these cells can be entered meanwhile; the rest of the environment is at its new place
+// already.
 
 #include "flood/sweep.h"
 #include "map/cell_queue.h"
@@ -25,8 +26,8 @@ class Neighbourhood {
 
   /** A step takes near vertices, one at a time, from one fraction of their way to the next. */
   void begin_step(double fraction);
-  /** The near vertices that have not had their turn in this step, by index; whether there are any. They get near also by what others
-   * do in their turns. */
+  /** The near vertices that have not had their turn in this step, by index; whether there are any. They get near also
+   * by what others do in their turns. */
   bool find_turns(Array<uint32_t>& turns);
   /** Takes the vertices round the near ones along. Nothing lies in their cells. */
   void end_step(double fraction) noexcept;

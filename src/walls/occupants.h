@@ -31,7 +31,8 @@ struct Occupants {
 
   /** Keeps where everything is, and if vertices will be inserted the bodies as a whole. Throws std::bad_alloc. */
   void save(bool whole);
-  /** Puts everything back to where it was when it was saved last; nothing if that is done, was let go, or saving failed. */
+  /** Puts everything back to where it was when it was saved last; nothing if that is done, was let go, or saving
+   * failed. */
   void restore() noexcept;
   /** Lets go what was saved before. */
   void forget_saved() noexcept { saved_ = false; }

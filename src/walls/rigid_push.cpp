@@ -17,7 +17,8 @@ RigidPushes<D>::RigidPushes(const Body<D>& body, const double* at, const Vec& no
     ++count;
   }
   if (!(size > 0) || !std::isfinite(size) || !(depth_ > 0)) return;
-  // In units of the size, so that no square overflows. Each vertex counts as a small ball: so a line has an inertia about itself.
+  // In units of the size, so that no square overflows. Each vertex counts as a small ball: so a line has an inertia
+  // about itself.
   constexpr double kBall = 0x1p-10;
   double xx = kBall * count, yy = xx, zz = xx, xy = 0, yz = 0, zx = 0;
   for (const BodyVertex<D>& vertex : body.vertices) {

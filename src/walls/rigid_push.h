@@ -1,6 +1,7 @@
 #pragma once
-// A rigid body that is in the way of a wall moves as a whole [JCD10] 5.1: "for rigid objects the vertices of the colliding edges are moved to
-// a correct position". One point of it has to go some way; of the rigid motions that do this we try a few, each verified as it is.
+// A rigid body that is in the way of a wall moves as a whole [JCD10] 5.1: "for rigid objects the vertices of the
+// colliding edges are moved to a correct position". One point of it has to go some way; of the rigid motions that do
+// this we try a few, each verified as it is.
 
 #include "base/vec.h"
 #include "walls/neighbourhood.h"

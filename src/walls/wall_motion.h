@@ -1,6 +1,6 @@
 #pragma once
-// The environment's points go to new places, and what lies there is kept free [JCD10] 5.1: near occupants one vertex at a time, by index, so
-// that nothing is passed; elsewhere at once.
+// The environment's points go to new places, and what lies there is kept free [JCD10] 5.1: near occupants one vertex at
+// a time, by index, so that nothing is passed; elsewhere at once.
 
 #include "walls/find_way.h"
 #include "walls/wall_move.h"
@@ -12,9 +12,10 @@ class WallMotion {
  public:
   WallMotion(Environment<D>& env, Occupants<D>& all);
 
-  /** Takes the points to `next` in 2^k steps; k grows until the cells that are met stay valid with every single vertex. The environment
-   * reads `next` from then on, in which there is what was reached. Throws std::bad_alloc, and NON_FINITE for a point near occupants:
-   * then all is as it was before. O(occupants, volumes met); where the way is shortened, O(points). */
+  /** Takes the points to `next` in 2^k steps; k grows until the cells that are met stay valid with every single vertex.
+   * The environment reads `next` from then on, in which there is what was reached. Throws std::bad_alloc, and
+   * NON_FINITE for a point near occupants: then all is as it was before. O(occupants, volumes met); where the way is
+   * shortened, O(points). */
   void run(double* next, const WallSettings& settings, WallRecord& record);
 
   /** The cells that hold anything now, each once. Valid until the next call. Throws std::bad_alloc. */

@@ -171,8 +171,8 @@ uint32_t WallMove<D>::insert(const WallHit& hit, const double* from, const doubl
   return middle;
 }
 
-/** Finds the cells in which things are now; false, and points back in theirs, if one is in none that is valid or an edge or face is not
- * free. */
+/** Finds the cells in which things are now; false, and points back in theirs, if one is in none that is valid or an
+ * edge or face is not free. */
 template <int D>
 bool WallMove<D>::seat_all() {
   before_.clear();

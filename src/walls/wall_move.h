@@ -1,5 +1,6 @@
 #pragma once
-// One vertex of the environment on its way to a target, with the walls at it, and what is done about what they meet [JCD10] 5.1.
+// One vertex of the environment on its way to a target, with the walls at it, and what is done about what they meet
+// [JCD10] 5.1.
 
 #include "walls/rigid_push.h"
 #include "walls/settings.h"
@@ -11,8 +12,8 @@ class WallMove {
  public:
   WallMove(Environment<D>& env, Occupants<D>& all, Neighbourhood<D>& around);
 
-  /** kHeld: by what is met. kInvalid: cells that hold occupants would not be valid, or something could not be followed into its new
-   * cell. In both cases the vertex stays. kStopped: as kHeld, and nothing has been pushed. */
+  /** kHeld: by what is met. kInvalid: cells that hold occupants would not be valid, or something could not be followed
+   * into its new cell. In both cases the vertex stays. kStopped: as kHeld, and nothing has been pushed. */
   enum class Moved { kYes, kHeld, kInvalid, kStopped };
 
   /** Moves near vertex v. Contacts go to the record. Throws std::bad_alloc, with a state that holds no more. */
@@ -20,7 +21,7 @@ class WallMove {
 
   /** Cells round the vertex that was moved last which are not valid with it at `to`. */
   void find_invalid(uint32_t v, const double* to, Array<dsw_volume_id>& invalid);
-  /** All cells round that vertex: where they would be valid, but what lies in them cannot be followed into one of them. */
+  /** All cells round that vertex: where they would be valid, but what lies in them cannot be followed there. */
   void find_around(Array<dsw_volume_id>& cells) const;
 
   uint64_t memory_bytes() const noexcept {

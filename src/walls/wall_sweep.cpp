@@ -21,7 +21,7 @@ bool are_apart(const double* const* a, int count_a, const double* const* b, int 
   return false;
 }
 
-/** Whether a body point, shifted, lies inside of D + 1 points of the environment; in a flat simplex there is nothing. */
+/** Whether a body point, shifted, lies inside of D + 1 points of the environment; a flat one holds nothing. */
 template <int D>
 bool is_inside(const double* const (&simplex)[D + 1], const double* x) noexcept {
   // Of a corner against the others in their order: it turns round from each corner to the one before.
@@ -57,7 +57,8 @@ void read_swept(const Environment<D>& env, const WallPart<Count>& part, const do
   for (size_t k = 0; k < Count; ++k) swept[2 + k] = env.point(part.others[k]);
 }
 
-/** When that touches D - Count points of a body, with which it makes the event of a moving body that has as many at rest. */
+/** When that touches D - Count points of a body, with which it makes the event of a moving body that has as many at
+ * rest. */
 template <int D, size_t Count>
 WallHit hit_of(const WallPart<Count>& part, const double* const (&swept)[Count + 2],
                const double* const* touched) noexcept {

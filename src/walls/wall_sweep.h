@@ -1,7 +1,8 @@
 #pragma once
-// What the walls at one vertex of the environment sweep when it moves, against what lies there: the sweeps of a body turned round,
-// and exact like them. Only the vertex moves, so that a part of a wall that has n other vertices sweeps a simplex of n + 2: in space a
-// triangle sweeps a tetrahedron, an edge a triangle, the vertex a segment; in the plane a side sweeps a triangle, the vertex a segment.
+// What the walls at one vertex of the environment sweep when it moves, against what lies there: the sweeps of a body
+// turned round, and exact like them. Only the vertex moves, so that a part of a wall that has n other vertices sweeps a
+// simplex of n + 2: in space a triangle sweeps a tetrahedron, an edge a triangle, the vertex a segment; in the plane a
+// side sweeps a triangle, the vertex a segment.
 
 #include <array>
 
@@ -19,7 +20,8 @@ struct WallHit {
   bool operator<(const WallHit& o) const { return time != o.time ? time < o.time : feature < o.feature; }
 };
 
-/** A part of a wall at the moving vertex: `Count` other vertices, and the facet that makes it one; invalid for a wire and a marked vertex. */
+/** A part of a wall at the moving vertex: `Count` other vertices, and the facet that makes it one; invalid for a wire
+ * and a marked vertex. */
 template <size_t Count>
 struct WallPart {
   std::array<uint32_t, Count> others;
@@ -35,8 +37,8 @@ class WallSweep {
   void start(uint32_t vertex, const Array<Cell>& star);
   bool has_walls() const noexcept { return impassable_; }
 
-  /** Whether a feature is touched when the vertex goes from `from` to `to`; fills *hit with the first touch. At EDGES a wire, in the
-   * plane a marked vertex, is not met; in space vertices are met by faces alone. */
+  /** Whether a feature is touched when the vertex goes from `from` to `to`; fills *hit with the first touch. At EDGES a
+   * wire, in the plane a marked vertex, is not met; in space vertices are met by faces alone. */
   bool meets(const Occupants<D>& all, const Feature& feature, const double* from, const double* to, WallHit* hit) const;
 
  private:
