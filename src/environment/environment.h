@@ -18,35 +18,25 @@ struct Environment {
   static constexpr int kDimension = D;
 
   const Memory* memory;
-  Map<D> map;
-  Array<double> owned_points;      // D doubles a vertex; empty when borrowed
-  const double* points = nullptr;  // owned_points or the host's
-  double* lent = nullptr;          // the host's, if it has room for `point_room` vertices; null: not to be written
+  Map<D> map{memory};
+  Array<double> owned_points{memory};  // D doubles a vertex; empty when borrowed
+  const double* points = nullptr;      // owned_points or the host's
+  double* lent = nullptr;              // the host's, if it has room for `point_room` vertices; null: not to be written
   size_t point_room = 0;
-  Array<int32_t> regions;        // by cell index; empty: none were given
-  Array<uint32_t> tags;          // by cell index; empty: none were given
-  EdgeMarks edge_marks;          // wires, by their two vertices
-  Array<uint64_t> vertex_marks;  // bits; empty: none
+  Array<int32_t> regions{memory};        // by cell index; empty: none were given
+  Array<uint32_t> tags{memory};          // by cell index; empty: none were given
+  EdgeMarks edge_marks{memory};          // wires, by their two vertices
+  Array<uint64_t> vertex_marks{memory};  // bits; empty: none
   uint64_t marked_cells = 0, marked_facets = 0, marked_edges = 0, marked_vertices = 0;
   uint64_t obstacle_version = 0;  // another one when something becomes impassable, or points move
   uint64_t last_version = 0;      // that was given
   uint32_t part_count = 0;
   double lower[D] = {}, upper[D] = {};  // box of the vertices that cells use
-  Grid<D> grid;                         // empty unless asked for
-  CheckedCells checked;                 // of moving points: cells may be invalid
-  Array<float> local_points;            // of polyhedra that stay as they are, see local_points.h; empty: not kept
+  Grid<D> grid{memory};                 // empty unless asked for
+  CheckedCells checked{memory};         // of moving points: cells may be invalid
+  Array<float> local_points{memory};    // of polyhedra that stay as they are, see local_points.h; empty: not kept
 
-  explicit Environment(const Memory* source)
-      : memory(source),
-        map(source),
-        owned_points(source),
-        regions(source),
-        tags(source),
-        edge_marks(source),
-        vertex_marks(source),
-        grid(source),
-        checked(source),
-        local_points(source) {}
+  explicit Environment(const Memory* source) : memory(source) {}
   Environment(const Environment&) = delete;
   Environment& operator=(const Environment&) = delete;
 

@@ -56,44 +56,26 @@ struct Scene {
   const Memory* memory;
   Parallel parallel;
   SceneFeatures features;
-  Array<ParticleState<D>> particles;  // by slot
-  SlotPool slots;
-  Array<uint32_t> stamps;  // by slot: the last batch a particle moved in, to find ids that stand twice
+  Array<ParticleState<D>> particles{memory};  // by slot
+  SlotPool slots{memory};
+  Array<uint32_t> stamps{memory};  // by slot: the last batch a particle moved in, to find ids that stand twice
   uint32_t stamp = 0;
   SceneStatistics statistics;
-  Array<SceneStatistics> chunk_statistics;  // scratch of a batch
-  Array<dsw_crossing> crossings;            // of the last move
-  Array<size_t> crossing_first;             // flight -> start in crossings; one more at the end
-  Array<dsw_particle_id> occupants;         // of the last marking call
-  Array<dsw_body_id> occupant_bodies;       // likewise
-  Array<BodyRecord<D>> bodies;              // by slot
-  SlotPool body_slots;
-  BoxGrid<D> body_boxes;              // by slot, if bodies keep boxes
-  Owned<BodyMove<D>> mover;           // if one has moved: what moves of single bodies keep from call to call
-  Array<uint32_t> offending;          // pairs of vertices of edges that were found not free
-  Owned<Deformation<D>> deformation;  // if named
-  Owned<LiveRegister<D>> live;        // if named
+  Array<SceneStatistics> chunk_statistics{memory};  // scratch of a batch
+  Array<dsw_crossing> crossings{memory};            // of the last move
+  Array<size_t> crossing_first{memory};             // flight -> start in crossings; one more at the end
+  Array<dsw_particle_id> occupants{memory};         // of the last marking call
+  Array<dsw_body_id> occupant_bodies{memory};       // likewise
+  Array<BodyRecord<D>> bodies{memory};              // by slot
+  SlotPool body_slots{memory};
+  BoxGrid<D> body_boxes{memory};              // by slot, if bodies keep boxes
+  Owned<BodyMove<D>> mover{memory};           // if one has moved: what moves of single bodies keep from call to call
+  Array<uint32_t> offending{memory};          // pairs of vertices of edges that were found not free
+  Owned<Deformation<D>> deformation{memory};  // if named
+  Owned<LiveRegister<D>> live{memory};        // if named
 
   Scene(const Environment<D>& environment, const Memory* source, const Parallel& sharing, SceneFeatures wanted)
-      : env(environment),
-        memory(source),
-        parallel(sharing),
-        features(wanted),
-        particles(source),
-        slots(source),
-        stamps(source),
-        chunk_statistics(source),
-        crossings(source),
-        crossing_first(source),
-        occupants(source),
-        occupant_bodies(source),
-        bodies(source),
-        body_slots(source),
-        body_boxes(source),
-        mover(source),
-        offending(source),
-        deformation(source),
-        live(source) {
+      : env(environment), memory(source), parallel(sharing), features(wanted) {
     if (features.live) live.make(source);
     if (features.crossings) crossing_first.push_back(0);
   }
