@@ -266,7 +266,7 @@ exported = re.findall(r"^export (?:class|function|const|enum) (\w+)", index_type
     + "".join(f"  {name},\n" for name in sorted(exported)) + "} = dartsweep;\n")
 
 # --- C++
-lines = [f"// {made}\n#pragma once\n\n#include <cstddef>\n\n#include \"common/results.h\"\n\nnamespace dartsweep_node {{\n\n"]
+lines = [f"// {made}\n#pragma once\n\n#include <cstddef>\n\n#include \"common/host.h\"\n\nnamespace dartsweep_node {{\n\n"]
 lines.append("// The place of a struct in structs.js.\ntemplate <class T>\nconstexpr int kind_of = -1;\n")
 for index, struct in enumerate(structs.values()):
     lines.append(f"template <>\ninline constexpr int kind_of<{struct.c_name}> = {index};\n")
