@@ -13,7 +13,7 @@ import tempfile
 
 C_STANDARDS = ["c99", "c11", "c17"]
 CXX_STANDARDS = ["c++98", "c++11", "c++14", "c++17", "c++20", "c++2b"]
-HPP_STANDARDS = CXX_STANDARDS[3:]
+HPP_STANDARDS = ["c++17", "c++2b"]
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror"]
 C_WARNINGS = ["-Wstrict-prototypes"]
 
