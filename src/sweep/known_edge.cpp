@@ -4,7 +4,7 @@
 #include "environment/marking.h"
 #include "flood/hop.h"
 #include "flood/sequence.h"
-#include "predicates/exact.h"
+#include "predicates/filtered.h"
 #include "sweep/clearance.h"
 
 namespace dsw {
