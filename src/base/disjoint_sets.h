@@ -5,8 +5,7 @@
 
 namespace dsw {
 
-/** The numbers 0 .. count-1, at first each a set of its own. Union by the lower number with path halving: nearly
- * linear. */
+/** The numbers 0 .. count-1, at first each a set of its own. Union by the lower number with path halving. */
 class DisjointSets {
  public:
   DisjointSets(uint32_t count, const Memory* memory) : parents_(count, 0, memory) {

@@ -85,8 +85,7 @@ struct Body {
   Array<BodyFace> faces;
   SlotPool vertex_slots, edge_slots, face_slots;
   Array<uint32_t> inserted;  // vertices that a response has inserted
-  // By edge, if they are kept: the facets passed from ends[0] to ends[1], see flood/sequence.h. A forecast: changes no
-  // result.
+  // By edge, if they are kept: the facets passed from ends[0] to ends[1], see flood/sequence.h. A forecast.
   mutable Array<EdgeSequence<D>> sequences;
   Array<Clearance<D>> clearances;  // by vertex, if they are kept
   int64_t clearance_credit = 0;    // what measuring them may cost, see sweep/clearance.h

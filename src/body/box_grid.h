@@ -15,17 +15,14 @@ class BoxGrid {
  public:
   explicit BoxGrid(const Memory* memory) : items_(memory), heads_(memory), levels_(memory) {}
 
-  /** Room for the numbers below `count`: then nothing below can fail. Throws std::bad_alloc before it changes anything
-   * that is seen. */
+  /** Room for the numbers below `count`: then nothing below can fail. Throws std::bad_alloc and changes nothing. */
   void reserve(size_t count);
-  /** Notes a box, in place of the one with this number. `size` is that of things it is looked for with, if they are
-   * larger. */
+  /** Notes a box, in place of the one with this number. `size` is that of things it is looked for with, if larger. */
   void put(uint32_t number, const Box<D>& box, double size = 0) noexcept;
   /** Nothing if there is none. */
   void remove(uint32_t number) noexcept;
 
-  /** Calls visit(number) for each box that overlaps this one, in any order, until it returns false; whether it never
-   * did. */
+  /** Calls visit(number) for each box that overlaps this one, in any order, until it is false; whether it never was. */
   template <class Visit>
   bool visit(const Box<D>& box, Visit visit) const {
     for (uint32_t k = 0; k < level_count_; ++k) {

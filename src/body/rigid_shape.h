@@ -1,6 +1,5 @@
 #pragma once
-// The shape of a body that moves as a whole, from which all of its places follow, so that no number of motions bends
-// it.
+// The shape of a body that moves as a whole, from which all of its places follow: no number of motions bends it.
 
 #include "base/memory.h"
 

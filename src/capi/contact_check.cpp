@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "capi/convert.h"
-#include "opinion/penetration.h"
-#include "opinion/second_opinion.h"
+#include "cross_check/penetration.h"
+#include "cross_check/second_opinion.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;

@@ -1,6 +1,5 @@
 #pragma once
-// A union of tetrahedra on paper: its boundary triangles, in a numbering that depends on nothing but how they are
-// joined.
+// A union of tetrahedra on paper: its boundary triangles, in a numbering that depends only on how they are joined.
 
 #include "environment/environment.h"
 

@@ -78,8 +78,7 @@ bool Crack<D>::is_space(Cell c, uint32_t pair) const {
   return region_ != 0 && env_.region(c) == region_ && env_.region(a) != region_ && env_.region(b) != region_;
 }
 
-/** The cells round a ridge, from a facet of the crack to the next one, which is returned; invalid at the outer
- * boundary. */
+/** The cells round a ridge, from a facet of the crack to the next, which is returned; invalid at the boundary. */
 template <int D>
 HalfFacet Crack<D>::go_round(Dart d, Array<Dart>& passed) const {
   passed.clear();

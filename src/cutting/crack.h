@@ -52,8 +52,7 @@ class Crack {
   const Array<Parting>& partings() const { return partings_; }
   Cell cell(uint32_t i) const { return cells_[i]; }
 
-  /** Twice the number of the parting, with the copy, that a dart's facet has at its start or at its end; kNone: one
-   * vertex. */
+  /** Twice the number of the parting, with the copy, that a dart's facet has at its start or end; kNone: one vertex. */
   uint32_t copy_at_start(Dart d) const { return copy_of(start_key(d)); }
   uint32_t copy_at_end(Dart d) const { return copy_of(end_key(d)); }
 

@@ -411,8 +411,7 @@ void Cut<D>::write_record(Edit<D>& edit) {
   measure(edit);
 }
 
-/** Distances of the cut's vertices from the blade, and of the blade's points from the faces in the cells that hold
- * them. */
+/** Distances of the cut's vertices from the blade, and of its points from the faces in the cells that hold them. */
 template <int D>
 void Cut<D>::measure(Edit<D>& edit) {
   const auto add = [&](double distance) { record_.distance = std::max(record_.distance, distance); };

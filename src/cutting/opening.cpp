@@ -104,8 +104,7 @@ void Opening<D>::Way::shorten(int k) {
   stays = shares[0] == 0 && shares[1] == 0;
 }
 
-/** Vertices of cells that come out invalid go half as far, and all is written anew: as often as the shares allow, so
- * this ends. */
+/** Vertices of cells that come out invalid go half as far, and all is written anew: as often as the shares allow. */
 template <int D>
 void Opening<D>::prepare(std::optional<Edit<D>>& edit) {
   Array<uint32_t> bad{env_.memory};
@@ -189,8 +188,7 @@ void Opening<D>::write_cells(Edit<D>& edit) {
   }
 }
 
-/** Puts copies in the places of vertices; both, where the line from rim to rim crosses the facet. Then it has to be cut
- * anew. */
+/** Puts copies in the places of vertices; both, where the line from rim to rim crosses the facet: to be cut anew. */
 template <int D>
 void Opening<D>::write_facet(FacetDraft& facet, Dart first) const {
   if constexpr (D == 2) {

@@ -5,8 +5,7 @@
 // blade, are one closed loop round it. In the plane a cell with two nodes is split between them, as a facet is in
 // space.
 //
-// A cell stays whole where the blade ends inside or crosses an edge twice, or where lines do not say how it is to be
-// split.
+// A cell stays whole where the blade ends inside or crosses an edge twice, or where lines do not say how to split it.
 
 #include "cutting/crossings.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 // Whether the outer boundary passes through itself. Cells that are valid one by one and linked facet to facet cover
-// every point as often as the boundary winds round it, so they are a partition exactly if that is nowhere more than
-// once.
+// every point as often as the boundary winds round it, so they are a partition if that is nowhere more than once.
 
 #include "environment/builder.h"
 

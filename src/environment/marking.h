@@ -15,8 +15,7 @@ void reserve_edge_marks(Environment<D>& env, size_t more);
 template <int D>
 void reserve_vertex_marks(Environment<D>& env);
 
-/** Each returns whether the mark changed. A facet's mark is kept on both of its sides; an edge is named by its
- * vertices. */
+/** Each returns whether the mark changed. A facet's mark is kept on both sides; an edge is named by its vertices. */
 template <int D>
 bool set_cell_mark(Environment<D>& env, Cell c, bool marked) noexcept;
 template <int D>

@@ -7,8 +7,7 @@
 
 namespace dsw {
 
-/** The half-facets that an edge was last known to pass, each seen from the cell that is left; a single kNoFacet if they
- * are unknown. */
+/** The half-facets that an edge was last known to pass, each seen from the cell that is left; one kNoFacet: unknown. */
 template <int D>
 struct EdgeSequence {
   static constexpr uint64_t kNever = ~uint64_t{0};

@@ -22,8 +22,7 @@ class CellQueue {
     if (2 * cells_.size() >= slots_.size()) grow();
   }
 
-  /** Last in, first out, so that no chain is broken before its end is gone; what a large flood left behind is not
-   * swept. */
+  /** Last in, first out, so that no chain is broken before its end is gone; what a large flood left is not swept. */
   void clear() {
     for (; !cells_.empty(); cells_.pop_back()) slots_[slot_of(cells_.back())] = kNoCell;
   }

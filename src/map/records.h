@@ -1,8 +1,7 @@
 #pragma once
 // Room for cells that come and go. Records and shape tables that are left are kept in lists by size and taken again,
 // last left first; nothing else moves. In the plane shapes differ by their number of corners alone, so that cells share
-// them and none is ever left. A map is made ready for this when it is first changed: before, it holds none of these
-// tables.
+// them and none is ever left. A map is made ready for this when it is first changed: before, it has no such tables.
 
 #include "map/map.h"
 

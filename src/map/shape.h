@@ -86,8 +86,7 @@ struct FacetLoops {
   uint32_t vertex_count;
 };
 
-/** Begins a table that no cell has; the two words after it lead to the next of its length. No shape has so many
- * vertices. */
+/** Begins a table that no cell has; the two words after it lead to the next of its length. */
 constexpr uint16_t kFreeShape = 0xffff;
 
 /** Why loops do not make a shape. */

@@ -24,8 +24,7 @@ struct PairContact {
 template <int D>
 bool is_way_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, const double* to) noexcept;
 
-/** Whether vertex v can go to `into`, the other end of one of its edges, and become one with it. noexcept as
- * is_way_apart. */
+/** Whether vertex v can go to `into`, the other end of one of its edges, and become one with it. */
 template <int D>
 bool is_merge_apart(const Partners<D>& partners, const Body<D>& body, uint32_t v, uint32_t into) noexcept;
 

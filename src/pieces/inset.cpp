@@ -51,8 +51,7 @@ struct Nearest {
   }
 };
 
-/** Opposite to the nearest point of the normals' hull. It comes nearer in every round, and there are few that it can
- * be. */
+/** Opposite to the nearest point of the normals' hull. It comes nearer in every round, and there are few of them. */
 Vec away_from(const Vec* normals, size_t count) {
   Nearest nearest;
   nearest.look_at(normals[0]);

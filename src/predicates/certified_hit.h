@@ -8,8 +8,7 @@
 
 namespace dsw {
 
-// The exact value of a contact rounded as plane_hit.h says, but for the normal: its components rounded to nearest, not
-// normalized.
+// The exact value of a contact rounded as plane_hit.h says; the normal's components rounded to nearest, not normalized.
 struct CertifiedHit {
   double time;
   double normal[3];  // n, outward

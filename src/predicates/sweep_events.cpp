@@ -89,8 +89,7 @@ int sign_of_denominator(const Coefficients<R, D>& c) noexcept {
 }
 
 // N_a D_b - N_b D_a as a polynomial in e, where s = (e, e^2, e^3), or (e, e^2): sign of its first coefficient that is
-// not 0. Axes have one scale here, 2^g, so that coefficients with one component of s want a factor 2^g and those with
-// two 2^2g.
+// not 0. Axes have one scale here, 2^g: coefficients with one component of s want a factor 2^g, those with two 2^2g.
 template <int D>
 int compare_shifted(const Coefficients<Large, D>& a, const Coefficients<Large, D>& b, int g) noexcept {
   const auto product = [](const auto& x, const auto& y) { return wide(x) * wide(y); };

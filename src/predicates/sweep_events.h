@@ -31,8 +31,7 @@ using SolidMotion = std::conditional_t<D == 2, EdgeMotion, FaceMotion>;
 
 enum class EventKind : uint32_t { kVertex, kEdge, kFace };
 
-// What meets what: points are a b c, or q a b, or q r v; in the plane a b, or q v. They are borrowed, of bodies as of
-// environments.
+// What meets what: points are a b c, or q a b, or q r v; in the plane a b, or q v. They are borrowed.
 struct SweepEvent {
   const double* points[3] = {};
   EventKind kind = EventKind::kVertex;

@@ -1,6 +1,5 @@
 // The triangle that an edge sweeps against many points and lines of the environment: what depends on it alone is
-// computed once. Filters as in filter_bounds.h, whose proof allows any row of a determinant to come first; then
-// exact.h.
+// computed once. Filters as in filter_bounds.h, whose proof lets any row of a determinant come first; then exact.h.
 #pragma once
 
 #include <cstdint>

@@ -10,8 +10,7 @@
 
 namespace dsw {
 
-/** All zero. Copied in words, because GCC 12 makes a string instruction of clearing it, which takes longer than a cast
- * in one cell. */
+/** All zero. Copied in words, because GCC 12 clears it by a string instruction, which takes longer than a cast. */
 inline void clear(dsw_flight* flight) noexcept {
   static const dsw_flight kZero{};
   std::memcpy(flight, &kZero, 56);

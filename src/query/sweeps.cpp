@@ -86,8 +86,7 @@ class Sweeper {
   }
 
  private:
-  /** Whether the path is all there is: a flood in the plane would look at nothing, and there may be no work left for
-   * it. */
+  /** Whether the path is all there is: a flood in the plane would look at nothing, and there may be no work left. */
   static bool is_flat(const EdgeMotion& m) {
     const double* const path[2] = {m.p, m.to};
     return D == 2 && orient<2>(path, m.q) == 0;

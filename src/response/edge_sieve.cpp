@@ -84,8 +84,7 @@ void EdgeSieve<D>::gather() {
   }
 }
 
-/** Drops the edges that do not move, and those without doubt for which drops(a, b, e) holds: these are counted as
- * skipped. */
+/** Drops the edges that do not move, and those without doubt for which drops(a, b, e) holds, counted as skipped. */
 template <int D>
 template <class Drops>
 void EdgeSieve<D>::drop(Drops drops) {
@@ -106,8 +105,7 @@ void EdgeSieve<D>::drop(Drops drops) {
   count_ = kept;
 }
 
-/** Drops the edges for which skips(a, b, e) holds, and casts them where they arrive. If such a cast fails, both ends
- * are in doubt. */
+/** Drops the edges for which skips(a, b, e) holds, and casts them where they arrive: for both ends. */
 template <int D>
 template <class Skips>
 void EdgeSieve<D>::drop_and_cast(Skips skips) {

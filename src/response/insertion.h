@@ -6,8 +6,7 @@
 
 namespace dsw {
 
-/** Whether an edge can be bent to pass through `point`: what that sweeps is free at the body's level. *cell then
- * contains it. */
+/** Whether an edge can be bent to pass through `point`: what that sweeps is free at its level. *cell contains it. */
 template <int D>
 bool can_bend(const Environment<D>& env, StarSweep<D>& sweeps, const Body<D>& body, uint32_t edge, const double* point,
               Cell* cell);

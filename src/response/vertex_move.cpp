@@ -199,8 +199,7 @@ double VertexMove<D>::stand_off(const dsw_contact& contact) const {
   return kStandOffShare * extent(env_, env_.map.cell(contact.front.index));
 }
 
-/** Whether the response puts vertices on this edge at all: HYBRID only once, as the edges of a vertex that is new are
- * static. */
+/** Whether the response puts vertices on this edge at all: HYBRID only once, as edges of new vertices are static. */
 template <int D>
 bool VertexMove<D>::may_split(uint32_t v, const dsw_contact& contact) const {
   if (contact.edge.generation == 0) return false;
@@ -287,8 +286,7 @@ bool VertexMove<D>::slide(uint32_t v, const double* target, const dsw_contact& c
   Vec rest = difference<D>(target, at);
   const double into = dot(rest, normal);
   if (into < 0) rest -= into * normal;
-  // Along the crease with the latest wall that this would go into. Whether another is in the way is the next sweep's to
-  // say.
+  // Along the crease with the latest wall that this would go into. The next sweep says if another is in the way.
   for (int k = walls.count - 1; k >= 0; --k) {
     const Vec crease = unit(walls.normals[k].cross(normal));
     if (dot(rest, walls.normals[k]) >= 0 || is_zero(crease)) continue;

@@ -11,8 +11,7 @@ class CellParticles {
  public:
   explicit CellParticles(const Memory* memory) : nodes_(memory), heads_(memory) {}
 
-  /** Room for the slots below `count`: then nothing below can fail. Throws std::bad_alloc before it changes anything
-   * that is seen. */
+  /** Room for the slots below `count`: then nothing below can fail. Throws std::bad_alloc and changes nothing. */
   void reserve(size_t count);
   /** Notes the cell of a particle, in place of the one that was noted; none: it is no longer there. */
   void put(uint32_t slot, Cell cell) noexcept {

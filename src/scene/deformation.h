@@ -30,8 +30,7 @@ void deform(Scene<D>& scene, double* next, const WallSettings& settings);
 
 /** Wants those cells mended that hold something, and those at their vertices. Throws std::bad_alloc. */
 void want_near(Scene<3>& scene, Mending& mending);
-/** What the last deformation left names cells as they are called now; for one in the course of a change of the
- * topology. */
+/** What the last deformation left names cells as they are called now; for a change of the topology. */
 void renew_ids(Deformation<3>& deformation) noexcept;
 
 }  // namespace dsw

@@ -48,8 +48,7 @@ class Followers {
     }
   }
 
-  /** After the edit was applied: bodies that are not free go to the scene's occupants. Their vertices are in their new
-   * cells. */
+  /** After the edit was applied: bodies that are not free go to the scene's occupants, vertices in new cells. */
   void find_blocked_bodies() {
     BodyProbe<D> probe(env_, Obstacle::kCells);
     find_occupant_bodies(scene_, near_, probe);
@@ -69,20 +68,20 @@ class Followers {
     }
   }
 
-  void take_seats() noexcept {
-    for (const Seat& seat : vertices_) scene_.bodies[seat.body].body.vertices[seat.place].cell = seat.after;
-    for (const Seat& seat : particles_) {
-      scene_.particles[seat.place].cell = seat.after;
-      scene_.particles[seat.place].forecast = kNoFacet;
-      note_particle(scene_, seat.place);
+  void take_locations() noexcept {
+    for (const Location& each : vertices_) scene_.bodies[each.body].body.vertices[each.place].cell = each.after;
+    for (const Location& each : particles_) {
+      scene_.particles[each.place].cell = each.after;
+      scene_.particles[each.place].forecast = kNoFacet;
+      note_particle(scene_, each.place);
     }
   }
-  void leave_seats() noexcept {
-    for (const Seat& seat : vertices_) scene_.bodies[seat.body].body.vertices[seat.place].cell = seat.before;
-    for (const Seat& seat : particles_) {
-      scene_.particles[seat.place].cell = seat.before;
-      scene_.particles[seat.place].forecast = seat.forecast;
-      note_particle(scene_, seat.place);
+  void leave_locations() noexcept {
+    for (const Location& each : vertices_) scene_.bodies[each.body].body.vertices[each.place].cell = each.before;
+    for (const Location& each : particles_) {
+      scene_.particles[each.place].cell = each.before;
+      scene_.particles[each.place].forecast = each.forecast;
+      note_particle(scene_, each.place);
     }
     for (KeptSequence& kept : sequences_) std::swap(scene_.bodies[kept.body].body.sequences[kept.edge], kept.sequence);
   }
@@ -96,7 +95,7 @@ class Followers {
 
  private:
   /** Of a particle, or of a vertex of a body. */
-  struct Seat {
+  struct Location {
     uint32_t body, place;
     Cell before, after;
     uint32_t forecast;  // before
@@ -114,13 +113,14 @@ class Followers {
     };
     if (scene_.features.live) {
       for (const Cell c : edit_.removed()) scene_.live.get()->particles.for_each(c, look);
-      std::sort(particles_.begin(), particles_.end(), [](const Seat& a, const Seat& b) { return a.place < b.place; });
+      std::sort(particles_.begin(), particles_.end(),
+                [](const Location& a, const Location& b) { return a.place < b.place; });
     } else {
       for (uint32_t slot = 0; slot < scene_.particles.size(); ++slot) look(slot);
     }
-    for (Seat& seat : particles_) {
-      seat.after = find(scene_.particles[seat.place].position, seat.before);
-      if (!is_passable(seat.after)) scene_.occupants.push_back({seat.place, scene_.slots.generation(seat.place)});
+    for (Location& each : particles_) {
+      each.after = find(scene_.particles[each.place].position, each.before);
+      if (!is_passable(each.after)) scene_.occupants.push_back({each.place, scene_.slots.generation(each.place)});
     }
   }
   void note_gone_facets() noexcept {
@@ -216,7 +216,7 @@ class Followers {
   Scene<D>& scene_;
   BoxGroups<D> places_;
   NearBodies<D> near_;
-  Array<Seat> particles_{scene_.memory}, vertices_;
+  Array<Location> particles_{scene_.memory}, vertices_;
   Array<KeptSequence> sequences_{scene_.memory};
   bool keeps_sequences_ = false;
   CellQueue new_cells_{scene_.memory};  // once they are asked for
@@ -231,9 +231,9 @@ bool follow(Edit<D>& edit, Scene<D>& scene, const Meanwhile* meanwhile) {
   if (is_occupied()) refuse(scene);
   followers.prepare(meanwhile != nullptr);
   edit.apply();
-  followers.take_seats();
+  followers.take_locations();
   const auto take_back = [&] {
-    followers.leave_seats();
+    followers.leave_locations();
     edit.revert();
   };
   bool stays = true;

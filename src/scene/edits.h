@@ -16,8 +16,7 @@ void carry_out(Edit<D>& edit, Scene<D>* scene);
 template <int D>
 void carry_out_prepared(Edit<D>& edit, Scene<D>* scene);
 
-/** What is done in the changed environment while the change can be taken back, which it is if this returns false or
- * throws. */
+/** What is done in the changed environment while the change can be taken back, as it is if this is false or throws. */
 struct Meanwhile {
   bool (*run)(void* user);
   void* user;

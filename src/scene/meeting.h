@@ -23,8 +23,7 @@ Box<D> reach_of(const Body<D>& body) noexcept;
 template <int D>
 void find_partners(const Scene<D>& scene, const Body<D>& body, const Box<D>& reach, Partners<D>& partners);
 
-/** Throws OCCUPIED, and fills scene.offending, unless a body is apart from others, and if it sees itself from that, at
- * a level. */
+/** Throws OCCUPIED, and fills scene.offending, unless a body is apart from others, and from itself if it sees that. */
 template <int D>
 void check_apart(Scene<D>& scene, const Body<D>& body, SweepLevel level);
 

@@ -63,8 +63,7 @@ struct CrossingWriter {
   }
 };
 
-/** The facet a particle keeps aiming at: the wall that stopped it, or what it aimed at before if it stayed in its
- * cell. */
+/** The facet a particle keeps aiming at: the wall that stopped it, or that of before if it stayed in its cell. */
 template <int D>
 uint32_t next_forecast(const Environment<D>& env, const ParticleState<D>& state, const MoveResult<D>& result) noexcept {
   if (result.cast.end == CastEnd::kHit && result.cell == result.cast.cell) {

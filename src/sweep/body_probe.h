@@ -29,8 +29,7 @@ class BodyProbe {
   /** Appends the ends of the edges that are not free at a level; if all are, two corners of each face that is not. */
   void find_blocked(const Body<D>& body, SweepLevel level, Array<uint32_t>& pairs);
 
-  /** Takes back the marks of the cells that the body meets. All of them have just been set. Returns how many there
-   * were. */
+  /** Takes back the marks of the cells that the body meets. All have just been set. Returns how many there were. */
   size_t leave_out(Environment<D>& env, const Body<D>& body, const Places<D>& changed);
 
   uint64_t looked_at = 0;  // vertices, edges and faces

@@ -70,8 +70,7 @@ FacetDraft part_of(const FacetDraft& whole, uint32_t from, uint32_t to);
 bool share_triangles(const FacetDraft& whole, FacetDraft& a, FacetDraft& b);
 /** Puts a vertex between two neighbours of a facet's loop, into the triangle there; whether they are neighbours. */
 bool insert_between(FacetDraft& facet, uint32_t a, uint32_t b, uint32_t middle);
-/** Puts a vertex on the edge that joins two vertices, if the cell has it; in the plane this is a side, which becomes
- * two. */
+/** Puts a vertex on the edge that joins two vertices, if the cell has it; in the plane a side, which becomes two. */
 void insert_vertex(CellDraft& draft, uint32_t a, uint32_t b, uint32_t middle);
 /** Shares a cell's facets out: to `left` those on the left of a closed loop of its edges, seen from outside; in the
  * plane those on the left of the way from one vertex to another. False if that is all. */
@@ -81,8 +80,7 @@ bool part_along(const CellDraft& whole, const Array<uint32_t>& loop, CellDraft& 
  * loop. */
 bool order_sides(const CellDraft& draft, uint32_t first, Array<uint32_t>& out);
 
-/** Whether the triangles of a facet are positive seen from a point, and negative from a point `beyond` unless that is
- * null. */
+/** Whether the triangles of a facet are positive seen from a point, and negative from `beyond` unless that is null. */
 bool is_cut_well(const Environment<3>& env, const FacetDraft& facet, const double* apex, const double* beyond);
 /** Adds triangles to a facet that fill `hole` and are such; false if there are none. Throws TOO_LARGE where it is not
  * worth the search. */

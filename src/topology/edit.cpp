@@ -334,8 +334,7 @@ void Edit<D>::check_cells(Array<uint32_t>* invalid) {
   }
 }
 
-/** Whether an edge of a cell that goes is still that of a new cell, or of one that stays and is joined to it through
- * faces. */
+/** Whether an edge of a cell that goes is still that of a new cell, or of one that stays and is joined to it. */
 template <int D>
 bool Edit<D>::is_edge_left(Dart d) const {
   const uint32_t a = dart_vertex(map_, d), b = dart_target(map_, d);

@@ -29,8 +29,7 @@ class Edit {
 
   /** A cell goes. */
   void remove(Cell c);
-  /** A cell goes and what takes its place is drafted, at first as it is. Returns the draft's number; asked again, the
-   * same. */
+  /** A cell goes and what takes its place is drafted, at first as it is. Returns the draft's number, each time. */
   size_t replace(Cell c);
   /** A further draft; returns its number. */
   size_t add(CellDraft&& draft);

@@ -52,8 +52,7 @@ struct SplitCell {
   size_t left, right;
   uint32_t left_facet, right_facet;  // the new face
 };
-/** Inserts a face along a closed loop of edges of a volume; in the plane a side from one of two corners of a polygon to
- * the other. */
+/** Inserts a face along a closed loop of edges of a volume; in the plane a side between two corners of a polygon. */
 template <int D>
 SplitCell split_cell(Edit<D>& edit, Cell c, const uint32_t* loop, size_t count);
 

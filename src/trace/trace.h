@@ -1,6 +1,5 @@
 #pragma once
-// Geometry for viewers, collected into plain arrays. Every function adds all it has to add or, when memory runs out,
-// nothing.
+// Geometry for viewers, collected into plain arrays. Every function adds all it has or, when memory runs out, nothing.
 
 #include "dartsweep/contact.h"
 #include "environment/environment.h"

@@ -92,8 +92,7 @@ DSW_HOT Piercings pierce(const Quads& quads, uint32_t out1, uint32_t out2, const
   const uint32_t beside = Lanes::bits(Lanes::greater(minus_bound, edge1) | Lanes::greater(minus_bound, edge2));
   const uint32_t q_outside = (on_second & out2) | (on_first & out1);
   const uint32_t hit = q_outside & inside1 & inside2;
-  // p against the triangle: minus that of q plus the three line tests is minus the volume seen from p, four
-  // determinants.
+  // p against the triangle: minus that of q plus the three line tests is minus the volume seen from p.
   const Lanes of_q = Lanes::select(is_second, quads.second, quads.first);
   const Lanes magnitude = Lanes::absolute(over);
   const Lanes of_p = ((of_q - edge1) - edge2) - magnitude;

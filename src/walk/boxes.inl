@@ -108,8 +108,7 @@ struct RingPlanes {
     least.v = _mm512_min_pd(least.v, _mm512_abs_pd(det.v));
   }
 
-  /** The two facets at the edge from a to the next: with the vertex after, an even one; with the vertex before, an odd
-   * one. */
+  /** The two facets at the edge from a to the next: with the vertex after, an even one; before, an odd one. */
   DSW_HOT void test_beside(uint32_t a, uint32_t even, uint32_t odd) noexcept {
     const Points normal = cross(ring.at[a], ring.at[a + 1]);
     test(normal, (a + 2) % 6, even);

@@ -138,7 +138,7 @@ Went EndState<D>::run_seats(const WallSettings& settings, WallRecord& record) {
   for (uint32_t i = 0; i < packet_.count(); ++i) {
     const CastResult& flight = packet_.result(i);
     if (flight.end == CastEnd::kReached) {
-      if (flight.cells_visited != 1) seat(all_, points_[i], position(all_, points_[i]), flight.cell);
+      if (flight.cells_visited != 1) set_location(all_, points_[i], position(all_, points_[i]), flight.cell);
     } else if (!put_before(packet_.request(i), flight, points_[i], done, record) ||
                settings.response == DSW_WALL_STOP) {
       return Went::kStopped;
@@ -176,7 +176,7 @@ bool EndState<D>::put_before(const CastRequest& request, const CastResult& fligh
     struck_.push_back(point);
     return true;
   }
-  seat(all_, point, move.position, move.cell);
+  set_location(all_, point, move.position, move.cell);
   ++record.pushed;
   return true;
 }

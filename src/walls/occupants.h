@@ -31,8 +31,7 @@ struct Occupants {
 
   /** Keeps where everything is, and if vertices will be inserted the bodies as a whole. Throws std::bad_alloc. */
   void save(bool whole);
-  /** Puts everything back to where it was when it was saved last; nothing if that is done, was let go, or saving
-   * failed. */
+  /** Puts everything back to where it was when it was saved last; unless that is done, was let go, or saving failed. */
   void restore() noexcept;
   /** Lets go what was saved before. */
   void forget_saved() noexcept { saved_ = false; }
@@ -71,7 +70,7 @@ inline Cell cell_of(const Occupants<D>& all, const Feature& point) {
                                           : all.bodies[point.owner].body->vertices[point.index].cell;
 }
 template <int D>
-inline void seat(Occupants<D>& all, const Feature& point, const double* at, Cell cell) {
+inline void set_location(Occupants<D>& all, const Feature& point, const double* at, Cell cell) {
   if (point.kind == Feature::kParticle) {
     ParticleState<D>& p = all.particles[point.index];
     if (p.cell != cell) p.forecast = kNoFacet;

@@ -36,7 +36,7 @@ typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, cons
     look_round(v);  // what was pushed can have opened cells
   }
   put(v, to);
-  bool fine = seat_all();
+  bool fine = locate_all();
   // What goes from cell to cell is followed only where the cells fill the same space before and after.
   if (fine && !before_.empty()) {
     fine = is_star_valid();
@@ -140,14 +140,14 @@ bool WallMove<D>::push(const Feature& point, const double* from, const double* t
   if (point.kind == Feature::kParticle) {
     const CastResult way = cast(env_, at, target, cell_of(all_, point));
     if (way.end != CastEnd::kReached) return false;
-    seat(all_, point, target, way.cell);
+    set_location(all_, point, target, way.cell);
     around_.note_point(point);
     return true;
   }
   Body<D>& body = *all_.bodies[point.owner].body;
   Cell cell;
   if (!sweeps_.is_free(body, point.index, target, &cell)) return false;
-  seat(all_, point, target, cell);
+  set_location(all_, point, target, cell);
   return around_.note_vertex(point.owner, point.index);
 }
 
@@ -174,7 +174,7 @@ uint32_t WallMove<D>::insert(const WallHit& hit, const double* from, const doubl
 /** Finds the cells in which things are now; false, and points back in theirs, if one is in none that is valid or an
  * edge or face is not free. */
 template <int D>
-bool WallMove<D>::seat_all() {
+bool WallMove<D>::locate_all() {
   before_.clear();
   bool fine = true;
   for (const Feature& feature : features_) {
@@ -184,7 +184,7 @@ bool WallMove<D>::seat_all() {
     if (!fine) break;
     if (now == old) continue;
     before_.push_back({feature, old});
-    seat(all_, feature, position(all_, feature), now);
+    set_location(all_, feature, position(all_, feature), now);
     around_.note_point(feature);
   }
   for (const Feature& feature : features_) {
@@ -198,7 +198,7 @@ bool WallMove<D>::seat_all() {
 
 template <int D>
 void WallMove<D>::unseat() noexcept {
-  for (const Seat& each : before_) seat(all_, each.point, position(all_, each.point), each.cell);
+  for (const Location& each : before_) set_location(all_, each.point, position(all_, each.point), each.cell);
   before_.clear();
 }
 

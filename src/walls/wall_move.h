@@ -1,6 +1,5 @@
 #pragma once
-// One vertex of the environment on its way to a target, with the walls at it, and what is done about what they meet
-// [JCD10] 5.1.
+// One vertex of the environment on its way to a target, with the walls at it, and what they meet [JCD10] 5.1.
 
 #include "walls/rigid_push.h"
 #include "walls/settings.h"
@@ -40,7 +39,7 @@ class WallMove {
   bool push(const Feature& point, const double* from, const double* to);
   uint32_t insert(const WallHit& hit, const double* from, const double* to, double min_part);
   void put(uint32_t v, const double* position);
-  bool seat_all();
+  bool locate_all();
   void unseat() noexcept;
   bool is_star_valid() const noexcept;
   Cell find_cell(const Feature& point) const;
@@ -56,11 +55,11 @@ class WallMove {
   Array<WallHit> hits_{env_.memory};
   Array<Feature> points_{env_.memory};   // to be pushed
   Array<uint32_t> pushed_{env_.memory};  // rigid bodies that have been
-  struct Seat {
+  struct Location {
     Feature point;
     Cell cell;
   };
-  Array<Seat> before_{env_.memory};  // cells of the star's points
+  Array<Location> before_{env_.memory};  // cells of the star's points
 };
 
 }  // namespace dsw

@@ -57,8 +57,7 @@ void read_swept(const Environment<D>& env, const WallPart<Count>& part, const do
   for (size_t k = 0; k < Count; ++k) swept[2 + k] = env.point(part.others[k]);
 }
 
-/** When that touches D - Count points of a body, with which it makes the event of a moving body that has as many at
- * rest. */
+/** When that touches D - Count points of a body: the event of a moving body that has as many points at rest. */
 template <int D, size_t Count>
 WallHit hit_of(const WallPart<Count>& part, const double* const (&swept)[Count + 2],
                const double* const* touched) noexcept {

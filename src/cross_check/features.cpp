@@ -1,4 +1,4 @@
-#include "opinion/features.h"
+#include "cross_check/features.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 // What libccd says about a contact's normal.
 
-#include "opinion/features.h"
+#include "cross_check/features.h"
 
 namespace dsw {
 

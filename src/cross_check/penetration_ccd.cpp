@@ -8,7 +8,7 @@
 #include <new>
 #include <type_traits>
 
-#include "opinion/penetration.h"
+#include "cross_check/penetration.h"
 
 namespace dsw {
 namespace {

@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "opinion/penetration.h"
+#include "cross_check/penetration.h"
 
 namespace dsw {
 

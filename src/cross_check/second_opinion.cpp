@@ -1,9 +1,9 @@
-#include "opinion/second_opinion.h"
+#include "cross_check/second_opinion.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "opinion/penetration.h"
+#include "cross_check/penetration.h"
 
 namespace dsw {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // libccd behind one function. `penetration_ccd.cpp` is built with libccd, `penetration_none.cpp` without.
 
-#include "opinion/features.h"
+#include "cross_check/features.h"
 
 namespace dsw {
 
