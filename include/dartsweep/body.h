@@ -1,12 +1,11 @@
 /** @file body.h
- * Bodies: vertices joined by edges and, for surfaces, by triangles. The parts that its level covers
- * never meet anything impassable, exactly. Calls that would break this are refused.
+ * Bodies: vertices joined by edges and, for surfaces, by triangles. The parts that a body's level
+ * covers never meet anything impassable, exactly. Calls that would break this are refused.
  *
  * With DSW_FEATURE_BODY_CONTACTS, bodies whose filters match do not touch or pass each other either
  * (except by DSW_DEFORM_END_STATE).
  *
- * Arrays by vertex have an entry for each slot. A removed part leaves a free slot, which a later
- * part may take.
+ * Arrays by vertex have an entry for each slot. Removed parts leave free slots.
  *
  * More: bindings/docs/moving_bodies.md.
  */
@@ -21,11 +20,11 @@
 extern "C" {
 #endif
 
-/** Flags of a body. Lossless flags only save time. With lossy ones contacts on the way are
+/** Flags of a body. Lossless flags only save time. With lossy flags contacts on the way are
  * missed. */
 enum {
-  /** Lossless. Edges keep the faces that they cross, and are not cast across the same ones
-   * again. */
+  /** Lossless. Edges keep the faces that they cross, and are not cast again while the faces stay
+   * the same. */
   DSW_BODY_SEQUENCES = 0x1,
   /** Lossless [JCD10] 6.1. Skips edges that sweep inside of one convex volume. */
   DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,
@@ -40,11 +39,10 @@ enum {
    * DSW_FEATURE_BODY_CONTACTS. */
   DSW_BODY_SELF_CONTACTS = 0x10,
   /** Lossy, at DSW_LEVEL_EDGES, for closed surfaces with faces turned outwards: back-edge
-   * elimination [JCD10] 6.2. Tests edges of vertices that move inwards only where they arrive.
-   * Since 1.1. */
+   * elimination [JCD10] 6.2. Since 1.1. */
   DSW_BODY_SKIP_BACK_EDGES = 0x20,
-  /** Walls push the body by rigid motions, or wait [JCD10] 5.1. These and dsw_body_move_rigid keep
-   * its shape, without adding up rounding. Responses insert no vertices. Since 1.1. */
+  /** Walls push the body by rigid motions, or wait [JCD10] 5.1. Pushes and dsw_body_move_rigid keep
+   * the shape without adding up rounding. Responses insert no vertices. Since 1.1. */
   DSW_BODY_RIGID = 0x40
 };
 
@@ -57,7 +55,7 @@ typedef struct dsw_body_desc {
   const double *positions;    /**< `vertex_count` points. */
   size_t vertex_count;        /**< At least 1. */
   size_t stride_bytes;        /**< As in base.h. */
-  const dsw_volume_id *hints; /**< May be null; near volumes, or null ids. */
+  const dsw_volume_id *hints; /**< May be null; volumes near the vertices, or null ids. */
   const uint32_t *edges;      /**< Two vertices each; not necessary for faces. */
   size_t edge_count;          /**< Edges. */
   /** Face i has the corners face_corners[face_offsets[i] .. face_offsets[i+1]-1], in order.
@@ -67,8 +65,8 @@ typedef struct dsw_body_desc {
   size_t face_count;            /**< Faces; face_offsets has one more entry. */
   size_t face_corner_count;     /**< Entries of face_corners. */
   double motion_share;          /**< For DSW_BODY_SKIP_SIMILAR_MOTION; 0 means 0.1. */
-  /** Two bodies meet if the category of each has a bit of the other's mask; 0 means 1. Needs
-   * DSW_FEATURE_BODY_CONTACTS, as `mask` does. */
+  /** Two bodies meet if the category of each has a bit of the other's mask; 0 means 1. Both members
+   * need DSW_FEATURE_BODY_CONTACTS. */
   uint32_t category;
   uint32_t mask; /**< 0 means all bits. */
 } dsw_body_desc;
@@ -76,7 +74,7 @@ typedef struct dsw_body_desc {
 /** Numbers of parts. Indices are below the number of slots. */
 typedef struct dsw_body_counts {
   uint32_t struct_size;  /**< sizeof(dsw_body_counts). */
-  uint32_t vertex_count; /**< Vertices. */
+  uint32_t vertex_count; /**< Living vertices. */
   uint32_t edge_count;   /**< Living edges. */
   uint32_t face_count;   /**< Living triangles. */
   uint32_t vertex_slots; /**< Slots of vertices. */
@@ -89,28 +87,28 @@ typedef struct dsw_body_counts {
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
 
-/** Creates a body. Vertices and edges keep their indices; other edges of faces follow. Faces are
- * numbered triangle by triangle.
+/** Creates a body. Vertices and edges keep their indices, and other edges of faces follow. Faces
+ * are numbered triangle by triangle.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE: a vertex; INDEX_OUT_OF_RANGE; BAD_CELL: a repeated
  * vertex; DUPLICATE_CELL; SHARED_FACE: three triangles at an edge, several fans at a vertex;
- * INVERTED_CELL: neighbours turned against each other, or no volume inside
- * (DSW_BODY_SKIP_BACK_EDGES); NOT_CLOSED (DSW_BODY_SKIP_BACK_EDGES); OCCUPIED: not free; NOT_NAMED:
- * DSW_FEATURE_BODY_CONTACTS.
+ * INVERTED_CELL: neighbours turned against each other; OCCUPIED: not free; NOT_NAMED:
+ * DSW_FEATURE_BODY_CONTACTS. For DSW_BODY_SKIP_BACK_EDGES also NOT_CLOSED; INVERTED_CELL: no volume
+ * inside.
  * @note Cost: O(vertices + volumes that edges cross), and locating. Thread: writer, batch. Source:
  * [JCD10] 4. @since 1.0 */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
 
 /** Gives the edges that made the last dsw_body_create, dsw_body_set_level or dsw_body_set_filter
  * answer DSW_STATUS_OCCUPIED.
- * @param vertices two vertex indices for each edge, equal for a lone vertex; owned by the scene,
- * valid until the next such call.
+ * @param vertices two indices for each edge, equal for a lone vertex; valid until the next such
+ * call.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices,
                                                  size_t *count);
 
 /** Gives the bodies that made the last marking call answer DSW_STATUS_OCCUPIED or leave volumes
  * out.
- * @param bodies owned by the scene, valid until the next marking call.
+ * @param bodies valid until the next marking call.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_occupant_bodies(const dsw_scene *scene, const dsw_body_id **bodies,
                                                  size_t *count);
@@ -149,8 +147,7 @@ DSW_API dsw_status dsw_body_get_filter(const dsw_scene *scene, dsw_body_id body,
                                        uint32_t *mask);
 
 /** Changes `category` and `mask` of a body.
- * @return DSW_STATUS_NOT_NAMED: as dsw_body_get_filter; OCCUPIED: the body touches one that it
- * would meet.
+ * @return DSW_STATUS_NOT_NAMED: as above; OCCUPIED: the body would touch another.
  * @note Cost: O(body). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_set_filter(dsw_scene *scene, dsw_body_id body, uint32_t category,
                                        uint32_t mask);
@@ -215,39 +212,38 @@ DSW_API dsw_status dsw_body_add_vertex(dsw_scene *scene, dsw_body_id body, const
 
 /** Adds an edge between two vertices.
  * @return DSW_STATUS_BAD_CELL: a is b; DUPLICATE_CELL; OCCUPIED: the edge is not free.
- * @note Cost: O(volumes that the edge crosses). Thread: writer. @since 1.0 */
+ * @note Cost: O(volumes met). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_add_edge(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a,
                                      dsw_body_vertex_id b, dsw_body_edge_id *edge);
 
 /** Adds a triangle and its missing edges.
  * @return as dsw_body_add_edge; SHARED_FACE, INVERTED_CELL: as dsw_body_create.
- * @note Cost: O(volumes that the triangle meets). Thread: writer. @since 1.0 */
+ * @note Cost: O(volumes met). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a,
                                      dsw_body_vertex_id b, dsw_body_vertex_id c,
                                      dsw_body_face_id *face);
 
 /** Removes a face. Always possible.
- * @note Cost: O(parts round the face). Thread: writer. @since 1.0 */
+ * @note Cost: O(parts there). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_remove_face(dsw_scene *scene, dsw_body_id body, dsw_body_face_id face);
 
 /** Removes an edge and its faces. Always possible.
- * @note Cost: O(parts round the edge). Thread: writer. @since 1.0 */
+ * @note Cost: O(parts there). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge);
 
 /** Removes a vertex, its edges and its faces. Always possible.
- * @note Cost: O(parts round the vertex). Thread: writer. @since 1.0 */
+ * @note Cost: O(parts there). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_remove_vertex(dsw_scene *scene, dsw_body_id body,
                                           dsw_body_vertex_id vertex);
 
-/** An edge that was split at a new vertex, or a vertex that was merged into another. A new vertex
- * has (1 - share) of each attribute of ends[0] and `share` of that of ends[1]. */
+/** A split of an edge at a new vertex, or a merge of a vertex into another. */
 typedef struct dsw_body_edit {
   dsw_body_vertex_id vertex; /**< Split: the new vertex. Merge: the removed vertex. */
   /** Split: ends of the edge. Merge: ends[0] is the vertex that stays. */
   dsw_body_vertex_id ends[2];
   dsw_body_edge_id edge; /**< Split: the part at ends[0], id kept. Merge: the removed edge. */
   dsw_body_edge_id rest; /**< Split: the new edge at ends[1]. */
-  double share;          /**< Split: place on the edge, in (0,1). */
+  double share;          /**< Split: place on the edge, and weight of ends[1]. */
   uint32_t inserted;     /**< 1: split; 0: merge. */
   uint32_t reserved;     /**< 0. */
 } dsw_body_edit;

@@ -46,8 +46,8 @@ typedef struct dsw_carve_report {
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
 
-/** Makes volumes inside of a shape passable. First, impassable volumes that the surface crosses are
- * split as by dsw_environment_cut. Then volumes with their centre inside become passable.
+/** Splits impassable volumes that a surface crosses, as dsw_environment_cut does, then makes
+ * volumes with their centre inside passable.
  * @param report may be null.
  * @return as topology.h; DSW_STATUS_OUT_OF_RANGE, INDEX_OUT_OF_RANGE; BORROWED: no room for
  * vertices; BAD_TOPOLOGY: the surface is not closed, or a triangle repeats a point.

@@ -12,16 +12,16 @@
 extern "C" {
 #endif
 
-/** How a flight ended. Particles never report OUTSIDE or IMPASSABLE. */
+/** How a flight ended. */
 typedef enum dsw_outcome {
   DSW_OUTCOME_NONE = 0,       /**< There was no flight. */
   DSW_OUTCOME_REACHED = 1,    /**< At the target. */
   DSW_OUTCOME_CONTACT = 2,    /**< At the first impassable face. */
   DSW_OUTCOME_WORK_LIMIT = 3, /**< Free, at the work limit. */
   DSW_OUTCOME_OUTSIDE = 4,    /**< Not begun: the start lies in no volume. */
-  /** Not begun: the start lies in an impassable volume, or the swept edge is not free there. */
+  /** Not begun: the start, or the swept edge there, is not free. */
   DSW_OUTCOME_IMPASSABLE = 5,
-  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_outcome;
 
 /** What part of the obstacle was touched. */
@@ -30,12 +30,12 @@ typedef enum dsw_contact_kind {
   DSW_CONTACT_PLANE = 1,                    /**< The inside of a face. */
   DSW_CONTACT_EDGE = 2,                     /**< An edge. */
   DSW_CONTACT_VERTEX = 3,                   /**< A vertex. */
-  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_contact_kind;
 
 /** Report of a cast or a particle's move. Members of a contact are 0 without one. */
 typedef struct dsw_flight {
-  /** End of the flight. Particle: verified to be free. Cast: rounded from `time`. */
+  /** End of the flight. That of a particle is verified to be free. */
   double position[3];
   /** Fraction of the move. At a contact: the largest double not later than the exact time. */
   double time;
@@ -45,10 +45,10 @@ typedef struct dsw_flight {
   dsw_volume_id behind;  /**< Volume behind it; null at the outer boundary. */
   dsw_outcome outcome;   /**< How the flight ended. */
   dsw_contact_kind kind; /**< DSW_CONTACT_PLANE. */
-  /** DSW_CELL_FACE (marked, or outer boundary), or DSW_CELL_VOLUME: only `behind` is marked. */
+  /** DSW_CELL_FACE, or DSW_CELL_VOLUME if only the volume behind is marked. */
   dsw_cell_kind obstacle;
-  uint32_t tag;           /**< Host tag behind, or in front at the outer boundary. */
-  uint32_t cells_visited; /**< Volumes entered, the first included. */
+  uint32_t tag;           /**< Host tag behind the face; at the outer boundary, in front. */
+  uint32_t cells_visited; /**< Volumes entered. */
   uint32_t reserved[2];   /**< 0. */
 } dsw_flight;
 
@@ -69,12 +69,11 @@ typedef struct dsw_sweep {
   double normal[3]; /**< Unit normal, out of the obstacle. */
   /** Volume of the moving end; at its start unless REACHED. */
   dsw_volume_id volume;
-  dsw_volume_id front; /**< Passable volume at `face` or at the marked edge. */
-  dsw_face_id face;    /**< Impassable face, canonical; null for a marked edge. */
-  dsw_edge_id edge;    /**< DSW_CONTACT_EDGE: edge of the obstacle, canonical. */
-  dsw_outcome outcome; /**< How the sweep ended. */
-  /** PLANE also for an edge on the diagonal of a warped face. */
-  dsw_contact_kind kind;
+  dsw_volume_id front;    /**< Passable volume at `face` or at the marked edge. */
+  dsw_face_id face;       /**< Impassable face, canonical; null for a marked edge. */
+  dsw_edge_id edge;       /**< DSW_CONTACT_EDGE: edge of the obstacle, canonical. */
+  dsw_outcome outcome;    /**< How the sweep ended. */
+  dsw_contact_kind kind;  /**< What part of the obstacle was touched. */
   dsw_cell_kind obstacle; /**< As in dsw_flight; DSW_CELL_EDGE for a marked edge. */
   uint32_t tag;           /**< As in dsw_flight; 0 for a marked edge. */
   uint32_t cells_visited; /**< Volumes looked at. */
@@ -86,11 +85,10 @@ typedef enum dsw_contact_history {
   DSW_HISTORY_NONE = 0,                /**< No contact. */
   DSW_HISTORY_NEW = 1,                 /**< No. */
   DSW_HISTORY_LASTING = 2,             /**< Yes. */
-  DSW_HISTORY_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_HISTORY_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_contact_history;
 
-/** A contact of a body: a vertex moved, and the vertex, one of its edges or one of its faces
- * touched something. */
+/** A contact of a body: a moving vertex, or one of its edges or faces, touched something. */
 typedef struct dsw_contact {
   double from[3]; /**< Start of the moving vertex. */
   double to[3];   /**< Its target. */
@@ -114,11 +112,10 @@ typedef struct dsw_contact {
   dsw_contact_history history; /**< Whether the contact is new. */
 } dsw_contact;
 
-/** The contact before, of a contact's vertex. Moves of the body count, not deformations or edits.
- * The vertex rests or slides if `since` is 1, and bounces above 1. */
+/** The previous contact of a vertex. The vertex rests or slides if `since` is 1, and bounces above
+ * 1. */
 typedef struct dsw_contact_past {
-  /** Where this obstacle stopped the vertex in the move before, else where anything did last; 0 if
-   * nothing. */
+  /** Where this obstacle, or else anything, stopped the vertex before. */
   double point[3];
   double normal[3];  /**< Normal there. */
   dsw_cell obstacle; /**< Cell touched there; null for a body. */

@@ -18,7 +18,7 @@ typedef enum dsw_opinion {
   DSW_OPINION_PLANE = 1,  /**< Touching point and volume behind the wall. */
   DSW_OPINION_EDGE = 2,   /**< Touching segment and tetrahedron at the wall's edge or diagonal. */
   DSW_OPINION_VERTEX = 3, /**< Touching triangle and volume at the wall's corner. */
-  DSW_OPINION_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_OPINION_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_opinion;
 
 /** Why there is no cross-check. */
@@ -29,7 +29,7 @@ typedef enum dsw_no_opinion {
   DSW_NO_OPINION_OUTSIDE_CONE = 3,  /**< The wall rises above the plane across the normal. */
   DSW_NO_OPINION_NOT_CONVERGED = 4, /**< libccd found no way out of this contact. */
   DSW_NO_OPINION_NOT_UNIQUE = 5,    /**< Both normals are right, at the border of a feature. */
-  DSW_NO_OPINION_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_NO_OPINION_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_no_opinion;
 
 /** Result of a cross-check. */

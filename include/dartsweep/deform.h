@@ -18,15 +18,15 @@ typedef enum dsw_deform_method {
   /** Vertices near bodies and particles move one at a time, by index, in 2^k steps. No wall passes
    * anything. */
   DSW_DEFORM_SWEPT = 0,
-  /** A dial: all vertices move at once, and bodies and particles are located again. Walls may move
-   * by less than the thickness of a volume; bodies may pass each other. */
+  /** A dial: all vertices move at once, and bodies and particles are located again. For walls that
+   * move by less than a volume is thick. */
   DSW_DEFORM_END_STATE = 1,
-  DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_deform_method;
 
 /** What happens if a wall meets a body or particle. */
 typedef enum dsw_wall_response {
-  /** The touched part (with DSW_BODY_RIGID the body) moves with the wall where its way is free;
+  /** The touched part (with DSW_BODY_RIGID the body) moves with the wall where the way is free;
    * else HOLD. */
   DSW_WALL_PUSH = 0,
   /** A touched edge gets a vertex, which is pushed, if both parts keep `min_part`; else PUSH. */
@@ -35,7 +35,7 @@ typedef enum dsw_wall_response {
   DSW_WALL_HOLD = 2,
   /** The whole environment stops at 1/2, 1/4, ... of its way, in O(vertices). */
   DSW_WALL_STOP = 3,
-  DSW_WALL_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_WALL_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_wall_response;
 
 /** What happens if a volume that is met would become invalid. */
@@ -44,16 +44,16 @@ typedef enum dsw_invalid_response {
   DSW_INVALID_REFUSE = 1, /**< Nothing moves; see dsw_scene_get_invalid_volumes. */
   /** dsw_environment_remesh mends such volumes before; then HOLD. */
   DSW_INVALID_REMESH = 2,
-  DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_invalid_response;
 
 /** How a deformation ended. */
 typedef enum dsw_deform_outcome {
-  DSW_DEFORM_DONE = 0,     /**< All vertices arrived. */
-  DSW_DEFORM_HELD = 1,     /**< All except those of dsw_scene_get_held_vertices. */
-  DSW_DEFORM_FRACTION = 2, /**< All vertices made the same part of their way. */
-  DSW_DEFORM_REFUSED = 3,  /**< Nothing has moved. */
-  DSW_DEFORM_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_DEFORM_DONE = 0,                        /**< All vertices arrived. */
+  DSW_DEFORM_HELD = 1,                        /**< Not those of dsw_scene_get_held_vertices. */
+  DSW_DEFORM_FRACTION = 2,                    /**< All vertices made the same part of their way. */
+  DSW_DEFORM_REFUSED = 3,                     /**< Nothing has moved. */
+  DSW_DEFORM_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_deform_outcome;
 
 /** Options of a deformation; null means all defaults. */
@@ -66,8 +66,7 @@ typedef struct dsw_deform_options {
   uint32_t most_halvings;       /**< SWEPT: largest k, 1 to 10; 0 means 10. */
   /** INSERT: as in dsw_move_options. */
   double min_part;
-  /** Vertices for which `next` has room, or 0. Changes of topology write added vertices there;
-   * without room they answer DSW_STATUS_BORROWED. */
+  /** Vertices for which `next` has room, or 0. Changes of topology write added vertices there. */
   size_t point_room;
   uint32_t remesh_radius;    /**< REMESH: `radius` of dsw_remesh_desc. */
   uint32_t remesh_max_faces; /**< REMESH: `max_faces` of dsw_remesh_desc. */
@@ -82,12 +81,12 @@ typedef struct dsw_deform_report {
   uint32_t held_count;        /**< See dsw_scene_get_held_vertices. */
   uint32_t contact_count;     /**< See dsw_scene_get_wall_contacts. */
   uint32_t invalid_count;     /**< See dsw_scene_get_invalid_volumes. */
-  uint32_t pushed_count;      /**< Moves of body vertices and particles by walls. */
+  uint32_t pushed_count;      /**< Moves made by walls. */
   uint32_t remeshed_count;    /**< REMESH: volumes replaced. */
 } dsw_deform_report;
 
-/** A vertex of the environment moved, and a wall at this vertex touched a particle or a body. For
- * END_STATE see bindings/docs/contacts.md. */
+/** A vertex of the environment moved, and a wall at this vertex touched something. More:
+ * bindings/docs/contacts.md. */
 typedef struct dsw_wall_contact {
   double from[3];       /**< Start of the vertex. */
   double to[3];         /**< Its target. */
@@ -99,8 +98,8 @@ typedef struct dsw_wall_contact {
   /** Other corners of the touching triangle or edge, or null. */
   dsw_vertex_id others[2];
   dsw_face_id wall;           /**< Null for a marked edge or vertex. */
-  dsw_particle_id particle;   /**< The touched particle, or null. */
-  dsw_body_id body;           /**< The touched body, or null. */
+  dsw_particle_id particle;   /**< Touched particle, or null. */
+  dsw_body_id body;           /**< Touched body, or null. */
   dsw_body_vertex_id vertex;  /**< Its touched vertex, or null. */
   dsw_body_edge_id edge;      /**< Its touched edge, or null. */
   dsw_body_face_id face;      /**< Its touched face, or null. */
@@ -120,8 +119,8 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
  * @param options, report may be null.
  * @return DSW_STATUS_NOT_NAMED: the feature; IN_USE: `next` is the present array; WRONG_SIZE:
  * point_count, point_room; NON_FINITE: a vertex near a body or particle; OUT_OF_RANGE: options.
- * @note Cost: O(bodies, particles, volumes that they meet). Thread: writer of the environment.
- * Source: [JCD10] 5.1. @since 1.0 */
+ * @note Cost: O(bodies + particles + volumes met). Thread: writer of the environment. Source:
+ * [JCD10] 5.1. @since 1.0 */
 DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point_count,
                                     const dsw_deform_options *options, dsw_deform_report *report);
 
@@ -150,7 +149,7 @@ DSW_API dsw_status dsw_environment_is_valid(const dsw_environment *environment,
                                             dsw_volume_id volume, int *valid);
 
 /** Gives the positions that an environment reads, by vertex.
- * @param points valid until the environment is next deformed or changed.
+ * @param points owned by the environment or lent; valid until it is deformed or changed.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_points(const dsw_environment *environment,
                                               const double **points, size_t *count);

@@ -20,7 +20,7 @@ typedef enum dsw_search {
   /** Dichotomic: halvings between a free and an occupied place, which the contact describes. At
    * DSW_LEVEL_EDGES another contact may come first. */
   DSW_SEARCH_BISECTION = 2,
-  DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_search;
 
 /** What happens at a contact [JCD10] 4.2, figure 5. A moving vertex inserts at most 64 vertices. If
@@ -38,7 +38,7 @@ typedef enum dsw_response {
   DSW_RESPONSE_SLIDE = 4,
   /** ADAPTIVE_ONE, or SLIDE where no vertex can be inserted. Since 1.1. */
   DSW_RESPONSE_ADAPTIVE_SLIDE = 5,
-  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_response;
 
 /** Options of a move; null means all defaults. */
@@ -49,8 +49,8 @@ typedef struct dsw_move_options {
   dsw_response edge_response;   /**< Of its edges and faces; default STOP. */
   dsw_search search;            /**< Default EXACT. */
   uint32_t bisection_depth;     /**< Halvings, 1 to 52; 0 means 20. */
-  /** Work limit: volumes that one sweep may look at; 0: none. There the vertex stops free, without
-   * a contact. */
+  /** Work limit: volumes that one sweep may look at; 0: none. At the limit a vertex stops free,
+   * without a contact. */
   uint32_t max_cells;
   uint32_t reserved; /**< 0. */
   double min_part;   /**< Least share of an edge in a part, up to 0.5; 0 means 0.25. */
@@ -58,10 +58,10 @@ typedef struct dsw_move_options {
   /** Distance from a touched wall, without guarantee; 0 means 1e-9 of the size of the volume in
    * front; negative: none. */
   double stand_off;
-  /** Inserted vertices are removed within this share of the length of the line between their
-   * neighbours. 0: never. */
+  /** Inserted vertices go if they leave the line between their neighbours by less than this share.
+   * 0: never. */
   double noise_share;
-  /** May be null; distinct indices of the vertices that move, in order. */
+  /** Distinct indices of the vertices that move, in order; null: all. */
   const uint32_t *order;
   size_t order_count; /**< Its entries. */
 } dsw_move_options;
@@ -113,7 +113,7 @@ typedef struct dsw_rigid_motion {
 } dsw_rigid_motion;
 
 /** Moves a body rigidly: the motion is halved, up to 52 times, until all vertices can make it one
- * by one. Positions are rounded in each call, with DSW_BODY_RIGID once for all calls.
+ * by one.
  * @param options may be null; only `order`, of all vertices, counts.
  * @param report may be null.
  * @return as dsw_body_move; OUT_OF_RANGE: a zero quaternion.
@@ -143,8 +143,7 @@ DSW_API dsw_status dsw_body_get_contact_pasts(const dsw_scene *scene, dsw_body_i
                                               const dsw_contact_past **pasts, size_t *count);
 
 /** Gives the vertices that the last move of a body inserted and removed, in order.
- * @param edits owned by the body, valid until it moves or is edited, or the environment is
- * deformed.
+ * @param edits valid as the contacts, until the environment is deformed.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body,
                                       const dsw_body_edit **edits, size_t *count);

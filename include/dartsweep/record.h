@@ -12,16 +12,14 @@
 extern "C" {
 #endif
 
-/** Takes the next bytes, on the thread of the dsw call; must not call dsw functions. Returns 0, or
- * else ends the recording. */
+/** Takes the next bytes. Must not call dsw functions. Returns 0, or else ends the recording. */
 typedef int (*dsw_write_fn)(void *user, const void *bytes, size_t size_bytes);
 
 /** Flags of recordings. */
 enum {
-  /** Also a checksum of the whole state after each call: O(scene), or O(environment) if changed. */
+  /** Also a checksum of the state after each call, in O(scene) or O(environment). */
   DSW_RECORDING_STATES = 1,
-  /** In memory, for dsw_scene_write_bundle; begun anew when its calls exceed 1 MiB and twice the
-   * snapshots. */
+  /** In memory, for dsw_scene_write_bundle; old calls are dropped. */
   DSW_RECORDING_LATEST = 2,
   /** In dsw_replay_info only: a bug report. */
   DSW_RECORDING_BUNDLE = 4
@@ -42,13 +40,13 @@ typedef struct dsw_recording_desc {
 DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
 
 /** Begins to record a scene: writes snapshots of environment and scene, then calls and results.
- * @return DSW_STATUS_IN_USE: a recording is under way; UNSUPPORTED: `path` and `write` and LATEST
- * exclude each other; WRITE_FAILED.
+ * @return DSW_STATUS_IN_USE: a recording is under way; UNSUPPORTED: two of `path`, `write` and
+ * LATEST; WRITE_FAILED.
  * @note Cost: O(environment), then O(arguments) a call. Thread: writer of the environment. @since
  * 1.0 */
 DSW_API dsw_status dsw_scene_start_recording(dsw_scene *scene, const dsw_recording_desc *desc);
 
-/** Ends the recording of a scene, if any. Destroying the scene does so, too.
+/** Ends the recording of a scene, if any.
  * @return DSW_STATUS_WRITE_FAILED: the recording is incomplete.
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_scene_stop_recording(dsw_scene *scene);
@@ -63,7 +61,7 @@ typedef enum dsw_replay_outcome {
   /** The recording process died in the call. */
   DSW_REPLAY_UNFINISHED = 2,
   DSW_REPLAY_END = 3,                         /**< There is no further call. */
-  DSW_REPLAY_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_REPLAY_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_replay_outcome;
 
 /** One step of a replay. */
@@ -78,9 +76,9 @@ typedef struct dsw_replay_report {
 
 /** What differs in a step. */
 enum {
-  DSW_DIFFERS_STATUS = 1,  /**< One call succeeded, the other failed. */
+  DSW_DIFFERS_STATUS = 1,  /**< Whether the call succeeded. */
   DSW_DIFFERS_RESULTS = 2, /**< The results. */
-  DSW_DIFFERS_STATE = 4    /**< The states afterwards; needs DSW_RECORDING_STATES. */
+  DSW_DIFFERS_STATE = 4    /**< The state; needs DSW_RECORDING_STATES. */
 };
 
 /** Opens a recording. Its bytes are not trusted.
@@ -98,7 +96,7 @@ DSW_API dsw_status dsw_replay_create(dsw_context *context, const void *recording
  * @note Cost: O(its size). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_replay_destroy(dsw_replay *replay);
 
-/** Gives the scene after the last step, to inspect, save or record it. The host must not change it.
+/** Gives the scene after the last step. The host must not change the scene.
  * @param scene owned by the replay.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_replay_get_scene(const dsw_replay *replay, dsw_scene **scene);
@@ -110,7 +108,7 @@ DSW_API dsw_status dsw_replay_step(dsw_replay *replay, dsw_replay_report *report
 
 /** Describes the arguments of the next call as text for people.
  * @param text cut to `capacity`, ends with 0.
- * @param size whole size, with the 0.
+ * @param size of the whole text.
  * @return DSW_STATUS_CORRUPT: as dsw_replay_step.
  * @note Cost: O(arguments). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_replay_describe_next(dsw_replay *replay, char *text, size_t capacity,
@@ -123,12 +121,12 @@ typedef struct dsw_verdict {
   uint64_t places;      /**< Particles and vertices of bodies. */
   uint64_t lost;        /**< Those outside of their volumes. */
   uint64_t edges;       /**< Edges from DSW_LEVEL_EDGES on. */
-  uint64_t crossing;    /**< Those that meet something impassable. */
+  uint64_t crossing;    /**< Those that are not free. */
   uint64_t faces;       /**< Faces at DSW_LEVEL_FACES. */
-  uint64_t pierced;     /**< Those that meet something impassable. */
+  uint64_t pierced;     /**< Those that are not free. */
   /** Ways reported free, from DSW_LEVEL_EDGES_SWEPT on with swept edges. */
   uint64_t ways;
-  uint64_t missed;     /**< Those that meet something impassable. */
+  uint64_t missed;     /**< Those that are not free. */
   uint64_t contacts;   /**< First contacts with the environment. */
   uint64_t wrong;      /**< Those with a wrong time. */
   uint64_t not_judged; /**< Contacts and ways not validated. */
@@ -154,7 +152,7 @@ typedef struct dsw_replay_info {
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_replay_get_info(const dsw_replay *replay, dsw_replay_info *info);
 
-/** Makes the next call and validates its answer and the state; at the end, the state.
+/** Makes the next call, and validates its answer and the state.
  * @return as dsw_replay_step. After OUT_OF_MEMORY a call was made if `report->function` is set.
  * @note Cost: O(obstacles * parts validated). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_replay_step_judged(dsw_replay *replay, dsw_replay_report *report,
@@ -174,9 +172,8 @@ typedef struct dsw_bundle_desc {
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_bundle_desc_init(dsw_bundle_desc *desc, size_t size);
 
-/** Writes a bug report: the scene before its last recorded call, this call and its results, the
- * note, and a validation. Without a recording in a file or in memory the report has the present
- * scene and no call.
+/** Writes a bug report: the scene before its last recorded call, the call, its results, the note,
+ * and a validation. Without a recording in a file or in memory the report has no call.
  * @param verdict may be null.
  * @return DSW_STATUS_WRITE_FAILED; NOT_FOUND: the recording cannot be read; CORRUPT: the replay
  * ends early or in another state, and the report there.
