@@ -52,10 +52,10 @@ typedef struct dsw_body_desc {
   uint32_t flags;             /**< DSW_BODY_... */
   dsw_level level;            /**< DSW_LEVEL_EDGES_SWEPT by default. */
   uint32_t reserved;          /**< 0. */
-  const double *positions;    /**< `vertex_count` points. */
+  const double *positions;    /**< Points, one for each vertex. */
   size_t vertex_count;        /**< At least 1. */
   size_t stride_bytes;        /**< As in base.h. */
-  const dsw_volume_id *hints; /**< May be null; volumes near the vertices, or null ids. */
+  const dsw_volume_id *hints; /**< May be null; a hint for each vertex. */
   const uint32_t *edges;      /**< Two vertices each; not necessary for faces. */
   size_t edge_count;          /**< Edges. */
   /** Face i has the corners face_corners[face_offsets[i] .. face_offsets[i+1]-1], in order.
@@ -94,21 +94,19 @@ DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
  * INVERTED_CELL: neighbours turned against each other; OCCUPIED: not free; NOT_NAMED:
  * DSW_FEATURE_BODY_CONTACTS. For DSW_BODY_SKIP_BACK_EDGES also NOT_CLOSED; INVERTED_CELL: no volume
  * inside.
- * @note Cost: O(vertices + volumes that edges cross), and locating. Thread: writer, batch. Source:
- * [JCD10] 4. @since 1.0 */
+ * @note Cost: O(vertices + volumes that edges cross). Thread: writer, batch. Source: [JCD10] 4.
+ * @since 1.0 */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
 
 /** Gives the edges that made the last dsw_body_create, dsw_body_set_level or dsw_body_set_filter
  * answer DSW_STATUS_OCCUPIED.
- * @param vertices two indices for each edge, equal for a lone vertex; valid until the next such
- * call.
+ * @param vertices two indices for each edge, equal for a lone vertex.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices,
                                                  size_t *count);
 
 /** Gives the bodies that made the last marking call answer DSW_STATUS_OCCUPIED or leave volumes
  * out.
- * @param bodies valid until the next marking call.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_occupant_bodies(const dsw_scene *scene, const dsw_body_id **bodies,
                                                  size_t *count);
@@ -147,7 +145,7 @@ DSW_API dsw_status dsw_body_get_filter(const dsw_scene *scene, dsw_body_id body,
                                        uint32_t *mask);
 
 /** Changes `category` and `mask` of a body.
- * @return DSW_STATUS_NOT_NAMED: as above; OCCUPIED: the body would touch another.
+ * @return DSW_STATUS_NOT_NAMED; OCCUPIED: the body would touch another.
  * @note Cost: O(body). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_set_filter(dsw_scene *scene, dsw_body_id body, uint32_t category,
                                        uint32_t mask);
@@ -204,7 +202,6 @@ DSW_API dsw_status dsw_body_get_face_vertices(const dsw_scene *scene, dsw_body_i
                                               uint32_t *vertices, size_t capacity, size_t *count);
 
 /** Adds a vertex without edges.
- * @param hint a volume near the vertex, or null.
  * @return as dsw_particle_create; OCCUPIED: the vertex touches a body.
  * @note Cost: locating. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_add_vertex(dsw_scene *scene, dsw_body_id body, const double *position,

@@ -57,7 +57,6 @@ DSW_API dsw_status dsw_environment_carve(dsw_environment *environment, const dsw
                                          dsw_carve_report *report);
 
 /** Gives the volumes that the last carving made passable, by their ids then.
- * @param volumes owned by the environment, valid until its next carving.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_carved_volumes(const dsw_environment *environment,
                                                       const dsw_volume_id **volumes, size_t *count);

@@ -38,9 +38,8 @@ DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size)
 /** Creates a coarser copy of an environment. Merged volumes are valid polyhedra. Casts and sweeps
  * meet the same faces, by their vertices, at the same times. Regions, tags, marks and vertex
  * indices stay.
- * @param source never deformed (deform.h).
- * @param options may be null.
- * @param environment owned by the caller; with the source's context.
+ * @param source must not have been deformed.
+ * @param environment has the source's context.
  * @param volume_map may be null; the new index for each volume index, or UINT32_MAX.
  * @param capacity volume_index_count of the source.
  * @param report may be null.

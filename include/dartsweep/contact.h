@@ -21,7 +21,7 @@ typedef enum dsw_outcome {
   DSW_OUTCOME_OUTSIDE = 4,    /**< Not begun: the start lies in no volume. */
   /** Not begun: the start, or the swept edge there, is not free. */
   DSW_OUTCOME_IMPASSABLE = 5,
-  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_outcome;
 
 /** What part of the obstacle was touched. */
@@ -30,7 +30,7 @@ typedef enum dsw_contact_kind {
   DSW_CONTACT_PLANE = 1,                    /**< The inside of a face. */
   DSW_CONTACT_EDGE = 2,                     /**< An edge. */
   DSW_CONTACT_VERTEX = 3,                   /**< A vertex. */
-  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_contact_kind;
 
 /** Report of a cast or a particle's move. Members of a contact are 0 without one. */
@@ -85,7 +85,7 @@ typedef enum dsw_contact_history {
   DSW_HISTORY_NONE = 0,                /**< No contact. */
   DSW_HISTORY_NEW = 1,                 /**< No. */
   DSW_HISTORY_LASTING = 2,             /**< Yes. */
-  DSW_HISTORY_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_HISTORY_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_contact_history;
 
 /** A contact of a body: a moving vertex, or one of its edges or faces, touched something. */
@@ -99,7 +99,7 @@ typedef struct dsw_contact {
   double point[3];             /**< Where the body touches, rounded. */
   double normal[3];            /**< Unit normal, out of the obstacle. */
   double along;                /**< Place on the edge: 0 moving vertex, 1 other end. */
-  double distance_left;        /**< Length of the way not made, scene units. */
+  double distance_left;        /**< Length of the way not made. */
   dsw_body_vertex_id vertex;   /**< The moving vertex. */
   dsw_body_edge_id edge;       /**< The touching edge, or null. */
   dsw_body_face_id face;       /**< The touching face, or null. */

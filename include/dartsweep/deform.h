@@ -21,7 +21,7 @@ typedef enum dsw_deform_method {
   /** A dial: all vertices move at once, and bodies and particles are located again. For walls that
    * move by less than a volume is thick. */
   DSW_DEFORM_END_STATE = 1,
-  DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_deform_method;
 
 /** What happens if a wall meets a body or particle. */
@@ -35,7 +35,7 @@ typedef enum dsw_wall_response {
   DSW_WALL_HOLD = 2,
   /** The whole environment stops at 1/2, 1/4, ... of its way, in O(vertices). */
   DSW_WALL_STOP = 3,
-  DSW_WALL_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_WALL_RESPONSE_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_wall_response;
 
 /** What happens if a volume that is met would become invalid. */
@@ -44,19 +44,19 @@ typedef enum dsw_invalid_response {
   DSW_INVALID_REFUSE = 1, /**< Nothing moves; see dsw_scene_get_invalid_volumes. */
   /** dsw_environment_remesh mends such volumes before; then HOLD. */
   DSW_INVALID_REMESH = 2,
-  DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_invalid_response;
 
 /** How a deformation ended. */
 typedef enum dsw_deform_outcome {
-  DSW_DEFORM_DONE = 0,                        /**< All vertices arrived. */
-  DSW_DEFORM_HELD = 1,                        /**< Not those of dsw_scene_get_held_vertices. */
-  DSW_DEFORM_FRACTION = 2,                    /**< All vertices made the same part of their way. */
-  DSW_DEFORM_REFUSED = 3,                     /**< Nothing has moved. */
-  DSW_DEFORM_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_DEFORM_DONE = 0,     /**< All vertices arrived. */
+  DSW_DEFORM_HELD = 1,     /**< All except those of dsw_scene_get_held_vertices. */
+  DSW_DEFORM_FRACTION = 2, /**< All vertices made the same part of their way. */
+  DSW_DEFORM_REFUSED = 3,  /**< Nothing has moved. */
+  DSW_DEFORM_OUTCOME_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_deform_outcome;
 
-/** Options of a deformation; null means all defaults. */
+/** Options of a deformation. */
 typedef struct dsw_deform_options {
   uint32_t struct_size;         /**< sizeof(dsw_deform_options). */
   uint32_t flags;               /**< 0. */
@@ -116,7 +116,7 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
  * particles move only if walls push them; all stay free.
  * @param next `point_count` points, one for each vertex; retained until the next deformation or the
  * end of the environment, unless REFUSED. Written for vertices that do not arrive.
- * @param options, report may be null.
+ * @param report may be null.
  * @return DSW_STATUS_NOT_NAMED: the feature; IN_USE: `next` is the present array; WRONG_SIZE:
  * point_count, point_room; NON_FINITE: a vertex near a body or particle; OUT_OF_RANGE: options.
  * @note Cost: O(bodies + particles + volumes met). Thread: writer of the environment. Source:
@@ -125,19 +125,16 @@ DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point
                                     const dsw_deform_options *options, dsw_deform_report *report);
 
 /** Gives the contacts of walls in the last deformation, in order.
- * @param contacts owned by the scene, valid until its next deformation.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_wall_contacts(const dsw_scene *scene,
                                                const dsw_wall_contact **contacts, size_t *count);
 
 /** Gives the vertices that the last deformation did not take to their targets, by index.
- * @param vertices as `contacts` above.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_held_vertices(const dsw_scene *scene,
                                                const dsw_vertex_id **vertices, size_t *count);
 
 /** Gives the volumes that the last deformation kept from becoming invalid, by index.
- * @param volumes as `contacts` above.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_invalid_volumes(const dsw_scene *scene,
                                                  const dsw_volume_id **volumes, size_t *count);

@@ -70,20 +70,17 @@ DSW_API dsw_status dsw_scene_detach(dsw_scene *scene, const dsw_detach_desc *des
                                     dsw_body_id *body, dsw_detach_report *report);
 
 /** Gives the volumes of the last detached piece, by their ids then.
- * @param volumes owned by the scene, valid until its next successful dsw_scene_detach.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_detached_volumes(const dsw_scene *scene,
                                                   const dsw_volume_id **volumes, size_t *count);
 
 /** Gives the origins of its vertices, by index.
- * @param vertices as in dsw_scene_get_detached_volumes.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_detached_vertices(const dsw_scene *scene,
                                                    const dsw_detached_vertex **vertices,
                                                    size_t *count);
 
 /** Gives the origins of its faces, by index.
- * @param faces as in dsw_scene_get_detached_volumes.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_detached_faces(const dsw_scene *scene,
                                                 const dsw_detached_face **faces, size_t *count);

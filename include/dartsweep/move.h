@@ -20,7 +20,7 @@ typedef enum dsw_search {
   /** Dichotomic: halvings between a free and an occupied place, which the contact describes. At
    * DSW_LEVEL_EDGES another contact may come first. */
   DSW_SEARCH_BISECTION = 2,
-  DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_search;
 
 /** What happens at a contact [JCD10] 4.2, figure 5. A moving vertex inserts at most 64 vertices. If
@@ -38,10 +38,10 @@ typedef enum dsw_response {
   DSW_RESPONSE_SLIDE = 4,
   /** ADAPTIVE_ONE, or SLIDE where no vertex can be inserted. Since 1.1. */
   DSW_RESPONSE_ADAPTIVE_SLIDE = 5,
-  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_response;
 
-/** Options of a move; null means all defaults. */
+/** Options of a move. */
 typedef struct dsw_move_options {
   uint32_t struct_size;         /**< sizeof(dsw_move_options). */
   uint32_t flags;               /**< 0. */
@@ -58,8 +58,8 @@ typedef struct dsw_move_options {
   /** Distance from a touched wall, without guarantee; 0 means 1e-9 of the size of the volume in
    * front; negative: none. */
   double stand_off;
-  /** Inserted vertices go if they leave the line between their neighbours by less than this share.
-   * 0: never. */
+  /** Inserted vertices go if their distance from the line between their neighbours is at most this
+   * share of its length. 0: never. */
   double noise_share;
   /** Distinct indices of the vertices that move, in order; null: all. */
   const uint32_t *order;
@@ -85,7 +85,7 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
 /** Moves the vertices of a body to their targets, one after the other.
  * @param targets `target_count` points, one for each vertex slot; read for vertices that move.
- * @param options, report may be null.
+ * @param report may be null.
  * @return DSW_STATUS_WRONG_SIZE: target_count; OUT_OF_RANGE, DUPLICATE_ID: `order`.
  * @note Cost: O(volumes met + bodies near the way). Thread: writer, batch. Source: [JCD10] 4.
  * @since 1.0 */
@@ -96,7 +96,7 @@ DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const doubl
 /** Moves many bodies, each as dsw_body_move. Bodies that can meet move in the order of `bodies`.
  * @param bodies distinct.
  * @param targets `target_count` points, body after body.
- * @param options may be null; `order` must be null.
+ * @param options `order` must be null.
  * @param reports may be null.
  * @return as dsw_body_move.
  * @note Cost: as dsw_body_move. Thread: writer, batch. @since 1.0 */
@@ -114,7 +114,7 @@ typedef struct dsw_rigid_motion {
 
 /** Moves a body rigidly: the motion is halved, up to 52 times, until all vertices can make it one
  * by one.
- * @param options may be null; only `order`, of all vertices, counts.
+ * @param options only `order`, of all vertices, counts.
  * @param report may be null.
  * @return as dsw_body_move; OUT_OF_RANGE: a zero quaternion.
  * @note Cost: as dsw_body_move, for each fraction tried. Thread: writer. @since 1.0 */
@@ -123,13 +123,12 @@ DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
                                        const dsw_move_options *options, dsw_move_report *report);
 
 /** Gives the contacts of the last move of a body, in order.
- * @param contacts owned by the body, valid until it moves or is edited.
+ * @param contacts valid until the body moves or is edited.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body,
                                          const dsw_contact **contacts, size_t *count);
 
 /** Gives the other body of each of these contacts.
- * @param partners valid as long as the contacts.
  * @return DSW_STATUS_NOT_NAMED: DSW_FEATURE_BODY_CONTACTS.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_body_id body,
@@ -137,13 +136,12 @@ DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_bod
                                                  size_t *count);
 
 /** Gives what the vertex of each of these contacts touched before.
- * @param pasts valid as long as the contacts.
  * @note Cost: O(1). Thread: reader. Source: [JCD10] 3.1. @since 1.1 */
 DSW_API dsw_status dsw_body_get_contact_pasts(const dsw_scene *scene, dsw_body_id body,
                                               const dsw_contact_past **pasts, size_t *count);
 
 /** Gives the vertices that the last move of a body inserted and removed, in order.
- * @param edits valid as the contacts, until the environment is deformed.
+ * @param edits valid until the body moves or is edited, or the environment is deformed.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body,
                                       const dsw_body_edit **edits, size_t *count);

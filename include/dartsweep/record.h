@@ -61,7 +61,7 @@ typedef enum dsw_replay_outcome {
   /** The recording process died in the call. */
   DSW_REPLAY_UNFINISHED = 2,
   DSW_REPLAY_END = 3,                         /**< There is no further call. */
-  DSW_REPLAY_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Unused. */
+  DSW_REPLAY_OUTCOME_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_replay_outcome;
 
 /** One step of a replay. */
@@ -82,16 +82,14 @@ enum {
 };
 
 /** Opens a recording. Its bytes are not trusted.
- * @param context may be null; retained.
+ * @param context retained.
  * @param recording `size_bytes`, retained until the replay is destroyed.
- * @param replay owned by the caller.
  * @return DSW_STATUS_TRUNCATED, BAD_VERSION, CORRUPT.
  * @note Cost: O(environment). Thread: any. @since 1.0 */
 DSW_API dsw_status dsw_replay_create(dsw_context *context, const void *recording, size_t size_bytes,
                                      dsw_replay **replay);
 
 /** Destroys a replay with its scene and environment.
- * @param replay may be null.
  * @return DSW_STATUS_IN_USE: other scenes use the environment.
  * @note Cost: O(its size). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_replay_destroy(dsw_replay *replay);

@@ -54,7 +54,6 @@ DSW_API dsw_status dsw_environment_remesh(dsw_environment *environment, const ds
                                           dsw_remesh_report *report);
 
 /** Gives the volumes that the last mending left invalid, by index, with their ids then.
- * @param volumes owned by the environment, valid until its next mending.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_unmended_volumes(const dsw_environment *environment,
                                                         const dsw_volume_id **volumes,
