@@ -87,8 +87,8 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
  * @param targets `target_count` points, one for each vertex slot; read for vertices that move.
  * @param report may be null.
  * @return DSW_STATUS_WRONG_SIZE: target_count; OUT_OF_RANGE, DUPLICATE_ID: `order`.
- * @note Cost: O(volumes met + bodies near the way). Thread: writer, batch. Source: [JCD10] 4.
- * @since 1.0 */
+ * @note Cost: O(volumes met + bodies near the way). Thread: writer. Source: [JCD10] 4. @since
+ * 1.0 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
                                  size_t target_count, size_t stride_bytes,
                                  const dsw_move_options *options, dsw_move_report *report);
@@ -108,8 +108,8 @@ DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bo
 /** A rigid motion: x becomes rotation * (x - centre) + centre + translation. */
 typedef struct dsw_rigid_motion {
   double rotation[4];    /**< Quaternion x, y, z, w; not zero. */
-  double centre[3];      /**< Scene units. */
-  double translation[3]; /**< Scene units. */
+  double centre[3];      /**< Fixed point of the rotation. */
+  double translation[3]; /**< Added after the rotation. */
 } dsw_rigid_motion;
 
 /** Moves a body rigidly: the motion is halved, up to 52 times, until all vertices can make it one
