@@ -23,8 +23,7 @@ extern "C" {
 /** Flags of a body. Lossless flags only save time. With lossy flags contacts on the way are
  * missed. */
 enum {
-  /** Lossless. Edges keep the faces that they cross, and are not cast again while the faces stay
-   * the same. */
+  /** Lossless. Skips edges that still cross the same faces. */
   DSW_BODY_SEQUENCES = 0x1,
   /** Lossless [JCD10] 6.1. Skips edges that sweep inside of one convex volume. */
   DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,

@@ -1,9 +1,6 @@
 /** @file carve.h
  * Carving removes the material inside of a shape; a ligature closes a vessel. surgery.h and
  * topology.h hold here, with their getters. More: bindings/docs/carving.md.
- *
- * The surfaces may pass through vertices, edges, faces and themselves, and leave the
- * environment.
  */
 #ifndef DARTSWEEP_CARVE_H
 #define DARTSWEEP_CARVE_H

@@ -1,6 +1,6 @@
 /** @file contact.h
- * Reports of casts, sweeps and moves. The structs are frozen: new data comes with a new getter.
- * More: bindings/docs/contacts.md.
+ * Reports of casts, sweeps and moves. Members of a contact are 0 without a contact. The structs are
+ * frozen: new data comes with a new getter. More: bindings/docs/contacts.md.
  */
 #ifndef DARTSWEEP_CONTACT_H
 #define DARTSWEEP_CONTACT_H
@@ -33,7 +33,7 @@ typedef enum dsw_contact_kind {
   DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_contact_kind;
 
-/** Report of a cast or a particle's move. Members of a contact are 0 without one. */
+/** Report of a cast or a particle's move. */
 typedef struct dsw_flight {
   /** End of the flight. That of a particle is verified to be free. */
   double position[3];
@@ -59,7 +59,7 @@ typedef struct dsw_crossing {
   double time;          /**< Time of entry, rounded down; 0 for the first. */
 } dsw_crossing;
 
-/** Report of one swept edge. Members of a contact are 0 without one. */
+/** Report of one swept edge. */
 typedef struct dsw_sweep {
   double position[3]; /**< Moving end at `time`, rounded. */
   /** As in dsw_flight; 0 if the edge could not start or met the work limit. */

@@ -23,8 +23,8 @@ typedef enum dsw_search {
   DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_search;
 
-/** What happens at a contact [JCD10] 4.2, figure 5. A moving vertex inserts at most 64 vertices. If
- * no vertex can be inserted, the moving vertex stops. */
+/** What happens at a contact [JCD10] 4.2, figure 5. If no vertex can be inserted, the moving vertex
+ * stops. */
 typedef enum dsw_response {
   /** The vertex stops before the contact. */
   DSW_RESPONSE_STOP = 0,
@@ -49,8 +49,7 @@ typedef struct dsw_move_options {
   dsw_response edge_response;   /**< Of its edges and faces; default STOP. */
   dsw_search search;            /**< Default EXACT. */
   uint32_t bisection_depth;     /**< Halvings, 1 to 52; 0 means 20. */
-  /** Work limit: volumes that one sweep may look at; 0: none. At the limit a vertex stops free,
-   * without a contact. */
+  /** Work limit: volumes that one sweep may look at; 0: none. Then vertices stop free. */
   uint32_t max_cells;
   uint32_t reserved; /**< 0. */
   double min_part;   /**< Least share of an edge in a part, up to 0.5; 0 means 0.25. */

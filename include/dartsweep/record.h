@@ -51,7 +51,7 @@ DSW_API dsw_status dsw_scene_start_recording(dsw_scene *scene, const dsw_recordi
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_scene_stop_recording(dsw_scene *scene);
 
-/** Opaque. A recording that is made again, with a scene and environment of its own. */
+/** Opaque. A recording that is made again. */
 typedef struct dsw_replay dsw_replay;
 
 /** What a step of a replay shows. */
@@ -140,7 +140,7 @@ typedef struct dsw_replay_info {
   uint64_t calls;       /**< Calls made so far. */
   /** Bytes not read; at the end, those of an incomplete entry. */
   uint64_t bytes_left;
-  /** Note of a bug report, known at its end; owned by the replay. */
+  /** Note of a bug report, known at its end. */
   const char *note;
   /** Likewise its validation, or null. */
   const dsw_verdict *verdict;

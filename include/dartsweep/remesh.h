@@ -1,8 +1,6 @@
 /** @file remesh.h
  * Mending: valid volumes replace invalid ones (deform.h) and a few neighbours. No vertex is moved
  * or added. topology.h holds here, with its getters. More: bindings/docs/deforming.md.
- *
- * Volumes can also be mended before they become invalid, with `next`.
  */
 #ifndef DARTSWEEP_REMESH_H
 #define DARTSWEEP_REMESH_H
@@ -20,8 +18,9 @@ typedef struct dsw_remesh_desc {
   /** Volumes to mend if they are invalid, now or at `next`; null: all. */
   const dsw_volume_id *volumes;
   size_t volume_count; /**< Number of volumes. */
-  const double *next;  /**< May be null; next positions of all vertices. */
-  size_t point_count;  /**< Vertices of the environment; 0 if `next` is null. */
+  const double
+      *next; /**< May be null; next positions of all vertices, to mend before a deformation. */
+  size_t point_count; /**< Vertices of the environment; 0 if `next` is null. */
   /** Rings of neighbours, by vertices, that may be replaced, 1 to 8; 0 means 1. */
   uint32_t radius;
   uint32_t max_faces; /**< Most faces of a patch, 4 to 128; 0 means 48. */
