@@ -86,8 +86,8 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
  * @param targets `target_count` points, one for each vertex slot; read for vertices that move.
  * @param report may be null.
  * @return DSW_STATUS_WRONG_SIZE: target_count; OUT_OF_RANGE, DUPLICATE_ID: `order`.
- * @note Cost: O(volumes met + bodies near the way). Thread: writer. Source: [JCD10] 4. @since
- * 1.0 */
+ * @note Cost: O(volumes met + bodies near the way). Thread: writer. Source: [JCD10] 4.
+ * @since 1.0 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
                                  size_t target_count, size_t stride_bytes,
                                  const dsw_move_options *options, dsw_move_report *report);

@@ -42,8 +42,8 @@ DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
 /** Begins to record a scene: writes snapshots of environment and scene, then calls and results.
  * @return DSW_STATUS_IN_USE: a recording is under way; UNSUPPORTED: two of `path`, `write` and
  * LATEST; WRITE_FAILED.
- * @note Cost: O(environment), then O(arguments) a call. Thread: writer of the environment. @since
- * 1.0 */
+ * @note Cost: O(environment), then O(arguments) a call. Thread: writer of the environment.
+ * @since 1.0 */
 DSW_API dsw_status dsw_scene_start_recording(dsw_scene *scene, const dsw_recording_desc *desc);
 
 /** Ends the recording of a scene, if any.

@@ -18,9 +18,8 @@ typedef struct dsw_remesh_desc {
   /** Volumes to mend if they are invalid, now or at `next`; null: all. */
   const dsw_volume_id *volumes;
   size_t volume_count; /**< Number of volumes. */
-  const double
-      *next; /**< May be null; next positions of all vertices, to mend before a deformation. */
-  size_t point_count; /**< Vertices of the environment; 0 if `next` is null. */
+  const double *next;  /**< May be null; next positions, to mend before a deformation. */
+  size_t point_count;  /**< Vertices of the environment; 0 if `next` is null. */
   /** Rings of neighbours, by vertices, that may be replaced, 1 to 8; 0 means 1. */
   uint32_t radius;
   uint32_t max_faces; /**< Most faces of a patch, 4 to 128; 0 means 48. */
