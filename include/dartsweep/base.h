@@ -1,48 +1,49 @@
 /** @file base.h
- * Export macro, version, statuses, the last error message. This comment holds what all headers
- * share.
+ * Export macro, version, statuses, last error message; and what holds for all headers:
  *
  * Results:
  *  - Lengths are in scene units. A time of contact is a fraction in [0,1] of one move.
- *  - A call that fails leaves its objects and out-arguments unchanged, unless the function says
- *    otherwise.
+ *  - Exact arithmetic decides every sign, for all finite doubles. Ties are decided by Simulation of
+ *    Simplicity (H. Edelsbrunner, E. P. Muecke, 1990): moving points stand for themselves plus an
+ *    infinitesimal vector, "the shift", see query.h.
  *  - A geometric outcome (no contact, stopped at a wall, outside) is never a status.
- *  - Exact arithmetic decides every sign, for all finite doubles. No tolerance decides.
- *  - Moving points follow Simulation of Simplicity (H. Edelsbrunner, E. P. Muecke, 1990): each
- *    stands for itself plus an infinitesimal vector, "the shift". Ties are decided so (query.h).
+ *  - A call that fails changes nothing, unless the function says otherwise.
  *
- * Common statuses. Any function can answer these, and a function lists only its other statuses. In
- * a batch the message names the first wrong entry.
+ * Common statuses. Any function can answer these, and a function lists only its others. In a batch
+ * the message names the first wrong entry.
  *  - DSW_STATUS_NULL_ARGUMENT, DSW_STATUS_STALE_ID, DSW_STATUS_OUT_OF_MEMORY, DSW_STATUS_INTERNAL;
  *  - DSW_STATUS_BAD_STRUCT_SIZE: see struct_size below;
  *  - DSW_STATUS_UNSUPPORTED: an unknown flag or enum value, a `reserved` member that is not 0, or a
  *    function that does not work in the plane (dartsweep.h);
  *  - DSW_STATUS_NON_FINITE: a coordinate is NaN or infinite;
  *  - DSW_STATUS_WRONG_SIZE: a stride breaks the rule below, or no array has so many entries;
- *  - DSW_STATUS_BUFFER_TOO_SMALL: `capacity` is too small.
+ *  - DSW_STATUS_BUFFER_TOO_SMALL: see `capacity` below.
  *
  * Arguments:
- *  - The library reads and writes through pointers during the call only, unless a parameter says
- *    "retained". A null pointer is allowed where a comment says "may be null"; an out-argument that
- *    is null is not written.
- *  - A point is `dimension` finite doubles. `stride_bytes` is the distance from one point to the
- *    next: a multiple of 8, and not less than the size of a point. 0 means that points follow each
- *    other directly.
- *  - With `capacity` and `count`, the function writes up to `capacity` entries and sets *count to
- *    the number that there are, also on DSW_STATUS_BUFFER_TOO_SMALL. Where capacity 0 "asks", the
- *    array may be null and the call succeeds.
- *  - A struct that begins with struct_size may be of any version since its first release. Members
- *    that the caller's struct lacks count as 0. Members that the library does not know must be 0 in
- *    a description (else DSW_STATUS_UNSUPPORTED) and are set to 0 in a report.
- *  - An `_init` function writes the defaults into at most `size` bytes (give sizeof) and sets
+ *  - The library uses pointers during the call only, unless a comment says "retained". "May be
+ *    null" marks optional pointers.
+ *  - `context` and `options` may be null, for the defaults. `flags` are bits of the header's enum.
+ *  - A created object belongs to the caller until its `_destroy` function, which accepts null.
+ *  - `point`, `points`, `position`, `positions`, `from`, `to`, `target`, `targets`, `xyz`: a point
+ *    is `dimension` finite doubles. `stride_bytes` is the distance from one point to the next, a
+ *    multiple of 8; 0 means that points follow each other directly.
+ *  - Arrays have `count` entries, unless a comment says otherwise.
+ *  - An array of unknown length has `capacity` entries, or `capacity_bytes` bytes. *count, or
+ *    *size_bytes, is set to what is needed, also on DSW_STATUS_BUFFER_TOO_SMALL. Capacity 0 only
+ *    asks, and the array may be null.
+ *  - A `hint` is a volume near the point, or the null id.
+ *  - A struct that begins with struct_size, set by the caller or its `_init` function, may be of
+ *    any version since its first release. Members that the caller lacks count as 0. Members that
+ *    the library does not know must be 0 in a description, and are set to 0 in a report.
+ *  - An `_init` function writes the defaults into at most `size` bytes, sizeof the struct, and sets
  *    struct_size. Its pointer may be null.
  *
- * Threads: "reader" calls may run beside other readers of the same object. A "writer" call must run
- * alone on its object. "Batch" calls share work over the context's parallel-for; the results have
- * the same bits for any number of threads.
+ * Threads: "reader" calls may run beside other readers of the same object, a "writer" runs alone on
+ * its object. "Batch" calls share work over the context's parallel-for, with the same bits for any
+ * number of threads.
  *
- * Costs: n is the number of cells of the environment. [JCD10] is the paper by T. Jund, D. Cazier
- * and J.-F. Dufourd, "Edge collision detection in complex deformable environments", 2010.
+ * Costs: n is the number of cells of the environment. [JCD10]: T. Jund, D. Cazier, J.-F. Dufourd,
+ * "Edge collision detection in complex deformable environments", 2010.
  */
 #ifndef DARTSWEEP_BASE_H
 #define DARTSWEEP_BASE_H
@@ -77,10 +78,10 @@ extern "C" {
 typedef enum dsw_status {
   DSW_STATUS_OK = 0,            /**< Done. */
   DSW_STATUS_NULL_ARGUMENT = 1, /**< A required pointer or handle is null. */
-  /** struct_size is smaller than the first release's struct. */
+  /** struct_size is below the first release's. */
   DSW_STATUS_BAD_STRUCT_SIZE = 2,
-  DSW_STATUS_UNSUPPORTED = 3, /**< The library does not know or support this. */
-  /** An index or number lies outside the documented range. */
+  DSW_STATUS_UNSUPPORTED = 3, /**< The library does not support this. */
+  /** A number is out of its range. */
   DSW_STATUS_OUT_OF_RANGE = 4,
   DSW_STATUS_NON_FINITE = 5,          /**< A coordinate is NaN or infinite. */
   DSW_STATUS_WRONG_SIZE = 6,          /**< Sizes, strides or offsets contradict each other. */
@@ -89,13 +90,13 @@ typedef enum dsw_status {
   DSW_STATUS_OUT_OF_MEMORY = 9,       /**< The allocator returned null. */
   DSW_STATUS_TOO_LARGE = 10,          /**< More cells or points than 28-bit indices can name. */
   DSW_STATUS_INDEX_OUT_OF_RANGE = 11, /**< A cell names a point that does not exist. */
-  DSW_STATUS_BAD_CELL_TYPE = 12,      /**< A cell type that is not 10, 12, 13, 14 or 42. */
-  /** Repeated points in a cell, or faces that do not close a sphere. */
+  DSW_STATUS_BAD_CELL_TYPE = 12,      /**< A cell type is unknown. */
+  /** A cell repeats points, or its faces do not close a sphere. */
   DSW_STATUS_BAD_CELL = 13,
   DSW_STATUS_INVERTED_CELL = 14, /**< A cell is turned inside out. */
-  /** A cell is flat, folded, or not a star of its centre. */
+  /** A cell is flat, folded, or no star of its centre. */
   DSW_STATUS_INVALID_CELL = 15,
-  DSW_STATUS_DUPLICATE_CELL = 16,   /**< Two cells lie on the same side of one face. */
+  DSW_STATUS_DUPLICATE_CELL = 16,   /**< Two cells lie on one side of a face. */
   DSW_STATUS_SHARED_FACE = 17,      /**< A face belongs to three cells or more. */
   DSW_STATUS_BOUNDARY_CROSSES = 18, /**< The outer boundary passes through itself. */
   DSW_STATUS_OUTSIDE = 19,          /**< The point lies in no cell. */
@@ -108,16 +109,16 @@ typedef enum dsw_status {
   DSW_STATUS_TRUNCATED = 26,        /**< The block of bytes ends early. */
   DSW_STATUS_CORRUPT = 27,          /**< The block of bytes is damaged. */
   DSW_STATUS_BAD_VERSION = 28,      /**< The block has an unknown format version. */
-  /** The scene has not enabled a feature that the call needs. */
+  /** The scene has not enabled the feature. */
   DSW_STATUS_NOT_NAMED = 29,
   DSW_STATUS_NOT_BUILT = 30, /**< The library was built without this part. */
   DSW_STATUS_INTERNAL = 31,  /**< A bug of the library; please report the message. */
-  /** The cells are not arranged as the change needs them. */
+  /** The cells are not arranged as the change needs. */
   DSW_STATUS_BAD_TOPOLOGY = 32,
   DSW_STATUS_BORROWED = 33,           /**< The host's array of points has no room for a vertex. */
   DSW_STATUS_WRITE_FAILED = 34,       /**< A recording could not be written. */
   DSW_STATUS_NOT_CLOSED = 35,         /**< The body is not a closed surface. */
-  DSW_STATUS_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_STATUS_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_status;
 
 /** A point or direction. */

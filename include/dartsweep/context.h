@@ -29,7 +29,7 @@ typedef enum dsw_log_level {
   DSW_LOG_ERROR = 1,               /**< Something went wrong. */
   DSW_LOG_WARNING = 2,             /**< A host may want to change something. */
   DSW_LOG_INFO = 3,                /**< Progress. */
-  DSW_LOG_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_LOG_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_log_level;
 
 /** Receives one line of text, valid during the call. The library calls it on the thread of the dsw
@@ -57,19 +57,18 @@ typedef struct dsw_context_desc {
 } dsw_context_desc;
 
 /** Writes the defaults.
- * @param desc, size [out]
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
 
 /** Creates a context.
- * @param desc [in] null: all defaults. Its callbacks are retained until the context is destroyed.
- * @param context [out] owned by the caller.
+ * @param desc null: all defaults. Its callbacks are retained until the context is destroyed.
+ * @param context owned by the caller.
  * @return DSW_STATUS_OUT_OF_RANGE: thread_count, or only one of allocate and release is set.
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API dsw_status dsw_context_create(const dsw_context_desc *desc, dsw_context **context);
 
 /** Destroys a context.
- * @param context [in] may be null.
+ * @param context may be null.
  * @return DSW_STATUS_IN_USE: environments or traces of the context exist, and nothing happens.
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_context_destroy(dsw_context *context);

@@ -17,8 +17,8 @@
 extern "C" {
 #endif
 
-/** Opaque. Owned by the caller from creation to dsw_environment_destroy. Many scenes may share one
- * environment that does not change. */
+/** Opaque. Owned by the caller from creation to dsw_environment_destroy. Many scenes may share it
+ * unchanged. */
 typedef struct dsw_environment dsw_environment;
 
 /** Cell types, with the numbers and the order of points of VTK:
@@ -38,26 +38,25 @@ typedef enum dsw_cell_type {
   DSW_CELL_TYPE_WEDGE = 13,              /**< 6 vertices. */
   DSW_CELL_TYPE_PYRAMID = 14,            /**< 5 vertices. */
   DSW_CELL_TYPE_POLYHEDRON = 42,         /**< Any other volume. */
-  DSW_CELL_TYPE_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_CELL_TYPE_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_cell_type;
 
 /** Flags of dsw_environment_desc. */
 enum {
-  /** `points` is retained, not copied: it stays unchanged until the environment is destroyed or
-   * deformed (deform.h). Its points follow each other directly. */
+  /** `points`, without gaps, is retained instead of copied, and has to stay unchanged until the
+   * environment is destroyed or deformed (deform.h). */
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
   /** Cells that are turned inside out are mirrored, not refused. Meshes differ in their wedges. */
   DSW_ENVIRONMENT_REORIENT = 0x2,
   /** Builds a grid for locating points without a hint, about 16 bytes a cell. Without a grid such a
    * locate scans all cells. */
   DSW_ENVIRONMENT_LOCATE_GRID = 0x4,
-  /** Also checks that the outer boundary does not pass through itself, as dsw_environment_check
-   * does later. Takes about ten times as long as the rest of creation. */
+  /** Also checks that the outer boundary does not pass through itself: ten times the cost of the
+   * rest. dsw_environment_check does so later. */
   DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8
 };
 
-/** Describes an environment. The library reads the arrays once and retains none, unless a flag says
- * so. */
+/** Describes an environment.  */
 typedef struct dsw_environment_desc {
   uint32_t struct_size; /**< sizeof(dsw_environment_desc). */
   uint32_t dimension;   /**< 3, also given as 0; 2 in the plane. */
@@ -91,7 +90,7 @@ typedef struct dsw_environment_desc {
 
 /** What creation found. Filled on success and on failure. */
 typedef struct dsw_build_report {
-  uint32_t struct_size;    /**< sizeof(dsw_build_report), set by the caller. */
+  uint32_t struct_size;    /**< sizeof(dsw_build_report). */
   dsw_status status;       /**< As returned. */
   uint32_t offender_count; /**< How many of offenders are set. */
   /** Indices of the first wrong cells, ascending; of points for NON_FINITE. */
@@ -106,7 +105,7 @@ typedef struct dsw_build_report {
 
 /** Numbers about an environment. */
 typedef struct dsw_environment_info {
-  uint32_t struct_size;         /**< sizeof(dsw_environment_info), set by the caller. */
+  uint32_t struct_size;         /**< sizeof(dsw_environment_info). */
   uint32_t dimension;           /**< 3, or 2 in the plane. */
   uint32_t vertex_count;        /**< Vertices, unused points included. */
   uint32_t volume_count;        /**< Volumes. */
@@ -124,18 +123,16 @@ typedef struct dsw_environment_info {
   uint32_t vertex_index_count; /**< All vertex indices are below. */
 } dsw_environment_info;
 
-/** Writes the defaults: space, hexahedra, 8-byte indices.
- * @param desc, size [out]
+/** Writes the defaults: 3 dimensions, hexahedra, 8-byte indices.
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
 
 /** Creates an environment and proves that every cell is valid: all tetrahedra of its star have
  * positive volume, and the star covers no direction twice. Everything but the outer boundary is
  * passable.
- * @param context [in] may be null; retained.
- * @param desc [in]
- * @param environment [out] owned by the caller.
- * @param report [in,out] may be null; filled unless an argument is wrong.
+ * @param context may be null.
+ * @param environment owned by the caller.
+ * @param report may be null; filled unless an argument is wrong.
  * @return DSW_STATUS_OUT_OF_RANGE, TOO_LARGE, INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL,
  * INVERTED_CELL, INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES.
  * @note Cost: O(n) expected. Thread: any. Source: [JCD10] 3.1, 3.2. @since 1.0 */
@@ -143,52 +140,43 @@ DSW_API dsw_status dsw_environment_create(dsw_context *context, const dsw_enviro
                                           dsw_environment **environment, dsw_build_report *report);
 
 /** Destroys an environment.
- * @param environment [in] may be null.
+ * @param environment may be null.
  * @return DSW_STATUS_IN_USE: scenes use the environment, and nothing happens.
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_destroy(dsw_environment *environment);
 
 /** Gives numbers about an environment.
- * @param environment [in]
- * @param info [in,out]
- * @return common statuses.
  * @note Cost: O(1), or O(n) once the topology has changed. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_info(const dsw_environment *environment,
                                             dsw_environment_info *info);
 
 /** Proves again that the cells are a partition: links, validity of every cell, and that the outer
  * boundary does not pass through itself. The boundary may touch itself.
- * @param environment [in]
- * @param report [in,out] may be null.
+ * @param report may be null.
  * @return DSW_STATUS_INVALID_CELL, DSW_STATUS_BOUNDARY_CROSSES; DSW_STATUS_INTERNAL: wrong links.
  * @note Cost: O(n log n) expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_check(const dsw_environment *environment,
                                          dsw_build_report *report);
 
-/** Gives the id of the volume with an index.
- * @param environment, index [in] @param volume [out]
+/** Gives the id of the volume with index `index`.
  * @return DSW_STATUS_OUT_OF_RANGE from volume_index_count on; DSW_STATUS_NOT_FOUND: removed.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume(const dsw_environment *environment, uint32_t index,
                                               dsw_volume_id *volume);
 
-/** Gives the id of the vertex with an index.
- * @param environment, index [in] @param vertex [out]
+/** Gives the id of the vertex with index `index`.
  * @return DSW_STATUS_OUT_OF_RANGE from vertex_index_count on; DSW_STATUS_NOT_FOUND: removed.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_vertex(const dsw_environment *environment, uint32_t index,
                                               dsw_vertex_id *vertex);
 
 /** Gives the position of a vertex.
- * @param environment, vertex [in] @param xyz [out] a point.
- * @return common statuses.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_position(const dsw_environment *environment,
                                                 dsw_vertex_id vertex, double *xyz);
 
 /** Gives the type of a volume and the numbers of its vertices, edges and faces.
- * @param environment, volume [in] @param type, vertices, edges, faces [out] each may be null.
- * @return common statuses.
+ * @param type, vertices, edges, faces may be null.
  * @note Cost: O(vertices of the volume). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_counts(const dsw_environment *environment,
                                                      dsw_volume_id volume, dsw_cell_type *type,
@@ -196,7 +184,6 @@ DSW_API dsw_status dsw_environment_get_volume_counts(const dsw_environment *envi
                                                      uint32_t *faces);
 
 /** Gives the canonical id of face `local` of a volume.
- * @param environment, volume, local [in] @param face [out]
  * @return DSW_STATUS_OUT_OF_RANGE: local.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_face(const dsw_environment *environment,
@@ -204,7 +191,6 @@ DSW_API dsw_status dsw_environment_get_volume_face(const dsw_environment *enviro
                                                    dsw_face_id *face);
 
 /** Gives the canonical id of edge `local` of a volume.
- * @param environment, volume, local [in] @param edge [out]
  * @return DSW_STATUS_OUT_OF_RANGE: local.
  * @note Cost: O(volumes round the edge). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_edge(const dsw_environment *environment,
@@ -212,82 +198,66 @@ DSW_API dsw_status dsw_environment_get_volume_edge(const dsw_environment *enviro
                                                    dsw_edge_id *edge);
 
 /** Copies the vertices of a cell: of a face in order, seen from outside of the volume in its id; of
- * a volume in the order of its type, and of a polyhedron in order of first use in its stream.
- * @param environment, cell [in] @param vertices [out]
- * @param capacity [in] 0 asks. @param count [out]
- * @return common statuses.
+ * a volume in the order of its type, for a polyhedron the order of first use in its stream.
  * @note Cost: O(vertices of the volume). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_copy_vertices(const dsw_environment *environment, dsw_cell cell,
                                                  dsw_vertex_id *vertices, size_t capacity,
                                                  size_t *count);
 
 /** Gives the two volumes of a face.
- * @param environment, face [in] @param near_side [out] may be null; the volume in the id `face`.
- * @param far_side [out] may be null; the null id at the outer boundary.
- * @return common statuses.
+ * @param near_side the volume in the id; may be null.
+ * @param far_side the null id at the outer boundary; may be null.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *environment,
                                                     dsw_face_id face, dsw_volume_id *near_side,
                                                     dsw_volume_id *far_side);
 
 /** Tells what lies behind face `local` of a volume.
- * @param environment, volume, local [in]
- * @param neighbour [out] may be null; the null id at the outer boundary.
- * @param impassable [out] may be null; 1 if the face is impassable by its own mark, the mark of a
- * volume on either side, an invalid volume there, or the outer boundary; else 0.
+ * @param neighbour the volume, null at the outer boundary; may be null.
+ * @param impassable 1 if the face counts as impassable (marking.h), also for an invalid volume
+ * there; may be null.
  * @return DSW_STATUS_OUT_OF_RANGE: local.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environment,
                                                  dsw_volume_id volume, uint32_t local,
                                                  dsw_volume_id *neighbour, int *impassable);
 
-/** Gives the centre of a volume: the rounded mean of its vertices, a point strictly inside. Only
- * the centre of a tetrahedron thinner than the rounding of its coordinates can lie outside.
- * @param environment, volume [in] @param xyz [out] a point.
- * @return common statuses.
+/** Gives the centre of a volume, the rounded mean of its vertices. It lies strictly inside, but for
+ * tetrahedra thinner than the rounding.
  * @note Cost: O(vertices of the volume). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment,
                                               dsw_volume_id volume, double *xyz);
 
-/** Finds faces by their vertices, for example the boundary groups of a mesh file. Face i has the
- * vertices indices[offsets[i] .. offsets[i+1]-1], in any order.
- * @param environment, count [in] @param offsets [in] count + 1 ascending values.
- * @param indices [in] offsets[count] indices of vertices.
- * @param faces [out] count canonical ids; the null id where no face has these vertices.
- * @param missing [out] may be null; how many were not found.
+/** Finds faces by their vertices, such as boundary groups of a mesh file. Face i has the vertices
+ * `indices`[offsets[i] .. offsets[i+1]-1], in any order.
+ * @param offsets count + 1 ascending values.
+ * @param faces canonical ids, null where there is no such face.
+ * @param missing how many there are not; may be null.
  * @return DSW_STATUS_WRONG_SIZE: offsets descend.
  * @note Cost: O(faces of the environment + indices) expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment, size_t count,
                                               const size_t *offsets, const uint32_t *indices,
                                               dsw_face_id *faces, size_t *missing);
 
-/** Finds edges by their vertices. Edge i joins vertices indices[2 i] and indices[2 i + 1].
- * @param environment, count [in] @param indices [in] 2 * count indices of vertices.
- * @param edges [out] count canonical ids; the null id where there is no such edge.
- * @param missing [out] may be null; how many were not found.
- * @return common statuses.
+/** Finds edges by their vertices. Edge i joins vertices `indices`[2 i] and [2 i + 1].
+ * @param edges canonical ids, null where there is no such edge.
+ * @param missing how many there are not; may be null.
  * @note Cost: O(edges of the environment + count) expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_edges(const dsw_environment *environment, size_t count,
                                               const uint32_t *indices, dsw_edge_id *edges,
                                               size_t *missing);
 
-/** Gives the region label of a volume, 0 by default.
- * @param environment, volume [in] @param region [out]
- * @return common statuses.
+/** Gives the `region` label of a volume, 0 by default.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_region(const dsw_environment *environment,
                                               dsw_volume_id volume, int32_t *region);
 
-/** Gives the host tag of a volume, 0 by default.
- * @param environment, volume [in] @param tag [out]
- * @return common statuses.
+/** Gives the host `tag` of a volume, 0 by default.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_tag(const dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t *tag);
 
-/** Sets the host tag of a volume, also while scenes use the environment: tags change no result.
- * @param environment [in,out] @param volume, tag [in]
- * @return common statuses.
+/** Sets the host `tag` of a volume, also while scenes use the environment: tags change no result.
  * @note Cost: O(1) amortised; the first tag takes 4 bytes a volume. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_set_tag(dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t tag);

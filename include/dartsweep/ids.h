@@ -1,9 +1,8 @@
 /** @file ids.h
- * Ids: small values of an index and a generation. The null id is all zeros, because generations
- * start at 1. An id stays valid until its object is removed, or until a change of the topology
- * rebuilds its volume (topology.h); then the id answers DSW_STATUS_STALE_ID. An id does not name
- * its environment or scene: the caller passes the one that gave the id. This header includes
- * nothing of Dartsweep.
+ * Ids: an index and a generation, which counts the uses of that index from 1 on. The null id is all
+ * zeros. An id becomes stale when its object is removed, or when a change of the topology rebuilds
+ * its volume (topology.h). Ids do not name their environment or scene: pass the one that gave the
+ * id. This header includes nothing of Dartsweep.
  */
 #ifndef DARTSWEEP_IDS_H
 #define DARTSWEEP_IDS_H
@@ -17,13 +16,13 @@ extern "C" {
 /** A vertex of an environment. At creation its index is that of its point. */
 typedef struct dsw_vertex_id {
   uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Counts the uses of the slot. */
+  uint32_t generation; /**< Generation. */
 } dsw_vertex_id;
 
 /** A volume of an environment. At creation its index is that of its cell. */
 typedef struct dsw_volume_id {
   uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Counts the uses of the slot. */
+  uint32_t generation; /**< Generation. */
 } dsw_volume_id;
 
 /** A face: face number `local` of a volume. A face between two volumes has two ids, one from each
@@ -37,9 +36,8 @@ typedef struct dsw_face_id {
 } dsw_face_id;
 
 /** An edge: edge number `local` of a volume. Each volume round the edge gives it an id; the
- * canonical id is from the volume with the lowest index. Edges are numbered by a walk over the
- * faces in order, and round each face as seen from outside; an edge gets its number when it is
- * first met. */
+ * canonical id is from the one with the lowest index. Edges are numbered as they are first met, by
+ * a walk over the faces in order, and round each face as seen from outside. */
 typedef struct dsw_edge_id {
   uint32_t volume;     /**< Index of the volume. */
   uint32_t generation; /**< Generation of the volume. */
@@ -49,31 +47,31 @@ typedef struct dsw_edge_id {
 /** A particle of a scene. */
 typedef struct dsw_particle_id {
   uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Counts the uses of the slot. */
+  uint32_t generation; /**< Generation. */
 } dsw_particle_id;
 
 /** A body of a scene. */
 typedef struct dsw_body_id {
   uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Counts the uses of the slot. */
+  uint32_t generation; /**< Generation. */
 } dsw_body_id;
 
 /** A vertex of a body. Its index is its place in arrays of targets and positions. */
 typedef struct dsw_body_vertex_id {
   uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Counts the uses of the slot. */
+  uint32_t generation; /**< Generation. */
 } dsw_body_vertex_id;
 
 /** An edge of a body. */
 typedef struct dsw_body_edge_id {
   uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Counts the uses of the slot. */
+  uint32_t generation; /**< Generation. */
 } dsw_body_edge_id;
 
 /** A triangle of a body. */
 typedef struct dsw_body_face_id {
   uint32_t index;      /**< Slot. */
-  uint32_t generation; /**< Counts the uses of the slot. */
+  uint32_t generation; /**< Generation. */
 } dsw_body_face_id;
 
 /** Kind of a cell. */
@@ -83,7 +81,7 @@ typedef enum dsw_cell_kind {
   DSW_CELL_EDGE = 2,                     /**< A dsw_edge_id. */
   DSW_CELL_FACE = 3,                     /**< A dsw_face_id. */
   DSW_CELL_VOLUME = 4,                   /**< A dsw_volume_id. */
-  DSW_CELL_KIND_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_CELL_KIND_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_cell_kind;
 
 /** A cell of any kind. The members after `kind` are those of its id; `local` is 0 for vertices and

@@ -1,7 +1,7 @@
 /** @file particle.h
  * Particles: points that are followed from volume to volume. A particle moves straight to its
- * target or to the first impassable face. A stopped particle is pulled back along its path until a
- * cast proves its move free, so no particle is ever inside or behind anything impassable.
+ * target or to the first impassable face, where it is pulled back until a cast proves its move
+ * free. So no particle is ever inside or behind anything impassable.
  */
 #ifndef DARTSWEEP_PARTICLE_H
 #define DARTSWEEP_PARTICLE_H
@@ -15,18 +15,15 @@ extern "C" {
 #endif
 
 /** Creates a particle.
- * @param scene [in,out] @param position [in] @param hint [in] a volume near it, or the null id.
- * @param particle [out]
+ *
  * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE.
  * @note Cost: as dsw_environment_locate. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_particle_create(dsw_scene *scene, const double *position, dsw_volume_id hint,
                                        dsw_particle_id *particle);
 
 /** Creates many particles, or none.
- * @param scene [in,out] @param positions, count, stride_bytes [in]
- * @param hints [in] may be null; else `count` ids, each of which may be the null id.
- * @param particles [out] count ids.
- * @param offender [out] may be null; on failure for a position or hint, the first wrong entry.
+ * @param hints may be null.
+ * @param offender index of the first wrong position or hint; may be null.
  * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE.
  * @note Cost: as dsw_environment_locate. Thread: writer, batch. @since 1.0 */
 DSW_API dsw_status dsw_scene_create_particles(dsw_scene *scene, const double *positions,
@@ -35,34 +32,26 @@ DSW_API dsw_status dsw_scene_create_particles(dsw_scene *scene, const double *po
                                               dsw_particle_id *particles, size_t *offender);
 
 /** Removes a particle.
- * @param scene [in,out] @param particle [in]
- * @return common statuses.
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_particle_destroy(dsw_scene *scene, dsw_particle_id particle);
 
 /** Counts the particles.
- * @param scene [in] @param count [out]
- * @return common statuses.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_particle_count(const dsw_scene *scene, size_t *count);
 
-/** Copies the ids of all particles, by index.
- * @param scene [in] @param particles [out] @param capacity [in] @param count [out]
- * @return common statuses.
+/** Copies the ids of all particles, by index. Capacity 0 answers DSW_STATUS_BUFFER_TOO_SMALL, too.
  * @note Cost: O(particles). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_particle_ids(const dsw_scene *scene, dsw_particle_id *particles,
                                               size_t capacity, size_t *count);
 
 /** Gives the position and volume of a particle.
- * @param scene, particle [in] @param position, volume [out] may be null.
- * @return common statuses.
+ * @param position, volume may be null.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_particle_get(const dsw_scene *scene, dsw_particle_id particle,
                                     double *position, dsw_volume_id *volume);
 
 /** Gives positions and volumes of particles; an id may stand many times.
- * @param scene, particles, count, stride_bytes [in] @param positions, volumes [out] may be null.
- * @return common statuses.
+ * @param positions, volumes may be null.
  * @note Cost: O(count). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_particles(const dsw_scene *scene, const dsw_particle_id *particles,
                                            size_t count, double *positions, size_t stride_bytes,
@@ -70,12 +59,10 @@ DSW_API dsw_status dsw_scene_get_particles(const dsw_scene *scene, const dsw_par
 
 /** Moves a particle towards a target. Nothing impassable is passed, and the reported volume
  * contains the reported position.
- * @param scene [in,out] @param particle [in]
- * @param target [in] any finite point: a move to 1e300 ends next to the first wall, too.
- * @param options [in] may be null. DSW_CAST_START_KNOWN has no effect. DSW_CAST_NO_DETAIL leaves
- * out the normal and the ids of the hit only.
- * @param flight [out] may be null.
- * @return common statuses.
+ * @param target a move to 1e300 ends next to the first wall, too.
+ * @param options DSW_CAST_START_KNOWN has no effect; DSW_CAST_NO_DETAIL leaves out only normal and
+ * ids of the hit.
+ * @param flight may be null.
  * @note Cost: O(volumes crossed), twice at a contact. Thread: writer. Source: [JCD10] 3.3. @since
  * 1.0 */
 DSW_API dsw_status dsw_particle_move(dsw_scene *scene, dsw_particle_id particle,
@@ -83,8 +70,8 @@ DSW_API dsw_status dsw_particle_move(dsw_scene *scene, dsw_particle_id particle,
                                      dsw_flight *flight);
 
 /** Moves particles, each to its own target and independently of each other, or none.
- * @param scene [in,out] @param particles [in] distinct. @param count, targets, stride_bytes [in]
- * @param options [in] may be null. @param flights [out] may be null; count reports.
+ * @param particles distinct.
+ * @param flights may be null.
  * @return DSW_STATUS_DUPLICATE_ID.
  * @note Cost: as dsw_particle_move. Thread: writer, batch. @since 1.0 */
 DSW_API dsw_status dsw_scene_move_particles(dsw_scene *scene, const dsw_particle_id *particles,
@@ -92,11 +79,9 @@ DSW_API dsw_status dsw_scene_move_particles(dsw_scene *scene, const dsw_particle
                                             size_t stride_bytes, const dsw_cast_options *options,
                                             dsw_flight *flights);
 
-/** Casts segments from particles and moves none: segment i goes from particles[i] to point i. An id
- * may stand many times.
- * @param scene [in,out] its statistics change. @param particles, count, to, stride_bytes [in]
- * @param options [in] may be null. @param flights [out] count reports.
- * @return common statuses.
+/** Casts segments from the positions of particles, which stay. An id may stand many times. Changes
+ * the statistics.
+ *
  * @note Cost: as dsw_environment_cast. Thread: writer, batch. @since 1.0 */
 DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_particle_id *particles,
                                                  size_t count, const double *to,
@@ -104,10 +89,9 @@ DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_par
                                                  const dsw_cast_options *options,
                                                  dsw_flight *flights);
 
-/** Gives the volumes that the particles entered in the last move call. Flight i of that call has
- * crossings[first[i] .. first[i+1]-1].
- * @param scene [in] @param crossings, first [out] owned by the scene, valid until its next move.
- * @param flight_count [out]
+/** Gives the volumes that the last move call entered. Flight i has crossings[first[i] ..
+ * first[i+1]-1].
+ * @param crossings, first, flight_count owned by the scene, valid until its next move.
  * @return DSW_STATUS_NOT_NAMED: DSW_FEATURE_CROSSINGS is not enabled.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_crossings(const dsw_scene *scene, const dsw_crossing **crossings,
@@ -115,9 +99,7 @@ DSW_API dsw_status dsw_scene_get_crossings(const dsw_scene *scene, const dsw_cro
 
 /** Gives the particles in the way of the last marking call or change of the topology, or that it
  * skipped.
- * @param scene [in] @param particles [out] owned by the scene, valid until the next such call.
- * @param count [out]
- * @return common statuses.
+ * @param particles owned by the scene, valid until the next such call.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_occupants(const dsw_scene *scene,
                                            const dsw_particle_id **particles, size_t *count);

@@ -1,10 +1,11 @@
 /** @file query.h
- * Queries that need no scene: where a point is, what a segment meets, what is near.
+ * Queries that need no scene: where a point is, what a segment meets, what is near. All are
+ * readers.
  *
- * Simulation of Simplicity [EM90]: each point asked about stands for itself plus the shift (e, e^2,
- * e^3) with an infinitesimal e > 0, so that it lies in exactly one volume, and a segment pierces
- * one triangle at a time. dsw_environment_classify answers without the shift. [EM90]: H.
- * Edelsbrunner, E. P. Muecke, "Simulation of Simplicity", ACM Transactions on Graphics 9, 1990.
+ * Simulation of Simplicity [EM90]: each given point stands for itself plus the shift (e, e^2, e^3),
+ * with an infinitesimal e > 0. So it lies in exactly one volume, and a segment pierces one triangle
+ * at a time. dsw_environment_classify answers without the shift. [EM90]: H. Edelsbrunner, E. P.
+ * Muecke, "Simulation of Simplicity", ACM Transactions on Graphics 9, 1990.
  */
 #ifndef DARTSWEEP_QUERY_H
 #define DARTSWEEP_QUERY_H
@@ -22,13 +23,13 @@ typedef enum dsw_place {
   DSW_PLACE_PASSABLE = 1,            /**< In a passable volume. */
   DSW_PLACE_IMPASSABLE = 2,          /**< In an impassable volume. */
   DSW_PLACE_OUTSIDE = 3,             /**< In no volume. */
-  DSW_PLACE_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_PLACE_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_place;
 
 /** Flags of a cast. */
 enum {
-  /** `start` contains the first point, as an earlier answer told: the check is skipped. If it does
-   * not, the answer is meaningless, but never unsafe. Without the flag `start` is a hint. */
+  /** `start` is known to contain the first point, and is not checked. If it does not, the answer is
+   * meaningless, but never unsafe. Without the flag `start` is a hint. */
   DSW_CAST_START_KNOWN = 0x1,
   /** Only outcome, volume and cells_visited are reported. */
   DSW_CAST_NO_DETAIL = 0x2
@@ -43,14 +44,13 @@ typedef struct dsw_cast_options {
 } dsw_cast_options;
 
 /** Writes the defaults.
- * @param options, size [out]
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_cast_options_init(dsw_cast_options *options, size_t size);
 
 /** Finds the volume that contains a point.
- * @param environment, point [in] @param hint [in] a volume to walk from, or the null id.
- * @param volume [out] the null id when outside. @param place [out] may be null.
- * @return common statuses.
+ *
+ * @param volume the null id if the point is outside.
+ * @param place may be null.
  * @note Cost: O(volumes from hint to point). Without a hint, or if the walk leaves the environment:
  * expected O(1) with a grid and cells of like size, else O(volumes). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, const double *point,
@@ -58,10 +58,7 @@ DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, co
                                           dsw_place *place);
 
 /** Locates many points.
- * @param environment, points, count, stride_bytes [in]
- * @param hints [in] may be null; else `count` ids, each of which may be the null id.
- * @param volumes [out] count ids. @param places [out] may be null; count values.
- * @return common statuses.
+ * @param hints, places may be null.
  * @note Cost: as dsw_environment_locate. Thread: reader, batch. @since 1.0 */
 DSW_API dsw_status dsw_environment_locate_points(const dsw_environment *environment,
                                                  const double *points, size_t count,
@@ -69,19 +66,15 @@ DSW_API dsw_status dsw_environment_locate_points(const dsw_environment *environm
                                                  dsw_volume_id *volumes, dsw_place *places);
 
 /** Tells on which vertex, edge, face or volume a point lies exactly, without the shift.
- * @param environment, point [in]
- * @param volume [in] the volume that contains the point, from dsw_environment_locate.
- * @param cell [out] canonical id of the cell of lowest dimension that holds the point.
+ * @param volume from dsw_environment_locate.
+ * @param cell the cell of lowest dimension, with its canonical id.
  * @return DSW_STATUS_OUTSIDE: the point is not in the closure of `volume`.
  * @note Cost: O(faces of the volume). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_classify(const dsw_environment *environment, const double *point,
                                             dsw_volume_id volume, dsw_cell *cell);
 
 /** Casts a segment to its end or to the first impassable face.
- * @param environment, from, to [in] @param start [in] the volume of `from`, a hint, or the null id;
- * see DSW_CAST_START_KNOWN.
- * @param options [in] may be null. @param flight [out] the report.
- * @return common statuses.
+ * @param start a hint, see DSW_CAST_START_KNOWN.
  * @note Cost: O(volumes crossed), and a locate. Thread: reader. Source: [JCD10] 3.3, ties: [EM90].
  * @since 1.0 */
 DSW_API dsw_status dsw_environment_cast(const dsw_environment *environment, dsw_volume_id start,
@@ -89,10 +82,7 @@ DSW_API dsw_status dsw_environment_cast(const dsw_environment *environment, dsw_
                                         const dsw_cast_options *options, dsw_flight *flight);
 
 /** Casts many segments.
- * @param environment, count, from, to, stride_bytes [in]
- * @param starts [in] may be null; else `count` ids, as for dsw_environment_cast.
- * @param options [in] may be null. @param flights [out] count reports.
- * @return common statuses.
+ * @param starts may be null.
  * @note Cost: as dsw_environment_cast. Thread: reader, batch. @since 1.0 */
 DSW_API dsw_status dsw_environment_cast_segments(const dsw_environment *environment, size_t count,
                                                  const dsw_volume_id *starts, const double *from,
@@ -101,10 +91,8 @@ DSW_API dsw_status dsw_environment_cast_segments(const dsw_environment *environm
                                                  dsw_flight *flights);
 
 /** Casts a segment and lists every volume that it enters, in order, with times.
- * @param environment, start, from, to, options [in] as for dsw_environment_cast.
- * @param crossings [out] @param capacity [in] 0 asks. @param count [out]
- * @param flight [out] may be null.
- * @return common statuses.
+ * @param start as for dsw_environment_cast.
+ * @param flight may be null.
  * @note Cost: as dsw_environment_cast. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_cast_path(const dsw_environment *environment,
                                              dsw_volume_id start, const double *from,
@@ -124,12 +112,12 @@ typedef struct dsw_nearest {
 } dsw_nearest;
 
 /** Finds the nearest impassable face, marked edge or marked vertex that can be seen through
- * passable volumes. Of several the lowest canonical cell counts.
- * @param environment, point [in] @param volume [in] the volume of the point, or the null id.
- * @param radius [in] at least 0; may be infinite. @param nearest [out]
+ * passable volumes; the lowest canonical cell if several are.
+ * @param volume the volume of the point, or the null id.
+ * @param radius at least 0; may be infinite.
  * @return DSW_STATUS_OUT_OF_RANGE: radius; DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE: the point.
- * @note Cost: O(volumes within the distance). Thread: reader. Distances have rounding errors of a
- * few units in the last place. @since 1.0 */
+ * @note Cost: O(volumes within the distance). Thread: reader. Distances are rounded by a few units
+ * in the last place. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environment,
                                                 const double *point, dsw_volume_id volume,
                                                 double radius, dsw_nearest *nearest);

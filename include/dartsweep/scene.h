@@ -42,7 +42,7 @@ typedef struct dsw_scene_desc {
 
 /** Counters since creation or the last reset, the same for any number of threads. */
 typedef struct dsw_statistics {
-  uint32_t struct_size; /**< sizeof(dsw_statistics), set by the caller. */
+  uint32_t struct_size; /**< sizeof(dsw_statistics). */
   uint32_t reserved;    /**< 0. */
   uint64_t casts;       /**< Casts, also those that verify a stop. */
   /** Volumes entered by casts, the first included, or visited by sweeps. */
@@ -59,13 +59,12 @@ typedef struct dsw_statistics {
 } dsw_statistics;
 
 /** Writes the defaults.
- * @param desc, size [out]
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 
 /** Creates a scene.
- * @param environment [in] retained; scenes may share one. @param desc [in] null: no features.
- * @param scene [out] owned by the caller.
+ * @param environment retained; scenes may share one.
+ * @param desc null: no features.
  * @return DSW_STATUS_IN_USE: two scenes would share an environment that deforms.
  * @note Cost: O(1), the first time with DSW_FEATURE_DEFORMING O(n). Thread: writer of the
  * environment. @since 1.0 */
@@ -74,32 +73,26 @@ DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scen
 
 /** Destroys a scene with all that it holds, also its recording; dsw_scene_stop_recording tells
  * whether that is complete.
- * @param scene [in] may be null.
  * @return DSW_STATUS_IN_USE: the scene belongs to a replay.
  * @note Cost: O(1). Thread: writer of the environment. @since 1.0 */
 DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);
 
 /** Returns the environment of a scene.
- * @param scene [in] may be null.
  * @return null for a null scene.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_environment *dsw_scene_get_environment(const dsw_scene *scene);
 
 /** Copies the counters.
- * @param scene [in] @param statistics [in,out]
  * @return DSW_STATUS_NOT_NAMED: DSW_FEATURE_STATISTICS is not enabled.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_statistics(const dsw_scene *scene, dsw_statistics *statistics);
 
 /** Sets the counters to zero.
- * @param scene [in,out]
  * @return DSW_STATUS_NOT_NAMED: DSW_FEATURE_STATISTICS is not enabled.
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_scene_reset_statistics(dsw_scene *scene);
 
-/** Gives the memory of a scene, without its environment.
- * @param scene [in] @param bytes [out]
- * @return common statuses.
+/** Gives the memory of a scene in `bytes`, without its environment.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_memory_bytes(const dsw_scene *scene, uint64_t *bytes);
 

@@ -1,7 +1,8 @@
 /** @file snapshot.h
  * Environments and scenes as blocks of bytes: versioned, checked, and the same on every machine
  * (little endian). What is loaded goes on with the same ids and the same bits as what was saved. A
- * block is not trusted: loading checks lengths, checksum, links and every cell, particle and body.
+ * `block` of `size_bytes` needs no alignment. It is not trusted: loading checks lengths, checksum,
+ * links and every cell, particle and body.
  */
 #ifndef DARTSWEEP_SNAPSHOT_H
 #define DARTSWEEP_SNAPSHOT_H
@@ -14,36 +15,26 @@ extern "C" {
 
 /** Saves an environment: cells, ids, present points, labels, tags and marks, but not the list of
  * the last change (topology.h).
- * @param environment [in] @param block [out] @param capacity_bytes [in] 0 asks.
- * @param size_bytes [out] bytes needed.
- * @return common statuses.
  * @note Cost: O(n). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void *block,
                                         size_t capacity_bytes, size_t *size_bytes);
 
 /** Loads an environment. It owns its points, also where the saved one had borrowed them. Cells may
  * be invalid only if the saved environment had been deformed.
- * @param context [in] may be null; retained. @param block [in] of any alignment. @param size_bytes
- * [in]
- * @param environment [out] owned by the caller.
  * @return DSW_STATUS_TRUNCATED, DSW_STATUS_BAD_VERSION, DSW_STATUS_CORRUPT.
  * @note Cost: O(n). Thread: any. @since 1.0 */
 DSW_API dsw_status dsw_environment_load(dsw_context *context, const void *block, size_t size_bytes,
                                         dsw_environment **environment);
 
-/** Saves a scene without its environment: features, statistics, particles, bodies, the contacts of
- * each body's last move, and what bodies keep to save work. Other borrowed results are not saved.
- * @param scene [in] @param block [out] @param capacity_bytes [in] 0 asks.
- * @param size_bytes [out] bytes needed.
- * @return common statuses.
+/** Saves a scene without its environment: features, statistics, particles, bodies with the contacts
+ * of their last move and what they keep to save work. Other borrowed results are lost.
  * @note Cost: O(contents of the scene). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t capacity_bytes,
                                   size_t *size_bytes);
 
 /** Loads a scene into its environment, which has not changed since the save, or into one loaded
  * from a snapshot of that state.
- * @param environment [in] retained. @param block [in] of any alignment. @param size_bytes [in]
- * @param scene [out] owned by the caller.
+ * @param environment retained.
  * @return DSW_STATUS_TRUNCATED, DSW_STATUS_BAD_VERSION; DSW_STATUS_CORRUPT, also if saved in
  * another environment; DSW_STATUS_IN_USE as dsw_scene_create.
  * @note Cost: O(contents of the scene); clearances (DSW_BODY_SKIP_BY_CLEARANCE) are measured again.

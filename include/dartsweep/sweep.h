@@ -26,7 +26,7 @@ typedef enum dsw_level {
   /** For bodies: also the tetrahedron that a triangle p q r of the body sweeps, so that obstacles
    * which enter through the inside of a face, and marked vertices, are found. */
   DSW_LEVEL_FACES = 4,
-  DSW_LEVEL_FORCE_INT32 = 0x7fffffff /**< Makes the type 32 bits wide. */
+  DSW_LEVEL_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_level;
 
 /** Flags of a sweep. */
@@ -46,18 +46,14 @@ typedef struct dsw_sweep_options {
 } dsw_sweep_options;
 
 /** Writes the defaults.
- * @param options, size [out]
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_sweep_options_init(dsw_sweep_options *options, size_t size);
 
 /** Sweeps edges, each as if alone. At DSW_LEVEL_EDGES_SWEPT a contact is reported if and only if
  * the triangle, under the shift, meets something impassable.
- * @param environment, count, stride_bytes [in]
- * @param starts [in] may be null; else `count` volumes of the moving ends, see
- * DSW_SWEEP_START_KNOWN.
- * @param from, to, fixed [in] p, p' and q: count points each.
- * @param options [in] may be null. @param sweeps [out] count reports, undefined on failure.
- * @return common statuses.
+ * @param starts hints for the moving ends, see DSW_SWEEP_START_KNOWN; may be null.
+ * @param from, to, fixed p, p' and q.
+ * @param sweeps undefined on failure.
  * @note Cost: O(volumes that the triangle meets). Thread: reader, batch. Source: [JCD10] 4.1.
  * @since 1.0 */
 DSW_API dsw_status dsw_environment_sweep_edges(const dsw_environment *environment, size_t count,

@@ -1,7 +1,7 @@
 /** @file trace.h
  * Geometry for viewers: a trace collects dots, segments and triangles of cells, casts and contacts
- * in plain arrays. Each of them carries the label that was given when it was added. A call that
- * fails adds nothing.
+ * in plain arrays. Each of them carries the `label` that was given when it was added. Normals are
+ * drawn `normal_length` long.
  */
 #ifndef DARTSWEEP_TRACE_H
 #define DARTSWEEP_TRACE_H
@@ -19,7 +19,7 @@ typedef struct dsw_trace dsw_trace;
 
 /** Arrays of a trace, owned by the trace and valid until it changes. */
 typedef struct dsw_trace_data {
-  uint32_t struct_size;            /**< sizeof(dsw_trace_data), set by the caller. */
+  uint32_t struct_size;            /**< sizeof(dsw_trace_data). */
   uint32_t reserved;               /**< 0. */
   const double *points;            /**< 3 doubles each. */
   size_t point_count;              /**< How many points. */
@@ -35,26 +35,18 @@ typedef struct dsw_trace_data {
 } dsw_trace_data;
 
 /** Creates an empty trace.
- * @param context [in] may be null; retained. @param trace [out] owned by the caller.
- * @return common statuses.
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API dsw_status dsw_trace_create(dsw_context *context, dsw_trace **trace);
 
 /** Destroys a trace.
- * @param trace [in] may be null.
- * @return common statuses.
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_trace_destroy(dsw_trace *trace);
 
 /** Empties a trace and keeps its memory.
- * @param trace [in,out]
- * @return common statuses.
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_trace_clear(dsw_trace *trace);
 
 /** Adds the boundary triangles of volumes.
- * @param trace [in,out] @param environment, volumes, count, label [in]
- * @return common statuses.
  * @note Cost: O(count). Thread: writer of the trace, reader of the environment. @since 1.0 */
 DSW_API dsw_status dsw_trace_add_volumes(dsw_trace *trace, const dsw_environment *environment,
                                          const dsw_volume_id *volumes, size_t count,
@@ -62,19 +54,13 @@ DSW_API dsw_status dsw_trace_add_volumes(dsw_trace *trace, const dsw_environment
 
 /** Adds everything impassable that borders a passable volume: faces as triangles, marked edges as
  * segments, marked vertices as dots.
- * @param trace [in,out] @param environment, label [in]
- * @param with_boundary [in] 0 leaves out the outer boundary.
- * @return common statuses.
+ * @param with_boundary 0 leaves out the outer boundary.
  * @note Cost: O(volumes). Thread: writer of the trace, reader of the environment. @since 1.0 */
 DSW_API dsw_status dsw_trace_add_impassable(dsw_trace *trace, const dsw_environment *environment,
                                             int with_boundary, uint32_t label);
 
 /** Casts a segment and adds a dot where each volume is entered, the segments between, and the
  * contact as dsw_trace_add_contact does.
- * @param trace [in,out] @param environment, start, from, to, options [in] as for
- * dsw_environment_cast.
- * @param normal_length, label [in]
- * @return common statuses.
  * @note Cost: as dsw_environment_cast. Thread: writer of the trace, reader of the environment.
  * @since 1.0 */
 DSW_API dsw_status dsw_trace_add_walk(dsw_trace *trace, const dsw_environment *environment,
@@ -83,15 +69,11 @@ DSW_API dsw_status dsw_trace_add_walk(dsw_trace *trace, const dsw_environment *e
                                       uint32_t label);
 
 /** Adds a dot at flight->position and a segment along the normal, if the flight ended at a contact.
- * @param trace [in,out] @param flight, normal_length, label [in]
- * @return common statuses.
  * @note Cost: O(1) amortised. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_trace_add_contact(dsw_trace *trace, const dsw_flight *flight,
                                          double normal_length, uint32_t label);
 
 /** Gives the arrays.
- * @param trace [in] @param data [in,out]
- * @return common statuses.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_trace_get(const dsw_trace *trace, dsw_trace_data *data);
 
