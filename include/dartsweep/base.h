@@ -3,44 +3,42 @@
  *
  * Results:
  *  - Lengths are in scene units. A time of contact is a fraction in [0,1] of one move.
- *  - Exact arithmetic decides every sign, for all finite doubles. Ties are decided by Simulation of
- *    Simplicity (H. Edelsbrunner, E. P. Muecke, 1990): moving points stand for themselves plus an
- *    infinitesimal vector, "the shift", see query.h.
+ *  - Exact arithmetic decides every sign, for all finite doubles. Simulation of Simplicity (H.
+ *    Edelsbrunner, E. P. Muecke, 1990) decides ties: moving points stand for themselves plus an
+ *    infinitesimal vector, "the shift" (query.h).
  *  - A geometric outcome (no contact, stopped at a wall, outside) is never a status.
- *  - A call that fails changes nothing, unless the function says otherwise.
+ *  - A call that fails changes nothing, unless its comment says otherwise.
  *
- * Common statuses. Any function can answer these, and a function lists only its others. In a batch
- * the message names the first wrong entry.
- *  - DSW_STATUS_NULL_ARGUMENT, DSW_STATUS_STALE_ID, DSW_STATUS_OUT_OF_MEMORY, DSW_STATUS_INTERNAL;
+ * Common statuses, which any function can answer; comments list only others. In a batch the message
+ * names the first wrong entry.
+ *  - DSW_STATUS_NULL_ARGUMENT, STALE_ID, OUT_OF_MEMORY, INTERNAL;
  *  - DSW_STATUS_BAD_STRUCT_SIZE: see struct_size below;
  *  - DSW_STATUS_UNSUPPORTED: an unknown flag or enum value, a `reserved` member that is not 0, or a
- *    function that does not work in the plane (dartsweep.h);
+ *    function that does not serve the plane (dartsweep.h);
  *  - DSW_STATUS_NON_FINITE: a coordinate is NaN or infinite;
- *  - DSW_STATUS_WRONG_SIZE: a stride breaks the rule below, or no array has so many entries;
+ *  - DSW_STATUS_WRONG_SIZE: a wrong stride, or a count that no array has;
  *  - DSW_STATUS_BUFFER_TOO_SMALL: see `capacity` below.
  *
  * Arguments:
- *  - The library uses pointers during the call only, unless a comment says "retained". "May be
- *    null" marks optional pointers.
- *  - `context` and `options` may be null, for the defaults. `flags` are bits of the header's enum.
+ *  - Pointers are used during the call only, unless a comment says "retained", and are required
+ *    unless it says "may be null". `context` and `options` may be null, for the defaults.
  *  - A created object belongs to the caller until its `_destroy` function, which accepts null.
  *  - `point`, `points`, `position`, `positions`, `from`, `to`, `target`, `targets`, `xyz`: a point
- *    is `dimension` finite doubles. `stride_bytes` is the distance from one point to the next, a
- *    multiple of 8; 0 means that points follow each other directly.
- *  - Arrays have `count` entries, unless a comment says otherwise.
- *  - An array of unknown length has `capacity` entries, or `capacity_bytes` bytes. *count, or
- *    *size_bytes, is set to what is needed, also on DSW_STATUS_BUFFER_TOO_SMALL. Capacity 0 only
- *    asks, and the array may be null.
- *  - A `hint` is a volume near the point, or the null id.
- *  - A struct that begins with struct_size, set by the caller or its `_init` function, may be of
- *    any version since its first release. Members that the caller lacks count as 0. Members that
- *    the library does not know must be 0 in a description, and are set to 0 in a report.
- *  - An `_init` function writes the defaults into at most `size` bytes, sizeof the struct, and sets
- *    struct_size. Its pointer may be null.
+ *    is `dimension` finite doubles. `stride_bytes` leads from one point to the next, a multiple of
+ *    8; 0: no gaps.
+ *  - A `const T **` result belongs to its object, and is valid until the next call that makes such
+ *    results anew.
+ *  - Arrays have `count` entries, unless a comment says otherwise. Of unknown length, they have
+ *    `capacity` entries or `capacity_bytes` bytes: *count, or *size_bytes, is set to what is
+ *    needed, also on DSW_STATUS_BUFFER_TOO_SMALL. Capacity 0 asks, with an array that may be null.
+ *  - A `hint` is a volume near the point, or the null id. `flags` are bits of the header's enum.
+ *  - A struct with struct_size, set by the caller or its `_init` function, may be of any version
+ *    since its first release. Members that it lacks count as 0. Members unknown to the library must
+ *    be 0 in a description, and are set to 0 in a report.
+ *  - An `_init` function writes the defaults into at most `size` bytes, sizeof the struct.
  *
- * Threads: "reader" calls may run beside other readers of the same object, a "writer" runs alone on
- * its object. "Batch" calls share work over the context's parallel-for, with the same bits for any
- * number of threads.
+ * Threads: a "reader" may run beside other readers of the object, a "writer" runs alone on it. A
+ * "batch" uses the context's parallel-for, with the same bits for any number of threads.
  *
  * Costs: n is the number of cells of the environment. [JCD10]: T. Jund, D. Cazier, J.-F. Dufourd,
  * "Edge collision detection in complex deformable environments", 2010.
@@ -51,7 +49,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Marks exported functions. Define DSW_STATIC to link the static library on Windows. */
+/** Marks exported functions. Define DSW_STATIC to link statically on Windows. */
 #if defined(_WIN32)
 #if defined(DSW_BUILDING)
 #define DSW_API __declspec(dllexport)
@@ -77,7 +75,7 @@ extern "C" {
 /** The result of a call. Values are stable; new values are only appended. */
 typedef enum dsw_status {
   DSW_STATUS_OK = 0,            /**< Done. */
-  DSW_STATUS_NULL_ARGUMENT = 1, /**< A required pointer or handle is null. */
+  DSW_STATUS_NULL_ARGUMENT = 1, /**< A required pointer is null. */
   /** struct_size is below the first release's. */
   DSW_STATUS_BAD_STRUCT_SIZE = 2,
   DSW_STATUS_UNSUPPORTED = 3, /**< The library does not support this. */
@@ -91,7 +89,7 @@ typedef enum dsw_status {
   DSW_STATUS_TOO_LARGE = 10,          /**< More cells or points than 28-bit indices can name. */
   DSW_STATUS_INDEX_OUT_OF_RANGE = 11, /**< A cell names a point that does not exist. */
   DSW_STATUS_BAD_CELL_TYPE = 12,      /**< A cell type is unknown. */
-  /** A cell repeats points, or its faces do not close a sphere. */
+  /** A cell repeats points, or its faces close no sphere. */
   DSW_STATUS_BAD_CELL = 13,
   DSW_STATUS_INVERTED_CELL = 14, /**< A cell is turned inside out. */
   /** A cell is flat, folded, or no star of its centre. */
@@ -113,9 +111,9 @@ typedef enum dsw_status {
   DSW_STATUS_NOT_NAMED = 29,
   DSW_STATUS_NOT_BUILT = 30, /**< The library was built without this part. */
   DSW_STATUS_INTERNAL = 31,  /**< A bug of the library; please report the message. */
-  /** The cells are not arranged as the change needs. */
+  /** The change needs other arrangements of cells. */
   DSW_STATUS_BAD_TOPOLOGY = 32,
-  DSW_STATUS_BORROWED = 33,           /**< The host's array of points has no room for a vertex. */
+  DSW_STATUS_BORROWED = 33,           /**< The host's points have no room for more. */
   DSW_STATUS_WRITE_FAILED = 34,       /**< A recording could not be written. */
   DSW_STATUS_NOT_CLOSED = 35,         /**< The body is not a closed surface. */
   DSW_STATUS_FORCE_INT32 = 0x7fffffff /**< No value. */
@@ -139,11 +137,10 @@ DSW_API uint32_t dsw_version(void);
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API const char *dsw_status_string(dsw_status status);
 
-/** Describes the last failure on this thread: function, argument, index, value received and range
- * accepted.
- * @return text of the library, never null, empty before the first failure. It is valid until the
- * next dsw call that fails on this thread.
- * @note Cost: O(1). Thread: any; each thread has its own message. @since 1.0 */
+/** Describes the last failure on this thread: function, argument, index, value, range accepted.
+ * @return text, empty before the first failure, never null, valid until the next failure on this
+ * thread.
+ * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API const char *dsw_last_error_message(void);
 
 #ifdef __cplusplus

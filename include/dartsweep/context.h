@@ -1,7 +1,7 @@
 /** @file context.h
- * A context: the memory, log and parallel-for that a host supplies. Wherever a function takes a
- * context, null means malloc, no log, and the library's own threads: one per processor, for batches
- * only. A context must outlive the objects made with it.
+ * A context: memory, log and parallel-for of the host. A null context means malloc, no log, and one
+ * thread per processor for batches. A context must outlive its objects. Callbacks must not call dsw
+ * functions.
  */
 #ifndef DARTSWEEP_CONTEXT_H
 #define DARTSWEEP_CONTEXT_H
@@ -12,12 +12,11 @@
 extern "C" {
 #endif
 
-/** Opaque. Owned by the caller from dsw_context_create to dsw_context_destroy. */
+/** Opaque. */
 typedef struct dsw_context dsw_context;
 
 /** Returns `size_bytes` (never 0) of memory aligned to `alignment_bytes` (a power of two, at most
- * 64), or null. The library calls it on the thread of the dsw call or on a worker of the
- * parallel-for. It must not call dsw functions. */
+ * 64), or null. Called on the thread of the dsw call or a worker of the parallel-for. */
 typedef void *(*dsw_allocate_fn)(void *user, size_t size_bytes, size_t alignment_bytes);
 
 /** Releases memory from dsw_allocate_fn, with the same sizes. `memory` is never null. */
@@ -32,15 +31,15 @@ typedef enum dsw_log_level {
   DSW_LOG_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_log_level;
 
-/** Receives one line of text, valid during the call. The library calls it on the thread of the dsw
- * call, and holds no lock. It must not call dsw functions. */
+/** Receives one line, valid during the call. Called on the thread of the dsw call, without a
+ * lock. */
 typedef void (*dsw_log_fn)(void *user, dsw_log_level level, const char *text);
 
 /** Does task number `task`. It never throws. */
 typedef void (*dsw_task_fn)(void *task_data, size_t task);
 
-/** Runs task(task_data, i) once for every i in 0 .. task_count-1, and returns when all are done.
- * The order and the threads are free: no result depends on them. */
+/** Runs task(task_data, i) once for every i in 0 .. task_count-1, and returns when all are done. No
+ * result depends on their order and threads. */
 typedef void (*dsw_parallel_for_fn)(void *user, dsw_task_fn task, void *task_data,
                                     size_t task_count);
 
@@ -61,15 +60,13 @@ typedef struct dsw_context_desc {
 DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
 
 /** Creates a context.
- * @param desc null: all defaults. Its callbacks are retained until the context is destroyed.
- * @param context owned by the caller.
+ * @param desc null: all defaults; the callbacks are retained.
  * @return DSW_STATUS_OUT_OF_RANGE: thread_count, or only one of allocate and release is set.
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API dsw_status dsw_context_create(const dsw_context_desc *desc, dsw_context **context);
 
 /** Destroys a context.
- * @param context may be null.
- * @return DSW_STATUS_IN_USE: environments or traces of the context exist, and nothing happens.
+ * @return DSW_STATUS_IN_USE: objects of the context exist.
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_context_destroy(dsw_context *context);
 

@@ -2,10 +2,9 @@
  * An environment: a partition of a bounded part of space into volumes, made from the arrays that
  * every mesh library has.
  *
- * A tetrahedron is itself. Any other volume is the star of its centre, the rounded mean of its
- * vertices: the tetrahedra from the centre to the triangles of the boundary. So faces may be
- * warped, and volumes need not be convex. A face with more than three vertices is cut into
- * triangles once, in the same way for both of its volumes.
+ * A volume that is no tetrahedron is the star of its centre, the rounded mean of its vertices:
+ * tetrahedra from the centre to the triangles of the boundary. So faces may be warped, and volumes
+ * need not be convex. Larger faces are cut into triangles once, in the same way for both volumes.
  */
 #ifndef DARTSWEEP_ENVIRONMENT_H
 #define DARTSWEEP_ENVIRONMENT_H
@@ -17,8 +16,7 @@
 extern "C" {
 #endif
 
-/** Opaque. Owned by the caller from creation to dsw_environment_destroy. Many scenes may share it
- * unchanged. */
+/** Opaque. Many scenes may share it unchanged. */
 typedef struct dsw_environment dsw_environment;
 
 /** Cell types, with the numbers and the order of points of VTK:
@@ -43,63 +41,62 @@ typedef enum dsw_cell_type {
 
 /** Flags of dsw_environment_desc. */
 enum {
-  /** `points`, without gaps, is retained instead of copied, and has to stay unchanged until the
-   * environment is destroyed or deformed (deform.h). */
+  /** `points`, without gaps, is retained, not copied, and stays unchanged until the environment is
+   * destroyed or deformed (deform.h). */
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
-  /** Cells that are turned inside out are mirrored, not refused. Meshes differ in their wedges. */
+  /** Mirrors cells that are inside out; meshes differ in their wedges. */
   DSW_ENVIRONMENT_REORIENT = 0x2,
-  /** Builds a grid for locating points without a hint, about 16 bytes a cell. Without a grid such a
-   * locate scans all cells. */
+  /** Builds a grid, about 16 bytes a cell. Without it a locate without hint scans all cells. */
   DSW_ENVIRONMENT_LOCATE_GRID = 0x4,
-  /** Also checks that the outer boundary does not pass through itself: ten times the cost of the
-   * rest. dsw_environment_check does so later. */
+  /** Also proves that the outer boundary does not pass through itself, as dsw_environment_check
+   * does; about ten times the cost of the rest. */
   DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8
 };
 
-/** Describes an environment.  */
+/** Describes an environment. */
 typedef struct dsw_environment_desc {
   uint32_t struct_size; /**< sizeof(dsw_environment_desc). */
   uint32_t dimension;   /**< 3, also given as 0; 2 in the plane. */
   uint32_t flags;       /**< DSW_ENVIRONMENT_... */
-  /** Size of the signed integers in the four arrays of `void`: 4 or 8; 0 means 8. */
+  /** Size of signed integers in arrays of void: 4 or 8; 0 means 8. */
   uint32_t index_bytes;
   const double *points;      /**< The points. */
   size_t point_count;        /**< 1 .. 2^28-1. Unused points are allowed. */
   size_t point_stride_bytes; /**< As every stride. */
-  const uint8_t *cell_types; /**< dsw_cell_type of each cell; null: uniform_cell_type. */
+  const uint8_t *cell_types; /**< Types; null: uniform_cell_type. */
   size_t cell_count;         /**< At least 1. */
-  /** cell_count + 1 integers: cell i has connectivity[offsets[i] .. offsets[i+1]-1]. May be null
-   * with uniform_cell_type: the cells then follow each other directly. */
+  /** cell_count + 1 integers: cell i has connectivity[offsets[i] .. offsets[i+1]-1]. With
+   * uniform_cell_type null: cells follow each other. */
   const void *offsets;
-  /** Indices of points; for a polyhedron its face stream, unless `faces` is set. */
+  /** Points; for polyhedra face streams, unless `faces` has them. */
   const void *connectivity;
-  size_t connectivity_count; /**< Number of integers in connectivity. */
-  const void *faces;         /**< Null, or the face streams of the polyhedra. */
-  size_t faces_count;        /**< Number of integers in faces. */
-  /** With `faces`: cell_count integers, where each polyhedron's stream starts. Ignored for other
-   * cells. */
+  size_t connectivity_count; /**< Its integers. */
+  const void *faces;         /**< Null, or face streams of polyhedra. */
+  size_t faces_count;        /**< Its integers. */
+  /** With `faces`: where the stream of each cell starts; ignored for cells that are no
+   * polyhedra. */
   const void *face_locations;
-  /** Null, or a region label for each cell (lumen, tissue, ...). */
+  /** Null, or region labels (lumen, tissue, ...). */
   const int32_t *regions;
-  /** Null, or a host tag for each cell (friction, material, ...). */
+  /** Null, or host tags (friction, material, ...). */
   const uint32_t *tags;
-  /** dsw_cell_type of all cells when cell_types is null; not polyhedron. */
+  /** Type of all cells if cell_types is null; not polyhedron. */
   uint32_t uniform_cell_type;
   uint32_t reserved; /**< 0. */
 } dsw_environment_desc;
 
-/** What creation found. Filled on success and on failure. */
+/** What creation or dsw_environment_check found, also on failure. */
 typedef struct dsw_build_report {
   uint32_t struct_size;    /**< sizeof(dsw_build_report). */
   dsw_status status;       /**< As returned. */
-  uint32_t offender_count; /**< How many of offenders are set. */
-  /** Indices of the first wrong cells, ascending; of points for NON_FINITE. */
+  uint32_t offender_count; /**< Entries of offenders. */
+  /** The first wrong cells by index, points for NON_FINITE. */
   uint32_t offenders[8];
-  uint32_t reoriented_count;    /**< Cells that DSW_ENVIRONMENT_REORIENT mirrored. */
+  uint32_t reoriented_count;    /**< Cells that were mirrored. */
   uint32_t part_count;          /**< Parts connected through faces. */
   uint32_t unused_point_count;  /**< Points that no cell names. */
   uint32_t boundary_face_count; /**< Faces with one volume. */
-  /** Convex volumes with flat faces: casts cross them fastest. */
+  /** Convex volumes with flat faces: the fastest. */
   uint32_t convex_cell_count;
 } dsw_build_report;
 
@@ -114,24 +111,20 @@ typedef struct dsw_environment_info {
   uint32_t part_count;          /**< Parts connected through faces. */
   uint32_t scene_count;         /**< Scenes that use the environment. */
   uint64_t memory_bytes;        /**< Its memory, borrowed points included. */
-  /** A corner of the box around all points that volumes use or have used, before any
-   * deformation. */
+  /** A corner of the box round all points ever used by volumes, before deformations. */
   double lower[3];
   double upper[3]; /**< The opposite corner. */
-  /** All volume indices are below; exceeds volume_count after removals. */
+  /** Above all volume indices, removed ones included. */
   uint32_t volume_index_count;
-  uint32_t vertex_index_count; /**< All vertex indices are below. */
+  uint32_t vertex_index_count; /**< Above all vertex indices. */
 } dsw_environment_info;
 
 /** Writes the defaults: 3 dimensions, hexahedra, 8-byte indices.
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
 
-/** Creates an environment and proves that every cell is valid: all tetrahedra of its star have
- * positive volume, and the star covers no direction twice. Everything but the outer boundary is
- * passable.
- * @param context may be null.
- * @param environment owned by the caller.
+/** Creates an environment and proves every cell valid: its star has tetrahedra of positive volume,
+ * and covers no direction twice. All but the outer boundary is passable.
  * @param report may be null; filled unless an argument is wrong.
  * @return DSW_STATUS_OUT_OF_RANGE, TOO_LARGE, INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL,
  * INVERTED_CELL, INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES.
@@ -140,8 +133,7 @@ DSW_API dsw_status dsw_environment_create(dsw_context *context, const dsw_enviro
                                           dsw_environment **environment, dsw_build_report *report);
 
 /** Destroys an environment.
- * @param environment may be null.
- * @return DSW_STATUS_IN_USE: scenes use the environment, and nothing happens.
+ * @return DSW_STATUS_IN_USE: scenes use it.
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_destroy(dsw_environment *environment);
 
@@ -150,22 +142,22 @@ DSW_API dsw_status dsw_environment_destroy(dsw_environment *environment);
 DSW_API dsw_status dsw_environment_get_info(const dsw_environment *environment,
                                             dsw_environment_info *info);
 
-/** Proves again that the cells are a partition: links, validity of every cell, and that the outer
- * boundary does not pass through itself. The boundary may touch itself.
+/** Proves that the cells are a partition: links, validity of cells, an outer boundary that may
+ * touch but not pass through itself.
  * @param report may be null.
  * @return DSW_STATUS_INVALID_CELL, DSW_STATUS_BOUNDARY_CROSSES; DSW_STATUS_INTERNAL: wrong links.
  * @note Cost: O(n log n) expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_check(const dsw_environment *environment,
                                          dsw_build_report *report);
 
-/** Gives the id of the volume with index `index`.
- * @return DSW_STATUS_OUT_OF_RANGE from volume_index_count on; DSW_STATUS_NOT_FOUND: removed.
+/** Gives the id of volume `index`.
+ * @return DSW_STATUS_OUT_OF_RANGE; DSW_STATUS_NOT_FOUND: removed.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume(const dsw_environment *environment, uint32_t index,
                                               dsw_volume_id *volume);
 
-/** Gives the id of the vertex with index `index`.
- * @return DSW_STATUS_OUT_OF_RANGE from vertex_index_count on; DSW_STATUS_NOT_FOUND: removed.
+/** Gives the id of vertex `index`.
+ * @return DSW_STATUS_OUT_OF_RANGE; DSW_STATUS_NOT_FOUND: removed.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_vertex(const dsw_environment *environment, uint32_t index,
                                               dsw_vertex_id *vertex);
@@ -175,8 +167,7 @@ DSW_API dsw_status dsw_environment_get_vertex(const dsw_environment *environment
 DSW_API dsw_status dsw_environment_get_position(const dsw_environment *environment,
                                                 dsw_vertex_id vertex, double *xyz);
 
-/** Gives the type of a volume and the numbers of its vertices, edges and faces.
- * @param type, vertices, edges, faces may be null.
+/** Gives type, `vertices`, `edges` and `faces` of a volume; each may be null.
  * @note Cost: O(vertices of the volume). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_counts(const dsw_environment *environment,
                                                      dsw_volume_id volume, dsw_cell_type *type,
@@ -184,21 +175,21 @@ DSW_API dsw_status dsw_environment_get_volume_counts(const dsw_environment *envi
                                                      uint32_t *faces);
 
 /** Gives the canonical id of face `local` of a volume.
- * @return DSW_STATUS_OUT_OF_RANGE: local.
+ * @return DSW_STATUS_OUT_OF_RANGE.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_face(const dsw_environment *environment,
                                                    dsw_volume_id volume, uint32_t local,
                                                    dsw_face_id *face);
 
 /** Gives the canonical id of edge `local` of a volume.
- * @return DSW_STATUS_OUT_OF_RANGE: local.
+ * @return DSW_STATUS_OUT_OF_RANGE.
  * @note Cost: O(volumes round the edge). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_edge(const dsw_environment *environment,
                                                    dsw_volume_id volume, uint32_t local,
                                                    dsw_edge_id *edge);
 
-/** Copies the vertices of a cell: of a face in order, seen from outside of the volume in its id; of
- * a volume in the order of its type, for a polyhedron the order of first use in its stream.
+/** Copies the vertices of a cell: of a face as seen from outside of the volume in its id, of a
+ * volume in the order of its type, of a polyhedron in order of first use.
  * @note Cost: O(vertices of the volume). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_copy_vertices(const dsw_environment *environment, dsw_cell cell,
                                                  dsw_vertex_id *vertices, size_t capacity,
@@ -206,24 +197,23 @@ DSW_API dsw_status dsw_environment_copy_vertices(const dsw_environment *environm
 
 /** Gives the two volumes of a face.
  * @param near_side the volume in the id; may be null.
- * @param far_side the null id at the outer boundary; may be null.
+ * @param far_side null at the outer boundary; may be null.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *environment,
                                                     dsw_face_id face, dsw_volume_id *near_side,
                                                     dsw_volume_id *far_side);
 
 /** Tells what lies behind face `local` of a volume.
- * @param neighbour the volume, null at the outer boundary; may be null.
- * @param impassable 1 if the face counts as impassable (marking.h), also for an invalid volume
- * there; may be null.
- * @return DSW_STATUS_OUT_OF_RANGE: local.
+ * @param neighbour null at the outer boundary; may be null.
+ * @param impassable whether the face is (marking.h), also by an invalid volume; may be null.
+ * @return DSW_STATUS_OUT_OF_RANGE.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environment,
                                                  dsw_volume_id volume, uint32_t local,
                                                  dsw_volume_id *neighbour, int *impassable);
 
-/** Gives the centre of a volume, the rounded mean of its vertices. It lies strictly inside, but for
- * tetrahedra thinner than the rounding.
+/** Gives the centre of a volume, the rounded mean of its vertices. It lies strictly inside, unless
+ * a tetrahedron is thinner than rounding.
  * @note Cost: O(vertices of the volume). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment,
                                               dsw_volume_id volume, double *xyz);
@@ -231,8 +221,8 @@ DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment
 /** Finds faces by their vertices, such as boundary groups of a mesh file. Face i has the vertices
  * `indices`[offsets[i] .. offsets[i+1]-1], in any order.
  * @param offsets count + 1 ascending values.
- * @param faces canonical ids, null where there is no such face.
- * @param missing how many there are not; may be null.
+ * @param faces canonical ids, null where there is none.
+ * @param missing how many are null; may be null.
  * @return DSW_STATUS_WRONG_SIZE: offsets descend.
  * @note Cost: O(faces of the environment + indices) expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment, size_t count,
@@ -240,8 +230,8 @@ DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment
                                               dsw_face_id *faces, size_t *missing);
 
 /** Finds edges by their vertices. Edge i joins vertices `indices`[2 i] and [2 i + 1].
- * @param edges canonical ids, null where there is no such edge.
- * @param missing how many there are not; may be null.
+ * @param edges canonical ids, null where there is none.
+ * @param missing how many are null; may be null.
  * @note Cost: O(edges of the environment + count) expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_edges(const dsw_environment *environment, size_t count,
                                               const uint32_t *indices, dsw_edge_id *edges,
@@ -257,7 +247,7 @@ DSW_API dsw_status dsw_environment_get_region(const dsw_environment *environment
 DSW_API dsw_status dsw_environment_get_tag(const dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t *tag);
 
-/** Sets the host `tag` of a volume, also while scenes use the environment: tags change no result.
+/** Sets the host `tag` of a volume, also while scenes use it: no result depends on tags.
  * @note Cost: O(1) amortised; the first tag takes 4 bytes a volume. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_set_tag(dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t tag);

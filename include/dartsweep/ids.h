@@ -1,8 +1,7 @@
 /** @file ids.h
  * Ids: an index and a generation, which counts the uses of that index from 1 on. The null id is all
- * zeros. An id becomes stale when its object is removed, or when a change of the topology rebuilds
- * its volume (topology.h). Ids do not name their environment or scene: pass the one that gave the
- * id. This header includes nothing of Dartsweep.
+ * zeros. An id becomes stale when its object is removed, or its volume rebuilt by a change of the
+ * topology (topology.h). Ids do not name their environment or scene: pass the one that gave the id.
  */
 #ifndef DARTSWEEP_IDS_H
 #define DARTSWEEP_IDS_H
@@ -25,19 +24,18 @@ typedef struct dsw_volume_id {
   uint32_t generation; /**< Generation. */
 } dsw_volume_id;
 
-/** A face: face number `local` of a volume. A face between two volumes has two ids, one from each
- * volume. Functions accept both; reports give the canonical id, from the volume with the lower
- * index. Faces are numbered in the VTK order of the cell type, and in a polyhedron in the order of
- * its face stream. */
+/** A face: face number `local` of a volume, in VTK's order of the cell type, or that of the face
+ * stream. A face between two volumes has two ids. Functions accept both; reports give the canonical
+ * one, from the volume with the lower index. */
 typedef struct dsw_face_id {
   uint32_t volume;     /**< Index of the volume. */
   uint32_t generation; /**< Generation of the volume. */
   uint32_t local;      /**< Number in the volume. */
 } dsw_face_id;
 
-/** An edge: edge number `local` of a volume. Each volume round the edge gives it an id; the
- * canonical id is from the one with the lowest index. Edges are numbered as they are first met, by
- * a walk over the faces in order, and round each face as seen from outside. */
+/** An edge: edge number `local` of a volume, counted where first met on the way over the faces in
+ * order, round each as seen from outside. The canonical id is from the volume with the lowest
+ * index. */
 typedef struct dsw_edge_id {
   uint32_t volume;     /**< Index of the volume. */
   uint32_t generation; /**< Generation of the volume. */
@@ -84,13 +82,12 @@ typedef enum dsw_cell_kind {
   DSW_CELL_KIND_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_cell_kind;
 
-/** A cell of any kind. The members after `kind` are those of its id; `local` is 0 for vertices and
- * volumes. */
+/** A cell of any kind, with the numbers of its id; `local` is 0 for vertices and volumes. */
 typedef struct dsw_cell {
   dsw_cell_kind kind;  /**< Which id the rest is. */
-  uint32_t index;      /**< Of the vertex or volume. */
-  uint32_t generation; /**< Of the vertex or volume. */
-  uint32_t local;      /**< Number in the volume, or 0. */
+  uint32_t index;      /**< As in its id. */
+  uint32_t generation; /**< As in its id. */
+  uint32_t local;      /**< Or 0. */
 } dsw_cell;
 
 #ifdef __cplusplus

@@ -59,7 +59,8 @@ DSW_API dsw_status dsw_scene_get_particles(const dsw_scene *scene, const dsw_par
 
 /** Moves a particle towards a target. Nothing impassable is passed, and the reported volume
  * contains the reported position.
- * @param target a move to 1e300 ends next to the first wall, too.
+ * @param target may be as far as 1e300.
+ *
  * @param options DSW_CAST_START_KNOWN has no effect; DSW_CAST_NO_DETAIL leaves out only normal and
  * ids of the hit.
  * @param flight may be null.
@@ -89,9 +90,8 @@ DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_par
                                                  const dsw_cast_options *options,
                                                  dsw_flight *flights);
 
-/** Gives the volumes that the last move call entered. Flight i has crossings[first[i] ..
- * first[i+1]-1].
- * @param crossings, first, flight_count owned by the scene, valid until its next move.
+/** Gives the volumes that the last move call entered. Flight i of `flight_count` has
+ * crossings[`first`[i] .. first[i+1]-1].
  * @return DSW_STATUS_NOT_NAMED: DSW_FEATURE_CROSSINGS is not enabled.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_crossings(const dsw_scene *scene, const dsw_crossing **crossings,
@@ -99,7 +99,6 @@ DSW_API dsw_status dsw_scene_get_crossings(const dsw_scene *scene, const dsw_cro
 
 /** Gives the particles in the way of the last marking call or change of the topology, or that it
  * skipped.
- * @param particles owned by the scene, valid until the next such call.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_occupants(const dsw_scene *scene,
                                            const dsw_particle_id **particles, size_t *count);

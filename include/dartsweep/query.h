@@ -1,11 +1,10 @@
 /** @file query.h
- * Queries that need no scene: where a point is, what a segment meets, what is near. All are
- * readers.
+ * Queries that need no scene: where a point is, what a segment meets, what is near.
  *
- * Simulation of Simplicity [EM90]: each given point stands for itself plus the shift (e, e^2, e^3),
- * with an infinitesimal e > 0. So it lies in exactly one volume, and a segment pierces one triangle
- * at a time. dsw_environment_classify answers without the shift. [EM90]: H. Edelsbrunner, E. P.
- * Muecke, "Simulation of Simplicity", ACM Transactions on Graphics 9, 1990.
+ * Simulation of Simplicity [EM90]: each given point stands for itself plus the shift (e, e^2, e^3)
+ * with an infinitesimal e > 0. So it lies in one volume, and a segment pierces one triangle at a
+ * time. [EM90]: H. Edelsbrunner, E. P. Muecke, ACM Transactions on Graphics 9, 1990. More:
+ * bindings/docs/exactness.md.
  */
 #ifndef DARTSWEEP_QUERY_H
 #define DARTSWEEP_QUERY_H
@@ -28,8 +27,8 @@ typedef enum dsw_place {
 
 /** Flags of a cast. */
 enum {
-  /** `start` is known to contain the first point, and is not checked. If it does not, the answer is
-   * meaningless, but never unsafe. Without the flag `start` is a hint. */
+  /** `start` is known to contain the first point. If it does not, the answer is meaningless, but
+   * never unsafe. Without the flag `start` is a hint. */
   DSW_CAST_START_KNOWN = 0x1,
   /** Only outcome, volume and cells_visited are reported. */
   DSW_CAST_NO_DETAIL = 0x2
@@ -49,10 +48,10 @@ DSW_API void dsw_cast_options_init(dsw_cast_options *options, size_t size);
 
 /** Finds the volume that contains a point.
  *
- * @param volume the null id if the point is outside.
+ * @param volume null if outside.
  * @param place may be null.
- * @note Cost: O(volumes from hint to point). Without a hint, or if the walk leaves the environment:
- * expected O(1) with a grid and cells of like size, else O(volumes). Thread: reader. @since 1.0 */
+ * @note Cost: O(volumes from hint to point); without hint, or if that way leaves the environment,
+ * O(1) expected with a grid and cells of like size, else O(n). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, const double *point,
                                           dsw_volume_id hint, dsw_volume_id *volume,
                                           dsw_place *place);
@@ -67,8 +66,7 @@ DSW_API dsw_status dsw_environment_locate_points(const dsw_environment *environm
 
 /** Tells on which vertex, edge, face or volume a point lies exactly, without the shift.
  * @param volume from dsw_environment_locate.
- * @param cell the cell of lowest dimension, with its canonical id.
- * @return DSW_STATUS_OUTSIDE: the point is not in the closure of `volume`.
+ * @return DSW_STATUS_OUTSIDE: not in the closure of `volume`.
  * @note Cost: O(faces of the volume). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_classify(const dsw_environment *environment, const double *point,
                                             dsw_volume_id volume, dsw_cell *cell);
@@ -90,7 +88,7 @@ DSW_API dsw_status dsw_environment_cast_segments(const dsw_environment *environm
                                                  const dsw_cast_options *options,
                                                  dsw_flight *flights);
 
-/** Casts a segment and lists every volume that it enters, in order, with times.
+/** Casts a segment and lists the volumes that it enters, in order.
  * @param start as for dsw_environment_cast.
  * @param flight may be null.
  * @note Cost: as dsw_environment_cast. Thread: reader. @since 1.0 */
@@ -113,11 +111,12 @@ typedef struct dsw_nearest {
 
 /** Finds the nearest impassable face, marked edge or marked vertex that can be seen through
  * passable volumes; the lowest canonical cell if several are.
- * @param volume the volume of the point, or the null id.
+ * @param volume that of the point, or null.
+ *
  * @param radius at least 0; may be infinite.
  * @return DSW_STATUS_OUT_OF_RANGE: radius; DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE: the point.
- * @note Cost: O(volumes within the distance). Thread: reader. Distances are rounded by a few units
- * in the last place. @since 1.0 */
+ * @note Cost: O(volumes within the distance). Thread: reader. Rounding: a few units in the last
+ * place. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environment,
                                                 const double *point, dsw_volume_id volume,
                                                 double radius, dsw_nearest *nearest);

@@ -1,6 +1,5 @@
 /** @file scene.h
- * A scene: one environment and what moves in it. A scene enables the features that it needs. A
- * feature that is not enabled costs no memory and no time.
+ * A scene: one environment and what moves in it. Features that are not enabled cost nothing.
  */
 #ifndef DARTSWEEP_SCENE_H
 #define DARTSWEEP_SCENE_H
@@ -11,7 +10,7 @@
 extern "C" {
 #endif
 
-/** Opaque. Owned by the caller from dsw_scene_create to dsw_scene_destroy. */
+/** Opaque. */
 typedef struct dsw_scene dsw_scene;
 
 /** Features of a scene. */
@@ -20,17 +19,16 @@ enum {
   DSW_FEATURE_STATISTICS = 0x1,
   /** Moves record every volume crossed, see dsw_scene_get_crossings. */
   DSW_FEATURE_CROSSINGS = 0x2,
-  /** The environment can deform (deform.h) and belongs to this scene alone. Takes about 12 bytes a
-   * volume and 4 a vertex. From now on, also after the scene, casts treat hexahedra as warped, and
-   * the grid of DSW_ENVIRONMENT_LOCATE_GRID is given up. */
+  /** The environment can deform (deform.h), and belongs to this scene alone: about 12 bytes a
+   * volume and 4 a vertex. For good, hexahedra count as warped in casts, and the grid is given
+   * up. */
   DSW_FEATURE_DEFORMING = 0x4,
-  /** Bodies meet each other, and themselves with DSW_BODY_SELF_CONTACTS (dsw_body_desc). Takes
-   * about 64 bytes for each vertex, edge and face of bodies. */
+  /** Bodies meet each other, and themselves with DSW_BODY_SELF_CONTACTS: about 64 bytes for each
+   * vertex, edge and face. */
   DSW_FEATURE_BODY_CONTACTS = 0x8,
-  /** Marks and changes of the topology check only the particles and bodies near them. No answer
-   * depends on this. Takes about 24 bytes a particle, the 64 bytes of DSW_FEATURE_BODY_CONTACTS
-   * (once if both are enabled), up to 1 MB after many changes, and a note at each move to another
-   * place. */
+  /** Marks and changes of the topology check only particles and bodies near them, with the same
+   * answers: about 24 bytes a particle, the 64 bytes of DSW_FEATURE_BODY_CONTACTS (once for both),
+   * up to 1 MB after many changes, and a note at each move. */
   DSW_FEATURE_LIVE_CHANGES = 0x10
 };
 
@@ -45,7 +43,7 @@ typedef struct dsw_statistics {
   uint32_t struct_size; /**< sizeof(dsw_statistics). */
   uint32_t reserved;    /**< 0. */
   uint64_t casts;       /**< Casts, also those that verify a stop. */
-  /** Volumes entered by casts, the first included, or visited by sweeps. */
+  /** Volumes entered by casts or visited by sweeps. */
   uint64_t cells_visited;
   uint64_t orientation_tests; /**< Plane and line tests of casts; not those of sweeps. */
   /** Of these, decided by exact arithmetic after the filter. */
@@ -54,7 +52,7 @@ typedef struct dsw_statistics {
   uint64_t forecast_hits; /**< Moves that left their first volume by the expected face. */
   uint64_t contacts;      /**< Casts that ended at something impassable. */
   uint64_t candidates;    /**< Positions tried for particles that stopped. */
-  /** Particles and parts of bodies that successful marks and changes of the topology checked. */
+  /** Particles and parts of bodies that successful changes checked. */
   uint64_t occupants_tested;
 } dsw_statistics;
 
@@ -63,7 +61,7 @@ typedef struct dsw_statistics {
 DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 
 /** Creates a scene.
- * @param environment retained; scenes may share one.
+ * @param environment retained.
  * @param desc null: no features.
  * @return DSW_STATUS_IN_USE: two scenes would share an environment that deforms.
  * @note Cost: O(1), the first time with DSW_FEATURE_DEFORMING O(n). Thread: writer of the
@@ -71,7 +69,7 @@ DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc,
                                     dsw_scene **scene);
 
-/** Destroys a scene with all that it holds, also its recording; dsw_scene_stop_recording tells
+/** Destroys a scene with all that it holds, also its recording: dsw_scene_stop_recording tells
  * whether that is complete.
  * @return DSW_STATUS_IN_USE: the scene belongs to a replay.
  * @note Cost: O(1). Thread: writer of the environment. @since 1.0 */

@@ -1,16 +1,14 @@
 /** @file surgery.h
- * Cuts along the surface that a blade sweeps, tears, and cracks that open. Each is one change: the
- * statuses, guarantees, ids, threads and "local" cost of topology.h hold. How they work:
+ * Cuts along the surface that a blade sweeps, tears, and cracks that open. Each is one change: what
+ * topology.h says of statuses, guarantees, ids, threads and "local" cost holds. How they work:
  * bindings/docs/cutting.md.
  *
  * The blade is exact under the shift: it may pass through vertices, along edges and faces, fold, or
- * lie outside. It cuts passable and impassable volumes. It splits an edge that it crosses once at
- * the rounded crossing; an end nearer than `snap` counts as on the blade instead. Then faces are
- * split between such points, and volumes along the loop of these lines.
- *
- * A volume stays whole if the blade ends inside, crosses one of its edges twice, leaves no single
- * loop, or if a part would be invalid. Such a volume can still get vertices and edges from
- * neighbours.
+ * lie outside. It splits an edge that it crosses once at the rounded crossing, or counts an end
+ * nearer than `snap` as on the blade. Then faces are split between such points, and volumes along
+ * the loop of these lines, passable or not. A volume stays whole if the blade ends inside, crosses
+ * one of its edges twice, leaves no single loop, or if a part would be invalid; it can still get
+ * vertices and edges from neighbours.
  */
 #ifndef DARTSWEEP_SURGERY_H
 #define DARTSWEEP_SURGERY_H
@@ -23,13 +21,13 @@ extern "C" {
 
 /** Flags of dsw_cut_desc. */
 typedef enum dsw_cut_flag {
-  /** The faces of the cut are unsewn: a crack without width, which nothing passes. */
+  /** Unsews the faces of the cut: a crack without width, which nothing passes. */
   DSW_CUT_UNSEW = 1
 } dsw_cut_flag;
 
 /** Describes a cut. Of points 0 and 1 of two neighbouring rows, {00, 01, 11} and {00, 11, 10} are
- * triangles of the blade, counter-clockwise seen from its front. The cut stays in what is connected
- * with the first volume that the blade meets. */
+ * triangles, counter-clockwise seen from the front. The cut stays in what is connected with the
+ * first volume met. */
 typedef struct dsw_cut_desc {
   uint32_t struct_size; /**< sizeof(dsw_cut_desc). */
   uint32_t flags;       /**< DSW_CUT_... */
@@ -38,7 +36,7 @@ typedef struct dsw_cut_desc {
   size_t point_stride_bytes; /**< As every stride. */
   uint32_t rows;             /**< At least 2; rows * columns is less than 2^28. */
   uint32_t columns;          /**< At least 2. */
-  /** Where to search the blade from, at best a volume that it crosses. Null: the volume of its
+  /** Where the search begins, at best a volume that the blade crosses. Null: the volume of its
    * first point that is in any, else any volume. */
   dsw_volume_id start;
   /** Share of the length of an edge, above 0 and at most 0.25; 0 means 0.01. */
@@ -47,15 +45,15 @@ typedef struct dsw_cut_desc {
 
 /** What a cut did. */
 typedef struct dsw_cut_report {
-  /** Largest distance, rounded: of a vertex of the cut from the blade, or of the blade from the cut
-   * in volumes that were split. */
+  /** Largest rounded distance of a cut vertex from the blade, or of the blade from the cut in split
+   * volumes. */
   double distance;
-  /** Volumes that the blade met; 0: it was not met from `start`. */
+  /** Volumes that the blade met. */
   uint32_t volumes_crossed;
-  uint32_t volumes_split;   /**< Of these, the volumes that were split. */
+  uint32_t volumes_split;   /**< Of these, split. */
   uint32_t volumes_whole;   /**< See dsw_environment_get_whole_volumes. */
-  uint32_t volumes_changed; /**< Volumes that were split or got vertices or edges. */
-  /** Volumes that were visited, also on the way from `start`. */
+  uint32_t volumes_changed; /**< Split, or given vertices or edges. */
+  /** Visited, also on the way from `start`. */
   uint32_t volumes_visited;
   uint32_t vertex_count; /**< See dsw_environment_get_cut_vertices. */
   uint32_t face_count;   /**< See dsw_environment_get_cut_faces. */
@@ -79,44 +77,38 @@ typedef struct dsw_cut_face {
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 
-/** Cuts an environment along a blade. The part in front keeps the index of a volume that is split.
- * To cut nothing is no failure.
+/** Cuts an environment along a blade. In a split volume the part in front keeps the index. To cut
+ * nothing is no failure.
  * @param report may be null.
- * @return DSW_STATUS_OUT_OF_RANGE: rows, columns, snap; DSW_STATUS_BORROWED: no room for vertices;
- * DSW_STATUS_OCCUPIED: also if DSW_CUT_UNSEW would cut an edge or face of a body, or the outer
- * boundary round into it. Never BAD_CELL or INVALID_CELL.
- * @note Cost: O(pairs of a volume and a triangle of the blade that meet), O(triangles) for each
- * volume from `start` to the blade, and local. Thread: writer. @since 1.0 */
+ * @return DSW_STATUS_OUT_OF_RANGE, BORROWED; OCCUPIED, also if DSW_CUT_UNSEW would cut an edge or
+ * face of a body, or the outer boundary round into one. Never BAD_CELL or INVALID_CELL.
+ * @note Cost: O(pairs of a volume and a triangle that meet), O(triangles) for each volume from
+ * `start` to the blade, and local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc,
                                        dsw_cut_report *report);
 
 /** Unsews faces with a load above a threshold; faces of the outer boundary stay.
- * dsw_environment_get_cut_faces gives those torn.
+ * dsw_environment_get_cut_faces gives the torn faces.
  * @param faces an id may stand twice.
  * @param loads, threshold in the host's unit; may be infinite.
  * @param torn how many were torn; may be null.
- * @return DSW_STATUS_NON_FINITE: NaN.
  * @note Cost: O(count), and local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment,
                                               const dsw_face_id *faces, const double *loads,
                                               size_t count, double threshold, size_t *torn);
 
-/** Gives the vertices that the last successful cut or opening added.
- * @param vertices owned by the environment, valid until the next change.
+/** Gives the vertices that the last cut or opening added.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_cut_vertices(const dsw_environment *environment,
                                                     const dsw_cut_vertex **vertices, size_t *count);
 
-/** Gives the faces of the last successful cut or tear, or the lips of the last opening, with their
- * ids right after it.
- * @param faces owned by the environment, valid until the next change.
+/** Gives the faces of the last cut or tear, or the lips of the last opening, with their ids right
+ * after it.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_cut_faces(const dsw_environment *environment,
                                                  const dsw_cut_face **faces, size_t *count);
 
-/** Gives the volumes that the last successful cut crossed and left whole, with their ids right
- * after it.
- * @param volumes owned by the environment, valid until the next change.
+/** Gives the volumes that the last cut crossed and left whole, with their ids right after it.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_whole_volumes(const dsw_environment *environment,
                                                      const dsw_volume_id **volumes, size_t *count);
@@ -125,8 +117,8 @@ DSW_API dsw_status dsw_environment_get_whole_volumes(const dsw_environment *envi
 typedef struct dsw_open_desc {
   uint32_t struct_size; /**< sizeof(dsw_open_desc). */
   uint32_t flags;       /**< 0. */
-  /** The crack: pairs of faces of the outer boundary that lie on each other, of two volumes, or
-   * inner faces, named from any side. */
+  /** Pairs of faces of the outer boundary that lie on each other, or inner faces, named from any
+   * side. */
   const dsw_cut_face *faces;
   size_t face_count; /**< How many. */
   double width;      /**< Above 0: distance of the two copies of a vertex. */
@@ -138,13 +130,13 @@ typedef struct dsw_open_desc {
 
 /** What an opening did. Widths are rounded. */
 typedef struct dsw_open_report {
-  double smallest_width;    /**< Smallest width; 0 if no vertex came apart. */
-  double largest_width;     /**< Largest width. */
+  double smallest_width;    /**< Smallest; 0 if none came apart. */
+  double largest_width;     /**< Largest. */
   uint32_t vertices_parted; /**< Vertices that came apart. */
   /** Of these, by less than `width`. */
   uint32_t vertices_shortened;
-  uint32_t faces_opened;    /**< Faces that opened: the number of volumes added. */
-  uint32_t volumes_changed; /**< Volumes at vertices that came apart. */
+  uint32_t faces_opened;    /**< Faces that opened; as many volumes came. */
+  uint32_t volumes_changed; /**< Volumes at these vertices. */
 } dsw_open_report;
 
 /** Writes the defaults; `width` has none.
@@ -152,17 +144,16 @@ typedef struct dsw_open_report {
 DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
 
 /** Opens a crack: its lips move apart, and one passable volume for each face that opens fills the
- * gap, sewn to its neighbours, and to lips that are not marked. A vertex comes apart only where the
- * crack divides the volumes round it into two sets, so the crack stays closed at its tip. Copies
- * that would make a volume invalid, or the outer boundary fold, go half as far, again and again.
- * The crack opens into passable volumes at its rim if `desc` names only faces between impassable
- * volumes. dsw_environment_get_cut_vertices then has both copies of each vertex, with the old
- * vertex twice in `from`. Lips, and the added volumes at the end of
+ * gap, sewn to its neighbours, and to lips that are not marked. Vertices come apart where the crack
+ * divides the volumes round them into two sets, so not at its tip. Copies that would make a volume
+ * invalid, or fold the outer boundary, go half as far, again and again. To open into passable
+ * volumes at the rim, name only faces between impassable ones. Both copies of a vertex become cut
+ * vertices, with the old one twice in `from`. Lips, and added volumes at the end of
  * dsw_environment_get_volume_changes, are in the order of `faces`.
  * @param report may be null. To open nothing is no failure.
- * @return DSW_STATUS_OUT_OF_RANGE, NON_FINITE: width; DUPLICATE_ID; BAD_TOPOLOGY: two faces do not
- * lie on each other, are of one volume, or not on the outer boundary; BORROWED: no room for
- * vertices; OCCUPIED: a wall would move over a particle or body.
+ * @return DSW_STATUS_OUT_OF_RANGE, DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: faces that do not lie on
+ * each other, of one volume, or not on the outer boundary; OCCUPIED, also if a wall would move over
+ * something.
  * @note Cost: O(volumes at the crack) for each halving, and local. Thread: writer. Source: [JCD10]
  * 5.2. @since 1.0 */
 DSW_API dsw_status dsw_environment_open(dsw_environment *environment, const dsw_open_desc *desc,

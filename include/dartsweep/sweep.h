@@ -18,13 +18,13 @@ extern "C" {
 typedef enum dsw_level {
   /** The path p p'. The edge p q has to be free at the start, see DSW_SWEEP_START_FREE. */
   DSW_LEVEL_POINTS = 1,
-  /** Also the edge in its new place, p' q [JCD10] 4.1. An obstacle inside the triangle alone is
-   * missed. If the path or the edge hits, the contact is that of DSW_LEVEL_EDGES_SWEPT. */
+  /** Also the edge in its new place, p' q [JCD10] 4.1. Misses an obstacle inside the triangle
+   * alone. Any contact is that of DSW_LEVEL_EDGES_SWEPT. */
   DSW_LEVEL_EDGES = 2,
   /** The whole triangle p p' q: impassable faces, and marked edges without an impassable face. */
   DSW_LEVEL_EDGES_SWEPT = 3,
-  /** For bodies: also the tetrahedron that a triangle p q r of the body sweeps, so that obstacles
-   * which enter through the inside of a face, and marked vertices, are found. */
+  /** For bodies: also the tetrahedron that a face p q r sweeps, for obstacles that enter through
+   * the inside of the face, and marked vertices. */
   DSW_LEVEL_FACES = 4,
   DSW_LEVEL_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_level;

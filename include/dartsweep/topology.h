@@ -1,27 +1,25 @@
 /** @file topology.h
  * The basic changes of the topology [JCD10] 5.2: volumes are added and removed, faces sewn and
- * unsewn, volumes, faces and edges split and merged, edges collapsed. More on ids, marks and cost:
+ * unsewn, volumes, faces and edges split and merged, edges collapsed. More:
  * bindings/docs/topology.md.
  *
- * Each new volume is exactly valid. The new volumes fill the space of the old ones, unless a
- * function says that the outer boundary moves. Whether the boundary then crosses itself is not
- * checked (dsw_environment_check). Particles and bodies follow into the new volumes.
+ * Each new volume is exactly valid. New volumes fill the space of the old ones, unless a function
+ * says that the outer boundary moves; whether that then crosses itself is not checked
+ * (dsw_environment_check). Particles and bodies follow. Pointers for new ids may be null.
  *
- * A volume that changes keeps its index, region label, tag and mark, but gets a new generation: its
- * id, and ids of its faces and edges, become stale. dsw_environment_get_volume_changes gives the
- * new ids.
+ * A volume that changes keeps index, region label, tag and mark, and gets a new generation: its id,
+ * and those of its faces and edges, become stale. dsw_environment_get_volume_changes gives the new
+ * ids.
  *
- * Any change can answer, besides common statuses:
- *  - DSW_STATUS_SHARED: several scenes use the environment;
- *  - DSW_STATUS_OCCUPIED: a particle or vertex of a body would be in no passable volume, or a body
- *    not free at its level; dsw_scene_get_occupants and dsw_scene_get_occupant_bodies tell which;
- *  - DSW_STATUS_BAD_TOPOLOGY, BAD_CELL, INVALID_CELL (of a new volume), TOO_LARGE (2^28 records or
- *    vertices, 65534 corners of faces in a volume).
+ * Any change can answer DSW_STATUS_SHARED (several scenes), OCCUPIED (a particle or vertex of a
+ * body would be in no passable volume, or a body not free at its level; dsw_scene_get_occupants and
+ * dsw_scene_get_occupant_bodies tell), BAD_TOPOLOGY, BAD_CELL and INVALID_CELL (a new volume),
+ * TOO_LARGE (2^28 records or vertices, 65534 corners of faces in a volume).
  *
  * "Local" cost: O(faces of the volumes that change), a pass over particles and vertices of bodies
- * (with DSW_FEATURE_LIVE_CHANGES only those near), a cast or sweep for each edge and face of a body
- * in the box of the change. The first change makes tables, 24 bytes a volume and 12 a vertex.
- * Writers need the environment and its scene.
+ * (only those near with DSW_FEATURE_LIVE_CHANGES), a cast or sweep for each edge and face of a body
+ * in the box of the change. The first change makes tables: 24 bytes a volume, 12 a vertex. Writers
+ * need the environment and its scene.
  */
 #ifndef DARTSWEEP_TOPOLOGY_H
 #define DARTSWEEP_TOPOLOGY_H
@@ -32,24 +30,24 @@
 extern "C" {
 #endif
 
-/** What became of a volume. A volume that is split, or merged from two, has two of these. */
+/** What became of a volume. One that is split or merged has two of these. */
 typedef struct dsw_volume_change {
   dsw_volume_id before; /**< Null: the volume was added. */
   dsw_volume_id after;  /**< Null: the volume was removed. */
 } dsw_volume_change;
 
-/** Sews pairs of faces of the outer boundary with the same vertices, `faces_a`[i] and `faces_b`[i],
- * into one face, marked if one of them was. If their triangles differ, one of the volumes is cut
- * anew; other ids stay valid.
- * @return DSW_STATUS_BAD_TOPOLOGY: not on the outer boundary, other vertices, or of one volume;
- * DSW_STATUS_DUPLICATE_ID; DSW_STATUS_INVALID_CELL: neither volume can be cut anew.
+/** Sews faces of the outer boundary with the same vertices, `faces_a`[i] and `faces_b`[i], into
+ * one, marked if either was. If their triangles differ, one volume is cut anew; other ids stay
+ * valid.
+ * @return DSW_STATUS_BAD_TOPOLOGY: not on the outer boundary, other vertices, or one volume;
+ * DUPLICATE_ID; INVALID_CELL: neither volume can be cut anew.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_sew_faces(dsw_environment *environment,
                                              const dsw_face_id *faces_a, const dsw_face_id *faces_b,
                                              size_t count);
 
-/** Unsews a face between two volumes into two faces of the outer boundary, which nothing passes.
- * Both keep the mark. All ids stay valid.
+/** Unsews a face between two volumes into two faces of the outer boundary, with its mark. All ids
+ * stay valid.
  * @return DSW_STATUS_BAD_TOPOLOGY: on the outer boundary.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_unsew_face(dsw_environment *environment, dsw_face_id face);
@@ -57,27 +55,26 @@ DSW_API dsw_status dsw_environment_unsew_face(dsw_environment *environment, dsw_
 /** Describes new volumes. */
 typedef struct dsw_volumes_desc {
   uint32_t struct_size; /**< sizeof(dsw_volumes_desc). */
-  /** Size of the signed integers in offsets and connectivity: 4 or 8; 0 means 8. */
+  /** Size of integers in arrays of void: 4 or 8; 0 means 8. */
   uint32_t index_bytes;
-  /** Existing vertices: 0 .. vertex_count-1 in connectivity. */
+  /** Old vertices: 0 .. vertex_count-1 in connectivity. */
   const dsw_vertex_id *vertices;
   size_t vertex_count;       /**< Number of these. */
   const double *points;      /**< New vertices: vertex_count and following in connectivity. */
-  size_t point_count;        /**< 0 if the points are borrowed without room (deform.h). */
+  size_t point_count;        /**< 0 if points are borrowed without room (deform.h). */
   size_t point_stride_bytes; /**< As every stride. */
-  /** dsw_cell_type of each volume; null: uniform_cell_type. */
+  /** Types; null: uniform_cell_type. */
   const uint8_t *cell_types;
   size_t cell_count;         /**< At least 1. */
   const void *offsets;       /**< As in dsw_environment_desc. */
   const void *connectivity;  /**< Indices; for a polyhedron its face stream. */
-  size_t connectivity_count; /**< Number of integers in connectivity. */
-  const int32_t *regions;    /**< Null, or a label for each volume. */
-  const uint32_t *tags;      /**< Null, or a host tag for each volume. */
-  /** Faces of the outer boundary to sew to. Each has the vertices of one new face. Other faces stay
-   * apart. */
+  size_t connectivity_count; /**< Its integers. */
+  const int32_t *regions;    /**< Null, or labels. */
+  const uint32_t *tags;      /**< Null, or host tags. */
+  /** Faces of the outer boundary to sew to new faces with the same vertices. Others stay apart. */
   const dsw_face_id *sew_to;
   size_t sew_count; /**< Number of these. */
-  /** dsw_cell_type of all volumes when cell_types is null; not polyhedron. */
+  /** Type of all volumes if cell_types is null; not polyhedron. */
   uint32_t uniform_cell_type;
   uint32_t reserved; /**< 0. */
 } dsw_volumes_desc;
@@ -87,12 +84,10 @@ typedef struct dsw_volumes_desc {
 DSW_API void dsw_volumes_desc_init(dsw_volumes_desc *desc, size_t size);
 
 /** Adds passable volumes, joined where they share faces. The caller makes sure that they overlap
- * nothing; dsw_environment_check tells.
- * @param volumes the cell_count new ids; may be null.
- * @param vertices the point_count new ids; may be null.
- * @return DSW_STATUS_OUT_OF_RANGE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, DUPLICATE_CELL, SHARED_FACE;
- * BORROWED: no room for points; NOT_FOUND: no new volume has a face of sew_to; BAD_TOPOLOGY: a face
- * of sew_to is not on the outer boundary.
+ * nothing (dsw_environment_check).
+ * @return DSW_STATUS_OUT_OF_RANGE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, DUPLICATE_CELL, SHARED_FACE,
+ * BORROWED; NOT_FOUND: no new volume has a face of sew_to; BAD_TOPOLOGY: a face of sew_to is not on
+ * the outer boundary.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_add_volumes(dsw_environment *environment,
                                                const dsw_volumes_desc *desc, dsw_volume_id *volumes,
@@ -105,42 +100,36 @@ DSW_API dsw_status dsw_environment_remove_volumes(dsw_environment *environment,
                                                   const dsw_volume_id *volumes, size_t count);
 
 /** Merges the two volumes of a face. All faces that both share go.
- * @param volume the result, with index, region label and tag of the volume in the face id; may be
- * null.
- * @return DSW_STATUS_BAD_TOPOLOGY: the face has one volume, or only one of the two is marked.
+ * @param volume has index, region label and tag of the one in the face id.
+ * @return DSW_STATUS_BAD_TOPOLOGY: one volume, or only one of two is marked.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_volumes(dsw_environment *environment, dsw_face_id face,
                                                  dsw_volume_id *volume);
 
-/** Splits a volume by a new face along a closed loop of its edges. The face gets triangles that
- * leave both parts valid.
+/** Splits a volume by a new face, cut into triangles, along a closed loop of its edges.
  * @param loop 3 or more different vertices.
  * @param volumes 2 ids: the part left of the loop seen from outside, which keeps the index, and the
- * other part; may be null.
- * @param face the new face; may be null.
- * @return DSW_STATUS_BAD_TOPOLOGY; DSW_STATUS_BAD_CELL: the loop of a face;
- * DSW_STATUS_INVALID_CELL: no such triangles.
+ * other.
+ * @return DSW_STATUS_BAD_TOPOLOGY; BAD_CELL: the loop of a face; INVALID_CELL: no triangles leave
+ * both parts valid.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_volume(dsw_environment *environment, dsw_volume_id volume,
                                                 const dsw_vertex_id *loop, size_t count,
                                                 dsw_volume_id *volumes, dsw_face_id *face);
 
-/** Merges the two faces of an edge that has no others. The edge goes; the triangles stay, and so
- * does the space of every volume.
- * @param face the result; may be null.
- * @return DSW_STATUS_BAD_TOPOLOGY: the edge has more faces, or only one of the two is marked;
- * DSW_STATUS_BAD_CELL: they share more than this edge.
+/** Merges the two faces of an edge that has no others. Their triangles stay.
+ * @return DSW_STATUS_BAD_TOPOLOGY: more faces, or only one of two is marked; BAD_CELL: they share
+ * more than this edge.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_face_id *face);
 
-/** Splits a face by a new edge. If the edge crosses triangles of a warped face, both parts get new
- * triangles, and the volumes, or the outer boundary, change by what lies between.
+/** Splits a face by a new edge. If the edge crosses triangles of a warped face, new triangles
+ * change the volumes, or the outer boundary, by what lies between.
  * @param a, b vertices of the face that no edge joins.
  * @param faces 2 ids: the part from a to b, seen from outside of the volume in the face id, and the
- * other part; may be null.
- * @param edge the new edge; may be null.
- * @return DSW_STATUS_BAD_TOPOLOGY: `a` or `b`; DSW_STATUS_INVALID_CELL: no such triangles leave the
+ * other.
+ * @return DSW_STATUS_BAD_TOPOLOGY: `a` or `b`; DSW_STATUS_INVALID_CELL: no triangles leave the
  * volumes valid.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_face_id face,
@@ -148,11 +137,10 @@ DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_
                                               dsw_edge_id *edge);
 
 /** Splits an edge by a new vertex at a rounded place, by which the outer boundary moves.
- * @param share above 0 and below 1: where, from the first vertex to the second
+ * @param share above 0, below 1: the place from the first to the second vertex
  * (dsw_environment_copy_vertices).
- * @param vertex the new vertex; may be null.
- * @param edges 2 ids: the parts at the first and second vertex; may be null.
- * @return DSW_STATUS_OUT_OF_RANGE: share; DSW_STATUS_BORROWED: no room for a point.
+ * @param edges 2 ids: the parts at the first and second vertex.
+ * @return DSW_STATUS_OUT_OF_RANGE, DSW_STATUS_BORROWED.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_edge_id edge,
                                               double share, dsw_vertex_id *vertex,
@@ -160,18 +148,15 @@ DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_
 
 /** Merges the two edges of a vertex that has no others. The new edge, and the outer boundary there,
  * runs straight.
- * @param edge one of the two.
- * @param vertex the end that goes.
- * @param merged the result; may be null.
+ * @param vertex the end of `edge` that goes.
  * @return DSW_STATUS_BAD_TOPOLOGY: no end of the edge, other edges or volumes at it, or a triangle
  * would vanish.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_edges(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_vertex_id vertex, dsw_edge_id *merged);
 
-/** Collapses an edge: merges one end into the other. Tetrahedra at the edge vanish with their
- * marks; their two other faces become one, marked if one of them was. The outer boundary keeps its
- * form.
+/** Merges one end of an edge into the other. Tetrahedra at the edge vanish with their marks; their
+ * two other faces become one, marked if either was.
  * @param vertex the end that goes.
  * @return DSW_STATUS_BAD_TOPOLOGY: no end of the edge, its volumes are not joined through its
  * faces, or the outer boundary would change.
@@ -180,8 +165,6 @@ DSW_API dsw_status dsw_environment_collapse_edge(dsw_environment *environment, d
                                                  dsw_vertex_id vertex);
 
 /** Tells what became of volumes in the last successful change.
- * @param changes owned by the environment, valid until the next change; none after a change of no
- * volume.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_changes(const dsw_environment *environment,
                                                       const dsw_volume_change **changes,
