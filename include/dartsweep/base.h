@@ -4,8 +4,8 @@
  * Results:
  *  - Lengths are in scene units. A time of contact is a fraction in [0,1] of one move.
  *  - Exact arithmetic decides every sign, for all finite doubles. Simulation of Simplicity (H.
- *    Edelsbrunner, E. P. Muecke, 1990) decides ties: moving points stand for themselves plus an
- *    infinitesimal vector, "the shift" (query.h).
+ *    Edelsbrunner, E. P. Muecke, ACM Transactions on Graphics 9, 1990) decides ties: moving points
+ *    stand for themselves plus an infinitesimal vector, "the shift" (query.h).
  *  - A geometric outcome (no contact, stopped at a wall, outside) is never a status.
  *  - A call that fails changes nothing, unless its comment says otherwise.
  *
@@ -15,7 +15,7 @@
  *  - DSW_STATUS_BAD_STRUCT_SIZE: see struct_size below;
  *  - DSW_STATUS_UNSUPPORTED: an unknown flag or enum value, a `reserved` member that is not 0, or a
  *    function that does not serve the plane (dartsweep.h);
- *  - DSW_STATUS_NON_FINITE: a coordinate is NaN or infinite;
+ *  - DSW_STATUS_NON_FINITE: a number is NaN or infinite;
  *  - DSW_STATUS_WRONG_SIZE: a wrong stride, or a count that no array has;
  *  - DSW_STATUS_BUFFER_TOO_SMALL: see `capacity` below.
  *

@@ -55,8 +55,7 @@ typedef struct dsw_context_desc {
   dsw_parallel_for_fn parallel_for; /**< Null: built in. */
 } dsw_context_desc;
 
-/** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
 
 /** Creates a context.

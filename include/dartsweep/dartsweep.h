@@ -34,8 +34,8 @@
  * With `dimension` 2 an environment is a part of the plane. bindings/docs/plane.md says more.
  *  - Volumes are polygons with their corners counter-clockwise, faces their sides: face i runs from
  *    corner i to the next corner.
- *  - Points have 2 doubles, and a stride of 0 means 16. Third numbers in structs are 0. The shift is
- *    (e, e^2).
+ *  - Points have 2 doubles, and a stride of 0 means 16. Third numbers in structs are 0. The
+ *    shift is (e, e^2).
  *  - In topology.h sides are the edges: an edge id has the numbers of the face id of a side.
  *    Elsewhere there are no edges.
  *  - DSW_STATUS_UNSUPPORTED answer coarsen.h, remesh.h, detach.h, contact_check.h, edges outside of

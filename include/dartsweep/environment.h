@@ -162,8 +162,7 @@ DSW_API dsw_status dsw_environment_get_volume(const dsw_environment *environment
 DSW_API dsw_status dsw_environment_get_vertex(const dsw_environment *environment, uint32_t index,
                                               dsw_vertex_id *vertex);
 
-/** Gives the position of a vertex.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+/** Gives the position of a vertex. @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_position(const dsw_environment *environment,
                                                 dsw_vertex_id vertex, double *xyz);
 
@@ -218,12 +217,10 @@ DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environm
 DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment,
                                               dsw_volume_id volume, double *xyz);
 
-/** Finds faces by their vertices, such as boundary groups of a mesh file. Face i has the vertices
+/** Finds faces by their vertices, such as boundary groups of a mesh file: face i by
  * `indices`[offsets[i] .. offsets[i+1]-1], in any order.
- * @param offsets count + 1 ascending values.
- * @param faces canonical ids, null where there is none.
- * @param missing how many are null; may be null.
- * @return DSW_STATUS_WRONG_SIZE: offsets descend.
+ * @param offsets count + 1 ascending values. @param faces canonical ids, null where there is none.
+ * @param missing how many are null; may be null. @return DSW_STATUS_WRONG_SIZE: offsets descend.
  * @note Cost: O(faces of the environment + indices) expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment, size_t count,
                                               const size_t *offsets, const uint32_t *indices,
@@ -242,8 +239,7 @@ DSW_API dsw_status dsw_environment_find_edges(const dsw_environment *environment
 DSW_API dsw_status dsw_environment_get_region(const dsw_environment *environment,
                                               dsw_volume_id volume, int32_t *region);
 
-/** Gives the host `tag` of a volume, 0 by default.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+/** Gives the host `tag` of a volume, 0 by default. @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_tag(const dsw_environment *environment, dsw_volume_id volume,
                                            uint32_t *tag);
 

@@ -10,9 +10,8 @@
  * occupy volumes and faces that they cross; at DSW_LEVEL_FACES faces occupy volumes, edges, and
  * rims of faces that they pierce. Nothing occupies a vertex.
  *
- * "Bodies" in costs: a pass over their vertices, edges and faces, and a cast or sweep for each in
- * the box of the cells that become impassable; with DSW_FEATURE_LIVE_CHANGES only over those near.
- * Writers need the environment and its scene.
+ * "Bodies" in costs: a pass over them, and casts or sweeps for those near cells that become
+ * impassable. Writers need the environment and its scene.
  */
 #ifndef DARTSWEEP_MARKING_H
 #define DARTSWEEP_MARKING_H
@@ -44,8 +43,7 @@ DSW_API dsw_status dsw_environment_mark_volumes(dsw_environment *environment,
                                                 const dsw_volume_id *volumes, size_t count,
                                                 dsw_mark mark, uint32_t flags, size_t *skipped);
 
-/** Sets the mark of faces.
- * @note Cost: O(count), and bodies. Thread: writer. @since 1.0 */
+/** Sets the mark of faces. @note Cost: O(count), and bodies. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_mark_faces(dsw_environment *environment,
                                               const dsw_face_id *faces, size_t count,
                                               dsw_mark mark);
@@ -86,8 +84,7 @@ DSW_API dsw_status dsw_environment_is_marked(const dsw_environment *environment,
 DSW_API dsw_status dsw_environment_is_impassable(const dsw_environment *environment, dsw_cell cell,
                                                  int *impassable);
 
-/** Counts the cells of a kind that carry a mark.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+/** Counts the cells of a kind that carry a mark. @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_mark_count(const dsw_environment *environment,
                                                   dsw_cell_kind kind, size_t *count);
 

@@ -15,7 +15,6 @@ extern "C" {
 #endif
 
 /** Creates a particle.
- *
  * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE.
  * @note Cost: as dsw_environment_locate. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_particle_create(dsw_scene *scene, const double *position, dsw_volume_id hint,
@@ -31,12 +30,10 @@ DSW_API dsw_status dsw_scene_create_particles(dsw_scene *scene, const double *po
                                               const dsw_volume_id *hints,
                                               dsw_particle_id *particles, size_t *offender);
 
-/** Removes a particle.
- * @note Cost: O(1). Thread: writer. @since 1.0 */
+/** Removes a particle. @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_particle_destroy(dsw_scene *scene, dsw_particle_id particle);
 
-/** Counts the particles.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+/** Counts the particles. @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_particle_count(const dsw_scene *scene, size_t *count);
 
 /** Copies the ids of all particles, by index. Capacity 0 answers DSW_STATUS_BUFFER_TOO_SMALL, too.
@@ -57,32 +54,27 @@ DSW_API dsw_status dsw_scene_get_particles(const dsw_scene *scene, const dsw_par
                                            size_t count, double *positions, size_t stride_bytes,
                                            dsw_volume_id *volumes);
 
-/** Moves a particle towards a target. Nothing impassable is passed, and the reported volume
- * contains the reported position.
- * @param target may be as far as 1e300.
- *
+/** Moves a particle towards a target, which may be as far as 1e300. The reported volume contains
+ * the reported position.
  * @param options DSW_CAST_START_KNOWN has no effect; DSW_CAST_NO_DETAIL leaves out only normal and
  * ids of the hit.
  * @param flight may be null.
- * @note Cost: O(volumes crossed), twice at a contact. Thread: writer. Source: [JCD10] 3.3. @since
- * 1.0 */
+ * @note Cost: O(volumes crossed), twice at a contact. Thread: writer. Source: [JCD10] 3.3.
+ * @since 1.0 */
 DSW_API dsw_status dsw_particle_move(dsw_scene *scene, dsw_particle_id particle,
                                      const double *target, const dsw_cast_options *options,
                                      dsw_flight *flight);
 
 /** Moves particles, each to its own target and independently of each other, or none.
- * @param particles distinct.
- * @param flights may be null.
- * @return DSW_STATUS_DUPLICATE_ID.
+ * @param particles distinct. @param flights may be null. @return DSW_STATUS_DUPLICATE_ID.
  * @note Cost: as dsw_particle_move. Thread: writer, batch. @since 1.0 */
 DSW_API dsw_status dsw_scene_move_particles(dsw_scene *scene, const dsw_particle_id *particles,
                                             size_t count, const double *targets,
                                             size_t stride_bytes, const dsw_cast_options *options,
                                             dsw_flight *flights);
 
-/** Casts segments from the positions of particles, which stay. An id may stand many times. Changes
- * the statistics.
- *
+/** Casts segments from particles, which do not move, to points. An id may stand many times. The
+ * statistics change.
  * @note Cost: as dsw_environment_cast. Thread: writer, batch. @since 1.0 */
 DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_particle_id *particles,
                                                  size_t count, const double *to,

@@ -1,10 +1,9 @@
 /** @file query.h
  * Queries that need no scene: where a point is, what a segment meets, what is near.
  *
- * Simulation of Simplicity [EM90]: each given point stands for itself plus the shift (e, e^2, e^3)
- * with an infinitesimal e > 0. So it lies in one volume, and a segment pierces one triangle at a
- * time. [EM90]: H. Edelsbrunner, E. P. Muecke, ACM Transactions on Graphics 9, 1990. More:
- * bindings/docs/exactness.md.
+ * Simulation of Simplicity (base.h): each given point stands for itself plus the shift (e, e^2,
+ * e^3) with an infinitesimal e > 0. So it lies in one volume, and a segment pierces one triangle at
+ * a time. More: bindings/docs/exactness.md.
  */
 #ifndef DARTSWEEP_QUERY_H
 #define DARTSWEEP_QUERY_H
@@ -42,14 +41,11 @@ typedef struct dsw_cast_options {
   uint32_t reserved;    /**< 0. */
 } dsw_cast_options;
 
-/** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_cast_options_init(dsw_cast_options *options, size_t size);
 
 /** Finds the volume that contains a point.
- *
- * @param volume null if outside.
- * @param place may be null.
+ * @param volume null if outside. @param place may be null.
  * @note Cost: O(volumes from hint to point); without hint, or if that way leaves the environment,
  * O(1) expected with a grid and cells of like size, else O(n). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, const double *point,
@@ -73,7 +69,7 @@ DSW_API dsw_status dsw_environment_classify(const dsw_environment *environment, 
 
 /** Casts a segment to its end or to the first impassable face.
  * @param start a hint, see DSW_CAST_START_KNOWN.
- * @note Cost: O(volumes crossed), and a locate. Thread: reader. Source: [JCD10] 3.3, ties: [EM90].
+ * @note Cost: O(volumes crossed), and a locate. Thread: reader. Source: [JCD10] 3.3.
  * @since 1.0 */
 DSW_API dsw_status dsw_environment_cast(const dsw_environment *environment, dsw_volume_id start,
                                         const double *from, const double *to,
@@ -89,8 +85,7 @@ DSW_API dsw_status dsw_environment_cast_segments(const dsw_environment *environm
                                                  dsw_flight *flights);
 
 /** Casts a segment and lists the volumes that it enters, in order.
- * @param start as for dsw_environment_cast.
- * @param flight may be null.
+ * @param start as for dsw_environment_cast. @param flight may be null.
  * @note Cost: as dsw_environment_cast. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_cast_path(const dsw_environment *environment,
                                              dsw_volume_id start, const double *from,
@@ -109,11 +104,9 @@ typedef struct dsw_nearest {
   uint32_t cells_visited; /**< Volumes looked at. */
 } dsw_nearest;
 
-/** Finds the nearest impassable face, marked edge or marked vertex that can be seen through
- * passable volumes; the lowest canonical cell if several are.
- * @param volume that of the point, or null.
- *
- * @param radius at least 0; may be infinite.
+/** Finds the nearest impassable face, marked edge or vertex that can be seen through passable
+ * volumes; if several, the lowest canonical one.
+ * @param volume the one of the point, or null. @param radius at least 0; may be infinite.
  * @return DSW_STATUS_OUT_OF_RANGE: radius; DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE: the point.
  * @note Cost: O(volumes within the distance). Thread: reader. Rounding: a few units in the last
  * place. @since 1.0 */

@@ -56,13 +56,11 @@ typedef struct dsw_statistics {
   uint64_t occupants_tested;
 } dsw_statistics;
 
-/** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 
 /** Creates a scene.
- * @param environment retained.
- * @param desc null: no features.
+ * @param environment retained. @param desc null: no features.
  * @return DSW_STATUS_IN_USE: two scenes would share an environment that deforms.
  * @note Cost: O(1), the first time with DSW_FEATURE_DEFORMING O(n). Thread: writer of the
  * environment. @since 1.0 */

@@ -1,8 +1,7 @@
 /** @file snapshot.h
- * Environments and scenes as blocks of bytes: versioned, checked, and the same on every machine
- * (little endian). What is loaded goes on with the same ids and the same bits as what was saved. A
- * `block` of `size_bytes` needs no alignment. It is not trusted: loading checks lengths, checksum,
- * links and every cell, particle and body.
+ * Environments and scenes as blocks of bytes, the same on every machine. What is loaded goes on
+ * with the same ids and bits as what was saved. A `block` of `size_bytes` needs no alignment, and
+ * is not trusted: lengths, checksum, links, every cell, particle and body are checked.
  */
 #ifndef DARTSWEEP_SNAPSHOT_H
 #define DARTSWEEP_SNAPSHOT_H
@@ -19,21 +18,21 @@ extern "C" {
 DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void *block,
                                         size_t capacity_bytes, size_t *size_bytes);
 
-/** Loads an environment. It owns its points, also where the saved one had borrowed them. Cells may
- * be invalid only if the saved environment had been deformed.
+/** Loads an environment, which owns its points. Cells may be invalid only if the saved one had been
+ * deformed.
  * @return DSW_STATUS_TRUNCATED, DSW_STATUS_BAD_VERSION, DSW_STATUS_CORRUPT.
  * @note Cost: O(n). Thread: any. @since 1.0 */
 DSW_API dsw_status dsw_environment_load(dsw_context *context, const void *block, size_t size_bytes,
                                         dsw_environment **environment);
 
-/** Saves a scene without its environment: features, statistics, particles, bodies with the contacts
- * of their last move and what they keep to save work. Other borrowed results are lost.
+/** Saves a scene without its environment. Of borrowed results only the contacts of each body's last
+ * move are saved.
  * @note Cost: O(contents of the scene). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t capacity_bytes,
                                   size_t *size_bytes);
 
-/** Loads a scene into its environment, which has not changed since the save, or into one loaded
- * from a snapshot of that state.
+/** Loads a scene into its environment, unchanged since the save, or into one loaded from a snapshot
+ * of that.
  * @param environment retained.
  * @return DSW_STATUS_TRUNCATED, DSW_STATUS_BAD_VERSION; DSW_STATUS_CORRUPT, also if saved in
  * another environment; DSW_STATUS_IN_USE as dsw_scene_create.

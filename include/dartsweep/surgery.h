@@ -3,12 +3,10 @@
  * topology.h says of statuses, guarantees, ids, threads and "local" cost holds. How they work:
  * bindings/docs/cutting.md.
  *
- * The blade is exact under the shift: it may pass through vertices, along edges and faces, fold, or
- * lie outside. It splits an edge that it crosses once at the rounded crossing, or counts an end
- * nearer than `snap` as on the blade. Then faces are split between such points, and volumes along
- * the loop of these lines, passable or not. A volume stays whole if the blade ends inside, crosses
- * one of its edges twice, leaves no single loop, or if a part would be invalid; it can still get
- * vertices and edges from neighbours.
+ * The blade is exact under the shift. It may pass through vertices, along edges and faces, fold, or
+ * lie outside. Volumes that it crosses completely are split, passable or not. A volume stays whole
+ * if the blade ends inside or crosses one of its edges twice, or if a part would be invalid; it can
+ * still get vertices and edges from neighbours.
  */
 #ifndef DARTSWEEP_SURGERY_H
 #define DARTSWEEP_SURGERY_H
@@ -25,9 +23,9 @@ typedef enum dsw_cut_flag {
   DSW_CUT_UNSEW = 1
 } dsw_cut_flag;
 
-/** Describes a cut. Of points 0 and 1 of two neighbouring rows, {00, 01, 11} and {00, 11, 10} are
- * triangles, counter-clockwise seen from the front. The cut stays in what is connected with the
- * first volume met. */
+/** Describes a cut. Points 0 and 1 of two neighbouring rows span the triangles {00, 01, 11} and
+ * {00, 11, 10} of the blade, counter-clockwise seen from its front. Only volumes connected with the
+ * first one met are cut. */
 typedef struct dsw_cut_desc {
   uint32_t struct_size; /**< sizeof(dsw_cut_desc). */
   uint32_t flags;       /**< DSW_CUT_... */
@@ -39,7 +37,8 @@ typedef struct dsw_cut_desc {
   /** Where the search begins, at best a volume that the blade crosses. Null: the volume of its
    * first point that is in any, else any volume. */
   dsw_volume_id start;
-  /** Share of the length of an edge, above 0 and at most 0.25; 0 means 0.01. */
+  /** A crossing nearer to the end of an edge than this share of its length counts as at that end.
+   * Above 0, at most 0.25; 0 means 0.01. */
   double snap;
 } dsw_cut_desc;
 
@@ -52,8 +51,8 @@ typedef struct dsw_cut_report {
   uint32_t volumes_crossed;
   uint32_t volumes_split;   /**< Of these, split. */
   uint32_t volumes_whole;   /**< See dsw_environment_get_whole_volumes. */
-  uint32_t volumes_changed; /**< Split, or given vertices or edges. */
-  /** Visited, also on the way from `start`. */
+  uint32_t volumes_changed; /**< Volumes split, or given vertices or edges. */
+  /** Volumes visited, also on the way from `start`. */
   uint32_t volumes_visited;
   uint32_t vertex_count; /**< See dsw_environment_get_cut_vertices. */
   uint32_t face_count;   /**< See dsw_environment_get_cut_faces. */
@@ -73,8 +72,7 @@ typedef struct dsw_cut_face {
   dsw_face_id back;  /**< Its id from the volume behind the blade. */
 } dsw_cut_face;
 
-/** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 
 /** Cuts an environment along a blade. In a split volume the part in front keeps the index. To cut
@@ -89,8 +87,7 @@ DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_c
 
 /** Unsews faces with a load above a threshold; faces of the outer boundary stay.
  * dsw_environment_get_cut_faces gives the torn faces.
- * @param faces an id may stand twice.
- * @param loads, threshold in the host's unit; may be infinite.
+ * @param faces an id may stand twice. @param loads, threshold in the host's unit; may be infinite.
  * @param torn how many were torn; may be null.
  * @note Cost: O(count), and local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment,
@@ -117,8 +114,8 @@ DSW_API dsw_status dsw_environment_get_whole_volumes(const dsw_environment *envi
 typedef struct dsw_open_desc {
   uint32_t struct_size; /**< sizeof(dsw_open_desc). */
   uint32_t flags;       /**< 0. */
-  /** Pairs of faces of the outer boundary that lie on each other, or inner faces, named from any
-   * side. */
+  /** The crack, as dsw_environment_get_cut_faces gives it: pairs of faces of the outer boundary
+   * that lie on each other, or inner faces, named from any side. */
   const dsw_cut_face *faces;
   size_t face_count; /**< How many. */
   double width;      /**< Above 0: distance of the two copies of a vertex. */
@@ -139,23 +136,22 @@ typedef struct dsw_open_report {
   uint32_t volumes_changed; /**< Volumes at these vertices. */
 } dsw_open_report;
 
-/** Writes the defaults; `width` has none.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults; `width` has none. @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
 
 /** Opens a crack: its lips move apart, and one passable volume for each face that opens fills the
- * gap, sewn to its neighbours, and to lips that are not marked. Vertices come apart where the crack
- * divides the volumes round them into two sets, so not at its tip. Copies that would make a volume
- * invalid, or fold the outer boundary, go half as far, again and again. To open into passable
- * volumes at the rim, name only faces between impassable ones. Both copies of a vertex become cut
- * vertices, with the old one twice in `from`. Lips, and added volumes at the end of
+ * gap, sewn to its neighbours, and to lips that are not marked. A vertex comes apart where the
+ * crack divides the volumes round it into two sets, so not at the tip of the crack. Its copies move
+ * less than `width` asks where a volume would be invalid. To open into passable volumes at the rim,
+ * name only faces between impassable volumes. Both copies of a vertex become cut vertices, with the
+ * old one twice in `from`. The lips, and the added volumes at the end of
  * dsw_environment_get_volume_changes, are in the order of `faces`.
  * @param report may be null. To open nothing is no failure.
- * @return DSW_STATUS_OUT_OF_RANGE, DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: faces that do not lie on
- * each other, of one volume, or not on the outer boundary; OCCUPIED, also if a wall would move over
- * something.
- * @note Cost: O(volumes at the crack) for each halving, and local. Thread: writer. Source: [JCD10]
- * 5.2. @since 1.0 */
+ * @return DSW_STATUS_OUT_OF_RANGE, DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: two faces do not lie on
+ * each other, are of one volume, or not on the outer boundary; OCCUPIED, also if a wall would move
+ * over a particle or body.
+ * @note Cost: O(volumes at the crack) for each halving, and local. Thread: writer. Source:
+ * [JCD10] 5.2. @since 1.0 */
 DSW_API dsw_status dsw_environment_open(dsw_environment *environment, const dsw_open_desc *desc,
                                         dsw_open_report *report);
 

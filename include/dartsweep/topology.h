@@ -1,7 +1,7 @@
 /** @file topology.h
  * The basic changes of the topology [JCD10] 5.2: volumes are added and removed, faces sewn and
- * unsewn, volumes, faces and edges split and merged, edges collapsed. More:
- * bindings/docs/topology.md.
+ * unsewn, volumes, faces and edges split and merged, edges collapsed. bindings/docs/topology.md
+ * says more, also when each change is refused.
  *
  * Each new volume is exactly valid. New volumes fill the space of the old ones, unless a function
  * says that the outer boundary moves; whether that then crosses itself is not checked
@@ -13,13 +13,12 @@
  *
  * Any change can answer DSW_STATUS_SHARED (several scenes), OCCUPIED (a particle or vertex of a
  * body would be in no passable volume, or a body not free at its level; dsw_scene_get_occupants and
- * dsw_scene_get_occupant_bodies tell), BAD_TOPOLOGY, BAD_CELL and INVALID_CELL (a new volume),
- * TOO_LARGE (2^28 records or vertices, 65534 corners of faces in a volume).
+ * dsw_scene_get_occupant_bodies tell), BAD_TOPOLOGY, BAD_CELL, INVALID_CELL (a new volume),
+ * TOO_LARGE.
  *
- * "Local" cost: O(faces of the volumes that change), a pass over particles and vertices of bodies
- * (only those near with DSW_FEATURE_LIVE_CHANGES), a cast or sweep for each edge and face of a body
- * in the box of the change. The first change makes tables: 24 bytes a volume, 12 a vertex. Writers
- * need the environment and its scene.
+ * "Local" cost: O(faces of the volumes that change), a pass over particles and bodies (only those
+ * near with DSW_FEATURE_LIVE_CHANGES), and casts or sweeps for bodies near the change. The first
+ * change makes tables: 24 bytes a volume, 12 a vertex. Writers need the environment and its scene.
  */
 #ifndef DARTSWEEP_TOPOLOGY_H
 #define DARTSWEEP_TOPOLOGY_H
@@ -36,11 +35,10 @@ typedef struct dsw_volume_change {
   dsw_volume_id after;  /**< Null: the volume was removed. */
 } dsw_volume_change;
 
-/** Sews faces of the outer boundary with the same vertices, `faces_a`[i] and `faces_b`[i], into
- * one, marked if either was. If their triangles differ, one volume is cut anew; other ids stay
- * valid.
- * @return DSW_STATUS_BAD_TOPOLOGY: not on the outer boundary, other vertices, or one volume;
- * DUPLICATE_ID; INVALID_CELL: neither volume can be cut anew.
+/** Sews faces of the outer boundary with the same vertices, `faces_a`[i] and `faces_b`[i] of two
+ * volumes, into one, marked if either was. If their triangles differ, one volume is cut anew; other
+ * ids stay valid.
+ * @return DSW_STATUS_DUPLICATE_ID.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_sew_faces(dsw_environment *environment,
                                              const dsw_face_id *faces_a, const dsw_face_id *faces_b,
@@ -48,7 +46,6 @@ DSW_API dsw_status dsw_environment_sew_faces(dsw_environment *environment,
 
 /** Unsews a face between two volumes into two faces of the outer boundary, with its mark. All ids
  * stay valid.
- * @return DSW_STATUS_BAD_TOPOLOGY: on the outer boundary.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_unsew_face(dsw_environment *environment, dsw_face_id face);
 
@@ -79,29 +76,26 @@ typedef struct dsw_volumes_desc {
   uint32_t reserved; /**< 0. */
 } dsw_volumes_desc;
 
-/** Writes the defaults: hexahedra, 8-byte indices.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults: hexahedra, 8-byte indices. @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_volumes_desc_init(dsw_volumes_desc *desc, size_t size);
 
 /** Adds passable volumes, joined where they share faces. The caller makes sure that they overlap
  * nothing (dsw_environment_check).
  * @return DSW_STATUS_OUT_OF_RANGE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, DUPLICATE_CELL, SHARED_FACE,
- * BORROWED; NOT_FOUND: no new volume has a face of sew_to; BAD_TOPOLOGY: a face of sew_to is not on
- * the outer boundary.
+ * BORROWED; NOT_FOUND: no new volume has a face of sew_to.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_add_volumes(dsw_environment *environment,
                                                const dsw_volumes_desc *desc, dsw_volume_id *volumes,
                                                dsw_vertex_id *vertices);
 
-/** Removes volumes; an id may stand twice.
- * @return DSW_STATUS_BAD_TOPOLOGY: no volume would be left.
+/** Removes volumes, but not all; an id may stand twice.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_remove_volumes(dsw_environment *environment,
                                                   const dsw_volume_id *volumes, size_t count);
 
-/** Merges the two volumes of a face. All faces that both share go.
+/** Merges two volumes that are both marked or both not. All faces that they share go.
+ * @param face between the two.
  * @param volume has index, region label and tag of the one in the face id.
- * @return DSW_STATUS_BAD_TOPOLOGY: one volume, or only one of two is marked.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_volumes(dsw_environment *environment, dsw_face_id face,
                                                  dsw_volume_id *volume);
@@ -110,16 +104,13 @@ DSW_API dsw_status dsw_environment_merge_volumes(dsw_environment *environment, d
  * @param loop 3 or more different vertices.
  * @param volumes 2 ids: the part left of the loop seen from outside, which keeps the index, and the
  * other.
- * @return DSW_STATUS_BAD_TOPOLOGY; BAD_CELL: the loop of a face; INVALID_CELL: no triangles leave
- * both parts valid.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_volume(dsw_environment *environment, dsw_volume_id volume,
                                                 const dsw_vertex_id *loop, size_t count,
                                                 dsw_volume_id *volumes, dsw_face_id *face);
 
-/** Merges the two faces of an edge that has no others. Their triangles stay.
- * @return DSW_STATUS_BAD_TOPOLOGY: more faces, or only one of two is marked; BAD_CELL: they share
- * more than this edge.
+/** Merges the two faces of an edge that has no others; both are marked or both not. Their triangles
+ * stay.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_face_id *face);
@@ -129,8 +120,6 @@ DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw
  * @param a, b vertices of the face that no edge joins.
  * @param faces 2 ids: the part from a to b, seen from outside of the volume in the face id, and the
  * other.
- * @return DSW_STATUS_BAD_TOPOLOGY: `a` or `b`; DSW_STATUS_INVALID_CELL: no triangles leave the
- * volumes valid.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_face_id face,
                                               dsw_vertex_id a, dsw_vertex_id b, dsw_face_id *faces,
@@ -149,17 +138,13 @@ DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_
 /** Merges the two edges of a vertex that has no others. The new edge, and the outer boundary there,
  * runs straight.
  * @param vertex the end of `edge` that goes.
- * @return DSW_STATUS_BAD_TOPOLOGY: no end of the edge, other edges or volumes at it, or a triangle
- * would vanish.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_merge_edges(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_vertex_id vertex, dsw_edge_id *merged);
 
-/** Merges one end of an edge into the other. Tetrahedra at the edge vanish with their marks; their
- * two other faces become one, marked if either was.
+/** Merges one end of an edge into the other, if the outer boundary keeps its form. Tetrahedra at
+ * the edge vanish with their marks; their two other faces become one, marked if either was.
  * @param vertex the end that goes.
- * @return DSW_STATUS_BAD_TOPOLOGY: no end of the edge, its volumes are not joined through its
- * faces, or the outer boundary would change.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_collapse_edge(dsw_environment *environment, dsw_edge_id edge,
                                                  dsw_vertex_id vertex);

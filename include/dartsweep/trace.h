@@ -34,16 +34,13 @@ typedef struct dsw_trace_data {
   size_t triangle_count;           /**< How many triangles. */
 } dsw_trace_data;
 
-/** Creates an empty trace.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+/** Creates an empty trace. @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API dsw_status dsw_trace_create(dsw_context *context, dsw_trace **trace);
 
-/** Destroys a trace.
- * @note Cost: O(1). Thread: writer. @since 1.0 */
+/** Destroys a trace. @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_trace_destroy(dsw_trace *trace);
 
-/** Empties a trace and keeps its memory.
- * @note Cost: O(1). Thread: writer. @since 1.0 */
+/** Empties a trace and keeps its memory. @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_trace_clear(dsw_trace *trace);
 
 /** Adds the boundary triangles of volumes.
@@ -73,8 +70,7 @@ DSW_API dsw_status dsw_trace_add_walk(dsw_trace *trace, const dsw_environment *e
 DSW_API dsw_status dsw_trace_add_contact(dsw_trace *trace, const dsw_flight *flight,
                                          double normal_length, uint32_t label);
 
-/** Gives the arrays.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+/** Gives the arrays. @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_trace_get(const dsw_trace *trace, dsw_trace_data *data);
 
 #ifdef __cplusplus
