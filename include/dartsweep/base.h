@@ -1,16 +1,15 @@
 /** @file base.h
- * Export macro, version, statuses, last error message; and what holds for all headers:
+ * Export macro, version, statuses, last error message. For all headers holds:
  *
  * Results:
  *  - Lengths are in scene units. A time of contact is a fraction in [0,1] of one move.
  *  - Exact arithmetic decides every sign, for all finite doubles. Simulation of Simplicity (H.
  *    Edelsbrunner, E. P. Muecke, ACM Transactions on Graphics 9, 1990) decides ties: moving points
  *    stand for themselves plus an infinitesimal vector, "the shift" (query.h).
- *  - A geometric outcome (no contact, stopped at a wall, outside) is never a status.
+ *  - A geometric outcome (no contact, stopped, outside) is never a status.
  *  - A call that fails changes nothing, unless its comment says otherwise.
  *
- * Common statuses, which any function can answer; comments list only others. In a batch the message
- * names the first wrong entry.
+ * Common statuses, which any function can answer; comments list only others:
  *  - DSW_STATUS_NULL_ARGUMENT, STALE_ID, OUT_OF_MEMORY, INTERNAL;
  *  - DSW_STATUS_BAD_STRUCT_SIZE: see struct_size below;
  *  - DSW_STATUS_UNSUPPORTED: an unknown flag or enum value, a `reserved` member that is not 0, or a
@@ -38,10 +37,11 @@
  *  - An `_init` function writes the defaults into at most `size` bytes, sizeof the struct.
  *
  * Threads: a "reader" may run beside other readers of the object, a "writer" runs alone on it. A
- * "batch" uses the context's parallel-for, with the same bits for any number of threads.
+ * "batch" uses the context's parallel-for; its results do not depend on threads, and its error
+ * message names the first wrong entry.
  *
- * Costs: n is the number of cells of the environment. [JCD10]: T. Jund, D. Cazier, J.-F. Dufourd,
- * "Edge collision detection in complex deformable environments", 2010.
+ * Costs: n counts the cells of the environment. [JCD10]: T. Jund, D. Cazier, J.-F. Dufourd, "Edge
+ * collision detection in complex deformable environments", 2010.
  */
 #ifndef DARTSWEEP_BASE_H
 #define DARTSWEEP_BASE_H
@@ -78,30 +78,30 @@ typedef enum dsw_status {
   DSW_STATUS_NULL_ARGUMENT = 1, /**< A required pointer is null. */
   /** struct_size is below the first release's. */
   DSW_STATUS_BAD_STRUCT_SIZE = 2,
-  DSW_STATUS_UNSUPPORTED = 3, /**< The library does not support this. */
+  DSW_STATUS_UNSUPPORTED = 3, /**< Not supported. */
   /** A number is out of its range. */
   DSW_STATUS_OUT_OF_RANGE = 4,
   DSW_STATUS_NON_FINITE = 5,          /**< A coordinate is NaN or infinite. */
-  DSW_STATUS_WRONG_SIZE = 6,          /**< Sizes, strides or offsets contradict each other. */
+  DSW_STATUS_WRONG_SIZE = 6,          /**< Sizes, strides or offsets are wrong. */
   DSW_STATUS_STALE_ID = 7,            /**< The id names nothing that exists. */
   DSW_STATUS_BUFFER_TOO_SMALL = 8,    /**< `count` holds the capacity that is needed. */
   DSW_STATUS_OUT_OF_MEMORY = 9,       /**< The allocator returned null. */
-  DSW_STATUS_TOO_LARGE = 10,          /**< More cells or points than 28-bit indices can name. */
-  DSW_STATUS_INDEX_OUT_OF_RANGE = 11, /**< A cell names a point that does not exist. */
+  DSW_STATUS_TOO_LARGE = 10,          /**< More cells or points than 2^28. */
+  DSW_STATUS_INDEX_OUT_OF_RANGE = 11, /**< A cell names no existing point. */
   DSW_STATUS_BAD_CELL_TYPE = 12,      /**< A cell type is unknown. */
   /** A cell repeats points, or its faces close no sphere. */
   DSW_STATUS_BAD_CELL = 13,
   DSW_STATUS_INVERTED_CELL = 14, /**< A cell is turned inside out. */
   /** A cell is flat, folded, or no star of its centre. */
   DSW_STATUS_INVALID_CELL = 15,
-  DSW_STATUS_DUPLICATE_CELL = 16,   /**< Two cells lie on one side of a face. */
+  DSW_STATUS_DUPLICATE_CELL = 16,   /**< Two cells on one side of a face. */
   DSW_STATUS_SHARED_FACE = 17,      /**< A face belongs to three cells or more. */
   DSW_STATUS_BOUNDARY_CROSSES = 18, /**< The outer boundary passes through itself. */
   DSW_STATUS_OUTSIDE = 19,          /**< The point lies in no cell. */
   DSW_STATUS_IMPASSABLE = 20,       /**< The point lies in an impassable volume. */
   DSW_STATUS_OCCUPIED = 21,         /**< A particle or body is in the way of the change. */
   DSW_STATUS_IN_USE = 22,           /**< Another object still uses the object. */
-  DSW_STATUS_SHARED = 23,           /**< Several scenes share the environment. */
+  DSW_STATUS_SHARED = 23,           /**< Scenes share the environment. */
   DSW_STATUS_DUPLICATE_ID = 24,     /**< A batch names an id twice. */
   DSW_STATUS_NOT_FOUND = 25,        /**< No cell has these vertices. */
   DSW_STATUS_TRUNCATED = 26,        /**< The block of bytes ends early. */
@@ -109,12 +109,12 @@ typedef enum dsw_status {
   DSW_STATUS_BAD_VERSION = 28,      /**< The block has an unknown format version. */
   /** The scene has not enabled the feature. */
   DSW_STATUS_NOT_NAMED = 29,
-  DSW_STATUS_NOT_BUILT = 30, /**< The library was built without this part. */
-  DSW_STATUS_INTERNAL = 31,  /**< A bug of the library; please report the message. */
-  /** The change needs other arrangements of cells. */
+  DSW_STATUS_NOT_BUILT = 30, /**< Not part of this library. */
+  DSW_STATUS_INTERNAL = 31,  /**< A bug; please report the message. */
+  /** The change needs other cells; see the message. */
   DSW_STATUS_BAD_TOPOLOGY = 32,
   DSW_STATUS_BORROWED = 33,           /**< The host's points have no room for more. */
-  DSW_STATUS_WRITE_FAILED = 34,       /**< A recording could not be written. */
+  DSW_STATUS_WRITE_FAILED = 34,       /**< A recording was not written. */
   DSW_STATUS_NOT_CLOSED = 35,         /**< The body is not a closed surface. */
   DSW_STATUS_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_status;

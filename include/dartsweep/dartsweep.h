@@ -31,24 +31,21 @@
 
 /* In the plane
  *
- * With `dimension` 2 an environment is a part of the plane. bindings/docs/plane.md says more.
- *  - Volumes are polygons with their corners counter-clockwise, faces their sides: face i runs from
- *    corner i to the next corner.
- *  - Points have 2 doubles, and a stride of 0 means 16. Third numbers in structs are 0. The
- *    shift is (e, e^2).
+ * With `dimension` 2 all headers read so; bindings/docs/plane.md says more:
+ *  - Volumes are polygons, corners counter-clockwise. Faces are their sides: face i runs from corner
+ *    i to the next.
+ *  - Points have 2 doubles. Third numbers in structs are 0. The shift is (e, e^2).
  *  - In topology.h sides are the edges: an edge id has the numbers of the face id of a side.
  *    Elsewhere there are no edges.
- *  - DSW_STATUS_UNSUPPORTED answer coarsen.h, remesh.h, detach.h, contact_check.h, edges outside of
+ *  - DSW_STATUS_UNSUPPORTED: coarsen.h, remesh.h, detach.h, contact_check.h, edges outside of
  *    topology.h, dsw_environment_merge_faces, dsw_environment_split_face, faces of bodies,
  *    DSW_LEVEL_FACES, DSW_BODY_SKIP_BACK_EDGES, DSW_INVALID_REMESH.
  *  - Edges of bodies meet vertices (DSW_CONTACT_VERTEX) instead of edges, also marked vertices.
- *    dsw_sweep has index and generation of such a vertex in `edge`. The normal is that of the edge.
- *  - dsw_environment_split_volume: `loop` has 2 corners that no side joins; the first part is left
- *    of the way between them. dsw_environment_merge_volumes: the shared sides are one chain.
- *  - A blade has 1 column: it is the path of a point, its front on the right. Gaps are quads and
- *    triangles.
- *  - Shapes of carve.h are bounded by segments, 2 indices each; a vessel is tied along a line from
- *    wall to wall.
+ *    `edge` of dsw_sweep has index and generation of that vertex. The normal is that of the edge.
+ *  - dsw_environment_split_volume takes 2 corners that no side joins; the first part is left of the
+ *    way between them. dsw_environment_merge_volumes: the shared sides are one chain.
+ *  - A blade has 1 column: the path of a point, with its front on the right.
+ *  - Shapes of carve.h are bounded by segments. A vessel is tied along a line from wall to wall.
  *  - Rigid motions turn about z.
  */
 

@@ -1,6 +1,6 @@
 /** @file environment.h
- * An environment: a partition of a bounded part of space into volumes, made from the arrays that
- * every mesh library has.
+ * An environment: a partition of a bounded part of space into volumes, made from the arrays of a
+ * mesh.
  *
  * A volume that is no tetrahedron is the star of its centre, the rounded mean of its vertices:
  * tetrahedra from the centre to the triangles of the boundary. So faces may be warped, and volumes
@@ -104,13 +104,13 @@ typedef struct dsw_build_report {
 typedef struct dsw_environment_info {
   uint32_t struct_size;         /**< sizeof(dsw_environment_info). */
   uint32_t dimension;           /**< 3, or 2 in the plane. */
-  uint32_t vertex_count;        /**< Vertices, unused points included. */
+  uint32_t vertex_count;        /**< Vertices, also unused points. */
   uint32_t volume_count;        /**< Volumes. */
   uint32_t face_count;          /**< Faces; one between two volumes counts once. */
   uint32_t boundary_face_count; /**< Faces with one volume. */
   uint32_t part_count;          /**< Parts connected through faces. */
   uint32_t scene_count;         /**< Scenes that use the environment. */
-  uint64_t memory_bytes;        /**< Its memory, borrowed points included. */
+  uint64_t memory_bytes;        /**< Its memory, with borrowed points. */
   /** A corner of the box round all points ever used by volumes, before deformations. */
   double lower[3];
   double upper[3]; /**< The opposite corner. */
@@ -123,8 +123,8 @@ typedef struct dsw_environment_info {
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
 
-/** Creates an environment and proves every cell valid: its star has tetrahedra of positive volume,
- * and covers no direction twice. All but the outer boundary is passable.
+/** Creates an environment and proves every cell valid: a star of tetrahedra with positive volume
+ * that covers no direction twice. All but the outer boundary is passable.
  * @param report may be null; filled unless an argument is wrong.
  * @return DSW_STATUS_OUT_OF_RANGE, TOO_LARGE, INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL,
  * INVERTED_CELL, INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES.
@@ -202,10 +202,9 @@ DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *envir
                                                     dsw_face_id face, dsw_volume_id *near_side,
                                                     dsw_volume_id *far_side);
 
-/** Tells what lies behind face `local` of a volume.
+/** Gives what lies behind face `local` of a volume.
  * @param neighbour null at the outer boundary; may be null.
- * @param impassable whether the face is (marking.h), also by an invalid volume; may be null.
- * @return DSW_STATUS_OUT_OF_RANGE.
+ * @param impassable whether the face is; may be null. @return DSW_STATUS_OUT_OF_RANGE.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environment,
                                                  dsw_volume_id volume, uint32_t local,
@@ -217,11 +216,11 @@ DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environm
 DSW_API dsw_status dsw_environment_get_centre(const dsw_environment *environment,
                                               dsw_volume_id volume, double *xyz);
 
-/** Finds faces by their vertices, such as boundary groups of a mesh file: face i by
- * `indices`[offsets[i] .. offsets[i+1]-1], in any order.
+/** Finds faces, such as boundary groups of a mesh file, by vertices in any order: face i by
+ * `indices`[offsets[i] .. offsets[i+1]-1].
  * @param offsets count + 1 ascending values. @param faces canonical ids, null where there is none.
  * @param missing how many are null; may be null. @return DSW_STATUS_WRONG_SIZE: offsets descend.
- * @note Cost: O(faces of the environment + indices) expected. Thread: reader. @since 1.0 */
+ * @note Cost: O(n + indices) expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment, size_t count,
                                               const size_t *offsets, const uint32_t *indices,
                                               dsw_face_id *faces, size_t *missing);
@@ -229,7 +228,7 @@ DSW_API dsw_status dsw_environment_find_faces(const dsw_environment *environment
 /** Finds edges by their vertices. Edge i joins vertices `indices`[2 i] and [2 i + 1].
  * @param edges canonical ids, null where there is none.
  * @param missing how many are null; may be null.
- * @note Cost: O(edges of the environment + count) expected. Thread: reader. @since 1.0 */
+ * @note Cost: O(n + count) expected. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_edges(const dsw_environment *environment, size_t count,
                                               const uint32_t *indices, dsw_edge_id *edges,
                                               size_t *missing);

@@ -1,7 +1,7 @@
 /** @file ids.h
  * Ids: an index and a generation, which counts the uses of that index from 1 on. The null id is all
  * zeros. An id becomes stale when its object is removed, or its volume rebuilt by a change of the
- * topology (topology.h). Ids do not name their environment or scene: pass the one that gave the id.
+ * topology (topology.h). Pass an id with the environment or scene that gave it.
  */
 #ifndef DARTSWEEP_IDS_H
 #define DARTSWEEP_IDS_H
@@ -12,13 +12,13 @@
 extern "C" {
 #endif
 
-/** A vertex of an environment. At creation its index is that of its point. */
+/** A vertex of an environment; at first its index is that of its point. */
 typedef struct dsw_vertex_id {
   uint32_t index;      /**< Slot. */
   uint32_t generation; /**< Generation. */
 } dsw_vertex_id;
 
-/** A volume of an environment. At creation its index is that of its cell. */
+/** A volume of an environment; at first its index is that of its cell. */
 typedef struct dsw_volume_id {
   uint32_t index;      /**< Slot. */
   uint32_t generation; /**< Generation. */
@@ -54,7 +54,7 @@ typedef struct dsw_body_id {
   uint32_t generation; /**< Generation. */
 } dsw_body_id;
 
-/** A vertex of a body. Its index is its place in arrays of targets and positions. */
+/** A vertex of a body; its index is its place in arrays. */
 typedef struct dsw_body_vertex_id {
   uint32_t index;      /**< Slot. */
   uint32_t generation; /**< Generation. */

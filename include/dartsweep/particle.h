@@ -65,7 +65,7 @@ DSW_API dsw_status dsw_particle_move(dsw_scene *scene, dsw_particle_id particle,
                                      const double *target, const dsw_cast_options *options,
                                      dsw_flight *flight);
 
-/** Moves particles, each to its own target and independently of each other, or none.
+/** Moves particles, each to its own target, or none.
  * @param particles distinct. @param flights may be null. @return DSW_STATUS_DUPLICATE_ID.
  * @note Cost: as dsw_particle_move. Thread: writer, batch. @since 1.0 */
 DSW_API dsw_status dsw_scene_move_particles(dsw_scene *scene, const dsw_particle_id *particles,
@@ -82,9 +82,9 @@ DSW_API dsw_status dsw_scene_cast_from_particles(dsw_scene *scene, const dsw_par
                                                  const dsw_cast_options *options,
                                                  dsw_flight *flights);
 
-/** Gives the volumes that the last move call entered. Flight i of `flight_count` has
- * crossings[`first`[i] .. first[i+1]-1].
- * @return DSW_STATUS_NOT_NAMED: DSW_FEATURE_CROSSINGS is not enabled.
+/** Gives the volumes that the last move call entered, with DSW_FEATURE_CROSSINGS. Flight i of
+ * `flight_count` has crossings[`first`[i] .. first[i+1]-1].
+ * @return DSW_STATUS_NOT_NAMED.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_crossings(const dsw_scene *scene, const dsw_crossing **crossings,
                                            const size_t **first, size_t *flight_count);

@@ -15,9 +15,9 @@ typedef struct dsw_scene dsw_scene;
 
 /** Features of a scene. */
 enum {
-  /** Counters, see dsw_statistics. */
+  /** Counters: dsw_statistics. */
   DSW_FEATURE_STATISTICS = 0x1,
-  /** Moves record every volume crossed, see dsw_scene_get_crossings. */
+  /** Moves record crossings: dsw_scene_get_crossings. */
   DSW_FEATURE_CROSSINGS = 0x2,
   /** The environment can deform (deform.h), and belongs to this scene alone: about 12 bytes a
    * volume and 4 a vertex. For good, hexahedra count as warped in casts, and the grid is given
@@ -26,9 +26,9 @@ enum {
   /** Bodies meet each other, and themselves with DSW_BODY_SELF_CONTACTS: about 64 bytes for each
    * vertex, edge and face. */
   DSW_FEATURE_BODY_CONTACTS = 0x8,
-  /** Marks and changes of the topology check only particles and bodies near them, with the same
-   * answers: about 24 bytes a particle, the 64 bytes of DSW_FEATURE_BODY_CONTACTS (once for both),
-   * up to 1 MB after many changes, and a note at each move. */
+  /** Marks and changes of the topology check only what is near, with the same answers: about 24
+   * bytes a particle, the 64 bytes of DSW_FEATURE_BODY_CONTACTS (once for both), up to 1 MB after
+   * many changes, and a note at each move. */
   DSW_FEATURE_LIVE_CHANGES = 0x10
 };
 
@@ -38,7 +38,7 @@ typedef struct dsw_scene_desc {
   uint32_t features;    /**< DSW_FEATURE_...; 0: none. */
 } dsw_scene_desc;
 
-/** Counters since creation or the last reset, the same for any number of threads. */
+/** Counters since creation or reset, the same for any number of threads. */
 typedef struct dsw_statistics {
   uint32_t struct_size; /**< sizeof(dsw_statistics). */
   uint32_t reserved;    /**< 0. */
@@ -67,8 +67,8 @@ DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc,
                                     dsw_scene **scene);
 
-/** Destroys a scene with all that it holds, also its recording: dsw_scene_stop_recording tells
- * whether that is complete.
+/** Destroys a scene with all that it holds. Stop a recording before, to know whether it is
+ * complete.
  * @return DSW_STATUS_IN_USE: the scene belongs to a replay.
  * @note Cost: O(1). Thread: writer of the environment. @since 1.0 */
 DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);
@@ -79,12 +79,12 @@ DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);
 DSW_API dsw_environment *dsw_scene_get_environment(const dsw_scene *scene);
 
 /** Copies the counters.
- * @return DSW_STATUS_NOT_NAMED: DSW_FEATURE_STATISTICS is not enabled.
+ * @return DSW_STATUS_NOT_NAMED.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_statistics(const dsw_scene *scene, dsw_statistics *statistics);
 
 /** Sets the counters to zero.
- * @return DSW_STATUS_NOT_NAMED: DSW_FEATURE_STATISTICS is not enabled.
+ * @return DSW_STATUS_NOT_NAMED.
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_scene_reset_statistics(dsw_scene *scene);
 

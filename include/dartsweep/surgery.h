@@ -1,7 +1,6 @@
 /** @file surgery.h
- * Cuts along the surface that a blade sweeps, tears, and cracks that open. Each is one change: what
- * topology.h says of statuses, guarantees, ids, threads and "local" cost holds. How they work:
- * bindings/docs/cutting.md.
+ * Cuts along the surface that a blade sweeps, tears, cracks that open: changes, for which
+ * topology.h holds. How they work: bindings/docs/cutting.md.
  *
  * The blade is exact under the shift. It may pass through vertices, along edges and faces, fold, or
  * lie outside. Volumes that it crosses completely are split, passable or not. A volume stays whole
@@ -44,7 +43,7 @@ typedef struct dsw_cut_desc {
 
 /** What a cut did. */
 typedef struct dsw_cut_report {
-  /** Largest rounded distance of a cut vertex from the blade, or of the blade from the cut in split
+  /** Largest distance of a cut vertex from the blade, or of the blade from the cut in split
    * volumes. */
   double distance;
   /** Volumes that the blade met. */
@@ -80,8 +79,8 @@ DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
  * @param report may be null.
  * @return DSW_STATUS_OUT_OF_RANGE, BORROWED; OCCUPIED, also if DSW_CUT_UNSEW would cut an edge or
  * face of a body, or the outer boundary round into one. Never BAD_CELL or INVALID_CELL.
- * @note Cost: O(pairs of a volume and a triangle that meet), O(triangles) for each volume from
- * `start` to the blade, and local. Thread: writer. @since 1.0 */
+ * @note Cost: O(pairs of a volume and a triangle that meet, and on the way to the blade), and
+ * local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc,
                                        dsw_cut_report *report);
 
@@ -99,7 +98,7 @@ DSW_API dsw_status dsw_environment_tear_faces(dsw_environment *environment,
 DSW_API dsw_status dsw_environment_get_cut_vertices(const dsw_environment *environment,
                                                     const dsw_cut_vertex **vertices, size_t *count);
 
-/** Gives the faces of the last cut or tear, or the lips of the last opening, with their ids right
+/** Gives the faces of the last cut or tear, or the lips of the last opening, by their ids right
  * after it.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_cut_faces(const dsw_environment *environment,
@@ -140,18 +139,18 @@ typedef struct dsw_open_report {
 DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
 
 /** Opens a crack: its lips move apart, and one passable volume for each face that opens fills the
- * gap, sewn to its neighbours, and to lips that are not marked. A vertex comes apart where the
- * crack divides the volumes round it into two sets, so not at the tip of the crack. Its copies move
- * less than `width` asks where a volume would be invalid. To open into passable volumes at the rim,
- * name only faces between impassable volumes. Both copies of a vertex become cut vertices, with the
- * old one twice in `from`. The lips, and the added volumes at the end of
+ * gap, sewn to neighbours, and to lips without marks. A vertex comes apart where the crack divides
+ * the volumes round it into two sets, so not at the tip of the crack. Its copies move less than
+ * `width` asks where a volume would be invalid. To open into passable volumes at the rim, name only
+ * faces between impassable volumes. Both copies of a vertex become cut vertices, with the old one
+ * twice in `from`. The lips, and the added volumes at the end of
  * dsw_environment_get_volume_changes, are in the order of `faces`.
  * @param report may be null. To open nothing is no failure.
  * @return DSW_STATUS_OUT_OF_RANGE, DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: two faces do not lie on
  * each other, are of one volume, or not on the outer boundary; OCCUPIED, also if a wall would move
  * over a particle or body.
- * @note Cost: O(volumes at the crack) for each halving, and local. Thread: writer. Source:
- * [JCD10] 5.2. @since 1.0 */
+ * @note Cost: O(volumes at the crack), and local. Thread: writer. Source: [JCD10] 5.2.
+ * @since 1.0 */
 DSW_API dsw_status dsw_environment_open(dsw_environment *environment, const dsw_open_desc *desc,
                                         dsw_open_report *report);
 

@@ -23,8 +23,8 @@ typedef enum dsw_level {
   DSW_LEVEL_EDGES = 2,
   /** The whole triangle p p' q: impassable faces, and marked edges without an impassable face. */
   DSW_LEVEL_EDGES_SWEPT = 3,
-  /** For bodies: also the tetrahedron that a face p q r sweeps, for obstacles that enter through
-   * the inside of the face, and marked vertices. */
+  /** For bodies: also the tetrahedra that faces p q r sweep, for what enters through their inside,
+   * and marked vertices. */
   DSW_LEVEL_FACES = 4,
   DSW_LEVEL_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_level;

@@ -4,8 +4,8 @@
  * says more, also when each change is refused.
  *
  * Each new volume is exactly valid. New volumes fill the space of the old ones, unless a function
- * says that the outer boundary moves; whether that then crosses itself is not checked
- * (dsw_environment_check). Particles and bodies follow. Pointers for new ids may be null.
+ * says that the outer boundary moves; dsw_environment_check tells whether that crosses itself.
+ * Particles and bodies follow. Pointers for new ids may be null.
  *
  * A volume that changes keeps index, region label, tag and mark, and gets a new generation: its id,
  * and those of its faces and edges, become stale. dsw_environment_get_volume_changes gives the new
@@ -29,7 +29,7 @@
 extern "C" {
 #endif
 
-/** What became of a volume. One that is split or merged has two of these. */
+/** What became of a volume. Split and merged ones have two. */
 typedef struct dsw_volume_change {
   dsw_volume_id before; /**< Null: the volume was added. */
   dsw_volume_id after;  /**< Null: the volume was removed. */
@@ -68,7 +68,7 @@ typedef struct dsw_volumes_desc {
   size_t connectivity_count; /**< Its integers. */
   const int32_t *regions;    /**< Null, or labels. */
   const uint32_t *tags;      /**< Null, or host tags. */
-  /** Faces of the outer boundary to sew to new faces with the same vertices. Others stay apart. */
+  /** Faces of the outer boundary to sew to new ones with the same vertices. Others stay apart. */
   const dsw_face_id *sew_to;
   size_t sew_count; /**< Number of these. */
   /** Type of all volumes if cell_types is null; not polyhedron. */

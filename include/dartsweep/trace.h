@@ -1,7 +1,7 @@
 /** @file trace.h
  * Geometry for viewers: a trace collects dots, segments and triangles of cells, casts and contacts
  * in plain arrays. Each of them carries the `label` that was given when it was added. Normals are
- * drawn `normal_length` long.
+ * drawn `normal_length` long. Writers write the trace and read the environment.
  */
 #ifndef DARTSWEEP_TRACE_H
 #define DARTSWEEP_TRACE_H
@@ -14,24 +14,24 @@
 extern "C" {
 #endif
 
-/** Opaque. Owned by the caller from dsw_trace_create to dsw_trace_destroy. */
+/** Opaque. */
 typedef struct dsw_trace dsw_trace;
 
-/** Arrays of a trace, owned by the trace and valid until it changes. */
+/** Arrays of a trace, valid until it changes. */
 typedef struct dsw_trace_data {
   uint32_t struct_size;            /**< sizeof(dsw_trace_data). */
   uint32_t reserved;               /**< 0. */
   const double *points;            /**< 3 doubles each. */
-  size_t point_count;              /**< How many points. */
+  size_t point_count;              /**< Points. */
   const uint32_t *vertices;        /**< Dots: an index of a point each. */
   const uint32_t *vertex_labels;   /**< A label each. */
-  size_t vertex_count;             /**< How many dots. */
+  size_t vertex_count;             /**< Dots. */
   const uint32_t *segments;        /**< Two indices each. */
   const uint32_t *segment_labels;  /**< A label each. */
-  size_t segment_count;            /**< How many segments. */
+  size_t segment_count;            /**< Segments. */
   const uint32_t *triangles;       /**< Three indices each, counter-clockwise from outside. */
   const uint32_t *triangle_labels; /**< A label each. */
-  size_t triangle_count;           /**< How many triangles. */
+  size_t triangle_count;           /**< Triangles. */
 } dsw_trace_data;
 
 /** Creates an empty trace. @note Cost: O(1). Thread: any. @since 1.0 */
@@ -43,8 +43,7 @@ DSW_API dsw_status dsw_trace_destroy(dsw_trace *trace);
 /** Empties a trace and keeps its memory. @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_trace_clear(dsw_trace *trace);
 
-/** Adds the boundary triangles of volumes.
- * @note Cost: O(count). Thread: writer of the trace, reader of the environment. @since 1.0 */
+/** Adds the boundary triangles of volumes. @note Cost: O(count). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_trace_add_volumes(dsw_trace *trace, const dsw_environment *environment,
                                          const dsw_volume_id *volumes, size_t count,
                                          uint32_t label);
@@ -52,13 +51,13 @@ DSW_API dsw_status dsw_trace_add_volumes(dsw_trace *trace, const dsw_environment
 /** Adds everything impassable that borders a passable volume: faces as triangles, marked edges as
  * segments, marked vertices as dots.
  * @param with_boundary 0 leaves out the outer boundary.
- * @note Cost: O(volumes). Thread: writer of the trace, reader of the environment. @since 1.0 */
+ * @note Cost: O(volumes). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_trace_add_impassable(dsw_trace *trace, const dsw_environment *environment,
                                             int with_boundary, uint32_t label);
 
 /** Casts a segment and adds a dot where each volume is entered, the segments between, and the
  * contact as dsw_trace_add_contact does.
- * @note Cost: as dsw_environment_cast. Thread: writer of the trace, reader of the environment.
+ * @note Cost: as dsw_environment_cast. Thread: writer.
  * @since 1.0 */
 DSW_API dsw_status dsw_trace_add_walk(dsw_trace *trace, const dsw_environment *environment,
                                       dsw_volume_id start, const double *from, const double *to,
