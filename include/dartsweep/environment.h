@@ -4,7 +4,8 @@
  *
  * A volume that is no tetrahedron is the star of its centre, the rounded mean of its vertices:
  * tetrahedra from the centre to the triangles of the boundary. So faces may be warped, and volumes
- * need not be convex. Larger faces are cut into triangles once, in the same way for both volumes.
+ * need not be convex. Faces with more than three vertices are cut into triangles once, in the same
+ * way for both volumes.
  */
 #ifndef DARTSWEEP_ENVIRONMENT_H
 #define DARTSWEEP_ENVIRONMENT_H
@@ -46,7 +47,8 @@ enum {
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
   /** Mirrors cells that are inside out; meshes differ in their wedges. */
   DSW_ENVIRONMENT_REORIENT = 0x2,
-  /** Builds a grid, about 16 bytes a cell. Without it a locate without hint scans all cells. */
+  /** Builds a grid, about 16 bytes a cell. Without a grid, a locate without a hint scans all
+   * cells. */
   DSW_ENVIRONMENT_LOCATE_GRID = 0x4,
   /** Also proves that the outer boundary does not pass through itself, as dsw_environment_check
    * does; about ten times the cost of the rest. */
@@ -63,12 +65,12 @@ typedef struct dsw_environment_desc {
   const double *points;      /**< The points. */
   size_t point_count;        /**< 1 .. 2^28-1. Unused points are allowed. */
   size_t point_stride_bytes; /**< As every stride. */
-  const uint8_t *cell_types; /**< Types; null: uniform_cell_type. */
+  const uint8_t *cell_types; /**< dsw_cell_type of each; null: uniform_cell_type. */
   size_t cell_count;         /**< At least 1. */
-  /** cell_count + 1 integers: cell i has connectivity[offsets[i] .. offsets[i+1]-1]. With
-   * uniform_cell_type null: cells follow each other. */
+  /** cell_count + 1 integers: cell i has connectivity[offsets[i] .. offsets[i+1]-1]. May be null
+   * with uniform_cell_type: cells then follow each other. */
   const void *offsets;
-  /** Points; for polyhedra face streams, unless `faces` has them. */
+  /** Indices of points; for polyhedra face streams, unless `faces` has them. */
   const void *connectivity;
   size_t connectivity_count; /**< Its integers. */
   const void *faces;         /**< Null, or face streams of polyhedra. */
@@ -80,7 +82,7 @@ typedef struct dsw_environment_desc {
   const int32_t *regions;
   /** Null, or host tags (friction, material, ...). */
   const uint32_t *tags;
-  /** Type of all cells if cell_types is null; not polyhedron. */
+  /** Type of all cells if cell_types is null; hexahedra by default, never polyhedra. */
   uint32_t uniform_cell_type;
   uint32_t reserved; /**< 0. */
 } dsw_environment_desc;
@@ -96,7 +98,7 @@ typedef struct dsw_build_report {
   uint32_t part_count;          /**< Parts connected through faces. */
   uint32_t unused_point_count;  /**< Points that no cell names. */
   uint32_t boundary_face_count; /**< Faces with one volume. */
-  /** Convex volumes with flat faces: the fastest. */
+  /** Convex volumes with flat faces, which casts cross fastest. */
   uint32_t convex_cell_count;
 } dsw_build_report;
 

@@ -60,7 +60,7 @@ typedef struct dsw_volumes_desc {
   const double *points;      /**< New vertices: vertex_count and following in connectivity. */
   size_t point_count;        /**< 0 if points are borrowed without room (deform.h). */
   size_t point_stride_bytes; /**< As every stride. */
-  /** Types; null: uniform_cell_type. */
+  /** dsw_cell_type of each; null: uniform_cell_type. */
   const uint8_t *cell_types;
   size_t cell_count;         /**< At least 1. */
   const void *offsets;       /**< As in dsw_environment_desc. */
@@ -71,7 +71,7 @@ typedef struct dsw_volumes_desc {
   /** Faces of the outer boundary to sew to new ones with the same vertices. Others stay apart. */
   const dsw_face_id *sew_to;
   size_t sew_count; /**< Number of these. */
-  /** Type of all volumes if cell_types is null; not polyhedron. */
+  /** Type of all volumes if cell_types is null; hexahedra by default, never polyhedra. */
   uint32_t uniform_cell_type;
   uint32_t reserved; /**< 0. */
 } dsw_volumes_desc;
