@@ -10,7 +10,7 @@
  *  - A call that fails changes nothing, unless its comment says otherwise.
  *
  * Common statuses, which any function can answer; comments list only others:
- *  - DSW_STATUS_NULL_ARGUMENT, STALE_ID, OUT_OF_MEMORY, INTERNAL;
+ *  - DSW_STATUS_NULL_ARGUMENT, OUT_OF_RANGE, STALE_ID, OUT_OF_MEMORY, INTERNAL;
  *  - DSW_STATUS_BAD_STRUCT_SIZE: see struct_size below;
  *  - DSW_STATUS_UNSUPPORTED: an unknown flag or enum value, a `reserved` member that is not 0, or a
  *    function that does not serve the plane (dartsweep.h);
@@ -64,7 +64,7 @@
 #define DSW_API
 #endif
 
-#define DSW_VERSION_MAJOR 1 /**< Version of this header; dsw_version() is the library's. */
+#define DSW_VERSION_MAJOR 1 /**< Of this header. dsw_version() tells the library's. */
 #define DSW_VERSION_MINOR 1 /**< Grows with additions. */
 #define DSW_VERSION_PATCH 0 /**< Grows with corrections. */
 

@@ -59,7 +59,7 @@ DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
 
 /** Creates a context.
  * @param desc null: all defaults; the callbacks are retained.
- * @return DSW_STATUS_OUT_OF_RANGE: thread_count, or only one of allocate and release is set.
+ * @return DSW_STATUS_OUT_OF_RANGE: also if only one of allocate and release is set.
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API dsw_status dsw_context_create(const dsw_context_desc *desc, dsw_context **context);
 

@@ -128,8 +128,8 @@ DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
 /** Creates an environment and proves every cell valid: a star of tetrahedra with positive volume
  * that covers no direction twice. All but the outer boundary is passable.
  * @param report may be null; filled unless an argument is wrong.
- * @return DSW_STATUS_OUT_OF_RANGE, TOO_LARGE, INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL,
- * INVERTED_CELL, INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES.
+ * @return DSW_STATUS_TOO_LARGE, INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL, INVERTED_CELL,
+ * INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES.
  * @note Cost: O(n) expected. Thread: any. Source: [JCD10] 3.1, 3.2. @since 1.0 */
 DSW_API dsw_status dsw_environment_create(dsw_context *context, const dsw_environment_desc *desc,
                                           dsw_environment **environment, dsw_build_report *report);
@@ -153,13 +153,13 @@ DSW_API dsw_status dsw_environment_check(const dsw_environment *environment,
                                          dsw_build_report *report);
 
 /** Gives the id of volume `index`.
- * @return DSW_STATUS_OUT_OF_RANGE; DSW_STATUS_NOT_FOUND: removed.
+ * @return DSW_STATUS_NOT_FOUND: removed.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume(const dsw_environment *environment, uint32_t index,
                                               dsw_volume_id *volume);
 
 /** Gives the id of vertex `index`.
- * @return DSW_STATUS_OUT_OF_RANGE; DSW_STATUS_NOT_FOUND: removed.
+ * @return DSW_STATUS_NOT_FOUND: removed.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_vertex(const dsw_environment *environment, uint32_t index,
                                               dsw_vertex_id *vertex);
@@ -176,14 +176,12 @@ DSW_API dsw_status dsw_environment_get_volume_counts(const dsw_environment *envi
                                                      uint32_t *faces);
 
 /** Gives the canonical id of face `local` of a volume.
- * @return DSW_STATUS_OUT_OF_RANGE.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_face(const dsw_environment *environment,
                                                    dsw_volume_id volume, uint32_t local,
                                                    dsw_face_id *face);
 
 /** Gives the canonical id of edge `local` of a volume.
- * @return DSW_STATUS_OUT_OF_RANGE.
  * @note Cost: O(volumes round the edge). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_volume_edge(const dsw_environment *environment,
                                                    dsw_volume_id volume, uint32_t local,

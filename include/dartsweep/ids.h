@@ -28,18 +28,18 @@ typedef struct dsw_volume_id {
  * stream. A face between two volumes has two ids. Functions accept both; reports give the canonical
  * one, from the volume with the lower index. */
 typedef struct dsw_face_id {
-  uint32_t volume;     /**< Index of the volume. */
-  uint32_t generation; /**< Generation of the volume. */
-  uint32_t local;      /**< Number in the volume. */
+  uint32_t volume;     /**< Its volume's index. */
+  uint32_t generation; /**< Its volume's generation. */
+  uint32_t local;      /**< Its number there. */
 } dsw_face_id;
 
 /** An edge: edge number `local` of a volume, counted where first met on the way over the faces in
  * order, round each as seen from outside. The canonical id is from the volume with the lowest
  * index. */
 typedef struct dsw_edge_id {
-  uint32_t volume;     /**< Index of the volume. */
-  uint32_t generation; /**< Generation of the volume. */
-  uint32_t local;      /**< Number in the volume. */
+  uint32_t volume;     /**< Its volume's index. */
+  uint32_t generation; /**< Its volume's generation. */
+  uint32_t local;      /**< Its number there. */
 } dsw_edge_id;
 
 /** A particle of a scene. */

@@ -10,8 +10,8 @@
  * occupy volumes and faces that they cross; at DSW_LEVEL_FACES faces occupy volumes, edges, and
  * rims of faces that they pierce. Nothing occupies a vertex.
  *
- * "Bodies" in costs: a pass over them, and casts or sweeps for those near cells that become
- * impassable. Writers need the environment and its scene.
+ * Making cells impassable checks the bodies of the scene. Writers need the environment and its
+ * scene.
  */
 #ifndef DARTSWEEP_MARKING_H
 #define DARTSWEEP_MARKING_H
@@ -37,19 +37,19 @@ enum {
 
 /** Sets the mark of volumes; an id may stand twice.
  * @param skipped how many occupied volumes kept their mark; may be null.
- * @note Cost: O(count), if impassable also particles and bodies. Thread: writer.
+ * @note Cost: O(count + particles + bodies). Thread: writer.
  * @since 1.0 */
 DSW_API dsw_status dsw_environment_mark_volumes(dsw_environment *environment,
                                                 const dsw_volume_id *volumes, size_t count,
                                                 dsw_mark mark, uint32_t flags, size_t *skipped);
 
-/** Sets the mark of faces. @note Cost: O(count), and bodies. Thread: writer. @since 1.0 */
+/** Sets the mark of faces. @note Cost: O(count + bodies). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_mark_faces(dsw_environment *environment,
                                               const dsw_face_id *faces, size_t count,
                                               dsw_mark mark);
 
 /** Sets the mark of edges, about 16 bytes each.
- * @note Cost: O(count) expected, and bodies. Thread: writer. @since 1.0 */
+ * @note Cost: O(count + bodies) expected. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_mark_edges(dsw_environment *environment,
                                               const dsw_edge_id *edges, size_t count,
                                               dsw_mark mark);
@@ -63,14 +63,14 @@ DSW_API dsw_status dsw_environment_mark_vertices(dsw_environment *environment,
 /** Sets the mark of every volume with the label `region`.
  * @param marked how many volumes have the label and now the mark; may be null.
  * @param skipped as dsw_environment_mark_volumes.
- * @note Cost: O(volumes + particles), and bodies. Thread: writer. @since 1.0 */
+ * @note Cost: O(volumes + particles + bodies). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_mark_region(dsw_environment *environment, int32_t region,
                                                dsw_mark mark, uint32_t flags, size_t *marked,
                                                size_t *skipped);
 
 /** Sets the mark of every face between region `a` and region `b`.
  * @param marked how many faces there are; may be null.
- * @note Cost: O(volumes), and bodies. Thread: writer. @since 1.0 */
+ * @note Cost: O(volumes + bodies). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_mark_between(dsw_environment *environment, int32_t a, int32_t b,
                                                 dsw_mark mark, size_t *marked);
 

@@ -107,7 +107,7 @@ typedef struct dsw_nearest {
 /** Finds the nearest impassable face, marked edge or vertex that can be seen through passable
  * volumes; if several, the lowest canonical one.
  * @param volume the one of the point, or null. @param radius at least 0; may be infinite.
- * @return DSW_STATUS_OUT_OF_RANGE: radius; DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE: the point.
+ * @return DSW_STATUS_OUTSIDE, DSW_STATUS_IMPASSABLE.
  * @note Cost: O(volumes within the distance). Thread: reader. Rounding: a few units in the last
  * place. @since 1.0 */
 DSW_API dsw_status dsw_environment_find_nearest(const dsw_environment *environment,

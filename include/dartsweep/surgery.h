@@ -77,8 +77,8 @@ DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 /** Cuts an environment along a blade. In a split volume the part in front keeps the index. To cut
  * nothing is no failure.
  * @param report may be null.
- * @return DSW_STATUS_OUT_OF_RANGE, BORROWED; OCCUPIED, also if DSW_CUT_UNSEW would cut an edge or
- * face of a body, or the outer boundary round into one. Never BAD_CELL or INVALID_CELL.
+ * @return DSW_STATUS_BORROWED; OCCUPIED, also if DSW_CUT_UNSEW would cut an edge or face of a body,
+ * or the outer boundary round into one. Never BAD_CELL or INVALID_CELL.
  * @note Cost: O(pairs of a volume and a triangle that meet, and on the way to the blade), and
  * local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc,
@@ -146,9 +146,9 @@ DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
  * twice in `from`. The lips, and the added volumes at the end of
  * dsw_environment_get_volume_changes, are in the order of `faces`.
  * @param report may be null. To open nothing is no failure.
- * @return DSW_STATUS_OUT_OF_RANGE, DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: two faces do not lie on
- * each other, are of one volume, or not on the outer boundary; OCCUPIED, also if a wall would move
- * over a particle or body.
+ * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: two faces do not lie on each other, are
+ * of one volume, or not on the outer boundary; OCCUPIED, also if a wall would move over a particle
+ * or body.
  * @note Cost: O(volumes at the crack), and local. Thread: writer. Source: [JCD10] 5.2.
  * @since 1.0 */
 DSW_API dsw_status dsw_environment_open(dsw_environment *environment, const dsw_open_desc *desc,

@@ -16,9 +16,9 @@
  * dsw_scene_get_occupant_bodies tell), BAD_TOPOLOGY, BAD_CELL, INVALID_CELL (a new volume),
  * TOO_LARGE.
  *
- * "Local" cost: O(faces of the volumes that change), a pass over particles and bodies (only those
- * near with DSW_FEATURE_LIVE_CHANGES), and casts or sweeps for bodies near the change. The first
- * change makes tables: 24 bytes a volume, 12 a vertex. Writers need the environment and its scene.
+ * "Local" cost: O(faces of the volumes that change), and a pass over particles and bodies (only
+ * those near with DSW_FEATURE_LIVE_CHANGES). The first change makes tables: 24 bytes a volume, 12 a
+ * vertex. Writers need the environment and its scene.
  */
 #ifndef DARTSWEEP_TOPOLOGY_H
 #define DARTSWEEP_TOPOLOGY_H
@@ -81,8 +81,8 @@ DSW_API void dsw_volumes_desc_init(dsw_volumes_desc *desc, size_t size);
 
 /** Adds passable volumes, joined where they share faces. The caller makes sure that they overlap
  * nothing (dsw_environment_check).
- * @return DSW_STATUS_OUT_OF_RANGE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, DUPLICATE_CELL, SHARED_FACE,
- * BORROWED; NOT_FOUND: no new volume has a face of sew_to.
+ * @return DSW_STATUS_BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, DUPLICATE_CELL, SHARED_FACE, BORROWED;
+ * NOT_FOUND: no new volume has a face of sew_to.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_add_volumes(dsw_environment *environment,
                                                const dsw_volumes_desc *desc, dsw_volume_id *volumes,
@@ -128,8 +128,7 @@ DSW_API dsw_status dsw_environment_split_face(dsw_environment *environment, dsw_
 /** Splits an edge by a new vertex at a rounded place, by which the outer boundary moves.
  * @param share above 0, below 1: the place from the first to the second vertex
  * (dsw_environment_copy_vertices).
- * @param edges 2 ids: the parts at the first and second vertex.
- * @return DSW_STATUS_OUT_OF_RANGE, DSW_STATUS_BORROWED.
+ * @param edges 2 ids: the parts at the first and second vertex. @return DSW_STATUS_BORROWED.
  * @note Cost: local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_split_edge(dsw_environment *environment, dsw_edge_id edge,
                                               double share, dsw_vertex_id *vertex,
