@@ -132,14 +132,12 @@ typedef struct dsw_vec3 {
 DSW_API uint32_t dsw_version(void);
 
 /** Returns the name of a status, for example "DSW_STATUS_OUTSIDE".
- * @param status [in] any value.
- * @return static text, never null; "unknown status" for an unknown value.
+ * @return static text; "unknown status" for other values.
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API const char *dsw_status_string(dsw_status status);
 
 /** Describes the last failure on this thread: function, argument, index, value, range accepted.
- * @return text, empty before the first failure, never null, valid until the next failure on this
- * thread.
+ * @return text, empty before the first failure, valid until the next failure on this thread.
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API const char *dsw_last_error_message(void);
 
