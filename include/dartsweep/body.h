@@ -5,7 +5,7 @@
  * With DSW_FEATURE_BODY_CONTACTS, bodies whose filters match do not touch or pass each other either
  * (except by DSW_DEFORM_END_STATE).
  *
- * Arrays by vertex have an entry for each slot. Removed parts leave free slots.
+ * Arrays by vertex have an entry for each slot. Removed parts leave free slots. `edit` may be null.
  *
  * More: bindings/docs/moving_bodies.md.
  */
@@ -182,8 +182,7 @@ DSW_API dsw_status dsw_body_get_edge(const dsw_scene *scene, dsw_body_id body,
 DSW_API dsw_status dsw_body_get_face(const dsw_scene *scene, dsw_body_id body,
                                      dsw_body_face_id face, dsw_body_vertex_id *vertices);
 
-/** Gives the id of the vertex with an `index`.
- * @return DSW_STATUS_OUT_OF_RANGE: no such slot, or a free one.
+/** Gives the id of the vertex with an `index`, which must not be free.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_vertex(const dsw_scene *scene, dsw_body_id body, uint32_t index,
                                        dsw_body_vertex_id *vertex);
@@ -244,15 +243,14 @@ typedef struct dsw_body_edit {
   uint32_t reserved;     /**< 0. */
 } dsw_body_edit;
 
-/** Splits an edge and its faces at ends[0] + `share` * (ends[1] - ends[0]), rounded.
- * @param edit may be null.
- * @return DSW_STATUS_OUT_OF_RANGE: share is not in (0,1); OCCUPIED: a part is not free.
+/** Splits an edge and its faces at ends[0] + `share` * (ends[1] - ends[0]), rounded, with a share
+ * in (0,1).
+ * @return DSW_STATUS_OCCUPIED: a part is not free.
  * @note Cost: O(volumes met). Thread: writer. Source: [JCD10] 4.2. @since 1.0 */
 DSW_API dsw_status dsw_body_split_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
                                        double share, dsw_body_edit *edit);
 
 /** Moves `vertex` to the other end of `edge`, at the level of the body, and merges it there.
- * @param edit may be null.
  * @return DSW_STATUS_NOT_FOUND: `vertex` is no end of `edge`; BAD_CELL: the body would not stay a
  * manifold; OCCUPIED: the way is not free.
  * @note Cost: O(volumes met). Thread: writer. @since 1.0 */

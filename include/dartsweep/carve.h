@@ -1,6 +1,7 @@
 /** @file carve.h
  * Carving removes the material inside of a shape; a ligature closes a vessel. surgery.h and
- * topology.h hold here, with their getters. More: bindings/docs/carving.md.
+ * topology.h hold here, with their getters. `report` may be null. More:
+ * bindings/docs/carving.md.
  */
 #ifndef DARTSWEEP_CARVE_H
 #define DARTSWEEP_CARVE_H
@@ -45,9 +46,8 @@ DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
 
 /** Splits impassable volumes that a surface crosses, as dsw_environment_cut does, then makes
  * volumes with their centre inside passable.
- * @param report may be null.
- * @return as topology.h; DSW_STATUS_OUT_OF_RANGE, INDEX_OUT_OF_RANGE; BORROWED: no room for
- * vertices; BAD_TOPOLOGY: the surface is not closed, or a triangle repeats a point.
+ * @return as topology.h; DSW_STATUS_INDEX_OUT_OF_RANGE; BORROWED: no room for vertices;
+ * BAD_TOPOLOGY: the surface is not closed, or a triangle repeats a point.
  * @note Cost: O(volumes crossed or inside * log triangles); without `start` also O(n). Thread: as
  * topology.h. @since 1.0 */
 DSW_API dsw_status dsw_environment_carve(dsw_environment *environment, const dsw_carve_desc *desc,
@@ -87,8 +87,7 @@ DSW_API void dsw_tie_desc_init(dsw_tie_desc *desc, size_t size);
 /** Closes passable space along the surface of a loop. Passable volumes that the surface crosses are
  * split and unsewn, as by DSW_CUT_UNSEW. Those that stay whole, or hold the loop, become
  * impassable.
- * @param report may be null.
- * @return as topology.h; DSW_STATUS_OUT_OF_RANGE; BORROWED: no room for vertices.
+ * @return as topology.h; DSW_STATUS_BORROWED: no room for vertices.
  * @note Cost: as dsw_environment_cut; without `start` O(n log triangles). Thread: as topology.h.
  * @since 1.0 */
 DSW_API dsw_status dsw_environment_tie(dsw_environment *environment, const dsw_tie_desc *desc,

@@ -38,12 +38,12 @@ DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size)
 /** Creates a coarser copy of an environment. Merged volumes are valid polyhedra. Casts and sweeps
  * meet the same faces, by their vertices, at the same times. Regions, tags, marks and vertex
  * indices stay.
- * @param source must not have been deformed.
+ * @param source must never have been deformed.
  * @param environment has the source's context.
  * @param volume_map may be null; the new index for each volume index, or UINT32_MAX.
  * @param capacity volume_index_count of the source.
  * @param report may be null.
- * @return DSW_STATUS_UNSUPPORTED: deformed; OUT_OF_RANGE: max_faces; TOO_LARGE.
+ * @return DSW_STATUS_TOO_LARGE.
  * @note Cost: O(n log n). Thread: reader of the source. Source: [JCD10] 3.2. @since 1.0 */
 DSW_API dsw_status dsw_environment_coarsen(const dsw_environment *source,
                                            const dsw_coarsen_options *options,

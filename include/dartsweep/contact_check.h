@@ -46,8 +46,7 @@ typedef struct dsw_contact_opinion {
  * @param environment where the contact was found, unchanged since.
  * @param contact `time`, `from`, `to`, `vertex`, `face`, `tag` and `history` do not count; `edge`
  * only has to be null or not.
- * @return DSW_STATUS_NOT_BUILT; NOT_FOUND: `front` is not at `wall`; OUT_OF_RANGE: the normal is
- * not unit; UNSUPPORTED: kinds.
+ * @return DSW_STATUS_NOT_BUILT; NOT_FOUND: `front` is not at `wall`.
  * @note Cost: O(vertices of the volume, or volumes round the edge). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_contact_check(const dsw_environment *environment, const dsw_contact *contact,
                                      dsw_contact_opinion *opinion);

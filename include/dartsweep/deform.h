@@ -118,7 +118,7 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
  * end of the environment, unless REFUSED. Written for vertices that do not arrive.
  * @param report may be null.
  * @return DSW_STATUS_NOT_NAMED: the feature; IN_USE: `next` is the present array; WRONG_SIZE:
- * point_count, point_room; NON_FINITE: a vertex near a body or particle; OUT_OF_RANGE: options.
+ * point_count, point_room; NON_FINITE: only near bodies and particles.
  * @note Cost: O(bodies + particles + volumes met). Thread: writer of the environment. Source:
  * [JCD10] 5.1. @since 1.0 */
 DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point_count,

@@ -62,8 +62,8 @@ DSW_API void dsw_detach_desc_init(dsw_detach_desc *desc, size_t size);
  * @param scene the only scene of its environment.
  * @param report may be null.
  * @return DSW_STATUS_SHARED; BAD_TOPOLOGY: the volume is passable; TOO_LARGE: more than
- * max_volumes; INVALID_CELL; OUT_OF_RANGE; NOT_NAMED: as dsw_body_create; OCCUPIED: vertices
- * without a free place.
+ * max_volumes; INVALID_CELL; NOT_NAMED: as dsw_body_create; OCCUPIED: vertices without a free
+ * place.
  * @note Cost: O(piece + particles + bodies), expected, or O(n). Thread: writer of the environment
  * and of its scene. @since 1.0 */
 DSW_API dsw_status dsw_scene_detach(dsw_scene *scene, const dsw_detach_desc *desc,

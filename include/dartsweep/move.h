@@ -1,7 +1,8 @@
 /** @file move.h
  * Moves of bodies, one vertex at a time; contacts are exact for that order. After each call the
  * parts that the level covers are free, and nothing that the level sees was passed (lossy flags
- * excepted). More: bindings/docs/moving_bodies.md. [JCD10] 4.1, 4.2
+ * excepted). `report` and `reports` may be null. More: bindings/docs/moving_bodies.md. [JCD10] 4.1,
+ * 4.2
  */
 #ifndef DARTSWEEP_MOVE_H
 #define DARTSWEEP_MOVE_H
@@ -69,11 +70,11 @@ typedef struct dsw_move_options {
 typedef struct dsw_move_report {
   double fraction;           /**< Part made by dsw_body_move_rigid; else 1. */
   uint32_t vertices_moved;   /**< Vertices that were to move. */
-  uint32_t vertices_stopped; /**< Of these, those not at their targets. */
+  uint32_t vertices_stopped; /**< Those not at their targets. */
   uint32_t contact_count;    /**< See dsw_body_get_contacts. */
   uint32_t edit_count;       /**< See dsw_body_get_edits. */
-  uint32_t edges_swept;      /**< Sweeps of edges at this level, from both ends. */
-  uint32_t edges_skipped;    /**< Of these, those saved by flags. */
+  uint32_t edges_swept;      /**< Sweeps of edges, from both ends. */
+  uint32_t edges_skipped;    /**< Those saved by flags. */
   uint32_t vertices_limited; /**< Of vertices_stopped, by the work limit. */
   uint32_t reserved;         /**< 0. */
 } dsw_move_report;
@@ -84,8 +85,7 @@ DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
 /** Moves the vertices of a body to their targets, one after the other.
  * @param targets `target_count` points, one for each vertex slot; read for vertices that move.
- * @param report may be null.
- * @return DSW_STATUS_WRONG_SIZE: target_count; OUT_OF_RANGE, DUPLICATE_ID: `order`.
+ * @return DSW_STATUS_DUPLICATE_ID: `order`.
  * @note Cost: O(volumes met + bodies near the way). Thread: writer. Source: [JCD10] 4.
  * @since 1.0 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
@@ -96,7 +96,6 @@ DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const doubl
  * @param bodies distinct.
  * @param targets `target_count` points, body after body.
  * @param options `order` must be null.
- * @param reports may be null.
  * @return as dsw_body_move.
  * @note Cost: as dsw_body_move. Thread: writer, batch. @since 1.0 */
 DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
@@ -106,7 +105,7 @@ DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bo
 
 /** A rigid motion: x becomes rotation * (x - centre) + centre + translation. */
 typedef struct dsw_rigid_motion {
-  double rotation[4];    /**< Quaternion x, y, z, w; not zero. */
+  double rotation[4];    /**< Quaternion x, y, z, w, not zero. */
   double centre[3];      /**< Fixed point of the rotation. */
   double translation[3]; /**< Added after the rotation. */
 } dsw_rigid_motion;
@@ -114,8 +113,7 @@ typedef struct dsw_rigid_motion {
 /** Moves a body rigidly: the motion is halved, up to 52 times, until all vertices can make it one
  * by one.
  * @param options only `order`, of all vertices, counts.
- * @param report may be null.
- * @return as dsw_body_move; OUT_OF_RANGE: a zero quaternion.
+ * @return as dsw_body_move.
  * @note Cost: as dsw_body_move, for each fraction tried. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
                                        const dsw_rigid_motion *motion,

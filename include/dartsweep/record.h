@@ -119,12 +119,12 @@ typedef struct dsw_verdict {
   uint64_t places;      /**< Particles and vertices of bodies. */
   uint64_t lost;        /**< Those outside of their volumes. */
   uint64_t edges;       /**< Edges from DSW_LEVEL_EDGES on. */
-  uint64_t crossing;    /**< Those that are not free. */
+  uint64_t crossing;    /**< Those not free. */
   uint64_t faces;       /**< Faces at DSW_LEVEL_FACES. */
-  uint64_t pierced;     /**< Those that are not free. */
+  uint64_t pierced;     /**< Those not free. */
   /** Ways reported free, from DSW_LEVEL_EDGES_SWEPT on with swept edges. */
   uint64_t ways;
-  uint64_t missed;     /**< Those that are not free. */
+  uint64_t missed;     /**< Those not free. */
   uint64_t contacts;   /**< First contacts with the environment. */
   uint64_t wrong;      /**< Those with a wrong time. */
   uint64_t not_judged; /**< Contacts and ways not validated. */
@@ -137,7 +137,7 @@ typedef struct dsw_replay_info {
   uint32_t flags;       /**< Flags of the recording. */
   uint32_t version;     /**< dsw_version() of the recording library. */
   uint32_t reserved;    /**< 0. */
-  uint64_t calls;       /**< Calls made so far. */
+  uint64_t calls;       /**< Calls made. */
   /** Bytes not read; at the end, those of an incomplete entry. */
   uint64_t bytes_left;
   /** Note of a bug report, known at its end. */

@@ -44,8 +44,8 @@ DSW_API void dsw_remesh_desc_init(dsw_remesh_desc *desc, size_t size);
 /** Mends invalid volumes. Marks, regions and tags stay.
  * @param desc null means all defaults.
  * @param report may be null.
- * @return as topology.h; DSW_STATUS_OUT_OF_RANGE; WRONG_SIZE: point_count; OCCUPIED: something
- * would lie in no volume.
+ * @return as topology.h; DSW_STATUS_WRONG_SIZE: point_count; OCCUPIED: something would lie in no
+ * volume.
  * @note Cost: O(volumes replaced and their neighbours), or O(n) for all. Thread: as topology.h.
  * Source: [JCD10] 5.2. @since 1.0 */
 DSW_API dsw_status dsw_environment_remesh(dsw_environment *environment, const dsw_remesh_desc *desc,
