@@ -4,19 +4,16 @@
  * Results:
  *  - Lengths are in scene units. A time of contact is a fraction in [0,1] of one move.
  *  - Exact arithmetic decides every sign, for all finite doubles. Simulation of Simplicity (H.
- *    Edelsbrunner, E. P. Muecke, ACM Transactions on Graphics 9, 1990) decides ties: moving points
- *    stand for themselves plus an infinitesimal vector, "the shift" (query.h).
+ *    Edelsbrunner, E. P. Muecke, ACM Transactions on Graphics 9, 1990) decides ties: every moving
+ *    point stands for itself plus "the shift", the vector (e, e^2, e^3) with an infinitesimal e >
+ *    0. More: bindings/docs/exactness.md.
  *  - A geometric outcome (no contact, stopped, outside) is never a status.
  *  - A call that fails changes nothing, unless its comment says otherwise.
  *
  * Common statuses, which any function can answer; comments list only others:
- *  - DSW_STATUS_NULL_ARGUMENT, OUT_OF_RANGE, STALE_ID, OUT_OF_MEMORY, INTERNAL;
- *  - DSW_STATUS_BAD_STRUCT_SIZE: see struct_size below;
- *  - DSW_STATUS_UNSUPPORTED: an unknown flag or enum value, a `reserved` member that is not 0, or a
- *    function that does not serve the plane (dartsweep.h);
- *  - DSW_STATUS_NON_FINITE: a number is NaN or infinite;
- *  - DSW_STATUS_WRONG_SIZE: a wrong stride, or a count that no array has;
- *  - DSW_STATUS_BUFFER_TOO_SMALL: see `capacity` below.
+ * DSW_STATUS_NULL_ARGUMENT, BAD_STRUCT_SIZE, OUT_OF_RANGE, NON_FINITE, WRONG_SIZE, STALE_ID,
+ * BUFFER_TOO_SMALL, OUT_OF_MEMORY, INTERNAL, and UNSUPPORTED: an unknown flag or enum value, a
+ * `reserved` member that is not 0, or a function that does not serve the plane (dartsweep.h).
  *
  * Arguments:
  *  - Pointers are used during the call only, unless a comment says "retained", and are required
@@ -79,9 +76,9 @@ typedef enum dsw_status {
   /** struct_size is below the first release's. */
   DSW_STATUS_BAD_STRUCT_SIZE = 2,
   DSW_STATUS_UNSUPPORTED = 3, /**< Not supported. */
-  /** A number is out of its range. */
+  /** A number or index is out of range. */
   DSW_STATUS_OUT_OF_RANGE = 4,
-  DSW_STATUS_NON_FINITE = 5,          /**< A coordinate is NaN or infinite. */
+  DSW_STATUS_NON_FINITE = 5,          /**< A number is NaN or infinite. */
   DSW_STATUS_WRONG_SIZE = 6,          /**< Sizes, strides or offsets are wrong. */
   DSW_STATUS_STALE_ID = 7,            /**< The id names nothing that exists. */
   DSW_STATUS_BUFFER_TOO_SMALL = 8,    /**< `count` holds the capacity that is needed. */

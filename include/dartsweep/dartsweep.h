@@ -46,7 +46,6 @@
  *    way between them. dsw_environment_merge_volumes: the shared sides are one chain.
  *  - A blade has 1 column: the path of a point, with its front on the right.
  *  - Shapes of carve.h are bounded by segments. A vessel is tied along a line from wall to wall.
- *  - Rigid motions turn about z.
  */
 
 #endif

@@ -50,8 +50,8 @@ enum {
   /** Builds a grid, about 16 bytes a cell. Without a grid, a locate without a hint scans all
    * cells. */
   DSW_ENVIRONMENT_LOCATE_GRID = 0x4,
-  /** Also proves that the outer boundary does not pass through itself, as dsw_environment_check
-   * does; about ten times the cost of the rest. */
+  /** Also proves that the outer boundary does not pass through itself, at ten times the cost.
+   * dsw_environment_check does so later. */
   DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8
 };
 

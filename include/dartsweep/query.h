@@ -1,9 +1,8 @@
 /** @file query.h
  * Queries that need no scene: where a point is, what a segment meets, what is near.
  *
- * Simulation of Simplicity (base.h): each given point stands for itself plus the shift (e, e^2,
- * e^3) with an infinitesimal e > 0. So it lies in one volume, and a segment pierces one triangle at
- * a time. More: bindings/docs/exactness.md.
+ * By the shift (base.h) each point lies in one volume, and a segment pierces one triangle at a
+ * time.
  */
 #ifndef DARTSWEEP_QUERY_H
 #define DARTSWEEP_QUERY_H

@@ -27,8 +27,8 @@ enum {
    * vertex, edge and face. */
   DSW_FEATURE_BODY_CONTACTS = 0x8,
   /** Marks and changes of the topology check only what is near, with the same answers: about 24
-   * bytes a particle, the 64 bytes of DSW_FEATURE_BODY_CONTACTS (once for both), up to 1 MB after
-   * many changes, and a note at each move. */
+   * bytes a particle, the 64 bytes of DSW_FEATURE_BODY_CONTACTS (once for both), and up to 1 MB
+   * after many changes. */
   DSW_FEATURE_LIVE_CHANGES = 0x10
 };
 

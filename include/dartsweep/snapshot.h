@@ -36,8 +36,8 @@ DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t ca
  * @param environment retained.
  * @return DSW_STATUS_TRUNCATED, DSW_STATUS_BAD_VERSION; DSW_STATUS_CORRUPT, also if saved in
  * another environment; DSW_STATUS_IN_USE as dsw_scene_create.
- * @note Cost: O(contents of the scene); clearances (DSW_BODY_SKIP_BY_CLEARANCE) are measured again.
- * Thread: writer of the environment. @since 1.0 */
+ * @note Cost: O(contents of the scene); clearances are measured again. Thread: writer of the
+ * environment. @since 1.0 */
 DSW_API dsw_status dsw_scene_load(dsw_environment *environment, const void *block,
                                   size_t size_bytes, dsw_scene **scene);
 

@@ -142,9 +142,9 @@ DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
  * gap, sewn to neighbours, and to lips without marks. A vertex comes apart where the crack divides
  * the volumes round it into two sets, so not at the tip of the crack. Its copies move less than
  * `width` asks where a volume would be invalid. To open into passable volumes at the rim, name only
- * faces between impassable volumes. Both copies of a vertex become cut vertices, with the old one
- * twice in `from`. The lips, and the added volumes at the end of
- * dsw_environment_get_volume_changes, are in the order of `faces`.
+ * faces between impassable volumes. Both copies become cut vertices, with the old one twice in
+ * `from`. The lips, and the added volumes at the end of dsw_environment_get_volume_changes, are in
+ * the order of `faces`.
  * @param report may be null. To open nothing is no failure.
  * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: two faces do not lie on each other, are
  * of one volume, or not on the outer boundary; OCCUPIED, also if a wall would move over a particle

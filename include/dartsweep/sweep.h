@@ -33,7 +33,7 @@ typedef enum dsw_level {
 enum {
   /** `starts` contain the moving ends; see DSW_CAST_START_KNOWN. */
   DSW_SWEEP_START_KNOWN = 0x1,
-  /** The edges p q are free: the check is skipped. If one is not, a contact may be missed. */
+  /** The edges p q are known to be free. If one is not, a contact may be missed. */
   DSW_SWEEP_START_FREE = 0x2
 };
 

@@ -12,9 +12,8 @@
  * ids.
  *
  * Any change can answer DSW_STATUS_SHARED (several scenes), OCCUPIED (a particle or vertex of a
- * body would be in no passable volume, or a body not free at its level; dsw_scene_get_occupants and
- * dsw_scene_get_occupant_bodies tell), BAD_TOPOLOGY, BAD_CELL, INVALID_CELL (a new volume),
- * TOO_LARGE.
+ * body would be in no passable volume, or a body not free at its level; see marking.h),
+ * BAD_TOPOLOGY, BAD_CELL, INVALID_CELL, TOO_LARGE.
  *
  * "Local" cost: O(faces of the volumes that change), and a pass over particles and bodies (only
  * those near with DSW_FEATURE_LIVE_CHANGES). The first change makes tables: 24 bytes a volume, 12 a
