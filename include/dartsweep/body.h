@@ -2,8 +2,8 @@
  * Bodies: vertices joined by edges and, for surfaces, by triangles. The parts that a body's level
  * covers never meet anything impassable, exactly. Calls that would break this are refused.
  *
- * With DSW_FEATURE_BODY_CONTACTS, bodies whose filters match do not touch or pass each other either
- * (except by DSW_DEFORM_END_STATE).
+ * With DSW_FEATURE_BODY_CONTACTS, bodies whose filters match do not touch or pass each other
+ * either.
  *
  * Arrays by vertex have an entry for each slot. Removed parts leave free slots. `edit` may be null.
  *
@@ -32,7 +32,7 @@ enum {
   /** Lossy, at DSW_LEVEL_EDGES. Tests edges whose ends move alike (`motion_share`) only where they
    * arrive. Name since 1.1. */
   DSW_BODY_SKIP_SIMILAR_MOTION = 0x8,
-  /** The same, by its name in 1.0. */
+  /** Its name in 1.0. */
   DSW_BODY_SKIP_BY_MOTION = 0x8,
   /** Parts of the body without a common vertex must not touch [JCD10] 4.4. Needs
    * DSW_FEATURE_BODY_CONTACTS. */
@@ -86,8 +86,7 @@ typedef struct dsw_body_counts {
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
 
-/** Creates a body. Vertices and edges keep their indices, and other edges of faces follow. Faces
- * are numbered triangle by triangle.
+/** Creates a body. Vertices and edges keep their indices, and other edges of faces follow.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE: a vertex; INDEX_OUT_OF_RANGE; BAD_CELL: a repeated
  * vertex; DUPLICATE_CELL; SHARED_FACE: three triangles at an edge, several fans at a vertex;
  * INVERTED_CELL: neighbours turned against each other; OCCUPIED: not free; NOT_NAMED:
@@ -99,7 +98,7 @@ DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, 
 
 /** Gives the edges that made the last dsw_body_create, dsw_body_set_level or dsw_body_set_filter
  * answer DSW_STATUS_OCCUPIED.
- * @param vertices two indices for each edge, equal for a lone vertex.
+ * @param vertices two indices for each edge.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices,
                                                  size_t *count);
@@ -218,15 +217,15 @@ DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_bod
                                      dsw_body_vertex_id b, dsw_body_vertex_id c,
                                      dsw_body_face_id *face);
 
-/** Removes a face. Always possible.
+/** Removes a face.
  * @note Cost: O(parts there). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_remove_face(dsw_scene *scene, dsw_body_id body, dsw_body_face_id face);
 
-/** Removes an edge and its faces. Always possible.
+/** Removes an edge and its faces.
  * @note Cost: O(parts there). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge);
 
-/** Removes a vertex, its edges and its faces. Always possible.
+/** Removes a vertex, its edges and its faces.
  * @note Cost: O(parts there). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_remove_vertex(dsw_scene *scene, dsw_body_id body,
                                           dsw_body_vertex_id vertex);

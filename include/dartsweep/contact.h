@@ -1,6 +1,6 @@
 /** @file contact.h
- * Reports of casts, sweeps and moves. Members of a contact are 0 without a contact. The structs are
- * frozen: new data comes with a new getter. More: bindings/docs/contacts.md.
+ * Reports of casts, sweeps and moves. Members of a contact are 0 without a contact.  More:
+ * bindings/docs/contacts.md.
  */
 #ifndef DARTSWEEP_CONTACT_H
 #define DARTSWEEP_CONTACT_H
@@ -35,7 +35,7 @@ typedef enum dsw_contact_kind {
 
 /** Report of a cast or a particle's move. */
 typedef struct dsw_flight {
-  /** End of the flight. That of a particle is verified to be free. */
+  /** End of the flight; free for a particle. */
   double position[3];
   /** Fraction of the move. At a contact: the largest double not later than the exact time. */
   double time;
@@ -56,7 +56,7 @@ typedef struct dsw_flight {
 typedef struct dsw_crossing {
   dsw_volume_id volume; /**< The volume. */
   dsw_face_id face;     /**< Its face of entry, canonical; null for the first. */
-  double time;          /**< Time of entry, rounded down; 0 for the first. */
+  double time;          /**< Time of entry, rounded down. */
 } dsw_crossing;
 
 /** Report of one swept edge. */

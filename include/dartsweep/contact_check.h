@@ -43,7 +43,6 @@ typedef struct dsw_contact_opinion {
 } dsw_contact_opinion;
 
 /** Computes the normal of a contact a second time with libccd.
- * @param environment where the contact was found, unchanged since.
  * @param contact `time`, `from`, `to`, `vertex`, `face`, `tag` and `history` do not count; `edge`
  * only has to be null or not.
  * @return DSW_STATUS_NOT_BUILT; NOT_FOUND: `front` is not at `wall`.

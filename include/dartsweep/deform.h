@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/** How bodies and particles are kept in their places. */
+/** How bodies and particles stay in place. */
 typedef enum dsw_deform_method {
   /** Vertices near bodies and particles move one at a time, by index, in 2^k steps. No wall passes
    * anything. */
@@ -24,7 +24,7 @@ typedef enum dsw_deform_method {
   DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_deform_method;
 
-/** What happens if a wall meets a body or particle. */
+/** What happens if a wall meets something. */
 typedef enum dsw_wall_response {
   /** The touched part (with DSW_BODY_RIGID the body) moves with the wall where the way is free;
    * else HOLD. */
@@ -33,7 +33,7 @@ typedef enum dsw_wall_response {
   DSW_WALL_INSERT = 1,
   /** The vertex of the wall stays for this step. Not with END_STATE. */
   DSW_WALL_HOLD = 2,
-  /** The whole environment stops at 1/2, 1/4, ... of its way, in O(vertices). */
+  /** The whole environment stops at 1/2, 1/4, ... of its way. */
   DSW_WALL_STOP = 3,
   DSW_WALL_RESPONSE_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_wall_response;

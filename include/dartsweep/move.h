@@ -35,7 +35,7 @@ typedef enum dsw_response {
   DSW_RESPONSE_ADAPTIVE_MANY = 2,
   /** "Hybrid": the edge gets one vertex; its parts are static. */
   DSW_RESPONSE_HYBRID = 3,
-  /** The vertex moves on along the obstacle. Not in the paper. */
+  /** The vertex moves on along the obstacle. */
   DSW_RESPONSE_SLIDE = 4,
   /** ADAPTIVE_ONE, or SLIDE where no vertex can be inserted. Since 1.1. */
   DSW_RESPONSE_ADAPTIVE_SLIDE = 5,
@@ -69,13 +69,13 @@ typedef struct dsw_move_options {
 /** What a move did. */
 typedef struct dsw_move_report {
   double fraction;           /**< Part made by dsw_body_move_rigid; else 1. */
-  uint32_t vertices_moved;   /**< Vertices that were to move. */
+  uint32_t vertices_moved;   /**< Vertices to move. */
   uint32_t vertices_stopped; /**< Those not at their targets. */
   uint32_t contact_count;    /**< See dsw_body_get_contacts. */
   uint32_t edit_count;       /**< See dsw_body_get_edits. */
   uint32_t edges_swept;      /**< Sweeps of edges, from both ends. */
   uint32_t edges_skipped;    /**< Those saved by flags. */
-  uint32_t vertices_limited; /**< Of vertices_stopped, by the work limit. */
+  uint32_t vertices_limited; /**< Stopped by the work limit. */
   uint32_t reserved;         /**< 0. */
 } dsw_move_report;
 

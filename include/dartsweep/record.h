@@ -17,7 +17,7 @@ typedef int (*dsw_write_fn)(void *user, const void *bytes, size_t size_bytes);
 
 /** Flags of recordings. */
 enum {
-  /** Also a checksum of the state after each call, in O(scene) or O(environment). */
+  /** Also a checksum of the state after each call. */
   DSW_RECORDING_STATES = 1,
   /** In memory, for dsw_scene_write_bundle; old calls are dropped. */
   DSW_RECORDING_LATEST = 2,
@@ -46,7 +46,7 @@ DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
  * @since 1.0 */
 DSW_API dsw_status dsw_scene_start_recording(dsw_scene *scene, const dsw_recording_desc *desc);
 
-/** Ends the recording of a scene, if any.
+/** Ends the recording of a scene.
  * @return DSW_STATUS_WRITE_FAILED: the recording is incomplete.
  * @note Cost: O(1). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_scene_stop_recording(dsw_scene *scene);
@@ -81,7 +81,7 @@ enum {
   DSW_DIFFERS_STATE = 4    /**< The state; needs DSW_RECORDING_STATES. */
 };
 
-/** Opens a recording. Its bytes are not trusted.
+/** Opens a recording, whose bytes are not trusted.
  * @param context retained.
  * @param recording `size_bytes`, retained until the replay is destroyed.
  * @return DSW_STATUS_TRUNCATED, BAD_VERSION, CORRUPT.

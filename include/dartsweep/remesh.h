@@ -17,7 +17,7 @@ typedef struct dsw_remesh_desc {
   uint32_t flags;       /**< 0. */
   /** Volumes to mend if they are invalid, now or at `next`; null: all. */
   const dsw_volume_id *volumes;
-  size_t volume_count; /**< Number of volumes. */
+  size_t volume_count; /**< Volumes. */
   const double *next;  /**< May be null; next positions, to mend before a deformation. */
   size_t point_count;  /**< Vertices of the environment; 0 if `next` is null. */
   /** Rings of neighbours, by vertices, that may be replaced, 1 to 8; 0 means 1. */
