@@ -2,10 +2,9 @@
  * Cuts along the surface that a blade sweeps, tears, cracks that open: changes, for which
  * topology.h holds. How they work: bindings/docs/cutting.md.
  *
- * The blade is exact under the shift. It may pass through vertices, along edges and faces, fold, or
- * lie outside. Volumes that it crosses completely are split, passable or not. A volume stays whole
- * if the blade ends inside or crosses one of its edges twice, or if a part would be invalid; it can
- * still get vertices and edges from neighbours.
+ * The blade is exact under the shift, and may lie anywhere. Volumes that it crosses completely are
+ * split, passable or not. A volume stays whole if the blade ends inside or crosses one of its edges
+ * twice, or if a part would be invalid; it can still get vertices and edges from neighbours.
  */
 #ifndef DARTSWEEP_SURGERY_H
 #define DARTSWEEP_SURGERY_H
@@ -33,8 +32,7 @@ typedef struct dsw_cut_desc {
   size_t point_stride_bytes; /**< As every stride. */
   uint32_t rows;             /**< At least 2; rows * columns is less than 2^28. */
   uint32_t columns;          /**< At least 2. */
-  /** Where the search begins, at best a volume that the blade crosses. Null: the volume of its
-   * first point that is in any, else any volume. */
+  /** Where the search begins, at best a volume that the blade crosses; may be null. */
   dsw_volume_id start;
   /** A crossing nearer to the end of an edge than this share of its length counts as at that end.
    * Above 0, at most 0.25; 0 means 0.01. */
@@ -76,9 +74,7 @@ DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 
 /** Cuts an environment along a blade. In a split volume the part in front keeps the index. To cut
  * nothing is no failure.
- * @param report may be null.
- * @return DSW_STATUS_BORROWED; OCCUPIED, also if DSW_CUT_UNSEW would cut an edge or face of a body,
- * or the outer boundary round into one. Never BAD_CELL or INVALID_CELL.
+ * @param report may be null. @return DSW_STATUS_BORROWED; never BAD_CELL or INVALID_CELL.
  * @note Cost: O(pairs of a volume and a triangle that meet, and on the way to the blade), and
  * local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc,
@@ -147,8 +143,7 @@ DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
  * the order of `faces`.
  * @param report may be null. To open nothing is no failure.
  * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: two faces do not lie on each other, are
- * of one volume, or not on the outer boundary; OCCUPIED, also if a wall would move over a particle
- * or body.
+ * of one volume, or not on the outer boundary.
  * @note Cost: O(volumes at the crack), and local. Thread: writer. Source: [JCD10] 5.2.
  * @since 1.0 */
 DSW_API dsw_status dsw_environment_open(dsw_environment *environment, const dsw_open_desc *desc,
