@@ -72,8 +72,7 @@ typedef struct dsw_cut_face {
 /** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 
-/** Cuts an environment along a blade. In a split volume the part in front keeps the index. To cut
- * nothing is no failure.
+/** Cuts an environment along a blade. In a split volume the part in front keeps the index.
  * @param report may be null. @return DSW_STATUS_BORROWED; never BAD_CELL or INVALID_CELL.
  * @note Cost: O(pairs of a volume and a triangle that meet, and on the way to the blade), and
  * local. Thread: writer. @since 1.0 */
@@ -81,7 +80,6 @@ DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_c
                                        dsw_cut_report *report);
 
 /** Unsews faces with a load above a threshold; faces of the outer boundary stay.
- * dsw_environment_get_cut_faces gives the torn faces.
  * @param faces an id may stand twice. @param loads, threshold in the host's unit; may be infinite.
  * @param torn how many were torn; may be null.
  * @note Cost: O(count), and local. Thread: writer. @since 1.0 */
@@ -136,11 +134,10 @@ DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
 
 /** Opens a crack: its lips move apart, and one passable volume for each face that opens fills the
  * gap, sewn to neighbours, and to lips without marks. A vertex comes apart where the crack divides
- * the volumes round it into two sets, so not at the tip of the crack. Its copies move less than
- * `width` asks where a volume would be invalid. To open into passable volumes at the rim, name only
- * faces between impassable volumes. Both copies become cut vertices, with the old one twice in
- * `from`. The lips, and the added volumes at the end of dsw_environment_get_volume_changes, are in
- * the order of `faces`.
+ * the volumes round it into two sets. Its copies move less than `width` asks where a volume would
+ * be invalid. To open into passable volumes at the rim, name only faces between impassable volumes.
+ * Both copies become cut vertices, with the old one twice in `from`. The lips, and the added
+ * volumes at the end of dsw_environment_get_volume_changes, are in the order of `faces`.
  * @param report may be null. To open nothing is no failure.
  * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: two faces do not lie on each other, are
  * of one volume, or not on the outer boundary.
