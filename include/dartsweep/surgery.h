@@ -32,7 +32,7 @@ typedef struct dsw_cut_desc {
   size_t point_stride_bytes; /**< As every stride. */
   uint32_t rows;             /**< At least 2; rows * columns is less than 2^28. */
   uint32_t columns;          /**< At least 2. */
-  /** Where the search begins, at best a volume that the blade crosses; may be null. */
+  /** Where the search begins, at best a volume that the blade crosses, or the null id. */
   dsw_volume_id start;
   /** A crossing nearer to the end of an edge than this share of its length counts as at that end.
    * Above 0, at most 0.25; 0 means 0.01. */

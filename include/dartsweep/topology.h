@@ -28,7 +28,7 @@
 extern "C" {
 #endif
 
-/** What became of a volume. Split and merged ones have two. */
+/** What became of a volume. A volume that is split or merged has two of these. */
 typedef struct dsw_volume_change {
   dsw_volume_id before; /**< Null: the volume was added. */
   dsw_volume_id after;  /**< Null: the volume was removed. */
