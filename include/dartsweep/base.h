@@ -1,5 +1,5 @@
 /** @file base.h
- * Export macro, version, statuses, last error message. For all headers holds:
+ * Export macro, version, statuses, last error message. What holds for all headers:
  *
  * Results:
  *  - Lengths are in scene units. A time of contact is a fraction in [0,1] of one move.
@@ -21,12 +21,12 @@
  *  - A created object belongs to the caller until its `_destroy` function, which accepts null.
  *  - `point`, `points`, `position`, `positions`, `from`, `to`, `target`, `targets`, `xyz`: a point
  *    is `dimension` finite doubles. `stride_bytes` leads from one point to the next, a multiple of
- *    8; 0: no gaps.
+ *    8; 0 means no gaps.
  *  - A `const T **` result belongs to its object, and is valid until the next call that makes such
  *    results anew.
- *  - Arrays have `count` entries, unless a comment says otherwise. Of unknown length, they have
- *    `capacity` entries or `capacity_bytes` bytes: *count, or *size_bytes, is set to what is
- *    needed, also on DSW_STATUS_BUFFER_TOO_SMALL. Capacity 0 asks, with an array that may be null.
+ *  - Arrays have `count` entries, unless a comment says otherwise. An array of unknown length has
+ *    `capacity` entries, or `capacity_bytes` bytes; *count, or *size_bytes, is set to what is
+ *    needed, also on DSW_STATUS_BUFFER_TOO_SMALL. Capacity 0 only asks, and the array may be null.
  *  - A `hint` is a volume near the point, or the null id. `flags` are bits of the header's enum.
  *  - A struct with struct_size, set by the caller or its `_init` function, may be of any version
  *    since its first release. Members that it lacks count as 0. Members unknown to the library must

@@ -1,6 +1,6 @@
 /** @file dartsweep.h
  * All headers of Dartsweep: exact contacts of moving points, edges and surfaces with a volume mesh.
- * base.h says what all functions share; how all of them read in the plane stands at the end.
+ * base.h says what all functions share. The plane stands at the end.
  */
 #ifndef DARTSWEEP_DARTSWEEP_H
 #define DARTSWEEP_DARTSWEEP_H
@@ -43,7 +43,7 @@
  *  - Edges of bodies meet vertices (DSW_CONTACT_VERTEX) instead of edges, also marked vertices.
  *    `edge` of dsw_sweep has index and generation of that vertex. The normal is that of the edge.
  *  - dsw_environment_split_volume takes 2 corners that no side joins; the first part is left of the
- *    way between them. dsw_environment_merge_volumes: the shared sides are one chain.
+ *    way between them.
  *  - A blade has 1 column: the path of a point, with its front on the right.
  *  - Shapes of carve.h are bounded by segments. A vessel is tied along a line from wall to wall.
  */

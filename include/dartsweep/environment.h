@@ -1,6 +1,5 @@
 /** @file environment.h
- * An environment: a partition of a bounded part of space into volumes, made from the arrays of a
- * mesh.
+ * An environment: a partition of a bounded part of space into volumes.
  *
  * A volume that is no tetrahedron is the star of its centre, the rounded mean of its vertices:
  * tetrahedra from the centre to the triangles of the boundary. So faces may be warped, and volumes
@@ -125,8 +124,8 @@ typedef struct dsw_environment_info {
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
 
-/** Creates an environment and proves every cell valid: a star of tetrahedra with positive volume
- * that covers no direction twice. All but the outer boundary is passable.
+/** Creates an environment and proves every cell valid (bindings/docs/exactness.md). All but the
+ * outer boundary is passable.
  * @param report may be null; filled unless an argument is wrong.
  * @return DSW_STATUS_TOO_LARGE, INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL, INVERTED_CELL,
  * INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES.

@@ -6,9 +6,7 @@
  *
  * Marking answers DSW_STATUS_SHARED if several scenes use the environment, and DSW_STATUS_OCCUPIED
  * if particles or bodies are in the way; dsw_scene_get_occupants and dsw_scene_get_occupant_bodies
- * tell which. Particles and vertices of bodies occupy their volume; from DSW_LEVEL_EDGES on edges
- * occupy volumes and faces that they cross; at DSW_LEVEL_FACES faces occupy volumes, edges, and
- * rims of faces that they pierce. Nothing occupies a vertex.
+ * tell which. Edges of bodies are in the way from DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES.
  *
  * Making cells impassable checks the bodies of the scene. Writers need the environment and its
  * scene.

@@ -12,8 +12,7 @@
 extern "C" {
 #endif
 
-/** Saves an environment: cells, ids, present points, labels, tags and marks, but not the list of
- * the last change (topology.h).
+/** Saves an environment, but not the list of its last change (topology.h).
  * @note Cost: O(n). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void *block,
                                         size_t capacity_bytes, size_t *size_bytes);

@@ -2,10 +2,9 @@
  * Cuts along the surface that a blade sweeps, tears, cracks that open: changes, for which
  * topology.h holds. How they work: bindings/docs/cutting.md.
  *
- * The blade is exact under the shift. It may pass through vertices, along edges and faces, fold, or
- * lie outside. Volumes that it crosses completely are split, passable or not. A volume stays whole
- * if the blade ends inside or crosses one of its edges twice, or if a part would be invalid; it can
- * still get vertices and edges from neighbours.
+ * The blade is exact under the shift, and may lie anywhere. Volumes that it crosses completely are
+ * split, passable or not. A volume stays whole if the blade ends inside or crosses one of its edges
+ * twice, or if a part would be invalid; it can still get vertices and edges from neighbours.
  */
 #ifndef DARTSWEEP_SURGERY_H
 #define DARTSWEEP_SURGERY_H
@@ -33,8 +32,7 @@ typedef struct dsw_cut_desc {
   size_t point_stride_bytes; /**< As every stride. */
   uint32_t rows;             /**< At least 2; rows * columns is less than 2^28. */
   uint32_t columns;          /**< At least 2. */
-  /** Where the search begins, at best a volume that the blade crosses. Null: the volume of its
-   * first point that is in any, else any volume. */
+  /** Where the search begins, at best a volume that the blade crosses, or the null id. */
   dsw_volume_id start;
   /** A crossing nearer to the end of an edge than this share of its length counts as at that end.
    * Above 0, at most 0.25; 0 means 0.01. */
@@ -74,18 +72,14 @@ typedef struct dsw_cut_face {
 /** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_cut_desc_init(dsw_cut_desc *desc, size_t size);
 
-/** Cuts an environment along a blade. In a split volume the part in front keeps the index. To cut
- * nothing is no failure.
- * @param report may be null.
- * @return DSW_STATUS_BORROWED; OCCUPIED, also if DSW_CUT_UNSEW would cut an edge or face of a body,
- * or the outer boundary round into one. Never BAD_CELL or INVALID_CELL.
+/** Cuts an environment along a blade. In a split volume the part in front keeps the index.
+ * @param report may be null. @return DSW_STATUS_BORROWED; never BAD_CELL or INVALID_CELL.
  * @note Cost: O(pairs of a volume and a triangle that meet, and on the way to the blade), and
  * local. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_environment_cut(dsw_environment *environment, const dsw_cut_desc *desc,
                                        dsw_cut_report *report);
 
 /** Unsews faces with a load above a threshold; faces of the outer boundary stay.
- * dsw_environment_get_cut_faces gives the torn faces.
  * @param faces an id may stand twice. @param loads, threshold in the host's unit; may be infinite.
  * @param torn how many were torn; may be null.
  * @note Cost: O(count), and local. Thread: writer. @since 1.0 */
@@ -140,15 +134,13 @@ DSW_API void dsw_open_desc_init(dsw_open_desc *desc, size_t size);
 
 /** Opens a crack: its lips move apart, and one passable volume for each face that opens fills the
  * gap, sewn to neighbours, and to lips without marks. A vertex comes apart where the crack divides
- * the volumes round it into two sets, so not at the tip of the crack. Its copies move less than
- * `width` asks where a volume would be invalid. To open into passable volumes at the rim, name only
- * faces between impassable volumes. Both copies become cut vertices, with the old one twice in
- * `from`. The lips, and the added volumes at the end of dsw_environment_get_volume_changes, are in
- * the order of `faces`.
+ * the volumes round it into two sets. Its copies move less than `width` asks where a volume would
+ * be invalid. To open into passable volumes at the rim, name only faces between impassable volumes.
+ * Both copies become cut vertices, with the old one twice in `from`. The lips, and the added
+ * volumes at the end of dsw_environment_get_volume_changes, are in the order of `faces`.
  * @param report may be null. To open nothing is no failure.
  * @return DSW_STATUS_DUPLICATE_ID, BORROWED; BAD_TOPOLOGY: two faces do not lie on each other, are
- * of one volume, or not on the outer boundary; OCCUPIED, also if a wall would move over a particle
- * or body.
+ * of one volume, or not on the outer boundary.
  * @note Cost: O(volumes at the crack), and local. Thread: writer. Source: [JCD10] 5.2.
  * @since 1.0 */
 DSW_API dsw_status dsw_environment_open(dsw_environment *environment, const dsw_open_desc *desc,

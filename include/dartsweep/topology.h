@@ -28,7 +28,7 @@
 extern "C" {
 #endif
 
-/** What became of a volume. Split and merged ones have two. */
+/** What became of a volume. A volume that is split or merged has two of these. */
 typedef struct dsw_volume_change {
   dsw_volume_id before; /**< Null: the volume was added. */
   dsw_volume_id after;  /**< Null: the volume was removed. */
@@ -114,8 +114,7 @@ DSW_API dsw_status dsw_environment_split_volume(dsw_environment *environment, ds
 DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_face_id *face);
 
-/** Splits a face by a new edge. If the edge crosses triangles of a warped face, new triangles
- * change the volumes, or the outer boundary, by what lies between.
+/** Splits a face by a new edge. In a warped face this can change volumes, or the outer boundary.
  * @param a, b vertices of the face that no edge joins.
  * @param faces 2 ids: the part from a to b, seen from outside of the volume in the face id, and the
  * other.
