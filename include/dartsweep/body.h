@@ -86,7 +86,8 @@ typedef struct dsw_body_counts {
  * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
 
-/** Creates a body. Vertices and edges keep their indices, and other edges of faces follow.
+/** Creates a body. Vertices and edges keep their indices, and other edges of faces follow. Faces
+ * are numbered triangle by triangle.
  * @return DSW_STATUS_OUTSIDE, IMPASSABLE: a vertex; INDEX_OUT_OF_RANGE; BAD_CELL: a repeated
  * vertex; DUPLICATE_CELL; SHARED_FACE: three triangles at an edge, several fans at a vertex;
  * INVERTED_CELL: neighbours turned against each other; OCCUPIED: not free; NOT_NAMED:

@@ -59,7 +59,7 @@ DSW_API dsw_status dsw_environment_get_carved_volumes(const dsw_environment *env
                                                       const dsw_volume_id **volumes, size_t *count);
 
 /** A closed loop of points round a vessel. Its surface is made of triangles of two neighbouring
- * points and the mean of all. */
+ * points and the mean of all. Its front sees the loop counter-clockwise. */
 typedef struct dsw_tie_desc {
   uint32_t struct_size;      /**< sizeof(dsw_tie_desc). */
   uint32_t flags;            /**< 0. */

@@ -1,6 +1,6 @@
 /** @file contact.h
- * Reports of casts, sweeps and moves. Members of a contact are 0 without a contact.  More:
- * bindings/docs/contacts.md.
+ * Reports of casts, sweeps and moves. Members of a contact are 0 without a contact. The structs are
+ * frozen: new data comes with a new getter.  More: bindings/docs/contacts.md.
  */
 #ifndef DARTSWEEP_CONTACT_H
 #define DARTSWEEP_CONTACT_H

@@ -115,7 +115,8 @@ DSW_API void dsw_deform_options_init(dsw_deform_options *options, size_t size);
 /** Takes the environment of a scene with DSW_FEATURE_DEFORMING to new positions. Bodies and
  * particles move only if walls push them; all stay free.
  * @param next `point_count` points, one for each vertex; retained until the next deformation or the
- * end of the environment, unless REFUSED. Written for vertices that do not arrive.
+ * end of the environment, unless REFUSED. The array before is the host's again. Written for
+ * vertices that do not arrive.
  * @param report may be null.
  * @return DSW_STATUS_NOT_NAMED: the feature; IN_USE: `next` is the present array; WRONG_SIZE:
  * point_count, point_room; NON_FINITE: only near bodies and particles.

@@ -24,8 +24,8 @@ typedef enum dsw_search {
   DSW_SEARCH_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_search;
 
-/** What happens at a contact [JCD10] 4.2, figure 5. If no vertex can be inserted, the moving vertex
- * stops. */
+/** What happens at a contact [JCD10] 4.2, figure 5. A moving vertex inserts at most 64 vertices. If
+ * no vertex can be inserted, the moving vertex stops. */
 typedef enum dsw_response {
   /** The vertex stops before the contact. */
   DSW_RESPONSE_STOP = 0,
