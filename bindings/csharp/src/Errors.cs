@@ -207,7 +207,7 @@ namespace Dartsweep
     internal SharedException(string message) : base(Status.Shared, message) { }
   }
 
-  /// <summary>An id stands twice in a batch.</summary>
+  /// <summary>An id occurs twice in a batch.</summary>
   public sealed class DuplicateIdException : DartsweepException
   {
     internal DuplicateIdException(string message) : base(Status.DuplicateId, message) { }

@@ -151,7 +151,7 @@ class Shared(Error):
 
 
 class DuplicateId(Error):
-    """An id stands twice in a batch."""
+    """An id occurs twice in a batch."""
 
     status = Status.DUPLICATE_ID
 

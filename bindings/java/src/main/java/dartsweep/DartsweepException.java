@@ -224,7 +224,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
     }
   }
 
-  /** An id stands twice in a batch. */
+  /** An id occurs twice in a batch. */
   public static final class DuplicateId extends DartsweepException {
     private DuplicateId(String message) {
       super(Status.DUPLICATE_ID, message);
