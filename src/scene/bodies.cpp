@@ -45,7 +45,7 @@ void add_triangle(Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32_t c
 void check_closed(const Body<3>& body) {
   if (!is_closed_surface(body)) {
     fail(DSW_STATUS_NOT_CLOSED,
-         "DSW_BODY_SKIP_BACK_EDGES needs a closed surface: an edge does not have two faces, or a vertex has none");
+         "DSW_BODY_SKIP_BACK_EDGES is for closed surfaces: an edge does not have two faces, or a vertex has none");
   }
   if (!is_turned_outwards(body)) {
     fail(DSW_STATUS_INVERTED_CELL,
