@@ -8,7 +8,7 @@ from . import _core
 
 
 class Status(IntEnum):
-    """What a call answers. Values are stable; new ones are only appended."""
+    """The result of a call. Values are stable; new values are only appended."""
 
     OK = _core.STATUS_OK
     NULL_ARGUMENT = _core.STATUS_NULL_ARGUMENT
@@ -49,7 +49,7 @@ class Status(IntEnum):
 
 
 class LogLevel(IntEnum):
-    """Weight of a log line."""
+    """Severity of a log line."""
 
     NONE = _core.LOG_NONE
     ERROR = _core.LOG_ERROR
@@ -102,7 +102,7 @@ class Outcome(IntEnum):
 
 
 class ContactKind(IntEnum):
-    """What of the environment was touched."""
+    """The part of the obstacle that was touched."""
 
     NONE = _core.CONTACT_NONE
     PLANE = _core.CONTACT_PLANE
@@ -111,7 +111,7 @@ class ContactKind(IntEnum):
 
 
 class ContactHistory(IntEnum):
-    """Whether a body vertex was already stopped by this obstacle in the body's move before."""
+    """Whether the same obstacle stopped the vertex in the body's previous move."""
 
     NONE = _core.HISTORY_NONE
     NEW = _core.HISTORY_NEW
@@ -119,7 +119,7 @@ class ContactHistory(IntEnum):
 
 
 class Opinion(IntEnum):
-    """What libccd was asked."""
+    """What libccd compared."""
 
     NONE = _core.OPINION_NONE
     PLANE = _core.OPINION_PLANE
@@ -128,7 +128,7 @@ class Opinion(IntEnum):
 
 
 class NoOpinion(IntEnum):
-    """Why there is no opinion."""
+    """Why there is no cross-check."""
 
     NONE = _core.NO_OPINION_NONE
     WIRE = _core.NO_OPINION_WIRE
@@ -139,7 +139,7 @@ class NoOpinion(IntEnum):
 
 
 class Place(IntEnum):
-    """Answer of a locate."""
+    """Where a point is."""
 
     NONE = _core.PLACE_NONE
     PASSABLE = _core.PLACE_PASSABLE
@@ -148,7 +148,7 @@ class Place(IntEnum):
 
 
 class Level(IntEnum):
-    """How much of what an edge sweeps is looked at when its end p moves to p' while its other end q stays."""
+    """What is tested when the end p of an edge moves to p' and the other end q stays."""
 
     POINTS = _core.LEVEL_POINTS
     EDGES = _core.LEVEL_EDGES
@@ -172,7 +172,7 @@ class Search(IntEnum):
 
 
 class Response(IntEnum):
-    """What is done about a contact [JCD10] 4.2, figure 5."""
+    """The response to a contact [JCD10] 4.2, figure 5."""
 
     STOP = _core.RESPONSE_STOP
     ADAPTIVE_ONE = _core.RESPONSE_ADAPTIVE_ONE
@@ -183,14 +183,14 @@ class Response(IntEnum):
 
 
 class DeformMethod(IntEnum):
-    """How what lies in the environment is kept in its place."""
+    """How bodies and particles are kept in their places."""
 
     SWEPT = _core.DEFORM_SWEPT
     END_STATE = _core.DEFORM_END_STATE
 
 
 class WallResponse(IntEnum):
-    """What is done where a wall meets a body or particle."""
+    """The response of a wall that meets a body or particle."""
 
     PUSH = _core.WALL_PUSH
     INSERT = _core.WALL_INSERT
@@ -199,7 +199,7 @@ class WallResponse(IntEnum):
 
 
 class InvalidResponse(IntEnum):
-    """What is done where a volume that is met would become invalid, also in the smallest steps."""
+    """The response if a volume that is met would become invalid, also in the smallest steps."""
 
     HOLD = _core.INVALID_HOLD
     REFUSE = _core.INVALID_REFUSE
@@ -224,7 +224,7 @@ class EnvironmentFlag(IntFlag):
 
 
 class Feature(IntFlag):
-    """What a scene can do beyond particles and bodies."""
+    """Features that a scene can enable."""
 
     STATISTICS = _core.FEATURE_STATISTICS
     CROSSINGS = _core.FEATURE_CROSSINGS
@@ -254,7 +254,7 @@ class MarkFlag(IntFlag):
 
 
 class BodyFlag(IntFlag):
-    """Ways of a body to leave out work, self-contacts, and whether walls move it as a whole."""
+    """Flags of a body: work that is skipped, self-contacts, and whether walls move the body as a whole."""
 
     SEQUENCES = _core.BODY_SEQUENCES
     SKIP_BY_ENVIRONMENT = _core.BODY_SKIP_BY_ENVIRONMENT
