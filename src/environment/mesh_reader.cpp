@@ -90,16 +90,7 @@ class Reader {
       if (!inside || !right) bad_size.add(i);
     }
     raise(DSW_STATUS_BAD_CELL_TYPE, bad_type, "has a type that is not supported");
-    if (in_.offsets == nullptr && bad_size.count != 0) {
-      report_.offenders = bad_size;
-      fail(DSW_STATUS_WRONG_SIZE, "desc->connectivity has %zu entries for %zu cells of %zu points; %s",
-           in_.connectivity_count, in_.cell_count, uniform_vertices_,
-           D == 2
-               ? "desc->uniform_cell_type must be 5 for triangles, 9 for quads"
-               : "desc->uniform_cell_type must be 10 for tetrahedra, 12 for hexahedra, 13 for wedges, 14 for pyramids");
-    }
-    raise(DSW_STATUS_WRONG_SIZE, bad_size,
-          "has offsets outside of desc->connectivity, or another number of points than its type");
+    raise(DSW_STATUS_WRONG_SIZE, bad_size, "has offsets outside of connectivity, or not as many points as its type");
   }
 
   /** Where each record starts. Uniform records are found by multiplication, others by a table each way. */
