@@ -110,7 +110,7 @@ def body_from_trimesh(scene: Scene, mesh: Any, **options: Any) -> Body:
 
 
 def carve_trimesh(environment: Environment, mesh: Any, **options: Any) -> CarveReport:
-    """Makes passable what is inside of a closed surface with `vertices` and `faces`; options: as of Environment.carve."""
+    """Makes the inside of a closed surface passable, with `vertices` and `faces`; options: as of Environment.carve."""
     return environment.carve(mesh.vertices, mesh.faces, **options)
 
 
