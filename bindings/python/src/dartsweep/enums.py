@@ -7,7 +7,6 @@ from enum import IntEnum, IntFlag
 from . import _core
 
 
-<<<<<<< HEAD
 class Constant(IntEnum):
     """A constant that prints as its name; otherwise an integer."""
 
@@ -34,11 +33,7 @@ class Flags(IntFlag):
 
 
 class Status(Constant):
-    """What a call answers. Values are stable; new ones are only appended."""
-=======
-class Status(IntEnum):
     """The result of a call. Values are stable; new values are only appended."""
->>>>>>> words
 
     OK = _core.STATUS_OK
     NULL_ARGUMENT = _core.STATUS_NULL_ARGUMENT
@@ -78,13 +73,8 @@ class Status(IntEnum):
     NOT_CLOSED = _core.STATUS_NOT_CLOSED
 
 
-<<<<<<< HEAD
 class LogLevel(Constant):
-    """Weight of a log line."""
-=======
-class LogLevel(IntEnum):
     """Severity of a log line."""
->>>>>>> words
 
     NONE = _core.LOG_NONE
     ERROR = _core.LOG_ERROR
@@ -136,13 +126,8 @@ class Outcome(Constant):
     IMPASSABLE = _core.OUTCOME_IMPASSABLE
 
 
-<<<<<<< HEAD
 class ContactKind(Constant):
-    """What of the environment was touched."""
-=======
-class ContactKind(IntEnum):
     """The part of the obstacle that was touched."""
->>>>>>> words
 
     NONE = _core.CONTACT_NONE
     PLANE = _core.CONTACT_PLANE
@@ -150,26 +135,16 @@ class ContactKind(IntEnum):
     VERTEX = _core.CONTACT_VERTEX
 
 
-<<<<<<< HEAD
 class ContactHistory(Constant):
-    """Whether a body vertex was already stopped by this obstacle in the body's move before."""
-=======
-class ContactHistory(IntEnum):
     """Whether the same obstacle stopped the vertex in the body's previous move."""
->>>>>>> words
 
     NONE = _core.HISTORY_NONE
     NEW = _core.HISTORY_NEW
     LASTING = _core.HISTORY_LASTING
 
 
-<<<<<<< HEAD
 class Opinion(Constant):
-    """What libccd was asked."""
-=======
-class Opinion(IntEnum):
     """What libccd compared."""
->>>>>>> words
 
     NONE = _core.OPINION_NONE
     PLANE = _core.OPINION_PLANE
@@ -177,13 +152,8 @@ class Opinion(IntEnum):
     VERTEX = _core.OPINION_VERTEX
 
 
-<<<<<<< HEAD
 class NoOpinion(Constant):
-    """Why there is no opinion."""
-=======
-class NoOpinion(IntEnum):
     """Why there is no cross-check."""
->>>>>>> words
 
     NONE = _core.NO_OPINION_NONE
     WIRE = _core.NO_OPINION_WIRE
@@ -193,13 +163,8 @@ class NoOpinion(IntEnum):
     NOT_UNIQUE = _core.NO_OPINION_NOT_UNIQUE
 
 
-<<<<<<< HEAD
 class Place(Constant):
-    """Answer of a locate."""
-=======
-class Place(IntEnum):
     """Where a point is."""
->>>>>>> words
 
     NONE = _core.PLACE_NONE
     PASSABLE = _core.PLACE_PASSABLE
@@ -207,13 +172,8 @@ class Place(IntEnum):
     OUTSIDE = _core.PLACE_OUTSIDE
 
 
-<<<<<<< HEAD
 class Level(Constant):
-    """How much of what an edge sweeps is looked at when its end p moves to p' while its other end q stays."""
-=======
-class Level(IntEnum):
     """What is tested when the end p of an edge moves to p' and the other end q stays."""
->>>>>>> words
 
     POINTS = _core.LEVEL_POINTS
     EDGES = _core.LEVEL_EDGES
@@ -236,13 +196,8 @@ class Search(Constant):
     BISECTION = _core.SEARCH_BISECTION
 
 
-<<<<<<< HEAD
 class Response(Constant):
-    """What is done about a contact [JCD10] 4.2, figure 5."""
-=======
-class Response(IntEnum):
     """The response to a contact [JCD10] 4.2, figure 5."""
->>>>>>> words
 
     STOP = _core.RESPONSE_STOP
     ADAPTIVE_ONE = _core.RESPONSE_ADAPTIVE_ONE
@@ -252,25 +207,15 @@ class Response(IntEnum):
     ADAPTIVE_SLIDE = _core.RESPONSE_ADAPTIVE_SLIDE
 
 
-<<<<<<< HEAD
 class DeformMethod(Constant):
-    """How what lies in the environment is kept in its place."""
-=======
-class DeformMethod(IntEnum):
     """How bodies and particles are kept in their places."""
->>>>>>> words
 
     SWEPT = _core.DEFORM_SWEPT
     END_STATE = _core.DEFORM_END_STATE
 
 
-<<<<<<< HEAD
 class WallResponse(Constant):
-    """What is done where a wall meets a body or particle."""
-=======
-class WallResponse(IntEnum):
     """The response of a wall that meets a body or particle."""
->>>>>>> words
 
     PUSH = _core.WALL_PUSH
     INSERT = _core.WALL_INSERT
@@ -278,13 +223,8 @@ class WallResponse(IntEnum):
     STOP = _core.WALL_STOP
 
 
-<<<<<<< HEAD
 class InvalidResponse(Constant):
-    """What is done where a volume that is met would become invalid, also in the smallest steps."""
-=======
-class InvalidResponse(IntEnum):
     """The response if a volume that is met would become invalid, also in the smallest steps."""
->>>>>>> words
 
     HOLD = _core.INVALID_HOLD
     REFUSE = _core.INVALID_REFUSE
@@ -308,13 +248,8 @@ class EnvironmentFlag(Flags):
     CHECK_BOUNDARY = _core.ENVIRONMENT_CHECK_BOUNDARY
 
 
-<<<<<<< HEAD
 class Feature(Flags):
-    """What a scene can do beyond particles and bodies."""
-=======
-class Feature(IntFlag):
     """Features that a scene can enable."""
->>>>>>> words
 
     STATISTICS = _core.FEATURE_STATISTICS
     CROSSINGS = _core.FEATURE_CROSSINGS
@@ -343,13 +278,8 @@ class MarkFlag(Flags):
     SKIP_OCCUPIED = _core.MARK_SKIP_OCCUPIED
 
 
-<<<<<<< HEAD
 class BodyFlag(Flags):
-    """Ways of a body to leave out work, self-contacts, and whether walls move it as a whole."""
-=======
-class BodyFlag(IntFlag):
     """Flags of a body: work that is skipped, self-contacts, and whether walls move the body as a whole."""
->>>>>>> words
 
     SEQUENCES = _core.BODY_SEQUENCES
     SKIP_BY_ENVIRONMENT = _core.BODY_SKIP_BY_ENVIRONMENT
