@@ -32,8 +32,8 @@
 /* In the plane
  *
  * With `dimension` 2 all headers read so; bindings/docs/plane.md says more:
- *  - Volumes are polygons, corners counter-clockwise. Faces are their sides: face i runs from corner
- *    i to the next.
+ *  - Volumes are polygons with their corners counter-clockwise. Faces are their sides: face i runs
+ *    from corner i to the next corner.
  *  - Points have 2 doubles. Third numbers in structs are 0. The shift is (e, e^2).
  *  - In topology.h sides are the edges: an edge id has the numbers of the face id of a side.
  *    Elsewhere there are no edges.

@@ -6,7 +6,8 @@
  *
  * Marking answers DSW_STATUS_SHARED if several scenes use the environment, and DSW_STATUS_OCCUPIED
  * if particles or bodies are in the way; dsw_scene_get_occupants and dsw_scene_get_occupant_bodies
- * tell which. Edges of bodies are in the way from DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES.
+ * tell which. Particles and bodies are in the way in the cells that they lie in or cross; edges of
+ * bodies count from DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES.
  *
  * Making cells impassable checks the bodies of the scene. Writers need the environment and its
  * scene.
