@@ -3,14 +3,9 @@
 #include <string.h>
 
 #include "check.h"
-#include "fixture.h"
+#include "stage.h"
 
-/* 4 x 4 x 3 cubes. The pyramid below: a square at z = 0.5 with corners 0 to 3, the tip 4 at z = 1.5. */
-enum { NX = 4, NY = 4, NZ = 3 };
-
-static dsw_environment *g_env;
-static dsw_scene *g_scene;
-
+/* A pyramid: a square at z = 0.5 with corners 0 to 3, the tip 4 at z = 1.5. */
 static const double g_pyramid[15] = {0.5, 0.5, 0.5, 1.5, 0.5, 0.5, 1.5, 1.5, 0.5, 0.5, 1.5, 0.5, 1.25, 1.25, 1.5};
 static const uint32_t g_offsets[6] = {0, 3, 6, 9, 12, 16};
 static const uint32_t g_corners[16] = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 3, 2, 1, 0};
@@ -47,13 +42,6 @@ static dsw_body_id make(const dsw_body_desc *d) {
   return body;
 }
 
-static dsw_body_counts counts_of(dsw_body_id body) {
-  dsw_body_counts c;
-  c.struct_size = sizeof c;
-  CHECK_OK(dsw_body_get_counts(g_scene, body, &c));
-  return c;
-}
-
 static size_t body_count(void) {
   size_t count = 99;
   CHECK_OK(dsw_scene_get_body_count(g_scene, &count));
@@ -68,16 +56,6 @@ static void refuses(dsw_status status, const dsw_body_desc *d, const char *text)
   CHECK_MESSAGE("dsw_body_create: ");
   CHECK_MESSAGE(text);
   CHECK(body.index == 77 && body.generation == 78 && body_count() == before);
-}
-
-static void mark_volume(uint32_t index, dsw_mark mark) {
-  const dsw_volume_id volume = volume_at(index);
-  CHECK_OK(dsw_environment_mark_volumes(g_env, &volume, 1, mark, 0, NULL));
-}
-
-static void mark_face(uint32_t volume, uint32_t local, dsw_mark mark) {
-  const dsw_face_id face = face_at(volume, local);
-  CHECK_OK(dsw_environment_mark_faces(g_env, &face, 1, mark));
 }
 
 static void init_writes_the_defaults(void) {
@@ -98,7 +76,7 @@ static void a_body_has_what_was_given(void) {
   /* The edge that was given; then those of the faces, triangle by triangle; the square's diagonal is 3 1. */
   static const uint32_t edges[9][2] = {{4, 2}, {0, 1}, {1, 4}, {4, 0}, {1, 2}, {2, 3}, {3, 4}, {3, 0}, {1, 3}};
   static const uint32_t faces[6][3] = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {3, 2, 1}, {3, 1, 0}};
-  const dsw_volume_id hints[5] = {{0, 1}, {0, 0}, {NX + 1, 1}, {5, 1}, {47, 1}};
+  const dsw_volume_id hints[5] = {{0, 1}, {0, 0}, {N + 1, 1}, {5, 1}, {47, 1}};
   dsw_body_desc d = pyramid();
   dsw_body_vertex_id v[5], ends[3];
   dsw_body_edge_id e[9];
@@ -140,8 +118,8 @@ static void a_body_has_what_was_given(void) {
     CHECK_OK(dsw_body_get_positions(g_scene, body, p, 5, 40, volumes, &count));
     for (i = 0; i < 5; ++i) CHECK(memcmp(p + 5 * i, g_pyramid + 3 * i, 3 * sizeof(double)) == 0);
     CHECK(count == 5 && p[3] == p[4] && p[3] != 0); /* between the points nothing is written */
-    CHECK(volumes[0].index == 0 && volumes[1].index == 1 && volumes[2].index == NX + 1 && volumes[3].index == NX);
-    CHECK(volumes[4].index == NX * NY + NX + 1 && volumes[4].generation == 1);
+    CHECK(volumes[0].index == 0 && volumes[1].index == 1 && volumes[2].index == N + 1 && volumes[3].index == N);
+    CHECK(volumes[4].index == N * N + N + 1 && volumes[4].generation == 1);
     CHECK_OK(dsw_body_destroy(g_scene, body));
     CHECK(body_count() == 0);
   }
@@ -181,7 +159,7 @@ static void bad_members_are_refused(void) {
     dsw_body_desc known;
     uint32_t unknown;
   } newer;
-  const dsw_volume_id stale[5] = {{0, 1}, {0, 0}, {0, 7}, {0, 0}, {0, 0}}, beyond[5] = {{NX * NY * NZ, 1}};
+  const dsw_volume_id stale[5] = {{0, 1}, {0, 0}, {0, 7}, {0, 0}, {0, 0}}, beyond[5] = {{N * N * 3, 1}};
   double bad[15], shares[3];
   dsw_body_desc d = pyramid();
   int i;
@@ -254,9 +232,9 @@ static void bad_members_are_refused(void) {
   bad[7] = 1e300;
   refuses(DSW_STATUS_OUTSIDE, &d, "[2]");
   d = pyramid();
-  mark_volume(NX * NY + NX + 1, DSW_MARK_IMPASSABLE);
+  CHECK_OK(mark_cell(N * N + N + 1, DSW_MARK_IMPASSABLE));
   refuses(DSW_STATUS_IMPASSABLE, &d, "[4]");
-  mark_volume(NX * NY + NX + 1, DSW_MARK_PASSABLE);
+  CHECK_OK(mark_cell(N * N + N + 1, DSW_MARK_PASSABLE));
 }
 
 static void bad_topology_is_refused(void) {
@@ -303,7 +281,7 @@ static void one_that_is_not_free_is_refused(void) {
   dsw_body_id body;
   dsw_level level;
   size_t count = 99;
-  mark_face(1, FACE_X1, DSW_MARK_IMPASSABLE);
+  CHECK_OK(mark_face(1, FACE_X1, DSW_MARK_IMPASSABLE));
   d.level = DSW_LEVEL_EDGES;
   refuses(DSW_STATUS_OCCUPIED, &d, "1 edges meet something impassable; the first joins vertices ");
   CHECK_OK(dsw_scene_get_offending_edges(g_scene, &offending, &count));
@@ -317,7 +295,7 @@ static void one_that_is_not_free_is_refused(void) {
   CHECK(level == DSW_LEVEL_POINTS);
   CHECK_OK(dsw_scene_get_offending_edges(g_scene, &offending, &count));
   CHECK(count == 1);
-  mark_face(1, FACE_X1, DSW_MARK_PASSABLE);
+  CHECK_OK(mark_face(1, FACE_X1, DSW_MARK_PASSABLE));
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_FACES));
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_FACES));
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES));
@@ -332,8 +310,8 @@ static void one_that_is_not_free_is_refused(void) {
   d.face_corners = triangle;
   d.face_count = 1;
   d.face_corner_count = 3;
-  ends[0] = 2 + (NX + 1) * (1 + (NY + 1));
-  ends[1] = ends[0] + NX + 1;
+  ends[0] = 2 + (N + 1) * (1 + (N + 1));
+  ends[1] = ends[0] + N + 1;
   CHECK_OK(dsw_environment_find_edges(g_env, 1, ends, &wire, NULL));
   CHECK_OK(dsw_environment_mark_edges(g_env, &wire, 1, DSW_MARK_IMPASSABLE));
   body = make(&d);
@@ -456,8 +434,7 @@ static void memory_is_told(void) {
 }
 
 int main(void) {
-  g_env = make_environment(NULL, NX, NY, NZ);
-  g_scene = make_scene(g_env, 0);
+  begin_stage(3);
   init_writes_the_defaults();
   a_body_has_what_was_given();
   back_edges_are_those_of_closed_surfaces_turned_outwards();
@@ -467,7 +444,6 @@ int main(void) {
   capacities_are_asked_for();
   bad_handles_are_refused();
   memory_is_told();
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
+  end_stage();
   return check_result();
 }

@@ -14,6 +14,8 @@
 void check_that(int passed, const char *what, const char *file, int line);
 void check_status(dsw_status wanted, dsw_status got, const char *call, const char *file, int line);
 void check_message(const char *text, const char *file, int line);
+/* What failures from here on name beside their line: a case of a test that runs several times. */
+void check_in(const char *where);
 /* What main returns. */
 int check_result(void);
 

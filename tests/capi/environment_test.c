@@ -1,4 +1,4 @@
-/* Creation, its defects, and destruction. What an environment answers is in topology_test.c. */
+/* Creation, its defects, and destruction. What an environment answers is in cells_test.c. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

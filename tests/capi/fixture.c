@@ -88,26 +88,33 @@ dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny
   return environment;
 }
 
-dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny) {
-  return make_scaled_squares(context, nx, ny, 1);
-}
-
-dsw_environment *make_scaled_squares(dsw_context *context, unsigned nx, unsigned ny, double size) {
-  grid g = grid_create(nx, ny, 1);
-  dsw_environment_desc d = grid_desc(&g);
-  dsw_environment *environment = NULL;
-  size_t c;
-  for (c = 0; c < 3 * g.point_count; ++c) g.points[c] *= size;
-  /* The points and the face below, which is first in each cube. */
-  for (c = 0; c < g.cell_count; ++c) memmove(g.cells + 4 * c, g.cells + 8 * c, 4 * sizeof *g.cells);
+dsw_environment_desc squares_desc(grid *g) {
+  dsw_environment_desc d = grid_desc(g);
+  size_t i;
   d.dimension = 2;
   d.point_count /= 2;
-  d.point_stride_bytes = 24;
   d.uniform_cell_type = DSW_CELL_TYPE_QUAD;
   d.connectivity_count /= 2;
+  /* The points below come first, and in each cube the face below. */
+  for (i = 0; i < d.point_count; ++i) memmove(g->points + 2 * i, g->points + 3 * i, 2 * sizeof *g->points);
+  for (i = 0; i < d.cell_count; ++i) memmove(g->cells + 4 * i, g->cells + 8 * i, 4 * sizeof *g->cells);
+  return d;
+}
+
+dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny) {
+  grid g = grid_create(nx, ny, 1);
+  const dsw_environment_desc d = squares_desc(&g);
+  dsw_environment *environment = NULL;
   stop_unless(dsw_environment_create(context, &d, &environment, NULL) == DSW_STATUS_OK, "squares");
   grid_destroy(&g);
   return environment;
+}
+
+dsw_environment_info info_of(const dsw_environment *environment) {
+  dsw_environment_info info;
+  info.struct_size = sizeof info;
+  CHECK_OK(dsw_environment_get_info(environment, &info));
+  return info;
 }
 
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features) {
@@ -301,4 +308,15 @@ dsw_context *make_context(host *h) {
   dsw_context *context = NULL;
   stop_unless(dsw_context_create(&d, &context) == DSW_STATUS_OK, "context");
   return context;
+}
+
+void refuse_after(host *h, size_t n) {
+  stop_unless(n < 100000, "a call that never succeeds");
+  h->refuse = h->calls + n + 1;
+}
+
+int ran_out(host *h, dsw_status status) {
+  h->refuse = 0;
+  if (status != DSW_STATUS_OUT_OF_MEMORY) CHECK_OK(status);
+  return status == DSW_STATUS_OUT_OF_MEMORY;
 }

@@ -19,13 +19,15 @@ void grid_destroy(grid *g);
 /* Index of the point at a corner. */
 uint32_t grid_point(const grid *g, unsigned x, unsigned y, unsigned z);
 dsw_environment_desc grid_desc(const grid *g);
+/* The squares below the cubes, in the plane; for a grid one cube high. Packs the points and the cells of the grid. */
+dsw_environment_desc squares_desc(grid *g);
 /* An environment of the grid; stops the program if that fails. */
 dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny, unsigned nz);
 /* nx * ny unit squares in the plane; square (x, y) is cell x + nx * y, its region is x and its tag 100 + cell. Its sides run along y = 0,
    x = 1, y = 1 and x = 0 of it. */
 dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny);
-dsw_environment *make_scaled_squares(dsw_context *context, unsigned nx, unsigned ny, double size);
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features);
+dsw_environment_info info_of(const dsw_environment *environment);
 /* A line of up to 16 vertices that edges join in their order, the last with the first if it is closed. */
 dsw_body_desc line_desc(const double *positions, size_t count, int closed, dsw_level level);
 /* A body of one edge between two points; stops the program if that fails. */
@@ -68,5 +70,9 @@ typedef struct host {
 /* A description whose callbacks use the host; parallel_for runs the tasks here, last one first. */
 dsw_context_desc host_desc(host *h);
 dsw_context *make_context(host *h);
+/* Whether `call` runs out of memory when the host refuses its allocation number n, from 0 on. Must succeed otherwise. */
+#define RUNS_OUT(h, n, call) (refuse_after((h), (n)), ran_out((h), (call)))
+void refuse_after(host *h, size_t n);
+int ran_out(host *h, dsw_status status);
 
 #endif
