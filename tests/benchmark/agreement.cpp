@@ -104,8 +104,8 @@ void Agreement::judge(const Exact& exact, const WallMesh& walls, const Segments&
     ++peer.unexplained;
     return;
   }
-  // How little must change for theirs to be right? A wall of theirs that the segment misses must nearly be met; one that
-  // it meets, but later than ours, must be met at nearly the same time, or ours must nearly be missed.
+  // How little must change for theirs to be right? A wall of theirs that the segment misses must nearly be met; one
+  // that it meets, but later than ours, must be met at nearly the same time, or ours must nearly be missed.
   double slack = 0.0, limit = tolerance.absolute;
   if (theirs.wall == kNone) {
     slack = exact.slack(ours.wall, from, to);

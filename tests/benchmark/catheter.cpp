@@ -1,5 +1,5 @@
-// A catheter in a vessel of 200,000 tetrahedra: long edges against Embree, and sliding along the wall. (Figure 9 of [JCD10] is
-// examples/paper/catheter_length.)
+// A catheter in a vessel of 200,000 tetrahedra: long edges against Embree, and sliding along the wall. (Figure 9 of
+// [JCD10] is examples/paper/catheter_length.)
 #include "parts.h"
 
 #include "embree.h"
@@ -197,7 +197,8 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
   report.set("edges.faces_over_edges.catheter_sequences", median_ratio(tube["faces_sequences"], tube["edges"]));
 }
 
-/** A catheter is pressed on the wall, then pushed along it: vertices that touch aim along the facet and a little into it. */
+/** A catheter is pressed on the wall, then pushed along it: vertices that touch aim along the facet and a little into
+ * it. */
 void run_sliding(const VesselCase& vessel, dsw_response response, const std::string& key, const Options& options,
                  Report& report) {
   constexpr double kPress = 0.5;      // of the step, into the wall

@@ -1,5 +1,6 @@
-// Every vertex of the lattice moves every step: what it takes until the casts of the step are answered. Ours deforms its environment with a
-// particle at every vertex of every body; Embree and Bullet refit their trees or make them anew, a grid is filled again.
+// Every vertex of the lattice moves every step: what it takes until the casts of the step are answered. Ours deforms
+// its environment with a particle at every vertex of every body; Embree and Bullet refit their trees or make them anew,
+// a grid is filled again.
 #include "parts.h"
 
 #include "deform_case.h"

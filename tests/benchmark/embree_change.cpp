@@ -204,8 +204,8 @@ class Chunks final : public EmbreeUpdater {
     return chunk;
   }
 
-  /** Copies the chunk's triangles into its buffers, which have some room; the rest are no numbers, which Embree leaves out (points in
-   * one place make it abort). */
+  /** Copies the chunk's triangles into its buffers, which have some room; the rest are no numbers, which Embree leaves
+   * out (points in one place make it abort). */
   void fill(Chunk& chunk) {
     if (chunk.walls.size() > chunk.capacity) {
       chunk.capacity = chunk.walls.size() + chunk.walls.size() / 4 + 8;

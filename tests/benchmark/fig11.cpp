@@ -1,5 +1,6 @@
-// Figure 11 of [JCD10]: 225 deformable hexahedra of 8 particles, simulated by shape matching in lattices of 1e3 to 1e6 cells while
-// obstacles come and go; casts and bodies against Bullet, GIMPACT, Embree and a uniform grid. No elimination (section 6) is used.
+// Figure 11 of [JCD10]: 225 deformable hexahedra of 8 particles, simulated by shape matching in lattices of 1e3 to 1e6
+// cells while obstacles come and go; casts and bodies against Bullet, GIMPACT, Embree and a uniform grid. No
+// elimination (section 6) is used.
 #include "parts.h"
 
 #include "bullet.h"
@@ -297,7 +298,8 @@ class Contest {
     return bodies_world_.environment();
   }
 
-  /** As time_period, of our bodies. They have an environment of their own, since a mark costs more where a scene has bodies. */
+  /** As time_period, of our bodies. They have an environment of their own, since a mark costs more where a scene has
+   * bodies. */
   double time_bodies(std::size_t period) {
     return cpu_time_ns([&] {
              for (const WallChange& change : script_.changes[period]) {
@@ -373,7 +375,8 @@ void report_ratios(Contest& contest, Report& report) {
              1e-6 * median(contest.times("total_ns")) * static_cast<double>(contest.script().batch()));
 }
 
-/** Figure 10: the lattices, and the smallest with its obstacles, those that come first, and the bodies at the start and at the end. */
+/** Figure 10: the lattices, and the smallest with its obstacles, those that come first, and the bodies at the start and
+ * at the end. */
 void write_scene(const std::vector<std::unique_ptr<Contest>>& contests, const std::string& path) {
   nlohmann::ordered_json scene;
   for (const auto& contest : contests) {

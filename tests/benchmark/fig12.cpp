@@ -1,5 +1,5 @@
-// Figure 12 of [JCD10]: a closed surface of 12,000 vertices falls among obstacles in an environment of pyramids, presses on them and
-// is lifted again. What edges cost over vertices alone, and what every elimination saves.
+// Figure 12 of [JCD10]: a closed surface of 12,000 vertices falls among obstacles in an environment of pyramids,
+// presses on them and is lifted again. What edges cost over vertices alone, and what every elimination saves.
 #include "parts.h"
 
 #include "embree.h"

@@ -1,4 +1,5 @@
-// The thread of examples/knot is tied into a knot round a post: after every step it is looked at whether it is exactly free.
+// The thread of examples/knot is tied into a knot round a post: after every step it is looked at whether it is exactly
+// free.
 #include "parts.h"
 
 #include "knot_type.h"

@@ -1,5 +1,6 @@
-// What a scene pays for what it names, and what it does not pay for the rest: bytes, orientation tests and time of one scene, each
-// level, feature and way to leave out work on and off. A program of its own: it needs no peer, and runs on two builds of the library.
+// What a scene pays for what it names, and what it does not pay for the rest: bytes, orientation tests and time of one
+// scene, each level, feature and way to leave out work on and off. A program of its own: it needs no peer, and runs on
+// two builds of the library.
 #include "fig11_case.h"
 #include "report.h"
 #include "timing.h"
@@ -73,7 +74,8 @@ Setting search(const char* name, dsw_search value) {
 constexpr std::uint32_t kAll = DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING |
                                DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_LIVE_CHANGES;
 
-/** The one at level EDGES_SWEPT names nothing else: it is the `off` of all that are not flags, that at EDGES of flags. */
+/** The one at level EDGES_SWEPT names nothing else: it is the `off` of all that are not flags, that at EDGES of
+ * flags. */
 std::vector<Setting> all_settings() {
   return {level("points", DSW_LEVEL_POINTS),
           level("edges", DSW_LEVEL_EDGES),
@@ -231,8 +233,8 @@ class Run {
   std::vector<double> ns_;  // of each step
 };
 
-/** What a scene that names nothing pays for what another scene has named before it in its environment. Deforming is left out: it
- * says that walks stay those for warped volumes. */
+/** What a scene that names nothing pays for what another scene has named before it in its environment. Deforming is
+ * left out: it says that walks stay those for warped volumes. */
 void measure_unnamed(const Fig11Case& scene, const Script& script, Report& report) {
   Run fresh(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));
   Run after(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));

@@ -19,8 +19,8 @@ double time_ns(Work&& work) {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }
 
-/** Nanoseconds of its processor that a call takes in this thread: for work that lasts longer than a scheduler's slice, which other jobs
- * would stretch while short work slips through between them. */
+/** Nanoseconds of its processor that a call takes in this thread: for work that lasts longer than a scheduler's slice,
+ * which other jobs would stretch while short work slips through between them. */
 template <typename Work>
 double cpu_time_ns(Work&& work) {
   const auto now = [] {

@@ -1,4 +1,5 @@
-/* What the tests of cuts share: a block of 4 x 4 x 4 cubes or, in the plane, of 4 x 4 squares, and blades that cut it at one x. */
+/* What the tests of cuts share: a block of 4 x 4 x 4 cubes or, in the plane, of 4 x 4 squares, and blades that cut it
+   at one x. */
 #ifndef DARTSWEEP_TESTS_CAPI_BLOCK_H
 #define DARTSWEEP_TESTS_CAPI_BLOCK_H
 

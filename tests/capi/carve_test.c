@@ -1,5 +1,5 @@
-/* carve.h: shapes carved out of a grid of cubes, vessels tied in it, what they return, every way to be refused, and what bodies and particles
- * say to it. */
+/* carve.h: shapes carved out of a grid of cubes, vessels tied in it, what they return, every way to be refused, and
+   what bodies and particles say to it. */
 #include <math.h>
 #include <string.h>
 
@@ -284,7 +284,8 @@ static void a_loop_in_the_tube(void) {
   end();
 }
 
-/* What a tie relies on: a tip that enters a cube through one face, and crosses no edge of it, leaves it whole, and that is told. */
+/* What a tie relies on: a tip that enters a cube through one face, and crosses no edge of it, leaves it whole, and that
+   is told. */
 static void a_fold_of_the_blade(void) {
   static const double at[5] = {-1, 2.4, 2.5, 2.6, 5};
   double points[75];

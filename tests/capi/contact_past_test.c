@@ -136,7 +136,8 @@ static void a_ball_bounces(unsigned dimension) {
   end();
 }
 
-/* A vertex that `order` leaves out makes a move without a contact; one that is new has no past; a rigid motion counts. */
+/* A vertex that `order` leaves out makes a move without a contact; one that is new has no past; a rigid motion
+   counts. */
 static void all_kinds_of_moves_count(void) {
   const double two[6] = {1.25, 1.25, 0.5, 2.75, 1.25, 0.5};
   const uint32_t first = 0;

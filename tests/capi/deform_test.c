@@ -395,7 +395,8 @@ static void a_point_between_two_cubes(void) {
   CHECK_OK(dsw_environment_destroy(environment));
 }
 
-/* In space: a cut in an environment that bends: its vertices are written to the array that was lent, if that has room. */
+/* In space: a cut in an environment that bends: its vertices are written to the array that was lent, if that has
+   room. */
 static void cut_while_bent(void) {
   enum { POINTS = MOST_POINTS };
   static const double blade[12] = {1.25, -1, -1, 1.25, 5, -1, 1.25, -1, 5, 1.25, 5, 5};

@@ -125,7 +125,8 @@ static void marks_go_with_it(void) {
   grid_destroy(&g);
 }
 
-/* All 3 x 3 x 3 cubes in a corner: on the outer boundary, with an edge and a vertex inside, and a crack that ends there. */
+/* All 3 x 3 x 3 cubes in a corner: on the outer boundary, with an edge and a vertex inside, and a crack that ends
+   there. */
 static void in_a_corner(void) {
   uint32_t x, y, z, local;
   dsw_vertex_id inside;

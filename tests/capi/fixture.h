@@ -23,8 +23,8 @@ dsw_environment_desc grid_desc(const grid *g);
 dsw_environment_desc squares_desc(grid *g);
 /* An environment of the grid; stops the program if that fails. */
 dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny, unsigned nz);
-/* nx * ny unit squares in the plane; square (x, y) is cell x + nx * y, its region is x and its tag 100 + cell. Its sides run along y = 0,
-   x = 1, y = 1 and x = 0 of it. */
+/* nx * ny unit squares in the plane; square (x, y) is cell x + nx * y, its region is x and its tag 100 + cell. Its
+   sides run along y = 0, x = 1, y = 1 and x = 0 of it. */
 dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny);
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features);
 dsw_environment_info info_of(const dsw_environment *environment);
@@ -34,8 +34,8 @@ dsw_body_desc line_desc(const double *positions, size_t count, int closed, dsw_l
 dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level level);
 
 dsw_deform_options deform_options_of(dsw_deform_method method, dsw_wall_response response);
-/* Deforms to the one of two arrays of points, one behind the other, that may be written; it becomes the other one, unless that is refused.
-   point_count points of the scene's dimension each. */
+/* Deforms to the one of two arrays of points, one behind the other, that may be written; it becomes the other one,
+   unless that is refused. point_count points of the scene's dimension each. */
 dsw_deform_report deform_to_next(dsw_scene *scene, double *points, size_t point_count, unsigned dimension, int *next,
                                  const dsw_deform_options *o);
 
@@ -70,7 +70,8 @@ typedef struct host {
 /* A description whose callbacks use the host; parallel_for runs the tasks here, last one first. */
 dsw_context_desc host_desc(host *h);
 dsw_context *make_context(host *h);
-/* Whether `call` runs out of memory when the host refuses its allocation number n, from 0 on. Must succeed otherwise. */
+/* Whether `call` runs out of memory when the host refuses its allocation number n, from 0 on. Must succeed
+   otherwise. */
 #define RUNS_OUT(h, n, call) (refuse_after((h), (n)), ran_out((h), (call)))
 void refuse_after(host *h, size_t n);
 int ran_out(host *h, dsw_status status);

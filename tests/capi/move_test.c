@@ -1,4 +1,5 @@
-/* Moves of bodies: what a move answers, contacts, edits, and what is refused; in space and, where nothing says otherwise, in the plane. */
+/* Moves of bodies: what a move answers, contacts, edits, and what is refused; in space and, where nothing says
+   otherwise, in the plane. */
 #include <math.h>
 #include <string.h>
 
@@ -245,7 +246,8 @@ static void searches_agree(void) {
   mark_pillar(DSW_MARK_PASSABLE);
 }
 
-/* In space: a face meets the upper corner at the lower edge of a thin wall, from its right and from its left: the tag is that of its other side. */
+/* In space: a face meets the upper corner at the lower edge of a thin wall, from its right and from its left: the tag
+   is that of its other side. */
 static void a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side(void) {
   static const uint32_t corners[3] = {0, 1, 2}, offsets[2] = {0, 3};
   int left;

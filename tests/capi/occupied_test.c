@@ -249,8 +249,8 @@ static void every_marking_call_forgets_the_last_ones_occupants(void) {
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 
-/* What making one cube impassable and splitting a face of it look at, with a particle and an edge in each of `count` other cubes, and in a
-   neighbour. */
+/* What making one cube impassable and splitting a face of it look at, with a particle and an edge in each of `count`
+   other cubes, and in a neighbour. */
 static uint64_t looked_at(uint32_t features, unsigned count) {
   dsw_environment *environment = make_environment(NULL, 10, 10, 3);
   dsw_scene *scene = make_scene(environment, features | DSW_FEATURE_STATISTICS);

@@ -1,5 +1,6 @@
-/* surgery.h: cracks in a block of cells that open, into the air beside a tissue or into the outside, what is told of it, every way to be refused,
-   and what bodies and particles say to it. What holds in space and in the plane alike runs in both. */
+/* surgery.h: cracks in a block of cells that open, into the air beside a tissue or into the outside, what is told of
+   it, every way to be refused, and what bodies and particles say to it. What holds in space and in the plane alike runs
+   in both. */
 #include <math.h>
 
 #include "block.h"

@@ -258,7 +258,8 @@ static void a_tag_is_that_of_what_is_behind_the_wall(void) {
   CHECK_OK(mark_face(N, SIDE_UP, DSW_MARK_PASSABLE));
 }
 
-/* The lower end (2, 1) of a thin wall, met from below, where neither square is at the wall, from its right and from its left. */
+/* The lower end (2, 1) of a thin wall, met from below, where neither square is at the wall, from its right and from its
+   left. */
 static void a_tag_at_the_end_of_a_wall_is_that_of_its_other_side(void) {
   static const double from[4] = {3.5, 0.5, 0.5, 0.5}, to[4] = {0.5, 0.5, 3.5, 0.5}, fixed[4] = {2.2, 2.9, 1.8, 2.9};
   dsw_sweep s[2];

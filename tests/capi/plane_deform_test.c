@@ -52,8 +52,8 @@ static void a_body_in_the_way_holds_the_wall(void) {
   }
 }
 
-/* A polygon that holds something may take it to a neighbour that was invalid until that same moment: nobody can tell the way then, though all
-   are valid afterwards. A refusal says where. */
+/* A polygon that holds something may take it to a neighbour that was invalid until that same moment: nobody can tell
+   the way then, though all are valid afterwards. A refusal says where. */
 static void refused_where_all_would_be_valid(void) {
   const double at[2] = {1.75, 1.7};
   dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
@@ -86,8 +86,8 @@ static void refused_where_all_would_be_valid(void) {
   end();
 }
 
-/* Two squares that share one point alone: it goes into either, and what lies there is pushed. Round a point of the boundary all polygons are
-   found, from whichever. */
+/* Two squares that share one point alone: it goes into either, and what lies there is pushed. Round a point of the
+   boundary all polygons are found, from whichever. */
 static void points_of_the_boundary(void) {
   static const double at[4][2] = {{0.9, 0.9}, {1.1, 1.1}, {1.95, 1.3}, {2.05, 1.3}};
   /* Polygons 0 1 share a point with 2; 2, 3 and 4 meet at a point of the boundary. */

@@ -192,7 +192,8 @@ static void writing_may_fail(void) {
   CHECK_OK(dsw_environment_destroy(env));
 }
 
-/* What a call answers is the same whether it is empty for the first time or there was something before the recording began. */
+/* What a call answers is the same whether it is empty for the first time or there was something before the recording
+   began. */
 static void empty_answers_are_alike(void) {
   grid g = grid_create(2, 1, 1);
   dsw_environment_desc d = grid_desc(&g);
@@ -413,7 +414,8 @@ static void recordings_may_be_spoilt(void) {
   remove(path);
 }
 
-/* Where an environment is folded a particle passes, in its own cell, through a face of others: nothing is wrong with that. */
+/* Where an environment is folded a particle passes, in its own cell, through a face of others: nothing is wrong with
+   that. */
 static void folds_are_not_judged(void) {
   dsw_environment *const env = make_environment(NULL, 3, 1, 1);
   dsw_scene *const scene = make_scene(env, DSW_FEATURE_DEFORMING);
@@ -492,7 +494,8 @@ static void memory_may_run_out(void) {
   CHECK_OK(dsw_environment_destroy(env));
 }
 
-/* Every allocation of a recording in memory and of a report refused in turn: calls are made all the same, the report is written or not. */
+/* Every allocation of a recording in memory and of a report refused in turn: calls are made all the same, the report is
+   written or not. */
 static void reports_may_run_out_of_memory(void) {
   const double from[3] = {0.5, 0.5, 0.5}, to[3] = {1.5, 0.5, 0.25};
   size_t refuse, reports = 0;

@@ -1,4 +1,5 @@
-/* Responses of edges to contacts, each with its own result on one scene in space and in the plane: figure 5 of [JCD10], 4.2. */
+/* Responses of edges to contacts, each with its own result on one scene in space and in the plane: figure 5 of [JCD10],
+   4.2. */
 #include <math.h>
 #include <string.h>
 
@@ -50,8 +51,9 @@ static void the_exhaustive_search_finds_what_no_sequence_meets(void) {
   }
 }
 
-/* Where each part must keep a quarter of the edge, B and C get no vertex in the whole edge, at 0.233 and 0.767 of it; in the part from A
-   to p there is room at B. B is at 0.467 of that part: where each part must keep 0.47, p stops as soon as B is met. */
+/* Where each part must keep a quarter of the edge, B and C get no vertex in the whole edge, at 0.233 and 0.767 of it;
+   in the part from A to p there is room at B. B is at 0.467 of that part: where each part must keep 0.47, p stops as
+   soon as B is met. */
 static void parts_keep_their_share(void) {
   figure5_options options = figure5_default_options();
   uint32_t dimension;
@@ -95,7 +97,8 @@ static void halving_inserts_one_vertex_at_a_time(void) {
   }
 }
 
-/* A ring of quads round a disc of many sides: the edge winds round more of its corners than one call inserts vertices. */
+/* A ring of quads round a disc of many sides: the edge winds round more of its corners than one call inserts
+   vertices. */
 static void a_vertex_inserts_64_at_most(void) {
   enum { kSides = 512 };
   static double points[4 * kSides];

@@ -1,10 +1,12 @@
-/* What the tests of bodies share: 4 x 4 x 3 unit cubes or, in the plane, 4 x 4 unit squares, with a scene; and a pillar that bodies meet. */
+/* What the tests of bodies share: 4 x 4 x 3 unit cubes or, in the plane, 4 x 4 unit squares, with a scene; and a pillar
+   that bodies meet. */
 #ifndef DARTSWEEP_TESTS_CAPI_STAGE_H
 #define DARTSWEEP_TESTS_CAPI_STAGE_H
 
 #include "fixture.h"
 
-/* Cells along x and y; along z 3. Cell (x, y, z) is number x + N * (y + N * z), a square number x + N * y. Sides of squares by number. */
+/* Cells along x and y; along z 3. Cell (x, y, z) is number x + N * (y + N * z), a square number x + N * y. Sides of
+   squares by number. */
 enum { N = 4, SIDE_RIGHT = 1, SIDE_UP = 2, SIDE_LEFT = 3 };
 
 extern unsigned g_dimension;

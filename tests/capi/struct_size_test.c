@@ -1,5 +1,6 @@
-/* Structs that begin with their size, every one in every function that takes it: at the size of the first release, at every size since, and
- * larger than they are today, as a later header makes them. abi/check_abi.py structs compares the tables with the headers. */
+/* Structs that begin with their size, every one in every function that takes it: at the size of the first release, at
+   every size since, and larger than they are today, as a later header makes them. abi/check_abi.py structs compares
+   the tables with the headers. */
 #include <stdio.h>
 #include <string.h>
 
@@ -8,7 +9,7 @@
 
 enum { GUARD = 64, LARGEST = 4096 };
 
-/* ---- the last member of each in the first release: never changes --------------------------------------------------- */
+/* ---- the last member of each in the first release: never changes ------------------------------------------------- */
 #define LAST_dsw_body_counts reserved
 #define LAST_dsw_body_desc motion_share
 #define LAST_dsw_build_report convex_cell_count
@@ -36,7 +37,7 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_verdict text
 #define LAST_dsw_volumes_desc reserved
 
-/* ---- calls that succeed with what is described ---------------------------------------------------------------------- */
+/* ---- calls that succeed with what is described ------------------------------------------------------------------- */
 enum { SIDE = 4, POINTS = (SIDE + 1) * (SIDE + 1) * (SIDE + 1), CUBE = 1 + SIDE * (1 + SIDE) };
 
 static grid g_grid;
@@ -252,7 +253,7 @@ RUN(dsw_scene_write_bundle, dsw_verdict) {
   return dsw_scene_write_bundle(g_scene, &desc, s);
 }
 
-/* ---- what is described: the members without a default --------------------------------------------------------------- */
+/* ---- what is described: the members without a default ------------------------------------------------------------ */
 static const double g_square[12] = {1.25, -1, -1, 1.25, 5, -1, 1.25, -1, 5, 1.25, 5, 5};
 static const double g_loop[12] = {1.25, 0.5, 0.5, 1.25, 3.5, 0.5, 1.25, 3.5, 3.5, 1.25, 0.5, 3.5};
 static const double g_box[24] = {1, 1, 1, 3, 1, 1, 1, 3, 1, 3, 3, 1, 1, 1, 3, 3, 1, 3, 1, 3, 3, 3, 3, 3};
@@ -311,7 +312,7 @@ FILL(dsw_detach_desc) { s->volume = volume_at(CUBE); }
 FILL(dsw_recording_desc) { s->write = write_nowhere; }
 FILL(dsw_bundle_desc) { s->write = write_nowhere; }
 
-/* ---- the tables ------------------------------------------------------------------------------------------------------ */
+/* ---- the tables -------------------------------------------------------------------------------------------------- */
 typedef union any { /* aligned for each of them */
   uint32_t struct_size;
   void *pointer;
@@ -414,7 +415,7 @@ EACH_INIT(WRAP_INIT)
 static const row g_rows[] = {EACH_INPUT(INPUT_ROW) EACH_OUTPUT(OUTPUT_ROW)};
 static const init_row g_init_rows[] = {EACH_INIT(INIT_ROW)};
 
-/* ---- what holds for all of them --------------------------------------------------------------------------------------- */
+/* ---- what holds for all of them ---------------------------------------------------------------------------------- */
 static void check(int holds, const char *function, const char *what, size_t size) {
   if (!holds) fprintf(stderr, "%s with struct_size %u: %s\n", function, (unsigned)size, dsw_last_error_message());
   check_that(holds, what, function, (int)size);

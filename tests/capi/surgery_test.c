@@ -1,5 +1,5 @@
-/* surgery.h: cuts, tears and ties of a block of cells, what they return, every way to be refused, and what bodies say to it. What holds in
-   space and in the plane alike runs in both. */
+/* surgery.h: cuts, tears and ties of a block of cells, what they return, every way to be refused, and what bodies say
+   to it. What holds in space and in the plane alike runs in both. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* topology.h: every operation once with what it returns, every way to be refused, and what bodies and particles say to it. What is alike in
-   space and in the plane runs in both; plane_topology_test.c has the rest of the plane. */
+/* topology.h: every operation once with what it returns, every way to be refused, and what bodies and particles say to
+   it. What is alike in space and in the plane runs in both; plane_topology_test.c has the rest of the plane. */
 #include <string.h>
 
 #include "check.h"

@@ -1,5 +1,5 @@
-// Back-edge elimination [JCD10] 6.2 and hybrid elimination 6.3: closed bodies that drift, swell and bend among the obstacles of
-// the swept scenes, every vertex's step against exact arithmetic.
+// Back-edge elimination [JCD10] 6.2 and hybrid elimination 6.3: closed bodies that drift, swell and bend among the
+// obstacles of the swept scenes, every vertex's step against exact arithmetic.
 #include "back_edges.h"
 
 #include "body_check.h"

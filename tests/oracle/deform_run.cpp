@@ -266,7 +266,8 @@ void Deformer::add_parts(const Lodger& lodger, const BodyState& now, const Defor
   }
 }
 
-/// Whether a rigid body keeps its vertices, edges and distances, to 8 units in the last place of the largest coordinate.
+/// Whether a rigid body keeps its vertices, edges and distances, to 8 units in the last place of the largest
+/// coordinate.
 void Deformer::check_shape(const Lodger& lodger, const BodyState& now, const std::string& how) {
   if (!lodger.rigid) return;
   if (now.at != lodger.state.at) ++report_.rigid_moves;

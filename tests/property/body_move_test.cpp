@@ -399,8 +399,8 @@ TEST_F(BodyRigidTest, MotionsThatAreNone) {
   EXPECT_EQ(everything(body), before);
 }
 
-// Vertex 0 is stopped halfway by the edge to vertex 1, so that the volumes noted for the edge to vertex 2 are not those that it
-// crosses. Then its path enters one more volume, and between that and what was noted stands an obstacle.
+// Vertex 0 is stopped halfway by the edge to vertex 1, so that the volumes noted for the edge to vertex 2 are not those
+// that it crosses. Then its path enters one more volume, and between that and what was noted stands an obstacle.
 TEST_F(BodyMoveTest, ASequenceThatTheEdgeDoesNotCrossAnyMoreIsNotContinued) {
   mark_volume(cube(1, 1, 1));
   const Vec u = {0.5, 1.5, 1.5}, q = {3.1, 1.55, 1.5};
@@ -419,8 +419,8 @@ TEST_F(BodyMoveTest, ASequenceThatTheEdgeDoesNotCrossAnyMoreIsNotContinued) {
   }
 }
 
-// A thin wedge whose edge runs through the origin, in volumes so large that distances to it are rounded by more than its distance
-// from the body: what is measured must not pass for clear.
+// A thin wedge whose edge runs through the origin, in volumes so large that distances to it are rounded by more than
+// its distance from the body: what is measured must not pass for clear.
 TEST(BodyClearanceTest, DistancesInHugeVolumesAreNotTrusted) {
   const double size = 1e13, far = 1e-3, turn = std::acos(-1.0) / 180;
   Rng rng(5);

@@ -11,8 +11,8 @@
 namespace dsw::oracle {
 namespace {
 
-/// How often a surface turns round a point: crossings of a ray in a generic direction. The infinitesimal shift of the surface is a number,
-/// too small to matter but where a sign is 0 without it.
+/// How often a surface turns round a point: crossings of a ray in a generic direction. The infinitesimal shift of the
+/// surface is a number, too small to matter but where a sign is 0 without it.
 class Turns {
  public:
   Turns(const ClosedSurface& surface, Rng& rng) : surface_(surface), rng_(rng) {

@@ -1,5 +1,5 @@
-// A coarsened environment is the same space in fewer cells: valid, exactly as large, and whatever flies, is swept or moves meets the
-// same faces at the same times.
+// A coarsened environment is the same space in fewer cells: valid, exactly as large, and whatever flies, is swept or
+// moves meets the same faces at the same times.
 #include "body_support.h"
 
 #include <gmpxx.h>
@@ -30,7 +30,8 @@ Coarse coarsened(const Place& place, uint32_t max_faces) {
   return coarse;
 }
 
-/// Six times the volume inside of the triangles that a volume's tetrahedra are made of, exactly. Volumes of triangles only.
+/// Six times the volume inside of the triangles that a volume's tetrahedra are made of, exactly. Volumes of triangles
+/// only.
 mpq_class volume_of(const dsw_environment* environment, uint32_t index) {
   mpq_class sum = 0;
   uint32_t faces = 0;

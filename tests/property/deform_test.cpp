@@ -140,8 +140,9 @@ TEST_F(DeformMemoryTest, Deforming) {
   place_.environment.reset();  // before the arrays that it reads
 }
 
-/// One particle is pushed, and a wall that squeezes another one is held: what is held is listed last, when all else is done. A new
-/// scene for each refusal, since arrays that a refused call has grown stay so, and hide allocations from the next one.
+/// One particle is pushed, and a wall that squeezes another one is held: what is held is listed last, when all else is
+/// done. A new scene for each refusal, since arrays that a refused call has grown stay so, and hide allocations from
+/// the next one.
 TEST_F(DeformMemoryTest, RunningOutOfMemoryAtTheEndPutsBackWhatWasPushed) {
   const double at[2][3] = {{2.05, 1.5, 1.5}, {2.05, 3.5, 1.5}};
   dsw_status status = DSW_STATUS_OUT_OF_MEMORY;

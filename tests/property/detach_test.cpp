@@ -1,5 +1,5 @@
-// Pieces of every kind of cell come off: random blobs, in what is passable, beside what is not, or cut out of what is impassable all
-// round. DSW_PIECES sets how many a scene has.
+// Pieces of every kind of cell come off: random blobs, in what is passable, beside what is not, or cut out of what is
+// impassable all round. DSW_PIECES sets how many a scene has.
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -74,8 +74,8 @@ class DetachTest : public SceneTest {
     return info.boundary_face_count;
   }
 
-  /// Of the piece as a solid that is pulled apart where it touches itself: corners, edges, faces and cells of all its cells, each once
-  /// for those that hang together through faces of the piece.
+  /// Of the piece as a solid that is pulled apart where it touches itself: corners, edges, faces and cells of all its
+  /// cells, each once for those that hang together through faces of the piece.
   int euler_number(const std::set<int>& piece) {
     std::map<std::array<int, 2>, size_t> corners;
     std::map<std::array<int, 3>, size_t> edges;

@@ -1,5 +1,5 @@
-// Random changes of the topology on every kind of cell, with particles and bodies inside. DSW_EDITS sets how many calls succeed over
-// all scenes; a few thousand where it is not set.
+// Random changes of the topology on every kind of cell, with particles and bodies inside. DSW_EDITS sets how many calls
+// succeed over all scenes; a few thousand where it is not set.
 #include <cstdlib>
 #include <iostream>
 
@@ -23,7 +23,8 @@ void keeps_everything_in_its_place(const std::string& scene) {
   constexpr size_t kExact = 50;   // and how often that is checked in exact integers
   EditTally sums[static_cast<size_t>(Operation::kCount)];
   size_t done = 0, exact_checks = 0;
-  // Cuts can leave an outer boundary that crosses itself by a rounding, and then there is no partition to check: on to another one.
+  // Cuts can leave an outer boundary that crosses itself by a rounding, and then there is no partition to check: on to
+  // another one.
   for (uint64_t seed = 1; done < wanted || (exact_checks == 0 && seed < 30); ++seed) {
     RandomEdits<D> edits(scene, seed);
     if (edits.environment() == nullptr) continue;

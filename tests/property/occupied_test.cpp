@@ -1,6 +1,6 @@
-// Marking with bodies in the way, against exact arithmetic that looks at every obstacle: a call is refused if and only if a body
-// or particle would meet what becomes impassable, changes nothing then, and names all that are in the way; what skipping
-// leaves out would be refused by itself.
+// Marking with bodies in the way, against exact arithmetic that looks at every obstacle: a call is refused if and only
+// if a body or particle would meet what becomes impassable, changes nothing then, and names all that are in the way;
+// what skipping leaves out would be refused by itself.
 #include "support.h"
 
 #include <algorithm>

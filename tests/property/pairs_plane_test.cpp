@@ -210,7 +210,8 @@ TEST_F(PlanePairsTest, AnEdgeGetsAVertexWhereACornerIsInItsWay) {
 }
 
 TEST_F(PlanePairsTest, AnEdgeIsBentOverNothing) {
-  // A new vertex is rounded, and what is nearer to the origin less so: it may lie between the edge and where it would be bent to.
+  // A new vertex is rounded, and what is nearer to the origin less so: it may lie between the edge and where it would
+  // be bent to.
   Rng rng(11);
   int bent = 0, refused = 0;
   for (int i = 0; i < 300; ++i) {

@@ -1,4 +1,5 @@
-// Bodies against bodies and against themselves: every move of a vertex is compared with all parts against all parts, over GMP.
+// Bodies against bodies and against themselves: every move of a vertex is compared with all parts against all parts,
+// over GMP.
 #include "pairs_support.h"
 #include "plane_support.h"
 
@@ -53,7 +54,8 @@ class PairsTest : public testing::TestWithParam<Kind> {
     return q;
   }
 
-  /// Points, a wire, a strip of triangles or the surface of a tetrahedron; in the plane also what branches, and a polygon.
+  /// Points, a wire, a strip of triangles or the surface of a tetrahedron; in the plane also what branches, and a
+  /// polygon.
   BodyPlan plan() {
     const Vec at = place();
     const uint64_t kind = rng_.below(5);
@@ -179,8 +181,8 @@ class PairsTest : public testing::TestWithParam<Kind> {
     return Part{{vertex.index}};
   }
 
-  /// In the plane: across the edge, moving or not, and against the motion; where that is along the edge, or there is none, the motion
-  /// turned round.
+  /// In the plane: across the edge, moving or not, and against the motion; where that is along the edge, or there is
+  /// none, the motion turned round.
   bool is_normal(const dsw_contact& contact, const dsw_contact_partner& partner) {
     const auto way = [this](const double* from, const double* to) {
       return std::array<mpq_class, 2>{(mpq_class(to[0]) - from[0]) / scale_, (mpq_class(to[1]) - from[1]) / scale_};

@@ -1,4 +1,5 @@
-// Bodies in a triangulation of the plane do what they do between walls that stand on it: in a layer of prisms, at one height, to the bit.
+// Bodies in a triangulation of the plane do what they do between walls that stand on it: in a layer of prisms, at one
+// height, to the bit.
 
 #include "support.h"
 
@@ -368,8 +369,8 @@ class PlaneBodies : public testing::TestWithParam<int> {
     EXPECT_NEAR(flat.along, tall.along, 1e-9);
   }
 
-  /// On which side of an edge that moves along itself, but for a little, an obstacle is, is what rounding makes of it, and so is the normal of
-  /// an edge that is hardly there. Where they differ by a bit, what slides goes elsewhere.
+  /// On which side of an edge that moves along itself, but for a little, an obstacle is, is what rounding makes of it,
+  /// and so is the normal of an edge that is hardly there. Where they differ by a bit, what slides goes elsewhere.
   void compare_normals(const dsw_contact& flat, const dsw_contact& tall) {
     const double *const a = flat.normal, *const b = tall.normal;
     parted_ = uses_normals_ && std::memcmp(a, b, 2 * sizeof(double)) != 0;

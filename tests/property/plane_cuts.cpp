@@ -122,7 +122,8 @@ plane::Vec PlaneCuts::some_point() {
   return mix(mix(p, q, along), r, across);
 }
 
-/// Through the environment somewhere, through vertices and along sides; straight, bent, folded, or of no extent; small or large.
+/// Through the environment somewhere, through vertices and along sides; straight, bent, folded, or of no extent; small
+/// or large.
 PlaneCuts::Path PlaneCuts::some_path() {
   Path path{some_point()};
   const uint32_t count = 2 + (rng_.chance(0.5) ? 0 : rng_.below(6u));

@@ -7,7 +7,8 @@
 
 namespace dsw::oracle {
 
-/// Through the environment somewhere, or through its vertices; flat, bent, folded, or of no extent; much smaller or larger than volumes.
+/// Through the environment somewhere, or through its vertices; flat, bent, folded, or of no extent; much smaller or
+/// larger than volumes.
 template <>
 std::vector<double> RandomEdits<3>::some_blade(uint32_t rows, uint32_t columns) {
   double at[3], across[3], along[3];

@@ -283,8 +283,9 @@ std::string RandomEdits<D>::bend() {
 
 template <int D>
 std::string RandomEdits<D>::move_all() {
-  // Cuts leave many cracks, and openings move the outer boundary. Where later changes move one lip of one, the outer boundary passes through itself: then edges can be free over
-  // one sheet and blocked over the other, which bodies of DSW_LEVEL_EDGES do not tell apart.
+  // Cuts leave many cracks, and openings move the outer boundary. Where later changes move one lip of one, the outer
+  // boundary passes through itself: then edges can be free over one sheet and blocked over the other, which bodies of
+  // DSW_LEVEL_EDGES do not tell apart.
   const bool was_cut = tallies[static_cast<size_t>(Operation::kCut)].done != 0 ||
                        tallies[static_cast<size_t>(Operation::kOpen)].done != 0;
   if (was_cut && dsw_environment_check(place_.get(), nullptr) != DSW_STATUS_OK) return "";

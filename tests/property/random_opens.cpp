@@ -6,7 +6,8 @@
 
 namespace dsw::oracle {
 
-/// Faces between volumes of a random cluster that lie on different sides of a random plane; at times some are left out, or all but one.
+/// Faces between volumes of a random cluster that lie on different sides of a random plane; at times some are left out,
+/// or all but one.
 template <>
 std::vector<dsw_cut_face> RandomEdits<3>::some_crack() {
   const Map<3>& map = env().map;

@@ -1,5 +1,5 @@
-// Large random deformations of environments of every kind, with particles and bodies inside: what is mended before is valid before and
-// after, nothing gets lost, and more of the way can be made.
+// Large random deformations of environments of every kind, with particles and bodies inside: what is mended before is
+// valid before and after, nothing gets lost, and more of the way can be made.
 #include <cmath>
 #include <set>
 

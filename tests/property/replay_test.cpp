@@ -1,4 +1,5 @@
-// What a process has recorded that was killed at any moment, what an earlier version has recorded, and which call is told to differ.
+// What a process has recorded that was killed at any moment, what an earlier version has recorded, and which call is
+// told to differ.
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -29,8 +30,8 @@ namespace {
   }
 }
 
-// Each call's result has the checksum of environment or scene as they were then: what is made again is the same up to the last call that
-// the process has finished.
+// Each call's result has the checksum of environment or scene as they were then: what is made again is the same up to
+// the last call that the process has finished.
 TEST(KilledProcessTest, LeavesARecordingOfAllItHasDone) {
   const std::string path = ::testing::TempDir() + "dartsweep_killed_" + std::to_string(getpid()) + ".dswrec";
   Rng rng(7);
@@ -147,7 +148,8 @@ TEST(ReplayTest, WhatEarlierVersionsRecordedIsMadeAgain) {
   EXPECT_GE(files, 3u);
 }
 
-/// Cubes whose points a host lends with far more room than there is memory for, as it may: it knows how much will be written.
+/// Cubes whose points a host lends with far more room than there is memory for, as it may: it knows how much will be
+/// written.
 struct Lent {
   EnvironmentPtr environment;
   ScenePtr scene;
@@ -170,7 +172,8 @@ void deform_in_place(Lent& lent, size_t spare) {
   lent.points.swap(next);
 }
 
-// Two thousand vertices more than there were: more than a replay makes memory for at once. The step itself recorded has one call.
+// Two thousand vertices more than there were: more than a replay makes memory for at once. The step itself recorded has
+// one call.
 TEST(ReplayTest, RoomOfTheHostsIsMadeAsItIsNeeded) {
   Rng rng(1);
   Lent lent;

@@ -1,5 +1,5 @@
-// A cell that a tie does not meet, with nothing but vertices that stand for crossings, stays on its side: in the plane, and with everything drawn
-// out to prisms in space.
+// A cell that a tie does not meet, with nothing but vertices that stand for crossings, stays on its side: in the plane,
+// and with everything drawn out to prisms in space.
 #include "support.h"
 
 namespace dsw::oracle {
@@ -52,7 +52,8 @@ int32_t outcome(const EnvironmentPtr& environment, const double* from, const dou
 class TieSidesOf : public testing::TestWithParam<std::tuple<uint32_t, bool>> {};
 INSTANTIATE_TEST_SUITE_P(Dimensions, TieSidesOf, testing::Combine(testing::Values(2, 3), testing::Bool()));
 
-/// The tie is x = 0. It crosses edges from 1 and 4 near 2, 3 and 5, which are on one side of it with the last two triangles.
+/// The tie is x = 0. It crosses edges from 1 and 4 near 2, 3 and 5, which are on one side of it with the last two
+/// triangles.
 TEST_P(TieSidesOf, WhatIsNotMetStays) {
   const auto [dimension, turned] = GetParam();
   const Sheet sheet{{{-4, 0}, {-2, 1}, {0.1, 2}, {0.1, 0}, {-2, -1}, {0.4, -1}, {2, 1}},

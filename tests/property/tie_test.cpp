@@ -142,7 +142,8 @@ TEST_P(TieTest, NothingGetsThrough) {
   }
 }
 
-/// A tube round a line, and a loop round the tube: what hangs together afterwards is on one side, and together again when that is undone.
+/// A tube round a line, and a loop round the tube: what hangs together afterwards is on one side, and together again
+/// when that is undone.
 TEST_P(TieTest, ATubeIsClosed) {
   size_t closed = 0;
   for (uint64_t seed = 1; seed <= wanted_shape_seeds(); ++seed) {

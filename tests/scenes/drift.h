@@ -1,5 +1,5 @@
-// Bodies of N vertices that drift through a lattice and wobble, in lattice coordinates. Their shapes, and where there is
-// room for them, are their owners' business. Uses no libm but sqrt.
+// Bodies of N vertices that drift through a lattice and wobble, in lattice coordinates. Their shapes, and where there
+// is room for them, are their owners' business. Uses no libm but sqrt.
 #ifndef DARTSWEEP_TESTS_SCENES_DRIFT_H
 #define DARTSWEEP_TESTS_SCENES_DRIFT_H
 

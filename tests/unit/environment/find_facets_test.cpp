@@ -1,4 +1,5 @@
-// Facets and edges by their vertices: every one of a mixed mesh is found under any order of its vertices, nothing else is.
+// Facets and edges by their vertices: every one of a mixed mesh is found under any order of its vertices, nothing else
+// is.
 
 #include "environment/find_facets.h"
 

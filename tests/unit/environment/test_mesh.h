@@ -74,7 +74,8 @@ struct TestMesh {
 using Mesh3 = TestMesh<3>;
 using Mesh2 = TestMesh<2>;
 
-/** A lattice of nx * ny * nz boxes with the given spacing, appended with points of its own; only where keep(x, y, z). */
+/** A lattice of nx * ny * nz boxes with the given spacing, appended with points of its own; only where keep(x, y,
+ * z). */
 template <class Keep>
 void add_boxes(Mesh3& mesh, int nx, int ny, int nz, double origin_x, double origin_y, double origin_z, double spacing,
                Keep keep) {
@@ -130,7 +131,8 @@ inline void add_box(Mesh3& mesh, const double* lower, const double* upper) {
   mesh.cell(kHexahedron, corners);
 }
 
-/** Every cell type in one part: a box, a wedge, a polyhedron (another box), a pyramid and a tetrahedron on its faces. */
+/** Every cell type in one part: a box, a wedge, a polyhedron (another box), a pyramid and a tetrahedron on its
+ * faces. */
 inline Mesh3 mixed_mesh() {
   Mesh3 m;
   add_boxes(m, 1, 1, 1);

@@ -171,8 +171,8 @@ inline SmallMesh two_polygon_prisms(int64_t n) {
   return mesh;
 }
 
-/** Two lattice boxes side by side, the first as itself or cut up, the second as itself or as a polyhedron; on their common
- * side a prism, a pyramid, a hexahedron or a polyhedron meets one of the others. */
+/** Two lattice boxes side by side, the first as itself or cut up, the second as itself or as a polyhedron; on their
+ * common side a prism, a pyramid, a hexahedron or a polyhedron meets one of the others. */
 inline SmallMesh pair_of(uint8_t left, uint8_t right) {
   SmallMesh mesh;
   mesh.name = "pair " + std::to_string(left) + " " + std::to_string(right);
