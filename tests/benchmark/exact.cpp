@@ -23,16 +23,12 @@ std::optional<mpq_class> triangle_time(const Rational& a, const Rational& b, con
                                        const Rational& q) {
   const Rational normal = cross(b - a, c - a);
   const mpq_class start = dot(normal, p - a), end = dot(normal, q - a);
-  if (sgn(start) * sgn(end) > 0 || sgn(start) == sgn(end)) {
-    return std::nullopt;
-  }
+  if (sgn(start) * sgn(end) > 0 || sgn(start) == sgn(end)) return std::nullopt;
   const Rational along = q - p;
   const Rational pa = a - p, pb = b - p, pc = c - p;
   const int ab = sgn(dot(along, cross(pa, pb))), bc = sgn(dot(along, cross(pb, pc))),
             ca = sgn(dot(along, cross(pc, pa)));
-  if (std::min({ab, bc, ca}) < 0 && std::max({ab, bc, ca}) > 0) {
-    return std::nullopt;
-  }
+  if (std::min({ab, bc, ca}) < 0 && std::max({ab, bc, ca}) > 0) return std::nullopt;
   return mpq_class(start / (start - end));
 }
 
@@ -50,9 +46,7 @@ double triangle_slack(const double* a, const double* b, const double* c, const d
   const double scale = length(normal);
   double start = dot(normal, minus(p, a)) / scale, end = dot(normal, minus(q, a)) / scale;
   const double turn = end > start ? 1.0 : -1.0;  // crossing along the normal or against it
-  if (end < start) {
-    std::swap(start, end);
-  }
+  if (end < start) std::swap(start, end);
   double least = std::min(-start, end);
   const Vector along = minus(q, p);
   const double* corners[4] = {a, b, c, a};
@@ -115,9 +109,7 @@ Exact::Exact(const WallMesh& walls) : walls_(walls) {
       }
     }
     if (counting) {
-      for (std::size_t i = 1; i < first_.size(); ++i) {
-        first_[i] += first_[i - 1];
-      }
+      for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
       entries_.resize(first_.back());
     }
   }
@@ -139,9 +131,7 @@ std::optional<mpq_class> Exact::time(std::uint32_t wall, const double* from, con
     const auto triangle = walls_.walls[wall].triangle(part);
     const auto found = triangle_time(rational(walls_.point(triangle[0])), rational(walls_.point(triangle[1])),
                                      rational(walls_.point(triangle[2])), p, q);
-    if (found && (!least || *found < *least)) {
-      least = found;
-    }
+    if (found && (!least || *found < *least)) least = found;
   }
   return least;
 }
@@ -170,9 +160,7 @@ Exact::First Exact::first(const double* from, const double* to) const {
   First result;
   for (const std::uint32_t wall : candidates) {
     const auto found = time(wall, from, to);
-    if (!found || (!result.walls.empty() && *found > result.time)) {
-      continue;
-    }
+    if (!found || (!result.walls.empty() && *found > result.time)) continue;
     if (result.walls.empty() || *found < result.time) {
       result.walls.clear();
       result.time = *found;

@@ -120,17 +120,13 @@ class Bodies {
   dsw_scene* scene() const { return flock_.scene(); }
   std::size_t vertex_count() const {
     std::size_t count = vertices_ * inserted_.size();
-    for (const auto& each : inserted_) {
-      count += each.size();
-    }
+    for (const auto& each : inserted_) count += each.size();
     return count;
   }
 
   /** All bodies take one step. @return ns that the library takes. */
   double move(const std::vector<double>& script) {
-    if (!adaptive_) {
-      return cpu_time_ns([&] { flock_.move(script.data(), &options_); });
-    }
+    if (!adaptive_) return cpu_time_ns([&] { flock_.move(script.data(), &options_); });
     targets_.clear();
     for (std::size_t body = 0; body < inserted_.size(); ++body) {
       const std::size_t first = targets_.size();
@@ -214,9 +210,7 @@ class Run {
   double count_tests() {
     start(DSW_FEATURE_STATISTICS);
     check(dsw_scene_reset_statistics(bodies_->scene()));
-    for (const auto& targets : script_.targets) {
-      bodies_->move(targets);
-    }
+    for (const auto& targets : script_.targets) bodies_->move(targets);
     dsw_statistics statistics{};
     statistics.struct_size = sizeof statistics;
     check(dsw_scene_get_statistics(bodies_->scene(), &statistics));
@@ -239,14 +233,10 @@ void measure_unnamed(const Fig11Case& scene, const Script& script, Report& repor
   Run fresh(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));
   Run after(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));
   after.start(kAll ^ DSW_FEATURE_DEFORMING);
-  for (std::size_t step = 0; step < script.steps; ++step) {
-    after.step(step);
-  }
+  for (std::size_t step = 0; step < script.steps; ++step) after.step(step);
   for (Run* run : {&fresh, &after}) {
     run->start();
-    for (std::size_t step = 0; step < script.steps; ++step) {
-      run->step(step);
-    }
+    for (std::size_t step = 0; step < script.steps; ++step) run->step(step);
   }
   report.set("left_out.unnamed_bytes", after.bytes() - fresh.bytes());
   report.set("left_out.unnamed_orientation_tests", after.count_tests() - fresh.count_tests());
@@ -285,14 +275,10 @@ void measure_casts(const World& world, const Segments& segments, std::vector<Row
 std::vector<Row> measure(const Fig11Case& scene, const Script& script, bool libccd_only, Report& report) {
   std::vector<std::unique_ptr<Run>> runs;
   for (const Setting& setting : all_settings()) {
-    if (!libccd_only || setting.setting == "edges_swept") {
-      runs.push_back(std::make_unique<Run>(scene, script, setting));
-    }
+    if (!libccd_only || setting.setting == "edges_swept") runs.push_back(std::make_unique<Run>(scene, script, setting));
   }
   for (std::size_t step = 0; step < script.steps; ++step) {
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      runs[(step + i) % runs.size()]->step(step);
-    }
+    for (std::size_t i = 0; i < runs.size(); ++i) runs[(step + i) % runs.size()]->step(step);
   }
   std::vector<Row> rows;
   std::map<std::string, Row> of_level;
@@ -330,16 +316,12 @@ void write_rows(const std::vector<Row>& rows, const std::string& path) {
     file << row.feature << ',' << row.setting;
     for (const double value : {row.bytes_per_cell, row.bytes_per_vertex, row.tests, row.microseconds}) {
       char text[32] = "";
-      if (value != kNothing) {
-        std::snprintf(text, sizeof text, "%.7g", value);
-      }
+      if (value != kNothing) std::snprintf(text, sizeof text, "%.7g", value);
       file << ',' << text;
     }
     file << '\n';
   }
-  if (!file.flush()) {
-    throw std::runtime_error("cannot write " + path);
-  }
+  if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
 }  // namespace
@@ -362,9 +344,7 @@ int main(int argc, char** argv) {
     Fig11Case scene(cells);
     const Script script = scene.record(steps, false);
     Report report;
-    if (!libccd_only) {
-      measure_unnamed(scene, script, report);
-    }
+    if (!libccd_only) measure_unnamed(scene, script, report);
     write_rows(measure(scene, script, libccd_only, report), csv);
     return report.write(json) ? 0 : 1;
   } catch (const std::exception& error) {

@@ -143,9 +143,7 @@ static void back_edges_are_those_of_closed_surfaces_turned_outwards(void) {
   {
     uint32_t offsets[16];
     CHECK(d.face_count < 16);
-    for (i = 0; i <= d.face_count; ++i) {
-      offsets[i] = (uint32_t)d.face_corner_count - d.face_offsets[d.face_count - i];
-    }
+    for (i = 0; i <= d.face_count; ++i) offsets[i] = (uint32_t)d.face_corner_count - d.face_offsets[d.face_count - i];
     d.face_offsets = offsets;
     d.face_corners = corners;
     refuses(DSW_STATUS_INVERTED_CELL, &d, "is not positive");

@@ -133,9 +133,7 @@ static void every_obstacle_has_its_history(void) {
     move(body, corner, 1, &o);
     count = contacts_of(body, &c);
     CHECK(count >= 2);
-    for (i = 0; i < count; ++i) {
-      CHECK(c[i].history == (turn == 0 ? DSW_HISTORY_NEW : DSW_HISTORY_LASTING));
-    }
+    for (i = 0; i < count; ++i) CHECK(c[i].history == (turn == 0 ? DSW_HISTORY_NEW : DSW_HISTORY_LASTING));
   }
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }

@@ -367,9 +367,7 @@ bool Deformer::step() {
   if (!refused) {
     arrays_.push_back(std::move(next));
     if (arrays_.size() > 2) arrays_.erase(arrays_.begin());
-    for (size_t v = 0; v < now_.size(); ++v) {
-      std::copy_n(&arrays_.back()[dimension_ * v], dimension_, now_[v].begin());
-    }
+    for (size_t v = 0; v < now_.size(); ++v) std::copy_n(&arrays_.back()[dimension_ * v], dimension_, now_[v].begin());
   }
   d.now = now_;
   const double* points = nullptr;

@@ -179,9 +179,7 @@ Vec Motions::site() {
       for (double& x : p) x = rng_.chance(0.5) ? std::nextafter(x, rng_.chance(0.5) ? DBL_MAX : -DBL_MAX) : x;
       return p;
     default: {
-      for (size_t k = 0; k < 3; ++k) {
-        p[k] = world_.lower[k] + rng_.unit() * (world_.upper[k] - world_.lower[k]);
-      }
+      for (size_t k = 0; k < 3; ++k) p[k] = world_.lower[k] + rng_.unit() * (world_.upper[k] - world_.lower[k]);
       if (rng_.chance(0.3)) p = {p[0], corner(i)[1], p[2]};
       return p;
     }

@@ -157,9 +157,7 @@ TEST_F(BodyCreateTest, IndicesAreThoseGivenAndEdgesOfFacesFollow) {
   const BodyState state = read(make(plan));
   const BodyState want = state_of(plan);
   ASSERT_EQ(state.edges.size(), 5u);  // the square's four and its diagonal
-  for (uint32_t i = 0; i < 5; ++i) {
-    EXPECT_TRUE(state.edge_ids[i].index == i && state.edge_ids[i].generation == 1);
-  }
+  for (uint32_t i = 0; i < 5; ++i) EXPECT_TRUE(state.edge_ids[i].index == i && state.edge_ids[i].generation == 1);
   for (uint32_t i = 0; i < 4; ++i) {
     EXPECT_TRUE(state.vertices[i].index == i && state.vertices[i].generation == 1);
     EXPECT_TRUE(same(state.volumes[i], cube(0, 0, 0)));

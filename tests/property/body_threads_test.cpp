@@ -124,9 +124,7 @@ TEST(BodyBatchTest, WhatIsRefusedMovesNothing) {
   const ScenePtr scene = make_scene(environment.get());
   const BodyPlan plan = {{{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}}, {{0, 1}}, {}};
   dsw_body_id bodies[2];
-  for (dsw_body_id& b : bodies) {
-    ASSERT_EQ(create_body(scene.get(), plan, DSW_LEVEL_EDGES, 0, {}, &b), DSW_STATUS_OK);
-  }
+  for (dsw_body_id& b : bodies) ASSERT_EQ(create_body(scene.get(), plan, DSW_LEVEL_EDGES, 0, {}, &b), DSW_STATUS_OK);
   double targets[12];
   for (double& x : targets) x = 1.25;
   const auto refuse = [&](dsw_status status, const dsw_body_id* list, size_t count, size_t target_count,

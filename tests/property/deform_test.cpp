@@ -155,9 +155,7 @@ TEST_F(DeformMemoryTest, RunningOutOfMemoryAtTheEndPutsBackWhatWasPushed) {
     mark_wall(1, 3, 1);
     mark_wall(2, 3, 1);
     dsw_particle_id particles[2];
-    for (int i = 0; i < 2; ++i) {
-      ASSERT_EQ(dsw_particle_create(scene(), at[i], {0, 0}, &particles[i]), DSW_STATUS_OK);
-    }
+    for (int i = 0; i < 2; ++i) ASSERT_EQ(dsw_particle_create(scene(), at[i], {0, 0}, &particles[i]), DSW_STATUS_OK);
     const std::vector<double> before = points_of(place_.get());
     std::vector<double> next = before;  // lent
     for (uint32_t z = 1; z <= 2; ++z) {

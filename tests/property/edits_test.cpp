@@ -33,9 +33,7 @@ void keeps_everything_in_its_place(const std::string& scene) {
     for (size_t calls = 0; round < goal && calls < 40 * kRound; ++calls) {
       const std::string wrong = edits.step();
       ASSERT_EQ(wrong, "") << "scene seed " << seed << ", call " << calls;
-      if (calls % 16 == 15) {
-        ASSERT_EQ(edits.move_all(), "") << "scene seed " << seed << ", call " << calls;
-      }
+      if (calls % 16 == 15) ASSERT_EQ(edits.move_all(), "") << "scene seed " << seed << ", call " << calls;
       round = 0;
       for (const EditTally& tally : edits.tallies) round += tally.done;
       if (round < exact + kExact && round < goal) continue;
@@ -109,9 +107,7 @@ void answers_alike_whatever_is_kept(const std::string& scene) {
       };
       ASSERT_TRUE(same(plain.step(), kept.step())) << "scene seed " << seed << ", call " << call;
       ASSERT_TRUE(same(plain.mark(), kept.mark())) << "scene seed " << seed << ", call " << call;
-      if (call % 4 == 3) {
-        ASSERT_EQ(plain.move_all(), kept.move_all());
-      }
+      if (call % 4 == 3) ASSERT_EQ(plain.move_all(), kept.move_all());
       ASSERT_TRUE(saved_without_features(plain) == saved_without_features(kept)) << seed << ", call " << call;
     }
   }
@@ -125,9 +121,7 @@ void goes_on_with_the_same_bits(const std::string& scene) {
     RandomEdits<D> edits(scene, seed, nullptr, features), copy(scene, seed, nullptr, features);
     if (edits.environment() == nullptr) continue;
     for (int round = 0; round < 5; ++round) {
-      for (int calls = 0; calls < 20; ++calls) {
-        ASSERT_EQ(edits.step(), copy.step()) << "scene seed " << seed;
-      }
+      for (int calls = 0; calls < 20; ++calls) ASSERT_EQ(edits.step(), copy.step()) << "scene seed " << seed;
       ASSERT_EQ(edits.move_all(), copy.move_all());
       ASSERT_TRUE(edits.saved() == copy.saved()) << "scene seed " << seed << ", round " << round;
       ASSERT_EQ(copy.reload(), "") << "scene seed " << seed << ", round " << round;

@@ -59,9 +59,7 @@ class OpenTissueTest : public testing::Test {
     double blade[12], turn = rng.range(-0.2, 0.2);
     for (int i = 0; i < 4; ++i) {
       const double side = i % 2 == 0 ? -10 : 10, share[3] = {0.47, 0.5, i < 2 ? 0.2 : 2};
-      for (int k = 0; k < 3; ++k) {
-        blade[3 * i + k] = (1 - share[k]) * env().lower[k] + share[k] * env().upper[k];
-      }
+      for (int k = 0; k < 3; ++k) blade[3 * i + k] = (1 - share[k]) * env().lower[k] + share[k] * env().upper[k];
       blade[3 * i] += turn * side * place_.world->size;
       blade[3 * i + 1] += side * place_.world->size;
     }
@@ -154,9 +152,7 @@ class OpenTissueTest : public testing::Test {
     for_each_cell(env().map, [&](dsw::Cell c) {
       EXPECT_TRUE(check_cell(env(), c) == CellState::kValid || check_cell(env(), c) == CellState::kValidConvex);
     });
-    if (is_partition) {
-      EXPECT_EQ(dsw_environment_check(place_.get(), nullptr), DSW_STATUS_OK);
-    }
+    if (is_partition) EXPECT_EQ(dsw_environment_check(place_.get(), nullptr), DSW_STATUS_OK);
     const std::vector<dsw::Cell> cells = gap();
     ASSERT_EQ(cells.size(), report.faces_opened);
     for (const dsw::Cell c : cells) EXPECT_FALSE(env().map.marked(c));
