@@ -14,16 +14,8 @@ static const dsw_body_vertex_id g_gone = {0, 9}, g_nothing = {0, 0};
 static dsw_body_id make_square(dsw_level level) {
   static const double positions[15] = {0.5, 0.5, 0.5, 1.5, 0.5, 0.5, 1.5, 1.5, 0.5, 0.5, 1.5, 0.5, 1.25, 0.75, 1.5};
   static const uint32_t offsets[2] = {0, 4}, corners[4] = {0, 1, 2, 3};
-  dsw_body_desc d;
+  const dsw_body_desc d = surface_desc(positions, 5, offsets, corners, 1, level);
   dsw_body_id body = {0, 0};
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = 5;
-  d.face_offsets = offsets;
-  d.face_corners = corners;
-  d.face_count = 1;
-  d.face_corner_count = 4;
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
   return body;
 }

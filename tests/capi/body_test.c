@@ -12,28 +12,15 @@ static const uint32_t g_corners[16] = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 3, 2,
 static const uint32_t g_edge[2] = {4, 2};
 
 static dsw_body_desc pyramid(void) {
-  dsw_body_desc d;
-  dsw_body_desc_init(&d, sizeof d);
-  d.positions = g_pyramid;
-  d.vertex_count = 5;
+  dsw_body_desc d = surface_desc(g_pyramid, 5, g_offsets, g_corners, 5, DSW_LEVEL_EDGES_SWEPT);
   d.edges = g_edge;
   d.edge_count = 1;
-  d.face_offsets = g_offsets;
-  d.face_corners = g_corners;
-  d.face_count = 5;
-  d.face_corner_count = 16;
   return d;
 }
 
 /* Vertices and edges only. */
 static dsw_body_desc wires(const double *positions, size_t vertex_count, const uint32_t *edges, size_t edge_count) {
-  dsw_body_desc d;
-  dsw_body_desc_init(&d, sizeof d);
-  d.positions = positions;
-  d.vertex_count = vertex_count;
-  d.edges = edges;
-  d.edge_count = edge_count;
-  return d;
+  return body_desc(positions, vertex_count, edges, edge_count, DSW_LEVEL_EDGES_SWEPT);
 }
 
 static dsw_body_id make(const dsw_body_desc *d) {

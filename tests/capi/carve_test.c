@@ -14,13 +14,6 @@ static dsw_tie_report g_tied;
 static const uint32_t g_box[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                    2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
 
-static dsw_environment_info info(void) {
-  dsw_environment_info i;
-  i.struct_size = sizeof i;
-  CHECK_OK(dsw_environment_get_info(g_env, &i));
-  return i;
-}
-
 static size_t marked_count(void) {
   size_t count = 999;
   CHECK_OK(dsw_environment_get_mark_count(g_env, DSW_CELL_VOLUME, &count));
@@ -124,7 +117,7 @@ static void through_cubes(void) {
   begin_block(NULL);
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
   CHECK(g_carved.cut.volumes_crossed == 56 && g_carved.cut.volumes_split == 56 && g_carved.cut.volumes_whole == 0);
-  CHECK(g_carved.volumes_carved == 64 && marked_count() == 56 && info().volume_count == 120);
+  CHECK(g_carved.volumes_carved == 64 && marked_count() == 56 && info_of(g_env).volume_count == 120);
   CHECK(g_carved.cut.vertex_count == 3 * 9 * 2);
   CHECK_OK(dsw_environment_get_volume_changes(g_env, &changes, &count));
   CHECK(count == 112);
@@ -136,7 +129,7 @@ static void whole_volumes(void) {
   begin_block(NULL);
   d.flags = DSW_CARVE_WHOLE;
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.volumes_carved == 27 && g_carved.cut.volumes_changed == 0 && info().volume_count == 64);
+  CHECK(g_carved.volumes_carved == 27 && g_carved.cut.volumes_changed == 0 && info_of(g_env).volume_count == 64);
   CHECK(g_carved.cut.volumes_whole == 26 && g_carved.cut.volumes_crossed == 26);
   d = box(2.5, 3.6); /* the surface's lower sides pass through centres: it is shifted beyond them */
   d.flags = DSW_CARVE_WHOLE;
@@ -242,7 +235,7 @@ static void a_tube(void) {
   CHECK(fly(1.7, 2.4) == 1);
   CHECK_OK(dsw_environment_tie(g_env, &d, &g_tied));
   CHECK(g_tied.is_closed == 1 && g_tied.cut.volumes_split == 4 && g_tied.cut.volumes_whole == 0);
-  CHECK(info().volume_count == 68 && marked_count() == 48);
+  CHECK(info_of(g_env).volume_count == 68 && marked_count() == 48);
   CHECK(fabs(fly(1.7, 2.4) - (1.25 - 0.3) / 3.4) < 1e-12);
   CHECK_OK(dsw_environment_get_cut_faces(g_env, &faces, &count));
   CHECK(count == 4);
@@ -332,7 +325,7 @@ static void bad_loops(void) {
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_tie(g_env, &bad, NULL));
   g_points[7] = HUGE_VAL;
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_tie(g_env, &d, NULL));
-  CHECK(marked_count() == 48 && info().volume_count == 64);
+  CHECK(marked_count() == 48 && info_of(g_env).volume_count == 64);
   end();
 }
 
@@ -369,7 +362,7 @@ static void bodies_and_particles(void) {
   d = loop(1.25, 1.5);
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_environment_tie(g_env, &d, NULL));
   CHECK_OK(dsw_scene_get_occupant_bodies(scene, &bodies, &count));
-  CHECK(count == 1 && bodies[0].index == body.index && info().volume_count == 64);
+  CHECK(count == 1 && bodies[0].index == body.index && info_of(g_env).volume_count == 64);
   d = loop(1.25, 0.5); /* volumes stay whole: the particle is in one of them, an end of the body in another */
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_environment_tie(g_env, &d, NULL));
   CHECK_OK(dsw_scene_get_occupants(scene, &particles, &count));
@@ -396,26 +389,19 @@ static void bodies_and_particles(void) {
 
 static void running_out_of_memory(void) {
   host h;
-  dsw_context *context;
-  dsw_status status;
   size_t n, refusals = 0;
   int ties;
   for (ties = 0; ties < 2; ++ties) {
-    memset(&h, 0, sizeof h);
-    context = make_context(&h);
+    dsw_context *const context = make_context(&h);
+    const dsw_carve_desc c = box(1.25, 2.75);
+    const dsw_tie_desc t = loop(1.25, 0.8);
     begin_tube(context);
-    status = DSW_STATUS_OUT_OF_MEMORY;
-    for (n = 1; status == DSW_STATUS_OUT_OF_MEMORY && n < 50000; n += 1 + n / 64) {
-      const dsw_carve_desc c = box(1.25, 2.75);
-      const dsw_tie_desc t = loop(1.25, 0.8);
-      h.refuse = h.calls + n;
-      status = ties ? dsw_environment_tie(g_env, &t, &g_tied) : dsw_environment_carve(g_env, &c, &g_carved);
-      h.refuse = 0;
-      if (status != DSW_STATUS_OUT_OF_MEMORY) break;
-      ++refusals;
-      CHECK(info().volume_count == 64 && marked_count() == 48);
+#define CALL (ties ? dsw_environment_tie(g_env, &t, &g_tied) : dsw_environment_carve(g_env, &c, &g_carved))
+    for (n = 0; RUNS_OUT(&h, n, CALL); n += 1 + n / 64, ++refusals) {
+      CHECK(info_of(g_env).volume_count == 64 && marked_count() == 48);
     }
-    CHECK(status == DSW_STATUS_OK && refusals > 50);
+#undef CALL
+    CHECK(refusals > 50);
     end();
     CHECK_OK(dsw_context_destroy(context));
     CHECK(h.alive == 0 && h.broken == 0);

@@ -28,12 +28,8 @@ static void end(void) {
 
 static dsw_body_id make_ball(double x, double y) {
   const double at[3] = {x, y, 0.5};
-  dsw_body_desc d;
+  const dsw_body_desc d = body_desc(at, 1, NULL, 0, DSW_LEVEL_POINTS);
   dsw_body_id body = {0, 0};
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = DSW_LEVEL_POINTS;
-  d.positions = at;
-  d.vertex_count = 1;
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
   return body;
 }

@@ -32,12 +32,6 @@ static void begin(dsw_context *context, uint32_t features) {
   g_scene = make_scene(g_env, features);
   mark_piece();
 }
-static dsw_environment_info info(void) {
-  dsw_environment_info i;
-  i.struct_size = sizeof i;
-  CHECK_OK(dsw_environment_get_info(g_env, &i));
-  return i;
-}
 static size_t marks(dsw_cell_kind kind) {
   size_t count = 999;
   CHECK_OK(dsw_environment_get_mark_count(g_env, kind, &count));
@@ -49,7 +43,7 @@ static size_t bodies(void) {
   return count;
 }
 static void end(uint32_t boundary) {
-  CHECK(info().volume_count == 64 && info().boundary_face_count == boundary);
+  CHECK(info_of(g_env).volume_count == 64 && info_of(g_env).boundary_face_count == boundary);
   CHECK_OK(dsw_environment_check(g_env, NULL));
   CHECK_OK(dsw_scene_destroy(g_scene));
   CHECK_OK(dsw_environment_destroy(g_env));
@@ -256,24 +250,16 @@ static void borrowed_points(void) {
 
 static void running_out_of_memory(void) {
   host h;
-  dsw_context *context;
+  dsw_context *const context = make_context(&h);
   const dsw_volume_id *volumes = NULL;
-  dsw_status status = DSW_STATUS_OUT_OF_MEMORY;
-  size_t n, count = 0, refusals = 0;
-  memset(&h, 0, sizeof h);
-  context = make_context(&h);
+  size_t count = 0, refusals = 0;
   begin(context, DSW_FEATURE_BODY_CONTACTS);
-  for (n = 1; n < 20000; ++n) {
-    h.refuse = h.calls + n;
-    status = dsw_scene_detach(g_scene, &g_desc, &g_body, &g_report);
-    h.refuse = 0;
-    if (status != DSW_STATUS_OUT_OF_MEMORY) break;
-    ++refusals;
-    CHECK(bodies() == 0 && marks(DSW_CELL_VOLUME) == 3 && info().boundary_face_count == 98);
+  for (; RUNS_OUT(&h, refusals, dsw_scene_detach(g_scene, &g_desc, &g_body, &g_report)); ++refusals) {
+    CHECK(bodies() == 0 && marks(DSW_CELL_VOLUME) == 3 && info_of(g_env).boundary_face_count == 98);
     CHECK_OK(dsw_scene_get_detached_volumes(g_scene, &volumes, &count));
     CHECK(count == 0);
   }
-  CHECK(status == DSW_STATUS_OK && refusals > 50 && bodies() == 1);
+  CHECK(refusals > 50 && bodies() == 1);
   end(96);
   CHECK_OK(dsw_context_destroy(context));
   CHECK(h.alive == 0 && h.broken == 0);

@@ -117,6 +117,20 @@ dsw_environment_info info_of(const dsw_environment *environment) {
   return info;
 }
 
+dsw_environment_desc polygons_desc(const double *points, size_t point_count, dsw_cell_type type, const int64_t *cells,
+                                   size_t cell_count) {
+  dsw_environment_desc d;
+  dsw_environment_desc_init(&d, sizeof d);
+  d.dimension = 2;
+  d.points = points;
+  d.point_count = point_count;
+  d.uniform_cell_type = type;
+  d.cell_count = cell_count;
+  d.connectivity = cells;
+  d.connectivity_count = (type == DSW_CELL_TYPE_TRIANGLE ? 3 : 4) * cell_count;
+  return d;
+}
+
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features) {
   dsw_scene_desc d;
   dsw_scene *scene = NULL;
@@ -126,33 +140,41 @@ dsw_scene *make_scene(dsw_environment *environment, uint32_t features) {
   return scene;
 }
 
+dsw_body_desc body_desc(const double *positions, size_t count, const uint32_t *edges, size_t edge_count,
+                        dsw_level level) {
+  dsw_body_desc d;
+  dsw_body_desc_init(&d, sizeof d);
+  d.level = level;
+  d.positions = positions;
+  d.vertex_count = count;
+  d.edges = edges;
+  d.edge_count = edge_count;
+  return d;
+}
+
+dsw_body_desc surface_desc(const double *positions, size_t count, const uint32_t *offsets, const uint32_t *corners,
+                           size_t face_count, dsw_level level) {
+  dsw_body_desc d = body_desc(positions, count, NULL, 0, level);
+  d.face_offsets = offsets;
+  d.face_corners = corners;
+  d.face_count = face_count;
+  d.face_corner_count = offsets[face_count];
+  return d;
+}
+
 dsw_body_desc line_desc(const double *positions, size_t count, int closed, dsw_level level) {
   static uint32_t open[32], loop[32];
-  dsw_body_desc d;
   size_t i;
   stop_unless(count >= 1 && count <= 16, "line");
   for (i = 0; i < 32; ++i) open[i] = (uint32_t)((i + 1) / 2);
   memcpy(loop, open, sizeof loop);
   loop[2 * count - 1] = 0;
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = count;
-  d.edges = closed ? loop : open;
-  d.edge_count = closed ? count : count - 1;
-  return d;
+  return body_desc(positions, count, closed ? loop : open, closed ? count : count - 1, level);
 }
 
 dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level level) {
-  static const uint32_t edge[2] = {0, 1};
-  dsw_body_desc d;
+  const dsw_body_desc d = line_desc(positions, 2, 0, level);
   dsw_body_id id = {0, 0};
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = 2;
-  d.edges = edge;
-  d.edge_count = 1;
   stop_unless(dsw_body_create(scene, &d, &id) == DSW_STATUS_OK, "body");
   return id;
 }

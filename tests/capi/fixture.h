@@ -26,8 +26,16 @@ dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny
 /* nx * ny unit squares in the plane; square (x, y) is cell x + nx * y, its region is x and its tag 100 + cell. Its
    sides run along y = 0, x = 1, y = 1 and x = 0 of it. */
 dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny);
+/* Triangles or quadrilaterals of the plane. */
+dsw_environment_desc polygons_desc(const double *points, size_t point_count, dsw_cell_type type, const int64_t *cells,
+                                   size_t cell_count);
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features);
 dsw_environment_info info_of(const dsw_environment *environment);
+dsw_body_desc body_desc(const double *positions, size_t count, const uint32_t *edges, size_t edge_count,
+                        dsw_level level);
+/* Faces alone; the last offset is the number of their corners. */
+dsw_body_desc surface_desc(const double *positions, size_t count, const uint32_t *offsets, const uint32_t *corners,
+                           size_t face_count, dsw_level level);
 /* A line of up to 16 vertices that edges join in their order, the last with the first if it is closed. */
 dsw_body_desc line_desc(const double *positions, size_t count, int closed, dsw_level level);
 /* A body of one edge between two points; stops the program if that fails. */

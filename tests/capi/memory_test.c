@@ -208,16 +208,9 @@ static void marks_with_bodies(void) {
     volumes[i] = volume_at(i);
     if (i % 30 / 6 != 2 && i >= 30) faces[face_count++] = face_at(i, FACE_X1);
   }
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = DSW_LEVEL_FACES;
-  d.positions = positions;
-  d.vertex_count = 5;
+  d = surface_desc(positions, 5, offsets, corners, 1, DSW_LEVEL_FACES);
   d.edges = edge;
   d.edge_count = 1;
-  d.face_offsets = offsets;
-  d.face_corners = corners;
-  d.face_count = 1;
-  d.face_corner_count = 3;
   CHECK_OK(dsw_body_create(scene, &d, &id));
   UNTIL_IT_SUCCEEDS(h, dsw_environment_mark_faces(environment, faces, face_count, DSW_MARK_IMPASSABLE),
                     mark_count(environment, DSW_CELL_FACE) == 0, refusals);

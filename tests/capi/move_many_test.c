@@ -25,14 +25,7 @@ static dsw_status create_tetrahedron(dsw_scene *scene, const double *at, dsw_lev
   for (i = 0; i < 4; ++i) {
     for (k = 0; k < 3; ++k) positions[3 * i + k] = at[k] + (i == k + 1 ? 0.375 : 0);
   }
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = 4;
-  d.face_offsets = offsets;
-  d.face_corners = corners;
-  d.face_count = 4;
-  d.face_corner_count = 12;
+  d = surface_desc(positions, 4, offsets, corners, 4, level);
   return dsw_body_create(scene, &d, body);
 }
 

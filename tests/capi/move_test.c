@@ -259,11 +259,7 @@ static void a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side(void) {
     if (left) {
       for (i = 0; i < 9; i += 3) p[i] = 4 - p[i];
     }
-    dsw_body_desc_init(&d, sizeof d);
-    d.level = DSW_LEVEL_FACES;
-    d.positions = p, d.vertex_count = 3;
-    d.face_offsets = offsets, d.face_count = 1;
-    d.face_corners = corners, d.face_corner_count = 3;
+    d = surface_desc(p, 3, offsets, corners, 1, DSW_LEVEL_FACES);
     CHECK_OK(dsw_body_create(g_scene, &d, &body));
     p[0] = 4 - p[0];
     CHECK(move(body, p, 3, NULL).contact_count == 1 && contacts_of(body, &c) == 1);

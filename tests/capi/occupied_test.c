@@ -47,16 +47,8 @@ static dsw_body_id edge_body(dsw_level level) {
 static dsw_body_id face_body(dsw_level level) {
   static const double positions[9] = {0.1, 0.1, 1.5, 4.9, 0.1, 1.5, 2.5, 4.9, 1.5};
   static const uint32_t offsets[2] = {0, 3}, corners[3] = {0, 1, 2};
-  dsw_body_desc d;
+  const dsw_body_desc d = surface_desc(positions, 3, offsets, corners, 1, level);
   dsw_body_id id = {9, 9};
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = 3;
-  d.face_offsets = offsets;
-  d.face_corners = corners;
-  d.face_count = 1;
-  d.face_corner_count = 3;
   CHECK_OK(dsw_body_create(g_scene, &d, &id));
   return id;
 }

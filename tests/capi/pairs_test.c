@@ -8,16 +8,7 @@ static const double square[12] = {2, 1, 1, 2, 2, 1, 2, 2, 2, 2, 1, 2};
 static const uint32_t square_offsets[2] = {0, 4}, square_corners[4] = {0, 1, 2, 3};
 
 static dsw_body_desc square_desc(void) {
-  dsw_body_desc d;
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = DSW_LEVEL_FACES;
-  d.positions = square;
-  d.vertex_count = 4;
-  d.face_offsets = square_offsets;
-  d.face_corners = square_corners;
-  d.face_count = 1;
-  d.face_corner_count = 4;
-  return d;
+  return surface_desc(square, 4, square_offsets, square_corners, 1, DSW_LEVEL_FACES);
 }
 
 static void a_contact_names_the_other_body(void) {
@@ -53,7 +44,6 @@ static void a_contact_names_the_other_body(void) {
 
 static void filters_are_read_and_changed(void) {
   const double edge[6] = {1.5, 1.25, 1.5, 2.5, 1.25, 1.5};
-  const uint32_t ends[2] = {0, 1};
   dsw_environment *environment = make_environment(NULL, 4, 3, 3);
   dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
   dsw_body_desc d = square_desc();
@@ -62,11 +52,7 @@ static void filters_are_read_and_changed(void) {
   const uint32_t *pairs = NULL;
   size_t count = 0;
   CHECK_OK(dsw_body_create(scene, &d, &wall));
-  dsw_body_desc_init(&d, sizeof d);
-  d.positions = edge;
-  d.vertex_count = 2;
-  d.edges = ends;
-  d.edge_count = 1;
+  d = line_desc(edge, 2, 0, DSW_LEVEL_EDGES_SWEPT);
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_create(scene, &d, &wire));
   CHECK(wire.index == 7 && wire.generation == 7);
   CHECK_OK(dsw_scene_get_offending_edges(scene, &pairs, &count));

@@ -185,19 +185,11 @@ static void collapsing_a_side(void) {
   static const double points[5][2] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 1}};
   static const int64_t fan[12] = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
   static const double high[2] = {2, 3.5}, low[2] = {2, 0.5};
-  dsw_environment_desc d;
+  const dsw_environment_desc d = polygons_desc(points[0], 5, DSW_CELL_TYPE_TRIANGLE, fan, 4);
   dsw_particle_id particles[2];
   dsw_volume_id where[2], found;
   dsw_scene *scene;
   unsigned i;
-  dsw_environment_desc_init(&d, sizeof d);
-  d.dimension = 2;
-  d.points = points[0];
-  d.point_count = 5;
-  d.uniform_cell_type = DSW_CELL_TYPE_TRIANGLE;
-  d.cell_count = 4;
-  d.connectivity = fan;
-  d.connectivity_count = 12;
   CHECK_OK(dsw_environment_create(NULL, &d, &g_env, NULL));
   scene = make_scene(g_env, DSW_FEATURE_LIVE_CHANGES);
   CHECK_OK(dsw_particle_create(scene, high, no_volume, &particles[0]));
@@ -220,15 +212,7 @@ static void collapsing_a_side(void) {
 static void borrowed_points(void) {
   static const double points[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   static const int64_t quad[4] = {0, 1, 2, 3};
-  dsw_environment_desc d;
-  dsw_environment_desc_init(&d, sizeof d);
-  d.dimension = 2;
-  d.points = points[0];
-  d.point_count = 4;
-  d.uniform_cell_type = DSW_CELL_TYPE_QUAD;
-  d.cell_count = 1;
-  d.connectivity = quad;
-  d.connectivity_count = 4;
+  dsw_environment_desc d = polygons_desc(points[0], 4, DSW_CELL_TYPE_QUAD, quad, 1);
   d.flags = DSW_ENVIRONMENT_BORROW_POINTS;
   CHECK_OK(dsw_environment_create(NULL, &d, &g_env, NULL));
   CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_split_edge(g_env, edge_at(0, 0), 0.5, NULL, NULL));

@@ -60,7 +60,6 @@ static size_t left(void) {
 static void before_a_deformation(void) {
   dsw_remesh_desc d = with_next();
   const dsw_volume_change *changes = NULL;
-  dsw_environment_info info;
   size_t count = 0, i;
   begin(NULL);
   fold();
@@ -75,9 +74,7 @@ static void before_a_deformation(void) {
   CHECK_OK(dsw_environment_check(g_env, NULL));
   CHECK_OK(dsw_scene_deform(g_scene, g_next, POINTS, NULL, NULL));
   CHECK(is_valid(changes[0].after) == 1);
-  info.struct_size = sizeof info;
-  CHECK_OK(dsw_environment_get_info(g_env, &info));
-  CHECK(info.volume_count == N * N * N + 1 - g_report.volumes_removed);
+  CHECK(info_of(g_env).volume_count == N * N * N + 1 - g_report.volumes_removed);
   CHECK_OK(dsw_environment_check(g_env, NULL));
   end();
 }
@@ -216,24 +213,16 @@ static void not_finite(void) {
 
 static void without_memory(void) {
   host h;
-  dsw_context *context;
+  dsw_context *const context = make_context(&h);
   dsw_environment_info before, now;
   dsw_remesh_desc d = with_next();
-  dsw_status status = DSW_STATUS_OUT_OF_MEMORY;
-  size_t n;
-  memset(&h, 0, sizeof h);
-  context = make_context(&h);
+  size_t n = 0;
   begin(context);
   fold();
-  before.struct_size = now.struct_size = sizeof before;
-  CHECK_OK(dsw_environment_get_info(g_env, &before));
-  for (n = 1; status != DSW_STATUS_OK && n < 5000; ++n) {
-    h.refuse = h.calls + n;
-    status = dsw_environment_remesh(g_env, &d, &g_report);
-    h.refuse = 0;
-    CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
-    CHECK_OK(dsw_environment_get_info(g_env, &now));
-    CHECK(status == DSW_STATUS_OK || (now.volume_count == before.volume_count && now.face_count == before.face_count));
+  before = info_of(g_env);
+  for (; RUNS_OUT(&h, n, dsw_environment_remesh(g_env, &d, &g_report)); ++n) {
+    now = info_of(g_env);
+    CHECK(now.volume_count == before.volume_count && now.face_count == before.face_count);
   }
   CHECK(n > 50 && g_report.mended_count > 0);
   CHECK_OK(dsw_environment_check(g_env, NULL));

@@ -123,14 +123,7 @@ static void a_vertex_inserts_64_at_most(void) {
     points[2 * (kSides + i) + 1] = 8 * sin(angle);
     memcpy(quads + 4 * i, quad, sizeof quad);
   }
-  dsw_environment_desc_init(&d, sizeof d);
-  d.dimension = 2;
-  d.points = points;
-  d.point_count = 2 * kSides;
-  d.connectivity = quads;
-  d.connectivity_count = 4 * kSides;
-  d.cell_count = kSides;
-  d.uniform_cell_type = DSW_CELL_TYPE_QUAD;
+  d = polygons_desc(points, 2 * kSides, DSW_CELL_TYPE_QUAD, quads, kSides);
   CHECK_OK(dsw_environment_create(NULL, &d, &ring, NULL));
   scene = make_scene(ring, 0);
   body = make_edge_body(scene, from, DSW_LEVEL_EDGES_SWEPT);

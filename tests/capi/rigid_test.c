@@ -69,7 +69,6 @@ static void raise_row(uint32_t row, double by) {
 
 /* A body whose vertices are joined by lines in their order; x and y of each. In space its z are given by turns. */
 static dsw_body_id make(const double *xy, size_t count, dsw_level level, uint32_t flags) {
-  static const uint32_t edges[2 * MOST_VERTICES] = {0, 1, 1, 2, 2, 3, 3, 4, 4, 5};
   double positions[3 * MOST_VERTICES];
   dsw_body_desc d;
   dsw_body_id body = {0, 0};
@@ -79,13 +78,8 @@ static dsw_body_id make(const double *xy, size_t count, dsw_level level, uint32_
     positions[g_dimension * i + 1] = xy[2 * i + 1];
     if (g_dimension == 3) positions[3 * i + 2] = i % 2 == 0 ? 0.97 : 1.06;
   }
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
+  d = line_desc(positions, count, 0, level);
   d.flags = flags;
-  d.positions = positions;
-  d.vertex_count = count;
-  d.edges = edges;
-  d.edge_count = count - 1;
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
   return body;
 }
