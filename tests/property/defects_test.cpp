@@ -30,7 +30,9 @@ Outcome create(const dsw_environment_desc& desc) {
   // The report is promised once the arguments themselves are sound.
   const bool arguments = status == DSW_STATUS_WRONG_SIZE || status == DSW_STATUS_OUT_OF_RANGE ||
                          status == DSW_STATUS_UNSUPPORTED || status == DSW_STATUS_TOO_LARGE;
-  if (!arguments) EXPECT_EQ(report.status, status);
+  if (!arguments) {
+    EXPECT_EQ(report.status, status);
+  }
   return {status, {report.offenders, report.offenders + std::min<uint32_t>(report.offender_count, 8)}, report};
 }
 

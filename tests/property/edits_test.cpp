@@ -33,7 +33,9 @@ void keeps_everything_in_its_place(const std::string& scene) {
     for (size_t calls = 0; round < goal && calls < 40 * kRound; ++calls) {
       const std::string wrong = edits.step();
       ASSERT_EQ(wrong, "") << "scene seed " << seed << ", call " << calls;
-      if (calls % 16 == 15) ASSERT_EQ(edits.move_all(), "") << "scene seed " << seed << ", call " << calls;
+      if (calls % 16 == 15) {
+        ASSERT_EQ(edits.move_all(), "") << "scene seed " << seed << ", call " << calls;
+      }
       round = 0;
       for (const EditTally& tally : edits.tallies) round += tally.done;
       if (round < exact + kExact && round < goal) continue;
@@ -107,7 +109,9 @@ void answers_alike_whatever_is_kept(const std::string& scene) {
       };
       ASSERT_TRUE(same(plain.step(), kept.step())) << "scene seed " << seed << ", call " << call;
       ASSERT_TRUE(same(plain.mark(), kept.mark())) << "scene seed " << seed << ", call " << call;
-      if (call % 4 == 3) ASSERT_EQ(plain.move_all(), kept.move_all());
+      if (call % 4 == 3) {
+        ASSERT_EQ(plain.move_all(), kept.move_all());
+      }
       ASSERT_TRUE(saved_without_features(plain) == saved_without_features(kept)) << seed << ", call " << call;
     }
   }

@@ -97,7 +97,9 @@ TEST_P(LongMoveTest, AParticleStopsNextToTheWall) {
       ASSERT_EQ(dsw_particle_get(scene_.get(), particle, position.data(), nullptr), DSW_STATUS_OK);
       ASSERT_EQ(dsw_particle_destroy(scene_.get(), particle), DSW_STATUS_OK);
       EXPECT_LE(gap(position), precision(to)) << "to " << hex(to);
-      if (i > 0) EXPECT_LE(apart(position, last), precision(to) + precision(targets[i - 1])) << "to " << hex(to);
+      if (i > 0) {
+        EXPECT_LE(apart(position, last), precision(to) + precision(targets[i - 1])) << "to " << hex(to);
+      }
       last = position;
     }
   });

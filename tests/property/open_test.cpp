@@ -152,7 +152,9 @@ class OpenTissueTest : public testing::Test {
     for_each_cell(env().map, [&](dsw::Cell c) {
       EXPECT_TRUE(check_cell(env(), c) == CellState::kValid || check_cell(env(), c) == CellState::kValidConvex);
     });
-    if (is_partition) EXPECT_EQ(dsw_environment_check(place_.get(), nullptr), DSW_STATUS_OK);
+    if (is_partition) {
+      EXPECT_EQ(dsw_environment_check(place_.get(), nullptr), DSW_STATUS_OK);
+    }
     const std::vector<dsw::Cell> cells = gap();
     ASSERT_EQ(cells.size(), report.faces_opened);
     for (const dsw::Cell c : cells) EXPECT_FALSE(env().map.marked(c));

@@ -39,7 +39,9 @@ void is_made_again(const std::string& scene) {
       for (int i = 0; i < times; ++i) {
         ASSERT_EQ(edits.step(), "");
         edits.mark();
-        if (i % 4 == 3) ASSERT_EQ(edits.move_all(), "");
+        if (i % 4 == 3) {
+          ASSERT_EQ(edits.move_all(), "");
+        }
       }
     };
     ASSERT_EQ(start(edits.handle(), &recording), DSW_STATUS_OK) << dsw_last_error_message();
@@ -190,7 +192,9 @@ TEST(RecordedCallsTest, EveryCallIsMadeAgain) {
       for (int i = 0; i < 40 && !by_hand; ++i) {
         ASSERT_EQ(edits.step(), "");
         edits.mark();
-        if (i % 8 == 7) ASSERT_EQ(edits.move_all(), "");
+        if (i % 8 == 7) {
+          ASSERT_EQ(edits.move_all(), "");
+        }
       }
       ASSERT_EQ(dsw_scene_stop_recording(edits.handle()), DSW_STATUS_OK);
       if (seed == 1) keep_recording(kind, recording);

@@ -109,7 +109,9 @@ TEST_P(SnapshotTest, EveryTruncationAndEveryDamagedByteIsAnError) {
     if (status == DSW_STATUS_OK) dsw_environment_destroy(raw);
     EXPECT_TRUE(status == DSW_STATUS_TRUNCATED || status == DSW_STATUS_CORRUPT || status == DSW_STATUS_BAD_VERSION)
         << dsw_status_string(status);
-    if (status != DSW_STATUS_OK) EXPECT_EQ(raw, untouched);
+    if (status != DSW_STATUS_OK) {
+      EXPECT_EQ(raw, untouched);
+    }
     return status != DSW_STATUS_OK;
   };
   const size_t step = std::max<size_t>(1, block.size() / 400);

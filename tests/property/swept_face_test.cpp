@@ -95,7 +95,9 @@ void check_face(const Environment<3>& env, SweptTruth& truth, SweepFlood<3>& flo
       ASSERT_EQ(face.end, SweepEnd::kContact);
       ASSERT_EQ(face.contact.vertex, first->second);
       earliest = &face.contact;
-      if (edge != nullptr) ASSERT_TRUE(comes_before(env.map, m.p, m.to, face.contact, *edge));
+      if (edge != nullptr) {
+        ASSERT_TRUE(comes_before(env.map, m.p, m.to, face.contact, *edge));
+      }
     } else {
       ++count.later;
     }

@@ -137,7 +137,9 @@ TEST_P(TieTest, NothingGetsThrough) {
   }
   RecordProperty("flights", static_cast<int>(flights));
   RecordProperty("free before", static_cast<int>(free_before));
-  if (kind_named(GetParam()).integer) EXPECT_GT(free_before, 0u);
+  if (kind_named(GetParam()).integer) {
+    EXPECT_GT(free_before, 0u);
+  }
 }
 
 /// A tube round a line, and a loop round the tube: what hangs together afterwards is on one side, and together again
@@ -206,7 +208,9 @@ TEST_P(TieTest, ATubeIsClosed) {
           if (seen.insert(env().map.cell_of(o).unit).second) stack.push_back(env().map.cell_of(o));
         }
       }
-      if (anywhere) EXPECT_LE(both.size(), 1u) << "seed " << seed;
+      if (anywhere) {
+        EXPECT_LE(both.size(), 1u) << "seed " << seed;
+      }
     });
     closed += anywhere ? 1u : 0u;
     undo();

@@ -114,7 +114,9 @@ TEST_P(BetaTest, EveryWalkRoundAnEdgeVisitsTheSameVolumesOnce) {
     for_each_volume_round_edge(map, d, [&](Dart) { return ++stopped < 1; });
     EXPECT_EQ(stopped, 1u);
   });
-  if (GetParam().name.rfind("ring", 0) == 0) EXPECT_EQ(longest, map.cell_count);
+  if (GetParam().name.rfind("ring", 0) == 0) {
+    EXPECT_EQ(longest, map.cell_count);
+  }
 }
 
 TEST_P(BetaTest, DartsOfEdges) {

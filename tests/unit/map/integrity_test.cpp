@@ -140,7 +140,9 @@ TEST(Integrity, NoBitOfAMapIsFree) {
       const bool refused = check_integrity(map) != nullptr;
       map.words[bit / 32] ^= 1u << (bit % 32);
       // A vertex of one cell alone, or a cut of a boundary facet, may turn into another that is sound as topology.
-      if (allowed[bit]) EXPECT_FALSE(refused) << "word " << bit / 32 << " bit " << bit % 32;
+      if (allowed[bit]) {
+        EXPECT_FALSE(refused) << "word " << bit / 32 << " bit " << bit % 32;
+      }
     }
     for (size_t bit = 0; bit < 16 * map.shape_tables.size(); ++bit) {
       map.shape_tables[bit / 16] = static_cast<uint16_t>(map.shape_tables[bit / 16] ^ (1u << (bit % 16)));

@@ -99,9 +99,13 @@ TEST(LinkedCuts, AQuadHasTwoDiagonalsWhereverItsTrianglesBegin) {
       cut(map, side, vertices_of(map, side), triangles, false);
       const char* const found = check_integrity(map);
       if (found == nullptr) ++alike;
-      if (found != nullptr) EXPECT_STREQ(found, kUnlike);
+      if (found != nullptr) {
+        EXPECT_STREQ(found, kUnlike);
+      }
       if (triangles == from_0) of_0 = found;
-      if (triangles == from_2) EXPECT_STREQ(found, of_0) << "both ends of one diagonal";
+      if (triangles == from_2) {
+        EXPECT_STREQ(found, of_0) << "both ends of one diagonal";
+      }
     }
     EXPECT_TRUE(alike == 1 || alike == 2) << "one diagonal of the two";
   }

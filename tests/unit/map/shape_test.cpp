@@ -38,7 +38,9 @@ void expect_laws(const Shape& shape) {
     EXPECT_EQ(shape.dart_vertex(opposite), shape.dart_vertex(shape.beta1(d))) << "beta2 turns the edge round";
     EXPECT_EQ(shape.dart_edge(opposite), shape.dart_edge(d));
     ++darts_of_edge[shape.dart_edge(d)];
-    if (opposite > d) EXPECT_EQ(shape.dart_edge(d), next_edge++) << "edges are counted when first met";
+    if (opposite > d) {
+      EXPECT_EQ(shape.dart_edge(d), next_edge++) << "edges are counted when first met";
+    }
   }
   ASSERT_EQ(darts_of_edge.size(), shape.edge_count());
   for (const auto& [edge, count] : darts_of_edge) EXPECT_EQ(count, 2) << edge;

@@ -124,7 +124,9 @@ void expect_round_trips(const SmallMesh& mesh) {
     SCOPED_TRACE(mesh.name + (marked ? ", marked" : ""));
     Environment<D> env(nullptr), again(nullptr), other_dimension(nullptr);
     make(env, mesh, marked, marked);
-    if (marked) EXPECT_GT(env.marked_edges * env.marked_vertices * env.marked_facets * env.marked_cells, 0u);
+    if (marked) {
+      EXPECT_GT(env.marked_edges * env.marked_vertices * env.marked_facets * env.marked_cells, 0u);
+    }
     const std::vector<uint8_t> block = saved(env);
     ASSERT_EQ(load_status(block, again), DSW_STATUS_OK);
     expect_same(env, again);
