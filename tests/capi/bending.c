@@ -28,10 +28,7 @@ void begin(uint32_t features) {
   g_next = 0;
 }
 
-void end(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
-}
+void end(void) { end_scene(g_scene); }
 
 uint32_t cell(uint32_t x, uint32_t y, uint32_t h) { return g_dimension == 3 ? x + N * (y + N * h) : x + N * h; }
 

@@ -403,8 +403,7 @@ static void running_out_of_memory(void) {
 #undef CALL
     CHECK(refusals > 50);
     end();
-    CHECK_OK(dsw_context_destroy(context));
-    CHECK(h.alive == 0 && h.broken == 0);
+    end_context(context, &h);
   }
 }
 

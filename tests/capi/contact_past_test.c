@@ -21,10 +21,7 @@ static void begin(unsigned dimension, uint32_t features) {
   g_scene = make_scene(g_env, features);
 }
 
-static void end(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
-}
+static void end(void) { end_scene(g_scene); }
 
 static dsw_body_id make_ball(double x, double y) {
   const double at[3] = {x, y, 0.5};

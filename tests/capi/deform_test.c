@@ -344,8 +344,7 @@ static void saved_and_loaded(void) {
   CHECK_OK(dsw_environment_save(g_env, blocks[2], sizeof blocks[2], &sizes[2]));
   CHECK_OK(dsw_environment_save(loaded, blocks[3], sizeof blocks[3], &sizes[3]));
   CHECK(sizes[2] == sizes[3] && memcmp(blocks[2], blocks[3], sizes[2]) == 0);
-  CHECK_OK(dsw_scene_destroy(again));
-  CHECK_OK(dsw_environment_destroy(loaded));
+  end_scene(again);
   end();
 }
 
@@ -391,8 +390,7 @@ static void a_point_between_two_cubes(void) {
       CHECK(volume.index == (uint32_t)i && (i == 0 ? now[0] < 0.76 : now[0] > 1.24 || turn == 0));
     }
   }
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 /* In space: a cut in an environment that bends: its vertices are written to the array that was lent, if that has

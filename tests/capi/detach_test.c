@@ -13,10 +13,7 @@ static dsw_body_id g_body;
 
 static uint32_t cube(uint32_t x, uint32_t y, uint32_t z) { return x + 4 * (y + 4 * z); }
 
-static void mark(uint32_t volume) {
-  const dsw_volume_id id = volume_at(volume);
-  CHECK_OK(dsw_environment_mark_volumes(g_env, &id, 1, DSW_MARK_IMPASSABLE, 0, NULL));
-}
+static void mark(uint32_t volume) { CHECK_OK(set_volume_mark(g_env, volume, DSW_MARK_IMPASSABLE)); }
 
 /* Impassable: cubes (1, 1, 1) and (2, 1, 1), the piece, and (2, 2, 1), from which it is parted. */
 static void mark_piece(void) {
@@ -45,8 +42,7 @@ static size_t bodies(void) {
 static void end(uint32_t boundary) {
   CHECK(info_of(g_env).volume_count == 64 && info_of(g_env).boundary_face_count == boundary);
   CHECK_OK(dsw_environment_check(g_env, NULL));
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
+  end_scene(g_scene);
 }
 
 static void two_cubes(void) {
@@ -261,8 +257,7 @@ static void running_out_of_memory(void) {
   }
   CHECK(refusals > 50 && bodies() == 1);
   end(96);
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && h.broken == 0);
+  end_context(context, &h);
 }
 
 int main(void) {

@@ -323,8 +323,7 @@ static void an_environment_in_use_stays(void) {
   dsw_scene *const scene = make_scene(environment, 0);
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_environment_destroy(environment));
   CHECK_MESSAGE("1 scenes");
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 static void a_wrong_handle_is_refused(void) {
@@ -335,8 +334,7 @@ static void a_wrong_handle_is_refused(void) {
   dsw_environment *other = NULL;
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_destroy((dsw_environment *)(void *)scene));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_create((dsw_context *)(void *)scene, &d, &other, NULL));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
   grid_destroy(&g);
 }
 

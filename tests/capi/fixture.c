@@ -110,6 +110,12 @@ dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny) {
   return environment;
 }
 
+void end_scene(dsw_scene *scene) {
+  dsw_environment *const environment = dsw_scene_get_environment(scene);
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
 dsw_environment_info info_of(const dsw_environment *environment) {
   dsw_environment_info info;
   info.struct_size = sizeof info;
@@ -221,41 +227,27 @@ dsw_status set_vertex_mark(dsw_environment *environment, uint32_t index, dsw_mar
 }
 
 dsw_volume_id volume_at(uint32_t index) {
-  dsw_volume_id id;
-  id.index = index;
-  id.generation = 1;
+  const dsw_volume_id id = {index, 1};
   return id;
 }
 
 dsw_face_id face_at(uint32_t volume, uint32_t local) {
-  dsw_face_id id;
-  id.volume = volume;
-  id.generation = 1;
-  id.local = local;
+  const dsw_face_id id = {volume, 1, local};
   return id;
 }
 
 dsw_edge_id edge_at(uint32_t volume, uint32_t local) {
-  dsw_edge_id id;
-  id.volume = volume;
-  id.generation = 1;
-  id.local = local;
+  const dsw_edge_id id = {volume, 1, local};
   return id;
 }
 
 dsw_vertex_id vertex_at(uint32_t index) {
-  dsw_vertex_id id;
-  id.index = index;
-  id.generation = 1;
+  const dsw_vertex_id id = {index, 1};
   return id;
 }
 
 dsw_cell cell_at(dsw_cell_kind kind, uint32_t index, uint32_t local) {
-  dsw_cell cell;
-  cell.kind = kind;
-  cell.index = index;
-  cell.generation = 1;
-  cell.local = local;
+  const dsw_cell cell = {kind, index, 1, local};
   return cell;
 }
 
@@ -330,6 +322,11 @@ dsw_context *make_context(host *h) {
   dsw_context *context = NULL;
   stop_unless(dsw_context_create(&d, &context) == DSW_STATUS_OK, "context");
   return context;
+}
+
+void end_context(dsw_context *context, const host *h) {
+  CHECK_OK(dsw_context_destroy(context));
+  CHECK(h->alive == 0 && h->alive_bytes == 0 && h->broken == 0);
 }
 
 void refuse_after(host *h, size_t n) {

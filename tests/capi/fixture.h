@@ -30,6 +30,8 @@ dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny);
 dsw_environment_desc polygons_desc(const double *points, size_t point_count, dsw_cell_type type, const int64_t *cells,
                                    size_t cell_count);
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features);
+/* Destroys a scene and its environment. */
+void end_scene(dsw_scene *scene);
 dsw_environment_info info_of(const dsw_environment *environment);
 dsw_body_desc body_desc(const double *positions, size_t count, const uint32_t *edges, size_t edge_count,
                         dsw_level level);
@@ -78,6 +80,8 @@ typedef struct host {
 /* A description whose callbacks use the host; parallel_for runs the tasks here, last one first. */
 dsw_context_desc host_desc(host *h);
 dsw_context *make_context(host *h);
+/* Destroys a context, whose host must have all memory back. */
+void end_context(dsw_context *context, const host *h);
 /* Whether `call` runs out of memory when the host refuses its allocation number n, from 0 on. Must succeed
    otherwise. */
 #define RUNS_OUT(h, n, call) (refuse_after((h), (n)), ran_out((h), (call)))

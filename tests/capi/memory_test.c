@@ -45,8 +45,7 @@ static void creating_an_environment(void) {
   CHECK(refusals >= 3 && report.status == DSW_STATUS_OK);
   CHECK_OK(dsw_environment_destroy(environment));
   CHECK(h.alive == 1);
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && h.alive_bytes == 0 && !h.broken);
+  end_context(context, &h);
   grid_destroy(&g);
 }
 
@@ -70,8 +69,7 @@ static void creating_a_scene(void) {
   CHECK_OK(dsw_scene_destroy(scene));
   CHECK(h.alive == before);
   CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end_context(context, &h);
 }
 
 enum { CLOUD = 600 };
@@ -129,10 +127,8 @@ static void particles_of_a_scene(void) {
                         dsw_scene_get_crossings(scene, &list, &first, &flights) == DSW_STATUS_OK && flights == 0,
                     refusals);
   CHECK(refusals >= 3 && statistics_of(scene).casts >= CLOUD);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end_scene(scene);
+  end_context(context, &h);
 }
 
 static size_t mark_count(dsw_environment *environment, dsw_cell_kind kind) {
@@ -182,10 +178,8 @@ static void marks_and_tags(void) {
   UNTIL_IT_SUCCEEDS(h, dsw_environment_set_tag(environment, volume_at(3), 77),
                     dsw_environment_get_tag(environment, volume_at(3), &tag) == DSW_STATUS_OK && tag == 0, refusals);
   CHECK(refusals >= 1);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end_scene(scene);
+  end_context(context, &h);
   grid_destroy(&g);
 }
 
@@ -224,10 +218,8 @@ static void marks_with_bodies(void) {
   CHECK(refusals >= 4 && skipped > 20 && mark_count(environment, DSW_CELL_VOLUME) == 150 - skipped);
   CHECK_OK(dsw_scene_get_occupant_bodies(scene, &bodies, &count));
   CHECK(count == 1);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end_scene(scene);
+  end_context(context, &h);
 }
 
 static void queries(void) {
@@ -255,8 +247,7 @@ static void queries(void) {
   UNTIL_IT_SUCCEEDS(h, dsw_environment_check(environment, NULL), h.alive == before, refusals);
   CHECK(h.alive == before);
   CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end_context(context, &h);
 }
 
 /* Large triangles in a batch of two chunks. */
@@ -283,8 +274,7 @@ static void sweeps(void) {
   CHECK(refusals >= 4 && h.alive == before && h.parallel_calls == refusals + 1);
   for (i = 0; i < COUNT; ++i) CHECK(reports[i].outcome == DSW_OUTCOME_REACHED && reports[i].cells_visited > 20);
   CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end_context(context, &h);
 }
 
 static void saving_and_loading_a_scene(void) {
@@ -310,10 +300,8 @@ static void saving_and_loading_a_scene(void) {
   CHECK_OK(dsw_scene_save(loaded, block[1], sizeof block[1], &again));
   CHECK(again == size && memcmp(block[0], block[1], size) == 0);
   CHECK_OK(dsw_scene_destroy(loaded));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && h.alive_bytes == 0 && !h.broken);
+  end_scene(scene);
+  end_context(context, &h);
 }
 
 int main(void) {

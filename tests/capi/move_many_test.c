@@ -11,8 +11,7 @@ enum { NX = 4, NY = 4, NZ = 3, PILLAR = 2 + NX * (1 + NY), BODIES = 40 };
 
 static dsw_environment *make_pillar(dsw_context *context) {
   dsw_environment *const environment = make_environment(context, NX, NY, NZ);
-  const dsw_volume_id pillar = volume_at(PILLAR);
-  CHECK_OK(dsw_environment_mark_volumes(environment, &pillar, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  CHECK_OK(set_volume_mark(environment, PILLAR, DSW_MARK_IMPASSABLE));
   return environment;
 }
 
@@ -83,8 +82,7 @@ static void a_rigid_body_keeps_its_shape(void) {
     }
     CHECK_OK(dsw_body_destroy(scene, body));
   }
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 static void bad_motions_are_refused(void) {
@@ -139,8 +137,7 @@ static void bad_motions_are_refused(void) {
   motion = translation(1e300, 0, 0); /* a value */
   CHECK_OK(dsw_body_move_rigid(scene, body, &motion, NULL, &r));
   CHECK(r.fraction == 0 && r.vertices_stopped == 4 && r.contact_count == 1);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 /* Bodies on a lattice, all driven at the pillar; those that would not be free are left out. */
@@ -209,13 +206,11 @@ static void many_move_as_one_by_one(void) {
       CHECK_OK(dsw_body_get_contacts(scene, others[i], &b, &count_b));
       CHECK(count_a == count_b && (count_a == 0 || memcmp(a, b, count_a * sizeof *a) == 0));
     }
-    CHECK_OK(dsw_scene_destroy(scene));
-    CHECK_OK(dsw_environment_destroy(env));
+    end_scene(scene);
     CHECK_OK(dsw_context_destroy(context));
   }
   CHECK(h.alive == 0 && !h.broken && h.parallel_calls > 0);
-  CHECK_OK(dsw_scene_destroy(alone));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(alone);
 }
 
 static void bad_batches_change_nothing(void) {
@@ -264,8 +259,7 @@ static void bad_batches_change_nothing(void) {
   CHECK(memcmp(p, now, sizeof p) == 0 && memcmp(r, before, sizeof r) == 0);
   CHECK_OK(dsw_scene_move_bodies(scene, NULL, 0, NULL, 0, 0, NULL, NULL));
   CHECK_OK(dsw_scene_move_bodies(scene, bodies, 2, targets, 8, 0, NULL, NULL));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 /* Every allocation of a call is refused in turn; whatever was refused, the body is where and what it was. */
@@ -330,10 +324,8 @@ static void memory_runs_out(void) {
       CHECK_OK(create_tetrahedron(scene, at, DSW_LEVEL_FACES, &body));
     }
   }
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && h.alive_bytes == 0 && !h.broken);
+  end_scene(scene);
+  end_context(context, &h);
 }
 
 int main(void) {

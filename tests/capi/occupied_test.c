@@ -263,8 +263,7 @@ static uint64_t looked_at(uint32_t features, unsigned count) {
   CHECK_OK(dsw_environment_split_face(environment, top, corners[0], corners[1], NULL, NULL));
   s.struct_size = sizeof s;
   CHECK_OK(dsw_scene_get_statistics(scene, &s));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
   return s.occupants_tested;
 }
 
@@ -296,7 +295,6 @@ int main(void) {
   every_marking_call_forgets_the_last_ones_occupants();
   what_is_looked_at_does_not_grow_with_the_bodies();
   the_getter_checks_its_arguments();
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
+  end_scene(g_scene);
   return check_result();
 }

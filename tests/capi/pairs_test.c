@@ -38,8 +38,7 @@ static void a_contact_names_the_other_body(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contact_partners(scene, wire, &partners, NULL));
   CHECK_OK(dsw_body_destroy(scene, wire));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_contact_partners(scene, wire, &partners, &count));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 static void filters_are_read_and_changed(void) {
@@ -73,8 +72,7 @@ static void filters_are_read_and_changed(void) {
   CHECK_OK(dsw_body_destroy(scene, wire));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_filter(scene, wire, &category, &mask));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_set_filter(scene, wire, 1, 1));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 static void what_is_not_named_is_refused(void) {
@@ -100,8 +98,7 @@ static void what_is_not_named_is_refused(void) {
   CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_body_get_filter(scene, body, &bits, &bits));
   CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_body_set_filter(scene, body, 1, 1));
   CHECK(count == 99 && bits == 99);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 /* A line meets a square with an end and with an edge, and itself. */
@@ -138,8 +135,7 @@ static void bodies_of_the_plane_meet(void) {
   CHECK_OK(dsw_body_move(scene, wire, folded, 3, 0, NULL, NULL));
   CHECK_OK(dsw_body_get_contact_partners(scene, wire, &partners, &count));
   CHECK(count == 1 && partners[0].body.index == wire.index);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 /* A description of the time before filters. */
@@ -154,8 +150,7 @@ static void a_shorter_description_still_works(void) {
   CHECK_OK(dsw_body_create(scene, &d, &body));
   CHECK_OK(dsw_body_get_filter(scene, body, &category, &mask));
   CHECK(category == 1 && mask == 0xffffffffu);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 int main(void) {

@@ -306,8 +306,7 @@ static dsw_statistics run_cloud(dsw_context *context, cloud *c, size_t *crossing
   *crossings = first[BATCH];
   s.struct_size = sizeof s;
   CHECK_OK(dsw_scene_get_statistics(scene, &s));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
   return s;
 }
 
@@ -344,8 +343,7 @@ static void batches_are_the_same_for_any_sharing(void) {
   CHECK(h.parallel_calls > 0 && h.tasks > h.parallel_calls);
   CHECK_OK(dsw_context_destroy(one));
   CHECK_OK(dsw_context_destroy(four));
-  CHECK_OK(dsw_context_destroy(own));
-  CHECK(h.alive == 0 && !h.broken);
+  end_context(own, &h);
   free(wanted);
   cloud_destroy(&c);
 }
@@ -362,8 +360,7 @@ static void small_batches_stay_on_this_thread(void) {
   CHECK_OK(dsw_scene_create_particles(scene, positions, 100, 0, NULL, ids, NULL));
   CHECK_OK(dsw_scene_move_particles(scene, ids, 100, positions, 0, NULL, NULL));
   CHECK(h.parallel_calls == 0);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
   CHECK_OK(dsw_context_destroy(context));
 }
 
@@ -379,8 +376,7 @@ static void a_single_move_allocates_nothing(void) {
   CHECK_OK(dsw_particle_move(scene, id, to, NULL, &f));
   CHECK_OK(dsw_environment_cast(env, no_volume, g_middle, to, NULL, &f));
   CHECK(h.calls == calls);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
   CHECK_OK(dsw_context_destroy(context));
 }
 

@@ -330,10 +330,8 @@ static void refused_memory_changes_nothing(void) {
     }
     CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
     h.refuse = 0;
-    CHECK_OK(dsw_scene_destroy(scene));
-    CHECK_OK(dsw_environment_destroy(environment));
-    CHECK_OK(dsw_context_destroy(context));
-    CHECK(h.alive == 0 && h.broken == 0);
+    end_scene(scene);
+    end_context(context, &h);
     if (status == DSW_STATUS_OK) break;
   }
   CHECK(n > 5 && n < 300);

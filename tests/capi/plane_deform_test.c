@@ -132,8 +132,7 @@ static void points_of_the_boundary(void) {
       if (i >= 2) CHECK(now[0] == at[i][0]);
     }
   }
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 /* A cut in an environment that bends: its vertices are written to the array that was lent, if that has room. */
@@ -226,10 +225,8 @@ static void refused_memory_changes_nothing(void) {
         CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
         CHECK(read != arrays[0] && read[2 * vertex(1, 0, 2) + 1] == 2);
       }
-      CHECK_OK(dsw_scene_destroy(g_scene));
-      CHECK_OK(dsw_environment_destroy(g_env));
-      CHECK_OK(dsw_context_destroy(context));
-      CHECK(h.alive == 0 && h.broken == 0);
+      end_scene(g_scene);
+      end_context(context, &h);
     }
     CHECK(status == DSW_STATUS_OK && n > 5);
   }

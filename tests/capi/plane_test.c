@@ -311,8 +311,7 @@ static void particles_move(void) {
   CHECK(statistics.contacts == 3 && statistics.orientation_tests > 0);
   CHECK_OK(dsw_particle_destroy(scene, ids[0]));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_particle_move(scene, ids[0], positions[0], NULL, NULL));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 static void snapshots_come_back(void) {
@@ -343,11 +342,9 @@ static void snapshots_come_back(void) {
   CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_load(space, blocks[1], sizes[1], &again));
   CHECK_OK(dsw_scene_save(other, blocks[3], sizeof blocks[3], &sizes[3]));
   CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_load(environment, blocks[3], sizes[3], &again));
-  CHECK_OK(dsw_scene_destroy(other));
-  CHECK_OK(dsw_environment_destroy(space));
+  end_scene(other);
   CHECK_OK(dsw_environment_destroy(loaded));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 typedef struct tape {
@@ -404,8 +401,7 @@ static void recordings_are_made_again(void) {
   CHECK(report.outcome == DSW_REPLAY_END && calls == 5);
   CHECK(verdict.places == 4 && verdict.edges == 2);
   CHECK_OK(dsw_replay_destroy(replay));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 /* Creation and the first particle, with the n-th allocation refused: nothing leaks, nothing is left half done. */

@@ -73,8 +73,7 @@ static void calls_are_made_again_by_name(void) {
   CHECK_OK(dsw_environment_get_tag(dsw_scene_get_environment(again), wall, &tag));
   CHECK(tag == 77);
   CHECK_OK(dsw_replay_destroy(replay));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* A step of a replay is recorded itself: a recording of one call, for whoever has to look at it. */
@@ -134,8 +133,7 @@ static void a_scene_in_other_hands_differs(void) {
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_scene_destroy(again));
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_environment_destroy(dsw_scene_get_environment(again)));
   CHECK_OK(dsw_replay_destroy(replay));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* What is recorded as the state after a call has what the call did. */
@@ -150,8 +148,7 @@ static void states_are_those_after_the_call(void) {
   desc.flags = DSW_RECORDING_STATES;
   CHECK_OK(dsw_scene_start_recording(scene, &desc));
   CHECK_OK(dsw_environment_set_tag(env, volume, 77));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
   CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
   CHECK_OK(dsw_replay_get_scene(replay, &again));
   CHECK_OK(dsw_environment_set_tag(dsw_scene_get_environment(again), volume, 77)); /* it is there then anyway */
@@ -188,8 +185,7 @@ static void writing_may_fail(void) {
       CHECK_OK(dsw_scene_stop_recording(scene));
     }
   }
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* What a call answers is the same whether it is empty for the first time or there was something before the recording
@@ -237,8 +233,7 @@ static void empty_answers_are_alike(void) {
     CHECK(report.outcome == DSW_REPLAY_SAME);
   }
   CHECK_OK(dsw_replay_destroy(replay));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
   for (k = 0; k < 2; ++k) free(next[k]);
   grid_destroy(&g);
 }
@@ -284,8 +279,7 @@ static void bad_arguments(void) {
   one.bytes[13] ^= 1;
   CHECK_FAILS(DSW_STATUS_TRUNCATED, dsw_replay_create(NULL, one.bytes, one.size - 8, &replay));
   CHECK(replay == NULL);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 static void bundles_take_bad_arguments_and_full_disks(void) {
@@ -347,8 +341,7 @@ static void bundles_take_bad_arguments_and_full_disks(void) {
   CHECK_OK(dsw_replay_get_info(replay, &info));
   CHECK(info.calls == 1 && info.version == dsw_version() && info.bytes_left == 0 && strcmp(info.note, "strange") == 0);
   CHECK_OK(dsw_replay_destroy(replay));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* A recording in memory begins anew now and then; the report has the last call all the same. */
@@ -381,8 +374,7 @@ static void reports_always_have_their_call(void) {
     CHECK(report.outcome == DSW_REPLAY_SAME);
     CHECK_OK(dsw_replay_destroy(replay));
   }
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* Somebody else writes to the file that a scene is recorded into. */
@@ -409,8 +401,7 @@ static void recordings_may_be_spoilt(void) {
     fclose(file);
   }
   CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_write_bundle(scene, &desc, NULL));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
   remove(path);
 }
 
@@ -449,8 +440,7 @@ static void folds_are_not_judged(void) {
   verdict.struct_size = sizeof verdict;
   CHECK_OK(dsw_scene_write_bundle(scene, &desc, &verdict));
   CHECK(verdict.is_right == 1 && verdict.ways == 1 && verdict.missed == 0 && verdict.not_judged == 1);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* Every allocation of a replay refused in turn: a status, and everything is given back. */
@@ -486,12 +476,10 @@ static void memory_may_run_out(void) {
     }
     CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
     h.refuse = 0;
-    CHECK_OK(dsw_context_destroy(context));
-    CHECK(h.alive == 0 && h.broken == 0);
+    end_context(context, &h);
   }
   CHECK(done);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* Every allocation of a recording in memory and of a report refused in turn: calls are made all the same, the report is
@@ -534,10 +522,8 @@ static void reports_may_run_out_of_memory(void) {
     h.refuse = 0;
     CHECK_OK(dsw_particle_get(scene, particle, position, NULL));
     CHECK(memcmp(position, to, sizeof to) == 0);
-    CHECK_OK(dsw_scene_destroy(scene));
-    CHECK_OK(dsw_environment_destroy(env));
-    CHECK_OK(dsw_context_destroy(context));
-    CHECK(h.alive == 0 && h.broken == 0);
+    end_scene(scene);
+    end_context(context, &h);
   }
   CHECK(done && reports > 1);
 }

@@ -26,8 +26,7 @@ static void begin(dsw_context *context) {
 }
 
 static void end(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
+  end_scene(g_scene);
   grid_destroy(&g_grid);
 }
 
@@ -227,8 +226,7 @@ static void without_memory(void) {
   CHECK(n > 50 && g_report.mended_count > 0);
   CHECK_OK(dsw_environment_check(g_env, NULL));
   end();
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && h.broken == 0);
+  end_context(context, &h);
 }
 
 int main(void) {

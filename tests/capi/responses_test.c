@@ -142,8 +142,7 @@ static void a_vertex_inserts_64_at_most(void) {
   counts.struct_size = sizeof counts;
   CHECK_OK(dsw_body_get_counts(scene, body, &counts));
   CHECK(counts.vertex_count == 2 + inserted);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(ring));
+  end_scene(scene);
 }
 
 int main(void) {

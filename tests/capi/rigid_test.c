@@ -37,10 +37,7 @@ static void begin(unsigned dimension, uint32_t features) {
   mark_row(0);
 }
 
-static void end(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
-}
+static void end(void) { end_scene(g_scene); }
 
 /* To the array that may be written, which becomes the other one. */
 static dsw_deform_report deform(const dsw_deform_options *o) {

@@ -21,10 +21,7 @@ void begin_stage(unsigned dimension) {
   g_scene = make_scene(g_env, 0);
 }
 
-void end_stage(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
-}
+void end_stage(void) { end_scene(g_scene); }
 
 dsw_level top_level(void) { return g_dimension == 3 ? DSW_LEVEL_FACES : DSW_LEVEL_EDGES_SWEPT; }
 

@@ -51,10 +51,7 @@ static void begin(void) {
   g_scene = make_scene(g_env, DSW_FEATURE_STATISTICS | DSW_FEATURE_DEFORMING);
 }
 
-static void end(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
-}
+static void end(void) { end_scene(g_scene); }
 
 static const double g_from[3] = {0.5, 0.25, 0.5}, g_to[3] = {2.5, 0.25, 0.5}, g_fixed[3] = {0.5, 2.25, 0.5};
 static const double g_line[6] = {0.5, 0.25, 0.5, 0.5, 2.25, 0.5}, g_target[6] = {1.5, 0.25, 0.5, 1.5, 2.25, 0.5};
@@ -119,8 +116,7 @@ RUN(dsw_scene_create, dsw_scene_desc) {
   dsw_scene *scene = NULL;
   dsw_environment *const environment = make_environment(NULL, 1, 1, 1);
   const dsw_status status = dsw_scene_create(environment, s, &scene);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
   return status;
 }
 RUN(dsw_scene_get_statistics, dsw_statistics) { return dsw_scene_get_statistics(g_scene, s); }

@@ -244,8 +244,7 @@ static void running_out_of_memory(void) {
   }
   CHECK(refusals > (b.dimension == 3 ? 100u : 50u));
   end_block(b.cells + b.layer / 2, b.boundary + b.rim / 2, 1);
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && h.broken == 0);
+  end_context(context, &h);
 }
 
 /* In space. */
@@ -380,8 +379,7 @@ static void recordings_make_it_again(void) {
   } while (report.outcome == DSW_REPLAY_SAME && ++calls <= 4);
   CHECK(calls == 4);
   CHECK_OK(dsw_replay_destroy(replay));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
+  end_scene(scene);
 }
 
 static void in_both(void) {
