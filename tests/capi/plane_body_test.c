@@ -306,37 +306,6 @@ static void what_a_scene_holds_is_told(void) {
   CHECK_OK(dsw_scene_destroy(scene));
 }
 
-/* A body and its moves, with the n-th allocation refused: nothing leaks, nothing is left half done. */
-static void refused_memory_changes_nothing(void) {
-  static const double left[4] = {1.25, 0.25, 1.25, 3.75}, right[4] = {3.25, 0.25, 3.25, 3.75};
-  size_t n;
-  for (n = 1; n < 300; ++n) {
-    host h = {0};
-    dsw_context *const context = make_context(&h);
-    dsw_environment *const environment = make_squares(context, N, N);
-    dsw_scene *const scene = make_scene(environment, 0);
-    const dsw_body_desc d = line_desc(left, 2, 0, DSW_LEVEL_EDGES_SWEPT);
-    dsw_body_id body;
-    dsw_status status;
-    h.calls = 0;
-    h.refuse = n;
-    status = dsw_body_create(scene, &d, &body);
-    if (status == DSW_STATUS_OK) {
-      double p[4];
-      size_t count = 0;
-      status = dsw_body_move(scene, body, right, 2, 0, NULL, NULL);
-      CHECK_OK(dsw_body_get_positions(scene, body, p, 2, 0, NULL, &count));
-      CHECK(memcmp(p, status == DSW_STATUS_OK ? right : left, sizeof p) == 0);
-    }
-    CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
-    h.refuse = 0;
-    end_scene(scene);
-    end_context(context, &h);
-    if (status == DSW_STATUS_OK) break;
-  }
-  CHECK(n > 5 && n < 300);
-}
-
 int main(void) {
   begin_stage(2);
   a_body_has_what_was_given();
@@ -350,7 +319,6 @@ int main(void) {
   a_tag_at_the_end_of_a_wall_is_that_of_its_other_side();
   what_sweeps_nothing_needs_no_work_left();
   what_a_scene_holds_is_told();
-  refused_memory_changes_nothing();
   end_stage();
   return check_result();
 }

@@ -404,42 +404,6 @@ static void recordings_are_made_again(void) {
   end_scene(scene);
 }
 
-/* Creation and the first particle, with the n-th allocation refused: nothing leaks, nothing is left half done. */
-static void refused_memory_changes_nothing(void) {
-  size_t n;
-  for (n = 1; n < 200; ++n) {
-    host h = {0};
-    dsw_context *const context = make_context(&h);
-    dsw_environment_desc desc = plane_desc();
-    dsw_environment *environment = NULL;
-    const size_t alive = h.alive;
-    dsw_status status;
-    desc.flags |= DSW_ENVIRONMENT_LOCATE_GRID;
-    h.calls = 0;
-    h.refuse = n;
-    status = dsw_environment_create(context, &desc, &environment, NULL);
-    if (status == DSW_STATUS_OK) {
-      dsw_scene *scene = NULL;
-      const double start[2] = {0.5, 0.5};
-      dsw_particle_id id;
-      size_t count = 9;
-      status = dsw_scene_create(environment, NULL, &scene);
-      if (status == DSW_STATUS_OK) {
-        status = dsw_particle_create(scene, start, no_volume, &id);
-        CHECK_OK(dsw_scene_get_particle_count(scene, &count));
-        CHECK(count == (status == DSW_STATUS_OK ? 1u : 0u));
-        CHECK_OK(dsw_scene_destroy(scene));
-      }
-      CHECK_OK(dsw_environment_destroy(environment));
-    }
-    CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
-    CHECK(h.alive == alive && h.broken == 0);
-    CHECK_OK(dsw_context_destroy(context));
-    if (status == DSW_STATUS_OK) break;
-  }
-  CHECK(n > 10 && n < 200);
-}
-
 int main(void) {
   environments_are_created_and_described();
   faces_are_found_by_their_vertices();
@@ -452,6 +416,5 @@ int main(void) {
   particles_move();
   snapshots_come_back();
   recordings_are_made_again();
-  refused_memory_changes_nothing();
   return check_result();
 }
