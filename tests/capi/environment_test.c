@@ -327,8 +327,7 @@ static void an_environment_in_use_stays(void) {
 }
 
 static void a_wrong_handle_is_refused(void) {
-  dsw_environment *const environment = make_environment(NULL, 1, 1, 1);
-  dsw_scene *const scene = make_scene(environment, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 1, 1, 1), 0);
   grid g = grid_create(1, 1, 1);
   const dsw_environment_desc d = grid_desc(&g);
   dsw_environment *other = NULL;

@@ -13,8 +13,7 @@ static dsw_body_desc square_desc(void) {
 
 static void a_contact_names_the_other_body(void) {
   const double edge[6] = {0.5, 1.25, 1.5, 0.5, 1.25, 1.75}, to[6] = {2.5, 1.25, 1.5, 0.5, 1.25, 1.75};
-  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
-  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), DSW_FEATURE_BODY_CONTACTS);
   const dsw_body_desc d = square_desc();
   dsw_body_id wall = {0, 0}, wire;
   const dsw_contact *contacts = NULL;
@@ -43,8 +42,7 @@ static void a_contact_names_the_other_body(void) {
 
 static void filters_are_read_and_changed(void) {
   const double edge[6] = {1.5, 1.25, 1.5, 2.5, 1.25, 1.5};
-  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
-  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), DSW_FEATURE_BODY_CONTACTS);
   dsw_body_desc d = square_desc();
   dsw_body_id wall, wire = {7, 7};
   uint32_t category = 99, mask = 99;
@@ -76,8 +74,7 @@ static void filters_are_read_and_changed(void) {
 }
 
 static void what_is_not_named_is_refused(void) {
-  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
-  dsw_scene *scene = make_scene(environment, 0);
+  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), 0);
   dsw_body_desc d = square_desc();
   dsw_body_id body;
   const dsw_contact_partner *partners = NULL;
@@ -106,8 +103,7 @@ static void bodies_of_the_plane_meet(void) {
   static const double corners[8] = {2, 1, 3, 1, 3, 2, 2, 2}, line[6] = {0.5, 0.5, 0.5, 1.5, 0.5, 2.5};
   static const double end_first[6] = {2.5, 1.5, 0.5, 1.5, 0.5, 2.5}, edge_first[6] = {3.5, 0.5, 0.5, 1.5, 0.5, 2.5};
   static const double folded[6] = {0.5, 3.5, 0.5, 1.5, 0.5, 2.5};
-  dsw_environment *environment = make_squares(NULL, 4, 4);
-  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_scene *scene = make_scene(make_squares(NULL, 4, 4), DSW_FEATURE_BODY_CONTACTS);
   dsw_body_desc d = line_desc(corners, 4, 1, DSW_LEVEL_EDGES);
   dsw_body_id block, wire;
   const dsw_contact *contacts = NULL;
@@ -140,8 +136,7 @@ static void bodies_of_the_plane_meet(void) {
 
 /* A description of the time before filters. */
 static void a_shorter_description_still_works(void) {
-  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
-  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), DSW_FEATURE_BODY_CONTACTS);
   dsw_body_desc d = square_desc();
   dsw_body_id body;
   uint32_t category = 0, mask = 0;

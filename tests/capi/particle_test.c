@@ -351,8 +351,7 @@ static void batches_are_the_same_for_any_sharing(void) {
 static void small_batches_stay_on_this_thread(void) {
   host h;
   dsw_context *const context = make_context(&h);
-  dsw_environment *const env = make_environment(context, 4, 4, 4);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(context, 4, 4, 4), 0);
   dsw_particle_id ids[100];
   double positions[300];
   size_t i;

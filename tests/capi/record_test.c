@@ -159,8 +159,7 @@ static void states_are_those_after_the_call(void) {
 
 /* A recording that can't be written never fails a call. */
 static void writing_may_fail(void) {
-  dsw_environment *const env = make_environment(NULL, 2, 1, 1);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 2, 1, 1), 0);
   const double from[3] = {0.5, 0.5, 0.5};
   dsw_particle_id particle;
   size_t refuse, starts;
@@ -239,8 +238,7 @@ static void empty_answers_are_alike(void) {
 }
 
 static void bad_arguments(void) {
-  dsw_environment *const env = make_environment(NULL, 1, 1, 1);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 1, 1, 1), 0);
   dsw_recording_desc desc = to_tape(&one);
   dsw_replay *replay = NULL;
   dsw_replay_report report;
@@ -283,8 +281,7 @@ static void bad_arguments(void) {
 }
 
 static void bundles_take_bad_arguments_and_full_disks(void) {
-  dsw_environment *const env = make_environment(NULL, 2, 1, 1);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 2, 1, 1), 0);
   const double from[3] = {0.5, 0.5, 0.5}, to[3] = {1.5, 0.5, 0.25};
   dsw_recording_desc latest;
   dsw_bundle_desc desc;
@@ -349,8 +346,7 @@ static void reports_always_have_their_call(void) {
   enum { kParticles = 500, kCalls = 80 };
   static double targets[kParticles][3];
   static dsw_particle_id particles[kParticles];
-  dsw_environment *const env = make_environment(NULL, 1, 1, 1);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 1, 1, 1), 0);
   dsw_recording_desc latest;
   dsw_bundle_desc desc;
   dsw_replay *replay = NULL;
@@ -380,8 +376,7 @@ static void reports_always_have_their_call(void) {
 /* Somebody else writes to the file that a scene is recorded into. */
 static void recordings_may_be_spoilt(void) {
   static const char *const path = "record_test.dswrec";
-  dsw_environment *const env = make_environment(NULL, 1, 1, 1);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 1, 1, 1), 0);
   dsw_recording_desc to;
   dsw_bundle_desc desc;
   FILE *file;
@@ -448,8 +443,7 @@ static void memory_may_run_out(void) {
   host h;
   size_t refuse;
   int done = 0;
-  dsw_environment *const env = make_environment(NULL, 2, 2, 1);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 2, 2, 1), 0);
   const dsw_recording_desc desc = to_tape(&one);
   const double from[3] = {0.5, 0.5, 0.5};
   dsw_particle_id particle;

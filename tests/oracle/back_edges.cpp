@@ -91,8 +91,7 @@ class ClosedBody {
       for (size_t k = 0; k < 3; ++k) p[k] += drift[k] + swell * (p[k] - middle[k]) + bend * way * rng_.range(-1, 1);
       if (!finite(p)) return false;
     }
-    dsw_move_options options;
-    dsw_move_options_init(&options, sizeof options);
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.order = move.order.data();
     options.order_count = move.order.size();
     BodyAnswer answer;

@@ -43,6 +43,14 @@ struct EnvironmentDelete {
   void operator()(dsw_environment* e) const { dsw_environment_destroy(e); }
 };
 using EnvironmentPtr = std::unique_ptr<dsw_environment, EnvironmentDelete>;
+
+/// A description, or options, as `init` writes it: defaults(dsw_body_desc_init).
+template <class Struct>
+Struct defaults(void (*init)(Struct*, size_t)) {
+  Struct all;
+  init(&all, sizeof all);
+  return all;
+}
 struct SceneDelete {
   void operator()(dsw_scene* s) const { dsw_scene_destroy(s); }
 };

@@ -184,8 +184,7 @@ std::vector<Vec> Deformer::next_points() {
 }
 
 dsw_deform_options Deformer::next_options() {
-  dsw_deform_options options;
-  dsw_deform_options_init(&options, sizeof options);
+  dsw_deform_options options = defaults(dsw_deform_options_init);
   options.method = rng_.chance(0.75) ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE;
   options.response = static_cast<dsw_wall_response>(rng_.below(4u));
   if (options.method == DSW_DEFORM_END_STATE && options.response == DSW_WALL_HOLD) options.response = DSW_WALL_STOP;
@@ -388,8 +387,7 @@ bool Deformer::step() {
 }
 
 void Deformer::run(int count) {
-  dsw_scene_desc desc;
-  dsw_scene_desc_init(&desc, sizeof desc);
+  dsw_scene_desc desc = defaults(dsw_scene_desc_init);
   desc.features = DSW_FEATURE_DEFORMING;
   dsw_scene* scene = nullptr;
   if (dsw_scene_create(ground_.environment(), &desc, &scene) != DSW_STATUS_OK) {

@@ -88,8 +88,7 @@ void one_scene(const Turn& turn, uint64_t seed, uint64_t casts, Report& report) 
     report.mismatch(world.fault());
     return;
   }
-  dsw_scene_desc desc;
-  dsw_scene_desc_init(&desc, sizeof desc);
+  dsw_scene_desc desc = defaults(dsw_scene_desc_init);
   const bool crossings = rng.chance(0.5);
   desc.features = rng.chance(0.5) ? uint32_t{DSW_FEATURE_STATISTICS} : 0;
   if (crossings) desc.features |= uint32_t{DSW_FEATURE_CROSSINGS};

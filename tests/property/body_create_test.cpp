@@ -20,8 +20,7 @@ class BodyCreateTest : public BodyTest {
   dsw_body_desc segment_desc() {
     static const double positions[6] = {0.5, 0.5, 0.5, 0.75, 0.5, 0.5};
     static const uint32_t edges[2] = {0, 1};
-    dsw_body_desc d;
-    dsw_body_desc_init(&d, sizeof d);
+    dsw_body_desc d = defaults(dsw_body_desc_init);
     d.positions = positions;
     d.vertex_count = 2;
     d.edges = edges;

@@ -11,8 +11,7 @@ namespace {
 constexpr size_t kBodies = 40, kRounds = 6;
 
 dsw_move_options round_options(size_t round) {
-  dsw_move_options options;
-  dsw_move_options_init(&options, sizeof options);
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.vertex_response = round % 2 == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
   options.edge_response = static_cast<dsw_response>(round % 6);
   options.noise_share = round % 3 == 0 ? 0.05 : 0;
@@ -141,8 +140,7 @@ TEST(BodyBatchTest, WhatIsRefusedMovesNothing) {
   refuse(DSW_STATUS_DUPLICATE_ID, twice, 2, 4, nullptr);
   refuse(DSW_STATUS_STALE_ID, stale, 2, 4, nullptr);
   refuse(DSW_STATUS_WRONG_SIZE, bodies, 2, 3, nullptr);
-  dsw_move_options options;
-  dsw_move_options_init(&options, sizeof options);
+  dsw_move_options options = defaults(dsw_move_options_init);
   const uint32_t order[] = {0};
   options.order = order;
   options.order_count = 1;

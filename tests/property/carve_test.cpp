@@ -137,8 +137,7 @@ TEST_P(CarveTest, WhatIsInsideIsCarvedAndNothingElse) {
     mark_most(rng);
     for (int round = 0; round < 3; ++round) {
       const ClosedSurface surface = some_surface(env(), place_.world->size, rng);
-      dsw_carve_desc desc;
-      dsw_carve_desc_init(&desc, sizeof desc);
+      dsw_carve_desc desc = defaults(dsw_carve_desc_init);
       desc.points = surface.points.data();
       desc.point_count = surface.points.size() / 3;
       desc.triangles = surface.triangles.data();

@@ -17,8 +17,7 @@ struct Coarse {
 
 Coarse coarsened(const Place& place, uint32_t max_faces) {
   Coarse coarse;
-  dsw_coarsen_options options;
-  dsw_coarsen_options_init(&options, sizeof options);
+  dsw_coarsen_options options = defaults(dsw_coarsen_options_init);
   options.max_faces = max_faces;
   coarse.report.struct_size = sizeof coarse.report;
   coarse.map.resize(place.world->ids.size());
@@ -143,8 +142,7 @@ TEST_P(CoarsenTest, SweptEdgesMeetTheSameAtTheSameTimes) {
     fixed.insert(fixed.end(), r.begin(), r.end());
   }
   std::vector<dsw_sweep> fine(kCount), other(kCount);
-  dsw_sweep_options options;
-  dsw_sweep_options_init(&options, sizeof options);
+  dsw_sweep_options options = defaults(dsw_sweep_options_init);
   options.level = DSW_LEVEL_EDGES_SWEPT;
   ASSERT_EQ(dsw_environment_sweep_edges(place_.get(), kCount, nullptr, from.data(), to.data(), fixed.data(), 0,
                                         &options, fine.data()),
@@ -163,7 +161,7 @@ TEST_P(CoarsenTest, BodiesMoveAsFarAndStayFree) {
   mark_some(place_, rng);
   const Coarse coarse = coarsened(place_, 16);
   ASSERT_NE(coarse.environment, nullptr);
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.stand_off = -1;  // by default a share of the cell's size
   Motions motions(*place_.world, rng);
   dsw_environment* const both[2] = {place_.get(), coarse.environment.get()};

@@ -63,8 +63,7 @@ class OpenTissueTest : public testing::Test {
       blade[3 * i] += turn * side * place_.world->size;
       blade[3 * i + 1] += side * place_.world->size;
     }
-    dsw_cut_desc desc;
-    dsw_cut_desc_init(&desc, sizeof desc);
+    dsw_cut_desc desc = defaults(dsw_cut_desc_init);
     desc.points = blade;
     desc.rows = desc.columns = 2;
     EXPECT_EQ(dsw_environment_cut(place_.get(), &desc, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
@@ -141,8 +140,7 @@ class OpenTissueTest : public testing::Test {
     mark_tissue(rng);
     const std::vector<dsw_cut_face> crack = cut_tissue(rng);
     const bool is_partition = dsw_environment_check(place_.get(), nullptr) == DSW_STATUS_OK;
-    dsw_open_desc desc;
-    dsw_open_desc_init(&desc, sizeof desc);
+    dsw_open_desc desc = defaults(dsw_open_desc_init);
     desc.faces = crack.data();
     desc.face_count = crack.size();
     desc.width = 0.02 * place_.world->size;

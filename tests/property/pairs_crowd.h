@@ -30,7 +30,7 @@ class Crowd {
 
  private:
   std::string answers_of_round(int round, bool together) {
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     if (round % 2 == 1) options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
     std::vector<Vec> targets;
     std::vector<size_t> first;

@@ -97,8 +97,7 @@ TEST_F(TwoBodiesTest, WallsThatMovePushNoBodyIntoAnother) {
         double& x = arrays.back()[i];
         if (x > 0.5 && x < 3.5) x += (x < 2 ? 1 : -1) * rng.range(0, 0.12);
       }
-      dsw_deform_options options;
-      dsw_deform_options_init(&options, sizeof options);
+      dsw_deform_options options = defaults(dsw_deform_options_init);
       options.method = method;
       options.response = DSW_WALL_PUSH;
       dsw_deform_report report;
@@ -157,8 +156,7 @@ TEST_F(TwoBodiesTest, RaisingALevelAndJoiningLookAtOthers) {
 }
 
 TEST_F(TwoBodiesTest, FiltersKeepBodiesApart) {
-  dsw_body_desc desc;
-  dsw_body_desc_init(&desc, sizeof desc);
+  dsw_body_desc desc = defaults(dsw_body_desc_init);
   const BodyPlan plan = wall(2);
   const dsw_body_id square = make(plan, DSW_LEVEL_FACES);
   const double at[6] = {1, 1.5, 1.25, 3, 1.5, 1.25};
@@ -200,7 +198,7 @@ TEST_F(TwoBodiesTest, ARigidMoveStopsBeforeTheOther) {
 TEST_F(TwoBodiesTest, ResponsesWorkOnBodies) {
   make(wall(2), DSW_LEVEL_FACES);
   const dsw_body_id wire = make(segment({0.5, 1.25, 1.25}, {0.5, 1.25, 0.5}));
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
   BodyAnswer answer = move(wire, {{2.5, 1.75, 1.25}, {0.5, 1.25, 0.5}}, &options);
   ASSERT_GE(answer.contacts.size(), 1u);
@@ -223,7 +221,7 @@ TEST_F(TwoBodiesTest, HalvingStopsBeforeAnotherBody) {
   const dsw_body_id square = make(wall(2), DSW_LEVEL_FACES);
   const BodyPlan plan = segment({0.5, 1.25, 1.25}, {0.5, 1.25, 0.5});
   const std::vector<Vec> to = {{2.5, 1.75, 1.25}, {0.5, 1.25, 0.5}};
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.stand_off = -1;
   const dsw_body_id twin = make(plan);
   const BodyAnswer exact = move(twin, to, &options);
@@ -297,8 +295,7 @@ TEST_F(TwoBodiesTest, AWallBendsABodyThatMeetsItselfUpToItself) {
   for (int step = 0; step < 12; ++step) {
     arrays.push_back(points_of(place_.get()));
     arrays.back()[3 * point(2, 2, 1)] = 2 + 0.04 * (step + 1);
-    dsw_deform_options options;
-    dsw_deform_options_init(&options, sizeof options);
+    dsw_deform_options options = defaults(dsw_deform_options_init);
     options.response = DSW_WALL_INSERT;
     dsw_deform_report report;
     ASSERT_EQ(dsw_scene_deform(scene(), arrays.back().data(), arrays.back().size() / 3, &options, &report),
@@ -323,7 +320,7 @@ TEST_F(TwoBodiesTest, ABodyThatMeetsItselfBendsAndIsStraightAgain) {
                   {{0, 1}, {1, 2}, {2, 3}, {3, 4}},
                   {}},
                  wire.level, DSW_BODY_SELF_CONTACTS);
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.edge_response = DSW_RESPONSE_ADAPTIVE_ONE;
   options.noise_share = 1e-3;
   options.min_part = 0.1;

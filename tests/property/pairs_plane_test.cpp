@@ -133,7 +133,7 @@ TEST_F(PlanePairsTest, NothingLeavesAClosedCurve) {
   Rng rng(3);
   size_t contacts = 0;
   for (int i = 0; i < 200; ++i) {
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     if (i % 2 == 0) options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
     std::vector<Vec> targets = read(inner.id).at;
     const Vec way = {rng.range(-1, 1), rng.range(-1, 1), 0};
@@ -160,7 +160,7 @@ TEST_F(PlanePairsTest, ARigidMoveStopsBeforeTheOther) { stop_rigidly(line(2, 0.5
 
 TEST_F(PlanePairsTest, ResponsesWorkOnBodies) {
   make(line(2, 0.5, 2, 2), DSW_LEVEL_EDGES);
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
   const dsw_body_id vertex = make(point(1, 1), DSW_LEVEL_POINTS);
   BodyAnswer answer = move(vertex, {{2.5, 1.75, 0}}, &options);
@@ -170,7 +170,7 @@ TEST_F(PlanePairsTest, ResponsesWorkOnBodies) {
 
 TEST_F(PlanePairsTest, AnEdgeGetsAVertexWhereACornerIsInItsWay) {
   make(line(1.625, 2.5, 2.5, 2.5), DSW_LEVEL_EDGES);
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.edge_response = DSW_RESPONSE_ADAPTIVE_ONE;
   const Vec fixed = {1, 3.5, 0}, to = {3, 1, 0};
   const dsw_body_id edge = make(segment({1.5, 0.5, 0}, fixed));

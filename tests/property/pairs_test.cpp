@@ -106,7 +106,7 @@ class PairsTest : public testing::TestWithParam<Kind> {
     const TouchTruth truth = truth_of_move(bodies_, b, v, to);
     std::vector<Vec> targets = body.state.at;
     targets[v] = to;
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.order = &v;
     options.order_count = 1;
     BodyAnswer answer;
@@ -247,7 +247,7 @@ TEST_P(PairsTest, BodiesStayApartWhateverTheResponse) {
   size_t contacts = 0, edits = 0;
   for (int round = 0; round < 10; ++round) {
     SCOPED_TRACE(round);
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.vertex_response = round % 2 == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
     options.edge_response = static_cast<dsw_response>(round % 6);
     options.search = static_cast<dsw_search>(round / 2 % 3);

@@ -147,8 +147,7 @@ TEST_F(BladeTest, WhatClosedLinesHold) {
     ASSERT_EQ(dsw_environment_mark_volumes(environment_.get(), volumes.data(), volumes.size(), DSW_MARK_IMPASSABLE, 0,
                                            nullptr),
               DSW_STATUS_OK);
-    dsw_carve_desc desc;
-    dsw_carve_desc_init(&desc, sizeof desc);
+    dsw_carve_desc desc = defaults(dsw_carve_desc_init);
     desc.points = points[0].data();
     desc.point_count = points.size();
     desc.triangles = ends.data();
@@ -210,8 +209,7 @@ TEST_F(BladeTest, NothingGetsPastATie) {
       free_before += plane::cast(world_, from, p, q).outcome == plane::Flight::kReached ? 1u : 0u;
       through.push_back({p, q});
     }
-    dsw_tie_desc desc;
-    dsw_tie_desc_init(&desc, sizeof desc);
+    dsw_tie_desc desc = defaults(dsw_tie_desc_init);
     desc.points = path[0].data();
     desc.point_count = path.size();
     const double snaps[] = {0, 1e-12, 0.25};

@@ -41,8 +41,7 @@ Floor make_floor(Rng& rng) {
 
 dsw_environment_desc description(const std::vector<double>& points, const std::vector<int32_t>& corners,
                                  uint32_t dimension) {
-  dsw_environment_desc desc;
-  dsw_environment_desc_init(&desc, sizeof desc);
+  dsw_environment_desc desc = defaults(dsw_environment_desc_init);
   desc.dimension = dimension;
   desc.points = points.data();
   desc.point_count = points.size() / dimension;
@@ -101,8 +100,7 @@ struct Side {
   dsw_status create(const std::vector<double>& flat, const std::vector<uint32_t>& edges, dsw_level level,
                     uint32_t flags, dsw_body_id* body) const {
     const std::vector<double> points = placed(flat);
-    dsw_body_desc desc;
-    dsw_body_desc_init(&desc, sizeof desc);
+    dsw_body_desc desc = defaults(dsw_body_desc_init);
     desc.level = level;
     desc.flags = flags;
     desc.positions = points.data();
@@ -271,8 +269,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
   }
 
   dsw_move_options random_options() {
-    dsw_move_options o;
-    dsw_move_options_init(&o, sizeof o);
+    dsw_move_options o = defaults(dsw_move_options_init);
     o.vertex_response = rng_.chance(0.5) ? DSW_RESPONSE_SLIDE : DSW_RESPONSE_STOP;
     o.edge_response = static_cast<dsw_response>(rng_.below(6u));
     o.search = static_cast<dsw_search>(rng_.below(3u));

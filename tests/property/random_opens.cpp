@@ -59,8 +59,7 @@ dsw_status RandomEdits<3>::open() {
     faces.push_back({pair[0], pair[1]});
   }
   const double widths[] = {1e-9, 0.01, 0.1, 1, 10};
-  dsw_open_desc desc;
-  dsw_open_desc_init(&desc, sizeof desc);
+  dsw_open_desc desc = defaults(dsw_open_desc_init);
   desc.faces = faces.data();
   desc.face_count = faces.size();
   desc.width = place_.size() * widths[rng_.below(5)];

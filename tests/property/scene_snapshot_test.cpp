@@ -99,8 +99,7 @@ std::string move_all(dsw_scene* scene, const World& world, Rng& rng, const Ids& 
     for (Vec& p : targets) {
       for (double& x : p) x += rng.range(-step, step);
     }
-    dsw_move_options options;
-    dsw_move_options_init(&options, sizeof options);
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.vertex_response = rng.chance(0.5) ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
     options.edge_response = static_cast<dsw_response>(rng.below(6));
     options.noise_share = rng.chance(0.5) ? 0 : 0.05;

@@ -37,8 +37,7 @@ class TieTest : public SceneTest {
     return Blade<3>::fan(nullptr, {points_.data(), 3}, count + 1);
   }
   dsw_status tie(const std::vector<double>& loop, dsw_volume_id start, double snap) {
-    dsw_tie_desc desc;
-    dsw_tie_desc_init(&desc, sizeof desc);
+    dsw_tie_desc desc = defaults(dsw_tie_desc_init);
     desc.points = loop.data();
     desc.point_count = loop.size() / 3;
     desc.start = start;

@@ -52,7 +52,7 @@ class TwoBodies : public MemoryTest {
                         [&] { return body_count() == static_cast<size_t>(i); });
     }
     const std::string before = state();
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.edge_response = DSW_RESPONSE_ADAPTIVE_SLIDE;
     options.vertex_response = DSW_RESPONSE_SLIDE;
     std::vector<Vec> targets;
