@@ -7,7 +7,7 @@
 namespace dsw::bench {
 
 void run_figure5(const Options&, Report& report) {
-  const figure5_options options = figure5_defaults(dsw_move_options_init);
+  const figure5_options options = figure5_default_options();
   int held = 0, expected = 0;
   for (const std::uint32_t dimension : {2u, 3u}) {
     for (int panel = 0; panel < FIGURE5_PANELS; ++panel) {

@@ -251,6 +251,23 @@ dsw_cell cell_at(dsw_cell_kind kind, uint32_t index, uint32_t local) {
   return cell;
 }
 
+static int write_tape(void *user, const void *bytes, size_t size_bytes) {
+  tape *const t = (tape *)user;
+  if (++t->writes == t->refuse || t->size + size_bytes > sizeof t->bytes) return 1;
+  memcpy(t->bytes + t->size, bytes, size_bytes);
+  t->size += size_bytes;
+  return 0;
+}
+
+dsw_recording_desc to_tape(tape *t) {
+  dsw_recording_desc desc;
+  dsw_recording_desc_init(&desc, sizeof desc);
+  memset(t, 0, sizeof *t);
+  desc.write = write_tape;
+  desc.user = t;
+  return desc;
+}
+
 /* Sizes are kept in front of a block, so that what comes back can be compared. */
 typedef struct block_head {
   void *base;

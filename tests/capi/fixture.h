@@ -63,6 +63,14 @@ dsw_cell cell_at(dsw_cell_kind kind, uint32_t index, uint32_t local);
 extern const dsw_volume_id no_volume, stale_volume;
 extern const dsw_particle_id stale_particle;
 
+/* Where recordings go: memory, which may refuse. */
+typedef struct tape {
+  unsigned char bytes[65536];
+  size_t size, writes, refuse; /* the write that is refused, from 1; 0: none */
+} tape;
+/* Empties a tape and describes recording to it. */
+dsw_recording_desc to_tape(tape *t);
+
 /* Faces of a hexahedron, in the order of its type. */
 enum { FACE_X0 = 0, FACE_X1 = 1, FACE_Y0 = 2, FACE_Y1 = 3, FACE_Z0 = 4, FACE_Z1 = 5 };
 

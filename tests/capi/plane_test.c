@@ -347,19 +347,6 @@ static void snapshots_come_back(void) {
   end_scene(scene);
 }
 
-typedef struct tape {
-  unsigned char bytes[65536];
-  size_t size;
-} tape;
-
-static int write_tape(void *user, const void *bytes, size_t size) {
-  tape *const t = user;
-  if (t->size + size > sizeof t->bytes) return 1;
-  memcpy(t->bytes + t->size, bytes, size);
-  t->size += size;
-  return 0;
-}
-
 static void recordings_are_made_again(void) {
   static const double rope[3][2] = {{0.25, 0.25}, {0.5, 0.5}, {0.75, 0.25}};
   static const double pulled[3][2] = {{0.5, 0.25}, {2.5, 0.5}, {0.75, -3}};
@@ -368,7 +355,7 @@ static void recordings_are_made_again(void) {
   dsw_environment *const environment = make_plane();
   dsw_scene *const scene = make_scene(environment, DSW_FEATURE_STATISTICS);
   static tape one;
-  dsw_recording_desc recording;
+  dsw_recording_desc recording = to_tape(&one);
   dsw_body_desc body;
   dsw_body_id id;
   dsw_particle_id particle;
@@ -378,9 +365,6 @@ static void recordings_are_made_again(void) {
   char text[200];
   size_t size, calls = 0;
   verdict.struct_size = sizeof verdict;
-  dsw_recording_desc_init(&recording, sizeof recording);
-  recording.write = write_tape;
-  recording.user = &one;
   recording.flags = DSW_RECORDING_STATES;
   CHECK_OK(dsw_scene_start_recording(scene, &recording));
   CHECK_OK(dsw_environment_mark_faces(environment, &side, 1, DSW_MARK_IMPASSABLE));

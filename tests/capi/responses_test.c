@@ -20,7 +20,7 @@ static int are_same(const figure5_answer *a, const figure5_answer *b) {
 
 /* Every response does what its panel shows, and no two of them the same. */
 static void every_panel_has_its_own_result(void) {
-  const figure5_options options = figure5_defaults(dsw_move_options_init);
+  const figure5_options options = figure5_default_options();
   uint32_t dimension;
   for (dimension = 2; dimension <= 3; ++dimension) {
     figure5_answer answers[FIGURE5_PANELS];
@@ -38,7 +38,7 @@ static void every_panel_has_its_own_result(void) {
 
 /* C lies under the edge, but the edge that is bent at A never comes to it: only all obstacles at once have it. */
 static void the_exhaustive_search_finds_what_no_sequence_meets(void) {
-  figure5_options options = figure5_defaults(dsw_move_options_init);
+  figure5_options options = figure5_default_options();
   uint32_t dimension, i;
   for (dimension = 2; dimension <= 3; ++dimension) {
     const figure5_answer one = run(dimension, FIGURE5_ADAPTIVE_ONE, &options),
@@ -55,7 +55,7 @@ static void the_exhaustive_search_finds_what_no_sequence_meets(void) {
    in the part from A to p there is room at B. B is at 0.467 of that part: where each part must keep 0.47, p stops as
    soon as B is met. */
 static void parts_keep_their_share(void) {
-  figure5_options options = figure5_defaults(dsw_move_options_init);
+  figure5_options options = figure5_default_options();
   uint32_t dimension;
   for (dimension = 2; dimension <= 3; ++dimension) {
     figure5_answer answer;
@@ -74,7 +74,7 @@ static void parts_keep_their_share(void) {
 
 /* Pegs are smaller than what is swept: no cast meets one, and the contact is what the sweep meets. */
 static void halving_inserts_one_vertex_at_a_time(void) {
-  figure5_options options = figure5_defaults(dsw_move_options_init);
+  figure5_options options = figure5_default_options();
   uint32_t dimension, depth;
   options.search = DSW_SEARCH_BISECTION;
   for (dimension = 2; dimension <= 3; ++dimension) {

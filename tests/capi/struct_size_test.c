@@ -199,27 +199,12 @@ RUN(dsw_scene_detach, dsw_detach_desc) {
 }
 RUN(dsw_scene_start_recording, dsw_recording_desc) { return dsw_scene_start_recording(g_scene, s); }
 
-static struct tape {
-  unsigned char bytes[1 << 16];
-  size_t size;
-} g_tape;
-
-static int write_tape(void *user, const void *bytes, size_t size_bytes) {
-  struct tape *const t = (struct tape *)user;
-  if (t->size + size_bytes > sizeof t->bytes) return 1;
-  memcpy(t->bytes + t->size, bytes, size_bytes);
-  t->size += size_bytes;
-  return 0;
-}
+static tape g_tape;
 
 /* Of a particle that is created. */
 static dsw_replay *replay(void) {
-  dsw_recording_desc desc;
+  const dsw_recording_desc desc = to_tape(&g_tape);
   dsw_replay *r = NULL;
-  dsw_recording_desc_init(&desc, sizeof desc);
-  desc.write = write_tape;
-  desc.user = &g_tape;
-  g_tape.size = 0;
   CHECK_OK(dsw_scene_start_recording(g_scene, &desc));
   particle();
   CHECK_OK(dsw_scene_stop_recording(g_scene));
@@ -243,9 +228,8 @@ RUN(dsw_scene_write_bundle, dsw_bundle_desc) { return dsw_scene_write_bundle(g_s
 RUN(dsw_scene_write_bundle, dsw_verdict) {
   dsw_bundle_desc desc;
   dsw_bundle_desc_init(&desc, sizeof desc);
-  desc.write = write_tape;
+  desc.write = to_tape(&g_tape).write;
   desc.user = &g_tape;
-  g_tape.size = 0;
   return dsw_scene_write_bundle(g_scene, &desc, s);
 }
 

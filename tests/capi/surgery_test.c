@@ -327,17 +327,6 @@ static void shapes_are_carved(void) {
   end_block(28, 16, 1);
 }
 
-static unsigned char g_tape[65536];
-static size_t g_recorded;
-
-static int write_tape(void *user, const void *bytes, size_t size) {
-  (void)user;
-  if (g_recorded + size > sizeof g_tape) return 1;
-  memcpy(g_tape + g_recorded, bytes, size);
-  g_recorded += size;
-  return 0;
-}
-
 static void recordings_make_it_again(void) {
   static const double line[4] = {-1, 1.3, 5, 1.4}, square[8] = {2.2, 2.2, 2.8, 2.2, 2.8, 2.8, 2.2, 2.8};
   static const uint32_t sides[8] = {0, 1, 1, 2, 2, 3, 3, 0};
@@ -347,7 +336,8 @@ static void recordings_make_it_again(void) {
   size_t torn = 0;
   uint32_t calls = 0;
   dsw_scene *scene = NULL;
-  dsw_recording_desc to_tape;
+  static tape one;
+  dsw_recording_desc recording = to_tape(&one);
   dsw_tie_desc tie;
   dsw_carve_desc carve;
   dsw_carve_report carved;
@@ -356,10 +346,8 @@ static void recordings_make_it_again(void) {
   begin();
   CHECK_OK(dsw_environment_mark_volumes(g_env, &wall, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   CHECK_OK(dsw_scene_create(g_env, NULL, &scene));
-  dsw_recording_desc_init(&to_tape, sizeof to_tape);
-  to_tape.write = write_tape;
-  to_tape.flags = DSW_RECORDING_STATES;
-  CHECK_OK(dsw_scene_start_recording(scene, &to_tape));
+  recording.flags = DSW_RECORDING_STATES;
+  CHECK_OK(dsw_scene_start_recording(scene, &recording));
   dsw_carve_desc_init(&carve, sizeof carve);
   carve.points = square, carve.point_count = 4;
   carve.triangles = sides, carve.triangle_count = 4;
@@ -372,7 +360,7 @@ static void recordings_make_it_again(void) {
   CHECK(torn == 1);
   cut(blade_at(1.25, 5), 0);
   CHECK_OK(dsw_scene_stop_recording(scene));
-  CHECK_OK(dsw_replay_create(NULL, g_tape, g_recorded, &replay));
+  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
   do {
     CHECK_OK(dsw_replay_step(replay, &report));
     CHECK(report.outcome == (calls < 4 ? DSW_REPLAY_SAME : DSW_REPLAY_END));
