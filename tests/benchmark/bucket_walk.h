@@ -3,6 +3,7 @@
 #define DARTSWEEP_TESTS_BENCHMARK_BUCKET_WALK_H
 
 #include "engine.h"
+#include "vector.h"
 
 #include <algorithm>
 #include <cmath>

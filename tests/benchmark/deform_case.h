@@ -7,8 +7,7 @@
 
 namespace dsw::bench {
 
-/** A wave that runs through a lattice: 0.05 cells high along each axis, some ten cells long, 16 steps a period. No face
- * stays flat. */
+/** A wave that runs through a lattice: 0.05 cells high along each axis, some ten cells long, 16 steps a period. All warp. */
 class TravellingWave {
  public:
   explicit TravellingWave(const std::array<std::uint32_t, 3>& size);
@@ -37,8 +36,7 @@ class DeformCase {
   struct Times {
     double update, queries;  // ns
   };
-  /** Takes the environment to the next step of the wave, with a particle at every vertex of every body in it, and casts
-   * from there. */
+  /** Takes the environment to the next step of the wave; particles lie at all vertices of the bodies and are cast. */
   Times advance(dsw_deform_method method, DeformStep& step);
 
   /** Puts the points of the walls to where they are in a step. */

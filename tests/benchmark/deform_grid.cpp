@@ -8,20 +8,10 @@ namespace dsw::bench {
 
 namespace {
 
-using Vector = std::array<double, 3>;
-
-Vector minus(const double* a, const double* b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-/** Walls by the buckets that their boxes meet. Nothing of a wall is computed before a segment asks: fewer ever are than
- * are put in. */
+/** Walls by the buckets that their boxes meet. Nothing of a wall is computed before a segment asks. */
 class MovingGrid final : public MovingEngine {
  public:
-  /** @param chained a list for each bucket, one pass over the walls; else they stand bucket by bucket, which takes
-   * two. */
+  /** @param chained a list for each bucket, one pass over the walls; else they stand bucket by bucket: two. */
   MovingGrid(const WallMesh& walls, double edge, bool chained)
       : MovingEngine("grid, bucket " + std::to_string(edge) + (chained ? ", chained" : ", sorted")),
         walls_(walls),

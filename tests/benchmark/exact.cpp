@@ -1,5 +1,7 @@
 #include "exact.h"
 
+#include "vector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +9,9 @@
 namespace dsw::bench {
 
 namespace {
+
+using bench::cross;
+using bench::dot;
 
 struct Rational {
   mpq_class x, y, z;
@@ -32,12 +37,6 @@ std::optional<mpq_class> triangle_time(const Rational& a, const Rational& b, con
   return mpq_class(start / (start - end));
 }
 
-using Vector = std::array<double, 3>;
-Vector minus(const double* a, const double* b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 
 /** Signed: positive when the triangle is met. */

@@ -270,8 +270,7 @@ class Contest {
     return bodies_world_.environment();
   }
 
-  /** As time_period, of our bodies. They have an environment of their own, since a mark costs more where a scene has
-   * bodies. */
+  /** As time_period, of our bodies. Their environment is their own: a mark costs more beside bodies. */
   double time_bodies(std::size_t period) {
     return cpu_time_ns([&] {
              for (const WallChange& change : script_.changes[period]) mark(bodies_world_, change);

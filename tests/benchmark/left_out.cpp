@@ -74,8 +74,7 @@ Setting search(const char* name, dsw_search value) {
 constexpr std::uint32_t kAll = DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING |
                                DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_LIVE_CHANGES;
 
-/** The one at level EDGES_SWEPT names nothing else: it is the `off` of all that are not flags, that at EDGES of
- * flags. */
+/** The one at level EDGES_SWEPT names nothing else: it is the `off` of what is no flag, that at EDGES of flags. */
 std::vector<Setting> all_settings() {
   return {level("points", DSW_LEVEL_POINTS),
           level("edges", DSW_LEVEL_EDGES),

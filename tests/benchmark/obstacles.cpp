@@ -32,8 +32,7 @@ void mark(dsw_environment* environment, const WallChange& change, std::uint32_t 
                                      change.impassable ? DSW_MARK_IMPASSABLE : DSW_MARK_PASSABLE, flags, nullptr));
 }
 
-/** Passable cells without a vertex, of which none is another's neighbour: neighbours would bring a wall and take it
- * away. */
+/** Passable cells without a vertex, of which none is another's neighbour: between neighbours no wall would stay. */
 std::vector<std::uint32_t> choose_obstacles(const scenes::HexGrid& grid, const ChangeList& list,
                                             const std::vector<std::uint8_t>& occupied, scenes::Random& random) {
   std::vector<std::uint32_t> set;

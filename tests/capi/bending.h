@@ -1,5 +1,4 @@
-/* What the tests of deformations share: 4 x 4 x 4 unit cubes or, in the plane, 4 x 4 unit squares, a scene, and two
-   arrays of points. */
+/* What the tests of deformations share: 4 x 4 x 4 unit cubes or, in the plane, 4 x 4 unit squares. */
 #ifndef DARTSWEEP_TESTS_CAPI_BENDING_H
 #define DARTSWEEP_TESTS_CAPI_BENDING_H
 

@@ -1,5 +1,4 @@
-/* What the tests of cuts share: a block of 4 x 4 x 4 cubes or, in the plane, of 4 x 4 squares, and blades that cut it
-   at one x. */
+/* What the tests of cuts share: a block of 4 x 4 x 4 cubes or, in the plane, of 4 x 4 squares, and blades. */
 #ifndef DARTSWEEP_TESTS_CAPI_BLOCK_H
 #define DARTSWEEP_TESTS_CAPI_BLOCK_H
 

@@ -122,8 +122,7 @@ static void back_edges_are_those_of_closed_surfaces_turned_outwards(void) {
   refuses(DSW_STATUS_NOT_CLOSED, &d, "closed surfaces"); /* one face is missing */
   d.face_count = d.face_corner_count = 0;
   refuses(DSW_STATUS_NOT_CLOSED, &d, "closed surfaces"); /* no face at all */
-  d = pyramid();
-  d.flags = DSW_BODY_SKIP_BACK_EDGES;
+  d = pyramid(), d.flags = DSW_BODY_SKIP_BACK_EDGES;
   for (i = 0; i < d.face_corner_count; ++i) corners[i] = d.face_corners[d.face_corner_count - 1 - i];
   CHECK(d.face_corner_count <= 32);
   /* Faces the other way round: the first becomes the last, offsets change where it has more corners. */
@@ -160,8 +159,7 @@ static void bad_members_are_refused(void) {
   newer.known.struct_size = sizeof newer;
   newer.unknown = 1;
   refuses(DSW_STATUS_UNSUPPORTED, &newer.known, "non-zero byte");
-  d = pyramid();
-  d.flags = 0x80;
+  d = pyramid(), d.flags = 0x80;
   refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->flags is 0x80, this version knows 0x7f");
   d.flags = 0;
   d.reserved = 1;
@@ -177,8 +175,7 @@ static void bad_members_are_refused(void) {
     d.motion_share = shares[i];
     refuses(DSW_STATUS_OUT_OF_RANGE, &d, "desc->motion_share");
   }
-  d = pyramid();
-  d.vertex_count = 0;
+  d = pyramid(), d.vertex_count = 0;
   refuses(DSW_STATUS_WRONG_SIZE, &d, "desc->vertex_count is 0");
   d.vertex_count = 5;
   d.stride_bytes = 16;
@@ -188,25 +185,19 @@ static void bad_members_are_refused(void) {
   d.stride_bytes = 24;
   d.vertex_count = SIZE_MAX / 16;
   refuses(DSW_STATUS_WRONG_SIZE, &d, "stride_bytes");
-  d = pyramid();
-  d.positions = NULL;
+  d = pyramid(), d.positions = NULL;
   refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->positions is null");
-  d = pyramid();
-  d.edges = NULL;
+  d = pyramid(), d.edges = NULL;
   refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->edges is null");
-  d = pyramid();
-  d.face_offsets = NULL;
+  d = pyramid(), d.face_offsets = NULL;
   refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->face_offsets is null");
-  d = pyramid();
-  d.face_corners = NULL;
+  d = pyramid(), d.face_corners = NULL;
   refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->face_corners is null");
-  d = pyramid();
-  d.hints = stale;
+  d = pyramid(), d.hints = stale;
   refuses(DSW_STATUS_STALE_ID, &d, "desc->hints[2] {index 0, generation 7}");
   d.hints = beyond;
   refuses(DSW_STATUS_STALE_ID, &d, "desc->hints[0] {index 48, generation 1}");
-  d = pyramid();
-  d.positions = bad;
+  d = pyramid(), d.positions = bad;
   memcpy(bad, g_pyramid, sizeof bad);
   bad[7] = NAN;
   refuses(DSW_STATUS_NON_FINITE, &d, "[2][1] is nan");

@@ -64,7 +64,6 @@ static void an_edge_is_pushed_split_or_holds_the_wall(void) {
     const dsw_wall_contact *c = NULL;
     const dsw_body_edit *edits = NULL;
     dsw_deform_report report;
-    dsw_body_counts counts;
     dsw_body_id body;
     double now[9] = {0};
     size_t count = 0;
@@ -81,9 +80,7 @@ static void an_edge_is_pushed_split_or_holds_the_wall(void) {
       CHECK(c->edge.generation == 1 && c->vertex.generation == 0 && c->others[0].generation == 0);
       CHECK(c->wall.generation == 1 && c->tag != 0 && fabs(c->time - 0.275) < 1e-12);
     }
-    counts.struct_size = sizeof counts;
-    CHECK_OK(dsw_body_get_counts(g_scene, body, &counts));
-    CHECK(counts.vertex_count == (responses[i] == DSW_WALL_INSERT ? 3u : 2u));
+    CHECK(body_counts(g_scene, body).vertex_count == (responses[i] == DSW_WALL_INSERT ? 3u : 2u));
     CHECK_OK(dsw_body_get_positions(g_scene, body, now, 3, 0, NULL, &count));
     CHECK_OK(dsw_scene_get_held_vertices(g_scene, &held, &count));
     CHECK(count == report.held_count);

@@ -50,7 +50,6 @@ static void two_cubes(void) {
   const dsw_detached_vertex *vertices = NULL;
   const dsw_detached_face *faces = NULL;
   const dsw_volume_change *changes = NULL;
-  dsw_body_counts counts;
   double positions[36], xyz[3];
   size_t i, k, count = 99;
   begin(NULL, 0);
@@ -61,9 +60,8 @@ static void two_cubes(void) {
   CHECK(g_report.sewn_count == 1 && g_report.unsewn_count == 0);
   CHECK(fabs(g_report.distance - 0.01) < 1e-12);
   CHECK(marks(DSW_CELL_VOLUME) == 1);
-  counts.struct_size = sizeof counts;
-  CHECK_OK(dsw_body_get_counts(g_scene, g_body, &counts));
-  CHECK(counts.vertex_count == 12 && counts.edge_count == 30 && counts.face_count == 20);
+  CHECK(body_counts(g_scene, g_body).vertex_count == 12 && body_counts(g_scene, g_body).edge_count == 30 &&
+        body_counts(g_scene, g_body).face_count == 20);
   CHECK_OK(dsw_scene_get_detached_volumes(g_scene, &volumes, &count));
   CHECK(count == 2 && volumes[0].index == cube(1, 1, 1) && volumes[1].index == cube(2, 1, 1));
   CHECK_OK(dsw_scene_get_detached_vertices(g_scene, &vertices, &count));
@@ -115,8 +113,7 @@ static void marks_go_with_it(void) {
   grid_destroy(&g);
 }
 
-/* All 3 x 3 x 3 cubes in a corner: on the outer boundary, with an edge and a vertex inside, and a crack that ends
-   there. */
+/* All 3 x 3 x 3 cubes in a corner: on the outer boundary, with an edge and a vertex inside, and a crack. */
 static void in_a_corner(void) {
   uint32_t x, y, z, local;
   dsw_vertex_id inside;
@@ -194,32 +191,22 @@ static void bad_arguments(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_detach(NULL, &g_desc, &body, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_detach(g_scene, NULL, &body, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_detach(g_scene, &g_desc, NULL, NULL));
-  bad = g_desc, bad.struct_size = 8;
-  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.flags = 0x80;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.level = (dsw_level)9;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.gap = 0.26;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, g_desc, struct_size, 8, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, g_desc, flags, 0x80, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, g_desc, level, (dsw_level)9, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, gap, 0.26, dsw_scene_detach(g_scene, &bad, &body, NULL));
   CHECK_MESSAGE("desc->gap");
   bad.gap = -1;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
   bad.gap = NAN;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.halvings = 41;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.motion_share = -1;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.category = 2;
-  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.volume = volume_at(64);
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, halvings, 41, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, motion_share, -1, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_NOT_NAMED, g_desc, category, 2, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_STALE_ID, g_desc, volume, volume_at(64), dsw_scene_detach(g_scene, &bad, &body, NULL));
   CHECK_MESSAGE("desc->volume");
-  bad = g_desc, bad.volume = no_volume;
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.volume = volume_at(0);
-  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_STALE_ID, g_desc, volume, no_volume, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_TOPOLOGY, g_desc, volume, volume_at(0), dsw_scene_detach(g_scene, &bad, &body, NULL));
   second = make_scene(g_env, 0);
   CHECK_FAILS(DSW_STATUS_SHARED, dsw_scene_detach(g_scene, &g_desc, &body, NULL));
   CHECK_OK(dsw_scene_destroy(second));

@@ -25,9 +25,7 @@ grid grid_create(unsigned nx, unsigned ny, unsigned nz) {
   grid g;
   unsigned x, y, z, k;
   size_t cell = 0;
-  g.nx = nx;
-  g.ny = ny;
-  g.nz = nz;
+  g.nx = nx, g.ny = ny, g.nz = nz;
   g.cell_count = (size_t)nx * ny * nz;
   g.point_count = (size_t)(nx + 1) * (ny + 1) * (nz + 1);
   g.points = (double *)malloc(g.point_count * 3 * sizeof(double));
@@ -39,9 +37,7 @@ grid grid_create(unsigned nx, unsigned ny, unsigned nz) {
     for (y = 0; y <= ny; ++y) {
       for (x = 0; x <= nx; ++x) {
         double *const p = g.points + 3 * (size_t)grid_point(&g, x, y, z);
-        p[0] = x;
-        p[1] = y;
-        p[2] = z;
+        p[0] = x, p[1] = y, p[2] = z;
       }
     }
   }
@@ -183,6 +179,19 @@ dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level 
   dsw_body_id id = {0, 0};
   stop_unless(dsw_body_create(scene, &d, &id) == DSW_STATUS_OK, "body");
   return id;
+}
+
+dsw_body_counts body_counts(const dsw_scene *scene, dsw_body_id body) {
+  dsw_body_counts c;
+  c.struct_size = sizeof c;
+  CHECK_OK(dsw_body_get_counts(scene, body, &c));
+  return c;
+}
+
+dsw_move_options move_options(void) {
+  dsw_move_options o;
+  dsw_move_options_init(&o, sizeof o);
+  return o;
 }
 
 dsw_deform_options deform_options_of(dsw_deform_method method, dsw_wall_response response) {

@@ -43,6 +43,9 @@ dsw_body_desc line_desc(const double *positions, size_t count, int closed, dsw_l
 /* A body of one edge between two points; stops the program if that fails. */
 dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level level);
 
+dsw_body_counts body_counts(const dsw_scene *scene, dsw_body_id body);
+
+dsw_move_options move_options(void);
 dsw_deform_options deform_options_of(dsw_deform_method method, dsw_wall_response response);
 /* Deforms to the one of two arrays of points, one behind the other, that may be written; it becomes the other one,
    unless that is refused. point_count points of the scene's dimension each. */
@@ -90,8 +93,7 @@ dsw_context_desc host_desc(host *h);
 dsw_context *make_context(host *h);
 /* Destroys a context, whose host must have all memory back. */
 void end_context(dsw_context *context, const host *h);
-/* Whether `call` runs out of memory when the host refuses its allocation number n, from 0 on. Must succeed
-   otherwise. */
+/* Whether `call` runs out of memory when the host refuses its allocation number n, from 0 on. */
 #define RUNS_OUT(h, n, call) (refuse_after((h), (n)), ran_out((h), (call)))
 void refuse_after(host *h, size_t n);
 int ran_out(host *h, dsw_status status);

@@ -99,7 +99,7 @@ static void bad_motions_are_refused(void) {
   dsw_scene *scene = make_scene(environment, 0);
   dsw_body_id body = {0, 0}, stale = {0, 9};
   dsw_rigid_motion motion = translation(0.25, 0, 0);
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   dsw_move_report r, before;
   double p[12], now[12];
   size_t i;
@@ -124,7 +124,6 @@ static void bad_motions_are_refused(void) {
   motion.translation[0] = 1.7e308;
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_body_move_rigid(scene, body, &motion, NULL, &r));
   motion = translation(0.25, 0, 0);
-  dsw_move_options_init(&o, sizeof o);
   o.order = some;
   o.order_count = 2;
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_body_move_rigid(scene, body, &motion, &o, &r));
@@ -165,12 +164,11 @@ static void many_move_as_one_by_one(void) {
   dsw_body_id bodies[BODIES], others[BODIES];
   dsw_environment *environment = make_pillar(NULL);
   dsw_scene *alone = make_scene(environment, 0);
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   size_t n = make_bodies(alone, bodies, targets), i, contacts = 0;
   host h;
   int k;
   CHECK(n > 20);
-  dsw_move_options_init(&o, sizeof o);
   o.vertex_response = o.edge_response = DSW_RESPONSE_SLIDE;
   memset(one, 0x55, sizeof one);
   for (i = 0; i < n; ++i) {
@@ -219,7 +217,7 @@ static void bad_batches_change_nothing(void) {
   dsw_environment *environment = make_pillar(NULL);
   dsw_scene *scene = make_scene(environment, 0);
   dsw_body_id bodies[2], twice[2], stale[2];
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   dsw_move_report r[2], before[2];
   double p[24], targets[24], now[24];
   size_t i;
@@ -232,7 +230,6 @@ static void bad_batches_change_nothing(void) {
   for (i = 0; i < 24; ++i) targets[i] = p[i] + 0.125;
   memset(r, 0x55, sizeof r);
   memcpy(before, r, sizeof r);
-  dsw_move_options_init(&o, sizeof o);
 #define MANY(scene, ids, targets, n, stride, o) dsw_scene_move_bodies(scene, ids, 2, targets, n, stride, o, r)
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, MANY(NULL, bodies, targets, 8, 0, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, MANY(scene, NULL, targets, 8, 0, NULL));
@@ -273,11 +270,10 @@ static void memory_runs_out(void) {
   dsw_scene *scene = make_scene(environment, 0);
   dsw_body_id body = {7, 8};
   dsw_body_edge_id e = {0, 1};
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   double p[12], now[12], targets[12];
   size_t count = 0, body_count = 9;
   int call, refusals, i;
-  dsw_move_options_init(&o, sizeof o);
   o.edge_response = DSW_RESPONSE_ADAPTIVE_SLIDE;
   for (call = 0; call < 6; ++call) {
     dsw_status status = DSW_STATUS_OUT_OF_MEMORY;

@@ -1,5 +1,4 @@
-/* Moves of bodies: what a move answers, contacts, edits, and what is refused; in space and, where nothing says
-   otherwise, in the plane. */
+/* Moves of bodies: what a move answers, contacts, edits, and what is refused; in space and in the plane. */
 #include <math.h>
 #include <string.h>
 

@@ -209,14 +209,10 @@ static void bad_arguments(void) {
   d = open_faces(n, 0.5);
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_open(NULL, &d, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_open(g_env, NULL, NULL));
-  bad = d, bad.faces = NULL;
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_open(g_env, &bad, NULL));
-  bad = d, bad.struct_size = 8;
-  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_open(g_env, &bad, NULL));
-  bad = d, bad.flags = 1;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_open(g_env, &bad, NULL));
-  bad = d, bad.width = 0;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_NULL_ARGUMENT, d, faces, NULL, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, d, struct_size, 8, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 1, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, width, 0, dsw_environment_open(g_env, &bad, NULL));
   bad.width = -1;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_open(g_env, &bad, NULL));
   CHECK_MESSAGE("desc->width is -1");

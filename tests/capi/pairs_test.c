@@ -111,8 +111,7 @@ static void bodies_of_the_plane_meet(void) {
   size_t count = 0;
   CHECK_OK(dsw_body_create(scene, &d, &block));
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_create(scene, &d, &wire));
-  d = line_desc(line, 3, 0, DSW_LEVEL_EDGES);
-  d.flags = DSW_BODY_SELF_CONTACTS;
+  d = line_desc(line, 3, 0, DSW_LEVEL_EDGES), d.flags = DSW_BODY_SELF_CONTACTS;
   CHECK_OK(dsw_body_create(scene, &d, &wire));
   CHECK_OK(dsw_body_move(scene, wire, end_first, 3, 0, NULL, NULL));
   CHECK_OK(dsw_body_get_contacts(scene, wire, &contacts, &count));

@@ -68,18 +68,15 @@ static void bad_bodies_are_refused(void) {
   d.face_count = 1;
   d.face_corner_count = 3;
   refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->face_count is 1");
-  d = line_desc(points, 3, 1, DSW_LEVEL_EDGES);
-  d.stride_bytes = 8;
+  d = line_desc(points, 3, 1, DSW_LEVEL_EDGES), d.stride_bytes = 8;
   refuses(DSW_STATUS_WRONG_SIZE, &d, "from 16 on");
   d.stride_bytes = 20;
   refuses(DSW_STATUS_WRONG_SIZE, &d, "stride_bytes is 20");
-  d = line_desc(points, 3, 1, DSW_LEVEL_EDGES);
-  d.hints = &stale;
+  d = line_desc(points, 3, 1, DSW_LEVEL_EDGES), d.hints = &stale;
   d.vertex_count = 1;
   d.edge_count = 0;
   refuses(DSW_STATUS_STALE_ID, &d, "desc->hints[0]");
-  d = line_desc(points, 3, 0, DSW_LEVEL_EDGES);
-  d.edges = twice;
+  d = line_desc(points, 3, 0, DSW_LEVEL_EDGES), d.edges = twice;
   refuses(DSW_STATUS_DUPLICATE_CELL, &d, "edge 1");
   d.edges = beyond;
   d.edge_count = 1;
@@ -258,8 +255,7 @@ static void a_tag_is_that_of_what_is_behind_the_wall(void) {
   CHECK_OK(mark_face(N, SIDE_UP, DSW_MARK_PASSABLE));
 }
 
-/* The lower end (2, 1) of a thin wall, met from below, where neither square is at the wall, from its right and from its
-   left. */
+/* The lower end (2, 1) of a thin wall, met from below, where neither square is at the wall, from both sides. */
 static void a_tag_at_the_end_of_a_wall_is_that_of_its_other_side(void) {
   static const double from[4] = {3.5, 0.5, 0.5, 0.5}, to[4] = {0.5, 0.5, 3.5, 0.5}, fixed[4] = {2.2, 2.9, 1.8, 2.9};
   dsw_sweep s[2];

@@ -140,8 +140,7 @@ static void bodies_meet(void) {
   CHECK_OK(dsw_body_get_positions(scene, moving, p, 3, 0, NULL, &count));
   CHECK(p[0] < 2.5 && p[2] < 2.5 && (p[0] > 2.4 || p[2] > 2.4));
   CHECK_OK(dsw_body_destroy(scene, moving));
-  d = line_desc(hook, 3, 0, DSW_LEVEL_EDGES);
-  d.flags = DSW_BODY_SELF_CONTACTS;
+  d = line_desc(hook, 3, 0, DSW_LEVEL_EDGES), d.flags = DSW_BODY_SELF_CONTACTS;
   CHECK_OK(dsw_body_create(scene, &d, &moving));
   o.order = &tip;
   o.order_count = 1;

@@ -185,8 +185,7 @@ static void writing_may_fail(void) {
   end_scene(scene);
 }
 
-/* What a call answers is the same whether it is empty for the first time or there was something before the recording
-   began. */
+/* An empty answer is the same for the first time and where there was something before the recording began. */
 static void empty_answers_are_alike(void) {
   grid g = grid_create(2, 1, 1);
   dsw_environment_desc d = grid_desc(&g);

@@ -149,6 +149,7 @@ static void with_a_deformation(void) {
 }
 
 static void bad_arguments(void) {
+  dsw_remesh_desc bad;
   dsw_remesh_desc d = with_next();
   dsw_deform_options o;
   const dsw_volume_id *volumes = NULL;
@@ -164,25 +165,13 @@ static void bad_arguments(void) {
   CHECK_MESSAGE("desc->volumes");
   d.volumes = &stale_volume;
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_remesh(g_env, &d, NULL));
-  d = with_next();
-  d.struct_size = 8;
-  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_remesh(g_env, &d, NULL));
-  d = with_next();
-  d.flags = 1;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_remesh(g_env, &d, NULL));
-  d = with_next();
-  d.point_count = POINTS - 1;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_remesh(g_env, &d, NULL));
-  d.next = NULL;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_remesh(g_env, &d, NULL));
-  d = with_next();
-  d.radius = 9;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_remesh(g_env, &d, NULL));
-  d = with_next();
-  d.max_faces = 3;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_remesh(g_env, &d, NULL));
-  d.max_faces = 129;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_remesh(g_env, &d, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, with_next(), struct_size, 8, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, with_next(), flags, 1, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_WRONG_SIZE, with_next(), point_count, POINTS - 1, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_WRONG_SIZE, bad, next, NULL, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, with_next(), radius, 9, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, with_next(), max_faces, 3, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, with_next(), max_faces, 129, dsw_environment_remesh(g_env, &bad, NULL));
   dsw_deform_options_init(&o, sizeof o);
   o.remesh_radius = 9;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_deform(g_scene, g_next, POINTS, &o, NULL));

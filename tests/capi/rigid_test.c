@@ -343,7 +343,7 @@ static void an_edge_is_bent_twice(unsigned dimension) {
 /* dsw_body_move moves vertices as it is told, and that is the shape then; no response inserts any. */
 static void moves_set_the_shape(unsigned dimension) {
   double before[MOST_VERTICES][3], now[MOST_VERTICES][3], targets[9];
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   dsw_move_report report;
   dsw_body_id body;
   size_t i;
@@ -371,7 +371,6 @@ static void moves_set_the_shape(unsigned dimension) {
   for (i = 0; i < 3; ++i) {
     for (k = 0; k < dimension; ++k) targets[dimension * i + k] = now[i][k] - (k == 1 && i != 1 ? 0.6 : 0);
   }
-  dsw_move_options_init(&o, sizeof o);
   o.edge_response = DSW_RESPONSE_ADAPTIVE_MANY;
   CHECK_OK(dsw_body_move(g_scene, body, targets, 3, 0, &o, &report));
   CHECK(report.edit_count == 0 && read(body, now) == 3);

@@ -45,12 +45,6 @@ dsw_body_id make_line(const double *positions, size_t count, dsw_level level) {
   return body;
 }
 
-dsw_move_options move_options(void) {
-  dsw_move_options o;
-  dsw_move_options_init(&o, sizeof o);
-  return o;
-}
-
 dsw_move_report move(dsw_body_id body, const double *targets, size_t count, const dsw_move_options *o) {
   dsw_move_report r;
   memset(&r, 0x55, sizeof r);
@@ -89,12 +83,7 @@ size_t edits_of(dsw_body_id body, const dsw_body_edit **edits) {
   return count;
 }
 
-dsw_body_counts counts_of(dsw_body_id body) {
-  dsw_body_counts c;
-  c.struct_size = sizeof c;
-  CHECK_OK(dsw_body_get_counts(g_scene, body, &c));
-  return c;
-}
+dsw_body_counts counts_of(dsw_body_id body) { return body_counts(g_scene, body); }
 
 int has(dsw_body_id body, uint32_t vertices, uint32_t edges, uint32_t faces) {
   const dsw_body_counts c = counts_of(body);

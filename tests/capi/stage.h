@@ -1,5 +1,4 @@
-/* What the tests of bodies share: 4 x 4 x 3 unit cubes or, in the plane, 4 x 4 unit squares, with a scene; and a pillar
-   that bodies meet. */
+/* What the tests of bodies share: 4 x 4 x 3 unit cubes or, in the plane, 4 x 4 unit squares. */
 #ifndef DARTSWEEP_TESTS_CAPI_STAGE_H
 #define DARTSWEEP_TESTS_CAPI_STAGE_H
 
@@ -31,7 +30,6 @@ void mark_pillar(dsw_mark mark);
 
 /* A polyline of points of three doubles each. */
 dsw_body_id make_line(const double *positions, size_t count, dsw_level level);
-dsw_move_options move_options(void);
 dsw_move_report move(dsw_body_id body, const double *targets, size_t count, const dsw_move_options *o);
 /* Three doubles each, the last one in the plane 0. */
 size_t positions_of(dsw_body_id body, double *p, size_t capacity);

@@ -1,6 +1,7 @@
 // Compares what the library answers with the oracle's answer, one flight at a time.
 #pragma once
 
+#include "defaults.h"
 #include "names.h"
 #include "rng.h"
 #include "scenes.h"
@@ -43,14 +44,6 @@ struct EnvironmentDelete {
   void operator()(dsw_environment* e) const { dsw_environment_destroy(e); }
 };
 using EnvironmentPtr = std::unique_ptr<dsw_environment, EnvironmentDelete>;
-
-/// A description, or options, as `init` writes it: defaults(dsw_body_desc_init).
-template <class Struct>
-Struct defaults(void (*init)(Struct*, size_t)) {
-  Struct all;
-  init(&all, sizeof all);
-  return all;
-}
 struct SceneDelete {
   void operator()(dsw_scene* s) const { dsw_scene_destroy(s); }
 };

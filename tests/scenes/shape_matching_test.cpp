@@ -1,5 +1,4 @@
-// The physics of the benchmark's hexahedra: rotations by Jacobi rotations, equation 1 of [JCD10], bodies that fly and
-// bounce.
+// The physics of the benchmark's hexahedra: rotations by Jacobi rotations, equation 1 of [JCD10], bodies that fly.
 #include "scenes/shape_matching.h"
 
 #include "scenes/random_turns.h"
