@@ -185,7 +185,7 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
   report.set("edges.faces_over_edges.catheter_sequences", median_ratio(tube["faces_sequences"], tube["edges"]));
 }
 
-/** A catheter is pressed on the wall, then pushed along it: vertices that touch aim along and a little into the facet. */
+/** A catheter is pressed on the wall, then pushed along it: vertices that touch aim a little into the facet. */
 void run_sliding(const VesselCase& vessel, dsw_response response, const std::string& key, const Options& options,
                  Report& report) {
   constexpr double kPress = 0.5;      // of the step, into the wall

@@ -7,7 +7,7 @@
 
 namespace dsw::bench {
 
-/** A wave that runs through a lattice: 0.05 cells high along each axis, some ten cells long, 16 steps a period. All warp. */
+/** A wave that runs through a lattice: 0.05 cells high along each axis, some ten cells long, a period of 16 steps. */
 class TravellingWave {
  public:
   explicit TravellingWave(const std::array<std::uint32_t, 3>& size);

@@ -7,8 +7,7 @@
 namespace dsw::oracle {
 namespace {
 
-/// The frustum of a pyramid with square base and top, in the middle of the grid; the sides look up. Vertices 0 to 3 are
-/// the top's.
+/// The frustum of a square pyramid in the middle of the grid; the sides look up. Vertices 0 to 3 are the top's.
 BodyPlan frustum(double bottom, double top, double low, double high) {
   BodyPlan plan;
   for (const auto& [half, z] : {std::pair{top, high}, std::pair{bottom, low}}) {
@@ -41,8 +40,7 @@ class BackEdgeTest : public BodyTest {
 
 TEST_F(BackEdgeTest, EdgesTowardsTheInsideAreLeftOut) {
   const BodyPlan plan = frustum(0.9, 0.6, 0.5, 1.5);  // 18 edges: 5 of the top, 5 of the bottom, 8 of the sides
-  // Down: the top's vertices go inwards, its edges are not tested, nor those of the sides before the bottom's vertices
-  // move.
+  // Down: the top's vertices go inwards, its edges are not tested, nor the sides' before the bottom's vertices move.
   const BodyAnswer down = lift(plan, -0.125, DSW_BODY_SKIP_BACK_EDGES);
   EXPECT_EQ(down.report.edges_swept, 36u);
   EXPECT_EQ(down.report.edges_skipped, 10u + 8u);

@@ -23,8 +23,7 @@ void keeps_everything_in_its_place(const std::string& scene) {
   constexpr size_t kExact = 50;   // and how often that is checked in exact integers
   EditTally sums[static_cast<size_t>(Operation::kCount)];
   size_t done = 0, exact_checks = 0;
-  // Cuts can leave an outer boundary that crosses itself by a rounding, and then there is no partition to check: on to
-  // another one.
+  // Cuts can leave an outer boundary that crosses itself by a rounding, and then there is no partition to check.
   for (uint64_t seed = 1; done < wanted || (exact_checks == 0 && seed < 30); ++seed) {
     RandomEdits<D> edits(scene, seed);
     if (edits.environment() == nullptr) continue;

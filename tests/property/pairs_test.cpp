@@ -1,5 +1,4 @@
-// Bodies against bodies and against themselves: every move of a vertex is compared with all parts against all parts,
-// over GMP.
+// Bodies against bodies and against themselves: every move of a vertex against all parts, over GMP.
 #include "pairs_support.h"
 #include "plane_support.h"
 
@@ -54,8 +53,7 @@ class PairsTest : public testing::TestWithParam<Kind> {
     return q;
   }
 
-  /// Points, a wire, a strip of triangles or the surface of a tetrahedron; in the plane also what branches, and a
-  /// polygon.
+  /// Points, a wire, a strip of triangles or the surface of a tetrahedron; in the plane also trees and polygons.
   BodyPlan plan() {
     const Vec at = place();
     const uint64_t kind = rng_.below(5);

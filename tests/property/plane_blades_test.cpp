@@ -1,5 +1,4 @@
-// What a path in the plane crosses, what closed lines hold, and what a line ties, against brute force in exact
-// integers.
+// What a path in the plane crosses, what closed lines hold, and what a line ties, against exact integers.
 #include "path_truth.h"
 #include "plane_cuts.h"
 

@@ -1,5 +1,4 @@
-// What the flags of a body leave out changes no bit, in the plane as in space: long edges among many cells, with small
-// obstacles.
+// What the flags of a body leave out changes no bit, in the plane as in space: long edges, many cells, small obstacles.
 
 #include "plane_support.h"
 

@@ -100,8 +100,7 @@ TEST(BundleTest, OnlyTheLatestCallsAreKept) {
   check_report(report, 1, verdict, "");
 }
 
-// A vertex that something has put behind a wall: the scene is not what its calls have made, and the verdict names what
-// is wrong.
+// A vertex that something has put behind a wall: the scene is not what its calls have made; the verdict names that.
 TEST(BundleTest, WhatIsWrongIsNamed) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     RandomEdits<3> edits("hex", seed);

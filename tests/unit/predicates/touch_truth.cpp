@@ -8,8 +8,7 @@
 namespace dsw {
 namespace {
 
-/** The one solution of sum x_i column_i = (0, ..., 0, 1, 1) over the columns of `chosen`, if there is one and only
- * one. */
+/** The one solution of sum x_i column_i = (0, ..., 0, 1, 1) over the columns of `chosen`, if there is just one. */
 template <size_t N>
 bool solve(const std::vector<std::array<mpq_class, N>>& columns, unsigned chosen, std::vector<mpq_class>& x) {
   std::vector<size_t> names;
