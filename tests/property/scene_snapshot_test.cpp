@@ -3,27 +3,10 @@
 
 #include "body_support.h"
 #include "deform_support.h"
+#include "snapshot_support.h"
 
 namespace dsw::oracle {
 namespace {
-
-using Bytes = std::vector<unsigned char>;
-
-Bytes saved(const dsw_environment* environment) {
-  size_t size = 0;
-  EXPECT_EQ(dsw_environment_save(environment, nullptr, 0, &size), DSW_STATUS_OK);
-  Bytes block(size);
-  EXPECT_EQ(dsw_environment_save(environment, block.data(), block.size(), &size), DSW_STATUS_OK);
-  return block;
-}
-
-Bytes saved(const dsw_scene* scene) {
-  size_t size = 0;
-  EXPECT_EQ(dsw_scene_save(scene, nullptr, 0, &size), DSW_STATUS_OK) << dsw_last_error_message();
-  Bytes block(size);
-  EXPECT_EQ(dsw_scene_save(scene, block.data(), block.size(), &size), DSW_STATUS_OK);
-  return block;
-}
 
 /// An environment and what is in it.
 struct World3 {
