@@ -130,19 +130,11 @@ void dsw_body_desc_init(dsw_body_desc* desc, size_t size) { capi::init_struct(de
 
 dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body_id* body) {
   return capi::guarded_visit("dsw_body_create", scene, "scene", [&](auto& s) {
-    constexpr int D = capi::kDimension<decltype(s)>;
     capi::require(desc, "desc");
     capi::require(body, "body");
     const dsw_body_desc d = capi::read_struct(desc, "desc");
     const dsw::BodyDescription description = to_description(s, d);
-    capi::Recorded call(scene, capi::Call::kCreateBody,
-                        capi::without(d, &dsw_body_desc::positions, &dsw_body_desc::hints, &dsw_body_desc::edges,
-                                      &dsw_body_desc::face_offsets, &dsw_body_desc::face_corners),
-                        capi::Points{description.positions, d.vertex_count, D},
-                        capi::Items<dsw_volume_id>{d.hints, d.vertex_count},
-                        capi::Items<uint32_t>{d.edges, 2 * d.edge_count},
-                        capi::Items<uint32_t>{d.face_offsets, d.face_count == 0 ? 0 : d.face_count + 1},
-                        capi::Items<uint32_t>{d.face_corners, d.face_corner_count});
+    capi::Recorded call(scene, capi::row_of<dsw_body_create>, &d);
     *body = create_body(s, description);
     call.done(*body);
   });
@@ -168,7 +160,7 @@ dsw_status dsw_scene_get_occupant_bodies(const dsw_scene* scene, const dsw_body_
 
 dsw_status dsw_body_destroy(dsw_scene* scene, dsw_body_id body) {
   return capi::guarded_body("dsw_body_destroy", scene, body, [&](const auto& of) {
-    capi::Recorded call(scene, capi::Call::kDestroyBody, body);
+    capi::Recorded call(scene, capi::row_of<dsw_body_destroy>, body);
     destroy_body(of.scene, body.index);
     call.done();
   });
@@ -213,7 +205,7 @@ dsw_status dsw_body_get_level(const dsw_scene* scene, dsw_body_id body, dsw_leve
 dsw_status dsw_body_set_level(dsw_scene* scene, dsw_body_id body, dsw_level level) {
   return capi::guarded_body("dsw_body_set_level", scene, body, [&](const auto& of) {
     const dsw::SweepLevel wanted = capi::to_body_level<capi::kDimension<decltype(of)>>(level, "level");
-    capi::Recorded call(scene, capi::Call::kSetLevel, body, level);
+    capi::Recorded call(scene, capi::row_of<dsw_body_set_level>, body, level);
     set_level(of.scene, of.body, wanted);
     call.done();
   });
@@ -232,7 +224,7 @@ dsw_status dsw_body_get_filter(const dsw_scene* scene, dsw_body_id body, uint32_
 dsw_status dsw_body_set_filter(dsw_scene* scene, dsw_body_id body, uint32_t category, uint32_t mask) {
   return capi::guarded_body("dsw_body_set_filter", scene, body, [&](const auto& of) {
     capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
-    capi::Recorded call(scene, capi::Call::kSetFilter, body, category, mask);
+    capi::Recorded call(scene, capi::row_of<dsw_body_set_filter>, body, category, mask);
     set_filter(of.scene, of.body, to_filter(category, mask, of.body.filter.self));
     call.done();
   });

@@ -17,13 +17,8 @@ void check_count(size_t count, size_t least, const char* name) {
 }
 
 template <int D, class Desc>
-capi::Points points_of(const Desc& d) {
-  return {capi::to_points<D>(d.points, d.point_count, d.point_stride_bytes, "desc->points"), d.point_count, D};
-}
-
-template <int D, class Desc>
 dsw::PointArray read_points(const Desc& d) {
-  const dsw::PointArray points = points_of<D>(d).points;
+  const dsw::PointArray points = capi::to_points<D>(d.points, d.point_count, d.point_stride_bytes, "desc->points");
   dsw::check_finite(points, d.point_count, D, {"desc->points", true});
   return points;
 }
@@ -99,9 +94,7 @@ dsw_status dsw_environment_carve(dsw_environment* environment, const dsw_carve_d
     settings.splits = (d.flags & DSW_CARVE_WHOLE) != 0 ? dsw::Splits::kNothing : dsw::Splits::kImpassable;
     const dsw::Blade<D> shape = read_shape<D>(env.memory, d);
     capi::check_hint(env.map, d.start, "desc->start");
-    capi::Recorded call(scene, capi::Call::kCarve,
-                        capi::without(d, &dsw_carve_desc::points, &dsw_carve_desc::triangles), points_of<D>(d),
-                        capi::Items<uint32_t>{d.triangles, D * d.triangle_count});
+    capi::Recorded call(scene, capi::row_of<dsw_environment_carve>, &d);
     dsw::Crossings<D> crossings(env, shape);
     dsw::Inside<D> inside(env, shape, crossings);
     uint32_t visited = 0;
@@ -151,7 +144,7 @@ dsw_status dsw_environment_tie(dsw_environment* environment, const dsw_tie_desc*
     const Ligature<D> ligature(env.memory, d);
     const dsw::Blade<D>& disc = ligature.blade();
     capi::check_hint(env.map, d.start, "desc->start");
-    capi::Recorded call(scene, capi::Call::kTie, capi::without(d, &dsw_tie_desc::points), points_of<D>(d));
+    capi::Recorded call(scene, capi::row_of<dsw_environment_tie>, &d);
     dsw::Crossings<D> crossings(env, disc);
     uint32_t visited = 0;
     if (dsw::is_null(d.start)) {

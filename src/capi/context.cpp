@@ -11,7 +11,7 @@ void dsw_context_desc_init(dsw_context_desc* desc, size_t size) { capi::init_str
 dsw_status dsw_context_create(const dsw_context_desc* desc, dsw_context** context) {
   return capi::guard("dsw_context_create", [&] {
     capi::require(context, "context");
-    const dsw_context_desc d = desc == nullptr ? dsw_context_desc{} : capi::read_struct(desc, "desc");
+    const dsw_context_desc d = capi::read_optional(desc, "desc");
     constexpr uint32_t kMostThreads = 256;
     if (d.thread_count > kMostThreads) {
       dsw::fail(DSW_STATUS_OUT_OF_RANGE, "desc->thread_count is %u, must be 0 .. %u", d.thread_count, kMostThreads);

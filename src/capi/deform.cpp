@@ -92,7 +92,7 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
       fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, the environment has %u vertices", point_count,
            of.env.map.vertex_count);
     }
-    const dsw_deform_options o = options == nullptr ? dsw_deform_options{} : capi::read_struct(options, "options");
+    const dsw_deform_options o = capi::read_optional(options, "options");
     const dsw::WallSettings settings = read_settings(o);
     if (settings.point_room != 0 && settings.point_room < point_count) {
       fail(DSW_STATUS_WRONG_SIZE, "options->point_room is %zu, point_count is %zu", settings.point_room, point_count);
@@ -102,9 +102,9 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
     if (D == 2 && o.invalid == DSW_INVALID_REMESH) {
       fail(DSW_STATUS_UNSUPPORTED, "options->invalid is DSW_INVALID_REMESH, in the plane it must be HOLD or REFUSE");
     }
-    dsw_deform_options written = capi::without(o);
+    dsw_deform_options written = o;
     if (scene->watch != nullptr) written.point_room = scene->watch->offered;
-    capi::Recorded call(scene, capi::Call::kDeform, written, capi::MovedPoints<D>{next, of.env});
+    capi::Recorded call(scene, capi::row_of<dsw_scene_deform>, next, point_count, &written);
     uint32_t remeshed = 0;
     if constexpr (D == 3) {
       if (o.invalid == DSW_INVALID_REMESH) remeshed = mend_and_deform(*scene, next, settings, mend);

@@ -78,6 +78,15 @@ T read_struct(const T* given, const char* name) {
   return own;
 }
 
+/** Likewise; null: every member is 0. */
+template <class T>
+T read_optional(const T* given, const char* name) {
+  if (given != nullptr) return read_struct(given, name);
+  T own{};
+  own.struct_size = sizeof(T);
+  return own;
+}
+
 /** Writes into a struct whose size was checked: at most what it can hold, zeros into members unknown here. */
 template <class T>
 void write_struct(T* out, const T& value) {

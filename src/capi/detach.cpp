@@ -83,7 +83,7 @@ dsw_status dsw_scene_detach(dsw_scene* scene, const dsw_detach_desc* desc, dsw_b
         capi::to_description(capi::space(handle), {level, d.flags, d.motion_share, d.category, d.mask});
     dsw::Environment<3>& env = capi::space(home);
     const dsw::Cell start = capi::to_cell(env.map, d.volume, {"desc->volume", false});
-    capi::Recorded call(scene, capi::Call::kDetach, d);
+    capi::Recorded call(scene, capi::row_of<dsw_scene_detach>, &d);
     dsw::Detachment detachment(env, capi::space(handle), start, d.max_volumes == 0 ? SIZE_MAX : d.max_volumes);
     Results results(env.memory, detachment);
     const double gap = d.gap == 0 ? 0.01 : d.gap;

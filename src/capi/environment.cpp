@@ -310,7 +310,7 @@ dsw_status dsw_environment_set_tag(dsw_environment* environment, dsw_volume_id v
     }
     uint32_t& own = env.tags[env.map.index(c)];
     capi::for_each_scene(*environment, [&](dsw_scene& scene) {
-      capi::Recorded call(&scene, capi::Call::kSetTag, volume, tag);
+      capi::Recorded call(&scene, capi::row_of<dsw_environment_set_tag>, volume, tag);
       own = tag;
       call.done();
     });

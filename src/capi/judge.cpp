@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "dartsweep/move.h"
-#include "dartsweep/particle.h"
-
 namespace dsw::capi {
 namespace {
 
@@ -34,31 +31,27 @@ CallJudge<D>::CallJudge(const Scene<D>& scene)
       judge_(scene_.env) {}
 
 template <int D>
-void CallJudge<D>::remember(Call call, Arguments a) {
-  if (call == Call::kMoveParticle) {
-    const auto particle = a.get<dsw_particle_id>();
-    const double* const target = a.get_points(1);
-    remember_particle(particle, target, a.get_struct<dsw_cast_options>());
-  } else if (call == Call::kMoveParticles) {
-    const auto all = a.get_items<dsw_particle_id>();
-    const double* const targets = a.get_points(all.count);
-    const auto options = a.get_struct<dsw_cast_options>();
-    for (size_t i = 0; targets != nullptr && i < all.count; ++i) {
-      remember_particle(all.items[i], targets + D * i, options);
-    }
-  } else if (call == Call::kMoveBody || call == Call::kMoveRigid) {
-    const auto body = a.get<dsw_body_id>();
-    if (call == Call::kMoveBody) a.get_items<double>();
-    if (call == Call::kMoveRigid) a.get<dsw_rigid_motion>();
-    auto options = a.get_struct<dsw_move_options>();
-    options.order = a.get_items<uint32_t>(options.order_count);
-    remember_body(body, options);
-  } else if (call == Call::kMoveBodies) {
-    const auto all = a.get_items<dsw_body_id>();
-    a.get_items<double>();
-    const auto options = a.get_struct<dsw_move_options>();
-    for (size_t i = 0; i < all.count; ++i) remember_body(all.items[i], options);
-  }
+void CallJudge<D>::remember(dsw_replay& replay, const NextCall& next) {
+  const auto with = [&](const auto& row, const auto& use) {
+    if (next.number == row.number) std::apply(use, row.read(next.arguments, replay));
+  };
+  with(row_of<dsw_particle_move>, [&](auto*, auto particle, auto* target, auto* options, auto*) {
+    remember_particle(particle, target, *options);
+  });
+  with(row_of<dsw_scene_move_particles>,
+       [&](auto*, auto* particles, size_t count, auto* targets, size_t, auto* options, auto*) {
+         for (size_t i = 0; targets != nullptr && i < count; ++i) {
+           remember_particle(particles[i], targets + D * i, *options);
+         }
+       });
+  with(row_of<dsw_body_move>,
+       [&](auto*, auto body, auto*, size_t, size_t, auto* options, auto*) { remember_body(body, *options); });
+  with(row_of<dsw_body_move_rigid>,
+       [&](auto*, auto body, auto*, auto* options, auto*) { remember_body(body, *options); });
+  with(row_of<dsw_scene_move_bodies>,
+       [&](auto*, auto* bodies, size_t count, auto*, size_t, size_t, auto* options, auto*) {
+         for (size_t i = 0; i < count; ++i) remember_body(bodies[i], *options);
+       });
 }
 
 template <int D>

@@ -12,7 +12,7 @@ class CallJudge {
   explicit CallJudge(const Scene<D>& scene);
 
   /** Before the call: where what it moves is. */
-  void remember(Call call, Arguments arguments);
+  void remember(dsw_replay& replay, const NextCall& next);
   /** After it. `was_done`: it did not fail. */
   dsw_verdict judge(bool was_done);
 

@@ -72,7 +72,7 @@ dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_
     for (size_t i = 0; i < count; ++i) cells.data()[i] = capi::to_cell(env.map, volumes[i], {"volumes", true}, i);
     dsw_scene* const scene = begin_marking(*environment);
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
-    capi::Recorded call(scene, capi::Call::kMarkVolumes, capi::Items<dsw_volume_id>{volumes, count}, mark, flags);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_volumes>, volumes, count, mark, flags);
     const size_t left_out = mark_cells(env, capi::engine_of<D>(scene), cells.data(), count, marked, skip);
     call.done(left_out);
     if (skipped != nullptr) *skipped = left_out;
@@ -88,7 +88,7 @@ dsw_status dsw_environment_mark_faces(dsw_environment* environment, const dsw_fa
     Converted<dsw::HalfFacet> facets(env.memory, count);
     for (size_t i = 0; i < count; ++i) facets.data()[i] = capi::to_half_facet(env.map, faces[i], {"faces", true}, i);
     dsw_scene* const scene = begin_marking(*environment);
-    capi::Recorded call(scene, capi::Call::kMarkFaces, capi::Items<dsw_face_id>{faces, count}, mark);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_faces>, faces, count, mark);
     mark_facets(env, capi::engine_of<D>(scene), facets.data(), count, marked);
     call.done();
   });
@@ -104,7 +104,7 @@ dsw_status dsw_environment_mark_edges(dsw_environment* environment, const dsw_ed
     Converted<dsw::Dart> darts(env.memory, count);
     for (size_t i = 0; i < count; ++i) darts.data()[i] = capi::to_dart(env.map, edges[i], {"edges", true}, i);
     dsw_scene* const scene = begin_marking(handle);
-    capi::Recorded call(scene, capi::Call::kMarkEdges, capi::Items<dsw_edge_id>{edges, count}, mark);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_edges>, edges, count, mark);
     mark_edges(env, capi::engine_of<3>(scene), darts.data(), count, marked);
     call.done();
   });
@@ -117,7 +117,7 @@ dsw_status dsw_environment_mark_vertices(dsw_environment* environment, const dsw
     const bool marked = to_bool(mark);
     for (size_t i = 0; i < count; ++i) capi::to_vertex(env.map, vertices[i], {"vertices", true}, i);
     dsw_scene* const scene = begin_marking(*environment);
-    capi::Recorded call(scene, capi::Call::kMarkVertices, capi::Items<dsw_vertex_id>{vertices, count}, mark);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_vertices>, vertices, count, mark);
     if (marked && count != 0) reserve_vertex_marks(env);
     for (size_t i = 0; i < count; ++i) set_vertex_mark(env, vertices[i].index, marked);
     call.done();
@@ -133,7 +133,7 @@ dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t reg
     dsw_scene* const scene = begin_marking(*environment);
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
     size_t left_out = 0;
-    capi::Recorded call(scene, capi::Call::kMarkRegion, region, mark, flags);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_region>, region, mark, flags);
     const size_t all = mark_region(env, capi::engine_of<D>(scene), region, impassable, skip, &left_out);
     call.done(all, left_out);
     if (marked != nullptr) *marked = all - left_out;
@@ -147,7 +147,7 @@ dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a,
     constexpr int D = capi::kDimension<decltype(env)>;
     const bool impassable = to_bool(mark);
     dsw_scene* const scene = begin_marking(*environment);
-    capi::Recorded call(scene, capi::Call::kMarkBetween, a, b, mark);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_between>, a, b, mark);
     const size_t all = mark_between(env, capi::engine_of<D>(scene), a, b, impassable);
     call.done(all);
     if (marked != nullptr) *marked = all;

@@ -18,7 +18,7 @@ uint32_t to_number(uint32_t value, uint32_t last, const char* name) {
 }
 
 dsw_move_options read_options(const dsw_move_options* options) {
-  const dsw_move_options o = options == nullptr ? dsw_move_options{} : capi::read_struct(options, "options");
+  const dsw_move_options o = capi::read_optional(options, "options");
   capi::check_flags(o.flags, 0, "options->flags");
   return o;
 }
@@ -101,10 +101,6 @@ dsw_move_report to_report(const dsw::MoveRecord& record) noexcept {
           0};
 }
 
-/** Options that have been read, as they are written down. */
-dsw_move_options recorded(const dsw_move_options& o) { return capi::without(o, &dsw_move_options::order); }
-capi::Items<uint32_t> order_of(const dsw_move_options& o) { return {o.order, o.order_count}; }
-
 /** What has become of bodies. */
 template <int D>
 struct Moved {
@@ -180,8 +176,7 @@ dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targe
     const dsw::PointArray points = capi::to_points<D>(targets, target_count, stride_bytes, "targets");
     const dsw::MoveOrder order = to_order(of.scene, of.body, o);
     check_targets(of.body, points, order, 0);
-    capi::Recorded call(scene, capi::Call::kMoveBody, body, capi::Points{points, target_count, D}, recorded(o),
-                        order_of(o));
+    capi::Recorded call(scene, capi::row_of<dsw_body_move>, body, targets, target_count, stride_bytes, &o);
     move_body(of.scene, of.record, points, order, settings);
     dsw::BodyRecord<D>* const record = &of.record;
     call.done(Moved<D>{&record, 1});
@@ -216,8 +211,8 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
       check_targets(each->body, points, {}, first);
       first += each->body.vertices.size();
     }
-    capi::Recorded call(scene, capi::Call::kMoveBodies, capi::Items<dsw_body_id>{bodies, count},
-                        capi::Points{points, target_count, D}, recorded(o));
+    capi::Recorded call(scene, capi::row_of<dsw_scene_move_bodies>, bodies, count, targets, target_count, stride_bytes,
+                        &o);
     move_bodies(s, records.data(), count, points, settings);
     call.done(Moved<D>{records.data(), count});
     for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = to_report(records[i]->record);
@@ -245,7 +240,7 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
         fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
       }
     }
-    capi::Recorded call(scene, capi::Call::kMoveRigid, body, *motion, recorded(o), order_of(o));
+    capi::Recorded call(scene, capi::row_of<dsw_body_move_rigid>, body, motion, &o);
     move_rigid(of.scene, of.record, rigid, order);
     dsw::BodyRecord<D>* const record = &of.record;
     call.done(Moved<D>{&record, 1});

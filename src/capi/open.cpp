@@ -38,8 +38,7 @@ dsw_status dsw_environment_open(dsw_environment* environment, const dsw_open_des
     const dsw_open_desc d = capi::read_struct(desc, "desc");
     const dsw::OpenSettings settings = read_settings(d);
     capi::require_array(d.faces, d.face_count, "desc->faces");
-    capi::Recorded call(scene, capi::Call::kOpen, capi::without(d, &dsw_open_desc::faces),
-                        capi::Items<dsw_cut_face>{d.faces, d.face_count});
+    capi::Recorded call(scene, capi::row_of<dsw_environment_open>, &d);
     dsw::Crack<D> crack(env, settings.region);
     read_faces(env.map, d, crack);
     crack.part();

@@ -16,18 +16,6 @@ dsw::FlightOptions to_flight_options(const dsw_cast_options* options) {
   return {o.max_cells, o.detail};
 }
 
-/** Options that have been checked; read again only if they are written down. */
-struct Given {
-  const dsw_cast_options* options;
-};
-
-template <class Use>
-void for_each_part(const Given& given, const Use& use) {
-  const dsw_cast_options o =
-      capi::without(given.options == nullptr ? dsw_cast_options{} : capi::read_struct(given.options, "options"));
-  use(&o, sizeof o);
-}
-
 /** Where particles are. */
 template <int D>
 struct Places {
@@ -52,7 +40,7 @@ dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_vol
     constexpr int D = capi::kDimension<decltype(s)>;
     capi::require(position, "position");
     capi::require(particle, "particle");
-    capi::Recorded call(scene, capi::Call::kCreateParticle, capi::Points{{position, D}, 1, D}, hint);
+    capi::Recorded call(scene, capi::row_of<dsw_particle_create>, position, hint);
     create_particles(s, {position, D}, 1, &hint, false, particle, nullptr);
     call.done(*particle);
   });
@@ -64,8 +52,7 @@ dsw_status dsw_scene_create_particles(dsw_scene* scene, const double* positions,
     constexpr int D = capi::kDimension<decltype(s)>;
     const dsw::PointArray points = capi::to_points<D>(positions, count, stride_bytes, "positions");
     capi::require_array(particles, count, "particles");
-    capi::Recorded call(scene, capi::Call::kCreateParticles, capi::Points{points, count, D},
-                        capi::Items<dsw_volume_id>{hints, count});
+    capi::Recorded call(scene, capi::row_of<dsw_scene_create_particles>, positions, count, stride_bytes, hints);
     create_particles(s, points, count, hints, true, particles, offender);
     call.done(capi::Items<dsw_particle_id>{particles, count});
   });
@@ -74,7 +61,7 @@ dsw_status dsw_scene_create_particles(dsw_scene* scene, const double* positions,
 dsw_status dsw_particle_destroy(dsw_scene* scene, dsw_particle_id particle) {
   return capi::guarded_visit("dsw_particle_destroy", scene, "scene", [&](auto& s) {
     check_particle(s, particle);
-    capi::Recorded call(scene, capi::Call::kDestroyParticle, particle);
+    capi::Recorded call(scene, capi::row_of<dsw_particle_destroy>, particle);
     destroy_particle(s, particle.index);
     call.done();
   });
@@ -121,11 +108,10 @@ dsw_status dsw_scene_get_particles(const dsw_scene* scene, const dsw_particle_id
 dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const double* target,
                              const dsw_cast_options* options, dsw_flight* flight) {
   return capi::guarded_visit("dsw_particle_move", scene, "scene", [&](auto& s) {
-    constexpr int D = capi::kDimension<decltype(s)>;
     capi::require(target, "target");
     const dsw::FlightOptions o = to_flight_options(options);
     check_particle(s, particle);
-    capi::Recorded call(scene, capi::Call::kMoveParticle, particle, capi::Points{{target, D}, 1, D}, Given{options});
+    capi::Recorded call(scene, capi::row_of<dsw_particle_move>, particle, target, options);
     move_particle(s, particle, target, o, flight);
     call.done(s.particles[particle.index].position);
   });
@@ -139,8 +125,8 @@ dsw_status dsw_scene_move_particles(dsw_scene* scene, const dsw_particle_id* par
     capi::require_array(particles, count, "particles");
     const dsw::PointArray points = capi::to_points<D>(targets, count, stride_bytes, "targets");
     const dsw::FlightOptions o = to_flight_options(options);
-    capi::Recorded call(scene, capi::Call::kMoveParticles, capi::Items<dsw_particle_id>{particles, count},
-                        capi::Points{points, count, D}, Given{options});
+    capi::Recorded call(scene, capi::row_of<dsw_scene_move_particles>, particles, count, targets, stride_bytes,
+                        options);
     move_particles(s, particles, count, points, o, flights);
     call.done(Places<D>{s, particles, count});
   });
@@ -155,8 +141,8 @@ dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id
     const dsw::PointArray points = capi::to_points<D>(to, count, stride_bytes, "to");
     capi::require_array(flights, count, "flights");
     const dsw::FlightOptions o = to_flight_options(options);
-    capi::Recorded call(scene, capi::Call::kCastFromParticles, capi::Items<dsw_particle_id>{particles, count},
-                        capi::Points{points, count, D}, Given{options});
+    capi::Recorded call(scene, capi::row_of<dsw_scene_cast_from_particles>, particles, count, to, stride_bytes,
+                        options);
     cast_from_particles(s, particles, count, points, o, flights);
     call.done(capi::Items<dsw_flight>{flights, count});
   });

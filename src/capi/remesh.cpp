@@ -41,7 +41,7 @@ dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh
   return capi::guard("dsw_environment_remesh", [&] {
     dsw_environment& handle = capi::check_handle(environment, "environment");
     dsw_scene* const scene = capi::only_scene(handle);
-    const dsw_remesh_desc d = desc == nullptr ? dsw_remesh_desc{} : capi::read_struct(desc, "desc");
+    const dsw_remesh_desc d = capi::read_optional(desc, "desc");
     capi::check_flags(d.flags, 0, "desc->flags");
     dsw::Environment<3>& env = capi::space(handle);
     const size_t points = d.next == nullptr ? 0 : env.map.vertex_count;
@@ -50,8 +50,7 @@ dsw_status dsw_environment_remesh(dsw_environment* environment, const dsw_remesh
     }
     capi::require_array(d.volumes, d.volume_count, "desc->volumes");
     const dsw::MendSettings settings = capi::to_mend_settings(d.radius, d.max_faces);
-    capi::Recorded call(scene, capi::Call::kRemesh, capi::without(d, &dsw_remesh_desc::volumes, &dsw_remesh_desc::next),
-                        capi::Items<dsw_volume_id>{d.volumes, d.volume_count}, capi::Items<double>{d.next, 3 * points});
+    capi::Recorded call(scene, capi::row_of<dsw_environment_remesh>, &d);
     dsw::Mending mending(env, d.next, settings);
     for (size_t i = 0; i < d.volume_count; ++i) {
       mending.want(capi::to_cell(env.map, d.volumes[i], {"desc->volumes", true}, i));

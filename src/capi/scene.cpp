@@ -21,7 +21,7 @@ dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* 
   return capi::guard("dsw_scene_create", [&] {
     dsw_environment& home = capi::check_handle(environment, "environment");
     capi::require(scene, "scene");
-    const dsw_scene_desc d = desc == nullptr ? dsw_scene_desc{} : capi::read_struct(desc, "desc");
+    const dsw_scene_desc d = capi::read_optional(desc, "desc");
     capi::check_flags(d.features,
                       DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING |
                           DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_LIVE_CHANGES,
@@ -76,7 +76,7 @@ dsw_status dsw_scene_get_statistics(const dsw_scene* scene, dsw_statistics* stat
 dsw_status dsw_scene_reset_statistics(dsw_scene* scene) {
   return capi::guarded_visit("dsw_scene_reset_statistics", scene, "scene", [&](auto& engine) {
     require_statistics(engine);
-    capi::Recorded call(scene, capi::Call::kResetStatistics);
+    capi::Recorded call(scene, capi::row_of<dsw_scene_reset_statistics>);
     engine.statistics = dsw::SceneStatistics{};
     call.done();
   });

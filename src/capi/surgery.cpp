@@ -15,7 +15,7 @@ namespace {
 
 /** In the plane the chain is one point. */
 template <int D>
-capi::Points read_points(const dsw_cut_desc& d) {
+dsw::PointArray read_points(const dsw_cut_desc& d) {
   if (d.rows < 2 || (D == 3 ? d.columns < 2 : d.columns != 1)) {
     const char* const columns = D == 3 ? "2 at least" : "1 in the plane";
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->rows is %u and desc->columns is %u, must be 2 at least and %s", d.rows,
@@ -28,7 +28,7 @@ capi::Points read_points(const dsw_cut_desc& d) {
   const size_t count = size_t{d.rows} * d.columns;
   const dsw::PointArray points = capi::to_points<D>(d.points, count, d.point_stride_bytes, "desc->points");
   dsw::check_finite(points, count, D, {"desc->points", true});
-  return {points, count, D};
+  return points;
 }
 
 dsw::CutSettings read_settings(const dsw_cut_desc& d) {
@@ -50,10 +50,10 @@ dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc*
     capi::require(desc, "desc");
     const dsw_cut_desc d = capi::read_struct(desc, "desc");
     const dsw::CutSettings settings = read_settings(d);
-    const capi::Points points = read_points<D>(d);
-    const auto blade = dsw::Blade<D>::of_grid(env.memory, points.points, d.rows, d.columns);
+    const dsw::PointArray points = read_points<D>(d);
+    const auto blade = dsw::Blade<D>::of_grid(env.memory, points, d.rows, d.columns);
     capi::check_hint(env.map, d.start, "desc->start");
-    capi::Recorded call(scene, capi::Call::kCut, capi::without(d, &dsw_cut_desc::points), points);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_cut>, &d);
     uint32_t visited = 0;
     const dsw::Cell hint = dsw::is_null(d.start) ? dsw::Cell{} : env.map.cell(d.start.index);
     const dsw::Cell start = find_start(env, blade, hint, &visited);
@@ -80,8 +80,7 @@ dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_fa
     capi::require_array(faces, count, "faces");
     capi::require_array(loads, count, "loads");
     if (std::isnan(threshold)) fail(DSW_STATUS_NON_FINITE, "threshold is not a number");
-    capi::Recorded call(scene, capi::Call::kTearFaces, capi::Items<dsw_face_id>{faces, count},
-                        capi::Items<double>{loads, count}, threshold);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_tear_faces>, faces, loads, count, threshold);
     dsw::Edit<D> edit(env);
     dsw::CutRecord record(env.memory);
     dsw::KeyTable seen(env.memory);

@@ -26,9 +26,9 @@ class Change {
   const dsw::Memory* memory() const { return capi::memory_of(handle_); }
 
   /** Arguments have been checked; what was asked for is written if the scene is recorded. */
-  template <class... Arguments>
-  dsw::Edit<D>& begin(capi::Call number, const Arguments&... arguments) {
-    call_.emplace(scene_, number, arguments...);
+  template <class Row, class... Arguments>
+  dsw::Edit<D>& begin(const Row& row, const Arguments&... arguments) {
+    call_.emplace(scene_, row, arguments...);
     return edit_.emplace(env_);
   }
 
@@ -126,18 +126,7 @@ dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_v
       faces.push_back(capi::to_half_facet(change.map(), d.sew_to[i], {"desc->sew_to", true}, i));
     }
     const uint32_t index_bytes = d.index_bytes == 0 ? 8 : d.index_bytes;
-    const auto text = [&](const void* integers, size_t count) {
-      return capi::Items<uint8_t>{static_cast<const uint8_t*>(integers), count * index_bytes};
-    };
-    auto& edit = change.begin(
-        capi::Call::kAddVolumes,
-        capi::without(d, &dsw_volumes_desc::vertices, &dsw_volumes_desc::points, &dsw_volumes_desc::cell_types,
-                      &dsw_volumes_desc::offsets, &dsw_volumes_desc::connectivity, &dsw_volumes_desc::regions,
-                      &dsw_volumes_desc::tags, &dsw_volumes_desc::sew_to),
-        capi::Items<dsw_vertex_id>{d.vertices, d.vertex_count}, capi::Points{points, d.point_count, D},
-        capi::Items<uint8_t>{d.cell_types, d.cell_count}, text(d.offsets, d.cell_count + 1),
-        text(d.connectivity, d.connectivity_count), capi::Items<int32_t>{d.regions, d.cell_count},
-        capi::Items<uint32_t>{d.tags, d.cell_count}, capi::Items<dsw_face_id>{d.sew_to, d.sew_count});
+    auto& edit = change.begin(capi::row_of<dsw_environment_add_volumes>, &d);
     for (size_t i = 0; i < d.point_count; ++i) all.push_back(edit.add_vertex(points[i]));
     const dsw::NewCells input{all.data(),  all.size(),   d.cell_types,   d.uniform_cell_type,  d.cell_count,
                               index_bytes, d.offsets,    d.connectivity, d.connectivity_count, d.regions,
@@ -161,8 +150,7 @@ dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_fac
       pairs[i].a = capi::to_half_facet(change.map(), faces_a[i], {"faces_a", true}, i);
       pairs[i].b = capi::to_half_facet(change.map(), faces_b[i], {"faces_b", true}, i);
     }
-    auto& edit = change.begin(capi::Call::kSewFaces, capi::Items<dsw_face_id>{faces_a, count},
-                              capi::Items<dsw_face_id>{faces_b, count});
+    auto& edit = change.begin(capi::row_of<dsw_environment_sew_faces>, faces_a, faces_b, count);
     sew(edit, pairs.data(), count);
     change.carry_out();
   });
@@ -171,7 +159,7 @@ dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_fac
 dsw_status dsw_environment_unsew_face(dsw_environment* environment, dsw_face_id face) {
   return guarded_change("dsw_environment_unsew_face", environment, [&](auto& change) {
     const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
-    unsew(change.begin(capi::Call::kUnsewFace, face), h);
+    unsew(change.begin(capi::row_of<dsw_environment_unsew_face>, face), h);
     change.carry_out();
   });
 }
@@ -181,8 +169,7 @@ dsw_status dsw_environment_remove_volumes(dsw_environment* environment, const ds
     capi::require_array(volumes, count, "volumes");
     dsw::Array<dsw::Cell> cells(count, dsw::Cell{}, dsw::Allocator<dsw::Cell>(change.memory()));
     for (size_t i = 0; i < count; ++i) cells[i] = capi::to_cell(change.map(), volumes[i], {"volumes", true}, i);
-    remove_cells(change.begin(capi::Call::kRemoveVolumes, capi::Items<dsw_volume_id>{volumes, count}), cells.data(),
-                 count);
+    remove_cells(change.begin(capi::row_of<dsw_environment_remove_volumes>, volumes, count), cells.data(), count);
     change.carry_out();
   });
 }
@@ -190,7 +177,7 @@ dsw_status dsw_environment_remove_volumes(dsw_environment* environment, const ds
 dsw_status dsw_environment_merge_volumes(dsw_environment* environment, dsw_face_id face, dsw_volume_id* volume) {
   return guarded_change("dsw_environment_merge_volumes", environment, [&](auto& change) {
     const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
-    const size_t merged = merge_cells(change.begin(capi::Call::kMergeVolumes, face), h);
+    const size_t merged = merge_cells(change.begin(capi::row_of<dsw_environment_merge_volumes>, face), h);
     change.carry_out();
     if (volume != nullptr) *volume = change.volume(merged);
   });
@@ -203,7 +190,7 @@ dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume
     capi::require_array(loop, count, "loop");
     dsw::Array<uint32_t> vertices(count, 0u, dsw::Allocator<uint32_t>(change.memory()));
     for (size_t i = 0; i < count; ++i) vertices[i] = capi::to_vertex(change.map(), loop[i], {"loop", true}, i);
-    auto& edit = change.begin(capi::Call::kSplitVolume, volume, capi::Items<dsw_vertex_id>{loop, count});
+    auto& edit = change.begin(capi::row_of<dsw_environment_split_volume>, volume, loop, count);
     const dsw::SplitCell split = split_cell(edit, c, vertices.data(), count);
     change.carry_out();
     if (volumes != nullptr) {
@@ -219,7 +206,7 @@ dsw_status dsw_environment_merge_faces(dsw_environment* environment, dsw_edge_id
     dsw_environment& handle = capi::check_handle(environment, "environment");
     Change<3> change(handle, with_edges(handle, "dsw_environment_merge_edges"));
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
-    const dsw::MergedFacet merged = merge_facets(change.begin(capi::Call::kMergeFaces, edge), d);
+    const dsw::MergedFacet merged = merge_facets(change.begin(capi::row_of<dsw_environment_merge_faces>, edge), d);
     change.carry_out();
     if (face != nullptr) *face = change.face(merged.draft, merged.facet);
   });
@@ -233,7 +220,8 @@ dsw_status dsw_environment_split_face(dsw_environment* environment, dsw_face_id 
     const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
     const uint32_t from = capi::to_vertex(change.map(), a, {"a", false});
     const uint32_t to = capi::to_vertex(change.map(), b, {"b", false});
-    const dsw::SplitFacet split = split_facet(change.begin(capi::Call::kSplitFace, face, a, b), h, from, to);
+    const dsw::SplitFacet split =
+        split_facet(change.begin(capi::row_of<dsw_environment_split_face>, face, a, b), h, from, to);
     change.carry_out();
     if (faces != nullptr) {
       faces[0] = change.face(split.draft, split.from_a);
@@ -250,7 +238,7 @@ dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id 
     const dsw::Dart d = capi::to_dart(map, edge, {"edge", false});
     if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must be above 0 and below 1", share);
     const uint32_t ends[2] = {dart_vertex(map, d), dart_target(map, d)};
-    const uint32_t middle = split_edge(change.begin(capi::Call::kSplitEdge, edge, share), d, share);
+    const uint32_t middle = split_edge(change.begin(capi::row_of<dsw_environment_split_edge>, edge, share), d, share);
     change.carry_out();
     if (vertex != nullptr) *vertex = capi::vertex_id(map, middle);
     if (edges != nullptr) {
@@ -265,7 +253,8 @@ dsw_status dsw_environment_merge_edges(dsw_environment* environment, dsw_edge_id
   return guarded_change("dsw_environment_merge_edges", environment, [&](auto& change) {
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
     const uint32_t middle = capi::to_vertex(change.map(), vertex, {"vertex", false});
-    const dsw::MergedEdge ends = merge_edges(change.begin(capi::Call::kMergeEdges, edge, vertex), d, middle);
+    const dsw::MergedEdge ends =
+        merge_edges(change.begin(capi::row_of<dsw_environment_merge_edges>, edge, vertex), d, middle);
     change.carry_out();
     if (merged != nullptr) *merged = change.edge(0, ends.a, ends.b);
   });
@@ -275,7 +264,7 @@ dsw_status dsw_environment_collapse_edge(dsw_environment* environment, dsw_edge_
   return guarded_change("dsw_environment_collapse_edge", environment, [&](auto& change) {
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
     const uint32_t v = capi::to_vertex(change.map(), vertex, {"vertex", false});
-    collapse_edge(change.begin(capi::Call::kCollapseEdge, edge, vertex), d, v);
+    collapse_edge(change.begin(capi::row_of<dsw_environment_collapse_edge>, edge, vertex), d, v);
     change.carry_out();
   });
 }
