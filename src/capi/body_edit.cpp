@@ -9,7 +9,7 @@ using dsw::fail;
 
 dsw_status dsw_body_add_vertex(dsw_scene* scene, dsw_body_id body, const double* position, dsw_volume_id hint,
                                dsw_body_vertex_id* vertex) {
-  return capi::guarded_body("dsw_body_add_vertex", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::require(position, "position");
     capi::require(vertex, "vertex");
     capi::Recorded call(scene, capi::row_of<dsw_body_add_vertex>, body, position, hint);
@@ -20,7 +20,7 @@ dsw_status dsw_body_add_vertex(dsw_scene* scene, dsw_body_id body, const double*
 
 dsw_status dsw_body_add_edge(dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
                              dsw_body_edge_id* edge) {
-  return capi::guarded_body("dsw_body_add_edge", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::require(edge, "edge");
     const uint32_t from = capi::to_vertex(of.body, a, "a"), to = capi::to_vertex(of.body, b, "b");
     capi::Recorded call(scene, capi::row_of<dsw_body_add_edge>, body, a, b);
@@ -31,7 +31,7 @@ dsw_status dsw_body_add_edge(dsw_scene* scene, dsw_body_id body, dsw_body_vertex
 
 dsw_status dsw_body_add_face(dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
                              dsw_body_vertex_id c, dsw_body_face_id* face) {
-  return capi::guarded_body("dsw_body_add_face", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::require(face, "face");
     const uint32_t corners[3] = {capi::to_vertex(of.body, a, "a"), capi::to_vertex(of.body, b, "b"),
                                  capi::to_vertex(of.body, c, "c")};
@@ -47,7 +47,7 @@ dsw_status dsw_body_add_face(dsw_scene* scene, dsw_body_id body, dsw_body_vertex
 }
 
 dsw_status dsw_body_remove_face(dsw_scene* scene, dsw_body_id body, dsw_body_face_id face) {
-  return capi::guarded_body("dsw_body_remove_face", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t f = capi::to_face(of.body, face, "face");
     capi::Recorded call(scene, capi::row_of<dsw_body_remove_face>, body, face);
     remove_face(of.body, f);
@@ -56,7 +56,7 @@ dsw_status dsw_body_remove_face(dsw_scene* scene, dsw_body_id body, dsw_body_fac
 }
 
 dsw_status dsw_body_remove_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge) {
-  return capi::guarded_body("dsw_body_remove_edge", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t e = capi::to_edge(of.body, edge, "edge");
     capi::Recorded call(scene, capi::row_of<dsw_body_remove_edge>, body, edge);
     remove_edge(of.body, e);
@@ -65,7 +65,7 @@ dsw_status dsw_body_remove_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edg
 }
 
 dsw_status dsw_body_remove_vertex(dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id vertex) {
-  return capi::guarded_body("dsw_body_remove_vertex", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t v = capi::to_vertex(of.body, vertex, "vertex");
     capi::Recorded call(scene, capi::row_of<dsw_body_remove_vertex>, body, vertex);
     remove_vertex(of.body, v);
@@ -75,7 +75,7 @@ dsw_status dsw_body_remove_vertex(dsw_scene* scene, dsw_body_id body, dsw_body_v
 
 dsw_status dsw_body_split_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge, double share,
                                dsw_body_edit* edit) {
-  return capi::guarded_body("dsw_body_split_edge", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t e = capi::to_edge(of.body, edge, "edge");
     if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must lie between 0 and 1", share);
     capi::Recorded call(scene, capi::row_of<dsw_body_split_edge>, body, edge, share);
@@ -86,7 +86,7 @@ dsw_status dsw_body_split_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge
 
 dsw_status dsw_body_collapse_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge, dsw_body_vertex_id vertex,
                                   dsw_body_edit* edit) {
-  return capi::guarded_body("dsw_body_collapse_edge", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t e = capi::to_edge(of.body, edge, "edge"), v = capi::to_vertex(of.body, vertex, "vertex");
     if (of.body.edges[e].ends[0] != v && of.body.edges[e].ends[1] != v) {
       fail(DSW_STATUS_NOT_FOUND, "vertex %u is no end of edge %u", v, e);

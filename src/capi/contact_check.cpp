@@ -136,8 +136,8 @@ dsw_contact_opinion opinion_on(const dsw::Environment<3>& env, const dsw::Touch&
 
 dsw_status dsw_contact_check(const dsw_environment* environment, const dsw_contact* contact,
                              dsw_contact_opinion* opinion) {
-  return capi::guard("dsw_contact_check", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+  return capi::guard(__func__, [&] {
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment));
     capi::require(contact, "contact");
     capi::require(opinion, "opinion");
     check_numbers(*contact);

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "base/error.h"
+#include "capi/guard.h"
 #include "dartsweep/dartsweep.h"
 
 namespace dsw::capi {
@@ -78,6 +78,12 @@ T read_struct(const T* given, const char* name) {
   return own;
 }
 
+/** Likewise; null is refused. */
+template <class T>
+T read_required(const T* given, const char* name) {
+  require(given, name);
+  return read_struct(given, name);
+}
 /** Likewise; null: every member is 0. */
 template <class T>
 T read_optional(const T* given, const char* name) {

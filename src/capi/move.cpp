@@ -168,7 +168,7 @@ void dsw_move_options_init(dsw_move_options* options, size_t size) {
 
 dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targets, size_t target_count,
                          size_t stride_bytes, const dsw_move_options* options, dsw_move_report* report) {
-  return capi::guarded_body("dsw_body_move", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
     const dsw_move_options o = read_options(options);
     const dsw::MoveSettings settings = to_settings(o);
@@ -187,7 +187,7 @@ dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targe
 dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, size_t count, const double* targets,
                                  size_t target_count, size_t stride_bytes, const dsw_move_options* options,
                                  dsw_move_report* reports) {
-  return capi::guarded_visit("dsw_scene_move_bodies", scene, "scene", [&](auto& s) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     capi::require_array(bodies, count, "bodies");
     const dsw_move_options o = read_options(options);
@@ -221,7 +221,7 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
 
 dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rigid_motion* motion,
                                const dsw_move_options* options, dsw_move_report* report) {
-  return capi::guarded_body("dsw_body_move_rigid", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
     capi::require(motion, "motion");
     const dsw_move_options o = read_options(options);
@@ -250,40 +250,26 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
 
 dsw_status dsw_body_get_contacts(const dsw_scene* scene, dsw_body_id body, const dsw_contact** contacts,
                                  size_t* count) {
-  return capi::guarded_body("dsw_body_get_contacts", scene, body, [&](const auto& of) {
-    capi::require(contacts, "contacts");
-    capi::require(count, "count");
-    *contacts = of.record.record.contacts.data();
-    *count = of.record.record.contacts.size();
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    capi::hand_out(of.record.record.contacts, contacts, count, "contacts");
   });
 }
 
 dsw_status dsw_body_get_contact_partners(const dsw_scene* scene, dsw_body_id body, const dsw_contact_partner** partners,
                                          size_t* count) {
-  return capi::guarded_body("dsw_body_get_contact_partners", scene, body, [&](const auto& of) {
-    capi::require(partners, "partners");
-    capi::require(count, "count");
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
-    *partners = of.record.record.partners.data();
-    *count = of.record.record.partners.size();
+    capi::hand_out(of.record.record.partners, partners, count, "partners");
   });
 }
 
 dsw_status dsw_body_get_contact_pasts(const dsw_scene* scene, dsw_body_id body, const dsw_contact_past** pasts,
                                       size_t* count) {
-  return capi::guarded_body("dsw_body_get_contact_pasts", scene, body, [&](const auto& of) {
-    capi::require(pasts, "pasts");
-    capi::require(count, "count");
-    *pasts = of.record.record.pasts.data();
-    *count = of.record.record.pasts.size();
-  });
+  return capi::guarded_body(__func__, scene, body,
+                            [&](const auto& of) { capi::hand_out(of.record.record.pasts, pasts, count, "pasts"); });
 }
 
 dsw_status dsw_body_get_edits(const dsw_scene* scene, dsw_body_id body, const dsw_body_edit** edits, size_t* count) {
-  return capi::guarded_body("dsw_body_get_edits", scene, body, [&](const auto& of) {
-    capi::require(edits, "edits");
-    capi::require(count, "count");
-    *edits = of.record.record.edits.data();
-    *count = of.record.record.edits.size();
-  });
+  return capi::guarded_body(__func__, scene, body,
+                            [&](const auto& of) { capi::hand_out(of.record.record.edits, edits, count, "edits"); });
 }

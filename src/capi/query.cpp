@@ -55,7 +55,7 @@ void dsw_cast_options_init(dsw_cast_options* options, size_t size) {
 
 dsw_status dsw_environment_locate(const dsw_environment* environment, const double* point, dsw_volume_id hint,
                                   dsw_volume_id* volume, dsw_place* place) {
-  return capi::guarded_visit("dsw_environment_locate", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     capi::require(volume, "volume");
     capi::check_point<D>(point, "point");
@@ -69,7 +69,7 @@ dsw_status dsw_environment_locate(const dsw_environment* environment, const doub
 dsw_status dsw_environment_locate_points(const dsw_environment* environment, const double* points, size_t count,
                                          size_t stride_bytes, const dsw_volume_id* hints, dsw_volume_id* volumes,
                                          dsw_place* places) {
-  return capi::guarded_visit("dsw_environment_locate_points", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     const dsw::PointArray array = capi::to_points<D>(points, count, stride_bytes, "points");
     capi::require_array(volumes, count, "volumes");
@@ -84,7 +84,7 @@ dsw_status dsw_environment_locate_points(const dsw_environment* environment, con
 
 dsw_status dsw_environment_classify(const dsw_environment* environment, const double* point, dsw_volume_id volume,
                                     dsw_cell* cell) {
-  return capi::guarded_visit("dsw_environment_classify", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     capi::check_point<D>(point, "point");
     const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
@@ -101,7 +101,7 @@ dsw_status dsw_environment_classify(const dsw_environment* environment, const do
 
 dsw_status dsw_environment_cast(const dsw_environment* environment, dsw_volume_id start, const double* from,
                                 const double* to, const dsw_cast_options* options, dsw_flight* flight) {
-  return capi::guarded_visit("dsw_environment_cast", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     capi::check_point<D>(from, "from");
     capi::check_point<D>(to, "to");
@@ -114,7 +114,7 @@ dsw_status dsw_environment_cast(const dsw_environment* environment, dsw_volume_i
 dsw_status dsw_environment_cast_segments(const dsw_environment* environment, size_t count, const dsw_volume_id* starts,
                                          const double* from, const double* to, size_t stride_bytes,
                                          const dsw_cast_options* options, dsw_flight* flights) {
-  return capi::guarded_visit("dsw_environment_cast_segments", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     const dsw::PointArray first = capi::to_points<D>(from, count, stride_bytes, "from");
     const dsw::PointArray last = capi::to_points<D>(to, count, stride_bytes, "to");
@@ -130,7 +130,7 @@ dsw_status dsw_environment_cast_segments(const dsw_environment* environment, siz
 dsw_status dsw_environment_cast_path(const dsw_environment* environment, dsw_volume_id start, const double* from,
                                      const double* to, const dsw_cast_options* options, dsw_crossing* crossings,
                                      size_t capacity, size_t* count, dsw_flight* flight) {
-  return capi::guarded_visit("dsw_environment_cast_path", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     capi::check_point<D>(from, "from");
     capi::check_point<D>(to, "to");
@@ -148,7 +148,7 @@ dsw_status dsw_environment_cast_path(const dsw_environment* environment, dsw_vol
 
 dsw_status dsw_environment_find_nearest(const dsw_environment* environment, const double* point, dsw_volume_id volume,
                                         double radius, dsw_nearest* nearest) {
-  return capi::guarded_visit("dsw_environment_find_nearest", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     capi::check_point<D>(point, "point");
     capi::require(nearest, "nearest");

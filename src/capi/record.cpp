@@ -192,10 +192,9 @@ void dsw_recording_desc_init(dsw_recording_desc* desc, size_t size) {
 }
 
 dsw_status dsw_scene_start_recording(dsw_scene* scene, const dsw_recording_desc* desc) {
-  return capi::guard("dsw_scene_start_recording", [&] {
-    dsw_scene& handle = capi::check_handle(scene, "scene");
-    capi::require(desc, "desc");
-    const dsw_recording_desc d = capi::read_struct(desc, "desc");
+  return capi::guard(__func__, [&] {
+    dsw_scene& handle = capi::check_handle(scene);
+    const dsw_recording_desc d = capi::read_required(desc, "desc");
     capi::check_flags(d.flags, DSW_RECORDING_STATES | DSW_RECORDING_LATEST, "desc->flags");
     const bool is_kept = (d.flags & DSW_RECORDING_LATEST) != 0;
     if ((d.path != nullptr) + (d.write != nullptr) + is_kept > 1) {
@@ -210,8 +209,8 @@ dsw_status dsw_scene_start_recording(dsw_scene* scene, const dsw_recording_desc*
 }
 
 dsw_status dsw_scene_stop_recording(dsw_scene* scene) {
-  return capi::guard("dsw_scene_stop_recording", [&] {
-    if (!capi::end_recording(capi::check_handle(scene, "scene"))) {
+  return capi::guard(__func__, [&] {
+    if (!capi::end_recording(capi::check_handle(scene))) {
       fail(DSW_STATUS_WRITE_FAILED, "the recording ends early: something could not be written");
     }
   });

@@ -297,7 +297,7 @@ dsw_replay::~dsw_replay() {
 }
 
 dsw_status dsw_replay_create(dsw_context* context, const void* recording, size_t size_bytes, dsw_replay** replay) {
-  return capi::guard("dsw_replay_create", [&] {
+  return capi::guard(__func__, [&] {
     capi::check_context(context);
     capi::require(recording, "recording");
     capi::require(replay, "replay");
@@ -315,9 +315,9 @@ dsw_status dsw_replay_create(dsw_context* context, const void* recording, size_t
 }
 
 dsw_status dsw_replay_destroy(dsw_replay* replay) {
-  return capi::guard("dsw_replay_destroy", [&] {
+  return capi::guard(__func__, [&] {
     if (replay == nullptr) return;
-    dsw_replay& handle = capi::check_handle(replay, "replay");
+    dsw_replay& handle = capi::check_handle(replay);
     const uint32_t scenes = capi::scene_count(*handle.environment);
     if (scenes != 1) fail(DSW_STATUS_IN_USE, "%u scenes use the environment of the replay", scenes);
     capi::destroy_object(capi::memory_of(handle.context), replay);
@@ -325,16 +325,16 @@ dsw_status dsw_replay_destroy(dsw_replay* replay) {
 }
 
 dsw_status dsw_replay_get_scene(const dsw_replay* replay, dsw_scene** scene) {
-  return capi::guard("dsw_replay_get_scene", [&] {
-    const dsw_replay& handle = capi::check_handle(replay, "replay");
+  return capi::guard(__func__, [&] {
+    const dsw_replay& handle = capi::check_handle(replay);
     capi::require(scene, "scene");
     *scene = handle.scene;
   });
 }
 
 dsw_status dsw_replay_get_info(const dsw_replay* replay, dsw_replay_info* info) {
-  return capi::guard("dsw_replay_get_info", [&] {
-    const dsw_replay& handle = capi::check_handle(replay, "replay");
+  return capi::guard(__func__, [&] {
+    const dsw_replay& handle = capi::check_handle(replay);
     capi::require(info, "info");
     capi::check_size(info, "info");
     capi::write_struct(info, dsw_replay_info{0, handle.flags, handle.version, 0, handle.calls, handle.reader.left(),
@@ -343,8 +343,8 @@ dsw_status dsw_replay_get_info(const dsw_replay* replay, dsw_replay_info* info) 
 }
 
 dsw_status dsw_replay_step(dsw_replay* replay, dsw_replay_report* report) {
-  return capi::guard("dsw_replay_step", [&] {
-    dsw_replay& handle = capi::check_handle(replay, "replay");
+  return capi::guard(__func__, [&] {
+    dsw_replay& handle = capi::check_handle(replay);
     capi::require(report, "report");
     dsw_replay_report step{};
     step.call = handle.calls;
@@ -359,8 +359,8 @@ dsw_status dsw_replay_step(dsw_replay* replay, dsw_replay_report* report) {
 }
 
 dsw_status dsw_replay_step_judged(dsw_replay* replay, dsw_replay_report* report, dsw_verdict* verdict) {
-  return capi::guard("dsw_replay_step_judged", [&] {
-    dsw_replay& handle = capi::check_handle(replay, "replay");
+  return capi::guard(__func__, [&] {
+    dsw_replay& handle = capi::check_handle(replay);
     capi::require(report, "report");
     capi::require(verdict, "verdict");
     capi::check_size(verdict, "verdict");
@@ -383,8 +383,8 @@ dsw_status dsw_replay_step_judged(dsw_replay* replay, dsw_replay_report* report,
 }
 
 dsw_status dsw_replay_describe_next(dsw_replay* replay, char* text, size_t capacity, size_t* size) {
-  return capi::guard("dsw_replay_describe_next", [&] {
-    dsw_replay& handle = capi::check_handle(replay, "replay");
+  return capi::guard(__func__, [&] {
+    dsw_replay& handle = capi::check_handle(replay);
     capi::require_array(text, capacity, "text");
     capi::require(size, "size");
     std::optional<capi::NextCall> next;

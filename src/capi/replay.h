@@ -6,6 +6,7 @@
 #include "capi/recorded.h"
 
 struct dsw_replay {
+  static constexpr const char* kName = "replay";
   static constexpr uint64_t kMagic = 0x6473775f72706c31u;
   uint64_t magic = kMagic;
   dsw_context* context;
