@@ -1,6 +1,6 @@
 #pragma once
-// Kinds of arguments. A kind knows which argument of a function it is, or which member of a struct: it writes that to a recording, reads it
-// back, and prints it. calls.h says which function has which.
+// The kinds of arguments. A kind knows which argument of a function it stands for, or which member of a struct. It
+// writes that argument to a recording, reads it back, and prints it. calls.h says which function has which kinds.
 
 #include <memory>
 #include <tuple>
@@ -10,13 +10,14 @@
 
 namespace dsw::capi {
 
-/** What a kind has to know besides the arguments, where calls are made and where they are made again. */
+/** What a kind has to know besides the arguments. */
 struct CallPlace {
-  const dsw_scene* scene;  // that is recorded; null: the call is made again
-  dsw_replay* replay;      // or null
+  const dsw_scene* scene;  // of a call that is recorded, else null
+  dsw_replay* replay;      // of a call that is made again, else null
   size_t dimension;
 };
-/** Room, until the next call, for what a call that is made again points at. */
+/** Memory for what the arguments of a call point at while the call is made again. It lasts until the next call is read.
+ * */
 void* keep_bytes(dsw_replay& replay, size_t size);
 template <class T>
 T* keep(dsw_replay& replay, size_t count = 1) {
@@ -44,41 +45,32 @@ using TypeAt = std::decay_t<decltype(std::declval<At>()(std::declval<Given&>()))
 template <class At, class Given>
 using ElementAt = std::remove_const_t<std::remove_pointer_t<TypeAt<At, Given>>>;
 
-/** An id, a number or an enum. */
+/** An id, a number or an enum. If the argument is a pointer, the struct that it points at. */
 template <class At>
 struct Value {
   const char* label;
   At at;
+  template <class Given>
+  static constexpr bool is_pointer = std::is_pointer_v<TypeAt<At, Given>>;
 
   template <class Given, class Use>
   void write(const Given& given, const CallPlace&, const Use& use) const {
-    for_each_part(at(given), use);
-  }
-  template <class Given>
-  void read(WordReader& from, Given& given, const CallPlace&) const {
-    at(given) = from.get<TypeAt<At, Given>>();
-  }
-  template <class Given>
-  void print(WordReader& from, Text& text) const {
-    text.print(from.get<TypeAt<At, Given>>());
-  }
-};
-
-/** A struct without its size, which a pointer names. */
-template <class At>
-struct Pointed {
-  const char* label;
-  At at;
-
-  template <class Given, class Use>
-  void write(const Given& given, const CallPlace&, const Use& use) const {
-    for_each_part(*at(given), use);
+    if constexpr (is_pointer<Given>) {
+      for_each_part(*at(given), use);
+    } else {
+      for_each_part(at(given), use);
+    }
   }
   template <class Given>
   void read(WordReader& from, Given& given, const CallPlace& place) const {
-    auto* const kept = keep<ElementAt<At, Given>>(*place.replay);
-    at(given) = kept;
-    *kept = from.get<ElementAt<At, Given>>();
+    const auto value = from.get<ElementAt<At, Given>>();
+    if constexpr (is_pointer<Given>) {
+      auto* const kept = keep<ElementAt<At, Given>>(*place.replay);
+      *kept = value;
+      at(given) = kept;
+    } else {
+      at(given) = value;
+    }
   }
   template <class Given>
   void print(WordReader& from, Text& text) const {
@@ -86,7 +78,8 @@ struct Pointed {
   }
 };
 
-/** How many an array has: the argument at a position. If kSets, the array tells when it is read; else it was told before. */
+/** The count of an array is the argument at a position. If kSets, reading the array sets that argument; else it has
+ * been set by an array before. */
 template <size_t P, bool kSets>
 struct CountAt {
   template <class Given>
@@ -99,16 +92,17 @@ struct CountAt {
     WordReader::require(is_null || count == std::get<P>(given));
   }
 };
-/** As many as a member of a struct says, or a function of the struct and the dimension. */
+/** The count of an array is a member of the struct, or a function of the struct and the dimension. */
 template <class Length>
 struct CountOf {
   Length length;
   template <class T>
   size_t operator()(const T& of, size_t dimension) const {
-    if constexpr (std::is_member_pointer_v<Length>)
+    if constexpr (std::is_member_pointer_v<Length>) {
       return of.*length;
-    else
+    } else {
       return length(of, dimension);
+    }
   }
   template <class T>
   void accept(const T& of, bool is_null, size_t count, size_t dimension) const {
@@ -116,25 +110,43 @@ struct CountOf {
   }
 };
 /** One. */
-constexpr auto one_point = [](const auto&, size_t) { return size_t{1}; };
+inline constexpr auto one_point = [](const auto&, size_t) { return size_t{1}; };
 
-/** An array, which may be null; of void* bytes. */
-template <class At, class Count>
+struct NoPoints {};
+struct Packed {};
+/** An array, which may be null. An array of void is one of bytes. An array with a stride, or Packed, is one of points.
+ * */
+template <class At, class Count, class Stride = NoPoints>
 struct ArrayOf {
   const char* label;
   At at;
   Count count;
+  Stride stride;
   template <class Given>
   using Each = std::conditional_t<std::is_void_v<ElementAt<At, Given>>, uint8_t, ElementAt<At, Given>>;
+  static constexpr bool has_points = !std::is_same_v<Stride, NoPoints>;
+  static constexpr bool has_stride = has_points && !std::is_same_v<Stride, Packed>;
 
   template <class Given, class Use>
   void write(const Given& given, const CallPlace& place, const Use& use) const {
     using T = Each<Given>;
-    for_each_part(Items<T>{static_cast<const T*>(at(given)), count(given, place.dimension)}, use);
+    const size_t all = count(given, place.dimension);
+    if constexpr (has_points) {
+      size_t step = place.dimension;
+      if constexpr (has_stride) step = stride(given) == 0 ? step : stride(given) / sizeof(double);
+      for_each_part(Points{{at(given), step}, all, place.dimension}, use);
+    } else {
+      for_each_part(Items<T>{static_cast<const T*>(at(given)), all}, use);
+    }
   }
   template <class Given>
   void read(WordReader& from, Given& given, const CallPlace& place) const {
-    const auto all = from.get_items<Each<Given>>();
+    Items<Each<Given>> all = from.get_items<Each<Given>>();
+    if constexpr (has_points) {
+      WordReader::require(all.count % place.dimension == 0);
+      all.count /= place.dimension;
+    }
+    if constexpr (has_stride) stride(given) = 0;
     at(given) = all.items;
     count.accept(given, all.items == nullptr, all.count, place.dimension);
   }
@@ -144,36 +156,8 @@ struct ArrayOf {
   }
 };
 
-struct Packed {};
-/** Points, and where their stride is. */
-template <class At, class Count, class Stride>
-struct PointsOf {
-  const char* label;
-  At at;
-  Count count;
-  Stride stride;
-
-  template <class Given, class Use>
-  void write(const Given& given, const CallPlace& place, const Use& use) const {
-    size_t bytes = 0;
-    if constexpr (!std::is_same_v<Stride, Packed>) bytes = stride(given);
-    const size_t step = bytes == 0 ? place.dimension : bytes / sizeof(double);
-    for_each_part(Points{{at(given), step}, count(given, place.dimension), place.dimension}, use);
-  }
-  template <class Given>
-  void read(WordReader& from, Given& given, const CallPlace& place) const {
-    const auto all = from.get_points();
-    at(given) = all.items;
-    if constexpr (!std::is_same_v<Stride, Packed>) stride(given) = 0;
-    count.accept(given, all.items == nullptr, all.count, place.dimension);
-  }
-  template <class Given>
-  void print(WordReader& from, Text& text) const {
-    text.print(from.get_items<double>());
-  }
-};
-
-/** A struct that begins with its size, null for defaults, and the arrays that it points at. Its pointers are written as null. */
+/** A struct that begins with its size, and the arrays that it points at. A null pointer stands for defaults. The
+ * pointers in the struct are written as null. */
 template <class At, class... Arrays>
 struct Struct {
   const char* label;
@@ -210,7 +194,7 @@ struct Struct {
   }
 };
 
-/** Results that a host has to take, one or as many as another argument says: not recorded. */
+/** A result that the host has to take, or as many as another argument says. Results are not recorded. */
 template <class At, class Count>
 struct Result {
   const char* label = "";
@@ -231,7 +215,8 @@ struct Result {
 double* read_moved_points(WordReader& from, dsw_replay& replay, size_t& room, size_t& count);
 void print_moved_points(WordReader& from, Text& text);
 
-/** The points of a deformation, whose options stand before: of those that move their numbers and places, and kNullArray. */
+/** The points of a deformation: number and coordinates of each point that moves, then kNullArray. The options are read
+ * before. */
 struct MovedPoints {
   const char* label;
 
@@ -267,29 +252,25 @@ template <size_t P>
 constexpr Value<Argument<P>> value(const char* label = "") {
   return {label, {}};
 }
-template <size_t P>
-constexpr Pointed<Argument<P>> pointed(const char* label) {
-  return {label, {}};
-}
 template <size_t P, size_t kCount>
 constexpr ArrayOf<Argument<P>, CountAt<kCount, true>> array(const char* label) {
-  return {label, {}, {}};
+  return {label, {}, {}, {}};
 }
 /** With the count of an array before. */
 template <size_t P, size_t kCount>
 constexpr ArrayOf<Argument<P>, CountAt<kCount, false>> array_like(const char* label) {
-  return {label, {}, {}};
+  return {label, {}, {}, {}};
 }
 template <size_t P>
 constexpr auto point(const char* label) {
-  return PointsOf<Argument<P>, CountOf<decltype(one_point)>, Packed>{label, {}, {one_point}, {}};
+  return ArrayOf<Argument<P>, CountOf<decltype(one_point)>, Packed>{label, {}, {one_point}, {}};
 }
 template <size_t P, size_t kCount, size_t kStride>
-constexpr PointsOf<Argument<P>, CountAt<kCount, true>, Argument<kStride>> points(const char* label) {
+constexpr ArrayOf<Argument<P>, CountAt<kCount, true>, Argument<kStride>> points(const char* label) {
   return {label, {}, {}, {}};
 }
 template <size_t P, size_t kCount, size_t kStride>
-constexpr PointsOf<Argument<P>, CountAt<kCount, false>, Argument<kStride>> points_like(const char* label) {
+constexpr ArrayOf<Argument<P>, CountAt<kCount, false>, Argument<kStride>> points_like(const char* label) {
   return {label, {}, {}, {}};
 }
 template <size_t P, class... Arrays>
@@ -298,16 +279,16 @@ constexpr Struct<Argument<P>, Arrays...> structure(const char* label, Arrays... 
 }
 template <class T, class E, class Length>
 constexpr ArrayOf<Member<T, E*>, CountOf<Length>> array(const char* label, E* T::*member, Length length) {
-  return {label, {member}, {length}};
+  return {label, {member}, {length}, {}};
 }
 template <class T, class Length>
-constexpr PointsOf<Member<T, const double*>, CountOf<Length>, Packed> points(const char* label,
-                                                                             const double* T::*member, Length length) {
+constexpr ArrayOf<Member<T, const double*>, CountOf<Length>, Packed> points(const char* label, const double* T::*member,
+                                                                            Length length) {
   return {label, {member}, {length}, {}};
 }
 template <class T, class Length>
 constexpr auto points(const char* label, const double* T::*member, Length length, size_t T::*stride) {
-  return PointsOf<Member<T, const double*>, CountOf<Length>, Member<T, size_t>>{label, {member}, {length}, {stride}};
+  return ArrayOf<Member<T, const double*>, CountOf<Length>, Member<T, size_t>>{label, {member}, {length}, {stride}};
 }
 template <size_t P>
 constexpr auto result() {

@@ -1,6 +1,6 @@
 #pragma once
-// The functions that change a scene or its environment, as a table: of each its number in recordings and its arguments, in the order in which
-// they are recorded. Recording, replay and description follow from a row. Numbers in rows are positions in the declaration.
+// The table of the functions that change a scene or its environment. A row has the function's number in recordings, and
+// its arguments in the order in which they are recorded. Recording, replay and description follow from the row.
 
 #include "capi/arguments.h"
 #include "dartsweep/dartsweep.h"
@@ -50,27 +50,32 @@ struct RowName {
   }
 };
 
-// How many are in arrays of structs, where no member says it. Sums and products that are too large stay so: a recording is not trusted.
+// How many are in arrays of structs, where no member says it. Sums and products that are too large stay so: a recording
+// is not trusted.
 constexpr size_t times(size_t a, size_t b) { return b != 0 && a > SIZE_MAX / b ? SIZE_MAX : a * b; }
 constexpr size_t one_more(size_t count) { return count == SIZE_MAX ? count : count + 1; }
 constexpr size_t index_bytes(const dsw_volumes_desc& d) { return d.index_bytes == 0 ? 8 : d.index_bytes; }
-constexpr auto offset_bytes = [](const dsw_volumes_desc& d, size_t) {
+inline constexpr auto offset_bytes = [](const dsw_volumes_desc& d, size_t) {
   return times(one_more(d.cell_count), index_bytes(d));
 };
-constexpr auto connectivity_bytes = [](const dsw_volumes_desc& d, size_t) {
+inline constexpr auto connectivity_bytes = [](const dsw_volumes_desc& d, size_t) {
   return times(d.connectivity_count, index_bytes(d));
 };
-constexpr auto blade_points = [](const dsw_cut_desc& d, size_t) { return times(d.rows, d.columns); };
-constexpr auto corners = [](const dsw_carve_desc& d, size_t dimension) { return times(d.triangle_count, dimension); };
-constexpr auto edge_ends = [](const dsw_body_desc& d, size_t) { return times(d.edge_count, 2); };
-constexpr auto face_offsets = [](const dsw_body_desc& d, size_t) {
+inline constexpr auto blade_points = [](const dsw_cut_desc& d, size_t) { return times(d.rows, d.columns); };
+inline constexpr auto corners = [](const dsw_carve_desc& d, size_t dimension) {
+  return times(d.triangle_count, dimension);
+};
+inline constexpr auto edge_ends = [](const dsw_body_desc& d, size_t) { return times(d.edge_count, 2); };
+inline constexpr auto face_offsets = [](const dsw_body_desc& d, size_t) {
   return d.face_count == 0 ? 0 : one_more(d.face_count);
 };
 
-// Numbers are those of recordings: new rows are appended.
+// The first number of a row is the one in recordings: new rows are appended. Numbers in angle brackets are positions of
+// arguments in the declaration, where the handle is at 0; the first is the argument's, the next its count's, then its
+// stride's.
 #define DSW_ROW(number, function) (RowName<number, function>{#function})
 // clang-format off
-constexpr auto kTable = std::make_tuple(
+inline constexpr auto kTable = std::make_tuple(
     DSW_ROW(1, dsw_environment_mark_volumes)(array<1, 2>("volumes"), value<3>("mark"), value<4>("flags")),
     DSW_ROW(2, dsw_environment_mark_faces)(array<1, 2>("faces"), value<3>("mark")),
     DSW_ROW(3, dsw_environment_mark_edges)(array<1, 2>("edges"), value<3>("mark")),
@@ -80,7 +85,8 @@ constexpr auto kTable = std::make_tuple(
     DSW_ROW(7, dsw_environment_set_tag)(value<1>("volume"), value<2>("tag")),
     DSW_ROW(8, dsw_environment_add_volumes)(structure<1>("desc",
         array("vertices", &dsw_volumes_desc::vertices, &dsw_volumes_desc::vertex_count),
-        points("points", &dsw_volumes_desc::points, &dsw_volumes_desc::point_count, &dsw_volumes_desc::point_stride_bytes),
+        points("points", &dsw_volumes_desc::points, &dsw_volumes_desc::point_count,
+               &dsw_volumes_desc::point_stride_bytes),
         array("types", &dsw_volumes_desc::cell_types, &dsw_volumes_desc::cell_count),
         array("offsets", &dsw_volumes_desc::offsets, offset_bytes),
         array("connectivity", &dsw_volumes_desc::connectivity, connectivity_bytes),
@@ -117,7 +123,8 @@ constexpr auto kTable = std::make_tuple(
         points<1, 2, 3>("positions"), array_like<4, 2>("hints"), results<5, 2>()),
     DSW_ROW(29, dsw_particle_destroy)(value<1>("particle")),
     DSW_ROW(30, dsw_particle_move)(value<1>("particle"), point<2>("target"), structure<3>("options")),
-    DSW_ROW(31, dsw_scene_move_particles)(array<1, 2>("particles"), points_like<3, 2, 4>("targets"), structure<5>("options")),
+    DSW_ROW(31, dsw_scene_move_particles)(
+        array<1, 2>("particles"), points_like<3, 2, 4>("targets"), structure<5>("options")),
     DSW_ROW(32, dsw_scene_cast_from_particles)(
         array<1, 2>("particles"), points_like<3, 2, 4>("targets"), structure<5>("options"), results<6, 2>()),
     DSW_ROW(33, dsw_scene_reset_statistics)(),
@@ -141,7 +148,7 @@ constexpr auto kTable = std::make_tuple(
     DSW_ROW(46, dsw_body_move)(value<1>("body"), points<2, 3, 4>("targets"), structure<5>("options",
         array("order", &dsw_move_options::order, &dsw_move_options::order_count))),
     DSW_ROW(47, dsw_scene_move_bodies)(array<1, 2>("bodies"), points<3, 4, 5>("targets"), structure<6>("options")),
-    DSW_ROW(48, dsw_body_move_rigid)(value<1>("body"), pointed<2>("motion"), structure<3>("options",
+    DSW_ROW(48, dsw_body_move_rigid)(value<1>("body"), value<2>("motion"), structure<3>("options",
         array("order", &dsw_move_options::order, &dsw_move_options::order_count))));
 // clang-format on
 #undef DSW_ROW
@@ -167,14 +174,15 @@ constexpr const auto& find_row() {
 template <auto kFunction>
 inline constexpr const auto& row_of = find_row<kFunction>();
 
-/** Whether a call changes more than what is in the scene. */
+/** Whether a call changes the environment and not only what is in the scene. */
 template <class Row>
 constexpr bool changes_environment(const Row&) {
-  return Row::number <= row_of<dsw_scene_deform>.number;
+  return std::is_same_v<std::tuple_element_t<0, typename Row::Given>, dsw_environment*> ||
+         Row::number == row_of<dsw_scene_detach>.number || Row::number == row_of<dsw_scene_deform>.number;
 }
 
 /** Calls use(row) with the row that has a number. False: there is none. */
-template <class Use, size_t kAt = 0>
+template <class Use>
 bool visit_row(uint64_t number, const Use& use) {
   return std::apply([&](const auto&... row) { return ((row.number == number ? (use(row), true) : false) || ...); },
                     kTable);

@@ -87,8 +87,8 @@ void check_hints(const Map<D>& map, const dsw_volume_id* ids, size_t count, cons
 /** `dimension`: of the environment, which says what there is. */
 [[noreturn]] void fail_kind(const char* name, dsw_cell_kind kind, int dimension);
 
-/** Calls the function of `visitor` that suits the kind of a cell: vertex(uint32_t), edge(Dart) in space, face(HalfFacet) or
- * volume(Cell). */
+/** Calls the function of `visitor` that suits the kind of a cell: vertex(uint32_t), edge(Dart) in space,
+ * face(HalfFacet) or volume(Cell). */
 template <int D, class Visitor>
 auto visit_cell(const Map<D>& map, dsw_cell cell, const Visitor& visitor) {
   const ArgumentName name{"cell", false};
@@ -112,12 +112,6 @@ using dsw::edge_id;
 template <int D>
 dsw_vertex_id vertex_id(const Map<D>& map, uint32_t vertex) noexcept {
   return {vertex, map.vertex_generation(vertex)};
-}
-inline dsw_cell cell_of_face(dsw_face_id id) noexcept { return {DSW_CELL_FACE, id.volume, id.generation, id.local}; }
-inline dsw_cell cell_of_edge(dsw_edge_id id) noexcept { return {DSW_CELL_EDGE, id.volume, id.generation, id.local}; }
-template <int D>
-dsw_cell cell_of_vertex(const Map<D>& map, uint32_t vertex) noexcept {
-  return {DSW_CELL_VERTEX, vertex, map.vertex_generation(vertex), 0};
 }
 
 /** As many finite coordinates as there are dimensions. */

@@ -69,7 +69,8 @@ namespace dsw::capi {
 inline const Memory* memory_of(const dsw_context* context) { return context == nullptr ? nullptr : &context->memory; }
 inline const Memory* memory_of(const dsw_environment& environment) { return memory_of(environment.context); }
 
-/** Calls use(engine) with the engine of an environment or a scene, whatever its dimension: for functions that serve space and plane. */
+/** Calls use(engine) with the engine of an environment or a scene, whatever its dimension: for functions that serve
+ * space and plane. */
 template <class Handle, class Use>
 decltype(auto) visit(Handle& handle, const Use& use) {
   return std::visit(use, handle.engine);

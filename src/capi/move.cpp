@@ -5,7 +5,7 @@
 
 #include "capi/body_access.h"
 #include "capi/recorded.h"
-#include "response/rigid_move.h"
+#include "scene/rigid_moves.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -148,18 +148,6 @@ dsw::RigidMove<D> to_motion(const dsw_rigid_motion& motion) {
   return {motion.rotation, motion.centre, motion.translation};
 }
 
-template <int D>
-void move_rigid(dsw::Scene<D>& scene, dsw::BodyRecord<D>& of, const dsw::RigidMove<D>& rigid,
-                const dsw::MoveOrder& order) {
-  if (!of.body.is_rigid()) {
-    return move_body_together(scene, of, dsw::RigidMove<D>::place, &rigid, order, rigid.reach(of.body));
-  }
-  keep_shape(of.body);
-  const dsw::ShapeMove<D> kept{rigid, of.body.shape[0]};
-  move_body_together(scene, of, dsw::ShapeMove<D>::place, &kept, order, rigid.reach(of.body));
-  if (of.record.fraction > 0) of.body.shape[0].moved = kept.moved(of.record.fraction);
-}
-
 }  // namespace
 
 void dsw_move_options_init(dsw_move_options* options, size_t size) {
@@ -232,14 +220,7 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
            of.body.vertex_slots.alive_count());
     }
     const dsw::RigidMove<D> rigid = to_motion<D>(*motion);
-    for (const dsw::BodyVertex<D>& each : of.body.vertices) {
-      double to[D];
-      if (!each.cell.valid()) continue;
-      dsw::RigidMove<D>::place(&rigid, 0, each.position, 1, to);
-      if (!dsw::is_finite<D>(to)) {
-        fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
-      }
-    }
+    if (!stays_finite(of.body, rigid)) fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
     capi::Recorded call(scene, capi::row_of<dsw_body_move_rigid>, body, motion, &o);
     move_rigid(of.scene, of.record, rigid, order);
     dsw::BodyRecord<D>* const record = &of.record;

@@ -1,7 +1,7 @@
 #pragma once
-// Recordings of scenes, and calls as they are recorded: src/record/README.md. A call is written when its arguments have been checked and before
-// the engine is asked, so that it is there if the process dies in it. What is refused before changes nothing and is left out; what the engine
-// refuses is written as failed.
+// Recordings of scenes, and calls as they are recorded: src/record/README.md. A call is written when its arguments have
+// been checked and before the engine is asked, so that it is there if the process dies in it. What is refused before
+// changes nothing and is left out; what the engine refuses is written as failed.
 
 #include <cstdio>
 
@@ -44,18 +44,20 @@ struct CallResult {
 /** What a replay and its scene tell each other. */
 struct CallWatch {
   bool wants_state = false;
-  /** For how many vertices the recorded host's points had room, and those of the deformation that is being made; there is memory for as many
-   * as have been needed. */
+  /** For how many vertices the recorded host's points had room, and those of the deformation that is being made; there
+   * is memory for as many as have been needed. */
   uint64_t room = 0, offered = 0;
   CallResult last;
 };
-/** What is written of the result of a call: whether it failed, the digest of what it answered and, if there is one, the checksum of the state. */
+/** What is written of the result of a call: whether it failed, the digest of what it answered and, if there is one, the
+ * checksum of the state. */
 constexpr size_t kResultWords = 2, kMostResultWords = 3;
 
 /** One call, from before it is made to its end. */
 class Recorded {
  public:
-  /** `scene` may be null: an environment without one. The arguments are those of the function behind its handle; results can be left out. */
+  /** `scene` may be null: an environment without one. The arguments are those of the function behind its handle;
+   * results can be left out. */
   template <class Row, class... Arguments>
   Recorded(dsw_scene* scene, const Row& row, const Arguments&... arguments) noexcept
       : scene_(scene != nullptr && (scene->recording != nullptr || scene->watch != nullptr) ? scene : nullptr),

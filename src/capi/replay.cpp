@@ -3,7 +3,6 @@
 #include <cinttypes>
 #include <cstdarg>
 
-#include "capi/judge.h"
 #include "environment/moving.h"
 #include "snapshot/block.h"
 #include "snapshot/scene_snapshot.h"
@@ -28,8 +27,8 @@ void read_words(const dsw::Entry& entry, T (&words)[N], const char* what) {
   std::memcpy(words, entry.bytes, sizeof words);
 }
 
-/** Vertices for which there is memory where the host had room for `room`: recordings are not trusted, so there is as much as calls have
- * needed. 0: its points were not to be written. */
+/** Vertices for which there is memory where the host had room for `room`: recordings are not trusted, so there is as
+ * much as calls have needed. 0: its points were not to be written. */
 size_t made_room(const dsw_replay& replay, uint64_t room) noexcept {
   constexpr size_t kSpare = 1024;
   const size_t vertices =
@@ -346,39 +345,7 @@ dsw_status dsw_replay_step(dsw_replay* replay, dsw_replay_report* report) {
   return capi::guard(__func__, [&] {
     dsw_replay& handle = capi::check_handle(replay);
     capi::require(report, "report");
-    dsw_replay_report step{};
-    step.call = handle.calls;
-    step.outcome = DSW_REPLAY_END;
-    std::optional<capi::NextCall> next;
-    if (read_next(handle, next)) {
-      step.function = next->function;
-      make_again(handle, *next, &step);
-    }
-    *report = step;
-  });
-}
-
-dsw_status dsw_replay_step_judged(dsw_replay* replay, dsw_replay_report* report, dsw_verdict* verdict) {
-  return capi::guard(__func__, [&] {
-    dsw_replay& handle = capi::check_handle(replay);
-    capi::require(report, "report");
-    capi::require(verdict, "verdict");
-    capi::check_size(verdict, "verdict");
-    capi::visit(*handle.scene, [&](const auto& scene) {
-      dsw_replay_report step{};
-      step.call = handle.calls;
-      step.outcome = DSW_REPLAY_END;
-      std::optional<capi::NextCall> next;
-      capi::CallJudge<capi::kDimension<decltype(scene)>> judge(scene);
-      if (read_next(handle, next)) {
-        step.function = next->function;
-        judge.remember(handle, *next);
-        make_again(handle, *next, &step);
-      }
-      *report = step;
-      const bool was_done = step.function != nullptr && handle.watch.last.made && !handle.watch.last.failed;
-      capi::write_struct(verdict, judge.judge(was_done));
-    });
+    *report = capi::step(handle, [](const capi::NextCall&) {});
   });
 }
 

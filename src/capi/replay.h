@@ -46,4 +46,18 @@ bool read_next(dsw_replay& replay, std::optional<NextCall>& next);
 /** Makes it again. */
 void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* report);
 
+/** Makes the next call again, if there is one, of which before(next) is told. */
+template <class Before>
+dsw_replay_report step(dsw_replay& replay, const Before& before) {
+  dsw_replay_report report{};
+  report.call = replay.calls;
+  report.outcome = DSW_REPLAY_END;
+  std::optional<NextCall> next;
+  if (!read_next(replay, next)) return report;
+  report.function = next->function;
+  before(*next);
+  make_again(replay, *next, &report);
+  return report;
+}
+
 }  // namespace dsw::capi

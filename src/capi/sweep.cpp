@@ -33,14 +33,11 @@ dsw_status dsw_environment_sweep_edges(const dsw_environment* environment, size_
                                        const dsw_sweep_options* options, dsw_sweep* sweeps) {
   return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
-    const dsw::PointArray first = capi::to_points<D>(from, count, stride_bytes, "from");
-    const dsw::PointArray last = capi::to_points<D>(to, count, stride_bytes, "to");
-    const dsw::PointArray stays = capi::to_points<D>(fixed, count, stride_bytes, "fixed");
+    const dsw::PointArray first = capi::to_finite_points<D>(from, count, stride_bytes, "from");
+    const dsw::PointArray last = capi::to_finite_points<D>(to, count, stride_bytes, "to");
+    const dsw::PointArray stays = capi::to_finite_points<D>(fixed, count, stride_bytes, "fixed");
     capi::require_array(sweeps, count, "sweeps");
     const dsw::SweepOptions settings = to_options(options);
-    check_finite(first, count, D, {"from", true});
-    check_finite(last, count, D, {"to", true});
-    check_finite(stays, count, D, {"fixed", true});
     capi::check_hints(env.map, starts, count, "starts");
     sweep_edges(env, environment->parallel, count, starts, first, last, stays, settings, sweeps);
   });

@@ -9,7 +9,8 @@ using dsw::fail;
 
 namespace {
 
-/** The engine for what is done to faces by edges; `instead`: the function for sides of the plane, which refuses this one. */
+/** The engine for what is done to faces by edges; `instead`: the function for sides of the plane, which refuses this
+ * one. */
 dsw::Environment<3>& with_edges(dsw_environment& handle, const char* instead) {
   if (capi::is_planar(handle)) {
     fail(DSW_STATUS_UNSUPPORTED, "in the plane a face is a side, which has no edges inside: see %s", instead);

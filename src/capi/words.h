@@ -101,12 +101,6 @@ class WordReader {
     const auto size = static_cast<size_t>(count);
     return {static_cast<const T*>(take(size * sizeof(T))), size};
   }
-  /** With the number of points. */
-  Items<double> get_points() {
-    const Items<double> all = get_items<double>();
-    require(all.count % dimension_ == 0);
-    return {all.items, all.count / dimension_};
-  }
   static void require(bool holds) {
     if (!holds) fail(DSW_STATUS_CORRUPT, "the recording is damaged: arguments of a call");
   }

@@ -38,8 +38,8 @@ struct Site {
   Scene<D>* scene;
   ChangeResults& results;
 
-  /** Carries out an edit that is prepared, as edits.h says, and tells of it. Returns whether the change stays. Throws as
-   * carry_out_prepared and std::bad_alloc: then the results are as before. */
+  /** Carries out an edit that is prepared, as edits.h says, and tells of it. Returns whether the change stays. Throws
+   * as carry_out_prepared and std::bad_alloc: then the results are as before. */
   bool change(Edit<D>& edit, const Told& told, const Meanwhile* meanwhile = nullptr) const;
 };
 

@@ -1,5 +1,5 @@
-// The edit sews cracks and drops marks; with it applied and the cells unmarked the body is tried, so that walks see space as it is
-// going to be. No cell is replaced, so all ids stay.
+// The edit sews cracks and drops marks; with it applied and the cells unmarked the body is tried, so that walks see
+// space as it is going to be. No cell is replaced, so all ids stay.
 
 #include "scene/detachment.h"
 

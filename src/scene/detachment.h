@@ -25,8 +25,9 @@ class Detachment {
   /** Looks at the piece that a cell belongs to; `scene` is the only one that uses the environment. Throws as Piece. */
   Detachment(Environment<3>& env, Scene<3>& scene, Cell start, size_t most);
 
-  /** Carries it out. `like` has the body's level, flags and filter; its vertices are drawn in by `share` as Inset says, each in up to
-   * `attempts` places. Throws OCCUPIED if it is not free then, or touches a body, and std::bad_alloc; nothing has changed then. */
+  /** Carries it out. `like` has the body's level, flags and filter; its vertices are drawn in by `share` as Inset says,
+   * each in up to `attempts` places. Throws OCCUPIED if it is not free then, or touches a body, and std::bad_alloc;
+   * nothing has changed then. */
   dsw_detach_report carry_out(const BodyDescription& like, double share, uint32_t attempts, dsw_body_id* body,
                               DetachResults& results);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Cuts, and what else replaces many cells at once: each is one change of the topology. Each function throws what its parts throw, before
-// anything has changed.
+// Cuts, and what else replaces many cells at once: each is one change of the topology. Each function throws what its
+// parts throw, before anything has changed.
 
 #include "cutting/opening.h"
 #include "dartsweep/remesh.h"
@@ -26,7 +26,8 @@ template <int D>
 size_t tear_facets(const Site<D>& site, const Array<HalfFacet>& facets);
 /** Mends what is wanted, and does something meanwhile unless that is null. */
 dsw_remesh_report mend_cells(const Site<3>& site, Mending& mending, const Meanwhile* meanwhile = nullptr);
-/** Mends what would become invalid near what the scene holds, and deforms the environment. Returns how many cells went. */
+/** Mends what would become invalid near what the scene holds, and deforms the environment. Returns how many cells went.
+ * */
 uint32_t mend_and_deform(const Site<3>& site, double* next, const WallSettings& settings, MendSettings mend);
 
 }  // namespace dsw
