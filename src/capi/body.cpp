@@ -129,27 +129,18 @@ DSW_BODY_ACCESS(3);
 void dsw_body_desc_init(dsw_body_desc* desc, size_t size) { capi::init_struct(desc, size, default_body()); }
 
 dsw_status dsw_body_create(dsw_scene* scene, const dsw_body_desc* desc, dsw_body_id* body) {
-  return capi::guarded_visit("dsw_body_create", scene, "scene", [&](auto& s) {
-    constexpr int D = capi::kDimension<decltype(s)>;
-    capi::require(desc, "desc");
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     capi::require(body, "body");
-    const dsw_body_desc d = capi::read_struct(desc, "desc");
+    const dsw_body_desc d = capi::read_required(desc, "desc");
     const dsw::BodyDescription description = to_description(s, d);
-    capi::Recorded call(scene, capi::Call::kCreateBody,
-                        capi::without(d, &dsw_body_desc::positions, &dsw_body_desc::hints, &dsw_body_desc::edges,
-                                      &dsw_body_desc::face_offsets, &dsw_body_desc::face_corners),
-                        capi::Points{description.positions, d.vertex_count, D},
-                        capi::Items<dsw_volume_id>{d.hints, d.vertex_count},
-                        capi::Items<uint32_t>{d.edges, 2 * d.edge_count},
-                        capi::Items<uint32_t>{d.face_offsets, d.face_count == 0 ? 0 : d.face_count + 1},
-                        capi::Items<uint32_t>{d.face_corners, d.face_corner_count});
+    capi::Recorded call(scene, capi::row_of<dsw_body_create>, &d);
     *body = create_body(s, description);
     call.done(*body);
   });
 }
 
 dsw_status dsw_scene_get_offending_edges(const dsw_scene* scene, const uint32_t** vertices, size_t* count) {
-  return capi::guarded_visit("dsw_scene_get_offending_edges", scene, "scene", [&](const auto& s) {
+  return capi::guarded_visit(__func__, scene, [&](const auto& s) {
     capi::require(vertices, "vertices");
     capi::require(count, "count");
     *vertices = s.offending.data();
@@ -158,37 +149,30 @@ dsw_status dsw_scene_get_offending_edges(const dsw_scene* scene, const uint32_t*
 }
 
 dsw_status dsw_scene_get_occupant_bodies(const dsw_scene* scene, const dsw_body_id** bodies, size_t* count) {
-  return capi::guarded_visit("dsw_scene_get_occupant_bodies", scene, "scene", [&](const auto& s) {
-    capi::require(bodies, "bodies");
-    capi::require(count, "count");
-    *bodies = s.occupant_bodies.data();
-    *count = s.occupant_bodies.size();
-  });
+  return capi::guarded_visit(__func__, scene,
+                             [&](const auto& s) { capi::hand_out(s.occupant_bodies, bodies, count, "bodies"); });
 }
 
 dsw_status dsw_body_destroy(dsw_scene* scene, dsw_body_id body) {
-  return capi::guarded_body("dsw_body_destroy", scene, body, [&](const auto& of) {
-    capi::Recorded call(scene, capi::Call::kDestroyBody, body);
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    capi::Recorded call(scene, capi::row_of<dsw_body_destroy>, body);
     destroy_body(of.scene, body.index);
     call.done();
   });
 }
 
 dsw_status dsw_scene_get_body_count(const dsw_scene* scene, size_t* count) {
-  return capi::guarded_visit("dsw_scene_get_body_count", scene, "scene", [&](const auto& s) {
-    capi::require(count, "count");
-    *count = s.body_slots.alive_count();
-  });
+  return capi::guarded_visit(__func__, scene,
+                             [&](const auto& s) { capi::give(count, "count", s.body_slots.alive_count()); });
 }
 
 dsw_status dsw_scene_get_bodies(const dsw_scene* scene, dsw_body_id* bodies, size_t capacity, size_t* count) {
-  return capi::guarded_visit("dsw_scene_get_bodies", scene, "scene", [&](const auto& s) {
-    capi::copy_ids(s.bodies.size(), s.body_slots, bodies, capacity, count);
-  });
+  return capi::guarded_visit(
+      __func__, scene, [&](const auto& s) { capi::copy_ids(s.bodies.size(), s.body_slots, bodies, capacity, count); });
 }
 
 dsw_status dsw_body_get_counts(const dsw_scene* scene, dsw_body_id body, dsw_body_counts* counts) {
-  return capi::guarded_body("dsw_body_get_counts", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
     capi::require(counts, "counts");
     capi::check_size(counts, "counts");
@@ -204,23 +188,21 @@ dsw_status dsw_body_get_counts(const dsw_scene* scene, dsw_body_id body, dsw_bod
 }
 
 dsw_status dsw_body_get_level(const dsw_scene* scene, dsw_body_id body, dsw_level* level) {
-  return capi::guarded_body("dsw_body_get_level", scene, body, [&](const auto& of) {
-    capi::require(level, "level");
-    *level = capi::to_public(of.body.level);
-  });
+  return capi::guarded_body(__func__, scene, body,
+                            [&](const auto& of) { capi::give(level, "level", capi::to_public(of.body.level)); });
 }
 
 dsw_status dsw_body_set_level(dsw_scene* scene, dsw_body_id body, dsw_level level) {
-  return capi::guarded_body("dsw_body_set_level", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const dsw::SweepLevel wanted = capi::to_body_level<capi::kDimension<decltype(of)>>(level, "level");
-    capi::Recorded call(scene, capi::Call::kSetLevel, body, level);
+    capi::Recorded call(scene, capi::row_of<dsw_body_set_level>, body, level);
     set_level(of.scene, of.body, wanted);
     call.done();
   });
 }
 
 dsw_status dsw_body_get_filter(const dsw_scene* scene, dsw_body_id body, uint32_t* category, uint32_t* mask) {
-  return capi::guarded_body("dsw_body_get_filter", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::require(category, "category");
     capi::require(mask, "mask");
     capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
@@ -230,9 +212,9 @@ dsw_status dsw_body_get_filter(const dsw_scene* scene, dsw_body_id body, uint32_
 }
 
 dsw_status dsw_body_set_filter(dsw_scene* scene, dsw_body_id body, uint32_t category, uint32_t mask) {
-  return capi::guarded_body("dsw_body_set_filter", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
-    capi::Recorded call(scene, capi::Call::kSetFilter, body, category, mask);
+    capi::Recorded call(scene, capi::row_of<dsw_body_set_filter>, body, category, mask);
     set_filter(of.scene, of.body, to_filter(category, mask, of.body.filter.self));
     call.done();
   });
@@ -240,7 +222,7 @@ dsw_status dsw_body_set_filter(dsw_scene* scene, dsw_body_id body, uint32_t cate
 
 dsw_status dsw_body_get_positions(const dsw_scene* scene, dsw_body_id body, double* positions, size_t capacity,
                                   size_t stride_bytes, dsw_volume_id* volumes, size_t* count) {
-  return capi::guarded_body("dsw_body_get_positions", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
     const auto& b = of.body;
     const size_t step = capi::to_step<D>(b.vertices.size(), stride_bytes);
@@ -254,43 +236,39 @@ dsw_status dsw_body_get_positions(const dsw_scene* scene, dsw_body_id body, doub
 
 dsw_status dsw_body_get_vertices(const dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id* vertices,
                                  size_t capacity, size_t* count) {
-  return capi::guarded_body("dsw_body_get_vertices", scene, body, [&](const auto& of) {
-    const auto& b = of.body;
-    capi::copy_ids(b.vertices.size(), b.vertex_slots, vertices, capacity, count);
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    capi::copy_ids(of.body.vertices.size(), of.body.vertex_slots, vertices, capacity, count);
   });
 }
 
 dsw_status dsw_body_get_edges(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id* edges, size_t capacity,
                               size_t* count) {
-  return capi::guarded_body("dsw_body_get_edges", scene, body, [&](const auto& of) {
-    const auto& b = of.body;
-    capi::copy_ids(b.edges.size(), b.edge_slots, edges, capacity, count);
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    capi::copy_ids(of.body.edges.size(), of.body.edge_slots, edges, capacity, count);
   });
 }
 
 dsw_status dsw_body_get_faces(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id* faces, size_t capacity,
                               size_t* count) {
-  return capi::guarded_body("dsw_body_get_faces", scene, body, [&](const auto& of) {
-    const auto& b = of.body;
-    capi::copy_ids(b.faces.size(), b.face_slots, faces, capacity, count);
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    capi::copy_ids(of.body.faces.size(), of.body.face_slots, faces, capacity, count);
   });
 }
 
 dsw_status dsw_body_get_vertex(const dsw_scene* scene, dsw_body_id body, uint32_t index, dsw_body_vertex_id* vertex) {
-  return capi::guarded_body("dsw_body_get_vertex", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
-    capi::require(vertex, "vertex");
     if (!b.has_vertex(index)) {
       fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, which names no vertex; there are %zu slots", index,
            b.vertices.size());
     }
-    *vertex = vertex_id(b, index);
+    capi::give(vertex, "vertex", vertex_id(b, index));
   });
 }
 
 dsw_status dsw_body_get_edge_vertices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
                                       size_t* count) {
-  return capi::guarded_body("dsw_body_get_edge_vertices", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
     capi::check_capacity(b.edges.size(), capacity, vertices, count);
     for (size_t e = 0; e < b.edges.size(); ++e) std::copy_n(b.edges[e].ends, 2, vertices + 2 * e);
@@ -299,7 +277,7 @@ dsw_status dsw_body_get_edge_vertices(const dsw_scene* scene, dsw_body_id body, 
 
 dsw_status dsw_body_get_face_vertices(const dsw_scene* scene, dsw_body_id body, uint32_t* vertices, size_t capacity,
                                       size_t* count) {
-  return capi::guarded_body("dsw_body_get_face_vertices", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
     capi::check_capacity(b.faces.size(), capacity, vertices, count);
     for (size_t f = 0; f < b.faces.size(); ++f) std::copy_n(b.faces[f].corners, 3, vertices + 3 * f);
@@ -308,7 +286,7 @@ dsw_status dsw_body_get_face_vertices(const dsw_scene* scene, dsw_body_id body, 
 
 dsw_status dsw_body_get_edge(const dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge,
                              dsw_body_vertex_id* vertices) {
-  return capi::guarded_body("dsw_body_get_edge", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
     capi::require(vertices, "vertices");
     const uint32_t e = capi::to_edge(b, edge, "edge");
@@ -318,7 +296,7 @@ dsw_status dsw_body_get_edge(const dsw_scene* scene, dsw_body_id body, dsw_body_
 
 dsw_status dsw_body_get_face(const dsw_scene* scene, dsw_body_id body, dsw_body_face_id face,
                              dsw_body_vertex_id* vertices) {
-  return capi::guarded_body("dsw_body_get_face", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const auto& b = of.body;
     capi::require(vertices, "vertices");
     const uint32_t f = capi::to_face(b, face, "face");

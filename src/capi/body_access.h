@@ -16,11 +16,11 @@ struct BodyAccess {
   Body<D>& body;
 };
 
-/** Runs the body of the entry point named `function`, a template on BodyAccess, with a scene and one of its bodies, whatever the dimension;
- * fails with what is wrong with either. */
+/** Runs the body of the entry point named `function`, a template on BodyAccess, with a scene and one of its bodies,
+ * whatever the dimension; fails with what is wrong with either. */
 template <class Use>
 dsw_status guarded_body(const char* function, const dsw_scene* scene, dsw_body_id body, const Use& use) noexcept {
-  return guarded_visit(function, const_cast<dsw_scene*>(scene), "scene", [&](auto& s) {
+  return guarded_visit(function, const_cast<dsw_scene*>(scene), [&](auto& s) {
     auto& record = check_body(s, body, {"body", false});
     use(BodyAccess<kDimension<decltype(s)>>{s, record, record.body});
   });

@@ -9,11 +9,10 @@ using dsw::fail;
 
 dsw_status dsw_body_add_vertex(dsw_scene* scene, dsw_body_id body, const double* position, dsw_volume_id hint,
                                dsw_body_vertex_id* vertex) {
-  return capi::guarded_body("dsw_body_add_vertex", scene, body, [&](const auto& of) {
-    constexpr int D = capi::kDimension<decltype(of)>;
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::require(position, "position");
     capi::require(vertex, "vertex");
-    capi::Recorded call(scene, capi::Call::kAddBodyVertex, body, capi::Points{{position, D}, 1, D}, hint);
+    capi::Recorded call(scene, capi::row_of<dsw_body_add_vertex>, body, position, hint);
     *vertex = vertex_id(of.body, add_body_vertex(of.scene, of.record, position, hint));
     call.done(*vertex);
   });
@@ -21,10 +20,10 @@ dsw_status dsw_body_add_vertex(dsw_scene* scene, dsw_body_id body, const double*
 
 dsw_status dsw_body_add_edge(dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
                              dsw_body_edge_id* edge) {
-  return capi::guarded_body("dsw_body_add_edge", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::require(edge, "edge");
     const uint32_t from = capi::to_vertex(of.body, a, "a"), to = capi::to_vertex(of.body, b, "b");
-    capi::Recorded call(scene, capi::Call::kAddBodyEdge, body, a, b);
+    capi::Recorded call(scene, capi::row_of<dsw_body_add_edge>, body, a, b);
     *edge = edge_id(of.body, add_body_edge(of.scene, of.body, from, to));
     call.done(*edge);
   });
@@ -32,7 +31,7 @@ dsw_status dsw_body_add_edge(dsw_scene* scene, dsw_body_id body, dsw_body_vertex
 
 dsw_status dsw_body_add_face(dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
                              dsw_body_vertex_id c, dsw_body_face_id* face) {
-  return capi::guarded_body("dsw_body_add_face", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::require(face, "face");
     const uint32_t corners[3] = {capi::to_vertex(of.body, a, "a"), capi::to_vertex(of.body, b, "b"),
                                  capi::to_vertex(of.body, c, "c")};
@@ -40,7 +39,7 @@ dsw_status dsw_body_add_face(dsw_scene* scene, dsw_body_id body, dsw_body_vertex
       fail(DSW_STATUS_UNSUPPORTED, "bodies in the plane have no faces; (%u, %u, %u) can't be one", corners[0],
            corners[1], corners[2]);
     } else {
-      capi::Recorded call(scene, capi::Call::kAddBodyFace, body, a, b, c);
+      capi::Recorded call(scene, capi::row_of<dsw_body_add_face>, body, a, b, c);
       *face = face_id(of.body, add_body_face(of.scene, of.body, corners[0], corners[1], corners[2]));
       call.done(*face);
     }
@@ -48,27 +47,27 @@ dsw_status dsw_body_add_face(dsw_scene* scene, dsw_body_id body, dsw_body_vertex
 }
 
 dsw_status dsw_body_remove_face(dsw_scene* scene, dsw_body_id body, dsw_body_face_id face) {
-  return capi::guarded_body("dsw_body_remove_face", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t f = capi::to_face(of.body, face, "face");
-    capi::Recorded call(scene, capi::Call::kRemoveBodyFace, body, face);
+    capi::Recorded call(scene, capi::row_of<dsw_body_remove_face>, body, face);
     remove_face(of.body, f);
     call.done();
   });
 }
 
 dsw_status dsw_body_remove_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge) {
-  return capi::guarded_body("dsw_body_remove_edge", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t e = capi::to_edge(of.body, edge, "edge");
-    capi::Recorded call(scene, capi::Call::kRemoveBodyEdge, body, edge);
+    capi::Recorded call(scene, capi::row_of<dsw_body_remove_edge>, body, edge);
     remove_edge(of.body, e);
     call.done();
   });
 }
 
 dsw_status dsw_body_remove_vertex(dsw_scene* scene, dsw_body_id body, dsw_body_vertex_id vertex) {
-  return capi::guarded_body("dsw_body_remove_vertex", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t v = capi::to_vertex(of.body, vertex, "vertex");
-    capi::Recorded call(scene, capi::Call::kRemoveBodyVertex, body, vertex);
+    capi::Recorded call(scene, capi::row_of<dsw_body_remove_vertex>, body, vertex);
     remove_vertex(of.body, v);
     call.done();
   });
@@ -76,10 +75,10 @@ dsw_status dsw_body_remove_vertex(dsw_scene* scene, dsw_body_id body, dsw_body_v
 
 dsw_status dsw_body_split_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge, double share,
                                dsw_body_edit* edit) {
-  return capi::guarded_body("dsw_body_split_edge", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t e = capi::to_edge(of.body, edge, "edge");
     if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must lie between 0 and 1", share);
-    capi::Recorded call(scene, capi::Call::kSplitBodyEdge, body, edge, share);
+    capi::Recorded call(scene, capi::row_of<dsw_body_split_edge>, body, edge, share);
     split_body_edge(of.scene, of.record, e, share, edit);
     call.done(of.body);
   });
@@ -87,12 +86,12 @@ dsw_status dsw_body_split_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge
 
 dsw_status dsw_body_collapse_edge(dsw_scene* scene, dsw_body_id body, dsw_body_edge_id edge, dsw_body_vertex_id vertex,
                                   dsw_body_edit* edit) {
-  return capi::guarded_body("dsw_body_collapse_edge", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     const uint32_t e = capi::to_edge(of.body, edge, "edge"), v = capi::to_vertex(of.body, vertex, "vertex");
     if (of.body.edges[e].ends[0] != v && of.body.edges[e].ends[1] != v) {
       fail(DSW_STATUS_NOT_FOUND, "vertex %u is no end of edge %u", v, e);
     }
-    capi::Recorded call(scene, capi::Call::kCollapseBodyEdge, body, edge, vertex);
+    capi::Recorded call(scene, capi::row_of<dsw_body_collapse_edge>, body, edge, vertex);
     collapse_body_edge(of.scene, of.record, e, v, edit);
     call.done(of.body);
   });

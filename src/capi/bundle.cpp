@@ -88,10 +88,9 @@ bool make_others(dsw_replay* replay, size_t count) {
 void dsw_bundle_desc_init(dsw_bundle_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_bundle_desc{}); }
 
 dsw_status dsw_scene_write_bundle(dsw_scene* scene, const dsw_bundle_desc* desc, dsw_verdict* verdict) {
-  return capi::guard("dsw_scene_write_bundle", [&] {
-    dsw_scene& handle = capi::check_handle(scene, "scene");
-    capi::require(desc, "desc");
-    const dsw_bundle_desc d = capi::read_struct(desc, "desc");
+  return capi::guard(__func__, [&] {
+    dsw_scene& handle = capi::check_handle(scene);
+    const dsw_bundle_desc d = capi::read_required(desc, "desc");
     capi::check_flags(d.flags, 0, "desc->flags");
     if (d.path != nullptr && d.write != nullptr) {
       fail(DSW_STATUS_UNSUPPORTED, "desc->path and desc->write are both set, one of them must be null");

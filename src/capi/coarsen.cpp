@@ -50,7 +50,7 @@ void dsw_coarsen_options_init(dsw_coarsen_options* options, size_t size) {
 dsw_status dsw_environment_coarsen(const dsw_environment* source, const dsw_coarsen_options* options,
                                    dsw_environment** environment, uint32_t* volume_map, size_t capacity,
                                    dsw_coarsen_report* report) {
-  return capi::guard("dsw_environment_coarsen", [&] {
+  return capi::guard(__func__, [&] {
     const dsw_environment& handle = capi::check_handle(source, "source");
     const dsw::Environment<3>& from = capi::space(handle);
     capi::require(environment, "environment");

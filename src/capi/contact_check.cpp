@@ -4,7 +4,7 @@
 
 #include "capi/convert.h"
 #include "cross_check/penetration.h"
-#include "cross_check/second_opinion.h"
+#include "cross_check/report.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -37,7 +37,8 @@ dsw::HalfFacet to_wall(const dsw::Map<3>& map, const dsw_contact& contact) {
        contact.front.index, contact.wall.local, contact.wall.volume);
 }
 
-/** The wall of a touched vertex, which is one of several there: `front` may be at another. Seen from a passable side. */
+/** The wall of a touched vertex, which is one of several there: `front` may be at another. Seen from a passable side.
+ * */
 dsw::HalfFacet to_wall_at_vertex(const dsw::Map<3>& map, const dsw_contact& contact) {
   const dsw::HalfFacet given = capi::to_half_facet(map, contact.wall, {"contact->wall", false});
   const dsw::Cell front = capi::to_cell(map, contact.front, {"contact->front", false});
@@ -88,67 +89,17 @@ dsw::Touch to_touch(const dsw::Map<3>& map, const dsw_contact& contact) {
   return touch;
 }
 
-dsw_no_opinion to_reason(dsw::NoFeatures why) {
-  switch (why) {
-    case dsw::NoFeatures::kParallel:
-      return DSW_NO_OPINION_PARALLEL;
-    case dsw::NoFeatures::kOutsideCone:
-      return DSW_NO_OPINION_OUTSIDE_CONE;
-    default:
-      return DSW_NO_OPINION_NOT_CONVERGED;
-  }
-}
-
-dsw_opinion kind_asked(dsw::TouchKind kind) {
-  switch (kind) {
-    case dsw::TouchKind::kPoint:
-      return DSW_OPINION_PLANE;
-    case dsw::TouchKind::kCorner:
-      return DSW_OPINION_VERTEX;
-    default:
-      return DSW_OPINION_EDGE;
-  }
-}
-
-dsw_contact_opinion opinion_on(const dsw::Environment<3>& env, const dsw::Touch& touch) {
-  dsw_contact_opinion answer{};
-  dsw::Features features(env.memory);
-  const dsw::NoFeatures why = find_features(env, touch, features);
-  if (why != dsw::NoFeatures::kFound) {
-    answer.reason = to_reason(why);
-    return answer;
-  }
-  const dsw::SecondOpinion second = second_opinion(features, touch.normal);
-  if (second.verdict != dsw::Verdict::kGiven) {
-    answer.reason =
-        second.verdict == dsw::Verdict::kNotUnique ? DSW_NO_OPINION_NOT_UNIQUE : DSW_NO_OPINION_NOT_CONVERGED;
-    return answer;
-  }
-  std::copy_n(second.normal, 3, answer.normal);
-  answer.depth = second.depth;
-  answer.pushed_in = second.pushed_in;
-  answer.angle_rad = second.angle;
-  answer.opinion = kind_asked(touch.kind);
-  return answer;
-}
-
 }  // namespace
 
 dsw_status dsw_contact_check(const dsw_environment* environment, const dsw_contact* contact,
                              dsw_contact_opinion* opinion) {
-  return capi::guard("dsw_contact_check", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+  return capi::guard(__func__, [&] {
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment));
     capi::require(contact, "contact");
     capi::require(opinion, "opinion");
     check_numbers(*contact);
     const dsw::Touch touch = to_touch(env.map, *contact);
     dsw::require_libccd();
-    if (has_wall(*contact)) {
-      *opinion = opinion_on(env, touch);
-    } else {
-      dsw_contact_opinion none{};
-      none.reason = DSW_NO_OPINION_WIRE;
-      *opinion = none;
-    }
+    *opinion = opinion_on(env, touch, has_wall(*contact));
   });
 }

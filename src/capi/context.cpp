@@ -9,9 +9,9 @@ namespace capi = dsw::capi;
 void dsw_context_desc_init(dsw_context_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_context_desc{}); }
 
 dsw_status dsw_context_create(const dsw_context_desc* desc, dsw_context** context) {
-  return capi::guard("dsw_context_create", [&] {
+  return capi::guard(__func__, [&] {
     capi::require(context, "context");
-    const dsw_context_desc d = desc == nullptr ? dsw_context_desc{} : capi::read_struct(desc, "desc");
+    const dsw_context_desc d = capi::read_optional(desc, "desc");
     constexpr uint32_t kMostThreads = 256;
     if (d.thread_count > kMostThreads) {
       dsw::fail(DSW_STATUS_OUT_OF_RANGE, "desc->thread_count is %u, must be 0 .. %u", d.thread_count, kMostThreads);
@@ -34,9 +34,9 @@ dsw_status dsw_context_create(const dsw_context_desc* desc, dsw_context** contex
 }
 
 dsw_status dsw_context_destroy(dsw_context* context) {
-  return capi::guard("dsw_context_destroy", [&] {
+  return capi::guard(__func__, [&] {
     if (context == nullptr) return;
-    capi::check_handle(context, "context");
+    capi::check_handle(context);
     const uint32_t users = context->users.load(std::memory_order_acquire);
     if (users != 0) dsw::fail(DSW_STATUS_IN_USE, "context is still used by %u environments or traces", users);
     const dsw::Memory memory = context->memory;

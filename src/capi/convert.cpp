@@ -135,13 +135,6 @@ dsw_level to_public(SweepLevel level) noexcept {
   return static_cast<dsw_level>(static_cast<uint32_t>(level) + DSW_LEVEL_POINTS);
 }
 
-template <int D>
-void append_changes(Edit<D>& edit, Array<dsw_volume_change>& changes) noexcept {
-  for (const VolumeChange& c : edit.changes()) {
-    changes.push_back({{c.before.index, c.before.generation}, {c.after.index, c.after.generation}});
-  }
-}
-
 void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* count) {
   require(count, "count");
   if (capacity < needed) {
@@ -157,7 +150,6 @@ void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* 
   template HalfFacet to_half_facet(const Map<D>&, dsw_face_id, ArgumentName, size_t);  \
   template Dart to_dart(const Map<D>&, dsw_edge_id, ArgumentName, size_t);             \
   template uint32_t to_vertex(const Map<D>&, dsw_vertex_id, ArgumentName, size_t);     \
-  template void append_changes(Edit<D>&, Array<dsw_volume_change>&) noexcept;          \
   template void check_hint(const Map<D>&, dsw_volume_id, const char*);                 \
   template void check_hints(const Map<D>&, const dsw_volume_id*, size_t, const char*); \
   template size_t to_step<D>(size_t, size_t);                                          \

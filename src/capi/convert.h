@@ -25,9 +25,61 @@ Dart to_dart(const Map<D>& map, dsw_edge_id id, ArgumentName argument, size_t in
 template <int D>
 uint32_t to_vertex(const Map<D>& map, dsw_vertex_id id, ArgumentName argument, size_t index = 0);
 
+/** An array of `count` things; null is allowed when there are none. A count that no array can have is WRONG_SIZE. */
+void require_array(const void* array, size_t count, const char* name);
+
+// By the type of the id.
+template <int D>
+Cell to_engine(const Map<D>& map, dsw_volume_id id, ArgumentName argument, size_t index) {
+  return to_cell(map, id, argument, index);
+}
+template <int D>
+HalfFacet to_engine(const Map<D>& map, dsw_face_id id, ArgumentName argument, size_t index) {
+  return to_half_facet(map, id, argument, index);
+}
+template <int D>
+Dart to_engine(const Map<D>& map, dsw_edge_id id, ArgumentName argument, size_t index) {
+  return to_dart(map, id, argument, index);
+}
+template <int D>
+uint32_t to_engine(const Map<D>& map, dsw_vertex_id id, ArgumentName argument, size_t index) {
+  return to_vertex(map, id, argument, index);
+}
+
+/** An array of ids in the engine's terms, on the stack if they are few. */
+template <class Id>
+class Converted {
+  using T = decltype(to_engine(std::declval<const Map<3>&>(), Id{}, ArgumentName{}, 0));
+
+ public:
+  template <int D>
+  Converted(const Environment<D>& env, const Id* ids, size_t count, const char* name)
+      : count_(count), many_(Allocator<T>(env.memory)) {
+    require_array(ids, count, name);
+    if (count > kFew) many_.resize(count);
+    for (size_t i = 0; i < count; ++i) data()[i] = to_engine(env.map, ids[i], {name, true}, i);
+  }
+  T* data() { return many_.empty() ? few_ : many_.data(); }
+  T* begin() { return data(); }
+  T* end() { return data() + count_; }
+  T& operator[](size_t i) { return data()[i]; }
+
+ private:
+  static constexpr size_t kFew = 64;
+  size_t count_;
+  T few_[kFew];
+  Array<T> many_;
+};
+
 /** A hint or start: alive or null. */
 template <int D>
 void check_hint(const Map<D>& map, dsw_volume_id id, const char* name);
+/** Likewise; null gives a cell that is not valid. */
+template <int D>
+Cell to_hint(const Map<D>& map, dsw_volume_id id, const char* name) {
+  check_hint(map, id, name);
+  return is_null(id) ? Cell{} : map.cell(id.index);
+}
 /** `ids` may be null. */
 template <int D>
 void check_hints(const Map<D>& map, const dsw_volume_id* ids, size_t count, const char* name);
@@ -35,8 +87,8 @@ void check_hints(const Map<D>& map, const dsw_volume_id* ids, size_t count, cons
 /** `dimension`: of the environment, which says what there is. */
 [[noreturn]] void fail_kind(const char* name, dsw_cell_kind kind, int dimension);
 
-/** Calls the function of `visitor` that suits the kind of a cell: vertex(uint32_t), edge(Dart) in space, face(HalfFacet) or
- * volume(Cell). */
+/** Calls the function of `visitor` that suits the kind of a cell: vertex(uint32_t), edge(Dart) in space,
+ * face(HalfFacet) or volume(Cell). */
 template <int D, class Visitor>
 auto visit_cell(const Map<D>& map, dsw_cell cell, const Visitor& visitor) {
   const ArgumentName name{"cell", false};
@@ -61,12 +113,6 @@ template <int D>
 dsw_vertex_id vertex_id(const Map<D>& map, uint32_t vertex) noexcept {
   return {vertex, map.vertex_generation(vertex)};
 }
-inline dsw_cell cell_of_face(dsw_face_id id) noexcept { return {DSW_CELL_FACE, id.volume, id.generation, id.local}; }
-inline dsw_cell cell_of_edge(dsw_edge_id id) noexcept { return {DSW_CELL_EDGE, id.volume, id.generation, id.local}; }
-template <int D>
-dsw_cell cell_of_vertex(const Map<D>& map, uint32_t vertex) noexcept {
-  return {DSW_CELL_VERTEX, vertex, map.vertex_generation(vertex), 0};
-}
 
 /** As many finite coordinates as there are dimensions. */
 template <int D>
@@ -75,9 +121,6 @@ void check_point(const double* point, const char* name) {
   check_finite({point, D}, 1, D, {name, false});
 }
 
-/** An array of `count` things; null is allowed when there are none. A count that no array can have is WRONG_SIZE. */
-void require_array(const void* array, size_t count, const char* name);
-
 /** The host's stride in doubles. */
 template <int D>
 size_t to_step(size_t count, size_t stride_bytes);
@@ -85,6 +128,17 @@ size_t to_step(size_t count, size_t stride_bytes);
 /** An array of points with the host's stride, not yet checked to be finite. */
 template <int D>
 PointArray to_points(const double* points, size_t count, size_t stride_bytes, const char* name);
+
+/** Likewise, and finite. */
+template <int D>
+PointArray to_finite_points(const double* points, size_t count, size_t stride_bytes, const char* name) {
+  const PointArray all = to_points<D>(points, count, stride_bytes, name);
+  check_finite(all, count, D, {name, true});
+  return all;
+}
+
+/** How cells are mended; 0 means the default. Throws OUT_OF_RANGE. */
+MendSettings to_mend_settings(uint32_t radius, uint32_t max_faces);
 
 /** Options of a flight; null: defaults. */
 SegmentOptions to_options(const dsw_cast_options* options);
@@ -113,6 +167,25 @@ void hand_out(const Array<T>& array, const T** items, size_t* count, const char*
   *count = array.size();
 }
 
+/** Entry points that lend results of the last change, and of the last piece that came off. */
+template <class T>
+dsw_status lend(const char* function, const dsw_environment* environment, Array<T> ChangeResults::*member,
+                const T** items, size_t* count, const char* name) noexcept {
+  return guard(function, [&] { hand_out(check_handle(environment).results.*member, items, count, name); });
+}
+template <class T>
+dsw_status lend(const char* function, const dsw_scene* scene, Array<T> DetachResults::*member, const T** items,
+                size_t* count, const char* name) noexcept {
+  return guard(function, [&] { hand_out(check_handle(scene).detached.*member, items, count, name); });
+}
+
+/** Gives a result to a host that has to take it. */
+template <class T>
+void give(T* out, const char* name, const T& value) {
+  require(out, name);
+  *out = value;
+}
+
 /** Sets `count` and fails if there is no room. */
 void check_capacity(size_t needed, size_t capacity, const void* buffer, size_t* count);
 
@@ -124,9 +197,5 @@ void copy_ids(size_t slot_count, const SlotPool& slots, Id* out, size_t capacity
     if (slots.alive(i, slots.generation(i))) *out++ = {i, slots.generation(i)};
   }
 }
-
-/** What became of volumes, by an edit that is finished. There is room for it. */
-template <int D>
-void append_changes(Edit<D>& edit, Array<dsw_volume_change>& changes) noexcept;
 
 }  // namespace dsw::capi

@@ -2,7 +2,7 @@
 
 #include "capi/convert.h"
 #include "capi/recorded.h"
-#include "capi/remesh.h"
+#include "scene/surgery.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -18,7 +18,7 @@ dsw::Deformation<D>& deformation_of(const dsw::Scene<D>& scene) {
 }
 
 const dsw::WallRecord& record_of(const dsw_scene* scene) {
-  return capi::visit(capi::check_handle(scene, "scene"),
+  return capi::visit(capi::check_handle(scene),
                      [](const auto& engine) -> const dsw::WallRecord& { return deformation_of(engine).record; });
 }
 
@@ -51,31 +51,6 @@ dsw::WallSettings read_settings(const dsw_deform_options& o) {
   return s;
 }
 
-/** Mends volumes that would become invalid, and deforms with that. Returns how many went. */
-uint32_t mend_and_deform(dsw_scene& scene, double* next, const dsw::WallSettings& settings, dsw::MendSettings mend) {
-  dsw::Deformation<3>& of = *capi::space(scene).deformation.get();
-  mend.only_valid = true;
-  dsw::Mending mending(of.env, next, mend);
-  want_near(capi::space(scene), mending);
-  std::optional<dsw::Edit<3>> edit;
-  mending.prepare(edit);
-  dsw::Edit<3>* change = edit ? &*edit : nullptr;
-  capi::MendResults results(of.env, mending.record(), change);
-  auto bend = [&] {
-    deform(capi::space(scene), next, settings);
-    return of.record.outcome != DSW_DEFORM_REFUSED;
-  };
-  if (change == nullptr) {
-    bend();
-  } else {
-    const dsw::Meanwhile meanwhile{[](void* user) { return (*static_cast<decltype(bend)*>(user))(); }, &bend};
-    if (!carry_out_prepared(*change, capi::space(scene), &meanwhile)) change = nullptr;
-    renew_ids(of);
-  }
-  results.move_to(*scene.environment, change);
-  return change == nullptr ? 0 : mending.record().gone;
-}
-
 }  // namespace
 
 void dsw_deform_options_init(dsw_deform_options* options, size_t size) {
@@ -84,7 +59,7 @@ void dsw_deform_options_init(dsw_deform_options* options, size_t size) {
 
 dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, const dsw_deform_options* options,
                             dsw_deform_report* report) {
-  return capi::guarded_visit("dsw_scene_deform", scene, "scene", [&](auto& engine) {
+  return capi::guarded_visit(__func__, scene, [&](auto& engine) {
     constexpr int D = capi::kDimension<decltype(engine)>;
     const dsw::Deformation<D>& of = deformation_of(engine);
     capi::require(next, "next");
@@ -92,7 +67,7 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
       fail(DSW_STATUS_WRONG_SIZE, "point_count is %zu, the environment has %u vertices", point_count,
            of.env.map.vertex_count);
     }
-    const dsw_deform_options o = options == nullptr ? dsw_deform_options{} : capi::read_struct(options, "options");
+    const dsw_deform_options o = capi::read_optional(options, "options");
     const dsw::WallSettings settings = read_settings(o);
     if (settings.point_room != 0 && settings.point_room < point_count) {
       fail(DSW_STATUS_WRONG_SIZE, "options->point_room is %zu, point_count is %zu", settings.point_room, point_count);
@@ -102,12 +77,13 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
     if (D == 2 && o.invalid == DSW_INVALID_REMESH) {
       fail(DSW_STATUS_UNSUPPORTED, "options->invalid is DSW_INVALID_REMESH, in the plane it must be HOLD or REFUSE");
     }
-    dsw_deform_options written = capi::without(o);
+    dsw_deform_options written = o;
     if (scene->watch != nullptr) written.point_room = scene->watch->offered;
-    capi::Recorded call(scene, capi::Call::kDeform, written, capi::MovedPoints<D>{next, of.env});
+    capi::Recorded call(scene, capi::row_of<dsw_scene_deform>, next, point_count, &written);
     uint32_t remeshed = 0;
     if constexpr (D == 3) {
-      if (o.invalid == DSW_INVALID_REMESH) remeshed = mend_and_deform(*scene, next, settings, mend);
+      if (o.invalid == DSW_INVALID_REMESH)
+        remeshed = mend_and_deform({of.env, &engine, scene->environment->results}, next, settings, mend);
     }
     if (o.invalid != DSW_INVALID_REMESH) deform(engine, next, settings);
     const dsw::WallRecord& record = of.record;
@@ -126,30 +102,25 @@ dsw_status dsw_scene_deform(dsw_scene* scene, double* next, size_t point_count, 
 }
 
 dsw_status dsw_scene_get_wall_contacts(const dsw_scene* scene, const dsw_wall_contact** contacts, size_t* count) {
-  return capi::guard("dsw_scene_get_wall_contacts",
-                     [&] { capi::hand_out(record_of(scene).contacts, contacts, count, "contacts"); });
+  return capi::guard(__func__, [&] { capi::hand_out(record_of(scene).contacts, contacts, count, "contacts"); });
 }
 
 dsw_status dsw_scene_get_held_vertices(const dsw_scene* scene, const dsw_vertex_id** vertices, size_t* count) {
-  return capi::guard("dsw_scene_get_held_vertices",
-                     [&] { capi::hand_out(record_of(scene).held, vertices, count, "vertices"); });
+  return capi::guard(__func__, [&] { capi::hand_out(record_of(scene).held, vertices, count, "vertices"); });
 }
 
 dsw_status dsw_scene_get_invalid_volumes(const dsw_scene* scene, const dsw_volume_id** volumes, size_t* count) {
-  return capi::guard("dsw_scene_get_invalid_volumes",
-                     [&] { capi::hand_out(record_of(scene).invalid, volumes, count, "volumes"); });
+  return capi::guard(__func__, [&] { capi::hand_out(record_of(scene).invalid, volumes, count, "volumes"); });
 }
 
 dsw_status dsw_environment_is_valid(const dsw_environment* environment, dsw_volume_id volume, int* valid) {
-  return capi::guarded_visit("dsw_environment_is_valid", environment, "environment", [&](const auto& env) {
-    const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
-    capi::require(valid, "valid");
-    *valid = admits(env, c) ? 1 : 0;
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
+    capi::give(valid, "valid", admits(env, capi::to_cell(env.map, volume, {"volume", false})) ? 1 : 0);
   });
 }
 
 dsw_status dsw_environment_get_points(const dsw_environment* environment, const double** points, size_t* count) {
-  return capi::guarded_visit("dsw_environment_get_points", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     capi::require(points, "points");
     capi::require(count, "count");
     *points = env.points;

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "base/error.h"
+#include "capi/guard.h"
 #include "dartsweep/dartsweep.h"
 
 namespace dsw::capi {
@@ -74,6 +74,21 @@ T read_struct(const T* given, const char* name) {
   }
   T own{};
   std::memcpy(&own, given, std::min<size_t>(given->struct_size, sizeof(T)));
+  own.struct_size = sizeof(T);
+  return own;
+}
+
+/** Likewise; null is refused. */
+template <class T>
+T read_required(const T* given, const char* name) {
+  require(given, name);
+  return read_struct(given, name);
+}
+/** Likewise; null: every member is 0. */
+template <class T>
+T read_optional(const T* given, const char* name) {
+  if (given != nullptr) return read_struct(given, name);
+  T own{};
   own.struct_size = sizeof(T);
   return own;
 }

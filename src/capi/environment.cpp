@@ -72,7 +72,7 @@ void dsw_environment_desc_init(dsw_environment_desc* desc, size_t size) {
 
 dsw_status dsw_environment_create(dsw_context* context, const dsw_environment_desc* desc, dsw_environment** environment,
                                   dsw_build_report* report) {
-  return capi::guard("dsw_environment_create", [&] {
+  return capi::guard(__func__, [&] {
     capi::check_context(context);
     capi::require(desc, "desc");
     capi::require(environment, "environment");
@@ -82,16 +82,16 @@ dsw_status dsw_environment_create(dsw_context* context, const dsw_environment_de
 }
 
 dsw_status dsw_environment_destroy(dsw_environment* environment) {
-  return capi::guard("dsw_environment_destroy", [&] {
+  return capi::guard(__func__, [&] {
     if (environment == nullptr) return;
-    const uint32_t scenes = capi::scene_count(capi::check_handle(environment, "environment"));
+    const uint32_t scenes = capi::scene_count(capi::check_handle(environment));
     if (scenes != 0) fail(DSW_STATUS_IN_USE, "environment is still used by %u scenes", scenes);
     capi::destroy_environment(environment);
   });
 }
 
 dsw_status dsw_environment_get_info(const dsw_environment* environment, dsw_environment_info* info) {
-  return capi::guarded_visit("dsw_environment_get_info", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     capi::require(info, "info");
     capi::check_size(info, "info");
@@ -116,43 +116,40 @@ dsw_status dsw_environment_get_info(const dsw_environment* environment, dsw_envi
 }
 
 dsw_status dsw_environment_check(const dsw_environment* environment, dsw_build_report* report) {
-  return capi::guard("dsw_environment_check", [&] {
-    const dsw_environment& handle = capi::check_handle(environment, "environment");
+  return capi::guard(__func__, [&] {
+    const dsw_environment& handle = capi::check_handle(environment);
     if (report != nullptr) capi::check_size(report, "report");
     capi::check_environment(handle, report);
   });
 }
 
 dsw_status dsw_environment_get_volume(const dsw_environment* environment, uint32_t index, dsw_volume_id* volume) {
-  return capi::guarded_visit("dsw_environment_get_volume", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
-    capi::require(volume, "volume");
     if (index >= map.index_count()) {
       fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.index_count() - 1);
     }
     if (!map.cell(index).valid()) fail(DSW_STATUS_NOT_FOUND, "volume %u has been removed", index);
-    *volume = volume_id(map, map.cell(index));
+    capi::give(volume, "volume", volume_id(map, map.cell(index)));
   });
 }
 
 dsw_status dsw_environment_get_vertex(const dsw_environment* environment, uint32_t index, dsw_vertex_id* vertex) {
-  return capi::guarded_visit("dsw_environment_get_vertex", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
-    capi::require(vertex, "vertex");
     if (index >= map.vertex_count) {
       fail(DSW_STATUS_OUT_OF_RANGE, "index is %u, must be 0 .. %u", index, map.vertex_count - 1);
     }
     const dsw_vertex_id id = capi::vertex_id(map, index);
     if (!map.is_vertex_alive(id.index, id.generation)) fail(DSW_STATUS_NOT_FOUND, "vertex %u has been removed", index);
-    *vertex = id;
+    capi::give(vertex, "vertex", id);
   });
 }
 
 dsw_status dsw_environment_get_position(const dsw_environment* environment, dsw_vertex_id vertex, double* xyz) {
-  return capi::guarded_visit("dsw_environment_get_position", environment, "environment", [&](const auto& env) {
-    const auto& map = env.map;
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     capi::require(xyz, "xyz");
-    const double* const point = env.point(capi::to_vertex(map, vertex, {"vertex", false}));
+    const double* const point = env.point(capi::to_vertex(env.map, vertex, {"vertex", false}));
     std::copy(point, point + capi::kDimension<decltype(env)>, xyz);
   });
 }
@@ -160,7 +157,7 @@ dsw_status dsw_environment_get_position(const dsw_environment* environment, dsw_
 dsw_status dsw_environment_get_volume_counts(const dsw_environment* environment, dsw_volume_id volume,
                                              dsw_cell_type* type, uint32_t* vertices, uint32_t* edges,
                                              uint32_t* faces) {
-  return capi::guarded_visit("dsw_environment_get_volume_counts", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
     const dsw::Shape shape = map.shape(c);
@@ -173,17 +170,16 @@ dsw_status dsw_environment_get_volume_counts(const dsw_environment* environment,
 
 dsw_status dsw_environment_get_volume_face(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
                                            dsw_face_id* face) {
-  return capi::guarded_visit("dsw_environment_get_volume_face", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
-    capi::require(face, "face");
-    *face = face_id(map, canonical(map, facet_of(map, c, local)));
+    capi::give(face, "face", face_id(map, canonical(map, facet_of(map, c, local))));
   });
 }
 
 dsw_status dsw_environment_get_neighbour(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
                                          dsw_volume_id* neighbour, int* impassable) {
-  return capi::guarded_visit("dsw_environment_get_neighbour", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
     const dsw::HalfFacet h = facet_of(map, c, local);
@@ -194,7 +190,7 @@ dsw_status dsw_environment_get_neighbour(const dsw_environment* environment, dsw
 }
 
 dsw_status dsw_environment_get_centre(const dsw_environment* environment, dsw_volume_id volume, double* xyz) {
-  return capi::guarded_visit("dsw_environment_get_centre", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
     capi::require(xyz, "xyz");
     centre(env, c, xyz);
@@ -203,20 +199,18 @@ dsw_status dsw_environment_get_centre(const dsw_environment* environment, dsw_vo
 
 dsw_status dsw_environment_get_volume_edge(const dsw_environment* environment, dsw_volume_id volume, uint32_t local,
                                            dsw_edge_id* edge) {
-  return capi::guard("dsw_environment_get_volume_edge", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
-    const dsw::Map<3>& map = env.map;
+  return capi::guard(__func__, [&] {
+    const dsw::Map<3>& map = capi::space(capi::check_handle(environment)).map;
     const dsw::Cell c = capi::to_cell(map, volume, {"volume", false});
-    capi::require(edge, "edge");
     const uint32_t count = map.shape(c).edge_count();
     if (local >= count) fail(DSW_STATUS_OUT_OF_RANGE, "local is %u, must be 0 .. %u", local, count - 1);
-    *edge = capi::edge_id(map, dart_of_edge(map, c, local));
+    capi::give(edge, "edge", capi::edge_id(map, dart_of_edge(map, c, local)));
   });
 }
 
 dsw_status dsw_environment_copy_vertices(const dsw_environment* environment, dsw_cell cell, dsw_vertex_id* vertices,
                                          size_t capacity, size_t* count) {
-  return capi::guarded_visit("dsw_environment_copy_vertices", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
     capi::require(count, "count");
     if (capacity != 0) capi::require(vertices, "vertices");
@@ -233,7 +227,7 @@ dsw_status dsw_environment_copy_vertices(const dsw_environment* environment, dsw
 
 dsw_status dsw_environment_get_face_volumes(const dsw_environment* environment, dsw_face_id face,
                                             dsw_volume_id* near_side, dsw_volume_id* far_side) {
-  return capi::guarded_visit("dsw_environment_get_face_volumes", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
     const dsw::HalfFacet h = capi::to_half_facet(map, face, {"face", false}), o = map.opposite(h);
     if (near_side != nullptr) *near_side = volume_id(map, map.cell_of(h));
@@ -243,7 +237,7 @@ dsw_status dsw_environment_get_face_volumes(const dsw_environment* environment, 
 
 dsw_status dsw_environment_find_faces(const dsw_environment* environment, size_t count, const size_t* offsets,
                                       const uint32_t* indices, dsw_face_id* faces, size_t* missing) {
-  return capi::guarded_visit("dsw_environment_find_faces", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     const auto& map = env.map;
     size_t absent = 0;
     if (count != 0) {
@@ -268,8 +262,8 @@ dsw_status dsw_environment_find_faces(const dsw_environment* environment, size_t
 
 dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t count, const uint32_t* indices,
                                       dsw_edge_id* edges, size_t* missing) {
-  return capi::guard("dsw_environment_find_edges", [&] {
-    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment, "environment"));
+  return capi::guard(__func__, [&] {
+    const dsw::Environment<3>& env = capi::space(capi::check_handle(environment));
     const dsw::Map<3>& map = env.map;
     size_t absent = 0;
     if (count != 0) {
@@ -286,23 +280,19 @@ dsw_status dsw_environment_find_edges(const dsw_environment* environment, size_t
 }
 
 dsw_status dsw_environment_get_region(const dsw_environment* environment, dsw_volume_id volume, int32_t* region) {
-  return capi::guarded_visit("dsw_environment_get_region", environment, "environment", [&](const auto& env) {
-    const auto& map = env.map;
-    capi::require(region, "region");
-    *region = env.region(capi::to_cell(map, volume, {"volume", false}));
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
+    capi::give(region, "region", env.region(capi::to_cell(env.map, volume, {"volume", false})));
   });
 }
 
 dsw_status dsw_environment_get_tag(const dsw_environment* environment, dsw_volume_id volume, uint32_t* tag) {
-  return capi::guarded_visit("dsw_environment_get_tag", environment, "environment", [&](const auto& env) {
-    const auto& map = env.map;
-    capi::require(tag, "tag");
-    *tag = env.tag(capi::to_cell(map, volume, {"volume", false}));
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
+    capi::give(tag, "tag", env.tag(capi::to_cell(env.map, volume, {"volume", false})));
   });
 }
 
 dsw_status dsw_environment_set_tag(dsw_environment* environment, dsw_volume_id volume, uint32_t tag) {
-  return capi::guarded_visit("dsw_environment_set_tag", environment, "environment", [&](auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](auto& env) {
     const dsw::Cell c = capi::to_cell(env.map, volume, {"volume", false});
     if (env.tags.empty()) {
       if (tag == 0) return;
@@ -310,7 +300,7 @@ dsw_status dsw_environment_set_tag(dsw_environment* environment, dsw_volume_id v
     }
     uint32_t& own = env.tags[env.map.index(c)];
     capi::for_each_scene(*environment, [&](dsw_scene& scene) {
-      capi::Recorded call(&scene, capi::Call::kSetTag, volume, tag);
+      capi::Recorded call(&scene, capi::row_of<dsw_environment_set_tag>, volume, tag);
       own = tag;
       call.done();
     });

@@ -188,9 +188,7 @@ dsw_environment* build_environment(dsw_context* context, const dsw_environment_d
 
 uint64_t memory_bytes(const dsw_environment& environment) {
   const uint64_t of_engine = visit(environment, [](const auto& env) { return env.memory_bytes() - sizeof env; });
-  return of_engine + array_bytes(environment.changes) + array_bytes(environment.cut_vertices) +
-         array_bytes(environment.cut_faces) + array_bytes(environment.whole_volumes) +
-         array_bytes(environment.carved_volumes) + array_bytes(environment.unmended_volumes) + sizeof environment;
+  return of_engine + environment.results.memory_bytes() + sizeof environment;
 }
 
 void check_environment(const dsw_environment& environment, dsw_build_report* report) {

@@ -11,12 +11,7 @@
 dsw_environment::dsw_environment(dsw_context* owner, uint32_t dimension)
     : context(owner),
       engine(std::in_place_type<dsw::Environment<3>>, dsw::capi::memory_of(owner)),
-      changes(dsw::Allocator<dsw_volume_change>(dsw::capi::memory_of(owner))),
-      cut_vertices(dsw::Allocator<dsw_cut_vertex>(dsw::capi::memory_of(owner))),
-      cut_faces(dsw::Allocator<dsw_cut_face>(dsw::capi::memory_of(owner))),
-      whole_volumes(dsw::Allocator<dsw_volume_id>(dsw::capi::memory_of(owner))),
-      carved_volumes(dsw::Allocator<dsw_volume_id>(dsw::capi::memory_of(owner))),
-      unmended_volumes(dsw::Allocator<dsw_volume_id>(dsw::capi::memory_of(owner))) {
+      results(dsw::capi::memory_of(owner)) {
   if (dimension == 2) engine.emplace<dsw::Environment<2>>(dsw::capi::memory_of(owner));
   if (owner != nullptr) {
     parallel = owner->parallel;
@@ -30,9 +25,7 @@ template <int D>
 dsw_scene::dsw_scene(dsw_environment* home, const dsw::Environment<D>& env, dsw::SceneFeatures features)
     : environment(home),
       engine(std::in_place_type<dsw::Scene<D>>, env, env.memory, home->parallel, features),
-      detached_volumes(dsw::Allocator<dsw_volume_id>(env.memory)),
-      detached_vertices(dsw::Allocator<dsw_detached_vertex>(env.memory)),
-      detached_faces(dsw::Allocator<dsw_detached_face>(env.memory)) {}
+      detached(env.memory) {}
 
 dsw_scene::~dsw_scene() { dsw::capi::end_recording(*this); }
 

@@ -10,11 +10,9 @@
 #include <variant>
 
 #include "capi/guard.h"
-#include "dartsweep/carve.h"
-#include "dartsweep/detach.h"
 #include "dartsweep/scene.h"
-#include "environment/environment.h"
-#include "scene/scene.h"
+#include "scene/change.h"
+#include "scene/detachment.h"
 
 namespace dsw::capi {
 struct Recording;
@@ -22,6 +20,7 @@ struct CallWatch;
 }  // namespace dsw::capi
 
 struct dsw_context {
+  static constexpr const char* kName = "context";
   static constexpr uint64_t kMagic = 0x6473775f63747831u;
   uint64_t magic = kMagic;
   dsw::Memory memory;
@@ -32,6 +31,7 @@ struct dsw_context {
 };
 
 struct dsw_environment {
+  static constexpr const char* kName = "environment";
   static constexpr uint64_t kMagic = 0x6473775f656e7631u;
   uint64_t magic = kMagic;
   dsw_context* context;  // may be null
@@ -40,18 +40,14 @@ struct dsw_environment {
   mutable std::mutex scenes_mutex;   // hosts make scenes of a shared environment on several threads
   dsw_scene* first_scene = nullptr;  // a list through dsw_scene::next
   uint32_t scene_count = 0;
-  dsw::Array<dsw_volume_change> changes;    // of the last change of the topology
-  dsw::Array<dsw_cut_vertex> cut_vertices;  // of the last cut, as the next two
-  dsw::Array<dsw_cut_face> cut_faces;
-  dsw::Array<dsw_volume_id> whole_volumes;
-  dsw::Array<dsw_volume_id> carved_volumes;    // of the last carving
-  dsw::Array<dsw_volume_id> unmended_volumes;  // of the last mending
+  dsw::ChangeResults results;  // of changes of the topology
 
   /** `dimension`: 2 or 3. */
   dsw_environment(dsw_context* owner, uint32_t dimension);
 };
 
 struct dsw_scene {
+  static constexpr const char* kName = "scene";
   static constexpr uint64_t kMagic = 0x6473775f73636e31u;
   uint64_t magic = kMagic;
   dsw_environment* environment;
@@ -60,9 +56,7 @@ struct dsw_scene {
   dsw_scene* previous = nullptr;              // of the same environment
   dsw_scene* next = nullptr;
   std::variant<dsw::Scene<3>, dsw::Scene<2>> engine;  // of the dimension of its environment
-  dsw::Array<dsw_volume_id> detached_volumes;         // of the last piece that came off, as the next two
-  dsw::Array<dsw_detached_vertex> detached_vertices;
-  dsw::Array<dsw_detached_face> detached_faces;
+  dsw::DetachResults detached;                        // of the last piece that came off
 
   /** `env` is that of `home`. */
   template <int D>
@@ -75,7 +69,8 @@ namespace dsw::capi {
 inline const Memory* memory_of(const dsw_context* context) { return context == nullptr ? nullptr : &context->memory; }
 inline const Memory* memory_of(const dsw_environment& environment) { return memory_of(environment.context); }
 
-/** Calls use(engine) with the engine of an environment or a scene, whatever its dimension: for functions that serve space and plane. */
+/** Calls use(engine) with the engine of an environment or a scene, whatever its dimension: for functions that serve
+ * space and plane. */
 template <class Handle, class Use>
 decltype(auto) visit(Handle& handle, const Use& use) {
   return std::visit(use, handle.engine);
@@ -96,7 +91,7 @@ auto& space(Handle& handle) {
 
 /** Refuses null and what is not a live object of this kind; `name` is the parameter's. */
 template <class Handle>
-Handle& check_handle(Handle* handle, const char* name) {
+Handle& check_handle(Handle* handle, const char* name = Handle::kName) {
   require(handle, name);
   if (handle->magic != Handle::kMagic) fail(DSW_STATUS_STALE_ID, "%s is not a live object of its type", name);
   return *handle;
@@ -104,8 +99,8 @@ Handle& check_handle(Handle* handle, const char* name) {
 
 /** Runs the body of the entry point named `function` with the engine of a handle, whatever its dimension. */
 template <class Handle, class Body>
-dsw_status guarded_visit(const char* function, Handle* handle, const char* name, const Body& body) noexcept {
-  return guard(function, [&] { visit(check_handle(handle, name), body); });
+dsw_status guarded_visit(const char* function, Handle* handle, const Body& body) noexcept {
+  return guard(function, [&] { visit(check_handle(handle), body); });
 }
 
 /** Of an engine as visit gives it. */
@@ -114,7 +109,7 @@ constexpr int kDimension = std::decay_t<Engine>::kDimension;
 
 /** A context is optional: null passes. */
 inline dsw_context* check_context(dsw_context* context) {
-  return context == nullptr ? nullptr : &check_handle(context, "context");
+  return context == nullptr ? nullptr : &check_handle(context);
 }
 
 /** Makes an object in the host's memory. */

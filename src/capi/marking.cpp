@@ -24,23 +24,6 @@ dsw_scene* begin_marking(dsw_environment& environment) {
   return scene;
 }
 
-/** Ids of one call as engine cells, on the stack when they are few. */
-template <class T>
-class Converted {
- public:
-  Converted(const dsw::Memory* memory, size_t count)
-      : count_(count), many_(count > kFew ? count : 0, T{}, dsw::Allocator<T>(memory)) {}
-  T* data() { return many_.empty() ? few_ : many_.data(); }
-  T* begin() { return data(); }
-  T* end() { return data() + count_; }
-
- private:
-  static constexpr size_t kFew = 64;
-  size_t count_;
-  T few_[kFew];
-  dsw::Array<T> many_;
-};
-
 template <int D>
 struct CellMarked {
   const dsw::Environment<D>& env;
@@ -63,16 +46,14 @@ struct CellImpassable {
 
 dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_volume_id* volumes, size_t count,
                                         dsw_mark mark, uint32_t flags, size_t* skipped) {
-  return capi::guarded_visit("dsw_environment_mark_volumes", environment, "environment", [&](auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
-    capi::require_array(volumes, count, "volumes");
     const bool marked = to_bool(mark);
     capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
-    Converted<dsw::Cell> cells(env.memory, count);
-    for (size_t i = 0; i < count; ++i) cells.data()[i] = capi::to_cell(env.map, volumes[i], {"volumes", true}, i);
+    capi::Converted cells(env, volumes, count, "volumes");
     dsw_scene* const scene = begin_marking(*environment);
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
-    capi::Recorded call(scene, capi::Call::kMarkVolumes, capi::Items<dsw_volume_id>{volumes, count}, mark, flags);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_volumes>, volumes, count, mark, flags);
     const size_t left_out = mark_cells(env, capi::engine_of<D>(scene), cells.data(), count, marked, skip);
     call.done(left_out);
     if (skipped != nullptr) *skipped = left_out;
@@ -81,14 +62,12 @@ dsw_status dsw_environment_mark_volumes(dsw_environment* environment, const dsw_
 
 dsw_status dsw_environment_mark_faces(dsw_environment* environment, const dsw_face_id* faces, size_t count,
                                       dsw_mark mark) {
-  return capi::guarded_visit("dsw_environment_mark_faces", environment, "environment", [&](auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
-    capi::require_array(faces, count, "faces");
     const bool marked = to_bool(mark);
-    Converted<dsw::HalfFacet> facets(env.memory, count);
-    for (size_t i = 0; i < count; ++i) facets.data()[i] = capi::to_half_facet(env.map, faces[i], {"faces", true}, i);
+    capi::Converted facets(env, faces, count, "faces");
     dsw_scene* const scene = begin_marking(*environment);
-    capi::Recorded call(scene, capi::Call::kMarkFaces, capi::Items<dsw_face_id>{faces, count}, mark);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_faces>, faces, count, mark);
     mark_facets(env, capi::engine_of<D>(scene), facets.data(), count, marked);
     call.done();
   });
@@ -96,15 +75,13 @@ dsw_status dsw_environment_mark_faces(dsw_environment* environment, const dsw_fa
 
 dsw_status dsw_environment_mark_edges(dsw_environment* environment, const dsw_edge_id* edges, size_t count,
                                       dsw_mark mark) {
-  return capi::guard("dsw_environment_mark_edges", [&] {
-    dsw_environment& handle = capi::check_handle(environment, "environment");
+  return capi::guard(__func__, [&] {
+    dsw_environment& handle = capi::check_handle(environment);
     dsw::Environment<3>& env = capi::space(handle);
-    capi::require_array(edges, count, "edges");
     const bool marked = to_bool(mark);
-    Converted<dsw::Dart> darts(env.memory, count);
-    for (size_t i = 0; i < count; ++i) darts.data()[i] = capi::to_dart(env.map, edges[i], {"edges", true}, i);
+    capi::Converted darts(env, edges, count, "edges");
     dsw_scene* const scene = begin_marking(handle);
-    capi::Recorded call(scene, capi::Call::kMarkEdges, capi::Items<dsw_edge_id>{edges, count}, mark);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_edges>, edges, count, mark);
     mark_edges(env, capi::engine_of<3>(scene), darts.data(), count, marked);
     call.done();
   });
@@ -112,28 +89,27 @@ dsw_status dsw_environment_mark_edges(dsw_environment* environment, const dsw_ed
 
 dsw_status dsw_environment_mark_vertices(dsw_environment* environment, const dsw_vertex_id* vertices, size_t count,
                                          dsw_mark mark) {
-  return capi::guarded_visit("dsw_environment_mark_vertices", environment, "environment", [&](auto& env) {
-    capi::require_array(vertices, count, "vertices");
+  return capi::guarded_visit(__func__, environment, [&](auto& env) {
     const bool marked = to_bool(mark);
-    for (size_t i = 0; i < count; ++i) capi::to_vertex(env.map, vertices[i], {"vertices", true}, i);
+    capi::Converted all(env, vertices, count, "vertices");
     dsw_scene* const scene = begin_marking(*environment);
-    capi::Recorded call(scene, capi::Call::kMarkVertices, capi::Items<dsw_vertex_id>{vertices, count}, mark);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_vertices>, vertices, count, mark);
     if (marked && count != 0) reserve_vertex_marks(env);
-    for (size_t i = 0; i < count; ++i) set_vertex_mark(env, vertices[i].index, marked);
+    for (const uint32_t v : all) set_vertex_mark(env, v, marked);
     call.done();
   });
 }
 
 dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t region, dsw_mark mark, uint32_t flags,
                                        size_t* marked, size_t* skipped) {
-  return capi::guarded_visit("dsw_environment_mark_region", environment, "environment", [&](auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     const bool impassable = to_bool(mark);
     capi::check_flags(flags, DSW_MARK_SKIP_OCCUPIED, "flags");
     dsw_scene* const scene = begin_marking(*environment);
     const bool skip = (flags & DSW_MARK_SKIP_OCCUPIED) != 0;
     size_t left_out = 0;
-    capi::Recorded call(scene, capi::Call::kMarkRegion, region, mark, flags);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_region>, region, mark, flags);
     const size_t all = mark_region(env, capi::engine_of<D>(scene), region, impassable, skip, &left_out);
     call.done(all, left_out);
     if (marked != nullptr) *marked = all - left_out;
@@ -143,11 +119,11 @@ dsw_status dsw_environment_mark_region(dsw_environment* environment, int32_t reg
 
 dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a, int32_t b, dsw_mark mark,
                                         size_t* marked) {
-  return capi::guarded_visit("dsw_environment_mark_between", environment, "environment", [&](auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     const bool impassable = to_bool(mark);
     dsw_scene* const scene = begin_marking(*environment);
-    capi::Recorded call(scene, capi::Call::kMarkBetween, a, b, mark);
+    capi::Recorded call(scene, capi::row_of<dsw_environment_mark_between>, a, b, mark);
     const size_t all = mark_between(env, capi::engine_of<D>(scene), a, b, impassable);
     call.done(all);
     if (marked != nullptr) *marked = all;
@@ -155,23 +131,21 @@ dsw_status dsw_environment_mark_between(dsw_environment* environment, int32_t a,
 }
 
 dsw_status dsw_environment_is_marked(const dsw_environment* environment, dsw_cell cell, int* marked) {
-  return capi::guarded_visit("dsw_environment_is_marked", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
-    capi::require(marked, "marked");
-    *marked = capi::visit_cell(env.map, cell, CellMarked<D>{env}) ? 1 : 0;
+    capi::give(marked, "marked", capi::visit_cell(env.map, cell, CellMarked<D>{env}) ? 1 : 0);
   });
 }
 
 dsw_status dsw_environment_is_impassable(const dsw_environment* environment, dsw_cell cell, int* impassable) {
-  return capi::guarded_visit("dsw_environment_is_impassable", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
-    capi::require(impassable, "impassable");
-    *impassable = capi::visit_cell(env.map, cell, CellImpassable<D>{env}) ? 1 : 0;
+    capi::give(impassable, "impassable", capi::visit_cell(env.map, cell, CellImpassable<D>{env}) ? 1 : 0);
   });
 }
 
 dsw_status dsw_environment_get_mark_count(const dsw_environment* environment, dsw_cell_kind kind, size_t* count) {
-  return capi::guarded_visit("dsw_environment_get_mark_count", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
     capi::require(count, "count");
     switch (kind) {

@@ -5,7 +5,7 @@
 
 #include "capi/body_access.h"
 #include "capi/recorded.h"
-#include "response/rigid_move.h"
+#include "scene/rigid_moves.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -18,7 +18,7 @@ uint32_t to_number(uint32_t value, uint32_t last, const char* name) {
 }
 
 dsw_move_options read_options(const dsw_move_options* options) {
-  const dsw_move_options o = options == nullptr ? dsw_move_options{} : capi::read_struct(options, "options");
+  const dsw_move_options o = capi::read_optional(options, "options");
   capi::check_flags(o.flags, 0, "options->flags");
   return o;
 }
@@ -101,10 +101,6 @@ dsw_move_report to_report(const dsw::MoveRecord& record) noexcept {
           0};
 }
 
-/** Options that have been read, as they are written down. */
-dsw_move_options recorded(const dsw_move_options& o) { return capi::without(o, &dsw_move_options::order); }
-capi::Items<uint32_t> order_of(const dsw_move_options& o) { return {o.order, o.order_count}; }
-
 /** What has become of bodies. */
 template <int D>
 struct Moved {
@@ -152,18 +148,6 @@ dsw::RigidMove<D> to_motion(const dsw_rigid_motion& motion) {
   return {motion.rotation, motion.centre, motion.translation};
 }
 
-template <int D>
-void move_rigid(dsw::Scene<D>& scene, dsw::BodyRecord<D>& of, const dsw::RigidMove<D>& rigid,
-                const dsw::MoveOrder& order) {
-  if (!of.body.is_rigid()) {
-    return move_body_together(scene, of, dsw::RigidMove<D>::place, &rigid, order, rigid.reach(of.body));
-  }
-  keep_shape(of.body);
-  const dsw::ShapeMove<D> kept{rigid, of.body.shape[0]};
-  move_body_together(scene, of, dsw::ShapeMove<D>::place, &kept, order, rigid.reach(of.body));
-  if (of.record.fraction > 0) of.body.shape[0].moved = kept.moved(of.record.fraction);
-}
-
 }  // namespace
 
 void dsw_move_options_init(dsw_move_options* options, size_t size) {
@@ -172,7 +156,7 @@ void dsw_move_options_init(dsw_move_options* options, size_t size) {
 
 dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targets, size_t target_count,
                          size_t stride_bytes, const dsw_move_options* options, dsw_move_report* report) {
-  return capi::guarded_body("dsw_body_move", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
     const dsw_move_options o = read_options(options);
     const dsw::MoveSettings settings = to_settings(o);
@@ -180,8 +164,7 @@ dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targe
     const dsw::PointArray points = capi::to_points<D>(targets, target_count, stride_bytes, "targets");
     const dsw::MoveOrder order = to_order(of.scene, of.body, o);
     check_targets(of.body, points, order, 0);
-    capi::Recorded call(scene, capi::Call::kMoveBody, body, capi::Points{points, target_count, D}, recorded(o),
-                        order_of(o));
+    capi::Recorded call(scene, capi::row_of<dsw_body_move>, body, targets, target_count, stride_bytes, &o);
     move_body(of.scene, of.record, points, order, settings);
     dsw::BodyRecord<D>* const record = &of.record;
     call.done(Moved<D>{&record, 1});
@@ -192,7 +175,7 @@ dsw_status dsw_body_move(dsw_scene* scene, dsw_body_id body, const double* targe
 dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, size_t count, const double* targets,
                                  size_t target_count, size_t stride_bytes, const dsw_move_options* options,
                                  dsw_move_report* reports) {
-  return capi::guarded_visit("dsw_scene_move_bodies", scene, "scene", [&](auto& s) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     capi::require_array(bodies, count, "bodies");
     const dsw_move_options o = read_options(options);
@@ -216,8 +199,8 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
       check_targets(each->body, points, {}, first);
       first += each->body.vertices.size();
     }
-    capi::Recorded call(scene, capi::Call::kMoveBodies, capi::Items<dsw_body_id>{bodies, count},
-                        capi::Points{points, target_count, D}, recorded(o));
+    capi::Recorded call(scene, capi::row_of<dsw_scene_move_bodies>, bodies, count, targets, target_count, stride_bytes,
+                        &o);
     move_bodies(s, records.data(), count, points, settings);
     call.done(Moved<D>{records.data(), count});
     for (size_t i = 0; reports != nullptr && i < count; ++i) reports[i] = to_report(records[i]->record);
@@ -226,7 +209,7 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
 
 dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rigid_motion* motion,
                                const dsw_move_options* options, dsw_move_report* report) {
-  return capi::guarded_body("dsw_body_move_rigid", scene, body, [&](const auto& of) {
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     constexpr int D = capi::kDimension<decltype(of)>;
     capi::require(motion, "motion");
     const dsw_move_options o = read_options(options);
@@ -237,15 +220,8 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
            of.body.vertex_slots.alive_count());
     }
     const dsw::RigidMove<D> rigid = to_motion<D>(*motion);
-    for (const dsw::BodyVertex<D>& each : of.body.vertices) {
-      double to[D];
-      if (!each.cell.valid()) continue;
-      dsw::RigidMove<D>::place(&rigid, 0, each.position, 1, to);
-      if (!dsw::is_finite<D>(to)) {
-        fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
-      }
-    }
-    capi::Recorded call(scene, capi::Call::kMoveRigid, body, *motion, recorded(o), order_of(o));
+    if (!stays_finite(of.body, rigid)) fail(DSW_STATUS_NON_FINITE, "motion leads further than doubles go");
+    capi::Recorded call(scene, capi::row_of<dsw_body_move_rigid>, body, motion, &o);
     move_rigid(of.scene, of.record, rigid, order);
     dsw::BodyRecord<D>* const record = &of.record;
     call.done(Moved<D>{&record, 1});
@@ -255,40 +231,26 @@ dsw_status dsw_body_move_rigid(dsw_scene* scene, dsw_body_id body, const dsw_rig
 
 dsw_status dsw_body_get_contacts(const dsw_scene* scene, dsw_body_id body, const dsw_contact** contacts,
                                  size_t* count) {
-  return capi::guarded_body("dsw_body_get_contacts", scene, body, [&](const auto& of) {
-    capi::require(contacts, "contacts");
-    capi::require(count, "count");
-    *contacts = of.record.record.contacts.data();
-    *count = of.record.record.contacts.size();
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
+    capi::hand_out(of.record.record.contacts, contacts, count, "contacts");
   });
 }
 
 dsw_status dsw_body_get_contact_partners(const dsw_scene* scene, dsw_body_id body, const dsw_contact_partner** partners,
                                          size_t* count) {
-  return capi::guarded_body("dsw_body_get_contact_partners", scene, body, [&](const auto& of) {
-    capi::require(partners, "partners");
-    capi::require(count, "count");
+  return capi::guarded_body(__func__, scene, body, [&](const auto& of) {
     capi::check_named(of.scene.features.contacts, "DSW_FEATURE_BODY_CONTACTS");
-    *partners = of.record.record.partners.data();
-    *count = of.record.record.partners.size();
+    capi::hand_out(of.record.record.partners, partners, count, "partners");
   });
 }
 
 dsw_status dsw_body_get_contact_pasts(const dsw_scene* scene, dsw_body_id body, const dsw_contact_past** pasts,
                                       size_t* count) {
-  return capi::guarded_body("dsw_body_get_contact_pasts", scene, body, [&](const auto& of) {
-    capi::require(pasts, "pasts");
-    capi::require(count, "count");
-    *pasts = of.record.record.pasts.data();
-    *count = of.record.record.pasts.size();
-  });
+  return capi::guarded_body(__func__, scene, body,
+                            [&](const auto& of) { capi::hand_out(of.record.record.pasts, pasts, count, "pasts"); });
 }
 
 dsw_status dsw_body_get_edits(const dsw_scene* scene, dsw_body_id body, const dsw_body_edit** edits, size_t* count) {
-  return capi::guarded_body("dsw_body_get_edits", scene, body, [&](const auto& of) {
-    capi::require(edits, "edits");
-    capi::require(count, "count");
-    *edits = of.record.record.edits.data();
-    *count = of.record.record.edits.size();
-  });
+  return capi::guarded_body(__func__, scene, body,
+                            [&](const auto& of) { capi::hand_out(of.record.record.edits, edits, count, "edits"); });
 }

@@ -16,18 +16,6 @@ dsw::FlightOptions to_flight_options(const dsw_cast_options* options) {
   return {o.max_cells, o.detail};
 }
 
-/** Options that have been checked; read again only if they are written down. */
-struct Given {
-  const dsw_cast_options* options;
-};
-
-template <class Use>
-void for_each_part(const Given& given, const Use& use) {
-  const dsw_cast_options o =
-      capi::without(given.options == nullptr ? dsw_cast_options{} : capi::read_struct(given.options, "options"));
-  use(&o, sizeof o);
-}
-
 /** Where particles are. */
 template <int D>
 struct Places {
@@ -48,11 +36,11 @@ void for_each_part(const Places<D>& of, const Use& use) {
 
 dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_volume_id hint,
                                dsw_particle_id* particle) {
-  return capi::guarded_visit("dsw_particle_create", scene, "scene", [&](auto& s) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     capi::require(position, "position");
     capi::require(particle, "particle");
-    capi::Recorded call(scene, capi::Call::kCreateParticle, capi::Points{{position, D}, 1, D}, hint);
+    capi::Recorded call(scene, capi::row_of<dsw_particle_create>, position, hint);
     create_particles(s, {position, D}, 1, &hint, false, particle, nullptr);
     call.done(*particle);
   });
@@ -60,41 +48,37 @@ dsw_status dsw_particle_create(dsw_scene* scene, const double* position, dsw_vol
 
 dsw_status dsw_scene_create_particles(dsw_scene* scene, const double* positions, size_t count, size_t stride_bytes,
                                       const dsw_volume_id* hints, dsw_particle_id* particles, size_t* offender) {
-  return capi::guarded_visit("dsw_scene_create_particles", scene, "scene", [&](auto& s) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     const dsw::PointArray points = capi::to_points<D>(positions, count, stride_bytes, "positions");
     capi::require_array(particles, count, "particles");
-    capi::Recorded call(scene, capi::Call::kCreateParticles, capi::Points{points, count, D},
-                        capi::Items<dsw_volume_id>{hints, count});
+    capi::Recorded call(scene, capi::row_of<dsw_scene_create_particles>, positions, count, stride_bytes, hints);
     create_particles(s, points, count, hints, true, particles, offender);
     call.done(capi::Items<dsw_particle_id>{particles, count});
   });
 }
 
 dsw_status dsw_particle_destroy(dsw_scene* scene, dsw_particle_id particle) {
-  return capi::guarded_visit("dsw_particle_destroy", scene, "scene", [&](auto& s) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     check_particle(s, particle);
-    capi::Recorded call(scene, capi::Call::kDestroyParticle, particle);
+    capi::Recorded call(scene, capi::row_of<dsw_particle_destroy>, particle);
     destroy_particle(s, particle.index);
     call.done();
   });
 }
 
 dsw_status dsw_scene_get_particle_count(const dsw_scene* scene, size_t* count) {
-  return capi::guarded_visit("dsw_scene_get_particle_count", scene, "scene", [&](auto& s) {
-    capi::require(count, "count");
-    *count = s.slots.alive_count();
-  });
+  return capi::guarded_visit(__func__, scene, [&](auto& s) { capi::give(count, "count", s.slots.alive_count()); });
 }
 
 dsw_status dsw_scene_get_particle_ids(const dsw_scene* scene, dsw_particle_id* particles, size_t capacity,
                                       size_t* count) {
-  return capi::guarded_visit("dsw_scene_get_particle_ids", scene, "scene",
+  return capi::guarded_visit(__func__, scene,
                              [&](auto& s) { capi::copy_ids(s.particles.size(), s.slots, particles, capacity, count); });
 }
 
 dsw_status dsw_particle_get(const dsw_scene* scene, dsw_particle_id particle, double* position, dsw_volume_id* volume) {
-  return capi::guarded_visit("dsw_particle_get", scene, "scene", [&](auto& s) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     check_particle(s, particle);
     const auto& state = s.particles[particle.index];
@@ -105,7 +89,7 @@ dsw_status dsw_particle_get(const dsw_scene* scene, dsw_particle_id particle, do
 
 dsw_status dsw_scene_get_particles(const dsw_scene* scene, const dsw_particle_id* particles, size_t count,
                                    double* positions, size_t stride_bytes, dsw_volume_id* volumes) {
-  return capi::guarded_visit("dsw_scene_get_particles", scene, "scene", [&](auto& s) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     capi::require_array(particles, count, "particles");
     const size_t step = capi::to_step<D>(count, stride_bytes);
@@ -120,12 +104,11 @@ dsw_status dsw_scene_get_particles(const dsw_scene* scene, const dsw_particle_id
 
 dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const double* target,
                              const dsw_cast_options* options, dsw_flight* flight) {
-  return capi::guarded_visit("dsw_particle_move", scene, "scene", [&](auto& s) {
-    constexpr int D = capi::kDimension<decltype(s)>;
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     capi::require(target, "target");
     const dsw::FlightOptions o = to_flight_options(options);
     check_particle(s, particle);
-    capi::Recorded call(scene, capi::Call::kMoveParticle, particle, capi::Points{{target, D}, 1, D}, Given{options});
+    capi::Recorded call(scene, capi::row_of<dsw_particle_move>, particle, target, options);
     move_particle(s, particle, target, o, flight);
     call.done(s.particles[particle.index].position);
   });
@@ -134,13 +117,13 @@ dsw_status dsw_particle_move(dsw_scene* scene, dsw_particle_id particle, const d
 dsw_status dsw_scene_move_particles(dsw_scene* scene, const dsw_particle_id* particles, size_t count,
                                     const double* targets, size_t stride_bytes, const dsw_cast_options* options,
                                     dsw_flight* flights) {
-  return capi::guarded_visit("dsw_scene_move_particles", scene, "scene", [&](auto& s) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     capi::require_array(particles, count, "particles");
     const dsw::PointArray points = capi::to_points<D>(targets, count, stride_bytes, "targets");
     const dsw::FlightOptions o = to_flight_options(options);
-    capi::Recorded call(scene, capi::Call::kMoveParticles, capi::Items<dsw_particle_id>{particles, count},
-                        capi::Points{points, count, D}, Given{options});
+    capi::Recorded call(scene, capi::row_of<dsw_scene_move_particles>, particles, count, targets, stride_bytes,
+                        options);
     move_particles(s, particles, count, points, o, flights);
     call.done(Places<D>{s, particles, count});
   });
@@ -149,14 +132,14 @@ dsw_status dsw_scene_move_particles(dsw_scene* scene, const dsw_particle_id* par
 dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id* particles, size_t count,
                                          const double* to, size_t stride_bytes, const dsw_cast_options* options,
                                          dsw_flight* flights) {
-  return capi::guarded_visit("dsw_scene_cast_from_particles", scene, "scene", [&](auto& s) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     constexpr int D = capi::kDimension<decltype(s)>;
     capi::require_array(particles, count, "particles");
     const dsw::PointArray points = capi::to_points<D>(to, count, stride_bytes, "to");
     capi::require_array(flights, count, "flights");
     const dsw::FlightOptions o = to_flight_options(options);
-    capi::Recorded call(scene, capi::Call::kCastFromParticles, capi::Items<dsw_particle_id>{particles, count},
-                        capi::Points{points, count, D}, Given{options});
+    capi::Recorded call(scene, capi::row_of<dsw_scene_cast_from_particles>, particles, count, to, stride_bytes,
+                        options);
     cast_from_particles(s, particles, count, points, o, flights);
     call.done(capi::Items<dsw_flight>{flights, count});
   });
@@ -164,7 +147,7 @@ dsw_status dsw_scene_cast_from_particles(dsw_scene* scene, const dsw_particle_id
 
 dsw_status dsw_scene_get_crossings(const dsw_scene* scene, const dsw_crossing** crossings, const size_t** first,
                                    size_t* flight_count) {
-  return capi::guarded_visit("dsw_scene_get_crossings", scene, "scene", [&](auto& s) {
+  return capi::guarded_visit(__func__, scene, [&](auto& s) {
     capi::require(crossings, "crossings");
     capi::require(first, "first");
     capi::require(flight_count, "flight_count");
@@ -176,10 +159,6 @@ dsw_status dsw_scene_get_crossings(const dsw_scene* scene, const dsw_crossing** 
 }
 
 dsw_status dsw_scene_get_occupants(const dsw_scene* scene, const dsw_particle_id** particles, size_t* count) {
-  return capi::guarded_visit("dsw_scene_get_occupants", scene, "scene", [&](auto& s) {
-    capi::require(particles, "particles");
-    capi::require(count, "count");
-    *particles = s.occupants.data();
-    *count = s.occupants.size();
-  });
+  return capi::guarded_visit(__func__, scene,
+                             [&](auto& s) { capi::hand_out(s.occupants, particles, count, "particles"); });
 }

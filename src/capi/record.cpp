@@ -4,7 +4,6 @@
 #include <cstring>
 
 #include "capi/recorded.h"
-#include "capi/replay.h"
 #include "snapshot/bytes.h"
 #include "snapshot/scene_snapshot.h"
 #include "snapshot/snapshot.h"
@@ -25,7 +24,7 @@ int write_to_file(void* user, const void* bytes, size_t size) {
   return std::fwrite(bytes, 1, size, static_cast<std::FILE*>(user)) == size ? 0 : 1;
 }
 
-int keep(void* user, const void* bytes, size_t size) {
+int append(void* user, const void* bytes, size_t size) {
   auto& kept = *static_cast<dsw::Array<uint8_t>*>(user);
   const auto* const from = static_cast<const uint8_t*>(bytes);
   try {
@@ -88,7 +87,7 @@ Recording::Recording(const Memory* memory, const dsw_recording_desc& desc)
       user(desc.user),
       kept(Allocator<uint8_t>(memory)) {
   if ((flags & DSW_RECORDING_LATEST) != 0) {
-    write = keep;
+    write = append;
     user = &kept;
   }
   if (desc.path == nullptr) return;
@@ -111,22 +110,6 @@ void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Own
   if (!made.get()->writer.works()) fail(DSW_STATUS_WRITE_FAILED, "the beginning could not be written");
 }
 
-void renew_kept(dsw_scene& scene) noexcept {
-  Recording& recording = *scene.recording;
-  if ((recording.flags & DSW_RECORDING_LATEST) == 0) return;
-  if (recording.writer.works() && recording.kept.size() <= recording.most_kept) return;
-  dsw_recording_desc desc{};
-  desc.flags = recording.flags;
-  try {
-    Owned<Recording> owner(capi::memory_of(*scene.environment));
-    begin_recording(scene, desc, owner);
-    recording.kept.swap(owner.get()->kept);
-    recording.most_kept = owner.get()->most_kept;
-    recording.writer.renew();
-  } catch (...) {  // next time
-  }
-}
-
 bool end_recording(dsw_scene& scene) noexcept {
   Recording* const recording = std::exchange(scene.recording, nullptr);
   if (recording == nullptr) return true;
@@ -146,6 +129,38 @@ uint64_t state_of(const dsw_scene& scene, bool with_environment) {
   });
 }
 
+/** Begins a recording in memory anew where it has grown too long, or did not go on for want of memory. */
+static void renew_kept(dsw_scene& scene) noexcept {
+  Recording& recording = *scene.recording;
+  if ((recording.flags & DSW_RECORDING_LATEST) == 0) return;
+  if (recording.writer.works() && recording.kept.size() <= recording.most_kept) return;
+  dsw_recording_desc desc{};
+  desc.flags = recording.flags;
+  try {
+    Owned<Recording> owner(capi::memory_of(*scene.environment));
+    begin_recording(scene, desc, owner);
+    recording.kept.swap(owner.get()->kept);
+    recording.most_kept = owner.get()->most_kept;
+    recording.writer.renew();
+  } catch (...) {  // next time
+  }
+}
+
+void Recorded::begin(uint64_t number, size_t size) noexcept {
+  renew_kept(*scene_);
+  scene_->recording->writer.begin(EntryKind::kCall, size);
+  put(&number, sizeof number);
+}
+
+void Recorded::put(const void* bytes, size_t size) noexcept {
+  const size_t whole = size & ~size_t{7};
+  scene_->recording->writer.put(bytes, whole);
+  if (whole == size) return;
+  uint8_t rest[8] = {};
+  std::memcpy(rest, static_cast<const uint8_t*>(bytes) + whole, size - whole);
+  scene_->recording->writer.put(rest, sizeof rest);
+}
+
 void Recorded::finish(bool failed, uint64_t digest) noexcept {
   dsw_scene& scene = *std::exchange(scene_, nullptr);
   const bool wants_state = scene.recording != nullptr && (scene.recording->flags & DSW_RECORDING_STATES) != 0;
@@ -155,7 +170,7 @@ void Recorded::finish(bool failed, uint64_t digest) noexcept {
   now.digest = digest;
   if (!failed && (wants_state || (scene.watch != nullptr && scene.watch->wants_state))) {
     try {
-      now.state = state_of(scene, environment_row(call_).function != nullptr);
+      now.state = state_of(scene, with_environment_);
       now.has_state = true;
     } catch (...) {  // no memory: a call that is recorded without
     }
@@ -177,10 +192,9 @@ void dsw_recording_desc_init(dsw_recording_desc* desc, size_t size) {
 }
 
 dsw_status dsw_scene_start_recording(dsw_scene* scene, const dsw_recording_desc* desc) {
-  return capi::guard("dsw_scene_start_recording", [&] {
-    dsw_scene& handle = capi::check_handle(scene, "scene");
-    capi::require(desc, "desc");
-    const dsw_recording_desc d = capi::read_struct(desc, "desc");
+  return capi::guard(__func__, [&] {
+    dsw_scene& handle = capi::check_handle(scene);
+    const dsw_recording_desc d = capi::read_required(desc, "desc");
     capi::check_flags(d.flags, DSW_RECORDING_STATES | DSW_RECORDING_LATEST, "desc->flags");
     const bool is_kept = (d.flags & DSW_RECORDING_LATEST) != 0;
     if ((d.path != nullptr) + (d.write != nullptr) + is_kept > 1) {
@@ -195,8 +209,8 @@ dsw_status dsw_scene_start_recording(dsw_scene* scene, const dsw_recording_desc*
 }
 
 dsw_status dsw_scene_stop_recording(dsw_scene* scene) {
-  return capi::guard("dsw_scene_stop_recording", [&] {
-    if (!capi::end_recording(capi::check_handle(scene, "scene"))) {
+  return capi::guard(__func__, [&] {
+    if (!capi::end_recording(capi::check_handle(scene))) {
       fail(DSW_STATUS_WRITE_FAILED, "the recording ends early: something could not be written");
     }
   });

@@ -1,15 +1,14 @@
 #include "capi/replay.h"
 
-#include "capi/judge.h"
-#include "dartsweep/record.h"
+#include <cinttypes>
+#include <cstdarg>
+
 #include "environment/moving.h"
 #include "snapshot/block.h"
 #include "snapshot/scene_snapshot.h"
 #include "snapshot/snapshot.h"
 
 namespace capi = dsw::capi;
-using capi::dimension_of;
-using capi::made_room;
 using dsw::fail;
 
 namespace {
@@ -26,6 +25,16 @@ template <class T, size_t N>
 void read_words(const dsw::Entry& entry, T (&words)[N], const char* what) {
   if (entry.size < sizeof words) fail(DSW_STATUS_CORRUPT, "the recording is damaged: %s", what);
   std::memcpy(words, entry.bytes, sizeof words);
+}
+
+/** Vertices for which there is memory where the host had room for `room`: recordings are not trusted, so there is as
+ * much as calls have needed. 0: its points were not to be written. */
+size_t made_room(const dsw_replay& replay, uint64_t room) noexcept {
+  constexpr size_t kSpare = 1024;
+  const size_t vertices =
+      capi::visit(*replay.environment, [](const auto& env) { return size_t{env.map.vertex_count}; });
+  const size_t made = std::max(replay.needed_room, 2 * vertices + kSpare);
+  return room < made ? static_cast<size_t>(room) : made;
 }
 
 /** The environment reads one of our arrays as if the host had lent it. */
@@ -61,7 +70,7 @@ void make_room(dsw_replay& replay) {
   const double* const lent = capi::visit(*replay.environment, [](const auto& env) { return env.lent; });
   if (lent == nullptr) return;
   dsw::Array<double>& points = replay.points[lent == replay.points[0].data() ? 0 : 1];
-  points.resize(dimension_of(replay) * made_room(replay, replay.watch.room));
+  points.resize((capi::is_planar(*replay.environment) ? 2 : 3) * made_room(replay, replay.watch.room));
   lend(replay, points);
 }
 
@@ -103,7 +112,7 @@ void read_end_of_bundle(dsw_replay& replay, const dsw::Entry& entry) {
   }
   replay.words.resize(entry.size / sizeof(uint64_t));
   std::memcpy(replay.words.data(), entry.bytes, entry.size);
-  replay.verdict = capi::Arguments(replay.words).get_struct<dsw_verdict>();
+  replay.verdict = capi::WordReader(replay.words).get_struct<dsw_verdict>();
   replay.verdict->text[sizeof replay.verdict->text - 1] = 0;
 }
 
@@ -135,13 +144,61 @@ uint32_t what_differs(const capi::CallResult& recorded, const capi::CallResult& 
 
 namespace dsw::capi {
 
-uint32_t dimension_of(const dsw_replay& replay) noexcept { return is_planar(*replay.environment) ? 2 : 3; }
+void* keep_bytes(dsw_replay& replay, size_t size) {
+  return replay.kept.emplace_back((size + 7) / 8, 0u, replay.words.get_allocator()).data();
+}
 
-size_t made_room(const dsw_replay& replay, uint64_t room) noexcept {
-  constexpr size_t kSpare = 1024;
-  const size_t vertices = visit(*replay.environment, [](const auto& env) { return size_t{env.map.vertex_count}; });
-  const size_t made = std::max(replay.needed_room, 2 * vertices + kSpare);
-  return room < made ? static_cast<size_t>(room) : made;
+void Text::add(const char* format, ...) noexcept {
+  va_list arguments;
+  va_start(arguments, format);
+  const size_t room = size_ < capacity_ ? capacity_ - size_ : 0;
+  const int length = std::vsnprintf(room == 0 ? nullptr : out_ + size_, room, format, arguments);
+  size_ += static_cast<size_t>(std::max(0, length));
+  va_end(arguments);
+}
+
+void Text::print(const dsw_rigid_motion& motion) noexcept {
+  for (const double number : motion.rotation) print(number);
+  for (const double number : motion.centre) print(number);
+  for (const double number : motion.translation) print(number);
+}
+
+void Text::print_words(const Items<uint32_t>& words) noexcept {
+  add(" {");
+  for (size_t i = 1; i < words.count; ++i) add(" %x", words.items[i]);
+  add(" }");
+}
+
+double* read_moved_points(WordReader& from, dsw_replay& replay, size_t& room, size_t& count) {
+  return visit(*replay.environment, [&](const auto& env) {
+    constexpr size_t D = kDimension<decltype(env)>;
+    count = env.map.vertex_count;
+    Array<double>& next = replay.points[env.points == replay.points[0].data() ? 1 : 0];  // that it does not read
+    replay.watch.offered = room;
+    room = made_room(replay, room);
+    next.resize(D * std::max(count, room));
+    std::copy_n(env.points, D * count, next.data());
+    for (auto v = from.get<uint64_t>(); v != kNullArray; v = from.get<uint64_t>()) {
+      WordReader::require(v < count);
+      for (size_t k = 0; k < D; ++k) next[D * static_cast<size_t>(v) + k] = from.get<double>();
+    }
+    replay.next = next.data();
+    return next.data();
+  });
+}
+
+void print_moved_points(WordReader& from, Text& text) {
+  size_t count = 0;
+  for (auto v = from.get<uint64_t>(); v != kNullArray; v = from.get<uint64_t>(), ++count) {
+    const bool is_told = count < 20;
+    if (is_told) text.add(" %" PRIu64 " to (", v);
+    for (uint32_t k = 0; k < from.dimension(); ++k) {
+      const auto to = from.get<double>();
+      if (is_told) text.add(k == 0 ? "%.17g" : " %.17g", to);
+    }
+    if (is_told) text.add(")");
+  }
+  text.add("; %zu vertices in all", count);
 }
 
 bool read_next(dsw_replay& replay, std::optional<NextCall>& next) {
@@ -166,18 +223,29 @@ bool read_next(dsw_replay& replay, std::optional<NextCall>& next) {
     }
     replay.words.resize(call.size / sizeof(uint64_t));
     std::memcpy(replay.words.data(), call.bytes, call.size);
-    Arguments arguments(replay.words, dimension_of(replay));
+    replay.kept.clear();
+    WordReader arguments(replay.words, is_planar(*replay.environment) ? 2 : 3);
     const auto number = arguments.get<uint64_t>();
-    const Call known = number < static_cast<uint64_t>(Call::kCount) ? static_cast<Call>(number) : Call::kCount;
-    ReplayRow row = environment_row(known);
-    if (row.function == nullptr) row = body_row(known);
-    if (row.function == nullptr) {
-      fail(DSW_STATUS_CORRUPT, "the recording has call number %llu, which this version does not know",
-           static_cast<unsigned long long>(number));
-    }
-    next.emplace(NextCall{known, row, arguments, is_finished, result, reader});
-    return true;
+    const bool is_known = visit_row(number, [&](const auto& row) {
+      next.emplace(NextCall{row.number, row.name, arguments, is_finished, result, reader});
+    });
+    if (is_known) return true;
+    fail(DSW_STATUS_CORRUPT, "the recording has call number %llu, which this version does not know",
+         static_cast<unsigned long long>(number));
   }
+}
+
+/** Makes a call again, with the arguments that were recorded. */
+template <class Row>
+static dsw_status make(dsw_replay& replay, const Row& row, const WordReader& arguments) {
+  auto given = row.read(arguments, replay);
+  auto*& handle = std::get<0>(given);
+  if constexpr (std::is_same_v<decltype(handle), dsw_scene*&>) {
+    handle = replay.scene;
+  } else {
+    handle = replay.environment;
+  }
+  return std::apply(Row::Function::value, given);
 }
 
 void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* report) {
@@ -185,8 +253,10 @@ void make_again(dsw_replay& replay, const NextCall& next, dsw_replay_report* rep
   for (;;) {
     replay.watch.last = CallResult{};
     replay.watch.offered = 0;
-    Arguments arguments = next.arguments;
-    report->status = next.row.make(replay, arguments);
+    replay.next = nullptr;
+    visit_row(next.number, [&](const auto& row) { report->status = make(replay, row, next.arguments); });
+    const double* const points = visit(*replay.environment, [](const auto& env) { return env.points; });
+    if (points == replay.next) replay.watch.room = replay.watch.offered;
     if (report->status != DSW_STATUS_BORROWED || !lacks_room(replay)) break;
     if (replay.scene->recording != nullptr) {  // whoever makes that again is to pass over it
       RecordWriter& writer = replay.scene->recording->writer;
@@ -209,6 +279,7 @@ dsw_replay::dsw_replay(dsw_context* owner, const uint8_t* bytes, size_t size)
     : context(owner),
       reader(bytes, size),
       words(dsw::Allocator<uint64_t>(capi::memory_of(owner))),
+      kept(dsw::Allocator<dsw::Array<uint64_t>>(capi::memory_of(owner))),
       points{dsw::Array<double>(dsw::Allocator<double>(capi::memory_of(owner))),
              dsw::Array<double>(dsw::Allocator<double>(capi::memory_of(owner)))} {
   capi::retain(owner);
@@ -225,7 +296,7 @@ dsw_replay::~dsw_replay() {
 }
 
 dsw_status dsw_replay_create(dsw_context* context, const void* recording, size_t size_bytes, dsw_replay** replay) {
-  return capi::guard("dsw_replay_create", [&] {
+  return capi::guard(__func__, [&] {
     capi::check_context(context);
     capi::require(recording, "recording");
     capi::require(replay, "replay");
@@ -243,9 +314,9 @@ dsw_status dsw_replay_create(dsw_context* context, const void* recording, size_t
 }
 
 dsw_status dsw_replay_destroy(dsw_replay* replay) {
-  return capi::guard("dsw_replay_destroy", [&] {
+  return capi::guard(__func__, [&] {
     if (replay == nullptr) return;
-    dsw_replay& handle = capi::check_handle(replay, "replay");
+    dsw_replay& handle = capi::check_handle(replay);
     const uint32_t scenes = capi::scene_count(*handle.environment);
     if (scenes != 1) fail(DSW_STATUS_IN_USE, "%u scenes use the environment of the replay", scenes);
     capi::destroy_object(capi::memory_of(handle.context), replay);
@@ -253,16 +324,16 @@ dsw_status dsw_replay_destroy(dsw_replay* replay) {
 }
 
 dsw_status dsw_replay_get_scene(const dsw_replay* replay, dsw_scene** scene) {
-  return capi::guard("dsw_replay_get_scene", [&] {
-    const dsw_replay& handle = capi::check_handle(replay, "replay");
+  return capi::guard(__func__, [&] {
+    const dsw_replay& handle = capi::check_handle(replay);
     capi::require(scene, "scene");
     *scene = handle.scene;
   });
 }
 
 dsw_status dsw_replay_get_info(const dsw_replay* replay, dsw_replay_info* info) {
-  return capi::guard("dsw_replay_get_info", [&] {
-    const dsw_replay& handle = capi::check_handle(replay, "replay");
+  return capi::guard(__func__, [&] {
+    const dsw_replay& handle = capi::check_handle(replay);
     capi::require(info, "info");
     capi::check_size(info, "info");
     capi::write_struct(info, dsw_replay_info{0, handle.flags, handle.version, 0, handle.calls, handle.reader.left(),
@@ -271,41 +342,24 @@ dsw_status dsw_replay_get_info(const dsw_replay* replay, dsw_replay_info* info) 
 }
 
 dsw_status dsw_replay_step(dsw_replay* replay, dsw_replay_report* report) {
-  return capi::guard("dsw_replay_step", [&] {
-    dsw_replay& handle = capi::check_handle(replay, "replay");
+  return capi::guard(__func__, [&] {
+    dsw_replay& handle = capi::check_handle(replay);
     capi::require(report, "report");
-    dsw_replay_report step{};
-    step.call = handle.calls;
-    step.outcome = DSW_REPLAY_END;
-    std::optional<capi::NextCall> next;
-    if (read_next(handle, next)) {
-      step.function = next->row.function;
-      make_again(handle, *next, &step);
-    }
-    *report = step;
+    *report = capi::step(handle, [](const capi::NextCall&) {});
   });
 }
 
-dsw_status dsw_replay_step_judged(dsw_replay* replay, dsw_replay_report* report, dsw_verdict* verdict) {
-  return capi::guard("dsw_replay_step_judged", [&] {
-    dsw_replay& handle = capi::check_handle(replay, "replay");
-    capi::require(report, "report");
-    capi::require(verdict, "verdict");
-    capi::check_size(verdict, "verdict");
-    capi::visit(*handle.scene, [&](const auto& scene) {
-      dsw_replay_report step{};
-      step.call = handle.calls;
-      step.outcome = DSW_REPLAY_END;
-      std::optional<capi::NextCall> next;
-      capi::CallJudge<capi::kDimension<decltype(scene)>> judge(scene);
-      if (read_next(handle, next)) {
-        step.function = next->row.function;
-        judge.remember(next->call, next->arguments);
-        make_again(handle, *next, &step);
-      }
-      *report = step;
-      const bool was_done = step.function != nullptr && handle.watch.last.made && !handle.watch.last.failed;
-      capi::write_struct(verdict, judge.judge(was_done));
-    });
+dsw_status dsw_replay_describe_next(dsw_replay* replay, char* text, size_t capacity, size_t* size) {
+  return capi::guard(__func__, [&] {
+    dsw_replay& handle = capi::check_handle(replay);
+    capi::require_array(text, capacity, "text");
+    capi::require(size, "size");
+    std::optional<capi::NextCall> next;
+    capi::Text all(text, capacity);
+    if (read_next(handle, next)) {
+      capi::visit_row(next->number, [&](const auto& row) { row.describe(next->arguments, all); });
+    }
+    if (all.size() == 0 && capacity != 0) text[0] = 0;
+    *size = all.size() + 1;
   });
 }

@@ -18,10 +18,10 @@ void require_statistics(const dsw::Scene<D>& scene) {
 void dsw_scene_desc_init(dsw_scene_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_scene_desc{}); }
 
 dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* desc, dsw_scene** scene) {
-  return capi::guard("dsw_scene_create", [&] {
-    dsw_environment& home = capi::check_handle(environment, "environment");
+  return capi::guard(__func__, [&] {
+    dsw_environment& home = capi::check_handle(environment);
     capi::require(scene, "scene");
-    const dsw_scene_desc d = desc == nullptr ? dsw_scene_desc{} : capi::read_struct(desc, "desc");
+    const dsw_scene_desc d = capi::read_optional(desc, "desc");
     capi::check_flags(d.features,
                       DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING |
                           DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_LIVE_CHANGES,
@@ -36,9 +36,9 @@ dsw_status dsw_scene_create(dsw_environment* environment, const dsw_scene_desc* 
 }
 
 dsw_status dsw_scene_destroy(dsw_scene* scene) {
-  return capi::guard("dsw_scene_destroy", [&] {
+  return capi::guard(__func__, [&] {
     if (scene == nullptr) return;
-    const dsw::Memory* const memory = capi::memory_of(*capi::check_handle(scene, "scene").environment);
+    const dsw::Memory* const memory = capi::memory_of(*capi::check_handle(scene).environment);
     if (scene->watch != nullptr) fail(DSW_STATUS_IN_USE, "the scene belongs to a replay");
     capi::detach(*scene);
     capi::destroy_object(memory, scene);
@@ -47,14 +47,14 @@ dsw_status dsw_scene_destroy(dsw_scene* scene) {
 
 dsw_environment* dsw_scene_get_environment(const dsw_scene* scene) {
   dsw_environment* environment = nullptr;
-  capi::guard("dsw_scene_get_environment", [&] {
-    if (scene != nullptr) environment = capi::check_handle(scene, "scene").environment;
+  capi::guard(__func__, [&] {
+    if (scene != nullptr) environment = capi::check_handle(scene).environment;
   });
   return environment;
 }
 
 dsw_status dsw_scene_get_statistics(const dsw_scene* scene, dsw_statistics* statistics) {
-  return capi::guarded_visit("dsw_scene_get_statistics", scene, "scene", [&](const auto& engine) {
+  return capi::guarded_visit(__func__, scene, [&](const auto& engine) {
     require_statistics(engine);
     const dsw::SceneStatistics& from = engine.statistics;
     capi::require(statistics, "statistics");
@@ -74,18 +74,17 @@ dsw_status dsw_scene_get_statistics(const dsw_scene* scene, dsw_statistics* stat
 }
 
 dsw_status dsw_scene_reset_statistics(dsw_scene* scene) {
-  return capi::guarded_visit("dsw_scene_reset_statistics", scene, "scene", [&](auto& engine) {
+  return capi::guarded_visit(__func__, scene, [&](auto& engine) {
     require_statistics(engine);
-    capi::Recorded call(scene, capi::Call::kResetStatistics);
+    capi::Recorded call(scene, capi::row_of<dsw_scene_reset_statistics>);
     engine.statistics = dsw::SceneStatistics{};
     call.done();
   });
 }
 
 dsw_status dsw_scene_get_memory_bytes(const dsw_scene* scene, uint64_t* bytes) {
-  return capi::guarded_visit("dsw_scene_get_memory_bytes", scene, "scene", [&](const auto& engine) {
-    capi::require(bytes, "bytes");
-    *bytes = engine.memory_bytes() + array_bytes(scene->detached_volumes) + array_bytes(scene->detached_vertices) +
-             array_bytes(scene->detached_faces) + sizeof *scene - sizeof engine;
+  return capi::guarded_visit(__func__, scene, [&](const auto& engine) {
+    capi::give<uint64_t>(bytes, "bytes",
+                         engine.memory_bytes() + scene->detached.memory_bytes() + sizeof *scene - sizeof engine);
   });
 }

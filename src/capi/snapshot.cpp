@@ -28,13 +28,13 @@ void save_to(const Saved& saved, void* block, size_t capacity_bytes, size_t* siz
 
 dsw_status dsw_environment_save(const dsw_environment* environment, void* block, size_t capacity_bytes,
                                 size_t* size_bytes) {
-  return capi::guarded_visit("dsw_environment_save", environment, "environment",
+  return capi::guarded_visit(__func__, environment,
                              [&](const auto& env) { save_to(env, block, capacity_bytes, size_bytes); });
 }
 
 dsw_status dsw_environment_load(dsw_context* context, const void* block, size_t size_bytes,
                                 dsw_environment** environment) {
-  return capi::guard("dsw_environment_load", [&] {
+  return capi::guard(__func__, [&] {
     capi::check_context(context);
     capi::require(block, "block");
     capi::require(environment, "environment");
@@ -46,13 +46,13 @@ dsw_status dsw_environment_load(dsw_context* context, const void* block, size_t 
 }
 
 dsw_status dsw_scene_save(const dsw_scene* scene, void* block, size_t capacity_bytes, size_t* size_bytes) {
-  return capi::guarded_visit("dsw_scene_save", scene, "scene",
+  return capi::guarded_visit(__func__, scene,
                              [&](const auto& engine) { save_to(engine, block, capacity_bytes, size_bytes); });
 }
 
 dsw_status dsw_scene_load(dsw_environment* environment, const void* block, size_t size_bytes, dsw_scene** scene) {
-  return capi::guard("dsw_scene_load", [&] {
-    dsw_environment& home = capi::check_handle(environment, "environment");
+  return capi::guard(__func__, [&] {
+    dsw_environment& home = capi::check_handle(environment);
     capi::require(block, "block");
     capi::require(scene, "scene");
     const auto* const bytes = static_cast<const uint8_t*>(block);

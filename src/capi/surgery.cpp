@@ -1,12 +1,8 @@
-#include "dartsweep/surgery.h"
+#include "scene/surgery.h"
 
 #include <cmath>
 
-#include "capi/cut_results.h"
-#include "capi/recorded.h"
-#include "cutting/start.h"
-#include "scene/edits.h"
-#include "topology/operations.h"
+#include "capi/change.h"
 
 namespace capi = dsw::capi;
 using dsw::fail;
@@ -15,7 +11,7 @@ namespace {
 
 /** In the plane the chain is one point. */
 template <int D>
-capi::Points read_points(const dsw_cut_desc& d) {
+dsw::PointArray read_blade(const dsw_cut_desc& d) {
   if (d.rows < 2 || (D == 3 ? d.columns < 2 : d.columns != 1)) {
     const char* const columns = D == 3 ? "2 at least" : "1 in the plane";
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->rows is %u and desc->columns is %u, must be 2 at least and %s", d.rows,
@@ -25,101 +21,76 @@ capi::Points read_points(const dsw_cut_desc& d) {
     fail(DSW_STATUS_TOO_LARGE, "desc->rows is %u and desc->columns is %u, together must be below 2^28 points", d.rows,
          d.columns);
   }
-  const size_t count = size_t{d.rows} * d.columns;
-  const dsw::PointArray points = capi::to_points<D>(d.points, count, d.point_stride_bytes, "desc->points");
-  dsw::check_finite(points, count, D, {"desc->points", true});
-  return {points, count, D};
-}
-
-dsw::CutSettings read_settings(const dsw_cut_desc& d) {
-  capi::check_flags(d.flags, DSW_CUT_UNSEW, "desc->flags");
-  dsw::CutSettings settings;
-  settings.unsew = (d.flags & DSW_CUT_UNSEW) != 0;
-  settings.snap = capi::to_snap(d.snap);
-  return settings;
+  return capi::to_finite_points<D>(d.points, size_t{d.rows} * d.columns, d.point_stride_bytes, "desc->points");
 }
 
 }  // namespace
 
 void dsw_cut_desc_init(dsw_cut_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_cut_desc{}); }
+void dsw_open_desc_init(dsw_open_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_open_desc{}); }
 
 dsw_status dsw_environment_cut(dsw_environment* environment, const dsw_cut_desc* desc, dsw_cut_report* report) {
-  return capi::guarded_visit("dsw_environment_cut", environment, "environment", [&](auto& env) {
-    constexpr int D = capi::kDimension<decltype(env)>;
-    dsw_scene* const scene = capi::only_scene(*environment);
-    capi::require(desc, "desc");
-    const dsw_cut_desc d = capi::read_struct(desc, "desc");
-    const dsw::CutSettings settings = read_settings(d);
-    const capi::Points points = read_points<D>(d);
-    const auto blade = dsw::Blade<D>::of_grid(env.memory, points.points, d.rows, d.columns);
-    capi::check_hint(env.map, d.start, "desc->start");
-    capi::Recorded call(scene, capi::Call::kCut, capi::without(d, &dsw_cut_desc::points), points);
-    uint32_t visited = 0;
-    const dsw::Cell hint = dsw::is_null(d.start) ? dsw::Cell{} : env.map.cell(d.start.index);
-    const dsw::Cell start = find_start(env, blade, hint, &visited);
-    dsw::Crossings<D> crossings(env, blade);
-    if (start.valid()) crossings.flood(start);
-    dsw::Cut<D> cut(env, blade, settings, crossings);
-    std::optional<dsw::Edit<D>> edit;
-    cut.prepare(edit);
-    const dsw::CutRecord& record = cut.record();
-    capi::CutResults results(*edit, record.faces, &record.vertices, &record.whole);
-    carry_out_prepared(*edit, capi::engine_of<D>(scene));
-    results.give_to(*environment);
-    const dsw_cut_report done = capi::to_report(record, record.met + visited);
-    call.done(done, capi::items_of(environment->changes));
-    if (report != nullptr) *report = done;
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
+    constexpr int D = capi::kDimension<decltype(change)>;
+    const dsw_cut_desc d = capi::read_required(desc, "desc");
+    capi::check_flags(d.flags, DSW_CUT_UNSEW, "desc->flags");
+    dsw::CutSettings settings;
+    settings.unsew = (d.flags & DSW_CUT_UNSEW) != 0;
+    settings.snap = capi::to_snap(d.snap);
+    const auto blade = dsw::Blade<D>::of_grid(change.memory(), read_blade<D>(d), d.rows, d.columns);
+    const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
+    change.record(capi::row_of<dsw_environment_cut>, &d);
+    change.tell(cut_along(change, blade, start, settings), report);
   });
 }
 
 dsw_status dsw_environment_tear_faces(dsw_environment* environment, const dsw_face_id* faces, const double* loads,
                                       size_t count, double threshold, size_t* torn) {
-  return capi::guarded_visit("dsw_environment_tear_faces", environment, "environment", [&](auto& env) {
-    constexpr int D = capi::kDimension<decltype(env)>;
-    dsw_scene* const scene = capi::only_scene(*environment);
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
     capi::require_array(faces, count, "faces");
     capi::require_array(loads, count, "loads");
     if (std::isnan(threshold)) fail(DSW_STATUS_NON_FINITE, "threshold is not a number");
-    capi::Recorded call(scene, capi::Call::kTearFaces, capi::Items<dsw_face_id>{faces, count},
-                        capi::Items<double>{loads, count}, threshold);
-    dsw::Edit<D> edit(env);
-    dsw::CutRecord record(env.memory);
-    dsw::KeyTable seen(env.memory);
+    change.record(capi::row_of<dsw_environment_tear_faces>, faces, loads, count, threshold);
+    auto facets = change.template array<dsw::HalfFacet>(0);
     for (size_t i = 0; i < count; ++i) {
-      const dsw::HalfFacet h = capi::to_half_facet(env.map, faces[i], {"faces", true}, i), o = env.map.opposite(h);
+      const dsw::HalfFacet h = capi::to_half_facet(change.map(), faces[i], {"faces", true}, i);
       if (std::isnan(loads[i])) fail(DSW_STATUS_NON_FINITE, "loads[%zu] is not a number", i);
-      if (!(loads[i] > threshold) || !o.valid()) continue;
-      const uint32_t known = seen.size();
-      if (seen.insert(std::min(h.word, o.word)) != known) continue;
-      unsew(edit, h);
-      record.faces.push_back({h, o});
+      if (loads[i] > threshold) facets.push_back(h);
     }
-    edit.prepare();
-    capi::CutResults results(edit, record.faces, nullptr, nullptr);
-    carry_out_prepared(edit, capi::engine_of<D>(scene));
-    results.give_to(*environment);
-    call.done(capi::items_of(environment->changes));
-    if (torn != nullptr) *torn = record.faces.size();
+    const size_t parted = tear_facets(change, facets);
+    change.tell();
+    if (torn != nullptr) *torn = parted;
+  });
+}
+
+dsw_status dsw_environment_open(dsw_environment* environment, const dsw_open_desc* desc, dsw_open_report* report) {
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
+    const dsw_open_desc d = capi::read_required(desc, "desc");
+    capi::check_flags(d.flags, 0, "desc->flags");
+    if (!std::isfinite(d.width)) fail(DSW_STATUS_NON_FINITE, "desc->width is not finite");
+    if (!(d.width > 0)) fail(DSW_STATUS_OUT_OF_RANGE, "desc->width is %g, must be above 0", d.width);
+    capi::require_array(d.faces, d.face_count, "desc->faces");
+    change.record(capi::row_of<dsw_environment_open>, &d);
+    dsw::Crack<capi::kDimension<decltype(change)>> crack(change.env, d.region);
+    for (size_t i = 0; i < d.face_count; ++i) {
+      const dsw::HalfFacet front = capi::to_half_facet(change.map(), d.faces[i].front, {"desc->faces", true}, i);
+      crack.add(front, capi::to_half_facet(change.map(), d.faces[i].back, {"desc->faces", true}, i), i);
+    }
+    change.tell(open_crack(change, crack, {d.width, d.region, d.tag}), report);
   });
 }
 
 dsw_status dsw_environment_get_cut_vertices(const dsw_environment* environment, const dsw_cut_vertex** vertices,
                                             size_t* count) {
-  return capi::guard("dsw_environment_get_cut_vertices", [&] {
-    capi::hand_out(capi::check_handle(environment, "environment").cut_vertices, vertices, count, "vertices");
-  });
+  return capi::lend(__func__, environment, &dsw::ChangeResults::vertices, vertices, count, "vertices");
 }
 
 dsw_status dsw_environment_get_cut_faces(const dsw_environment* environment, const dsw_cut_face** faces,
                                          size_t* count) {
-  return capi::guard("dsw_environment_get_cut_faces", [&] {
-    capi::hand_out(capi::check_handle(environment, "environment").cut_faces, faces, count, "faces");
-  });
+  return capi::lend(__func__, environment, &dsw::ChangeResults::faces, faces, count, "faces");
 }
 
 dsw_status dsw_environment_get_whole_volumes(const dsw_environment* environment, const dsw_volume_id** volumes,
                                              size_t* count) {
-  return capi::guard("dsw_environment_get_whole_volumes", [&] {
-    capi::hand_out(capi::check_handle(environment, "environment").whole_volumes, volumes, count, "volumes");
-  });
+  return capi::lend(__func__, environment, &dsw::ChangeResults::whole, volumes, count, "volumes");
 }

@@ -31,16 +31,13 @@ void dsw_sweep_options_init(dsw_sweep_options* options, size_t size) {
 dsw_status dsw_environment_sweep_edges(const dsw_environment* environment, size_t count, const dsw_volume_id* starts,
                                        const double* from, const double* to, const double* fixed, size_t stride_bytes,
                                        const dsw_sweep_options* options, dsw_sweep* sweeps) {
-  return capi::guarded_visit("dsw_environment_sweep_edges", environment, "environment", [&](const auto& env) {
+  return capi::guarded_visit(__func__, environment, [&](const auto& env) {
     constexpr int D = capi::kDimension<decltype(env)>;
-    const dsw::PointArray first = capi::to_points<D>(from, count, stride_bytes, "from");
-    const dsw::PointArray last = capi::to_points<D>(to, count, stride_bytes, "to");
-    const dsw::PointArray stays = capi::to_points<D>(fixed, count, stride_bytes, "fixed");
+    const dsw::PointArray first = capi::to_finite_points<D>(from, count, stride_bytes, "from");
+    const dsw::PointArray last = capi::to_finite_points<D>(to, count, stride_bytes, "to");
+    const dsw::PointArray stays = capi::to_finite_points<D>(fixed, count, stride_bytes, "fixed");
     capi::require_array(sweeps, count, "sweeps");
     const dsw::SweepOptions settings = to_options(options);
-    check_finite(first, count, D, {"from", true});
-    check_finite(last, count, D, {"to", true});
-    check_finite(stays, count, D, {"fixed", true});
     capi::check_hints(env.map, starts, count, "starts");
     sweep_edges(env, environment->parallel, count, starts, first, last, stays, settings, sweeps);
   });

@@ -1,11 +1,7 @@
 #include "dartsweep/topology.h"
 
-#include <optional>
-
-#include "capi/convert.h"
-#include "capi/recorded.h"
+#include "capi/change.h"
 #include "environment/mesh_reader.h"
-#include "scene/edits.h"
 #include "topology/operations.h"
 
 namespace capi = dsw::capi;
@@ -13,64 +9,8 @@ using dsw::fail;
 
 namespace {
 
-/** One call: an edit of an environment that no more than one scene uses. */
-template <int D>
-class Change {
- public:
-  static constexpr int kDimension = D;
-
-  Change(dsw_environment& handle, dsw::Environment<D>& env)
-      : handle_(handle), scene_(capi::only_scene(handle)), env_(env) {}
-
-  const dsw::Map<D>& map() const { return env_.map; }
-  const dsw::Memory* memory() const { return capi::memory_of(handle_); }
-
-  /** Arguments have been checked; what was asked for is written if the scene is recorded. */
-  template <class... Arguments>
-  dsw::Edit<D>& begin(capi::Call number, const Arguments&... arguments) {
-    call_.emplace(scene_, number, arguments...);
-    return edit_.emplace(env_);
-  }
-
-  void carry_out() {
-    dsw::Array<dsw_volume_change> changes{dsw::Allocator<dsw_volume_change>(memory())};
-    changes.reserve(edit_->most_changes());
-    dsw::carry_out(*edit_, capi::engine_of<D>(scene_));
-    capi::append_changes(*edit_, changes);
-    handle_.changes.swap(changes);
-    call_->done(capi::items_of(handle_.changes));
-  }
-
-  /** What has come of a draft. */
-  dsw_volume_id volume(size_t draft) const { return volume_id(map(), edit_->cell(draft)); }
-  dsw_face_id face(size_t draft, uint32_t facet) const {
-    return face_id(map(), canonical(map(), edit_->half_facet(draft, facet)));
-  }
-  dsw_edge_id edge(size_t draft, uint32_t a, uint32_t b) const {
-    const dsw::Cell c = edit_->cell(draft);
-    uint32_t d = 0;
-    while (dart_vertex(map(), {c, d}) != a || dart_target(map(), {c, d}) != b) ++d;
-    return capi::edge_id(map(), {c, d});
-  }
-
- private:
-  dsw_environment& handle_;
-  dsw_scene* scene_;
-  dsw::Environment<D>& env_;
-  std::optional<capi::Recorded> call_;
-  std::optional<dsw::Edit<D>> edit_;
-};
-
-/** Runs the body of the entry point named `function` with the change that it is to make. */
-template <class Body>
-dsw_status guarded_change(const char* function, dsw_environment* environment, const Body& body) noexcept {
-  return capi::guarded_visit(function, environment, "environment", [&](auto& env) {
-    Change<capi::kDimension<decltype(env)>> change(*environment, env);
-    body(change);
-  });
-}
-
-/** The engine for what is done to faces by edges; `instead`: the function for sides of the plane, which refuses this one. */
+/** The engine for what is done to faces by edges; `instead`: the function for sides of the plane, which refuses this
+ * one. */
 dsw::Environment<3>& with_edges(dsw_environment& handle, const char* instead) {
   if (capi::is_planar(handle)) {
     fail(DSW_STATUS_UNSUPPORTED, "in the plane a face is a side, which has no edges inside: see %s", instead);
@@ -89,9 +29,7 @@ void check_arrays(const dsw_volumes_desc& d) {
     fail(DSW_STATUS_TOO_LARGE, "desc->cell_count is %zu and desc->point_count is %zu, must be below 2^28", d.cell_count,
          d.point_count);
   }
-  capi::require_array(d.vertices, d.vertex_count, "desc->vertices");
   capi::require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
-  capi::require_array(d.sew_to, d.sew_count, "desc->sew_to");
   const dsw::CellType type = dsw::cell_type<D>(d.uniform_cell_type);
   if (d.offsets == nullptr && (d.cell_types != nullptr || (type.known && type.vertex_count == 0))) {
     fail(DSW_STATUS_NULL_ARGUMENT, "desc->offsets is null, which needs one uniform type with a fixed number of points");
@@ -109,39 +47,22 @@ void dsw_volumes_desc_init(dsw_volumes_desc* desc, size_t size) {
 
 dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_volumes_desc* desc,
                                        dsw_volume_id* volumes, dsw_vertex_id* vertices) {
-  return guarded_change("dsw_environment_add_volumes", environment, [&](auto& change) {
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
     constexpr int D = std::decay_t<decltype(change)>::kDimension;
-    capi::require(desc, "desc");
-    const dsw_volumes_desc d = capi::read_struct(desc, "desc");
+    const dsw_volumes_desc d = capi::read_required(desc, "desc");
     check_arrays<D>(d);
-    const dsw::PointArray points = capi::to_points<D>(d.points, d.point_count, d.point_stride_bytes, "desc->points");
-    dsw::check_finite(points, d.point_count, D, {"desc->points", true});
-    dsw::Array<uint32_t> all{dsw::Allocator<uint32_t>(change.memory())};
+    const auto points = capi::to_finite_points<D>(d.points, d.point_count, d.point_stride_bytes, "desc->points");
+    capi::Converted known(change.env, d.vertices, d.vertex_count, "desc->vertices");
+    auto all = change.template array<uint32_t>(0);
     all.reserve(d.vertex_count + d.point_count);
-    for (size_t i = 0; i < d.vertex_count; ++i) {
-      all.push_back(capi::to_vertex(change.map(), d.vertices[i], {"desc->vertices", true}, i));
-    }
-    dsw::Array<dsw::HalfFacet> faces{dsw::Allocator<dsw::HalfFacet>(change.memory())};
-    for (size_t i = 0; i < d.sew_count; ++i) {
-      faces.push_back(capi::to_half_facet(change.map(), d.sew_to[i], {"desc->sew_to", true}, i));
-    }
-    const uint32_t index_bytes = d.index_bytes == 0 ? 8 : d.index_bytes;
-    const auto text = [&](const void* integers, size_t count) {
-      return capi::Items<uint8_t>{static_cast<const uint8_t*>(integers), count * index_bytes};
-    };
-    auto& edit = change.begin(
-        capi::Call::kAddVolumes,
-        capi::without(d, &dsw_volumes_desc::vertices, &dsw_volumes_desc::points, &dsw_volumes_desc::cell_types,
-                      &dsw_volumes_desc::offsets, &dsw_volumes_desc::connectivity, &dsw_volumes_desc::regions,
-                      &dsw_volumes_desc::tags, &dsw_volumes_desc::sew_to),
-        capi::Items<dsw_vertex_id>{d.vertices, d.vertex_count}, capi::Points{points, d.point_count, D},
-        capi::Items<uint8_t>{d.cell_types, d.cell_count}, text(d.offsets, d.cell_count + 1),
-        text(d.connectivity, d.connectivity_count), capi::Items<int32_t>{d.regions, d.cell_count},
-        capi::Items<uint32_t>{d.tags, d.cell_count}, capi::Items<dsw_face_id>{d.sew_to, d.sew_count});
+    all.assign(known.begin(), known.end());
+    capi::Converted faces(change.env, d.sew_to, d.sew_count, "desc->sew_to");
+    const auto index_bytes = static_cast<uint32_t>(capi::index_bytes(d));
+    auto& edit = change.begin(capi::row_of<dsw_environment_add_volumes>, &d);
     for (size_t i = 0; i < d.point_count; ++i) all.push_back(edit.add_vertex(points[i]));
     const dsw::NewCells input{all.data(),  all.size(),   d.cell_types,   d.uniform_cell_type,  d.cell_count,
                               index_bytes, d.offsets,    d.connectivity, d.connectivity_count, d.regions,
-                              d.tags,      faces.data(), faces.size()};
+                              d.tags,      faces.data(), d.sew_count};
     add_cells(edit, input);
     change.carry_out();
     for (size_t i = 0; volumes != nullptr && i < d.cell_count; ++i) volumes[i] = change.volume(i);
@@ -153,44 +74,36 @@ dsw_status dsw_environment_add_volumes(dsw_environment* environment, const dsw_v
 
 dsw_status dsw_environment_sew_faces(dsw_environment* environment, const dsw_face_id* faces_a,
                                      const dsw_face_id* faces_b, size_t count) {
-  return guarded_change("dsw_environment_sew_faces", environment, [&](auto& change) {
-    capi::require_array(faces_a, count, "faces_a");
-    capi::require_array(faces_b, count, "faces_b");
-    dsw::Array<dsw::FacetPair> pairs(count, dsw::FacetPair{}, dsw::Allocator<dsw::FacetPair>(change.memory()));
-    for (size_t i = 0; i < count; ++i) {
-      pairs[i].a = capi::to_half_facet(change.map(), faces_a[i], {"faces_a", true}, i);
-      pairs[i].b = capi::to_half_facet(change.map(), faces_b[i], {"faces_b", true}, i);
-    }
-    auto& edit = change.begin(capi::Call::kSewFaces, capi::Items<dsw_face_id>{faces_a, count},
-                              capi::Items<dsw_face_id>{faces_b, count});
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
+    capi::Converted a(change.env, faces_a, count, "faces_a"), b(change.env, faces_b, count, "faces_b");
+    auto pairs = change.template array<dsw::FacetPair>(count);
+    for (size_t i = 0; i < count; ++i) pairs[i] = {a[i], b[i]};
+    auto& edit = change.begin(capi::row_of<dsw_environment_sew_faces>, faces_a, faces_b, count);
     sew(edit, pairs.data(), count);
     change.carry_out();
   });
 }
 
 dsw_status dsw_environment_unsew_face(dsw_environment* environment, dsw_face_id face) {
-  return guarded_change("dsw_environment_unsew_face", environment, [&](auto& change) {
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
     const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
-    unsew(change.begin(capi::Call::kUnsewFace, face), h);
+    unsew(change.begin(capi::row_of<dsw_environment_unsew_face>, face), h);
     change.carry_out();
   });
 }
 
 dsw_status dsw_environment_remove_volumes(dsw_environment* environment, const dsw_volume_id* volumes, size_t count) {
-  return guarded_change("dsw_environment_remove_volumes", environment, [&](auto& change) {
-    capi::require_array(volumes, count, "volumes");
-    dsw::Array<dsw::Cell> cells(count, dsw::Cell{}, dsw::Allocator<dsw::Cell>(change.memory()));
-    for (size_t i = 0; i < count; ++i) cells[i] = capi::to_cell(change.map(), volumes[i], {"volumes", true}, i);
-    remove_cells(change.begin(capi::Call::kRemoveVolumes, capi::Items<dsw_volume_id>{volumes, count}), cells.data(),
-                 count);
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
+    capi::Converted cells(change.env, volumes, count, "volumes");
+    remove_cells(change.begin(capi::row_of<dsw_environment_remove_volumes>, volumes, count), cells.data(), count);
     change.carry_out();
   });
 }
 
 dsw_status dsw_environment_merge_volumes(dsw_environment* environment, dsw_face_id face, dsw_volume_id* volume) {
-  return guarded_change("dsw_environment_merge_volumes", environment, [&](auto& change) {
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
     const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
-    const size_t merged = merge_cells(change.begin(capi::Call::kMergeVolumes, face), h);
+    const size_t merged = merge_cells(change.begin(capi::row_of<dsw_environment_merge_volumes>, face), h);
     change.carry_out();
     if (volume != nullptr) *volume = change.volume(merged);
   });
@@ -198,12 +111,10 @@ dsw_status dsw_environment_merge_volumes(dsw_environment* environment, dsw_face_
 
 dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume_id volume, const dsw_vertex_id* loop,
                                         size_t count, dsw_volume_id* volumes, dsw_face_id* face) {
-  return guarded_change("dsw_environment_split_volume", environment, [&](auto& change) {
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
     const dsw::Cell c = capi::to_cell(change.map(), volume, {"volume", false});
-    capi::require_array(loop, count, "loop");
-    dsw::Array<uint32_t> vertices(count, 0u, dsw::Allocator<uint32_t>(change.memory()));
-    for (size_t i = 0; i < count; ++i) vertices[i] = capi::to_vertex(change.map(), loop[i], {"loop", true}, i);
-    auto& edit = change.begin(capi::Call::kSplitVolume, volume, capi::Items<dsw_vertex_id>{loop, count});
+    capi::Converted vertices(change.env, loop, count, "loop");
+    auto& edit = change.begin(capi::row_of<dsw_environment_split_volume>, volume, loop, count);
     const dsw::SplitCell split = split_cell(edit, c, vertices.data(), count);
     change.carry_out();
     if (volumes != nullptr) {
@@ -215,11 +126,11 @@ dsw_status dsw_environment_split_volume(dsw_environment* environment, dsw_volume
 }
 
 dsw_status dsw_environment_merge_faces(dsw_environment* environment, dsw_edge_id edge, dsw_face_id* face) {
-  return capi::guard("dsw_environment_merge_faces", [&] {
-    dsw_environment& handle = capi::check_handle(environment, "environment");
-    Change<3> change(handle, with_edges(handle, "dsw_environment_merge_edges"));
+  return capi::guard(__func__, [&] {
+    dsw_environment& handle = capi::check_handle(environment);
+    capi::Change<3> change(handle, with_edges(handle, "dsw_environment_merge_edges"));
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
-    const dsw::MergedFacet merged = merge_facets(change.begin(capi::Call::kMergeFaces, edge), d);
+    const dsw::MergedFacet merged = merge_facets(change.begin(capi::row_of<dsw_environment_merge_faces>, edge), d);
     change.carry_out();
     if (face != nullptr) *face = change.face(merged.draft, merged.facet);
   });
@@ -227,13 +138,14 @@ dsw_status dsw_environment_merge_faces(dsw_environment* environment, dsw_edge_id
 
 dsw_status dsw_environment_split_face(dsw_environment* environment, dsw_face_id face, dsw_vertex_id a, dsw_vertex_id b,
                                       dsw_face_id* faces, dsw_edge_id* edge) {
-  return capi::guard("dsw_environment_split_face", [&] {
-    dsw_environment& handle = capi::check_handle(environment, "environment");
-    Change<3> change(handle, with_edges(handle, "dsw_environment_split_edge"));
+  return capi::guard(__func__, [&] {
+    dsw_environment& handle = capi::check_handle(environment);
+    capi::Change<3> change(handle, with_edges(handle, "dsw_environment_split_edge"));
     const dsw::HalfFacet h = capi::to_half_facet(change.map(), face, {"face", false});
     const uint32_t from = capi::to_vertex(change.map(), a, {"a", false});
     const uint32_t to = capi::to_vertex(change.map(), b, {"b", false});
-    const dsw::SplitFacet split = split_facet(change.begin(capi::Call::kSplitFace, face, a, b), h, from, to);
+    const dsw::SplitFacet split =
+        split_facet(change.begin(capi::row_of<dsw_environment_split_face>, face, a, b), h, from, to);
     change.carry_out();
     if (faces != nullptr) {
       faces[0] = change.face(split.draft, split.from_a);
@@ -245,12 +157,12 @@ dsw_status dsw_environment_split_face(dsw_environment* environment, dsw_face_id 
 
 dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id edge, double share,
                                       dsw_vertex_id* vertex, dsw_edge_id* edges) {
-  return guarded_change("dsw_environment_split_edge", environment, [&](auto& change) {
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
     const auto& map = change.map();
     const dsw::Dart d = capi::to_dart(map, edge, {"edge", false});
     if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must be above 0 and below 1", share);
     const uint32_t ends[2] = {dart_vertex(map, d), dart_target(map, d)};
-    const uint32_t middle = split_edge(change.begin(capi::Call::kSplitEdge, edge, share), d, share);
+    const uint32_t middle = split_edge(change.begin(capi::row_of<dsw_environment_split_edge>, edge, share), d, share);
     change.carry_out();
     if (vertex != nullptr) *vertex = capi::vertex_id(map, middle);
     if (edges != nullptr) {
@@ -262,31 +174,26 @@ dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id 
 
 dsw_status dsw_environment_merge_edges(dsw_environment* environment, dsw_edge_id edge, dsw_vertex_id vertex,
                                        dsw_edge_id* merged) {
-  return guarded_change("dsw_environment_merge_edges", environment, [&](auto& change) {
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
     const uint32_t middle = capi::to_vertex(change.map(), vertex, {"vertex", false});
-    const dsw::MergedEdge ends = merge_edges(change.begin(capi::Call::kMergeEdges, edge, vertex), d, middle);
+    const dsw::MergedEdge ends =
+        merge_edges(change.begin(capi::row_of<dsw_environment_merge_edges>, edge, vertex), d, middle);
     change.carry_out();
     if (merged != nullptr) *merged = change.edge(0, ends.a, ends.b);
   });
 }
 
 dsw_status dsw_environment_collapse_edge(dsw_environment* environment, dsw_edge_id edge, dsw_vertex_id vertex) {
-  return guarded_change("dsw_environment_collapse_edge", environment, [&](auto& change) {
+  return capi::guarded_change(__func__, environment, [&](auto& change) {
     const dsw::Dart d = capi::to_dart(change.map(), edge, {"edge", false});
     const uint32_t v = capi::to_vertex(change.map(), vertex, {"vertex", false});
-    collapse_edge(change.begin(capi::Call::kCollapseEdge, edge, vertex), d, v);
+    collapse_edge(change.begin(capi::row_of<dsw_environment_collapse_edge>, edge, vertex), d, v);
     change.carry_out();
   });
 }
 
 dsw_status dsw_environment_get_volume_changes(const dsw_environment* environment, const dsw_volume_change** changes,
                                               size_t* count) {
-  return capi::guard("dsw_environment_get_volume_changes", [&] {
-    const dsw_environment& handle = capi::check_handle(environment, "environment");
-    capi::require(changes, "changes");
-    capi::require(count, "count");
-    *changes = handle.changes.data();
-    *count = handle.changes.size();
-  });
+  return capi::lend(__func__, environment, &dsw::ChangeResults::volumes, changes, count, "changes");
 }

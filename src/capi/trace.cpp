@@ -9,6 +9,7 @@ namespace capi = dsw::capi;
 using dsw::fail;
 
 struct dsw_trace {
+  static constexpr const char* kName = "trace";
   static constexpr uint64_t kMagic = 0x6473775f74726331u;
   uint64_t magic = kMagic;
   dsw_context* context;  // may be null
@@ -19,7 +20,7 @@ struct dsw_trace {
 
 namespace {
 
-dsw::Trace& engine_of(dsw_trace* trace) { return capi::check_handle(trace, "trace").engine; }
+dsw::Trace& engine_of(dsw_trace* trace) { return capi::check_handle(trace).engine; }
 
 void check_length(double normal_length) {
   if (!std::isfinite(normal_length)) fail(DSW_STATUS_NON_FINITE, "normal_length is %g, must be finite", normal_length);
@@ -28,7 +29,7 @@ void check_length(double normal_length) {
 }  // namespace
 
 dsw_status dsw_trace_create(dsw_context* context, dsw_trace** trace) {
-  return capi::guard("dsw_trace_create", [&] {
+  return capi::guard(__func__, [&] {
     capi::check_context(context);
     capi::require(trace, "trace");
     *trace = capi::create_object<dsw_trace>(capi::memory_of(context), context);
@@ -37,26 +38,24 @@ dsw_status dsw_trace_create(dsw_context* context, dsw_trace** trace) {
 }
 
 dsw_status dsw_trace_destroy(dsw_trace* trace) {
-  return capi::guard("dsw_trace_destroy", [&] {
+  return capi::guard(__func__, [&] {
     if (trace == nullptr) return;
-    dsw_context* const context = capi::check_handle(trace, "trace").context;
+    dsw_context* const context = capi::check_handle(trace).context;
     capi::destroy_object(capi::memory_of(context), trace);
     capi::release(context);
   });
 }
 
 dsw_status dsw_trace_clear(dsw_trace* trace) {
-  return capi::guard("dsw_trace_clear", [&] { clear(engine_of(trace)); });
+  return capi::guard(__func__, [&] { clear(engine_of(trace)); });
 }
 
 dsw_status dsw_trace_add_volumes(dsw_trace* trace, const dsw_environment* environment, const dsw_volume_id* volumes,
                                  size_t count, uint32_t label) {
-  return capi::guard("dsw_trace_add_volumes", [&] {
+  return capi::guard(__func__, [&] {
     dsw::Trace& engine = engine_of(trace);
-    capi::visit(capi::check_handle(environment, "environment"), [&](const auto& env) {
-      capi::require_array(volumes, count, "volumes");
-      dsw::Array<dsw::Cell> cells(count, dsw::Cell{}, dsw::Allocator<dsw::Cell>(engine.memory()));
-      for (size_t i = 0; i < count; ++i) cells[i] = capi::to_cell(env.map, volumes[i], {"volumes", true}, i);
+    capi::visit(capi::check_handle(environment), [&](const auto& env) {
+      capi::Converted cells(env, volumes, count, "volumes");
       add_cells(engine, env, cells.data(), count, label);
     });
   });
@@ -64,9 +63,9 @@ dsw_status dsw_trace_add_volumes(dsw_trace* trace, const dsw_environment* enviro
 
 dsw_status dsw_trace_add_impassable(dsw_trace* trace, const dsw_environment* environment, int with_boundary,
                                     uint32_t label) {
-  return capi::guard("dsw_trace_add_impassable", [&] {
+  return capi::guard(__func__, [&] {
     dsw::Trace& engine = engine_of(trace);
-    capi::visit(capi::check_handle(environment, "environment"),
+    capi::visit(capi::check_handle(environment),
                 [&](const auto& env) { add_impassable(engine, env, with_boundary != 0, label); });
   });
 }
@@ -74,9 +73,9 @@ dsw_status dsw_trace_add_impassable(dsw_trace* trace, const dsw_environment* env
 dsw_status dsw_trace_add_walk(dsw_trace* trace, const dsw_environment* environment, dsw_volume_id start,
                               const double* from, const double* to, const dsw_cast_options* options,
                               double normal_length, uint32_t label) {
-  return capi::guard("dsw_trace_add_walk", [&] {
+  return capi::guard(__func__, [&] {
     dsw::Trace& engine = engine_of(trace);
-    capi::visit(capi::check_handle(environment, "environment"), [&](const auto& env) {
+    capi::visit(capi::check_handle(environment), [&](const auto& env) {
       constexpr int D = capi::kDimension<decltype(env)>;
       capi::check_point<D>(from, "from");
       capi::check_point<D>(to, "to");
@@ -88,7 +87,7 @@ dsw_status dsw_trace_add_walk(dsw_trace* trace, const dsw_environment* environme
 }
 
 dsw_status dsw_trace_add_contact(dsw_trace* trace, const dsw_flight* flight, double normal_length, uint32_t label) {
-  return capi::guard("dsw_trace_add_contact", [&] {
+  return capi::guard(__func__, [&] {
     dsw::Trace& engine = engine_of(trace);
     capi::require(flight, "flight");
     check_length(normal_length);
@@ -101,8 +100,8 @@ dsw_status dsw_trace_add_contact(dsw_trace* trace, const dsw_flight* flight, dou
 }
 
 dsw_status dsw_trace_get(const dsw_trace* trace, dsw_trace_data* data) {
-  return capi::guard("dsw_trace_get", [&] {
-    const dsw::Trace& engine = capi::check_handle(trace, "trace").engine;
+  return capi::guard(__func__, [&] {
+    const dsw::Trace& engine = capi::check_handle(trace).engine;
     capi::require(data, "data");
     capi::check_size(data, "data");
     dsw_trace_data d{};

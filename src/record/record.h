@@ -1,6 +1,6 @@
 #pragma once
-// A recording: entries of bytes behind a header, each complete in itself, so that what was written before a process died can be read. README.md
-// has the format. What the entries mean is capi's.
+// A recording: entries of bytes behind a header, each complete in itself, so that what was written before a process
+// died can be read. README.md has the format. What the entries mean is capi's.
 
 #include <cstddef>
 #include <cstdint>

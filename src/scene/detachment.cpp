@@ -7,6 +7,7 @@
 
 #include "base/key_table.h"
 #include "base/vec.h"
+#include "contact/names.h"
 #include "environment/marking.h"
 #include "scene/edits.h"
 
@@ -24,7 +25,12 @@ Detachment::Detachment(Environment<3>& env, Scene<3>& scene, Cell start, size_t 
       cells_(surface_.vertices.size(), Cell{}, env.memory),
       made_(env.memory) {}
 
-dsw_body_id Detachment::carry_out(const BodyDescription& like, double share, uint32_t attempts) {
+dsw_detach_report Detachment::carry_out(const BodyDescription& like, double share, uint32_t attempts, dsw_body_id* body,
+                                        DetachResults& results) {
+  DetachResults next(env_.memory);
+  next.volumes.reserve(piece_.size());
+  next.vertices.reserve(surface_.vertices.size());
+  next.faces.reserve(surface_.triangles.size());
   share_ = share;
   attempts_ = attempts;
   scene_.offending.clear();
@@ -37,8 +43,43 @@ dsw_body_id Detachment::carry_out(const BodyDescription& like, double share, uin
   };
   const Meanwhile meanwhile{enter, this};
   carry_out_prepared(edit_, scene_, &meanwhile);
-  measure();
-  return id_;
+  tell(next);
+  std::swap(results, next);
+  *body = id_;
+  const auto count = [](const auto& all) { return static_cast<uint32_t>(all.size()); };
+  return {measure(),
+          count(results.volumes),
+          count(results.vertices),
+          count(results.faces),
+          count(piece_.cracks()),
+          count_unsewn(),
+          0};
+}
+
+/** There is room. */
+void Detachment::tell(DetachResults& results) const {
+  const Map<3>& map = env_.map;
+  const auto id_of = [&](uint32_t vertex) { return dsw_vertex_id{vertex, map.vertex_generation(vertex)}; };
+  for (size_t i = 0; i < piece_.size(); ++i) results.volumes.push_back(volume_id(map, piece_[i]));
+  for (const SurfaceVertex& v : surface_.vertices) {
+    const double first = v.from[0] == v.from[1] ? 1 : 0.5;
+    results.vertices.push_back({{id_of(v.from[0]), id_of(v.from[1])}, {first, 1 - first}});
+  }
+  for (const SurfaceTriangle& t : surface_.triangles) {
+    results.faces.push_back({face_id(map, canonical(map, t.facet)), volume_id(map, map.cell_of(t.facet))});
+  }
+}
+
+/** Facets of the piece on the outer boundary, after the cracks were sewn. */
+uint32_t Detachment::count_unsewn() const noexcept {
+  const Map<3>& map = env_.map;
+  uint32_t count = 0;
+  for (size_t i = 0; i < piece_.size(); ++i) {
+    for (uint32_t f = 0, facets = map.facets_of(piece_[i]); f < facets; ++f) {
+      count += map.opposite(map.half_facet(piece_[i], f)).valid() ? 0u : 1u;
+    }
+  }
+  return count;
 }
 
 /** Cracks are sewn; of marks, those of all facets of the piece go, and of edges and vertices that lie inside. */
@@ -152,12 +193,14 @@ void Detachment::enter() {
   scene_.offending.clear();
 }
 
-void Detachment::measure() noexcept {
+double Detachment::measure() const noexcept {
+  double distance = 0;
   for (uint32_t v = 0; v < surface_.vertices.size(); ++v) {
     double origin[3];
     inset_.origin(v, origin);
-    distance_ = std::max(distance_, length(difference<3>(&positions_[size_t{v} * 3], origin)));
+    distance = std::max(distance, length(difference<3>(&positions_[size_t{v} * 3], origin)));
   }
+  return distance;
 }
 
 }  // namespace dsw

@@ -1,25 +1,35 @@
 #pragma once
 // A piece of what is impassable comes off: its cells become passable, its surface becomes a body.
 
+#include "dartsweep/detach.h"
 #include "pieces/inset.h"
 #include "scene/scene.h"
 
 namespace dsw {
+
+/** What the host can read of the last piece that came off. */
+struct DetachResults {
+  Array<dsw_volume_id> volumes;
+  Array<dsw_detached_vertex> vertices;
+  Array<dsw_detached_face> faces;
+
+  explicit DetachResults(const Memory* memory)
+      : volumes(Allocator<dsw_volume_id>(memory)),
+        vertices(Allocator<dsw_detached_vertex>(memory)),
+        faces(Allocator<dsw_detached_face>(memory)) {}
+  uint64_t memory_bytes() const noexcept { return array_bytes(volumes) + array_bytes(vertices) + array_bytes(faces); }
+};
 
 class Detachment {
  public:
   /** Looks at the piece that a cell belongs to; `scene` is the only one that uses the environment. Throws as Piece. */
   Detachment(Environment<3>& env, Scene<3>& scene, Cell start, size_t most);
 
-  const Piece& piece() const { return piece_; }
-  const PieceSurface& surface() const { return surface_; }
-
   /** Carries it out. `like` has the body's level, flags and filter; its vertices are drawn in by `share` as Inset says,
    * each in up to `attempts` places. Throws OCCUPIED if it is not free then, or touches a body, and std::bad_alloc;
    * nothing has changed then. */
-  dsw_body_id carry_out(const BodyDescription& like, double share, uint32_t attempts);
-  /** The largest distance by which a vertex was drawn in, rounded. */
-  double distance() const { return distance_; }
+  dsw_detach_report carry_out(const BodyDescription& like, double share, uint32_t attempts, dsw_body_id* body,
+                              DetachResults& results);
 
  private:
   void write_edit();
@@ -30,7 +40,10 @@ class Detachment {
   void place_all(const BodyDescription& like);
   void draw_in(Body<3>& body);
   void enter();
-  void measure() noexcept;
+  /** The largest distance by which a vertex was drawn in, rounded. */
+  double measure() const noexcept;
+  void tell(DetachResults& results) const;
+  uint32_t count_unsewn() const noexcept;
 
   Environment<3>& env_;
   Scene<3>& scene_;
@@ -38,7 +51,7 @@ class Detachment {
   Piece piece_;
   PieceSurface surface_;
   Inset inset_;
-  double share_ = 0, distance_ = 0;
+  double share_ = 0;
   uint32_t attempts_ = 0;
   Array<uint32_t> tried_;  // places, by vertex
   Array<double> positions_;

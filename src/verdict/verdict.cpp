@@ -36,7 +36,8 @@ bool passes(const double* p, const double* q, const double* const (&side)[2]) no
 template <int D>
 bool is_passed(const double* const* t, const double* const* ridge) noexcept {
   if constexpr (D == 3) {
-    // Here the triangle is shifted, not the point: the same as minus the shift of the point, which is that of the mirror image.
+    // Here the triangle is shifted, not the point: the same as minus the shift of the point, which is that of the
+    // mirror image.
     double mirrored[5][3];
     const double* const points[] = {t[0], t[1], t[2], ridge[0], ridge[1]};
     for (int i = 0; i < 5; ++i) {

@@ -22,8 +22,7 @@ exported = set(re.findall(r"^dsw_\w+", (root / "abi/symbols.txt").read_text(), r
 headers = "\n".join(path.read_text() for path in sorted((root / "include/dartsweep").glob("*.h")))
 # With a scene or an environment that is not const as its first argument.
 changing = set(re.findall(r"^DSW_API\s+\w+\s+(dsw_\w+)\s*\(\s*(?:dsw_scene|dsw_environment)\s*\*", headers, re.M))
-rows = "\n".join(path.read_text() for path in sorted((root / "src/capi").glob("replay_*.cpp")))
-recorded = set(re.findall(r'\{"(dsw_\w+)", \w+\}', rows))
+recorded = set(re.findall(r"^ *DSW_ROW\(\d+, (dsw_\w+)\)", (root / "src/capi/calls.h").read_text(), re.M))
 
 wrong = []
 for name in sorted(changing - recorded - set(NOT_RECORDED)):

@@ -54,21 +54,15 @@ double steepness(const WallMesh& walls, std::uint32_t wall, const Segments& segm
 Tolerance tolerance_of(const std::string& peer, const WallMesh& walls) {
   const std::string name = first_word(peer);
   const double float_rounding = 8 * 0x1p-24 * walls.extent;
-  if (name == "bullet") {
-    return {float_rounding, 2e-4};
-  }
-  if (name == "embree") {
-    return {float_rounding, 0.0};
-  }
+  if (name == "bullet") return {float_rounding, 2e-4};
+  if (name == "embree") return {float_rounding, 0.0};
   return {64 * 0x1p-53 * walls.extent + 1e-8, 0.0};
 }
 
 bool Agreement::ours_is_right(const Exact& exact, const Segments& segments, std::size_t cast,
                               const Answer& ours) const {
   const auto truth = exact.first(&segments.from[3 * cast], &segments.to[3 * cast]);
-  if (truth.walls.empty()) {
-    return ours.wall == kNone;
-  }
+  if (truth.walls.empty()) return ours.wall == kNone;
   // Ours is the largest double not later than the exact time.
   const double later = std::nextafter(ours.time, 2.0);
   return std::find(truth.walls.begin(), truth.walls.end(), ours.wall) != truth.walls.end() &&
@@ -84,14 +78,10 @@ void Agreement::judge(const Exact& exact, const WallMesh& walls, const Segments&
     return tolerance.absolute + tolerance.relative * wall_size(walls, wall);
   };
   if (ours.wall == theirs.wall) {
-    if (ours.wall == kNone) {
-      return;
-    }
+    if (ours.wall == kNone) return;
     const double off = std::fabs(ours.time - theirs.time) * segment_length(segments, cast) *
                        steepness(walls, ours.wall, segments, cast);
-    if (off <= tolerance.absolute) {
-      return;
-    }
+    if (off <= tolerance.absolute) return;
     ++peer.different;
     ++peer.unexplained;
     peer.largest_slack = std::max(peer.largest_slack, off);
@@ -104,8 +94,8 @@ void Agreement::judge(const Exact& exact, const WallMesh& walls, const Segments&
     ++peer.unexplained;
     return;
   }
-  // How little must change for theirs to be right? A wall of theirs that the segment misses must nearly be met; one that
-  // it meets, but later than ours, must be met at nearly the same time, or ours must nearly be missed.
+  // How little must change for theirs to be right? A wall of theirs that the segment misses must nearly be met; one
+  // that it meets, but later than ours, must be met at nearly the same time, or ours must nearly be missed.
   double slack = 0.0, limit = tolerance.absolute;
   if (theirs.wall == kNone) {
     slack = exact.slack(ours.wall, from, to);
@@ -140,9 +130,7 @@ void Agreement::compare(const Segments& segments, const std::vector<Engine*>& en
   const std::size_t every = std::max<std::size_t>(1, segments.count() / std::max<std::size_t>(1, sample));
   for (std::size_t first = 0; first < segments.count(); first += segments.batch) {
     const std::size_t count = std::min(segments.batch, segments.count() - first);
-    for (Engine* engine : engines) {
-      engine->run(first, count);
-    }
+    for (Engine* engine : engines) engine->run(first, count);
     for (std::size_t i = 0; i < count; ++i) {
       const Answer ours = engines.front()->answer(i);
       ++casts_;

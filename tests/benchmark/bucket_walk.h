@@ -3,6 +3,7 @@
 #define DARTSWEEP_TESTS_BENCHMARK_BUCKET_WALK_H
 
 #include "engine.h"
+#include "vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,9 +36,7 @@ inline Answer walk_buckets(const Buckets& buckets, const double* from, const dou
                                                          (at[1] + static_cast<std::ptrdiff_t>(buckets.size[1]) * at[2]);
   test(static_cast<std::size_t>(bucket), answer);
   std::int32_t left = std::abs(end[0] - at[0]) + std::abs(end[1] - at[1]) + std::abs(end[2] - at[2]);
-  if (left == 0) {
-    return answer;
-  }
+  if (left == 0) return answer;
   double next[3], delta[3];
   std::int32_t step[3];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -53,9 +52,7 @@ inline Answer walk_buckets(const Buckets& buckets, const double* from, const dou
   }
   for (; left > 0; --left) {
     const std::size_t axis = next[0] <= next[1] ? (next[0] <= next[2] ? 0 : 2) : (next[1] <= next[2] ? 1 : 2);
-    if (answer.wall != kNone && answer.time < next[axis] - 1e-12) {
-      break;
-    }
+    if (answer.wall != kNone && answer.time < next[axis] - 1e-12) break;
     at[axis] += step[axis];
     next[axis] = at[axis] == end[axis] ? std::numeric_limits<double>::infinity() : next[axis] + delta[axis];
     bucket += step[axis] * static_cast<std::ptrdiff_t>(stride[axis]);

@@ -55,9 +55,7 @@ class BulletTree final : public Bullet {
   BulletTree(std::string name, const WallMesh& walls, bool box) : Bullet(std::move(name), walls), box_(box) {
     for (std::size_t i = 0; i < walls.triangles.size(); ++i) {
       btVector3 corners[3];
-      for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = vertices_[static_cast<std::size_t>(indices_[3 * i + k])];
-      }
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = vertices_[static_cast<std::size_t>(indices_[3 * i + k])];
       triangles_.insert(triangles_.end(), corners, corners + 3);
       tree_.insert(btDbvtVolume::FromPoints(corners, 3), reinterpret_cast<void*>(i));
     }
@@ -97,9 +95,7 @@ std::vector<std::unique_ptr<Engine>> make_bullets(const WallMesh& walls, bool bo
       box ? std::vector<BulletKind>{BulletKind::kQuantizedBox, BulletKind::kTreeBox}
           : std::vector<BulletKind>{BulletKind::kQuantizedRay, BulletKind::kPlainRay, BulletKind::kTreeRay};
   std::vector<std::unique_ptr<Engine>> engines;
-  for (const BulletKind kind : kinds) {
-    engines.push_back(make_bullet(kind, walls));
-  }
+  for (const BulletKind kind : kinds) engines.push_back(make_bullet(kind, walls));
   return engines;
 }
 

@@ -80,9 +80,7 @@ class BulletCasts {
       } else {
         btVector3 direction = to - from, inverse;
         const btScalar length = direction.length();
-        if (length > 0) {
-          direction /= length;
-        }
+        if (length > 0) direction /= length;
         unsigned int signs[3];
         for (int k = 0; k < 3; ++k) {
           inverse[k] = direction[k] == 0 ? btScalar(BT_LARGE_FLOAT) : 1 / direction[k];
@@ -97,9 +95,7 @@ class BulletCasts {
 
   const Result& result(std::size_t i) const { return results_[i]; }
   Answer answer(std::size_t i, const WallMesh& walls) const {
-    if (results_[i].triangle < 0) {
-      return {};
-    }
+    if (results_[i].triangle < 0) return {};
     return {walls.triangle_wall[static_cast<std::size_t>(results_[i].triangle)],
             static_cast<double>(results_[i].fraction)};
   }

@@ -27,9 +27,7 @@ class Tree final : public Casting {
         box_(box),
         corners_(walls, slots),
         leaves_(2 * slots, nullptr) {
-    for (std::uint32_t id = 0; id < walls.walls.size(); ++id) {
-      insert(id);
-    }
+    for (std::uint32_t id = 0; id < walls.walls.size(); ++id) insert(id);
     tree_.optimizeTopDown();
   }
 
@@ -41,9 +39,7 @@ class Tree final : public Casting {
       }
     }
     corners_.apply(change);
-    for (const auto& item : change.added) {
-      insert(item.id);
-    }
+    for (const auto& item : change.added) insert(item.id);
   }
 
   void run(std::size_t first, std::size_t count) override {

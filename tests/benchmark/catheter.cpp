@@ -1,5 +1,5 @@
-// A catheter in a vessel of 200,000 tetrahedra: long edges against Embree, and sliding along the wall. (Figure 9 of [JCD10] is
-// examples/paper/catheter_length.)
+// A catheter in a vessel of 200,000 tetrahedra: long edges against Embree, and sliding along the wall. (Figure 9 of
+// [JCD10] is examples/paper/catheter_length.)
 #include "parts.h"
 
 #include "embree.h"
@@ -41,9 +41,7 @@ Vector vertex(const std::vector<double>& positions, std::size_t i) {
 BodyShape chain(std::size_t particles) {
   BodyShape shape;
   shape.vertices = particles;
-  for (std::uint32_t i = 1; i < particles; ++i) {
-    shape.edges.insert(shape.edges.end(), {i - 1, i});
-  }
+  for (std::uint32_t i = 1; i < particles; ++i) shape.edges.insert(shape.edges.end(), {i - 1, i});
   return shape;
 }
 
@@ -101,12 +99,8 @@ Segments segments_of(const std::vector<double>& before, const std::vector<double
   };
   for (std::size_t v = 0; v < count; ++v) {
     cast(&before[3 * v], v);
-    if (v > 0) {
-      cast(&targets[3 * (v - 1)], v);
-    }
-    if (v + 1 < count) {
-      cast(&before[3 * (v + 1)], v);
-    }
+    if (v > 0) cast(&targets[3 * (v - 1)], v);
+    if (v + 1 < count) cast(&before[3 * (v + 1)], v);
   }
   segments.batch = segments.count();
   return segments;
@@ -129,9 +123,7 @@ Times time_variants(const VesselCase& vessel, const std::vector<Variant>& varian
     const auto targets = targets_at(step);
     const auto keep = [&](const std::string& name, double ns) {
       auto& of = times[name];
-      if ((step - 1) % kBlock == 0) {
-        of.push_back(0.0);
-      }
+      if ((step - 1) % kBlock == 0) of.push_back(0.0);
       of.back() += ns / static_cast<double>(kBlock);
     };
     std::vector<double> before;
@@ -167,17 +159,13 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
       [&](std::size_t step) { return chain_at(vessel.line, kParticles, step); },
       [&](const std::vector<double>& before, const std::vector<double>& targets, const auto& keep) {
         const Segments segments = segments_of(before, targets);
-        if (!embree) {
-          embree = keep_fastest(make_embrees(vessel.walls), segments);
-        }
+        if (!embree) embree = keep_fastest(make_embrees(vessel.walls), segments);
         casts = static_cast<double>(segments.batch);
         embree->prepare(segments);
         keep("embree", cpu_time_ns([&] { embree->run(0, segments.batch); }));
       },
       report);
-  for (const auto& [name, ns] : times) {
-    report.set("edges.long.ns_per_cast." + name, median(ns) / casts);
-  }
+  for (const auto& [name, ns] : times) report.set("edges.long.ns_per_cast." + name, median(ns) / casts);
   const auto over = [&](const char* name, const char* below) { return median_ratio(times[name], times[below]); };
   report.set("edges.long.vs_embree", over("embree", "edges_sequences"));
   report.set("edges.long.vs_embree.no_sequences", over("embree", "edges"));
@@ -197,7 +185,7 @@ void run_long(const VesselCase& vessel, const Options& options, Report& report) 
   report.set("edges.faces_over_edges.catheter_sequences", median_ratio(tube["faces_sequences"], tube["edges"]));
 }
 
-/** A catheter is pressed on the wall, then pushed along it: vertices that touch aim along the facet and a little into it. */
+/** A catheter is pressed on the wall, then pushed along it: vertices that touch aim a little into the facet. */
 void run_sliding(const VesselCase& vessel, dsw_response response, const std::string& key, const Options& options,
                  Report& report) {
   constexpr double kPress = 0.5;      // of the step, into the wall
@@ -220,14 +208,10 @@ void run_sliding(const VesselCase& vessel, dsw_response response, const std::str
     const auto shifted = [&](double by) {
       flock.places(at, volumes);
       std::vector<double> targets = at;
-      for (std::size_t i = 0; i < targets.size(); ++i) {
-        targets[i] += by * aside[i % 3];
-      }
+      for (std::size_t i = 0; i < targets.size(); ++i) targets[i] += by * aside[i % 3];
       return targets;
     };
-    for (int step = 0; step < 60; ++step) {
-      flock.move(shifted(0.1).data(), &pressing);
-    }
+    for (int step = 0; step < 60; ++step) flock.move(shifted(0.1).data(), &pressing);
     for (int step = 0; step < 20; ++step) {
       const dsw_contact* contacts = nullptr;
       std::size_t count = 0;
@@ -266,9 +250,7 @@ void run_sliding(const VesselCase& vessel, dsw_response response, const std::str
 void run_catheter(const Options& options, Report& report) {
   const std::string line = options.data + "/vessels/vascular_phantom_centreline.csv";
   const bool real = !options.vessel.empty() && std::filesystem::exists(line);
-  if (!real) {
-    std::printf("  no data: a generated vessel instead of the phantom\n");
-  }
+  if (!real) std::printf("  no data: a generated vessel instead of the phantom\n");
   const VesselCase vessel(real ? options.vessel : "", line);
   report.set("edges.catheter.cells", static_cast<double>(vessel.mesh.cell_count()));
   run_long(vessel, options, report);

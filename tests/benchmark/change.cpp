@@ -19,9 +19,7 @@ constexpr std::size_t kObstacles = 16;
 template <typename Apply>
 double time_changes(const std::vector<WallChange>& changes, Apply&& apply) {
   return time_ns([&] {
-           for (const WallChange& change : changes) {
-             apply(change);
-           }
+           for (const WallChange& change : changes) apply(change);
          }) /
          static_cast<double>(changes.size());
 }
@@ -39,9 +37,7 @@ void run_change(const Options& options, Report& report) {
   check(dsw_scene_create_particles(handle, scene.motion.starts().data(), particles.size(), 0, nullptr, particles.data(),
                                    nullptr));
   std::vector<std::uint8_t> occupied(scene.grid.obstacle.size());
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    occupied[scene.grid.cell_at(&scene.motion.starts()[3 * i])] = 1;
-  }
+  for (std::size_t i = 0; i < particles.size(); ++i) occupied[scene.grid.cell_at(&scene.motion.starts()[3 * i])] = 1;
 
   ChangeList list(scene.grid, scene.world, scene.walls);
   scenes::Random random(21);
@@ -53,21 +49,15 @@ void run_change(const Options& options, Report& report) {
       // Neighbours in one change would bring a wall and take it away.
       const bool near_listed = std::any_of(set.begin(), set.end(), [&](std::uint32_t other) {
         for (std::uint32_t side = 0; side < 6; ++side) {
-          if (scenes::neighbour(scene.grid, cell, side) == other) {
-            return true;
-          }
+          if (scenes::neighbour(scene.grid, cell, side) == other) return true;
         }
         return cell == other;
       });
-      if (list.passable(cell) && occupied[cell] == 0 && !near_listed) {
-        set.push_back(cell);
-      }
+      if (list.passable(cell) && occupied[cell] == 0 && !near_listed) set.push_back(cell);
     }
     changes.push_back(list.turn(set, true));
   }
-  for (auto set = sets.rbegin(); set != sets.rend(); ++set) {
-    changes.push_back(list.turn(*set, false));
-  }
+  for (auto set = sets.rbegin(); set != sets.rend(); ++set) changes.push_back(list.turn(*set, false));
 
   const auto ours = [&](const WallChange& change) {
     check(dsw_environment_mark_volumes(scene.world.environment(), change.volumes.data(), change.volumes.size(),
@@ -75,12 +65,8 @@ void run_change(const Options& options, Report& report) {
   };
   const auto with_grid = [&](Grid& grid) {
     return [&grid](const WallChange& change) {
-      for (const auto& item : change.removed) {
-        grid.remove(item.id, item.wall);
-      }
-      for (const auto& item : change.added) {
-        grid.insert(item.id, item.wall);
-      }
+      for (const auto& item : change.removed) grid.remove(item.id, item.wall);
+      for (const auto& item : change.added) grid.insert(item.id, item.wall);
     };
   };
 
@@ -100,13 +86,9 @@ void run_change(const Options& options, Report& report) {
       best_ns = median(ns);
     }
   };
-  for (const bool refit : {false, true}) {
-    try_out(make_embree_single(scene.walls, list.slots(), refit));
-  }
+  for (const bool refit : {false, true}) try_out(make_embree_single(scene.walls, list.slots(), refit));
   for (const bool instances : {false, true}) {
-    for (const double chunk : {5.0, 8.0, 10.0, 13.0, 20.0}) {
-      try_out(make_embree_chunks(scene.walls, chunk, instances));
-    }
+    for (const double chunk : {5.0, 8.0, 10.0, 13.0, 20.0}) try_out(make_embree_chunks(scene.walls, chunk, instances));
   }
 
   Grid grid(scene.walls, 1.0);

@@ -14,9 +14,7 @@ class ChangeList {
  public:
   ChangeList(const scenes::HexGrid& grid, const World& world, const WallMesh& walls)
       : grid_(grid), world_(world), obstacle_(grid.obstacle), slots_(walls.walls.size()) {
-    for (std::uint32_t id = 0; id < slots_; ++id) {
-      ids_[walls.walls[id].vertices] = id;
-    }
+    for (std::uint32_t id = 0; id < slots_; ++id) ids_[walls.walls[id].vertices] = id;
   }
 
   WallChange turn(const std::vector<std::uint32_t>& cells, bool impassable) {

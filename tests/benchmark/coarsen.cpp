@@ -29,9 +29,7 @@ Segments about_twenty_cells(const World& world, const scenes::TetCasts& casts) {
   Segments chosen;
   chosen.batch = all.batch;
   for (std::size_t i = 0; i < all.count(); ++i) {
-    if (flights[i].cells_visited < kLeastCells || flights[i].cells_visited > kMostCells) {
-      continue;
-    }
+    if (flights[i].cells_visited < kLeastCells || flights[i].cells_visited > kMostCells) continue;
     chosen.from.insert(chosen.from.end(), &all.from[3 * i], &all.from[3 * i] + 3);
     chosen.to.insert(chosen.to.end(), &all.to[3 * i], &all.to[3 * i] + 3);
     chosen.starts.push_back(all.starts[i]);
@@ -41,9 +39,7 @@ Segments about_twenty_cells(const World& world, const scenes::TetCasts& casts) {
 
 double crossings(const std::vector<dsw_flight>& flights) {
   double sum = 0.0;
-  for (const dsw_flight& flight : flights) {
-    sum += flight.cells_visited - 1;
-  }
+  for (const dsw_flight& flight : flights) sum += flight.cells_visited - 1;
   return sum;
 }
 
@@ -108,9 +104,7 @@ void compare(const std::string& suffix, const scenes::VolumeMesh& mesh, bool qui
 
 void run_coarsen(const Options& options, Report& report, Agreement& agreement) {
   compare(options.vessel.empty() ? "" : ".generated", make_vessel(), options.quick, report, agreement);
-  if (!options.vessel.empty()) {
-    compare("", read_vessel(options.vessel), options.quick, report, agreement);
-  }
+  if (!options.vessel.empty()) compare("", read_vessel(options.vessel), options.quick, report, agreement);
 }
 
 }  // namespace dsw::bench

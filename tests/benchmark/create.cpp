@@ -38,9 +38,7 @@ void run_create(const Options& options, Report& report) {
 
   std::vector<std::uint64_t> keys(6 * hexes.cell_count()), sorted;
   scenes::Random random(31);
-  for (std::uint64_t& key : keys) {
-    key = random.bits();
-  }
+  for (std::uint64_t& key : keys) key = random.bits();
   std::vector<double> create_ns, sort_ns, tets_ns;
   for (int round = 0; round < (options.quick ? 5 : 9); ++round) {
     std::unique_ptr<World> world;

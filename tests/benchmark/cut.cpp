@@ -1,5 +1,5 @@
-// A small blade is swept through the lattice at one place after the other, with particles and bodies inside: what a cut looks at and changes,
-// beside what the blade crosses, and what it costs.
+// A small blade is swept through the lattice at one place after the other, with particles and bodies inside: what a cut
+// looks at and changes, beside what the blade crosses, and what it costs.
 #include "parts.h"
 
 #include "hex_case.h"

@@ -1,5 +1,6 @@
-// Every vertex of the lattice moves every step: what it takes until the casts of the step are answered. Ours deforms its environment with a
-// particle at every vertex of every body; Embree and Bullet refit their trees or make them anew, a grid is filled again.
+// Every vertex of the lattice moves every step: what it takes until the casts of the step are answered. Ours deforms
+// its environment with a particle at every vertex of every body; Embree and Bullet refit their trees or make them anew,
+// a grid is filled again.
 #include "parts.h"
 
 #include "deform_case.h"
@@ -55,9 +56,7 @@ std::unique_ptr<MovingEngine> keep_fastest(DeformCase& scene, const std::vector<
   double least = 0;
   for (std::size_t i = 0; i < engines.size(); ++i) {
     Times times;
-    for (std::size_t k = 0; k < 4; ++k) {
-      repeat(scene, steps[k], *engines[i], times);
-    }
+    for (std::size_t k = 0; k < 4; ++k) repeat(scene, steps[k], *engines[i], times);
     const double ns = *std::min_element(times.both.begin(), times.both.end());
     std::printf("    %-44s %.0f us\n", engines[i]->name().c_str(), ns / 1e3);
     if (i == 0 || ns < least) {
@@ -82,9 +81,7 @@ Times run_ours(Contest& contest, dsw_deform_method method, std::size_t steps) {
   Times times;
   for (std::size_t i = 0; i < steps + 2; ++i) {
     const DeformCase::Times ns = contest.scene->advance(method, contest.steps[i]);
-    if (i >= 2) {
-      times.add(ns.update, ns.queries);
-    }
+    if (i >= 2) times.add(ns.update, ns.queries);
   }
   return times;
 }
@@ -109,9 +106,7 @@ void run_round(Contest& contest, std::size_t steps) {
   contest.times["end_state"].add(run_ours(contest, DSW_DEFORM_END_STATE, steps));
   for (const auto& [name, peer] : contest.peers) {
     Times times;
-    for (std::size_t i = 0; i < 3; ++i) {
-      repeat(*contest.scene, contest.steps[i], *peer, times);
-    }
+    for (std::size_t i = 0; i < 3; ++i) repeat(*contest.scene, contest.steps[i], *peer, times);
     contest.times[name].add(times);
   }
 }
@@ -131,9 +126,7 @@ void compare(Contest& contest, Agreement& agreement, std::map<std::string, std::
   agreement.compare(step.segments, engines, contest.scene->walls(), 200);
   for (const auto& [name, peer] : contest.peers) {
     std::size_t same = 0;
-    for (std::size_t i = 0; i < step.answers.size(); ++i) {
-      same += peer->answer(i).wall == step.answers[i].wall ? 1 : 0;
-    }
+    for (std::size_t i = 0; i < step.answers.size(); ++i) same += peer->answer(i).wall == step.answers[i].wall ? 1 : 0;
     shares[name].push_back(static_cast<double>(same) / static_cast<double>(step.answers.size()));
   }
 }
@@ -151,9 +144,7 @@ void run_deform(const Options& options, Report& report, Agreement& agreement) {
   for (std::size_t round = 0; round < rounds; ++round) {
     for (Contest& contest : contests) {
       run_round(contest, steps);
-      if (round % 3 == 0) {
-        compare(contest, agreement, shares);
-      }
+      if (round % 3 == 0) compare(contest, agreement, shares);
     }
   }
 

@@ -93,9 +93,7 @@ class MovingDbvt final : public MovingBullet {
 
  private:
   const btVector3* get_corners(std::size_t triangle, btVector3* corners) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = vertices_[own_.triangles[triangle][k]];
-    }
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = vertices_[own_.triangles[triangle][k]];
     return corners;
   }
   btDbvtVolume volume_of(std::size_t triangle) const {
@@ -114,18 +112,14 @@ class MovingDbvt final : public MovingBullet {
 std::vector<std::unique_ptr<MovingEngine>> make_moving_bullets(const WallMesh& walls) {
   std::vector<std::unique_ptr<MovingEngine>> engines;
   for (const bool box : {false, true}) {
-    for (const bool refit : {true, false}) {
-      engines.push_back(std::make_unique<MovingBvh>(walls, refit, box));
-    }
+    for (const bool refit : {true, false}) engines.push_back(std::make_unique<MovingBvh>(walls, refit, box));
   }
   return engines;
 }
 
 std::vector<std::unique_ptr<MovingEngine>> make_moving_bullet_trees(const WallMesh& walls) {
   std::vector<std::unique_ptr<MovingEngine>> engines;
-  for (const double margin : {0.05, 0.1}) {
-    engines.push_back(std::make_unique<MovingDbvt>(walls, margin));
-  }
+  for (const double margin : {0.05, 0.1}) engines.push_back(std::make_unique<MovingDbvt>(walls, margin));
   return engines;
 }
 

@@ -32,9 +32,7 @@ double phase(std::size_t step, std::size_t component) {
 TravellingWave::TravellingWave(const std::array<std::uint32_t, 3>& size) : size_(size) {
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::uint32_t i = 0; i <= size[axis]; ++i) {
-        turns_[3 * c + axis].push_back(turn(kWaves[c][axis] * i));
-      }
+      for (std::uint32_t i = 0; i <= size[axis]; ++i) turns_[3 * c + axis].push_back(turn(kWaves[c][axis] * i));
     }
   }
 }
@@ -50,9 +48,7 @@ void TravellingWave::write(std::size_t step, std::vector<double>& points) const 
       }
       for (std::uint32_t x = 0; x <= size_[0]; ++x, out += 3) {
         const double at[3] = {double(x), double(y), double(z)};
-        for (std::size_t c = 0; c < 3; ++c) {
-          out[c] = at[c] + kHeight * (row[c] * turns_[3 * c][x])[1];
-        }
+        for (std::size_t c = 0; c < 3; ++c) out[c] = at[c] + kHeight * (row[c] * turns_[3 * c][x])[1];
       }
     }
   }
@@ -61,9 +57,7 @@ void TravellingWave::write(std::size_t step, std::vector<double>& points) const 
 void TravellingWave::move(std::size_t step, const double* lattice_point, double* space) const {
   for (std::size_t c = 0; c < 3; ++c) {
     double part = -phase(step, c);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      part += kWaves[c][axis] * lattice_point[axis];
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis) part += kWaves[c][axis] * lattice_point[axis];
     space[c] = lattice_point[c] + kHeight * turn(part)[1];
   }
 }
@@ -71,32 +65,20 @@ void TravellingWave::move(std::size_t step, const double* lattice_point, double*
 DeformCase::DeformCase(std::size_t cells)
     : hex_("deform", lattice(cells), {}, 1), wave_(hex_.grid.options.size), names_(hex_.world, hex_.walls) {
   dsw_scene* scene = hex_.world.scene(DSW_FEATURE_DEFORMING);
-  for (auto& points : points_) {
-    wave_.write(step_, points);
-  }
+  for (auto& points : points_) wave_.write(step_, points);
   check(dsw_scene_deform(scene, points_[0].data(), points_[0].size() / 3, nullptr, nullptr));
 
   const std::vector<double>& starts = hex_.motion.starts();
   particles_.resize(hex_.motion.vertex_count());
   for (std::size_t i = 0; i < particles_.size(); ++i) {
-    if (place_particle(i, &starts[3 * i])) {
-      continue;
-    }
+    if (place_particle(i, &starts[3 * i])) continue;
     double centre[3];  // of its cell: a face is not bent exactly as the wave is, so the start can lie beyond a wall
-    for (std::size_t k = 0; k < 3; ++k) {
-      centre[k] = std::floor(starts[3 * i + k]) + 0.5;
-    }
-    if (!place_particle(i, centre)) {
-      throw std::runtime_error("a particle has no place");
-    }
+    for (std::size_t k = 0; k < 3; ++k) centre[k] = std::floor(starts[3 * i + k]) + 0.5;
+    if (!place_particle(i, centre)) throw std::runtime_error("a particle has no place");
   }
   for (std::size_t first = 0; first < particles_.size(); first += scenes::kBodyVertices) {
-    for (std::size_t i = 0; i < scenes::kBodyVertices; ++i) {
-      ends_.push_back({first + i, first + i});
-    }
-    for (const auto& edge : scenes::kEdgeVertices) {
-      ends_.push_back({first + edge[0], first + edge[1]});
-    }
+    for (std::size_t i = 0; i < scenes::kBodyVertices; ++i) ends_.push_back({first + i, first + i});
+    for (const auto& edge : scenes::kEdgeVertices) ends_.push_back({first + edge[0], first + edge[1]});
   }
   sources_.resize(ends_.size());
   to_.resize(3 * sources_.size());
@@ -105,9 +87,7 @@ DeformCase::DeformCase(std::size_t cells)
 
 std::vector<double> DeformCase::in_space(const std::vector<double>& lattice_points) const {
   std::vector<double> space(lattice_points.size());
-  for (std::size_t i = 0; i < space.size(); i += 3) {
-    wave_.move(step_, &lattice_points[i], &space[i]);
-  }
+  for (std::size_t i = 0; i < space.size(); i += 3) wave_.move(step_, &lattice_points[i], &space[i]);
   return space;
 }
 
@@ -140,9 +120,7 @@ DeformCase::Times DeformCase::advance(dsw_deform_method method, DeformStep& step
   step.segments.to = to_;
   check(dsw_scene_get_particles(scene, sources_.data(), sources_.size(), step.segments.from.data(), 0, nullptr));
   step.answers.clear();
-  for (const dsw_flight& flight : flights_) {
-    step.answers.push_back(names_.answer_of(flight));
-  }
+  for (const dsw_flight& flight : flights_) step.answers.push_back(names_.answer_of(flight));
   hex_.motion.advance();
   move_particles();
   return times;

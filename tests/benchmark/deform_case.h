@@ -1,5 +1,5 @@
-// The lattice of [JCD10] 7.4 while every vertex of it moves every step, and its bodies with it: a step of ours, timed, and what other
-// engines need to repeat it.
+// The lattice of [JCD10] 7.4 while every vertex of it moves every step, and its bodies with it: a step of ours, timed,
+// and what other engines need to repeat it.
 #ifndef DARTSWEEP_TESTS_BENCHMARK_DEFORM_CASE_H
 #define DARTSWEEP_TESTS_BENCHMARK_DEFORM_CASE_H
 
@@ -7,7 +7,7 @@
 
 namespace dsw::bench {
 
-/** A wave that runs through a lattice: 0.05 cells high along each axis, some ten cells long, 16 steps a period. No face stays flat. */
+/** A wave that runs through a lattice: 0.05 cells high along each axis, some ten cells long, a period of 16 steps. */
 class TravellingWave {
  public:
   explicit TravellingWave(const std::array<std::uint32_t, 3>& size);
@@ -36,7 +36,7 @@ class DeformCase {
   struct Times {
     double update, queries;  // ns
   };
-  /** Takes the environment to the next step of the wave, with a particle at every vertex of every body in it, and casts from there. */
+  /** Takes the environment to the next step of the wave; particles lie at all vertices of the bodies and are cast. */
   Times advance(dsw_deform_method method, DeformStep& step);
 
   /** Puts the points of the walls to where they are in a step. */

@@ -24,9 +24,7 @@ class MovingEmbree final : public MovingEngine {
         own_(walls),
         quads_(quads),
         device_(rtcNewDevice("threads=1")) {
-    if (device_ == nullptr) {
-      throw std::runtime_error("no Embree device");
-    }
+    if (device_ == nullptr) throw std::runtime_error("no Embree device");
     scene_ = rtcNewScene(device_);
     const int dynamic = update == Update::kRebuildAll ? RTC_SCENE_FLAG_NONE : RTC_SCENE_FLAG_DYNAMIC;
     rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(dynamic | (robust ? RTC_SCENE_FLAG_ROBUST : 0)));
@@ -38,9 +36,7 @@ class MovingEmbree final : public MovingEngine {
     if (quads) {
       // Embree cuts a quadrilateral from its vertex 1 to its vertex 3.
       auto turned = own_.quads;
-      for (auto& quad : turned) {
-        std::rotate(quad.begin(), quad.begin() + 3, quad.end());
-      }
+      for (auto& quad : turned) std::rotate(quad.begin(), quad.begin() + 3, quad.end());
       fill_indices(turned, RTC_FORMAT_UINT4);
     } else {
       fill_indices(own_.triangles, RTC_FORMAT_UINT3);
@@ -60,9 +56,7 @@ class MovingEmbree final : public MovingEngine {
   void write() override {
     float* out = points_;
     for (const std::uint32_t vertex : own_.vertices) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        *out++ = static_cast<float>(walls_.point(vertex)[k]);
-      }
+      for (std::size_t k = 0; k < 3; ++k) *out++ = static_cast<float>(walls_.point(vertex)[k]);
     }
   }
 
@@ -77,9 +71,7 @@ class MovingEmbree final : public MovingEngine {
 
   Answer answer(std::size_t i) const override {
     const auto& result = casts_.result(i);
-    if (result.primitive == kNone) {
-      return {};
-    }
+    if (result.primitive == kNone) return {};
     return {quads_ ? result.primitive : walls_.triangle_wall[result.primitive], static_cast<double>(result.time)};
   }
 
@@ -88,9 +80,7 @@ class MovingEmbree final : public MovingEngine {
   void fill_indices(const std::vector<std::array<std::uint32_t, Width>>& all, RTCFormat format) {
     auto* out = static_cast<unsigned*>(
         rtcSetNewGeometryBuffer(geometry_, RTC_BUFFER_TYPE_INDEX, 0, format, Width * sizeof(unsigned), all.size()));
-    for (const auto& one : all) {
-      out = std::copy(one.begin(), one.end(), out);
-    }
+    for (const auto& one : all) out = std::copy(one.begin(), one.end(), out);
   }
 
   const WallMesh& walls_;

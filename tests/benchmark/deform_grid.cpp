@@ -8,18 +8,10 @@ namespace dsw::bench {
 
 namespace {
 
-using Vector = std::array<double, 3>;
-
-Vector minus(const double* a, const double* b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-/** Walls by the buckets that their boxes meet. Nothing of a wall is computed before a segment asks: fewer ever are than are put in. */
+/** Walls by the buckets that their boxes meet. Nothing of a wall is computed before a segment asks. */
 class MovingGrid final : public MovingEngine {
  public:
-  /** @param chained a list for each bucket, one pass over the walls; else they stand bucket by bucket, which takes two. */
+  /** @param chained a list for each bucket, one pass over the walls; else they stand bucket by bucket: two. */
   MovingGrid(const WallMesh& walls, double edge, bool chained)
       : MovingEngine("grid, bucket " + std::to_string(edge) + (chained ? ", chained" : ", sorted")),
         walls_(walls),
@@ -94,9 +86,7 @@ class MovingGrid final : public MovingEngine {
             test_wall(entries_[e].wall, from, to, answer);
           }
         } else {
-          for (std::uint32_t e = first_[bucket]; e < first_[bucket + 1]; ++e) {
-            test_wall(sorted_[e], from, to, answer);
-          }
+          for (std::uint32_t e = first_[bucket]; e < first_[bucket + 1]; ++e) test_wall(sorted_[e], from, to, answer);
         }
       });
     }
@@ -134,9 +124,7 @@ class MovingGrid final : public MovingEngine {
                layer = row * static_cast<std::size_t>(buckets_.size[1]);
     for (std::size_t z = range.low[2]; z <= range.high[2]; ++z) {
       for (std::size_t y = range.low[1]; y <= range.high[1]; ++y) {
-        for (std::size_t x = range.low[0]; x <= range.high[0]; ++x) {
-          each(x + row * y + layer * z);
-        }
+        for (std::size_t x = range.low[0]; x <= range.high[0]; ++x) each(x + row * y + layer * z);
       }
     }
   }
@@ -154,17 +142,11 @@ class MovingGrid final : public MovingEngine {
                             Answer& answer) {
     const Vector normal = cross(minus(b.data(), a.data()), minus(c.data(), a.data()));
     const double start = -dot(normal, a), end = start + dot(normal, along);
-    if ((start > 0) == (end > 0)) {
-      return;
-    }
+    if ((start > 0) == (end > 0)) return;
     const double time = start / (start - end);
-    if (time >= answer.time && answer.wall != kNone) {
-      return;
-    }
+    if (time >= answer.time && answer.wall != kNone) return;
     const double ab = dot(along, cross(a, b)), bc = dot(along, cross(b, c)), ca = dot(along, cross(c, a));
-    if ((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0)) {
-      answer = {wall, time};
-    }
+    if ((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0)) answer = {wall, time};
   }
 
   const WallMesh& walls_;
@@ -193,9 +175,7 @@ WallPoints::WallPoints(const WallMesh& walls) {
   };
   for (const auto& wall : walls.walls) {
     std::array<std::uint32_t, 4> quad;
-    for (std::size_t k = 0; k < 4; ++k) {
-      quad[k] = place(wall.vertices[(k + wall.diagonal) % 4]);
-    }
+    for (std::size_t k = 0; k < 4; ++k) quad[k] = place(wall.vertices[(k + wall.diagonal) % 4]);
     quads.push_back(quad);
     triangles.push_back({quad[0], quad[1], quad[2]});
     triangles.push_back({quad[0], quad[2], quad[3]});
@@ -205,9 +185,7 @@ WallPoints::WallPoints(const WallMesh& walls) {
 std::vector<std::unique_ptr<MovingEngine>> make_moving_grids(const WallMesh& walls) {
   std::vector<std::unique_ptr<MovingEngine>> engines;
   for (const double edge : {1.0, 2.0, 3.0}) {
-    for (const bool chained : {false, true}) {
-      engines.push_back(std::make_unique<MovingGrid>(walls, edge, chained));
-    }
+    for (const bool chained : {false, true}) engines.push_back(std::make_unique<MovingGrid>(walls, edge, chained));
   }
   return engines;
 }

@@ -30,7 +30,7 @@ std::vector<std::unique_ptr<MovingEngine>> make_moving_embrees(const WallMesh& w
 /** btBvhTriangleMeshShape, refitted or made anew, walked with the segment or asked for its box. */
 std::vector<std::unique_ptr<MovingEngine>> make_moving_bullets(const WallMesh& walls);
 
-/** btDbvt whose leaves have a margin: what Bullet does for objects that move. With one as high as a wave all of them stay. */
+/** btDbvt whose leaves have a margin: what Bullet does for objects that move. With one as high as a wave none moves. */
 std::vector<std::unique_ptr<MovingEngine>> make_moving_bullet_trees(const WallMesh& walls);
 
 /** Uniform grids into which all walls are put again. */

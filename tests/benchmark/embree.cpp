@@ -21,9 +21,7 @@ class Embree final : public Engine {
  public:
   Embree(std::string name, const EmbreeSetting& setting, const WallMesh& walls)
       : Engine(std::move(name)), setting_(setting), walls_(walls), device_(rtcNewDevice("threads=1")) {
-    if (device_ == nullptr) {
-      throw std::runtime_error("no Embree device");
-    }
+    if (device_ == nullptr) throw std::runtime_error("no Embree device");
     scene_ = rtcNewScene(device_);
     rtcSetSceneBuildQuality(scene_, setting.high_quality ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
     rtcSetSceneFlags(scene_, setting.robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
@@ -31,9 +29,7 @@ class Embree final : public Engine {
     rtcSetGeometryBuildQuality(geometry, setting.high_quality ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
     auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                                3 * sizeof(float), walls.points->size() / 3));
-    for (std::size_t i = 0; i < walls.points->size(); ++i) {
-      points[i] = static_cast<float>((*walls.points)[i]);
-    }
+    for (std::size_t i = 0; i < walls.points->size(); ++i) points[i] = static_cast<float>((*walls.points)[i]);
     const std::size_t width = setting.quads ? 4 : 3;
     const std::size_t count = setting.quads ? walls.walls.size() : walls.triangles.size();
     auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
@@ -72,9 +68,7 @@ class Embree final : public Engine {
 
   Answer answer(std::size_t i) const override {
     const auto& result = casts_.result(i);
-    if (result.primitive == kNone) {
-      return {};
-    }
+    if (result.primitive == kNone) return {};
     return {setting_.quads || setting_.occluded ? result.primitive : walls_.triangle_wall[result.primitive],
             static_cast<double>(result.time)};
   }
@@ -152,16 +146,12 @@ std::unique_ptr<Engine> make_embree(const EmbreeSetting& setting, const WallMesh
 
 std::vector<std::unique_ptr<Engine>> make_embrees(const WallMesh& walls) {
   bool all_quads = true;
-  for (const auto& wall : walls.walls) {
-    all_quads = all_quads && wall.vertex_count == 4;
-  }
+  for (const auto& wall : walls.walls) all_quads = all_quads && wall.vertex_count == 4;
   std::vector<std::unique_ptr<Engine>> engines;
   for (const bool quads : {false, true}) {
     for (const bool high : {false, true}) {
       for (const bool robust : {false, true}) {
-        if (!quads || all_quads) {
-          engines.push_back(make_embree({high, robust, quads, false, false}, walls));
-        }
+        if (!quads || all_quads) engines.push_back(make_embree({high, robust, quads, false, false}, walls));
       }
     }
   }

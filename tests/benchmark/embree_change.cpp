@@ -20,9 +20,7 @@ std::array<Corner, 6> corners(const WallMesh& walls, const scenes::Wall& wall) {
   for (std::uint32_t part = 0; part < 2; ++part) {
     const auto triangle = wall.triangle(part);
     for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        all[3 * part + i][k] = static_cast<float>(walls.point(triangle[i])[k]);
-      }
+      for (std::size_t k = 0; k < 3; ++k) all[3 * part + i][k] = static_cast<float>(walls.point(triangle[i])[k]);
     }
   }
   return all;
@@ -63,9 +61,7 @@ class Single final : public EmbreeUpdater {
       indices[i] = i;
       vertices_[i] = {0, 0, 0};
     }
-    for (std::size_t i = 0; i < walls.walls.size(); ++i) {
-      write(i, corners(walls, walls.walls[i]));
-    }
+    for (std::size_t i = 0; i < walls.walls.size(); ++i) write(i, corners(walls, walls.walls[i]));
     rtcCommitGeometry(geometry_);
     rtcAttachGeometry(scene_, geometry_);
     rtcCommitScene(scene_);
@@ -82,9 +78,7 @@ class Single final : public EmbreeUpdater {
       point.fill(vertices_[6 * item.id]);
       write(item.id, point);
     }
-    for (const auto& item : change.added) {
-      write(item.id, corners(walls_, item.wall));
-    }
+    for (const auto& item : change.added) write(item.id, corners(walls_, item.wall));
     rtcUpdateGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0);
     rtcCommitGeometry(geometry_);
     rtcCommitScene(scene_);
@@ -111,9 +105,7 @@ class Chunks final : public EmbreeUpdater {
         walls_(walls),
         size_(size),
         scene_(dynamic_scene(device_.get())) {
-    for (std::uint32_t id = 0; id < walls.walls.size(); ++id) {
-      add(id, walls.walls[id]);
-    }
+    for (std::uint32_t id = 0; id < walls.walls.size(); ++id) add(id, walls.walls[id]);
     for (auto& [key, chunk] : chunks_) {
       chunk.geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
       rtcSetGeometryBuildQuality(chunk.geometry, RTC_BUILD_QUALITY_LOW);
@@ -156,9 +148,7 @@ class Chunks final : public EmbreeUpdater {
       chunk.ids.pop_back();
       touched.push_back(&chunk);
     }
-    for (const auto& item : change.added) {
-      touched.push_back(&add(item.id, item.wall));
-    }
+    for (const auto& item : change.added) touched.push_back(&add(item.id, item.wall));
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     for (Chunk* chunk : touched) {
@@ -204,8 +194,8 @@ class Chunks final : public EmbreeUpdater {
     return chunk;
   }
 
-  /** Copies the chunk's triangles into its buffers, which have some room; the rest are no numbers, which Embree leaves out (points in
-   * one place make it abort). */
+  /** Copies the chunk's triangles into its buffers, which have some room; the rest are no numbers, which Embree leaves
+   * out (points in one place make it abort). */
   void fill(Chunk& chunk) {
     if (chunk.walls.size() > chunk.capacity) {
       chunk.capacity = chunk.walls.size() + chunk.walls.size() / 4 + 8;
@@ -213,14 +203,10 @@ class Chunks final : public EmbreeUpdater {
           chunk.geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Corner), 6 * chunk.capacity));
       auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
           chunk.geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), 2 * chunk.capacity));
-      for (unsigned i = 0; i < 6 * chunk.capacity; ++i) {
-        indices[i] = i;
-      }
+      for (unsigned i = 0; i < 6 * chunk.capacity; ++i) indices[i] = i;
     }
     Corner* out = chunk.vertices;
-    for (const auto& wall : chunk.walls) {
-      out = std::copy(wall.begin(), wall.end(), out);
-    }
+    for (const auto& wall : chunk.walls) out = std::copy(wall.begin(), wall.end(), out);
     constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
     std::fill(out, chunk.vertices + 6 * chunk.capacity, Corner{kNoNumber, kNoNumber, kNoNumber});
     rtcUpdateGeometryBuffer(chunk.geometry, RTC_BUFFER_TYPE_VERTEX, 0);

@@ -14,9 +14,7 @@ WallMesh::WallMesh(const std::vector<double>& mesh_points, std::vector<scenes::W
       triangles.push_back(walls[wall].triangle(i));
       triangle_wall.push_back(wall);
       for (const std::uint32_t vertex : triangles.back()) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          extent = std::max(extent, std::fabs(point(vertex)[k]));
-        }
+        for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, std::fabs(point(vertex)[k]));
       }
     }
   }
@@ -41,22 +39,16 @@ std::unique_ptr<Engine> keep_fastest(std::vector<std::unique_ptr<Engine>> engine
   few.from.assign(segments.from.begin(), segments.from.begin() + static_cast<std::ptrdiff_t>(3 * count));
   few.to.assign(segments.to.begin(), segments.to.begin() + static_cast<std::ptrdiff_t>(3 * count));
   std::vector<std::vector<double>> times(engines.size());
-  for (auto& engine : engines) {
-    engine->prepare(few);
-  }
+  for (auto& engine : engines) engine->prepare(few);
   for (int round = 0; round < 5; ++round) {
-    for (std::size_t i = 0; i < engines.size(); ++i) {
-      times[i].push_back(time_casts(*engines[i], few));
-    }
+    for (std::size_t i = 0; i < engines.size(); ++i) times[i].push_back(time_casts(*engines[i], few));
   }
   // The least of few short runs: whatever disturbs them only adds.
   const auto least = [&](std::size_t i) { return *std::min_element(times[i].begin(), times[i].end()); };
   std::size_t best = 0;
   for (std::size_t i = 0; i < engines.size(); ++i) {
     std::printf("    %-36s %.1f ns\n", engines[i]->name().c_str(), least(i));
-    if (least(i) < least(best)) {
-      best = i;
-    }
+    if (least(i) < least(best)) best = i;
   }
   return std::move(engines[best]);
 }

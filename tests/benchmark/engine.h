@@ -61,8 +61,8 @@ class Engine {
   std::string name_;
 };
 
-/** Nanoseconds a cast in the median batch of the prepared casts, after one batch that warms the caches. Batches take less
- * than a scheduler's slice, so other work on the machine disturbs few of them. */
+/** Nanoseconds a cast in the median batch of the prepared casts, after one batch that warms the caches. Batches take
+ * less than a scheduler's slice, so other work on the machine disturbs few of them. */
 double time_casts(Engine& engine, const Segments& segments);
 
 /** Prepares each engine, runs a few steps in turns and keeps the fastest. */

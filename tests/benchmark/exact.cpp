@@ -1,5 +1,7 @@
 #include "exact.h"
 
+#include "vector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +9,9 @@
 namespace dsw::bench {
 
 namespace {
+
+using bench::cross;
+using bench::dot;
 
 struct Rational {
   mpq_class x, y, z;
@@ -23,25 +28,15 @@ std::optional<mpq_class> triangle_time(const Rational& a, const Rational& b, con
                                        const Rational& q) {
   const Rational normal = cross(b - a, c - a);
   const mpq_class start = dot(normal, p - a), end = dot(normal, q - a);
-  if (sgn(start) * sgn(end) > 0 || sgn(start) == sgn(end)) {
-    return std::nullopt;
-  }
+  if (sgn(start) * sgn(end) > 0 || sgn(start) == sgn(end)) return std::nullopt;
   const Rational along = q - p;
   const Rational pa = a - p, pb = b - p, pc = c - p;
   const int ab = sgn(dot(along, cross(pa, pb))), bc = sgn(dot(along, cross(pb, pc))),
             ca = sgn(dot(along, cross(pc, pa)));
-  if (std::min({ab, bc, ca}) < 0 && std::max({ab, bc, ca}) > 0) {
-    return std::nullopt;
-  }
+  if (std::min({ab, bc, ca}) < 0 && std::max({ab, bc, ca}) > 0) return std::nullopt;
   return mpq_class(start / (start - end));
 }
 
-using Vector = std::array<double, 3>;
-Vector minus(const double* a, const double* b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 
 /** Signed: positive when the triangle is met. */
@@ -50,9 +45,7 @@ double triangle_slack(const double* a, const double* b, const double* c, const d
   const double scale = length(normal);
   double start = dot(normal, minus(p, a)) / scale, end = dot(normal, minus(q, a)) / scale;
   const double turn = end > start ? 1.0 : -1.0;  // crossing along the normal or against it
-  if (end < start) {
-    std::swap(start, end);
-  }
+  if (end < start) std::swap(start, end);
   double least = std::min(-start, end);
   const Vector along = minus(q, p);
   const double* corners[4] = {a, b, c, a};
@@ -115,9 +108,7 @@ Exact::Exact(const WallMesh& walls) : walls_(walls) {
       }
     }
     if (counting) {
-      for (std::size_t i = 1; i < first_.size(); ++i) {
-        first_[i] += first_[i - 1];
-      }
+      for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
       entries_.resize(first_.back());
     }
   }
@@ -139,9 +130,7 @@ std::optional<mpq_class> Exact::time(std::uint32_t wall, const double* from, con
     const auto triangle = walls_.walls[wall].triangle(part);
     const auto found = triangle_time(rational(walls_.point(triangle[0])), rational(walls_.point(triangle[1])),
                                      rational(walls_.point(triangle[2])), p, q);
-    if (found && (!least || *found < *least)) {
-      least = found;
-    }
+    if (found && (!least || *found < *least)) least = found;
   }
   return least;
 }
@@ -170,9 +159,7 @@ Exact::First Exact::first(const double* from, const double* to) const {
   First result;
   for (const std::uint32_t wall : candidates) {
     const auto found = time(wall, from, to);
-    if (!found || (!result.walls.empty() && *found > result.time)) {
-      continue;
-    }
+    if (!found || (!result.walls.empty() && *found > result.time)) continue;
     if (result.walls.empty() || *found < result.time) {
       result.walls.clear();
       result.time = *found;

@@ -25,7 +25,8 @@ class Exact {
   First first(const double* from, const double* to) const;
 
   /** By how much segment or wall must move, in scene units, before the segment meets the wall or no longer does: the
-   * larger over its triangles of the least distance among both ends to the plane and the segment's line to the edges. */
+   * larger over its triangles of the least distance among both ends to the plane and the segment's line to the
+   * edges. */
   double slack(std::uint32_t wall, const double* from, const double* to) const;
 
  private:

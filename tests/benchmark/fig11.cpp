@@ -1,5 +1,6 @@
-// Figure 11 of [JCD10]: 225 deformable hexahedra of 8 particles, simulated by shape matching in lattices of 1e3 to 1e6 cells while
-// obstacles come and go; casts and bodies against Bullet, GIMPACT, Embree and a uniform grid. No elimination (section 6) is used.
+// Figure 11 of [JCD10]: 225 deformable hexahedra of 8 particles, simulated by shape matching in lattices of 1e3 to 1e6
+// cells while obstacles come and go; casts and bodies against Bullet, GIMPACT, Embree and a uniform grid. No
+// elimination (section 6) is used.
 #include "parts.h"
 
 #include "bullet.h"
@@ -60,12 +61,8 @@ class GridChanging final : public ChangingEngine {
   void run(std::size_t first, std::size_t count) override { grid_.run(first, count); }
   Answer answer(std::size_t i) const override { return grid_.answer(i); }
   void apply(const WallChange& change) override {
-    for (const auto& item : change.removed) {
-      grid_.remove(item.id, item.wall);
-    }
-    for (const auto& item : change.added) {
-      grid_.insert(item.id, item.wall);
-    }
+    for (const auto& item : change.removed) grid_.remove(item.id, item.wall);
+    for (const auto& item : change.added) grid_.insert(item.id, item.wall);
   }
 
  private:
@@ -124,9 +121,7 @@ Make choose(const std::vector<Make>& ways, const WallMesh& walls, const Segments
 double time_period(const Script& script, std::size_t period, ChangingEngine& engine, const Segments& segments) {
   engine.prepare(segments);
   return cpu_time_ns([&] {
-           for (const WallChange& change : script.changes[period]) {
-             engine.apply(change);
-           }
+           for (const WallChange& change : script.changes[period]) engine.apply(change);
            for (std::size_t first = 0; first < segments.count(); first += segments.batch) {
              engine.run(first, segments.batch);
            }
@@ -154,9 +149,7 @@ WallMesh all_walls(const Fig11Case& scene, const Script& script) {
   walls.resize(script.slots);
   for (const auto& changes : script.changes) {
     for (const WallChange& change : changes) {
-      for (const auto& item : change.added) {
-        walls[item.id] = item.wall;
-      }
+      for (const auto& item : change.added) walls[item.id] = item.wall;
     }
   }
   return {*scene.walls.points, std::move(walls)};
@@ -178,9 +171,7 @@ class Contest {
     report.set("edges.fig11.mean_step" + label_, script_.mean_step);
     report.set("edges.fig11.deformation" + label_, script_.deformation);
     report.set("edges.fig11.stopped_share" + label_, script_.stopped_share);
-    if (!std::isfinite(script_.deformation)) {
-      throw std::runtime_error("the bodies of figure 11 fell apart");
-    }
+    if (!std::isfinite(script_.deformation)) throw std::runtime_error("the bodies of figure 11 fell apart");
     const Segments segments = script_.casts(0, kStepsPerChange);
     choose_changing("bullet_total_ns", segments,
                     {[&] { return make_bullet_tree(all_, script_.slots, false); },
@@ -216,9 +207,7 @@ class Contest {
     for (std::size_t i = 0; i < count; ++i) {
       times_["total_ns"].push_back(time_period(script_, first + i, ours_, segments[i]));
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      times_["body_total_ns"].push_back(time_bodies(first + i));
-    }
+    for (std::size_t i = 0; i < count; ++i) times_["body_total_ns"].push_back(time_bodies(first + i));
     for (const auto& [key, engine] : changing_) {
       for (std::size_t i = 0; i < count; ++i) {
         times_[key].push_back(time_period(script_, first + i, *engine, segments[i]));
@@ -230,12 +219,8 @@ class Contest {
     }
     for (std::size_t period = first; period < first + count; ++period) {
       for (const WallChange& change : script_.changes[period]) {
-        for (const auto& item : change.removed) {
-          present_[item.id] = 0;
-        }
-        for (const auto& item : change.added) {
-          present_[item.id] = 1;
-        }
+        for (const auto& item : change.removed) present_[item.id] = 0;
+        for (const auto& item : change.added) present_[item.id] = 1;
       }
     }
   }
@@ -245,32 +230,22 @@ class Contest {
     const Segments segments = script_.casts(period * kStepsPerChange, kStepsPerChange);
     std::vector<scenes::Wall> now;
     for (std::size_t id = 0; id < present_.size(); ++id) {
-      if (present_[id] != 0) {
-        now.push_back(all_.walls[id]);
-      }
+      if (present_[id] != 0) now.push_back(all_.walls[id]);
     }
     const WallMesh walls(*all_.points, std::move(now));
     if (chosen_.empty()) {
-      for (const auto& [key, ways] : peers()) {
-        chosen_[key] = choose(ways, walls, segments);
-      }
+      for (const auto& [key, ways] : peers()) chosen_[key] = choose(ways, walls, segments);
     }
     std::vector<std::pair<std::string, std::unique_ptr<Engine>>> engines;
     engines.emplace_back("ns", std::make_unique<Ours>(scene_.world, walls));
     std::vector<Engine*> compared = {engines.front().second.get()};
     for (const auto& [key, make] : chosen_) {
       engines.emplace_back(key, make(walls));
-      if (key.rfind("gimpact", 0) != 0) {
-        compared.push_back(engines.back().second.get());
-      }
+      if (key.rfind("gimpact", 0) != 0) compared.push_back(engines.back().second.get());
     }
-    for (const auto& engine : engines) {
-      engine.second->prepare(segments);
-    }
+    for (const auto& engine : engines) engine.second->prepare(segments);
     for (int round = 0; round < rounds; ++round) {
-      for (const auto& [key, engine] : engines) {
-        times_[key].push_back(time_steps(*engine, segments));
-      }
+      for (const auto& [key, engine] : engines) times_[key].push_back(time_steps(*engine, segments));
     }
     agreement.compare(segments, compared, walls, 40);
   }
@@ -283,9 +258,7 @@ class Contest {
     if (positions != script_.positions.back()) {
       throw std::runtime_error("bodies of figure 11 went elsewhere than recorded");
     }
-    for (const WallChange& change : script_.undo) {
-      ours_.apply(change);
-    }
+    for (const WallChange& change : script_.undo) ours_.apply(change);
     changing_.clear();
   }
 
@@ -297,12 +270,10 @@ class Contest {
     return bodies_world_.environment();
   }
 
-  /** As time_period, of our bodies. They have an environment of their own, since a mark costs more where a scene has bodies. */
+  /** As time_period, of our bodies. Their environment is their own: a mark costs more beside bodies. */
   double time_bodies(std::size_t period) {
     return cpu_time_ns([&] {
-             for (const WallChange& change : script_.changes[period]) {
-               mark(bodies_world_, change);
-             }
+             for (const WallChange& change : script_.changes[period]) mark(bodies_world_, change);
              for (std::size_t step = 0; step < kStepsPerChange; ++step) {
                flock_.move(script_.targets[period * kStepsPerChange + step].data());
              }
@@ -346,9 +317,7 @@ class Contest {
 };
 
 void report_ratios(Contest& contest, Report& report) {
-  for (const auto& [key, values] : contest.times()) {
-    report.set("edges.fig11." + key + contest.label(), median(values));
-  }
+  for (const auto& [key, values] : contest.times()) report.set("edges.fig11." + key + contest.label(), median(values));
   const auto over = [&](const char* key, const char* theirs, const char* ours) {
     report.set("edges.fig11." + (key + contest.label()), median_ratio(contest.times(theirs), contest.times(ours)));
   };
@@ -373,7 +342,8 @@ void report_ratios(Contest& contest, Report& report) {
              1e-6 * median(contest.times("total_ns")) * static_cast<double>(contest.script().batch()));
 }
 
-/** Figure 10: the lattices, and the smallest with its obstacles, those that come first, and the bodies at the start and at the end. */
+/** Figure 10: the lattices, and the smallest with its obstacles, those that come first, and the bodies at the start and
+ * at the end. */
 void write_scene(const std::vector<std::unique_ptr<Contest>>& contests, const std::string& path) {
   nlohmann::ordered_json scene;
   for (const auto& contest : contests) {
@@ -384,19 +354,13 @@ void write_scene(const std::vector<std::unique_ptr<Contest>>& contests, const st
   const Script& script = contests.front()->script();
   const scenes::HexGrid& grid = contests.front()->grid();
   for (std::uint32_t cell = 0; cell < grid.obstacle.size(); ++cell) {
-    if (grid.obstacle[cell] != 0) {
-      scene["obstacles"].push_back(cell);
-    }
+    if (grid.obstacle[cell] != 0) scene["obstacles"].push_back(cell);
   }
-  for (const dsw_volume_id& volume : script.changes.front()[1].volumes) {
-    scene["appearing"].push_back(volume.index);
-  }
+  for (const dsw_volume_id& volume : script.changes.front()[1].volumes) scene["appearing"].push_back(volume.index);
   const auto write_bodies = [&scene](const char* name, const std::vector<double>& positions) {
     for (std::size_t i = 0; i < positions.size(); i += 3) {
       auto& bodies = scene[name];
-      if (i % (3 * scenes::kBodyVertices) == 0) {
-        bodies.push_back(nlohmann::ordered_json::array());
-      }
+      if (i % (3 * scenes::kBodyVertices) == 0) bodies.push_back(nlohmann::ordered_json::array());
       bodies.back().push_back({positions[i], positions[i + 1], positions[i + 2]});
     }
   };
@@ -404,9 +368,7 @@ void write_scene(const std::vector<std::unique_ptr<Contest>>& contests, const st
   write_bodies("bodies_at_the_end", script.positions.back());
   std::ofstream file(path);
   file << scene.dump() << '\n';
-  if (!file.flush()) {
-    throw std::runtime_error("cannot write " + path);
-  }
+  if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
 }  // namespace
@@ -423,16 +385,12 @@ void run_fig11(const Options& options, Report& report, Agreement& agreement) {
     std::printf("  %s\n", label);
     contests.push_back(std::make_unique<Contest>(label, cells, kSteps, report));
   }
-  if (!options.scene.empty()) {
-    write_scene(contests, options.scene);
-  }
+  if (!options.scene.empty()) write_scene(contests, options.scene);
   for (std::size_t turn = 0; turn < kPeriods / kTurn; ++turn) {
     const bool alone = turn % every == every / 2;
     for (const auto& contest : contests) {
       contest->time_periods(turn * kTurn, kTurn, alone, report);
-      if (alone) {
-        contest->time_queries((turn + 1) * kTurn - 1, rounds, agreement);
-      }
+      if (alone) contest->time_queries((turn + 1) * kTurn - 1, rounds, agreement);
     }
   }
   for (const auto& contest : contests) {

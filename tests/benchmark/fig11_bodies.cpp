@@ -33,9 +33,7 @@ void compare_levels(const Fig11Case& scene, const Script& script, Report& report
                                             (kCasts * kBodies));
     }
   }
-  for (const auto& [name, ns] : times) {
-    report.set("edges.fig11.body_ns." + name, median(ns));
-  }
+  for (const auto& [name, ns] : times) report.set("edges.fig11.body_ns." + name, median(ns));
   report.set("edges.swept_over_edges", median_ratio(times["swept"], times["edges"]));
   report.set("edges.swept_over_edges.sequences", median_ratio(times["swept_sequences"], times["edges"]));
   report.set("edges.faces_over_edges", median_ratio(times["faces"], times["edges"]));
@@ -90,9 +88,7 @@ void compare_sweeps(const Fig11Case& scene, const Segments& segments, std::size_
     hits += by_sweep ? 1 : 0;
     extra += by_sweep && !by_casts ? 1 : 0;
     lost += by_casts && !by_sweep ? 1 : 0;
-    if (by_casts == by_sweep && (by_sweep || i % 7 != 0 || checked >= checked_most)) {
-      continue;
-    }
+    if (by_casts == by_sweep && (by_sweep || i % 7 != 0 || checked >= checked_most)) continue;
     ++checked;
     wrong += triangle_meets_obstacle(scene.grid, &from[3 * i], &to[3 * i], &fixed[3 * i]) == by_sweep ? 0 : 1;
   }

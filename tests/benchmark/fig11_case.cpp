@@ -20,13 +20,9 @@ scenes::HexGrid make_grid(std::size_t cells) {
 BodyShape hexahedron(bool with_faces) {
   BodyShape shape;
   shape.vertices = scenes::kBodyVertices;
-  for (const auto& edge : scenes::kEdgeVertices) {
-    shape.edges.insert(shape.edges.end(), edge.begin(), edge.end());
-  }
+  for (const auto& edge : scenes::kEdgeVertices) shape.edges.insert(shape.edges.end(), edge.begin(), edge.end());
   for (const auto& face : scenes::kBodyFaces) {
-    if (with_faces) {
-      shape.corners.insert(shape.corners.end(), {face[0], face[1], face[2], face[0], face[2], face[3]});
-    }
+    if (with_faces) shape.corners.insert(shape.corners.end(), {face[0], face[1], face[2], face[0], face[2], face[3]});
   }
   return shape;
 }
@@ -51,9 +47,7 @@ std::unordered_set<std::uint32_t> met_cells(const scenes::HexGrid& grid, const s
     }
     for (std::uint32_t z = low[2]; z <= high[2]; ++z) {
       for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
-        for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
-          cells.insert(grid.cell(x, y, z));
-        }
+        for (std::uint32_t x = low[0]; x <= high[0]; ++x) cells.insert(grid.cell(x, y, z));
       }
     }
   }
@@ -82,9 +76,7 @@ class Obstacles {
       }
     }
     made[1] = list_.turn(added_, true);
-    for (const WallChange& each : made) {
-      mark(world_, each);
-    }
+    for (const WallChange& each : made) mark(world_, each);
     return made;
   }
 
@@ -189,9 +181,7 @@ Script Fig11Case::record(std::size_t steps, bool changed) {
   keep();
   const double all = static_cast<double>(steps);
   for (std::size_t step = 0; step < steps; ++step) {
-    if (changed && step % kStepsPerChange == 0) {
-      script.changes.push_back(obstacles.change(positions));
-    }
+    if (changed && step % kStepsPerChange == 0) script.changes.push_back(obstacles.change(positions));
     script.targets.push_back(bodies.aim());
     script.mean_step += bodies.speed() / all;
     script.deformation += bodies.deformation() / all;
@@ -201,9 +191,7 @@ Script Fig11Case::record(std::size_t steps, bool changed) {
     bodies.reach(positions);
     answer_contacts(flock, bodies);
   }
-  if (changed) {
-    script.undo.push_back(obstacles.undo());
-  }
+  if (changed) script.undo.push_back(obstacles.undo());
   script.slots = obstacles.slots();
   return script;
 }

@@ -1,5 +1,5 @@
-// Figure 11 of [JCD10]: 225 deformable hexahedra of 8 particles in a lattice, simulated by shape matching while obstacles come and
-// go. What they do is recorded once, so that all engines answer the same casts.
+// Figure 11 of [JCD10]: 225 deformable hexahedra of 8 particles in a lattice, simulated by shape matching while
+// obstacles come and go. What they do is recorded once, so that all engines answer the same casts.
 #ifndef DARTSWEEP_TESTS_BENCHMARK_FIG11_CASE_H
 #define DARTSWEEP_TESTS_BENCHMARK_FIG11_CASE_H
 
@@ -28,8 +28,8 @@ struct Script {
 
   /** Casts of a step. */
   std::size_t batch() const { return kCastsPerParticle * particles; }
-  /** What the method casts in some steps: of every particle its move p p', then q p' for its edges, q where p's turn finds it. A
-   * batch is a step. */
+  /** What the method casts in some steps: of every particle its move p p', then q p' for its edges, q where p's turn
+   * finds it. A batch is a step. */
   Segments casts(std::size_t first_step, std::size_t count) const;
 };
 
@@ -42,7 +42,8 @@ struct Fig11Case {
   World world;
   WallMesh walls;
 
-  /** Simulates some steps at DSW_LEVEL_EDGES and records them. @param changed obstacles come and go; they are back when it returns. */
+  /** Simulates some steps at DSW_LEVEL_EDGES and records them.
+   * @param changed obstacles come and go; they are back when it returns. */
   Script record(std::size_t steps, bool changed);
 };
 

@@ -1,5 +1,5 @@
-// Figure 12 of [JCD10]: a closed surface of 12,000 vertices falls among obstacles in an environment of pyramids, presses on them and
-// is lifted again. What edges cost over vertices alone, and what every elimination saves.
+// Figure 12 of [JCD10]: a closed surface of 12,000 vertices falls among obstacles in an environment of pyramids,
+// presses on them and is lifted again. What edges cost over vertices alone, and what every elimination saves.
 #include "parts.h"
 
 #include "embree.h"
@@ -77,9 +77,7 @@ Fall make_fall(const std::string& path, double cube) {
 
 std::vector<double> place(const Fall& fall, std::size_t step) {
   std::vector<double> at = fall.surface.points;
-  for (std::size_t i = 2; i < at.size(); i += 3) {
-    at[i] += height(step);
-  }
+  for (std::size_t i = 2; i < at.size(); i += 3) at[i] += height(step);
   return at;
 }
 
@@ -91,9 +89,7 @@ Segments segments_of(const Fall& fall, const std::vector<double>& before, const 
     segments.from.insert(segments.from.end(), from, from + 3);
     segments.to.insert(segments.to.end(), &targets[3 * v], &targets[3 * v] + 3);
   };
-  for (std::size_t v = 0; v < fall.shape.vertices; ++v) {
-    cast(&before[3 * v], v);
-  }
+  for (std::size_t v = 0; v < fall.shape.vertices; ++v) cast(&before[3 * v], v);
   for (std::size_t e = 0; e < fall.shape.edges.size(); e += 2) {
     const std::size_t a = fall.shape.edges[e], b = fall.shape.edges[e + 1];
     cast(&before[3 * b], a);  // a < b: b has not moved when it is a's turn
@@ -126,9 +122,7 @@ std::set<std::uint32_t> touched(const Flock& flock) {
   std::size_t count = 0;
   check(dsw_body_get_contacts(flock.scene(), flock.bodies().front(), &contacts, &count));
   std::set<std::uint32_t> vertices;
-  for (std::size_t i = 0; i < count; ++i) {
-    vertices.insert(contacts[i].vertex.index);
-  }
+  for (std::size_t i = 0; i < count; ++i) vertices.insert(contacts[i].vertex.index);
   return vertices;
 }
 
@@ -160,9 +154,7 @@ void run_fall(const std::string& path, double cube, std::size_t count, const std
   const Fall fall = make_fall(path, cube);
   World world(fall.pyramids.mesh, 1);
   std::vector<std::uint8_t> impassable;
-  for (const std::uint8_t obstacle : fall.pyramids.obstacle) {
-    impassable.insert(impassable.end(), 6, obstacle);
-  }
+  for (const std::uint8_t obstacle : fall.pyramids.obstacle) impassable.insert(impassable.end(), 6, obstacle);
   mark_cells(world, impassable);
   const WallMesh walls(fall.pyramids.mesh.points, scenes::pyramid_walls(fall.pyramids));
   report.set(prefix + "vertices", static_cast<double>(fall.shape.vertices));
@@ -191,9 +183,7 @@ void run_fall(const std::string& path, double cube, std::size_t count, const std
     const bool new_block = (step - 1) % kBlock == 0;
     const auto keep = [&](const std::string& name, double ns) {
       auto& of = times[name];
-      if (new_block) {
-        of.push_back(0.0);
-      }
+      if (new_block) of.push_back(0.0);
       of.back() += ns / per_block;
     };
     for (auto& [name, flock] : flocks) {
@@ -203,9 +193,7 @@ void run_fall(const std::string& path, double cube, std::size_t count, const std
     }
     flocks["edges"]->places(after, volumes);
     const Segments segments = segments_of(fall, before, after, targets);
-    if (!embree) {
-      embree = keep_fastest(make_embrees(walls), segments);
-    }
+    if (!embree) embree = keep_fastest(make_embrees(walls), segments);
     embree->prepare(segments);
     keep("embree", cpu_time_ns([&] { embree->run(0, segments.batch); }));
 
@@ -214,15 +202,11 @@ void run_fall(const std::string& path, double cube, std::size_t count, const std
     stops += flocks["edges"]->stopped();
     for (auto& [name, of] : lossy) {
       const auto seen = touched(*flocks["edges_" + name]);
-      for (const std::uint32_t v : all) {
-        of.missed += seen.count(v) == 0 ? 1 : 0;
-      }
+      for (const std::uint32_t v : all) of.missed += seen.count(v) == 0 ? 1 : 0;
       of.not_free += count_not_free(fall, world, *flocks["edges_" + name]);
     }
   }
-  for (const auto& [name, ns] : times) {
-    report.set(prefix + "ns." + name, median(ns));
-  }
+  for (const auto& [name, ns] : times) report.set(prefix + "ns." + name, median(ns));
   for (const auto& [name, times_skipped] : skipped) {
     if (times_skipped != 0) {
       const bool of_edges = name.rfind("edges_", 0) == 0;

@@ -1,4 +1,5 @@
-// Responses [JCD10] 4.2: on how many panels of figure 5, in space and in the plane, each gives its own, expected result.
+// Responses [JCD10] 4.2: on how many panels of figure 5, in space and in the plane, each gives its own, expected
+// result.
 #include "parts.h"
 
 #include "scenes/figure5.h"

@@ -95,18 +95,14 @@ class EachTriangle final : public Base {
       btAABB box(own.m_vertices[0], own.m_vertices[1], own.m_vertices[2]);
       found_.resize(0);
       met = 0;
-      if (!part->getBoxSet()->boxQuery(box, found_)) {
-        continue;
-      }
+      if (!part->getBoxSet()->boxQuery(box, found_)) continue;
       own.buildTriPlane();
       for (int i = 0; i < found_.size(); ++i) {
         part->getPrimitiveTriangle(found_[i], other);
         other.m_margin = 0;
         other.buildTriPlane();
         GIM_TRIANGLE_CONTACT contact;
-        if (own.overlap_test_conservative(other) && own.find_triangle_collision_clip_method(other, contact)) {
-          met = 1;
-        }
+        if (own.overlap_test_conservative(other) && own.find_triangle_collision_clip_method(other, contact)) met = 1;
       }
     }
     part->unlockChildShapes();
@@ -136,9 +132,7 @@ class BodyMeshes final : public Base {
         triangles_each_(particles * (casts - 1)),
         dispatcher_(&configuration_) {
     btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher_);
-    for (std::size_t i = 0; i < 3 * triangles_each_; ++i) {
-      indices_.push_back(static_cast<int>(i));
-    }
+    for (std::size_t i = 0; i < 3 * triangles_each_; ++i) indices_.push_back(static_cast<int>(i));
   }
 
   void prepare(const Segments& segments) override {

@@ -11,13 +11,6 @@ namespace dsw::bench {
 
 namespace {
 
-using Vector = std::array<double, 3>;
-
-Vector minus(const double* a, const double* b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /** A wall closer than this to a bucket's side, in buckets, counts as lying in it. */
@@ -76,9 +69,7 @@ Grid::Grid(const WallMesh& walls, double bucket)
   }
   std::sort(pairs.begin(), pairs.end());
   for (const auto& [at, triangle] : pairs) {
-    if (buckets_[at].count == 0) {
-      buckets_[at].first = static_cast<std::uint32_t>(entries_.size());
-    }
+    if (buckets_[at].count == 0) buckets_[at].first = static_cast<std::uint32_t>(entries_.size());
     ++buckets_[at].count;
     ++buckets_[at].capacity;
     entries_.push_back(rank[triangle]);
@@ -161,9 +152,7 @@ void Grid::unplace(std::uint32_t bucket, std::uint32_t triangle) {
 }
 
 void Grid::insert(std::uint32_t id, const scenes::Wall& wall) {
-  if (id >= wall_triangles_.size()) {
-    wall_triangles_.resize(id + 1, {kNone, kNone});
-  }
+  if (id >= wall_triangles_.size()) wall_triangles_.resize(id + 1, {kNone, kNone});
   for (std::uint32_t part = 0; part < wall.triangle_count(); ++part) {
     const Triangle triangle = make_triangle(wall, part, id);
     if (free_.empty()) {
@@ -197,9 +186,7 @@ void Grid::prepare(const Segments& segments) {
 }
 
 void Grid::run(std::size_t first, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    answers_[i] = cast(&from_[3 * (first + i)], &to_[3 * (first + i)]);
-  }
+  for (std::size_t i = 0; i < count; ++i) answers_[i] = cast(&from_[3 * (first + i)], &to_[3 * (first + i)]);
 }
 
 inline void Grid::test_bucket(std::size_t bucket, const double* from, const double* to, Answer& answer) const {
@@ -208,19 +195,13 @@ inline void Grid::test_bucket(std::size_t bucket, const double* from, const doub
     const Triangle& triangle = triangles_[entries_[own.first + i]];
     const double start = dot(triangle.normal, from) - triangle.offset;
     const double end = dot(triangle.normal, to) - triangle.offset;
-    if ((start > 0) == (end > 0)) {
-      continue;
-    }
+    if ((start > 0) == (end > 0)) continue;
     const double time = start / (start - end);
-    if (time >= answer.time && answer.wall != kNone) {
-      continue;
-    }
+    if (time >= answer.time && answer.wall != kNone) continue;
     const Vector along = minus(to, from);
     const Vector a = minus(triangle.a, from), b = minus(triangle.b, from), c = minus(triangle.c, from);
     const double ab = dot(along, cross(a, b)), bc = dot(along, cross(b, c)), ca = dot(along, cross(c, a));
-    if ((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0)) {
-      answer = {triangle.wall, time};
-    }
+    if ((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0)) answer = {triangle.wall, time};
   }
 }
 
@@ -236,9 +217,7 @@ std::size_t Grid::bytes() const {
 
 std::vector<std::unique_ptr<Engine>> make_grids(const WallMesh& walls, const std::vector<double>& buckets) {
   std::vector<std::unique_ptr<Engine>> engines;
-  for (const double bucket : buckets) {
-    engines.push_back(std::make_unique<Grid>(walls, bucket));
-  }
+  for (const double bucket : buckets) engines.push_back(std::make_unique<Grid>(walls, bucket));
   return engines;
 }
 

@@ -152,9 +152,7 @@ void run_hex(const Options& options, Report& report, Agreement& agreement) {
       std::vector<Engine*> compared;
       for (const auto& [key, engine] : contest.engines()) {
         engine->prepare(contest.segments);
-        if (engine != contest.plain.get() && engine != contest.occluded.get()) {
-          compared.push_back(engine);
-        }
+        if (engine != contest.plain.get() && engine != contest.occluded.get()) compared.push_back(engine);
       }
       agreement.compare(contest.segments, compared, contest.scene->walls, done == 0 ? 2000 : 200);
       if (done == 0) {
@@ -163,9 +161,7 @@ void run_hex(const Options& options, Report& report, Agreement& agreement) {
                                    : name == "hex_warped.n1e6"  ? "walk.hex_warped."
                                    : name == "hex_sheared.n1e6" ? "walk.hex_sheared."
                                                                 : "";
-        if (!prefix.empty()) {
-          report_work(prefix, count_work(contest.scene->world, contest.segments, 20), report);
-        }
+        if (!prefix.empty()) report_work(prefix, count_work(contest.scene->world, contest.segments, 20), report);
       }
     }
     for (int round = 0; round < rounds; ++round) {
@@ -183,9 +179,7 @@ void run_hex(const Options& options, Report& report, Agreement& agreement) {
   for (const Contest& contest : contests) {
     const std::string& label = contest.scene->label;
     const std::string family = label.substr(0, label.find('.')), size = label.substr(label.find('.'));
-    for (const auto& [key, times] : contest.times) {
-      report.set("walk." + family + "." + key + size, median(times));
-    }
+    for (const auto& [key, times] : contest.times) report.set("walk." + family + "." + key + size, median(times));
     const auto& ours = contest.times.at("ns");
     report.set("walk." + family + ".vs_bullet_segment" + size, median_ratio(contest.times.at("bullet_ns"), ours));
     report.set("walk." + family + ".vs_bullet_box" + size, median_ratio(contest.times.at("bullet_box_ns"), ours));

@@ -21,9 +21,7 @@ HexCase::HexCase(std::string case_label, const scenes::HexGridOptions& grid_opti
       motion(grid, body_options),
       walls(marked_walls(grid, world)) {
   // Until as many bodies press against something as will ever do.
-  for (int step = 0; step < 200; ++step) {
-    motion.advance();
-  }
+  for (int step = 0; step < 200; ++step) motion.advance();
 }
 
 std::size_t HexCase::next_block(std::size_t steps, Segments& segments) {

@@ -1,4 +1,4 @@
-// The thread of examples/knot is tied into a knot round a post: after every step it is looked at whether it is exactly free.
+// The thread of examples/knot is tied into a knot round a post: every step is checked exactly for being free.
 #include "parts.h"
 
 #include "knot_type.h"

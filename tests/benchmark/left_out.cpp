@@ -1,5 +1,6 @@
-// What a scene pays for what it names, and what it does not pay for the rest: bytes, orientation tests and time of one scene, each
-// level, feature and way to leave out work on and off. A program of its own: it needs no peer, and runs on two builds of the library.
+// What a scene pays for what it names, and what it does not pay for the rest: bytes, orientation tests and time of one
+// scene, each level, feature and way to leave out work on and off. A program of its own: it needs no peer, and runs on
+// two builds of the library.
 #include "fig11_case.h"
 #include "report.h"
 #include "timing.h"
@@ -73,7 +74,7 @@ Setting search(const char* name, dsw_search value) {
 constexpr std::uint32_t kAll = DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS | DSW_FEATURE_DEFORMING |
                                DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_LIVE_CHANGES;
 
-/** The one at level EDGES_SWEPT names nothing else: it is the `off` of all that are not flags, that at EDGES of flags. */
+/** The one at level EDGES_SWEPT names nothing else: it is the `off` of what is no flag, that at EDGES of flags. */
 std::vector<Setting> all_settings() {
   return {level("points", DSW_LEVEL_POINTS),
           level("edges", DSW_LEVEL_EDGES),
@@ -118,17 +119,13 @@ class Bodies {
   dsw_scene* scene() const { return flock_.scene(); }
   std::size_t vertex_count() const {
     std::size_t count = vertices_ * inserted_.size();
-    for (const auto& each : inserted_) {
-      count += each.size();
-    }
+    for (const auto& each : inserted_) count += each.size();
     return count;
   }
 
   /** All bodies take one step. @return ns that the library takes. */
   double move(const std::vector<double>& script) {
-    if (!adaptive_) {
-      return cpu_time_ns([&] { flock_.move(script.data(), &options_); });
-    }
+    if (!adaptive_) return cpu_time_ns([&] { flock_.move(script.data(), &options_); });
     targets_.clear();
     for (std::size_t body = 0; body < inserted_.size(); ++body) {
       const std::size_t first = targets_.size();
@@ -212,9 +209,7 @@ class Run {
   double count_tests() {
     start(DSW_FEATURE_STATISTICS);
     check(dsw_scene_reset_statistics(bodies_->scene()));
-    for (const auto& targets : script_.targets) {
-      bodies_->move(targets);
-    }
+    for (const auto& targets : script_.targets) bodies_->move(targets);
     dsw_statistics statistics{};
     statistics.struct_size = sizeof statistics;
     check(dsw_scene_get_statistics(bodies_->scene(), &statistics));
@@ -231,20 +226,16 @@ class Run {
   std::vector<double> ns_;  // of each step
 };
 
-/** What a scene that names nothing pays for what another scene has named before it in its environment. Deforming is left out: it
- * says that walks stay those for warped volumes. */
+/** What a scene that names nothing pays for what another scene has named before it in its environment. Deforming is
+ * left out: it says that walks stay those for warped volumes. */
 void measure_unnamed(const Fig11Case& scene, const Script& script, Report& report) {
   Run fresh(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));
   Run after(scene, script, level("edges_swept", DSW_LEVEL_EDGES_SWEPT));
   after.start(kAll ^ DSW_FEATURE_DEFORMING);
-  for (std::size_t step = 0; step < script.steps; ++step) {
-    after.step(step);
-  }
+  for (std::size_t step = 0; step < script.steps; ++step) after.step(step);
   for (Run* run : {&fresh, &after}) {
     run->start();
-    for (std::size_t step = 0; step < script.steps; ++step) {
-      run->step(step);
-    }
+    for (std::size_t step = 0; step < script.steps; ++step) run->step(step);
   }
   report.set("left_out.unnamed_bytes", after.bytes() - fresh.bytes());
   report.set("left_out.unnamed_orientation_tests", after.count_tests() - fresh.count_tests());
@@ -283,14 +274,10 @@ void measure_casts(const World& world, const Segments& segments, std::vector<Row
 std::vector<Row> measure(const Fig11Case& scene, const Script& script, bool libccd_only, Report& report) {
   std::vector<std::unique_ptr<Run>> runs;
   for (const Setting& setting : all_settings()) {
-    if (!libccd_only || setting.setting == "edges_swept") {
-      runs.push_back(std::make_unique<Run>(scene, script, setting));
-    }
+    if (!libccd_only || setting.setting == "edges_swept") runs.push_back(std::make_unique<Run>(scene, script, setting));
   }
   for (std::size_t step = 0; step < script.steps; ++step) {
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      runs[(step + i) % runs.size()]->step(step);
-    }
+    for (std::size_t i = 0; i < runs.size(); ++i) runs[(step + i) % runs.size()]->step(step);
   }
   std::vector<Row> rows;
   std::map<std::string, Row> of_level;
@@ -328,16 +315,12 @@ void write_rows(const std::vector<Row>& rows, const std::string& path) {
     file << row.feature << ',' << row.setting;
     for (const double value : {row.bytes_per_cell, row.bytes_per_vertex, row.tests, row.microseconds}) {
       char text[32] = "";
-      if (value != kNothing) {
-        std::snprintf(text, sizeof text, "%.7g", value);
-      }
+      if (value != kNothing) std::snprintf(text, sizeof text, "%.7g", value);
       file << ',' << text;
     }
     file << '\n';
   }
-  if (!file.flush()) {
-    throw std::runtime_error("cannot write " + path);
-  }
+  if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
 }  // namespace
@@ -360,9 +343,7 @@ int main(int argc, char** argv) {
     Fig11Case scene(cells);
     const Script script = scene.record(steps, false);
     Report report;
-    if (!libccd_only) {
-      measure_unnamed(scene, script, report);
-    }
+    if (!libccd_only) measure_unnamed(scene, script, report);
     write_rows(measure(scene, script, libccd_only, report), csv);
     return report.write(json) ? 0 : 1;
   } catch (const std::exception& error) {

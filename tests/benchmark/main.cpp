@@ -29,43 +29,23 @@ int main(int argc, char** argv) {
   Agreement agreement;
   const auto wanted = [&](const std::string& part) {
     const bool chosen = parts.empty() || std::find(parts.begin(), parts.end(), part) != parts.end();
-    if (chosen) {
-      std::printf("%s\n", part.c_str());
-    }
+    if (chosen) std::printf("%s\n", part.c_str());
     return chosen;
   };
   try {
-    if (wanted("create")) {
-      run_create(options, report);
-    }
-    if (wanted("change")) {
-      run_change(options, report);
-    }
-    if (wanted("cut")) {
-      run_cut(options, report);
-    }
-    if (wanted("obstacles")) {
-      run_obstacles(options, report);
-    }
+    if (wanted("create")) run_create(options, report);
+    if (wanted("change")) run_change(options, report);
+    if (wanted("cut")) run_cut(options, report);
+    if (wanted("obstacles")) run_obstacles(options, report);
     if (wanted("self")) {
       run_self(options, report);
       run_knot(report);
     }
-    if (wanted("figure5")) {
-      run_figure5(options, report);
-    }
-    if (wanted("remesh")) {
-      run_remesh(options, report);
-    }
-    if (wanted("plane")) {
-      run_plane(options, report);
-    }
-    if (wanted("threads")) {
-      run_threads(options, report);
-    }
-    if (wanted("tet")) {
-      run_tet(options, report, agreement);
-    }
+    if (wanted("figure5")) run_figure5(options, report);
+    if (wanted("remesh")) run_remesh(options, report);
+    if (wanted("plane")) run_plane(options, report);
+    if (wanted("threads")) run_threads(options, report);
+    if (wanted("tet")) run_tet(options, report, agreement);
     if (wanted("vessel")) {
       if (options.vessel.empty()) {
         std::printf("  no data: walk.vessel.* is left out\n");
@@ -73,24 +53,12 @@ int main(int argc, char** argv) {
         run_vessel(options, report, agreement);
       }
     }
-    if (wanted("coarsen")) {
-      run_coarsen(options, report, agreement);
-    }
-    if (wanted("hex")) {
-      run_hex(options, report, agreement);
-    }
-    if (wanted("fig11")) {
-      run_fig11(options, report, agreement);
-    }
-    if (wanted("fig12")) {
-      run_fig12(options, report);
-    }
-    if (wanted("catheter")) {
-      run_catheter(options, report);
-    }
-    if (wanted("deform")) {
-      run_deform(options, report, agreement);
-    }
+    if (wanted("coarsen")) run_coarsen(options, report, agreement);
+    if (wanted("hex")) run_hex(options, report, agreement);
+    if (wanted("fig11")) run_fig11(options, report, agreement);
+    if (wanted("fig12")) run_fig12(options, report);
+    if (wanted("catheter")) run_catheter(options, report);
+    if (wanted("deform")) run_deform(options, report, agreement);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

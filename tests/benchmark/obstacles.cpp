@@ -1,5 +1,5 @@
-// Random obstacles while bodies move, [JCD10] 7.4: at every step 16 cells that were obstacles for a step become passable and 16 others
-// become obstacles, then the step's casts are made.
+// Random obstacles while bodies move, [JCD10] 7.4: at every step 16 cells that were obstacles for a step become
+// passable and 16 others become obstacles, then the step's casts are made.
 #include "parts.h"
 
 #include "change_list.h"
@@ -32,7 +32,7 @@ void mark(dsw_environment* environment, const WallChange& change, std::uint32_t 
                                      change.impassable ? DSW_MARK_IMPASSABLE : DSW_MARK_PASSABLE, flags, nullptr));
 }
 
-/** Passable cells without a vertex, of which none is another's neighbour: neighbours would bring a wall and take it away. */
+/** Passable cells without a vertex, of which none is another's neighbour: between neighbours no wall would stay. */
 std::vector<std::uint32_t> choose_obstacles(const scenes::HexGrid& grid, const ChangeList& list,
                                             const std::vector<std::uint8_t>& occupied, scenes::Random& random) {
   std::vector<std::uint32_t> set;

@@ -60,9 +60,7 @@ World::World(const scenes::VolumeMesh& mesh, std::uint32_t threads, bool count_m
                                                        : DSW_CELL_TYPE_TETRA;
   build_report_.struct_size = sizeof build_report_;
   const dsw_status status = dsw_environment_create(context_, &desc, &environment_, &build_report_);
-  if (status != DSW_STATUS_OK) {
-    dsw_context_destroy(context_);
-  }
+  if (status != DSW_STATUS_OK) dsw_context_destroy(context_);
   check(status);
 }
 
@@ -109,9 +107,7 @@ std::vector<dsw_volume_id> volume_ids(const World& world, const std::vector<std:
 void mark_cells(World& world, const std::vector<std::uint8_t>& impassable) {
   std::vector<std::uint32_t> cells;
   for (std::uint32_t cell = 0; cell < impassable.size(); ++cell) {
-    if (impassable[cell] != 0) {
-      cells.push_back(cell);
-    }
+    if (impassable[cell] != 0) cells.push_back(cell);
   }
   const auto ids = volume_ids(world, cells);
   check(dsw_environment_mark_volumes(world.environment(), ids.data(), ids.size(), DSW_MARK_IMPASSABLE, 0, nullptr));
@@ -128,9 +124,7 @@ void mark_triangles(World& world, const std::vector<std::array<std::uint32_t, 3>
   std::size_t missing = 0;
   check(dsw_environment_find_faces(world.environment(), faces.size(), offsets.data(), indices.data(), faces.data(),
                                    &missing));
-  if (missing != 0) {
-    throw std::runtime_error("a face of the scene is not in the environment");
-  }
+  if (missing != 0) throw std::runtime_error("a face of the scene is not in the environment");
   check(dsw_environment_mark_faces(world.environment(), faces.data(), faces.size(), DSW_MARK_IMPASSABLE));
 }
 
@@ -154,17 +148,13 @@ void adopt_triangulation(const World& world, const scenes::VolumeMesh& mesh, std
   }
   std::sort(triangles.begin(), triangles.end());
   for (scenes::Wall& wall : walls) {
-    if (wall.vertex_count != 4) {
-      continue;
-    }
+    if (wall.vertex_count != 4) continue;
     bool found = false;
     for (const std::uint8_t diagonal : {std::uint8_t{0}, std::uint8_t{1}}) {
       wall.diagonal = diagonal;
       std::array<Position, 3> key;
       const auto triangle = wall.triangle(0);
-      for (std::size_t k = 0; k < 3; ++k) {
-        key[k] = position(mesh.point(triangle[k]));
-      }
+      for (std::size_t k = 0; k < 3; ++k) key[k] = position(mesh.point(triangle[k]));
       std::sort(key.begin(), key.end());
       if (std::binary_search(triangles.begin(), triangles.end(), key)) {
         found = true;
@@ -188,9 +178,7 @@ std::size_t locate_starts(const World& world, const std::vector<std::uint32_t>& 
                                       segments.starts.data(), places.data()));
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (places[i] != DSW_PLACE_PASSABLE) {
-      continue;
-    }
+    if (places[i] != DSW_PLACE_PASSABLE) continue;
     segments.starts[kept] = segments.starts[i];
     std::copy_n(&segments.from[3 * i], 3, &segments.from[3 * kept]);
     std::copy_n(&segments.to[3 * i], 3, &segments.to[3 * kept]);
@@ -216,13 +204,9 @@ Ours::Ours(const World& world, const WallMesh& walls, std::uint32_t flags) : Eng
   std::size_t missing = 0;
   check(dsw_environment_find_faces(world.environment(), faces.size(), offsets.data(), indices.data(), faces.data(),
                                    &missing));
-  if (missing != 0) {
-    throw std::runtime_error("a wall of the scene is not a face of the environment");
-  }
+  if (missing != 0) throw std::runtime_error("a wall of the scene is not a face of the environment");
   wall_of_face_.reserve(faces.size());
-  for (std::uint32_t i = 0; i < faces.size(); ++i) {
-    wall_of_face_[face_key(faces[i])] = i;
-  }
+  for (std::uint32_t i = 0; i < faces.size(); ++i) wall_of_face_[face_key(faces[i])] = i;
 }
 
 void Ours::prepare(const Segments& segments) {
@@ -236,9 +220,7 @@ void Ours::run(std::size_t first, std::size_t count) {
 }
 
 Answer Ours::answer_of(const dsw_flight& flight) const {
-  if (flight.outcome == DSW_OUTCOME_REACHED) {
-    return {};
-  }
+  if (flight.outcome == DSW_OUTCOME_REACHED) return {};
   const auto found = wall_of_face_.find(face_key(flight.face));
   // An outcome or a face that cannot be is an index that no wall has: the exact check counts it as wrong.
   const bool sound = flight.outcome == DSW_OUTCOME_CONTACT && found != wall_of_face_.end();
@@ -255,9 +237,7 @@ Work count_work(World& world, const Segments& segments, std::size_t batches) {
   std::vector<dsw_flight> flights(segments.batch);
   for (std::size_t batch = 0; batch < batches; ++batch) {
     const std::size_t first = batch * segments.batch;
-    if (first >= segments.count()) {
-      break;
-    }
+    if (first >= segments.count()) break;
     const std::size_t count = std::min(segments.batch, segments.count() - first);
     check(dsw_scene_create_particles(scene, &segments.from[3 * first], count, 0, &segments.starts[first],
                                      particles.data(), nullptr));
@@ -273,9 +253,7 @@ Work count_work(World& world, const Segments& segments, std::size_t batches) {
     work.exact_fallbacks += static_cast<double>(statistics.exact_fallbacks);
     work.ties += static_cast<double>(statistics.ties);
     work.contacts += static_cast<double>(statistics.contacts);
-    for (std::size_t i = 0; i < count; ++i) {
-      check(dsw_particle_destroy(scene, particles[i]));
-    }
+    for (std::size_t i = 0; i < count; ++i) check(dsw_particle_destroy(scene, particles[i]));
   }
   world.close_scene();
   return work;

@@ -24,7 +24,7 @@ class World {
  public:
   /** @param count_memory lends an allocator that fills memory(): single-threaded worlds only. */
   World(const scenes::VolumeMesh& mesh, std::uint32_t threads, bool count_memory = false);
-  /** What another one is, coarsened; in the other's context, so it must go first. `map`: one entry for each cell of the other. */
+  /** What another one is, coarsened; in the other's context, so it must go first. `map`: one entry a cell of that. */
   World(const World& fine, std::vector<std::uint32_t>& map, dsw_coarsen_report& report);
   ~World();
   World(const World&) = delete;

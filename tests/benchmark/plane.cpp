@@ -1,5 +1,5 @@
-// Particles in Delaunay triangulations of the plane: a short move of ours, which finds what is in the way and is verified, beside CGAL's
-// walk from triangle to triangle, which only finds where the target is.
+// Particles in Delaunay triangulations of the plane: a short move of ours, which finds what is in the way and is
+// verified, beside CGAL's walk from triangle to triangle, which only finds where the target is.
 #include "parts.h"
 
 #include "plane_case.h"

@@ -16,7 +16,8 @@ using namespace plane;
 
 constexpr std::size_t kRays = 1000;
 
-/** The sides between obstacles and the rest, as Box2D wants them: it widens boxes by a tenth of a metre, so that an edge is some metres here. */
+/** The sides between obstacles and the rest, as Box2D wants them: it widens boxes by a tenth of a metre, so that an
+ * edge is some metres here. */
 class Box2dSides : public b2RayCastCallback {
  public:
   Box2dSides(const Triangles& triangles, const std::vector<char>& solid)

@@ -1,5 +1,6 @@
-// A rope that meets itself: a helix whose turns wobble through each other, if nothing stops them. Ours moves it as a body; the peer is what
-// a host would build from parts, Bullet's tree of boxes against itself and our own exact times for the pairs that it finds.
+// A rope that meets itself: a helix whose turns wobble through each other, if nothing stops them. Ours moves it as a
+// body; the peer is what a host would build from parts, Bullet's tree of boxes against itself and our own exact times
+// for the pairs that it finds.
 #include "parts.h"
 
 #include "bullet_casts.h"
@@ -97,8 +98,8 @@ class Rope {
   dsw_body_id body_{};
 };
 
-/** Bullet's tree over what each edge can sweep in a step, then exact times in the order in which vertices move. Where a vertex stops it is
- * told: finding that out is not part of its time. */
+/** Bullet's tree over what each edge can sweep in a step, then exact times in the order in which vertices move. Where a
+ * vertex stops it is told: finding that out is not part of its time. */
 class Peer {
  public:
   /** @param margin of the leaves, which stay in place while their edges keep within; 0: every leaf is put anew. */

@@ -25,19 +25,13 @@ Surface read_surface(const std::string& path) {
       for (std::uint32_t& corner : face) {
         words >> corner;
         --corner;
-        if (corner >= surface.points.size() / 3) {
-          throw std::runtime_error(path + ": a corner is no vertex");
-        }
+        if (corner >= surface.points.size() / 3) throw std::runtime_error(path + ": a corner is no vertex");
       }
       surface.faces.push_back(face);
     }
-    if (words.fail() && (kind == "v" || kind == "f")) {
-      throw std::runtime_error(path + ": " + line);
-    }
+    if (words.fail() && (kind == "v" || kind == "f")) throw std::runtime_error(path + ": " + line);
   }
-  if (surface.faces.empty()) {
-    throw std::runtime_error("cannot read " + path);
-  }
+  if (surface.faces.empty()) throw std::runtime_error("cannot read " + path);
   return surface;
 }
 

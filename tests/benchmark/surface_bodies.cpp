@@ -11,9 +11,7 @@ Flock::Flock(dsw_environment* environment, const Variant& variant, const BodySha
   check(dsw_scene_create(environment, &scene_desc, &scene_));
 
   std::vector<std::uint32_t> offsets(shape.corners.size() / 3 + 1);
-  for (std::size_t i = 0; i < offsets.size(); ++i) {
-    offsets[i] = static_cast<std::uint32_t>(3 * i);
-  }
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::uint32_t>(3 * i);
   dsw_body_desc desc;
   dsw_body_desc_init(&desc, sizeof desc);
   desc.flags = variant.flags;
@@ -29,9 +27,7 @@ Flock::Flock(dsw_environment* environment, const Variant& variant, const BodySha
     desc.positions = &positions[3 * vertices_ * i];
     bodies_.emplace_back();
     const dsw_status status = dsw_body_create(scene_, &desc, &bodies_.back());
-    if (status != DSW_STATUS_OK) {
-      dsw_scene_destroy(scene_);
-    }
+    if (status != DSW_STATUS_OK) dsw_scene_destroy(scene_);
     check(status);
   }
 }
@@ -59,25 +55,19 @@ void Flock::places(std::vector<double>& positions, std::vector<dsw_volume_id>& v
 
 std::size_t Flock::swept() const {
   std::size_t sum = 0;
-  for (const dsw_move_report& report : reports_) {
-    sum += report.edges_swept;
-  }
+  for (const dsw_move_report& report : reports_) sum += report.edges_swept;
   return sum;
 }
 
 std::size_t Flock::skipped() const {
   std::size_t sum = 0;
-  for (const dsw_move_report& report : reports_) {
-    sum += report.edges_skipped;
-  }
+  for (const dsw_move_report& report : reports_) sum += report.edges_skipped;
   return sum;
 }
 
 std::size_t Flock::stopped() const {
   std::size_t sum = 0;
-  for (const dsw_move_report& report : reports_) {
-    sum += report.vertices_stopped;
-  }
+  for (const dsw_move_report& report : reports_) sum += report.vertices_stopped;
   return sum;
 }
 

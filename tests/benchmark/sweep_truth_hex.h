@@ -6,8 +6,8 @@
 
 namespace dsw::bench {
 
-/** Leaving the lattice counts as meeting. Touching counts as meeting, which the shift may see differently: it does not happen at
- * random. The lattice must be neither jittered nor sheared. */
+/** Leaving the lattice counts as meeting. Touching counts as meeting, which the shift may see differently: it does not
+ * happen at random. The lattice must be neither jittered nor sheared. */
 bool triangle_meets_obstacle(const scenes::HexGrid& grid, const double* a, const double* b, const double* c);
 
 }  // namespace dsw::bench

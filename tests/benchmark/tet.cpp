@@ -53,13 +53,9 @@ void contest(const std::string& prefix, const std::string& suffix, Ours& ours, c
   agreement.compare(segments, compared, walls, 1000);
   std::vector<std::vector<double>> times(engines.size());
   for (int round = 0; round < rounds; ++round) {
-    for (std::size_t i = 0; i < engines.size(); ++i) {
-      times[i].push_back(time_casts(*engines[i].second, segments));
-    }
+    for (std::size_t i = 0; i < engines.size(); ++i) times[i].push_back(time_casts(*engines[i].second, segments));
   }
-  for (std::size_t i = 0; i < engines.size(); ++i) {
-    report.set(prefix + engines[i].first + suffix, median(times[i]));
-  }
+  for (std::size_t i = 0; i < engines.size(); ++i) report.set(prefix + engines[i].first + suffix, median(times[i]));
   report.set(prefix + "vs_bullet_segment" + suffix, median_ratio(times[1], times[0]));
   report.set(prefix + "vs_bullet_box" + suffix, median_ratio(times[2], times[0]));
   report.set(prefix + "vs_embree" + suffix, median_ratio(times[3], times[0]));

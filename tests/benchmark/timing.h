@@ -19,8 +19,8 @@ double time_ns(Work&& work) {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }
 
-/** Nanoseconds of its processor that a call takes in this thread: for work that lasts longer than a scheduler's slice, which other jobs
- * would stretch while short work slips through between them. */
+/** Nanoseconds of its processor that a call takes in this thread: for work that lasts longer than a scheduler's slice,
+ * which other jobs would stretch while short work slips through between them. */
 template <typename Work>
 double cpu_time_ns(Work&& work) {
   const auto now = [] {
@@ -34,9 +34,7 @@ double cpu_time_ns(Work&& work) {
 }
 
 inline double median(std::vector<double> values) {
-  if (values.empty()) {
-    return 0.0;
-  }
+  if (values.empty()) return 0.0;
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
@@ -45,9 +43,7 @@ inline double median(std::vector<double> values) {
 /** Median of a[i] / b[i]. */
 inline double median_ratio(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> ratios;
-  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {
-    ratios.push_back(a[i] / b[i]);
-  }
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) ratios.push_back(a[i] / b[i]);
   return median(ratios);
 }
 

@@ -32,14 +32,10 @@ std::vector<std::array<double, 3>> read_line(const std::string& file_name) {
   std::vector<std::array<double, 3>> points;
   std::string text;
   while (std::getline(file, text)) {
-    if (text.rfind("0,", 0) != 0) {
-      continue;
-    }
+    if (text.rfind("0,", 0) != 0) continue;
     std::istringstream fields(text);
     std::string field;
-    for (int i = 0; i < 3; ++i) {
-      std::getline(fields, field, ',');
-    }
+    for (int i = 0; i < 3; ++i) std::getline(fields, field, ',');
     std::array<double, 3> point{};
     for (double& value : point) {
       std::getline(fields, field, ',');
@@ -47,17 +43,13 @@ std::vector<std::array<double, 3>> read_line(const std::string& file_name) {
     }
     points.push_back(point);
   }
-  if (points.size() < 2) {
-    throw std::runtime_error("cannot read " + file_name);
-  }
+  if (points.size() < 2) throw std::runtime_error("cannot read " + file_name);
   return points;
 }
 
 std::vector<std::array<double, 3>> make_line() {
   std::vector<std::array<double, 3>> points;
-  for (double x = kCube; x < (kSide - 1) * kCube; x += 0.25 * kCube) {
-    points.push_back(generated_centre(x));
-  }
+  for (double x = kCube; x < (kSide - 1) * kCube; x += 0.25 * kCube) points.push_back(generated_centre(x));
   return points;
 }
 
@@ -85,9 +77,7 @@ scenes::VolumeMesh read_vessel(const std::string& path) {
   read(mesh.points, 3 * counts[0]);
   read(mesh.connectivity, 4 * counts[1]);
   read(mesh.regions, counts[1]);
-  if (!file) {
-    throw std::runtime_error("cannot read " + path);
-  }
+  if (!file) throw std::runtime_error("cannot read " + path);
   return mesh;
 }
 
@@ -123,9 +113,7 @@ scenes::VolumeMesh make_vessel() {
 }
 
 Line::Line(std::vector<std::array<double, 3>> points) : points_(std::move(points)), at_{0.0} {
-  for (std::size_t i = 1; i < points_.size(); ++i) {
-    at_.push_back(at_.back() + distance(points_[i - 1], points_[i]));
-  }
+  for (std::size_t i = 1; i < points_.size(); ++i) at_.push_back(at_.back() + distance(points_[i - 1], points_[i]));
 }
 
 std::array<double, 3> Line::point(double distance) const {
@@ -133,9 +121,7 @@ std::array<double, 3> Line::point(double distance) const {
   const auto i = static_cast<std::size_t>(next - at_.begin());
   const double share = (distance - at_[i - 1]) / (at_[i] - at_[i - 1]);
   std::array<double, 3> point{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    point[k] = points_[i - 1][k] + share * (points_[i][k] - points_[i - 1][k]);
-  }
+  for (std::size_t k = 0; k < 3; ++k) point[k] = points_[i - 1][k] + share * (points_[i][k] - points_[i - 1][k]);
   return point;
 }
 

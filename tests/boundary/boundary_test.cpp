@@ -1,7 +1,7 @@
-// Every exported function is called with one thing wrong after the other, from several threads at once: it answers a status, says in which
-// function, leaves its out-arguments alone, and nothing has changed. First each thread has a world of its own; then all share one, readers
-// together and writers alone, as the headers promise. All of it in the plane, then in space. The list of functions is that of abi/symbols.txt.
-// usage: boundary_test [THREADS]
+// Every exported function is called with one thing wrong after the other, from several threads at once: it answers a
+// status, says in which function, leaves its out-arguments alone, and nothing has changed. First each thread has a
+// world of its own; then all share one, readers together and writers alone, as the headers promise. All of it in the
+// plane, then in space. The list of functions is that of abi/symbols.txt. usage: boundary_test [THREADS]
 
 #include <array>
 #include <atomic>
@@ -43,7 +43,8 @@ class Caller {
   }
 
  private:
-  /** @return false where parameter `wrong` can't be wrong in so many ways; SIZE_MAX: nothing is, and the answer is kept. */
+  /** @return false where parameter `wrong` can't be wrong in so many ways; SIZE_MAX: nothing is, and the answer is
+   * kept. */
   template <class R, class... A>
   bool attempt(const char* name, R (*function)(A...), std::string_view parameters, size_t wrong, size_t k,
                int* before) {
@@ -211,7 +212,8 @@ int main(int argc, char** argv) {
     calls = failures = refused = 0;
     on_all_threads(threads, dimension, false);
     on_all_threads(threads, dimension, true);
-    // Where nothing is wrong nearly all have to succeed, or one wrong thing would not be seen for another; the plane lacks some.
+    // Where nothing is wrong nearly all have to succeed, or one wrong thing would not be seen for another; the plane
+    // lacks some.
     const size_t tests = 2 * threads * kTestCount, most = tests / (dimension == 2 ? 6 : 10);
     std::printf("dimension %u: %zu functions, %zu calls, %zu failures; %zu of %zu are refused with nothing wrong\n",
                 dimension, kTestCount, calls.load(), failures.load(), refused.load(), tests);

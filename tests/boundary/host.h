@@ -23,7 +23,8 @@ inline void need(bool holds, const char* what) {
 Block save(const dsw_environment* environment);
 Block save(const dsw_scene* scene);
 
-/** A row of four unit cubes, in the plane of squares; two particles and two bodies, of four vertices each, in the first. */
+/** A row of four unit cubes, in the plane of squares; two particles and two bodies, of four vertices each, in the
+ * first. */
 class Host {
  public:
   explicit Host(uint32_t d) : dimension(d) { make(); }

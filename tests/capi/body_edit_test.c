@@ -3,64 +3,21 @@
 #include <string.h>
 
 #include "check.h"
-#include "fixture.h"
+#include "stage.h"
 
-/* 4 x 4 x 3 cubes; the face x = 2 of the cube (1, 1, 0) is marked where something has to be in the way. */
-enum { NX = 4, NY = 4, NZ = 3, WALL = 1 + NX };
+/* The face x = 2 of the cube (1, 1, 0) is marked where something has to be in the way. */
+enum { WALL = 1 + N };
 
-static dsw_environment *g_env;
-static dsw_scene *g_scene;
 static const dsw_body_vertex_id g_gone = {0, 9}, g_nothing = {0, 0};
-
-static dsw_body_vertex_id vertex_id(uint32_t index) {
-  dsw_body_vertex_id v;
-  v.index = index;
-  v.generation = 1;
-  return v;
-}
-
-static dsw_body_edge_id edge_id(uint32_t index) {
-  dsw_body_edge_id e;
-  e.index = index;
-  e.generation = 1;
-  return e;
-}
-
-static dsw_body_face_id face_id(uint32_t index) {
-  dsw_body_face_id f;
-  f.index = index;
-  f.generation = 1;
-  return f;
-}
 
 /* A square of two triangles, 0 1 2 and 0 2 3, at z = 0.5, and a vertex 4 above. Edges: 0 1, 1 2, 2 0, 2 3, 3 0. */
 static dsw_body_id make_square(dsw_level level) {
   static const double positions[15] = {0.5, 0.5, 0.5, 1.5, 0.5, 0.5, 1.5, 1.5, 0.5, 0.5, 1.5, 0.5, 1.25, 0.75, 1.5};
   static const uint32_t offsets[2] = {0, 4}, corners[4] = {0, 1, 2, 3};
-  dsw_body_desc d;
+  const dsw_body_desc d = surface_desc(positions, 5, offsets, corners, 1, level);
   dsw_body_id body = {0, 0};
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = 5;
-  d.face_offsets = offsets;
-  d.face_corners = corners;
-  d.face_count = 1;
-  d.face_corner_count = 4;
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
   return body;
-}
-
-static dsw_body_counts counts_of(dsw_body_id body) {
-  dsw_body_counts c;
-  c.struct_size = sizeof c;
-  CHECK_OK(dsw_body_get_counts(g_scene, body, &c));
-  return c;
-}
-
-static int has(dsw_body_id body, uint32_t vertices, uint32_t edges, uint32_t faces) {
-  const dsw_body_counts c = counts_of(body);
-  return c.vertex_count == vertices && c.edge_count == edges && c.face_count == faces;
 }
 
 static void position_of(dsw_body_id body, uint32_t index, double *xyz) {
@@ -71,14 +28,10 @@ static void position_of(dsw_body_id body, uint32_t index, double *xyz) {
   memcpy(xyz, p + 3 * (size_t)index, 3 * sizeof(double));
 }
 
-static void mark_wall(dsw_mark mark) {
-  const dsw_face_id wall = face_at(WALL, FACE_X1);
-  CHECK_OK(dsw_environment_mark_faces(g_env, &wall, 1, mark));
-}
+static void mark_wall(dsw_mark mark) { CHECK_OK(mark_face(WALL, FACE_X1, mark)); }
 
 static void vertices_come_and_go(void) {
   const double position[3] = {2.5, 1.5, 0.5}, outside[3] = {-1, 0, 0}, nan_point[3] = {0, NAN, 0};
-  const dsw_volume_id solid = volume_at(47);
   const double in_solid[3] = {3.5, 3.5, 2.5};
   dsw_body_id body = make_square(DSW_LEVEL_FACES);
   dsw_body_vertex_id v = {55, 66}, again;
@@ -92,9 +45,9 @@ static void vertices_come_and_go(void) {
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_body_add_vertex(g_scene, body, nan_point, no_volume, &v));
   CHECK_FAILS(DSW_STATUS_OUTSIDE, dsw_body_add_vertex(g_scene, body, outside, no_volume, &v));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_add_vertex(g_scene, body, position, stale_volume, &v));
-  CHECK_OK(dsw_environment_mark_volumes(g_env, &solid, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  CHECK_OK(mark_cell(47, DSW_MARK_IMPASSABLE));
   CHECK_FAILS(DSW_STATUS_IMPASSABLE, dsw_body_add_vertex(g_scene, body, in_solid, no_volume, &v));
-  CHECK_OK(dsw_environment_mark_volumes(g_env, &solid, 1, DSW_MARK_PASSABLE, 0, NULL));
+  CHECK_OK(mark_cell(47, DSW_MARK_PASSABLE));
   CHECK(v.index == 55 && v.generation == 66 && has(body, 5, 5, 2));
   CHECK_OK(dsw_body_add_vertex(g_scene, body, position, volume_at(3), &v));
   CHECK(v.index == 5 && v.generation == 1 && has(body, 6, 5, 2));
@@ -176,8 +129,8 @@ static void faces_come_and_go(void) {
   CHECK_OK(dsw_body_remove_edge(g_scene, body, edge_id(5)));
   CHECK_OK(dsw_body_remove_edge(g_scene, body, edge_id(6)));
   /* A wire along y at (1, y, 1) would go through the new triangle, but not through its edges. */
-  ends[0] = 1 + (NX + 1) * (0 + (NY + 1));
-  ends[1] = ends[0] + NX + 1;
+  ends[0] = 1 + (N + 1) * (0 + (N + 1));
+  ends[1] = ends[0] + N + 1;
   CHECK_OK(dsw_environment_find_edges(g_env, 1, ends, &wire, NULL));
   CHECK_OK(dsw_environment_mark_edges(g_env, &wire, 1, DSW_MARK_IMPASSABLE));
   f.index = 55;
@@ -262,16 +215,12 @@ static void a_collapse_is_swept(void) {
   const double positions[9] = {0.5, 0.5, 0.5, 3.5, 0.5, 0.5, 1.5, 3.5, 0.5};
   const uint32_t edges[4] = {0, 1, 0, 2};
   dsw_body_edit edit, before;
-  dsw_body_desc d;
+  dsw_body_desc d = line_desc(positions, 3, 0, DSW_LEVEL_EDGES_SWEPT);
   dsw_body_id body = {0, 0};
   double p[3];
   memset(&edit, 0x55, sizeof edit);
   before = edit;
-  dsw_body_desc_init(&d, sizeof d);
-  d.positions = positions;
-  d.vertex_count = 3;
   d.edges = edges;
-  d.edge_count = 2;
   mark_wall(DSW_MARK_IMPASSABLE);
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_collapse_edge(g_scene, body, edge_id(0), vertex_id(0), &edit));
@@ -325,8 +274,7 @@ static void all_is_read_at_once(void) {
 }
 
 int main(void) {
-  g_env = make_environment(NULL, NX, NY, NZ);
-  g_scene = make_scene(g_env, 0);
+  begin_stage(3);
   vertices_come_and_go();
   edges_come_and_go();
   faces_come_and_go();
@@ -334,7 +282,6 @@ int main(void) {
   edges_are_collapsed();
   a_collapse_is_swept();
   all_is_read_at_once();
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
+  end_stage();
   return check_result();
 }

@@ -3,55 +3,30 @@
 #include <string.h>
 
 #include "check.h"
-#include "fixture.h"
+#include "stage.h"
 
-/* 4 x 4 x 3 cubes. The pyramid below: a square at z = 0.5 with corners 0 to 3, the tip 4 at z = 1.5. */
-enum { NX = 4, NY = 4, NZ = 3 };
-
-static dsw_environment *g_env;
-static dsw_scene *g_scene;
-
+/* A pyramid: a square at z = 0.5 with corners 0 to 3, the tip 4 at z = 1.5. */
 static const double g_pyramid[15] = {0.5, 0.5, 0.5, 1.5, 0.5, 0.5, 1.5, 1.5, 0.5, 0.5, 1.5, 0.5, 1.25, 1.25, 1.5};
 static const uint32_t g_offsets[6] = {0, 3, 6, 9, 12, 16};
 static const uint32_t g_corners[16] = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 3, 2, 1, 0};
 static const uint32_t g_edge[2] = {4, 2};
 
 static dsw_body_desc pyramid(void) {
-  dsw_body_desc d;
-  dsw_body_desc_init(&d, sizeof d);
-  d.positions = g_pyramid;
-  d.vertex_count = 5;
+  dsw_body_desc d = surface_desc(g_pyramid, 5, g_offsets, g_corners, 5, DSW_LEVEL_EDGES_SWEPT);
   d.edges = g_edge;
   d.edge_count = 1;
-  d.face_offsets = g_offsets;
-  d.face_corners = g_corners;
-  d.face_count = 5;
-  d.face_corner_count = 16;
   return d;
 }
 
 /* Vertices and edges only. */
 static dsw_body_desc wires(const double *positions, size_t vertex_count, const uint32_t *edges, size_t edge_count) {
-  dsw_body_desc d;
-  dsw_body_desc_init(&d, sizeof d);
-  d.positions = positions;
-  d.vertex_count = vertex_count;
-  d.edges = edges;
-  d.edge_count = edge_count;
-  return d;
+  return body_desc(positions, vertex_count, edges, edge_count, DSW_LEVEL_EDGES_SWEPT);
 }
 
 static dsw_body_id make(const dsw_body_desc *d) {
   dsw_body_id body = {0, 0};
   CHECK_OK(dsw_body_create(g_scene, d, &body));
   return body;
-}
-
-static dsw_body_counts counts_of(dsw_body_id body) {
-  dsw_body_counts c;
-  c.struct_size = sizeof c;
-  CHECK_OK(dsw_body_get_counts(g_scene, body, &c));
-  return c;
 }
 
 static size_t body_count(void) {
@@ -68,16 +43,6 @@ static void refuses(dsw_status status, const dsw_body_desc *d, const char *text)
   CHECK_MESSAGE("dsw_body_create: ");
   CHECK_MESSAGE(text);
   CHECK(body.index == 77 && body.generation == 78 && body_count() == before);
-}
-
-static void mark_volume(uint32_t index, dsw_mark mark) {
-  const dsw_volume_id volume = volume_at(index);
-  CHECK_OK(dsw_environment_mark_volumes(g_env, &volume, 1, mark, 0, NULL));
-}
-
-static void mark_face(uint32_t volume, uint32_t local, dsw_mark mark) {
-  const dsw_face_id face = face_at(volume, local);
-  CHECK_OK(dsw_environment_mark_faces(g_env, &face, 1, mark));
 }
 
 static void init_writes_the_defaults(void) {
@@ -98,7 +63,7 @@ static void a_body_has_what_was_given(void) {
   /* The edge that was given; then those of the faces, triangle by triangle; the square's diagonal is 3 1. */
   static const uint32_t edges[9][2] = {{4, 2}, {0, 1}, {1, 4}, {4, 0}, {1, 2}, {2, 3}, {3, 4}, {3, 0}, {1, 3}};
   static const uint32_t faces[6][3] = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {3, 2, 1}, {3, 1, 0}};
-  const dsw_volume_id hints[5] = {{0, 1}, {0, 0}, {NX + 1, 1}, {5, 1}, {47, 1}};
+  const dsw_volume_id hints[5] = {{0, 1}, {0, 0}, {N + 1, 1}, {5, 1}, {47, 1}};
   dsw_body_desc d = pyramid();
   dsw_body_vertex_id v[5], ends[3];
   dsw_body_edge_id e[9];
@@ -140,8 +105,8 @@ static void a_body_has_what_was_given(void) {
     CHECK_OK(dsw_body_get_positions(g_scene, body, p, 5, 40, volumes, &count));
     for (i = 0; i < 5; ++i) CHECK(memcmp(p + 5 * i, g_pyramid + 3 * i, 3 * sizeof(double)) == 0);
     CHECK(count == 5 && p[3] == p[4] && p[3] != 0); /* between the points nothing is written */
-    CHECK(volumes[0].index == 0 && volumes[1].index == 1 && volumes[2].index == NX + 1 && volumes[3].index == NX);
-    CHECK(volumes[4].index == NX * NY + NX + 1 && volumes[4].generation == 1);
+    CHECK(volumes[0].index == 0 && volumes[1].index == 1 && volumes[2].index == N + 1 && volumes[3].index == N);
+    CHECK(volumes[4].index == N * N + N + 1 && volumes[4].generation == 1);
     CHECK_OK(dsw_body_destroy(g_scene, body));
     CHECK(body_count() == 0);
   }
@@ -157,17 +122,14 @@ static void back_edges_are_those_of_closed_surfaces_turned_outwards(void) {
   refuses(DSW_STATUS_NOT_CLOSED, &d, "closed surfaces"); /* one face is missing */
   d.face_count = d.face_corner_count = 0;
   refuses(DSW_STATUS_NOT_CLOSED, &d, "closed surfaces"); /* no face at all */
-  d = pyramid();
-  d.flags = DSW_BODY_SKIP_BACK_EDGES;
+  d = pyramid(), d.flags = DSW_BODY_SKIP_BACK_EDGES;
   for (i = 0; i < d.face_corner_count; ++i) corners[i] = d.face_corners[d.face_corner_count - 1 - i];
   CHECK(d.face_corner_count <= 32);
   /* Faces the other way round: the first becomes the last, offsets change where it has more corners. */
   {
     uint32_t offsets[16];
     CHECK(d.face_count < 16);
-    for (i = 0; i <= d.face_count; ++i) {
-      offsets[i] = (uint32_t)d.face_corner_count - d.face_offsets[d.face_count - i];
-    }
+    for (i = 0; i <= d.face_count; ++i) offsets[i] = (uint32_t)d.face_corner_count - d.face_offsets[d.face_count - i];
     d.face_offsets = offsets;
     d.face_corners = corners;
     refuses(DSW_STATUS_INVERTED_CELL, &d, "is not positive");
@@ -181,7 +143,7 @@ static void bad_members_are_refused(void) {
     dsw_body_desc known;
     uint32_t unknown;
   } newer;
-  const dsw_volume_id stale[5] = {{0, 1}, {0, 0}, {0, 7}, {0, 0}, {0, 0}}, beyond[5] = {{NX * NY * NZ, 1}};
+  const dsw_volume_id stale[5] = {{0, 1}, {0, 0}, {0, 7}, {0, 0}, {0, 0}}, beyond[5] = {{N * N * 3, 1}};
   double bad[15], shares[3];
   dsw_body_desc d = pyramid();
   int i;
@@ -197,8 +159,7 @@ static void bad_members_are_refused(void) {
   newer.known.struct_size = sizeof newer;
   newer.unknown = 1;
   refuses(DSW_STATUS_UNSUPPORTED, &newer.known, "non-zero byte");
-  d = pyramid();
-  d.flags = 0x80;
+  d = pyramid(), d.flags = 0x80;
   refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->flags is 0x80, this version knows 0x7f");
   d.flags = 0;
   d.reserved = 1;
@@ -214,8 +175,7 @@ static void bad_members_are_refused(void) {
     d.motion_share = shares[i];
     refuses(DSW_STATUS_OUT_OF_RANGE, &d, "desc->motion_share");
   }
-  d = pyramid();
-  d.vertex_count = 0;
+  d = pyramid(), d.vertex_count = 0;
   refuses(DSW_STATUS_WRONG_SIZE, &d, "desc->vertex_count is 0");
   d.vertex_count = 5;
   d.stride_bytes = 16;
@@ -225,25 +185,19 @@ static void bad_members_are_refused(void) {
   d.stride_bytes = 24;
   d.vertex_count = SIZE_MAX / 16;
   refuses(DSW_STATUS_WRONG_SIZE, &d, "stride_bytes");
-  d = pyramid();
-  d.positions = NULL;
+  d = pyramid(), d.positions = NULL;
   refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->positions is null");
-  d = pyramid();
-  d.edges = NULL;
+  d = pyramid(), d.edges = NULL;
   refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->edges is null");
-  d = pyramid();
-  d.face_offsets = NULL;
+  d = pyramid(), d.face_offsets = NULL;
   refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->face_offsets is null");
-  d = pyramid();
-  d.face_corners = NULL;
+  d = pyramid(), d.face_corners = NULL;
   refuses(DSW_STATUS_NULL_ARGUMENT, &d, "desc->face_corners is null");
-  d = pyramid();
-  d.hints = stale;
+  d = pyramid(), d.hints = stale;
   refuses(DSW_STATUS_STALE_ID, &d, "desc->hints[2] {index 0, generation 7}");
   d.hints = beyond;
   refuses(DSW_STATUS_STALE_ID, &d, "desc->hints[0] {index 48, generation 1}");
-  d = pyramid();
-  d.positions = bad;
+  d = pyramid(), d.positions = bad;
   memcpy(bad, g_pyramid, sizeof bad);
   bad[7] = NAN;
   refuses(DSW_STATUS_NON_FINITE, &d, "[2][1] is nan");
@@ -254,9 +208,9 @@ static void bad_members_are_refused(void) {
   bad[7] = 1e300;
   refuses(DSW_STATUS_OUTSIDE, &d, "[2]");
   d = pyramid();
-  mark_volume(NX * NY + NX + 1, DSW_MARK_IMPASSABLE);
+  CHECK_OK(mark_cell(N * N + N + 1, DSW_MARK_IMPASSABLE));
   refuses(DSW_STATUS_IMPASSABLE, &d, "[4]");
-  mark_volume(NX * NY + NX + 1, DSW_MARK_PASSABLE);
+  CHECK_OK(mark_cell(N * N + N + 1, DSW_MARK_PASSABLE));
 }
 
 static void bad_topology_is_refused(void) {
@@ -303,7 +257,7 @@ static void one_that_is_not_free_is_refused(void) {
   dsw_body_id body;
   dsw_level level;
   size_t count = 99;
-  mark_face(1, FACE_X1, DSW_MARK_IMPASSABLE);
+  CHECK_OK(mark_face(1, FACE_X1, DSW_MARK_IMPASSABLE));
   d.level = DSW_LEVEL_EDGES;
   refuses(DSW_STATUS_OCCUPIED, &d, "1 edges meet something impassable; the first joins vertices ");
   CHECK_OK(dsw_scene_get_offending_edges(g_scene, &offending, &count));
@@ -317,7 +271,7 @@ static void one_that_is_not_free_is_refused(void) {
   CHECK(level == DSW_LEVEL_POINTS);
   CHECK_OK(dsw_scene_get_offending_edges(g_scene, &offending, &count));
   CHECK(count == 1);
-  mark_face(1, FACE_X1, DSW_MARK_PASSABLE);
+  CHECK_OK(mark_face(1, FACE_X1, DSW_MARK_PASSABLE));
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_FACES));
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_FACES));
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES));
@@ -332,8 +286,8 @@ static void one_that_is_not_free_is_refused(void) {
   d.face_corners = triangle;
   d.face_count = 1;
   d.face_corner_count = 3;
-  ends[0] = 2 + (NX + 1) * (1 + (NY + 1));
-  ends[1] = ends[0] + NX + 1;
+  ends[0] = 2 + (N + 1) * (1 + (N + 1));
+  ends[1] = ends[0] + N + 1;
   CHECK_OK(dsw_environment_find_edges(g_env, 1, ends, &wire, NULL));
   CHECK_OK(dsw_environment_mark_edges(g_env, &wire, 1, DSW_MARK_IMPASSABLE));
   body = make(&d);
@@ -456,8 +410,7 @@ static void memory_is_told(void) {
 }
 
 int main(void) {
-  g_env = make_environment(NULL, NX, NY, NZ);
-  g_scene = make_scene(g_env, 0);
+  begin_stage(3);
   init_writes_the_defaults();
   a_body_has_what_was_given();
   back_edges_are_those_of_closed_surfaces_turned_outwards();
@@ -467,7 +420,6 @@ int main(void) {
   capacities_are_asked_for();
   bad_handles_are_refused();
   memory_is_told();
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
+  end_stage();
   return check_result();
 }

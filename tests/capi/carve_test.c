@@ -1,5 +1,5 @@
-/* carve.h: shapes carved out of a grid of cubes, vessels tied in it, what they return, every way to be refused, and what bodies and particles
- * say to it. */
+/* carve.h: shapes carved out of a grid of cubes, vessels tied in it, what they return, every way to be refused, and
+   what bodies and particles say to it. */
 #include <math.h>
 #include <string.h>
 
@@ -13,13 +13,6 @@ static dsw_tie_report g_tied;
 
 static const uint32_t g_box[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                    2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
-
-static dsw_environment_info info(void) {
-  dsw_environment_info i;
-  i.struct_size = sizeof i;
-  CHECK_OK(dsw_environment_get_info(g_env, &i));
-  return i;
-}
 
 static size_t marked_count(void) {
   size_t count = 999;
@@ -124,7 +117,7 @@ static void through_cubes(void) {
   begin_block(NULL);
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
   CHECK(g_carved.cut.volumes_crossed == 56 && g_carved.cut.volumes_split == 56 && g_carved.cut.volumes_whole == 0);
-  CHECK(g_carved.volumes_carved == 64 && marked_count() == 56 && info().volume_count == 120);
+  CHECK(g_carved.volumes_carved == 64 && marked_count() == 56 && info_of(g_env).volume_count == 120);
   CHECK(g_carved.cut.vertex_count == 3 * 9 * 2);
   CHECK_OK(dsw_environment_get_volume_changes(g_env, &changes, &count));
   CHECK(count == 112);
@@ -136,7 +129,7 @@ static void whole_volumes(void) {
   begin_block(NULL);
   d.flags = DSW_CARVE_WHOLE;
   CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
-  CHECK(g_carved.volumes_carved == 27 && g_carved.cut.volumes_changed == 0 && info().volume_count == 64);
+  CHECK(g_carved.volumes_carved == 27 && g_carved.cut.volumes_changed == 0 && info_of(g_env).volume_count == 64);
   CHECK(g_carved.cut.volumes_whole == 26 && g_carved.cut.volumes_crossed == 26);
   d = box(2.5, 3.6); /* the surface's lower sides pass through centres: it is shifted beyond them */
   d.flags = DSW_CARVE_WHOLE;
@@ -190,31 +183,19 @@ static void bad_shapes(void) {
   begin_block(NULL);
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_carve(NULL, &d, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_carve(g_env, NULL, NULL));
-  bad = d, bad.points = NULL;
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_carve(g_env, &bad, NULL));
-  bad = d, bad.triangles = NULL;
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_carve(g_env, &bad, NULL));
-  bad = d, bad.struct_size = 8;
-  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_carve(g_env, &bad, NULL));
-  bad = d, bad.flags = 2;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_carve(g_env, &bad, NULL));
-  bad = d, bad.point_count = 0;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_carve(g_env, &bad, NULL));
-  bad = d, bad.triangle_count = 0;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_carve(g_env, &bad, NULL));
-  bad = d, bad.triangle_count = (size_t)1 << 28;
-  CHECK_FAILS(DSW_STATUS_TOO_LARGE, dsw_environment_carve(g_env, &bad, NULL));
-  bad = d, bad.point_count = 7;
-  CHECK_FAILS(DSW_STATUS_INDEX_OUT_OF_RANGE, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_NULL_ARGUMENT, d, points, NULL, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_NULL_ARGUMENT, d, triangles, NULL, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, d, struct_size, 8, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 2, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, point_count, 0, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, triangle_count, 0, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_TOO_LARGE, d, triangle_count, (size_t)1 << 28, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_INDEX_OUT_OF_RANGE, d, point_count, 7, dsw_environment_carve(g_env, &bad, NULL));
   CHECK_MESSAGE("desc->triangles[10] is 7");
-  bad = d, bad.snap = 0.26;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_carve(g_env, &bad, NULL));
-  bad = d, bad.start = volume_at(64);
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_carve(g_env, &bad, NULL));
-  bad = d, bad.point_stride_bytes = 20;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_carve(g_env, &bad, NULL));
-  bad = d, bad.triangle_count = 11;
-  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, snap, 0.26, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_STALE_ID, d, start, volume_at(64), dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_WRONG_SIZE, d, point_stride_bytes, 20, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_TOPOLOGY, d, triangle_count, 11, dsw_environment_carve(g_env, &bad, NULL));
   CHECK_MESSAGE("not closed");
   memcpy(triangles, g_box, sizeof triangles);
   bad = d, bad.triangles = triangles;
@@ -242,7 +223,7 @@ static void a_tube(void) {
   CHECK(fly(1.7, 2.4) == 1);
   CHECK_OK(dsw_environment_tie(g_env, &d, &g_tied));
   CHECK(g_tied.is_closed == 1 && g_tied.cut.volumes_split == 4 && g_tied.cut.volumes_whole == 0);
-  CHECK(info().volume_count == 68 && marked_count() == 48);
+  CHECK(info_of(g_env).volume_count == 68 && marked_count() == 48);
   CHECK(fabs(fly(1.7, 2.4) - (1.25 - 0.3) / 3.4) < 1e-12);
   CHECK_OK(dsw_environment_get_cut_faces(g_env, &faces, &count));
   CHECK(count == 4);
@@ -284,7 +265,7 @@ static void a_loop_in_the_tube(void) {
   end();
 }
 
-/* What a tie relies on: a tip that enters a cube through one face, and crosses no edge of it, leaves it whole, and that is told. */
+/* What a tie relies on: a tip that enters a cube through a face and crosses no edge of the cube leaves it whole. */
 static void a_fold_of_the_blade(void) {
   static const double at[5] = {-1, 2.4, 2.5, 2.6, 5};
   double points[75];
@@ -313,25 +294,17 @@ static void bad_loops(void) {
   begin_tube(NULL);
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tie(NULL, &d, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tie(g_env, NULL, NULL));
-  bad = d, bad.points = NULL;
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_tie(g_env, &bad, NULL));
-  bad = d, bad.struct_size = 8;
-  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_tie(g_env, &bad, NULL));
-  bad = d, bad.flags = 1;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_tie(g_env, &bad, NULL));
-  bad = d, bad.point_count = 2;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_tie(g_env, &bad, NULL));
-  bad = d, bad.point_count = (size_t)1 << 28;
-  CHECK_FAILS(DSW_STATUS_TOO_LARGE, dsw_environment_tie(g_env, &bad, NULL));
-  bad = d, bad.snap = -1;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_tie(g_env, &bad, NULL));
-  bad = d, bad.start = volume_at(64);
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_tie(g_env, &bad, NULL));
-  bad = d, bad.point_stride_bytes = 4;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_tie(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_NULL_ARGUMENT, d, points, NULL, dsw_environment_tie(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, d, struct_size, 8, dsw_environment_tie(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 1, dsw_environment_tie(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, point_count, 2, dsw_environment_tie(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_TOO_LARGE, d, point_count, (size_t)1 << 28, dsw_environment_tie(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, snap, -1, dsw_environment_tie(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_STALE_ID, d, start, volume_at(64), dsw_environment_tie(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_WRONG_SIZE, d, point_stride_bytes, 4, dsw_environment_tie(g_env, &bad, NULL));
   g_points[7] = HUGE_VAL;
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_tie(g_env, &d, NULL));
-  CHECK(marked_count() == 48 && info().volume_count == 64);
+  CHECK(marked_count() == 48 && info_of(g_env).volume_count == 64);
   end();
 }
 
@@ -368,7 +341,7 @@ static void bodies_and_particles(void) {
   d = loop(1.25, 1.5);
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_environment_tie(g_env, &d, NULL));
   CHECK_OK(dsw_scene_get_occupant_bodies(scene, &bodies, &count));
-  CHECK(count == 1 && bodies[0].index == body.index && info().volume_count == 64);
+  CHECK(count == 1 && bodies[0].index == body.index && info_of(g_env).volume_count == 64);
   d = loop(1.25, 0.5); /* volumes stay whole: the particle is in one of them, an end of the body in another */
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_environment_tie(g_env, &d, NULL));
   CHECK_OK(dsw_scene_get_occupants(scene, &particles, &count));
@@ -395,29 +368,21 @@ static void bodies_and_particles(void) {
 
 static void running_out_of_memory(void) {
   host h;
-  dsw_context *context;
-  dsw_status status;
   size_t n, refusals = 0;
   int ties;
   for (ties = 0; ties < 2; ++ties) {
-    memset(&h, 0, sizeof h);
-    context = make_context(&h);
+    dsw_context *const context = make_context(&h);
+    const dsw_carve_desc c = box(1.25, 2.75);
+    const dsw_tie_desc t = loop(1.25, 0.8);
     begin_tube(context);
-    status = DSW_STATUS_OUT_OF_MEMORY;
-    for (n = 1; status == DSW_STATUS_OUT_OF_MEMORY && n < 50000; n += 1 + n / 64) {
-      const dsw_carve_desc c = box(1.25, 2.75);
-      const dsw_tie_desc t = loop(1.25, 0.8);
-      h.refuse = h.calls + n;
-      status = ties ? dsw_environment_tie(g_env, &t, &g_tied) : dsw_environment_carve(g_env, &c, &g_carved);
-      h.refuse = 0;
-      if (status != DSW_STATUS_OUT_OF_MEMORY) break;
-      ++refusals;
-      CHECK(info().volume_count == 64 && marked_count() == 48);
+#define CALL (ties ? dsw_environment_tie(g_env, &t, &g_tied) : dsw_environment_carve(g_env, &c, &g_carved))
+    for (n = 0; RUNS_OUT(&h, n, CALL); n += 1 + n / 64, ++refusals) {
+      CHECK(info_of(g_env).volume_count == 64 && marked_count() == 48);
     }
-    CHECK(status == DSW_STATUS_OK && refusals > 50);
+#undef CALL
+    CHECK(refusals > 50);
     end();
-    CHECK_OK(dsw_context_destroy(context));
-    CHECK(h.alive == 0 && h.broken == 0);
+    end_context(context, &h);
   }
 }
 

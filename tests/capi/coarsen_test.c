@@ -226,23 +226,16 @@ static void bad_arguments_are_refused(void) {
 
 static void refused_memory_leaves_nothing(void) {
   host h;
-  dsw_context *context;
-  dsw_environment *env, *coarse = NULL;
+  dsw_context *const context = make_context(&h);
+  dsw_environment *const env = tetrahedra(context, 0);
+  dsw_environment *coarse = NULL;
   uint32_t map[CELLS];
-  size_t alive, at, failures = 0;
-  memset(&h, 0, sizeof h);
-  context = make_context(&h);
-  env = tetrahedra(context, 0);
+  size_t alive, failures = 0;
   alive = h.alive;
   map[0] = 12345;
-  for (at = 1; coarse == NULL; ++at) {
-    h.refuse = h.calls + at;
-    if (dsw_environment_coarsen(env, NULL, &coarse, map, CELLS, NULL) == DSW_STATUS_OUT_OF_MEMORY) {
-      ++failures;
-      CHECK(coarse == NULL && h.alive == alive && map[0] == 12345);
-    }
+  for (; RUNS_OUT(&h, failures, dsw_environment_coarsen(env, NULL, &coarse, map, CELLS, NULL)); ++failures) {
+    CHECK(coarse == NULL && h.alive == alive && map[0] == 12345);
   }
-  h.refuse = 0;
   CHECK(failures > 10 && !h.broken);
   CHECK_OK(dsw_environment_destroy(coarse));
   CHECK_OK(dsw_environment_destroy(env));

@@ -223,8 +223,7 @@ static void refused_memory_is_told(void) {
   }
   h.refuse = 0;
   CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end_context(context, &h);
 }
 
 int main(int argc, char **argv) {

@@ -21,19 +21,12 @@ static void begin(unsigned dimension, uint32_t features) {
   g_scene = make_scene(g_env, features);
 }
 
-static void end(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
-}
+static void end(void) { end_scene(g_scene); }
 
 static dsw_body_id make_ball(double x, double y) {
   const double at[3] = {x, y, 0.5};
-  dsw_body_desc d;
+  const dsw_body_desc d = body_desc(at, 1, NULL, 0, DSW_LEVEL_POINTS);
   dsw_body_id body = {0, 0};
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = DSW_LEVEL_POINTS;
-  d.positions = at;
-  d.vertex_count = 1;
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
   return body;
 }
@@ -55,7 +48,7 @@ static dsw_contact_past g_past;
 /* Sends the ball by a step, and says how it touches. */
 static int step(dsw_body_id body, double dx, double dy) {
   double p[3] = {0, 0, 0};
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   dsw_move_report report;
   const dsw_contact *contacts = NULL;
   const dsw_contact_past *pasts = NULL;
@@ -63,7 +56,6 @@ static int step(dsw_body_id body, double dx, double dy) {
   CHECK_OK(dsw_body_get_positions(g_scene, body, p, 1, 0, NULL, &count));
   p[0] += dx;
   p[1] += dy;
-  dsw_move_options_init(&o, sizeof o);
   o.vertex_response = DSW_RESPONSE_SLIDE;
   CHECK_OK(dsw_body_move(g_scene, body, p, 1, 0, &o, &report));
   CHECK_OK(dsw_body_get_contacts(g_scene, body, &contacts, &count));
@@ -136,7 +128,7 @@ static void a_ball_bounces(unsigned dimension) {
   end();
 }
 
-/* A vertex that `order` leaves out makes a move without a contact; one that is new has no past; a rigid motion counts. */
+/* A vertex that `order` leaves out moves without a contact; a new one has no past; a rigid motion counts. */
 static void all_kinds_of_moves_count(void) {
   const double two[6] = {1.25, 1.25, 0.5, 2.75, 1.25, 0.5};
   const uint32_t first = 0;
@@ -146,13 +138,12 @@ static void all_kinds_of_moves_count(void) {
   const dsw_contact *contacts = NULL;
   const dsw_contact_past *pasts = NULL;
   dsw_body_vertex_id vertex;
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   size_t count = 0, i;
   dsw_body_id body;
   begin(3, 0);
   body = make_edge_body(g_scene, two, DSW_LEVEL_POINTS);
   CHECK_OK(dsw_body_move(g_scene, body, to, 2, 0, NULL, NULL));
-  dsw_move_options_init(&o, sizeof o);
   o.order = &first;
   o.order_count = 1;
   CHECK_OK(dsw_body_move(g_scene, body, to, 2, 0, &o, NULL));

@@ -1,257 +1,230 @@
-/* Environments that bend: what lies in them stays free, or the walls do not come. */
+/* Environments that bend: what lies in them stays free, or the walls do not come; in space and in the plane. */
 #include <math.h>
 #include <string.h>
 
+#include "bending.h"
 #include "check.h"
-#include "fixture.h"
 
-enum { N = 4, POINTS = 5 * 5 * 5 };
-
-/* 4 x 4 x 4 unit cubes and the two arrays of their points. */
-static dsw_environment *g_env;
-static dsw_scene *g_scene;
-static double g_points[2][3 * POINTS];
-static int g_next; /* the array that may be written */
-static grid g_grid;
-static unsigned char g_block[1 << 16];
-
-static void begin(uint32_t features) {
-  g_grid = grid_create(N, N, N);
-  g_env = make_environment(NULL, N, N, N);
-  g_scene = make_scene(g_env, features);
-  memcpy(g_points[0], g_grid.points, sizeof g_points[0]);
-  memcpy(g_points[1], g_grid.points, sizeof g_points[1]);
-  g_next = 0;
+static int is_valid(uint32_t volume) {
+  int valid = -1;
+  CHECK_OK(dsw_environment_is_valid(g_env, volume_at(volume), &valid));
+  return valid;
 }
 
-static void end(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
-  grid_destroy(&g_grid);
-}
-
-static double *point(unsigned x, unsigned y, unsigned z) {
-  return g_points[g_next] + 3 * (size_t)grid_point(&g_grid, x, y, z);
-}
-
-static uint32_t cube(uint32_t x, uint32_t y, uint32_t z) { return x + N * (y + N * z); }
-
-/* Deforms to the array that may be written, which becomes the other one. */
-static dsw_deform_report deform(const dsw_deform_options *o) {
-  return deform_to_next(g_scene, g_points[0], POINTS, 3, &g_next, o);
-}
-
-/* A wall of the faces at height z = 2. */
-static void mark_floor(void) {
-  uint32_t x, y;
-  for (y = 0; y < N; ++y) {
-    for (x = 0; x < N; ++x) {
-      const dsw_face_id face = face_at(cube(x, y, 1), FACE_Z1);
-      CHECK_OK(dsw_environment_mark_faces(g_env, &face, 1, DSW_MARK_IMPASSABLE));
-    }
-  }
-}
-
-static void raise_floor(double by) {
-  unsigned x, y;
-  for (y = 0; y <= N; ++y) {
-    for (x = 0; x <= N; ++x) point(x, y, 2)[2] += by;
-  }
+/* Both points of an edge. */
+static void heights_of(dsw_body_id body, double *heights) {
+  double now[9] = {0};
+  size_t count = 0;
+  CHECK_OK(dsw_body_get_positions(g_scene, body, now, 3, 0, NULL, &count));
+  heights[0] = now[g_up];
+  heights[1] = now[g_dimension + g_up];
 }
 
 static void a_floor_lifts_a_particle(void) {
-  const double at[3] = {2.3, 1.4, 2.2};
+  double at[3] = {2.3, 1.4, 2.2}, now[3];
   dsw_particle_id particle;
   dsw_deform_report report;
-  const dsw_wall_contact *contacts = NULL;
+  const dsw_wall_contact *c = NULL;
   size_t count = 0;
-  double now[3];
   dsw_volume_id volume;
+  flat(at, 1);
   begin(DSW_FEATURE_DEFORMING);
-  mark_floor();
+  mark_floor(1);
   CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
-  raise_floor(0.5);
+  raise_row(2, 0.5);
   report = deform(NULL);
-  CHECK(report.outcome == DSW_DEFORM_DONE && report.fraction == 1 && report.held_count == 0);
-  CHECK(report.contact_count >= 1 && report.pushed_count >= 1 && report.near_count >= 8 && report.steps == 1);
+  CHECK(report.outcome == DSW_DEFORM_DONE && report.fraction == 1 && report.held_count == 0 && report.steps == 1);
+  CHECK(report.contact_count >= 1 && report.pushed_count >= 1);
+  CHECK(g_dimension == 3 ? report.near_count >= 8 : report.near_count == 4);
   CHECK_OK(dsw_particle_get(g_scene, particle, now, &volume));
-  CHECK(now[0] == at[0] && now[1] == at[1] && now[2] > 2.5 && volume.index == cube(2, 1, 2));
-  CHECK_OK(dsw_scene_get_wall_contacts(g_scene, &contacts, &count));
-  CHECK(count == report.contact_count && contacts[0].particle.index == particle.index &&
-        contacts[0].particle.generation == particle.generation && contacts[0].body.generation == 0);
-  CHECK(contacts[0].normal[2] > 0.5 && contacts[0].time > 0 && contacts[0].time < 1 &&
-        contacts[0].response == DSW_WALL_PUSH && contacts[0].wall.generation == 1 &&
-        contacts[0].moving.generation == 1);
-  CHECK(contacts[0].point[2] == at[2] && contacts[0].tag == 100 + cube(2, 1, 1));
+  CHECK(memcmp(now, at, g_up * sizeof *now) == 0 && now[g_up] > 2.5 && volume.index == cell(2, 1, 2));
+  CHECK_OK(dsw_scene_get_wall_contacts(g_scene, &c, &count));
+  CHECK(count == report.contact_count && c->particle.index == particle.index);
+  CHECK(c->particle.generation == particle.generation && c->body.generation == 0);
+  CHECK(c->normal[g_up] > 0.5 && c->time > 0 && c->time < 1 && c->response == DSW_WALL_PUSH);
+  CHECK(c->wall.generation == 1 && c->moving.generation == 1 && c->tag == 100 + cell(2, 1, 1));
+  CHECK(c->point[g_up] == at[g_up]);
+  if (g_dimension == 2) {
+    CHECK(c->from[0] == 2 && c->from[1] == 2 && c->to[1] == 2.5 && c->from[2] == 0 && c->to[2] == 0);
+    CHECK(c->moving.index == vertex(2, 0, 2) && c->others[0].index == vertex(3, 0, 2) && c->others[1].generation == 0);
+    CHECK(c->point[0] == at[0] && c->point[2] == 0 && c->along == 0 && c->normal[2] == 0);
+    CHECK(c->wall.volume == cell(2, 0, 1) && c->wall.local == SIDE_UP);
+  }
   end();
 }
 
 static void an_edge_is_pushed_split_or_holds_the_wall(void) {
-  static const double positions[6] = {1.2, 2.1, 2.1, 2.7, 1.9, 2.1};
+  static const double in_space[6] = {1.2, 2.1, 2.1, 2.7, 1.9, 2.1}, in_plane[4] = {1.2, 2.11, 2.8, 2.11};
   static const dsw_wall_response responses[4] = {DSW_WALL_PUSH, DSW_WALL_INSERT, DSW_WALL_HOLD, DSW_WALL_STOP};
   int i;
   for (i = 0; i < 4; ++i) {
-    dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, responses[i]);
+    const dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, responses[i]);
+    const int plane = g_dimension == 2;
+    const dsw_vertex_id *held = NULL;
+    const dsw_wall_contact *c = NULL;
+    const dsw_body_edit *edits = NULL;
     dsw_deform_report report;
     dsw_body_id body;
-    dsw_body_counts counts;
-    const dsw_vertex_id *held = NULL;
-    size_t held_count = 0;
+    double now[9] = {0};
+    size_t count = 0;
     begin(DSW_FEATURE_DEFORMING);
-    mark_floor();
-    body = make_edge_body(g_scene, positions, DSW_LEVEL_EDGES_SWEPT);
-    point(2, 2, 2)[2] += 0.4; /* one vertex, below the middle of the edge */
+    mark_floor(1);
+    body = make_line(plane ? in_plane : in_space, 2, plane ? DSW_LEVEL_EDGES : DSW_LEVEL_EDGES_SWEPT);
+    point(2, 2, 2)[g_up] += 0.4; /* one vertex, below the middle of the edge */
     report = deform(&o);
     CHECK(report.contact_count >= 1);
-    counts.struct_size = sizeof counts;
-    CHECK_OK(dsw_body_get_counts(g_scene, body, &counts));
-    CHECK(counts.vertex_count == (responses[i] == DSW_WALL_INSERT ? 3u : 2u));
-    CHECK_OK(dsw_scene_get_held_vertices(g_scene, &held, &held_count));
-    CHECK(held_count == report.held_count);
+    CHECK_OK(dsw_scene_get_wall_contacts(g_scene, &c, &count));
+    if (plane && responses[i] != DSW_WALL_STOP) {
+      CHECK(fabs(c->along - 0.5) < 1e-12 && c->point[0] == 2 && c->point[1] == 2.11);
+      CHECK(c->normal[0] == 0 && c->normal[1] == 1 && c->normal[2] == 0);
+      CHECK(c->edge.generation == 1 && c->vertex.generation == 0 && c->others[0].generation == 0);
+      CHECK(c->wall.generation == 1 && c->tag != 0 && fabs(c->time - 0.275) < 1e-12);
+    }
+    CHECK(body_counts(g_scene, body).vertex_count == (responses[i] == DSW_WALL_INSERT ? 3u : 2u));
+    CHECK_OK(dsw_body_get_positions(g_scene, body, now, 3, 0, NULL, &count));
+    CHECK_OK(dsw_scene_get_held_vertices(g_scene, &held, &count));
+    CHECK(count == report.held_count);
     if (responses[i] == DSW_WALL_HOLD) {
-      CHECK(report.outcome == DSW_DEFORM_HELD && held_count == 1 && held[0].index == grid_point(&g_grid, 2, 2, 2));
-      CHECK(point(2, 2, 2)[2] == 2);
+      CHECK(report.outcome == DSW_DEFORM_HELD && count == 1 && held[0].index == vertex(2, 2, 2));
+      CHECK(point(2, 2, 2)[g_up] == 2);
     } else if (responses[i] == DSW_WALL_STOP) {
       CHECK(report.outcome == DSW_DEFORM_FRACTION && report.fraction == 0.25);
-      CHECK(point(2, 2, 2)[2] == 2 + 0.25 * (2.4 - 2));
+      CHECK(point(2, 2, 2)[g_up] == 2 + 0.25 * (2.4 - 2));
     } else {
-      CHECK(report.outcome == DSW_DEFORM_DONE && held_count == 0 && report.pushed_count >= 1);
-      CHECK(point(2, 2, 2)[2] == 2.4);
+      CHECK(report.outcome == DSW_DEFORM_DONE && count == 0 && report.pushed_count >= 1);
+      CHECK(point(2, 2, 2)[g_up] == 2.4);
     }
-    if (responses[i] == DSW_WALL_INSERT) {
-      const dsw_body_edit *edits = NULL;
-      size_t edit_count = 0;
-      CHECK_OK(dsw_body_get_edits(g_scene, body, &edits, &edit_count));
-      CHECK(edit_count == 1 && edits[0].inserted == 1);
-    }
+    CHECK_OK(dsw_body_get_edits(g_scene, body, &edits, &count));
+    CHECK(count == (responses[i] == DSW_WALL_INSERT ? 1u : 0u));
+    if (count == 1) CHECK(edits[0].inserted == 1 && now[2 * g_dimension + g_up] > 2.4);
+    if (count == 1 && plane) CHECK(fabs(edits[0].share - 0.5) < 1e-12 && now[4] == 2);
+    if (plane && responses[i] == DSW_WALL_PUSH) CHECK(now[1] > 2.4 && now[3] > 2.4);
     end();
   }
 }
 
 /* A ceiling that comes down on what lies on the floor cannot push it away. */
 static void what_is_squeezed_holds_the_walls(void) {
-  static const double positions[6] = {1.2, 2.1, 2.05, 2.7, 1.9, 2.05};
+  double positions[6] = {1.2, 2.1, 2.05, 2.7, 1.9, 2.05}, now[2];
   dsw_body_id body;
   dsw_deform_report report;
-  unsigned x, y;
-  double now[6];
-  size_t count = 0;
   begin(DSW_FEATURE_DEFORMING);
-  mark_floor();
-  for (y = 0; y < N; ++y) {
-    for (x = 0; x < N; ++x) {
-      const dsw_face_id face = face_at(cube(x, y, 2), FACE_Z1);
-      CHECK_OK(dsw_environment_mark_faces(g_env, &face, 1, DSW_MARK_IMPASSABLE));
-    }
-  }
-  body = make_edge_body(g_scene, positions, DSW_LEVEL_FACES);
-  for (y = 0; y <= N; ++y) {
-    for (x = 0; x <= N; ++x) point(x, y, 3)[2] = 2.01;
-  }
+  mark_floor(1);
+  mark_floor(2);
+  body = make_line(flat(positions, 2), 2, g_dimension == 3 ? DSW_LEVEL_FACES : DSW_LEVEL_EDGES_SWEPT);
+  set_row(3, 2.01);
   report = deform(NULL);
   CHECK(report.outcome == DSW_DEFORM_HELD && report.held_count > 0 && report.contact_count > 0);
-  CHECK_OK(dsw_body_get_positions(g_scene, body, now, 2, 0, NULL, &count));
-  CHECK(now[2] > 2 && now[5] > 2);
-  CHECK(point(0, 0, 3)[2] == 2.01); /* far away nothing is in the way */
+  heights_of(body, now);
+  CHECK(now[0] > 2 && now[1] > 2);
+  CHECK(point(g_dimension == 3 ? 0 : 4, 0, 3)[g_up] == 2.01); /* far away nothing is in the way */
   end();
 }
 
 static void steps_are_halved_where_cells_would_fold(void) {
-  const double at[3] = {2.5, 2.5, 2.5};
+  double at[3] = {2.5, 2.5, 2.5};
   dsw_particle_id particle;
   dsw_deform_report report;
   dsw_volume_id volume;
   size_t i;
   begin(DSW_FEATURE_DEFORMING);
   CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
-  for (i = 0; i < POINTS; ++i) g_points[g_next][3 * i] += 1.5; /* each vertex further than a cube is wide */
+  for (i = 0; i < g_point_count; ++i) next_points()[g_dimension * i] += 1.5; /* further than a cell is wide */
   report = deform(NULL);
   CHECK(report.outcome == DSW_DEFORM_DONE && report.steps > 1 && report.contact_count == 0);
   CHECK_OK(dsw_particle_get(g_scene, particle, NULL, &volume));
-  CHECK(volume.index == cube(1, 2, 2) || volume.index == cube(0, 2, 2));
+  CHECK(volume.index == cell(1, 2, 2) || volume.index == cell(0, 2, 2));
   end();
 }
 
 static void invalid_volumes(void) {
-  const double at[3] = {2.5, 2.5, 2.5}, from[3] = {2.5, 2.5, 2.5}, to[3] = {2.5, 2.5, 0.5};
-  dsw_particle_id particle;
-  dsw_deform_report report;
+  double at[3] = {2.5, 2.5, 2.5}, to[3] = {2.5, 2.5, 0.5}, before[3 * MOST_POINTS];
+  const dsw_volume_id start = volume_at(cell(2, 2, 2));
+  const size_t bytes = g_dimension * (size_t)vertex(0, 0, N + 1) * sizeof(double);
   dsw_deform_options o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
   const dsw_volume_id *invalid = NULL;
-  const dsw_volume_id start = volume_at(cube(2, 2, 2));
-  size_t count = 0;
-  dsw_flight flight;
+  dsw_particle_id particle;
+  dsw_deform_report report;
   dsw_build_report built;
-  int valid = -1;
-  double before[3 * POINTS];
+  dsw_flight flight;
+  size_t count = 0;
+  int impassable = 0;
   begin(DSW_FEATURE_DEFORMING);
   CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
   /* Far from the particle: it goes through. */
-  point(2, 2, 1)[2] = 2.6;
-  memcpy(before, g_points[g_next], sizeof before);
+  point(2, 2, 1)[g_up] = 2.6;
   o.invalid = DSW_INVALID_REFUSE;
   report = deform(&o);
   CHECK(report.outcome == DSW_DEFORM_DONE && report.invalid_count == 0);
-  CHECK_OK(dsw_environment_is_valid(g_env, volume_at(cube(2, 2, 2)), &valid));
-  CHECK(valid == 1);
-  CHECK_OK(dsw_environment_is_valid(g_env, volume_at(cube(2, 2, 1)), &valid));
-  CHECK(valid == 0);
+  CHECK(is_valid(cell(2, 2, 2)) == 1 && is_valid(cell(2, 2, 1)) == 0);
   built.struct_size = sizeof built;
   CHECK_FAILS(DSW_STATUS_INVALID_CELL, dsw_environment_check(g_env, &built));
+  CHECK_FAILS(DSW_STATUS_INVALID_CELL, dsw_environment_check(g_env, NULL));
   /* It counts as impassable, for casts from outside and as a question. */
-  CHECK_OK(dsw_environment_cast_segments(g_env, 1, &start, from, to, 0, NULL, &flight));
-  CHECK(flight.outcome == DSW_OUTCOME_CONTACT && flight.behind.index == cube(2, 2, 1) &&
-        flight.obstacle == DSW_CELL_VOLUME && flight.position[2] >= 2);
-  {
-    int impassable = 0;
-    CHECK_OK(dsw_environment_is_impassable(g_env, cell_at(DSW_CELL_VOLUME, cube(2, 2, 1), 0), &impassable));
-    CHECK(impassable == 1);
-  }
+  CHECK_OK(dsw_environment_cast_segments(g_env, 1, &start, at, flat(to, 1), 0, NULL, &flight));
+  CHECK(flight.outcome == DSW_OUTCOME_CONTACT && flight.behind.index == cell(2, 2, 1));
+  CHECK(flight.obstacle == DSW_CELL_VOLUME && flight.position[g_up] >= 2);
+  CHECK_OK(dsw_environment_is_impassable(g_env, cell_at(DSW_CELL_VOLUME, cell(2, 2, 1), 0), &impassable));
+  CHECK(impassable == 1);
   CHECK_OK(dsw_environment_save(g_env, NULL, 0, &count));
-  point(2, 2, 1)[2] = 1;
+  point(2, 2, 1)[g_up] = 1;
   report = deform(&o);
   CHECK_OK(dsw_environment_check(g_env, NULL));
-  /* Through the particle's own cube: refused, or held. */
-  point(2, 2, 2)[2] = 3.5;
-  memcpy(before, g_points[g_next], sizeof before);
+  /* Through the particle's own cell: refused, or held. */
+  point(2, 2, 2)[g_up] = 3.5;
+  memcpy(before, next_points(), bytes);
   report = deform(&o);
   CHECK(report.outcome == DSW_DEFORM_REFUSED && report.fraction == 0 && report.invalid_count >= 1);
-  CHECK(memcmp(before, g_points[g_next], sizeof before) == 0);
+  CHECK(memcmp(before, next_points(), bytes) == 0);
   CHECK_OK(dsw_scene_get_invalid_volumes(g_scene, &invalid, &count));
   CHECK(count == report.invalid_count && invalid[0].generation == 1);
   o.invalid = DSW_INVALID_HOLD;
   report = deform(&o);
-  CHECK(report.outcome == DSW_DEFORM_HELD && report.held_count == 1 && point(2, 2, 2)[2] < 3.5);
-  CHECK_OK(dsw_environment_is_valid(g_env, volume_at(cube(2, 2, 2)), &valid));
-  CHECK(valid == 1);
+  CHECK(report.outcome == DSW_DEFORM_HELD && report.held_count == 1 && point(2, 2, 2)[g_up] < 3.5);
+  CHECK(is_valid(cell(2, 2, 2)) == 1);
   end();
 }
 
+/* In the plane with a body, too. */
 static void end_state(void) {
-  const double at[3] = {2.3, 1.4, 2.2};
+  static const double line[4] = {0.3, 2.3, 1.4, 2.2};
+  const int plane = g_dimension == 2;
+  double at[3] = {2.3, 1.4, 2.2}, now[3];
   dsw_particle_id particle;
+  dsw_body_id body = {0, 0};
   dsw_deform_report report;
   dsw_deform_options o = deform_options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
-  double now[3];
   dsw_volume_id volume;
   begin(DSW_FEATURE_DEFORMING);
-  mark_floor();
-  CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
-  raise_floor(0.5);
+  mark_floor(1);
+  CHECK_OK(dsw_particle_create(g_scene, flat(at, 1), no_volume, &particle));
+  if (plane) body = make_line(line, 2, DSW_LEVEL_EDGES_SWEPT);
+  raise_row(2, 0.5);
   report = deform(&o);
-  CHECK(report.outcome == DSW_DEFORM_DONE && report.contact_count == 1 && report.pushed_count == 1);
+  CHECK(report.outcome == DSW_DEFORM_DONE && report.contact_count == (plane ? 3 : 1));
+  CHECK(report.pushed_count == report.contact_count);
   CHECK_OK(dsw_particle_get(g_scene, particle, now, &volume));
-  CHECK(now[2] >= 2.5 && volume.index == cube(2, 1, 2));
+  CHECK(now[g_up] >= 2.5 && volume.index == cell(2, 1, 2));
+  if (plane) {
+    const dsw_wall_contact *c = NULL;
+    size_t count = 0;
+    heights_of(body, now);
+    CHECK(now[0] >= 2.5 && now[1] >= 2.5);
+    CHECK_OK(dsw_scene_get_wall_contacts(g_scene, &c, &count));
+    CHECK(c->moving.generation == 0 && c->from[0] == 2.5 && c->from[1] == 2.75 && c->to[0] == at[0] && c->to[2] == 0);
+    CHECK(c->wall.generation == 1 && c->normal[1] == 1 && c->normal[2] == 0);
+  }
   /* Without a wall in the way it changes its volume instead. */
   o.response = DSW_WALL_STOP;
-  raise_floor(-0.6);
+  raise_row(2, -0.6);
   report = deform(&o);
   CHECK(report.outcome == DSW_DEFORM_DONE && report.contact_count == 0);
-  raise_floor(0.8);
+  raise_row(2, 0.8);
   report = deform(&o);
   CHECK(report.outcome == DSW_DEFORM_FRACTION && report.fraction < 1 && report.fraction > 0);
+  CHECK(point(2, 2, 2)[g_up] == 1.9 + report.fraction * (2.7 - 1.9));
   o.response = DSW_WALL_HOLD;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_deform(g_scene, g_points[g_next], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_deform(g_scene, next_points(), g_point_count, &o, NULL));
   end();
 }
 
@@ -264,8 +237,10 @@ static void bad_arguments(void) {
   const dsw_wall_contact *contacts = NULL;
   size_t count = 0;
   const double *read = NULL;
+  int valid = -1;
+#define DEFORM(scene, points, more, o) dsw_scene_deform(scene, points, g_point_count + (more), o, NULL)
   begin(0);
-  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_scene_deform(g_scene, g_points[0], POINTS, NULL, NULL));
+  CHECK_FAILS(DSW_STATUS_NOT_NAMED, DEFORM(g_scene, next_points(), 0, NULL));
   CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_scene_get_wall_contacts(g_scene, &contacts, &count));
   dsw_scene_desc_init(&d, sizeof d);
   d.features = DSW_FEATURE_DEFORMING;
@@ -274,44 +249,103 @@ static void bad_arguments(void) {
   begin(DSW_FEATURE_DEFORMING);
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_scene_create(g_env, NULL, &other));
   CHECK(other == NULL);
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_deform(NULL, g_points[0], POINTS, NULL, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_deform(g_scene, NULL, POINTS, NULL, NULL));
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_deform(g_scene, g_points[0], POINTS - 1, NULL, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, DEFORM(NULL, next_points(), 0, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, DEFORM(g_scene, NULL, 0, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, DEFORM(g_scene, next_points(), (size_t)-1, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, DEFORM(g_scene, next_points(), 1, NULL));
   o.most_halvings = 11;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_deform(g_scene, g_points[0], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, DEFORM(g_scene, next_points(), 0, &o));
   o.most_halvings = 0;
   o.min_part = 0.6;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_deform(g_scene, g_points[0], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, DEFORM(g_scene, next_points(), 0, &o));
   o.min_part = 0;
   o.flags = 1;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_deform(g_scene, g_points[0], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, DEFORM(g_scene, next_points(), 0, &o));
   o.flags = 0;
   o.struct_size = 3;
-  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_scene_deform(g_scene, g_points[0], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, DEFORM(g_scene, next_points(), 0, &o));
+  if (g_dimension == 2) {
+    o = deform_options_of(DSW_DEFORM_SWEPT, DSW_WALL_PUSH);
+    o.invalid = DSW_INVALID_REMESH;
+    CHECK_FAILS(DSW_STATUS_UNSUPPORTED, DEFORM(g_scene, next_points(), 0, &o));
+    CHECK_MESSAGE("plane");
+  }
   CHECK_OK(dsw_particle_create(g_scene, at, no_volume, &particle));
   /* Near the particle it is an error, far away its volumes become invalid. */
   point(2, 2, 2)[1] = NAN;
-  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_scene_deform(g_scene, g_points[0], POINTS, NULL, NULL));
-  CHECK_MESSAGE("next[");
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, DEFORM(g_scene, next_points(), 0, NULL));
+  CHECK_MESSAGE(g_dimension == 2 ? "next[12]" : "next[");
   o = deform_options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
-  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_scene_deform(g_scene, g_points[0], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, DEFORM(g_scene, next_points(), 0, &o));
   CHECK_OK(dsw_environment_get_points(g_env, &read, &count));
-  CHECK(read != g_points[0]);
+  CHECK(read != next_points());
   point(2, 2, 2)[1] = 2;
   point(0, 0, 0)[0] = INFINITY;
   (void)deform(NULL);
-  CHECK_FAILS(DSW_STATUS_IN_USE, dsw_scene_deform(g_scene, g_points[1 - g_next], POINTS, NULL, NULL));
-  {
-    int valid = -1;
-    CHECK_OK(dsw_environment_is_valid(g_env, volume_at(0), &valid));
-    CHECK(valid == 0);
-    CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_is_valid(g_env, stale_volume, &valid));
-    CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_is_valid(g_env, volume_at(0), NULL));
-  }
+  g_next = 1 - g_next; /* the array that is read */
+  CHECK_FAILS(DSW_STATUS_IN_USE, DEFORM(g_scene, next_points(), 0, NULL));
+#undef DEFORM
+  CHECK(is_valid(0) == 0);
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_is_valid(g_env, stale_volume, &valid));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_is_valid(g_env, volume_at(0), NULL));
   end();
 }
 
-/* Two cubes that share one point alone: it goes into either, and what lies there is pushed. */
+/* What was deformed is saved as it is, and goes on with the same bits. */
+static void saved_and_loaded(void) {
+  static char blocks[4][1 << 16];
+  static double arrays[2][3 * MOST_POINTS];
+  dsw_environment *loaded = NULL;
+  dsw_scene *again = NULL;
+  dsw_deform_report reports[2];
+  double at[3] = {2.3, 1.4, 2.2}, line[6] = {1.2, 1.4, 2.11, 1.9, 1.4, 2.11}, now[2][6];
+  dsw_particle_id particle;
+  dsw_build_report built;
+  dsw_body_id body;
+  size_t sizes[4], count, bytes;
+  int i;
+  begin(DSW_FEATURE_DEFORMING);
+  bytes = g_dimension * g_point_count * sizeof(double);
+  mark_floor(1);
+  CHECK_OK(dsw_particle_create(g_scene, flat(at, 1), no_volume, &particle));
+  body = make_line(flat(line, 2), 2, DSW_LEVEL_EDGES_SWEPT);
+  raise_row(2, 0.5);
+  point(2, 2, 1)[0] += 0.25;
+  (void)deform(NULL);
+  CHECK_OK(dsw_environment_save(g_env, blocks[0], sizeof blocks[0], &sizes[0]));
+  CHECK_OK(dsw_scene_save(g_scene, blocks[1], sizeof blocks[1], &sizes[1]));
+  CHECK_OK(dsw_environment_load(NULL, blocks[0], sizes[0], &loaded));
+  CHECK_OK(dsw_environment_get_position(g_env, vertex_at(vertex(2, 2, 1)), now[0]));
+  CHECK_OK(dsw_environment_get_position(loaded, vertex_at(vertex(2, 2, 1)), now[1]));
+  CHECK(now[0][0] == 2.25 && memcmp(now[0], now[1], g_dimension * sizeof(double)) == 0);
+  built.struct_size = sizeof built;
+  CHECK_OK(dsw_environment_check(loaded, &built));
+  CHECK_OK(dsw_environment_save(loaded, NULL, 0, &count));
+  CHECK(count == sizes[0]);
+  CHECK_OK(dsw_scene_load(loaded, blocks[1], sizes[1], &again));
+  raise_row(2, 0.3);
+  for (i = 0; i < 2; ++i) memcpy(arrays[i], next_points(), bytes);
+  CHECK_OK(dsw_scene_deform(g_scene, arrays[0], g_point_count, NULL, &reports[0]));
+  CHECK_OK(dsw_scene_deform(again, arrays[1], g_point_count, NULL, &reports[1]));
+  CHECK(memcmp(&reports[0], &reports[1], sizeof reports[0]) == 0 && reports[0].contact_count > 0);
+  CHECK(memcmp(arrays[0], arrays[1], bytes) == 0);
+  CHECK_OK(dsw_particle_get(g_scene, particle, now[0], NULL));
+  CHECK_OK(dsw_particle_get(again, particle, now[1], NULL));
+  CHECK(memcmp(now[0], now[1], g_dimension * sizeof(double)) == 0 && now[0][g_up] > 2.8);
+  CHECK_OK(dsw_body_get_positions(g_scene, body, now[0], 2, 0, NULL, &count));
+  CHECK_OK(dsw_body_get_positions(again, body, now[1], 2, 0, NULL, &count));
+  CHECK(memcmp(now[0], now[1], 2 * g_dimension * sizeof(double)) == 0 && now[0][g_up] > 2.8);
+  CHECK_OK(dsw_scene_save(g_scene, blocks[2], sizeof blocks[2], &sizes[2]));
+  CHECK_OK(dsw_scene_save(again, blocks[3], sizeof blocks[3], &sizes[3]));
+  CHECK(sizes[2] == sizes[3] && memcmp(blocks[2], blocks[3], sizes[2]) == 0);
+  CHECK_OK(dsw_environment_save(g_env, blocks[2], sizeof blocks[2], &sizes[2]));
+  CHECK_OK(dsw_environment_save(loaded, blocks[3], sizeof blocks[3], &sizes[3]));
+  CHECK(sizes[2] == sizes[3] && memcmp(blocks[2], blocks[3], sizes[2]) == 0);
+  end_scene(again);
+  end();
+}
+
+/* In space: two cubes that share one point alone: it goes into either, and what lies there is pushed. */
 static void a_point_between_two_cubes(void) {
   static const double at[2][3] = {{0.9, 0.9, 0.9}, {1.1, 1.1, 1.1}};
   double points[2][3 * 15];
@@ -353,34 +387,13 @@ static void a_point_between_two_cubes(void) {
       CHECK(volume.index == (uint32_t)i && (i == 0 ? now[0] < 0.76 : now[0] > 1.24 || turn == 0));
     }
   }
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
-/* What was deformed is saved as it is, and goes on. */
-static void saved_and_loaded(void) {
-  size_t size = 0, again = 0;
-  dsw_environment *loaded = NULL;
-  double a[3], b[3];
-  dsw_build_report built;
-  begin(DSW_FEATURE_DEFORMING);
-  point(2, 2, 2)[0] += 0.25;
-  (void)deform(NULL);
-  CHECK_OK(dsw_environment_save(g_env, g_block, sizeof g_block, &size));
-  CHECK_OK(dsw_environment_load(NULL, g_block, size, &loaded));
-  CHECK_OK(dsw_environment_get_position(g_env, vertex_at(grid_point(&g_grid, 2, 2, 2)), a));
-  CHECK_OK(dsw_environment_get_position(loaded, vertex_at(grid_point(&g_grid, 2, 2, 2)), b));
-  CHECK(a[0] == 2.25 && memcmp(a, b, sizeof a) == 0);
-  built.struct_size = sizeof built;
-  CHECK_OK(dsw_environment_check(loaded, &built));
-  CHECK_OK(dsw_environment_save(loaded, NULL, 0, &again));
-  CHECK(again == size);
-  CHECK_OK(dsw_environment_destroy(loaded));
-  end();
-}
-
-/* A cut in an environment that bends: its vertices are written to the array that was lent, if that has room. */
+/* In space: a cut in an environment that bends: its vertices are written to the array that was lent, if that has
+   room. */
 static void cut_while_bent(void) {
+  enum { POINTS = MOST_POINTS };
   static const double blade[12] = {1.25, -1, -1, 1.25, 5, -1, 1.25, -1, 5, 1.25, 5, 5};
   static const double other_blade[12] = {2.25, -1, -1, 2.25, 5, -1, 2.25, -1, 5, 2.25, 5, 5};
   static double arrays[2][3 * 2 * POINTS];
@@ -394,7 +407,7 @@ static void cut_while_bent(void) {
   dsw_cut_desc_init(&d, sizeof d);
   d.points = blade;
   d.rows = d.columns = 2;
-  for (turn = 0; turn < 2; ++turn) memcpy(arrays[turn], g_grid.points, sizeof g_points[0]);
+  for (turn = 0; turn < 2; ++turn) memcpy(arrays[turn], g_points[0], sizeof g_points[0]);
 
   o.point_room = POINTS - 1;
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_scene_deform(g_scene, arrays[0], POINTS, &o, NULL));
@@ -442,16 +455,23 @@ static void cut_while_bent(void) {
   end();
 }
 
-int main(void) {
+static void in_both(void) {
   a_floor_lifts_a_particle();
   an_edge_is_pushed_split_or_holds_the_wall();
   what_is_squeezed_holds_the_walls();
   steps_are_halved_where_cells_would_fold();
   invalid_volumes();
   end_state();
-  a_point_between_two_cubes();
   bad_arguments();
   saved_and_loaded();
+}
+
+int main(void) {
+  use_dimension(2);
+  in_both();
+  use_dimension(3);
+  in_both();
+  a_point_between_two_cubes();
   cut_while_bent();
   return check_result();
 }

@@ -13,10 +13,7 @@ static dsw_body_id g_body;
 
 static uint32_t cube(uint32_t x, uint32_t y, uint32_t z) { return x + 4 * (y + 4 * z); }
 
-static void mark(uint32_t volume) {
-  const dsw_volume_id id = volume_at(volume);
-  CHECK_OK(dsw_environment_mark_volumes(g_env, &id, 1, DSW_MARK_IMPASSABLE, 0, NULL));
-}
+static void mark(uint32_t volume) { CHECK_OK(set_volume_mark(g_env, volume, DSW_MARK_IMPASSABLE)); }
 
 /* Impassable: cubes (1, 1, 1) and (2, 1, 1), the piece, and (2, 2, 1), from which it is parted. */
 static void mark_piece(void) {
@@ -32,12 +29,6 @@ static void begin(dsw_context *context, uint32_t features) {
   g_scene = make_scene(g_env, features);
   mark_piece();
 }
-static dsw_environment_info info(void) {
-  dsw_environment_info i;
-  i.struct_size = sizeof i;
-  CHECK_OK(dsw_environment_get_info(g_env, &i));
-  return i;
-}
 static size_t marks(dsw_cell_kind kind) {
   size_t count = 999;
   CHECK_OK(dsw_environment_get_mark_count(g_env, kind, &count));
@@ -49,10 +40,9 @@ static size_t bodies(void) {
   return count;
 }
 static void end(uint32_t boundary) {
-  CHECK(info().volume_count == 64 && info().boundary_face_count == boundary);
+  CHECK(info_of(g_env).volume_count == 64 && info_of(g_env).boundary_face_count == boundary);
   CHECK_OK(dsw_environment_check(g_env, NULL));
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
+  end_scene(g_scene);
 }
 
 static void two_cubes(void) {
@@ -60,7 +50,6 @@ static void two_cubes(void) {
   const dsw_detached_vertex *vertices = NULL;
   const dsw_detached_face *faces = NULL;
   const dsw_volume_change *changes = NULL;
-  dsw_body_counts counts;
   double positions[36], xyz[3];
   size_t i, k, count = 99;
   begin(NULL, 0);
@@ -71,9 +60,8 @@ static void two_cubes(void) {
   CHECK(g_report.sewn_count == 1 && g_report.unsewn_count == 0);
   CHECK(fabs(g_report.distance - 0.01) < 1e-12);
   CHECK(marks(DSW_CELL_VOLUME) == 1);
-  counts.struct_size = sizeof counts;
-  CHECK_OK(dsw_body_get_counts(g_scene, g_body, &counts));
-  CHECK(counts.vertex_count == 12 && counts.edge_count == 30 && counts.face_count == 20);
+  CHECK(body_counts(g_scene, g_body).vertex_count == 12 && body_counts(g_scene, g_body).edge_count == 30 &&
+        body_counts(g_scene, g_body).face_count == 20);
   CHECK_OK(dsw_scene_get_detached_volumes(g_scene, &volumes, &count));
   CHECK(count == 2 && volumes[0].index == cube(1, 1, 1) && volumes[1].index == cube(2, 1, 1));
   CHECK_OK(dsw_scene_get_detached_vertices(g_scene, &vertices, &count));
@@ -125,7 +113,7 @@ static void marks_go_with_it(void) {
   grid_destroy(&g);
 }
 
-/* All 3 x 3 x 3 cubes in a corner: on the outer boundary, with an edge and a vertex inside, and a crack that ends there. */
+/* All 3 x 3 x 3 cubes in a corner: on the outer boundary, with an edge and a vertex inside, and a crack. */
 static void in_a_corner(void) {
   uint32_t x, y, z, local;
   dsw_vertex_id inside;
@@ -203,32 +191,22 @@ static void bad_arguments(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_detach(NULL, &g_desc, &body, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_detach(g_scene, NULL, &body, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_detach(g_scene, &g_desc, NULL, NULL));
-  bad = g_desc, bad.struct_size = 8;
-  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.flags = 0x80;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.level = (dsw_level)9;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.gap = 0.26;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, g_desc, struct_size, 8, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, g_desc, flags, 0x80, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, g_desc, level, (dsw_level)9, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, gap, 0.26, dsw_scene_detach(g_scene, &bad, &body, NULL));
   CHECK_MESSAGE("desc->gap");
   bad.gap = -1;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
   bad.gap = NAN;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.halvings = 41;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.motion_share = -1;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.category = 2;
-  CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.volume = volume_at(64);
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, halvings, 41, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, motion_share, -1, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_NOT_NAMED, g_desc, category, 2, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_STALE_ID, g_desc, volume, volume_at(64), dsw_scene_detach(g_scene, &bad, &body, NULL));
   CHECK_MESSAGE("desc->volume");
-  bad = g_desc, bad.volume = no_volume;
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  bad = g_desc, bad.volume = volume_at(0);
-  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_STALE_ID, g_desc, volume, no_volume, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_TOPOLOGY, g_desc, volume, volume_at(0), dsw_scene_detach(g_scene, &bad, &body, NULL));
   second = make_scene(g_env, 0);
   CHECK_FAILS(DSW_STATUS_SHARED, dsw_scene_detach(g_scene, &g_desc, &body, NULL));
   CHECK_OK(dsw_scene_destroy(second));
@@ -255,27 +233,18 @@ static void borrowed_points(void) {
 
 static void running_out_of_memory(void) {
   host h;
-  dsw_context *context;
+  dsw_context *const context = make_context(&h);
   const dsw_volume_id *volumes = NULL;
-  dsw_status status = DSW_STATUS_OUT_OF_MEMORY;
-  size_t n, count = 0, refusals = 0;
-  memset(&h, 0, sizeof h);
-  context = make_context(&h);
+  size_t count = 0, refusals = 0;
   begin(context, DSW_FEATURE_BODY_CONTACTS);
-  for (n = 1; n < 20000; ++n) {
-    h.refuse = h.calls + n;
-    status = dsw_scene_detach(g_scene, &g_desc, &g_body, &g_report);
-    h.refuse = 0;
-    if (status != DSW_STATUS_OUT_OF_MEMORY) break;
-    ++refusals;
-    CHECK(bodies() == 0 && marks(DSW_CELL_VOLUME) == 3 && info().boundary_face_count == 98);
+  for (; RUNS_OUT(&h, refusals, dsw_scene_detach(g_scene, &g_desc, &g_body, &g_report)); ++refusals) {
+    CHECK(bodies() == 0 && marks(DSW_CELL_VOLUME) == 3 && info_of(g_env).boundary_face_count == 98);
     CHECK_OK(dsw_scene_get_detached_volumes(g_scene, &volumes, &count));
     CHECK(count == 0);
   }
-  CHECK(status == DSW_STATUS_OK && refusals > 50 && bodies() == 1);
+  CHECK(refusals > 50 && bodies() == 1);
   end(96);
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && h.broken == 0);
+  end_context(context, &h);
 }
 
 int main(void) {

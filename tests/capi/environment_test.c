@@ -1,4 +1,4 @@
-/* Creation, its defects, and destruction. What an environment answers is in topology_test.c. */
+/* Creation, its defects, and destruction. What an environment answers is in cells_test.c. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -111,57 +111,38 @@ static void sizes_are_understood(void) {
   grid_destroy(&g);
 }
 
+#define CREATE dsw_environment_create(NULL, &bad, &environment, NULL)
+
 static void unknown_values_are_refused(void) {
   grid g = grid_create(1, 1, 1);
-  dsw_environment_desc d = grid_desc(&g);
+  const dsw_environment_desc d = grid_desc(&g);
+  dsw_environment_desc bad;
   dsw_environment *environment = NULL;
-  d.dimension = 2;
-  CHECK_FAILS(DSW_STATUS_BAD_CELL_TYPE, dsw_environment_create(NULL, &d, &environment, NULL));
-  d.dimension = 4;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_create(NULL, &d, &environment, NULL));
-  d = grid_desc(&g);
-  d.flags = 0x80;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_create(NULL, &d, &environment, NULL));
-  d = grid_desc(&g);
-  d.reserved = 1;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_create(NULL, &d, &environment, NULL));
-  d = grid_desc(&g);
-  d.index_bytes = 2;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_create(NULL, &d, &environment, NULL));
-  d = grid_desc(&g);
-  d.cell_count = 0;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_create(NULL, &d, &environment, NULL));
-  d = grid_desc(&g);
-  d.point_count = 0;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_create(NULL, &d, &environment, NULL));
-  d = grid_desc(&g);
-  d.point_count = (size_t)1 << 28;
-  CHECK_FAILS(DSW_STATUS_TOO_LARGE, dsw_environment_create(NULL, &d, &environment, NULL));
-  d = grid_desc(&g);
-  d.uniform_cell_type = DSW_CELL_TYPE_POLYHEDRON;
-  CHECK_FAILS(DSW_STATUS_BAD_CELL_TYPE, dsw_environment_create(NULL, &d, &environment, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_CELL_TYPE, d, dimension, 2, CREATE);
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, dimension, 4, CREATE);
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 0x80, CREATE);
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, reserved, 1, CREATE);
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, index_bytes, 2, CREATE);
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, cell_count, 0, CREATE);
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, point_count, 0, CREATE);
+  CHECK_REFUSES(DSW_STATUS_TOO_LARGE, d, point_count, (size_t)1 << 28, CREATE);
+  CHECK_REFUSES(DSW_STATUS_BAD_CELL_TYPE, d, uniform_cell_type, DSW_CELL_TYPE_POLYHEDRON, CREATE);
   CHECK(environment == NULL);
   grid_destroy(&g);
 }
 
 static void sizes_of_arrays_must_agree(void) {
   grid g = grid_create(1, 1, 1);
-  dsw_environment_desc d = grid_desc(&g);
+  const dsw_environment_desc d = grid_desc(&g);
+  dsw_environment_desc bad;
   dsw_environment *environment = NULL;
-  d.connectivity_count = 7;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_create(NULL, &d, &environment, NULL));
-  d = grid_desc(&g);
-  d.point_stride_bytes = 16;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_create(NULL, &d, &environment, NULL));
-  d.point_stride_bytes = 28;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_create(NULL, &d, &environment, NULL));
-  d.point_stride_bytes = 32;
-  d.flags = DSW_ENVIRONMENT_BORROW_POINTS;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_create(NULL, &d, &environment, NULL));
-  d = grid_desc(&g);
-  d.faces = g.cells;
-  d.faces_count = 8;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_create(NULL, &d, &environment, NULL));
+  CHECK_REFUSES(DSW_STATUS_WRONG_SIZE, d, connectivity_count, 7, CREATE);
+  CHECK_REFUSES(DSW_STATUS_WRONG_SIZE, d, point_stride_bytes, 16, CREATE);
+  CHECK_REFUSES(DSW_STATUS_WRONG_SIZE, d, point_stride_bytes, 28, CREATE);
+  bad.point_stride_bytes = 32;
+  CHECK_REFUSES(DSW_STATUS_WRONG_SIZE, bad, flags, DSW_ENVIRONMENT_BORROW_POINTS, CREATE);
+  bad = d, bad.faces = g.cells;
+  CHECK_REFUSES(DSW_STATUS_WRONG_SIZE, bad, faces_count, 8, CREATE);
   CHECK(environment == NULL);
   grid_destroy(&g);
 }
@@ -323,20 +304,17 @@ static void an_environment_in_use_stays(void) {
   dsw_scene *const scene = make_scene(environment, 0);
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_environment_destroy(environment));
   CHECK_MESSAGE("1 scenes");
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 static void a_wrong_handle_is_refused(void) {
-  dsw_environment *const environment = make_environment(NULL, 1, 1, 1);
-  dsw_scene *const scene = make_scene(environment, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 1, 1, 1), 0);
   grid g = grid_create(1, 1, 1);
   const dsw_environment_desc d = grid_desc(&g);
   dsw_environment *other = NULL;
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_destroy((dsw_environment *)(void *)scene));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_create((dsw_context *)(void *)scene, &d, &other, NULL));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
   grid_destroy(&g);
 }
 

@@ -25,9 +25,7 @@ grid grid_create(unsigned nx, unsigned ny, unsigned nz) {
   grid g;
   unsigned x, y, z, k;
   size_t cell = 0;
-  g.nx = nx;
-  g.ny = ny;
-  g.nz = nz;
+  g.nx = nx, g.ny = ny, g.nz = nz;
   g.cell_count = (size_t)nx * ny * nz;
   g.point_count = (size_t)(nx + 1) * (ny + 1) * (nz + 1);
   g.points = (double *)malloc(g.point_count * 3 * sizeof(double));
@@ -39,9 +37,7 @@ grid grid_create(unsigned nx, unsigned ny, unsigned nz) {
     for (y = 0; y <= ny; ++y) {
       for (x = 0; x <= nx; ++x) {
         double *const p = g.points + 3 * (size_t)grid_point(&g, x, y, z);
-        p[0] = x;
-        p[1] = y;
-        p[2] = z;
+        p[0] = x, p[1] = y, p[2] = z;
       }
     }
   }
@@ -88,26 +84,53 @@ dsw_environment *make_environment(dsw_context *context, unsigned nx, unsigned ny
   return environment;
 }
 
-dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny) {
-  return make_scaled_squares(context, nx, ny, 1);
-}
-
-dsw_environment *make_scaled_squares(dsw_context *context, unsigned nx, unsigned ny, double size) {
-  grid g = grid_create(nx, ny, 1);
-  dsw_environment_desc d = grid_desc(&g);
-  dsw_environment *environment = NULL;
-  size_t c;
-  for (c = 0; c < 3 * g.point_count; ++c) g.points[c] *= size;
-  /* The points and the face below, which is first in each cube. */
-  for (c = 0; c < g.cell_count; ++c) memmove(g.cells + 4 * c, g.cells + 8 * c, 4 * sizeof *g.cells);
+dsw_environment_desc squares_desc(grid *g) {
+  dsw_environment_desc d = grid_desc(g);
+  size_t i;
   d.dimension = 2;
   d.point_count /= 2;
-  d.point_stride_bytes = 24;
   d.uniform_cell_type = DSW_CELL_TYPE_QUAD;
   d.connectivity_count /= 2;
+  /* The points below come first, and in each cube the face below. */
+  for (i = 0; i < d.point_count; ++i) memmove(g->points + 2 * i, g->points + 3 * i, 2 * sizeof *g->points);
+  for (i = 0; i < d.cell_count; ++i) memmove(g->cells + 4 * i, g->cells + 8 * i, 4 * sizeof *g->cells);
+  return d;
+}
+
+dsw_environment *make_squares(dsw_context *context, unsigned nx, unsigned ny) {
+  grid g = grid_create(nx, ny, 1);
+  const dsw_environment_desc d = squares_desc(&g);
+  dsw_environment *environment = NULL;
   stop_unless(dsw_environment_create(context, &d, &environment, NULL) == DSW_STATUS_OK, "squares");
   grid_destroy(&g);
   return environment;
+}
+
+void end_scene(dsw_scene *scene) {
+  dsw_environment *const environment = dsw_scene_get_environment(scene);
+  CHECK_OK(dsw_scene_destroy(scene));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
+dsw_environment_info info_of(const dsw_environment *environment) {
+  dsw_environment_info info;
+  info.struct_size = sizeof info;
+  CHECK_OK(dsw_environment_get_info(environment, &info));
+  return info;
+}
+
+dsw_environment_desc polygons_desc(const double *points, size_t point_count, dsw_cell_type type, const int64_t *cells,
+                                   size_t cell_count) {
+  dsw_environment_desc d;
+  dsw_environment_desc_init(&d, sizeof d);
+  d.dimension = 2;
+  d.points = points;
+  d.point_count = point_count;
+  d.uniform_cell_type = type;
+  d.cell_count = cell_count;
+  d.connectivity = cells;
+  d.connectivity_count = (type == DSW_CELL_TYPE_TRIANGLE ? 3 : 4) * cell_count;
+  return d;
 }
 
 dsw_scene *make_scene(dsw_environment *environment, uint32_t features) {
@@ -119,35 +142,56 @@ dsw_scene *make_scene(dsw_environment *environment, uint32_t features) {
   return scene;
 }
 
+dsw_body_desc body_desc(const double *positions, size_t count, const uint32_t *edges, size_t edge_count,
+                        dsw_level level) {
+  dsw_body_desc d;
+  dsw_body_desc_init(&d, sizeof d);
+  d.level = level;
+  d.positions = positions;
+  d.vertex_count = count;
+  d.edges = edges;
+  d.edge_count = edge_count;
+  return d;
+}
+
+dsw_body_desc surface_desc(const double *positions, size_t count, const uint32_t *offsets, const uint32_t *corners,
+                           size_t face_count, dsw_level level) {
+  dsw_body_desc d = body_desc(positions, count, NULL, 0, level);
+  d.face_offsets = offsets;
+  d.face_corners = corners;
+  d.face_count = face_count;
+  d.face_corner_count = offsets[face_count];
+  return d;
+}
+
 dsw_body_desc line_desc(const double *positions, size_t count, int closed, dsw_level level) {
   static uint32_t open[32], loop[32];
-  dsw_body_desc d;
   size_t i;
   stop_unless(count >= 1 && count <= 16, "line");
   for (i = 0; i < 32; ++i) open[i] = (uint32_t)((i + 1) / 2);
   memcpy(loop, open, sizeof loop);
   loop[2 * count - 1] = 0;
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = count;
-  d.edges = closed ? loop : open;
-  d.edge_count = closed ? count : count - 1;
-  return d;
+  return body_desc(positions, count, closed ? loop : open, closed ? count : count - 1, level);
 }
 
 dsw_body_id make_edge_body(dsw_scene *scene, const double *positions, dsw_level level) {
-  static const uint32_t edge[2] = {0, 1};
-  dsw_body_desc d;
+  const dsw_body_desc d = line_desc(positions, 2, 0, level);
   dsw_body_id id = {0, 0};
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = 2;
-  d.edges = edge;
-  d.edge_count = 1;
   stop_unless(dsw_body_create(scene, &d, &id) == DSW_STATUS_OK, "body");
   return id;
+}
+
+dsw_body_counts body_counts(const dsw_scene *scene, dsw_body_id body) {
+  dsw_body_counts c;
+  c.struct_size = sizeof c;
+  CHECK_OK(dsw_body_get_counts(scene, body, &c));
+  return c;
+}
+
+dsw_move_options move_options(void) {
+  dsw_move_options o;
+  dsw_move_options_init(&o, sizeof o);
+  return o;
 }
 
 dsw_deform_options deform_options_of(dsw_deform_method method, dsw_wall_response response) {
@@ -192,42 +236,45 @@ dsw_status set_vertex_mark(dsw_environment *environment, uint32_t index, dsw_mar
 }
 
 dsw_volume_id volume_at(uint32_t index) {
-  dsw_volume_id id;
-  id.index = index;
-  id.generation = 1;
+  const dsw_volume_id id = {index, 1};
   return id;
 }
 
 dsw_face_id face_at(uint32_t volume, uint32_t local) {
-  dsw_face_id id;
-  id.volume = volume;
-  id.generation = 1;
-  id.local = local;
+  const dsw_face_id id = {volume, 1, local};
   return id;
 }
 
 dsw_edge_id edge_at(uint32_t volume, uint32_t local) {
-  dsw_edge_id id;
-  id.volume = volume;
-  id.generation = 1;
-  id.local = local;
+  const dsw_edge_id id = {volume, 1, local};
   return id;
 }
 
 dsw_vertex_id vertex_at(uint32_t index) {
-  dsw_vertex_id id;
-  id.index = index;
-  id.generation = 1;
+  const dsw_vertex_id id = {index, 1};
   return id;
 }
 
 dsw_cell cell_at(dsw_cell_kind kind, uint32_t index, uint32_t local) {
-  dsw_cell cell;
-  cell.kind = kind;
-  cell.index = index;
-  cell.generation = 1;
-  cell.local = local;
+  const dsw_cell cell = {kind, index, 1, local};
   return cell;
+}
+
+static int write_tape(void *user, const void *bytes, size_t size_bytes) {
+  tape *const t = (tape *)user;
+  if (++t->writes == t->refuse || t->size + size_bytes > sizeof t->bytes) return 1;
+  memcpy(t->bytes + t->size, bytes, size_bytes);
+  t->size += size_bytes;
+  return 0;
+}
+
+dsw_recording_desc to_tape(tape *t) {
+  dsw_recording_desc desc;
+  dsw_recording_desc_init(&desc, sizeof desc);
+  memset(t, 0, sizeof *t);
+  desc.write = write_tape;
+  desc.user = t;
+  return desc;
 }
 
 /* Sizes are kept in front of a block, so that what comes back can be compared. */
@@ -301,4 +348,20 @@ dsw_context *make_context(host *h) {
   dsw_context *context = NULL;
   stop_unless(dsw_context_create(&d, &context) == DSW_STATUS_OK, "context");
   return context;
+}
+
+void end_context(dsw_context *context, const host *h) {
+  CHECK_OK(dsw_context_destroy(context));
+  CHECK(h->alive == 0 && h->alive_bytes == 0 && h->broken == 0);
+}
+
+void refuse_after(host *h, size_t n) {
+  stop_unless(n < 100000, "a call that never succeeds");
+  h->refuse = h->calls + n + 1;
+}
+
+int ran_out(host *h, dsw_status status) {
+  h->refuse = 0;
+  if (status != DSW_STATUS_OUT_OF_MEMORY) CHECK_OK(status);
+  return status == DSW_STATUS_OUT_OF_MEMORY;
 }

@@ -227,8 +227,7 @@ static void many_volumes_are_checked_too(void) {
   CHECK(count == 1 && occupants[0].index == id.index);
   CHECK_OK(dsw_environment_get_mark_count(env, DSW_CELL_VOLUME, &count));
   CHECK(count == 399);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 static void a_shared_environment_is_not_changed(void) {

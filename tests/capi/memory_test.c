@@ -1,5 +1,6 @@
 /* Memory that runs out, at every single point: a host refuses the first allocation of a call, then the second, and so
-   on until the call succeeds. Whatever was refused, nothing has changed and nothing is lost. */
+   on until the call succeeds. Whatever was refused, nothing has changed and nothing is lost. In space, and what says so
+   in the plane, too. */
 #include <string.h>
 
 #include "check.h"
@@ -7,71 +8,80 @@
 
 /* Repeats `call` with a refusal one allocation later each time, until it succeeds; `unchanged` must hold after each
    failure. Counts the failures into `refusals`. */
-#define UNTIL_IT_SUCCEEDS(h, call, unchanged, refusals)          \
-  do {                                                           \
-    dsw_status status_;                                          \
-    (refusals) = 0;                                              \
-    for (;;) {                                                   \
-      const size_t alive_ = (h).alive;                           \
-      (h).refuse = (h).calls + (refusals) + 1;                   \
-      status_ = (call);                                          \
-      if (status_ == DSW_STATUS_OK || (refusals) > 1000) break;  \
-      CHECK(status_ == DSW_STATUS_OUT_OF_MEMORY && !(h).broken); \
-      CHECK_MESSAGE("allocator returned null");                  \
-      CHECK((h).alive <= alive_ + MAY_KEEP);                     \
-      CHECK(unchanged);                                          \
-      ++(refusals);                                              \
-    }                                                            \
-    (h).refuse = 0;                                              \
-    CHECK(status_ == DSW_STATUS_OK);                             \
+#define UNTIL_IT_SUCCEEDS(call, unchanged, refusals)                \
+  do {                                                              \
+    dsw_status status_;                                             \
+    (refusals) = 0;                                                 \
+    for (;;) {                                                      \
+      const size_t alive_ = g_host.alive;                           \
+      g_host.refuse = g_host.calls + (refusals) + 1;                \
+      status_ = (call);                                             \
+      if (status_ == DSW_STATUS_OK || (refusals) > 1000) break;     \
+      CHECK(status_ == DSW_STATUS_OUT_OF_MEMORY && !g_host.broken); \
+      CHECK_MESSAGE("allocator returned null");                     \
+      CHECK(g_host.alive <= alive_ + MAY_KEEP);                     \
+      CHECK(unchanged);                                             \
+      ++(refusals);                                                 \
+    }                                                               \
+    g_host.refuse = 0;                                              \
+    CHECK(status_ == DSW_STATUS_OK);                                \
   } while (0)
+
+static host g_host;
+static dsw_context *g_context;
+static dsw_environment *g_env;
+static dsw_scene *g_scene;
+
+/* Cubes, or squares where nz is 0, and a scene of theirs, in memory of the host. */
+static void begin(unsigned nx, unsigned ny, unsigned nz, uint32_t features) {
+  g_context = make_context(&g_host);
+  g_env = nz == 0 ? make_squares(g_context, nx, ny) : make_environment(g_context, nx, ny, nz);
+  g_scene = make_scene(g_env, features);
+}
+
+static void end(void) {
+  end_scene(g_scene);
+  end_context(g_context, &g_host);
+}
 
 /* Room that a failed call made and keeps for the next one, in blocks. */
 enum { MAY_KEEP = 2 };
 
-static void creating_an_environment(void) {
-  host h;
-  dsw_context *const context = make_context(&h);
-  grid g = grid_create(3, 3, 3);
-  dsw_environment_desc d = grid_desc(&g);
+static void creating_an_environment(int plane) {
+  dsw_context *const context = make_context(&g_host);
+  grid g = grid_create(3, 3, plane ? 1 : 3);
+  dsw_environment_desc d = plane ? squares_desc(&g) : grid_desc(&g);
   dsw_environment *environment = NULL;
   dsw_build_report report;
   size_t refusals;
   d.flags = DSW_ENVIRONMENT_LOCATE_GRID | DSW_ENVIRONMENT_CHECK_BOUNDARY;
   report.struct_size = sizeof report;
   report.status = DSW_STATUS_OK;
-  UNTIL_IT_SUCCEEDS(h, dsw_environment_create(context, &d, &environment, &report),
-                    environment == NULL && h.alive == 1 && report.status == DSW_STATUS_OUT_OF_MEMORY, refusals);
+  UNTIL_IT_SUCCEEDS(dsw_environment_create(context, &d, &environment, &report),
+                    environment == NULL && g_host.alive == 1 && report.status == DSW_STATUS_OUT_OF_MEMORY, refusals);
   CHECK(refusals >= 3 && report.status == DSW_STATUS_OK);
   CHECK_OK(dsw_environment_destroy(environment));
-  CHECK(h.alive == 1);
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && h.alive_bytes == 0 && !h.broken);
+  CHECK(g_host.alive == 1);
+  end_context(context, &g_host);
   grid_destroy(&g);
 }
 
-static void creating_a_scene(void) {
-  host h;
-  dsw_context *const context = make_context(&h);
-  dsw_environment *const environment = make_environment(context, 2, 2, 2);
+static void creating_a_scene(int plane) {
+  dsw_context *const context = make_context(&g_host);
+  dsw_environment *const environment = plane ? make_squares(context, 2, 2) : make_environment(context, 2, 2, 2);
   dsw_scene *scene = NULL;
   dsw_scene_desc d;
-  dsw_environment_info info;
-  const size_t before = h.alive;
+  const size_t before = g_host.alive;
   size_t refusals;
   dsw_scene_desc_init(&d, sizeof d);
   d.features = DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS;
-  info.struct_size = sizeof info;
-  UNTIL_IT_SUCCEEDS(h, dsw_scene_create(environment, &d, &scene),
-                    scene == NULL && h.alive == before &&
-                        dsw_environment_get_info(environment, &info) == DSW_STATUS_OK && info.scene_count == 0,
-                    refusals);
+  UNTIL_IT_SUCCEEDS(dsw_scene_create(environment, &d, &scene),
+                    scene == NULL && g_host.alive == before && info_of(environment).scene_count == 0, refusals);
   CHECK(refusals >= 1);
   CHECK_OK(dsw_scene_destroy(scene));
-  CHECK(h.alive == before);
+  CHECK(g_host.alive == before);
   CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end_context(context, &g_host);
 }
 
 enum { CLOUD = 600 };
@@ -85,12 +95,12 @@ static size_t particle_count(dsw_scene *scene) {
   return count;
 }
 
-static int nothing_moved(dsw_scene *scene) {
+static int nothing_moved(dsw_scene *scene, int plane) {
   size_t i;
   for (i = 0; i < CLOUD; ++i) {
     double position[3];
     if (dsw_particle_get(scene, g_ids[i], position, NULL) != DSW_STATUS_OK) return 0;
-    if (memcmp(position, g_positions + 3 * i, sizeof position) != 0) return 0;
+    if (memcmp(position, g_positions + 3 * i, (plane ? 2 : 3) * sizeof *position) != 0) return 0;
   }
   return g_flights[0].cells_visited == 0;
 }
@@ -103,11 +113,7 @@ static dsw_statistics statistics_of(dsw_scene *scene) {
   return s;
 }
 
-static void particles_of_a_scene(void) {
-  host h;
-  dsw_context *const context = make_context(&h);
-  dsw_environment *const environment = make_environment(context, 4, 4, 4);
-  dsw_scene *const scene = make_scene(environment, DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS);
+static void particles_of_a_scene(int plane) {
   const dsw_crossing *list = NULL;
   const size_t *first = NULL;
   size_t refusals, i, flights = 9;
@@ -116,23 +122,46 @@ static void particles_of_a_scene(void) {
     g_positions[i] = 0.5 + (double)((i * 7) % 4);
     g_targets[i] = 0.25 + (double)((i * 5) % 6) - 1;
   }
+  begin(4, 4, plane ? 0 : 4, DSW_FEATURE_STATISTICS | DSW_FEATURE_CROSSINGS);
+  memset(g_ids, 0, sizeof g_ids);
   memset(g_flights, 0, sizeof g_flights);
-  UNTIL_IT_SUCCEEDS(h, dsw_particle_create(scene, g_positions, no_volume, &one),
-                    one.generation == 0 && particle_count(scene) == 0, refusals);
-  CHECK(refusals >= 1 && particle_count(scene) == 1);
-  CHECK_OK(dsw_particle_destroy(scene, one));
-  UNTIL_IT_SUCCEEDS(h, dsw_scene_create_particles(scene, g_positions, CLOUD, 0, NULL, g_ids, NULL),
-                    g_ids[0].generation == 0 && particle_count(scene) == 0, refusals);
-  CHECK(refusals >= 2 && particle_count(scene) == CLOUD);
-  UNTIL_IT_SUCCEEDS(h, dsw_scene_move_particles(scene, g_ids, CLOUD, g_targets, 0, NULL, g_flights),
-                    nothing_moved(scene) && statistics_of(scene).casts == 0 &&
-                        dsw_scene_get_crossings(scene, &list, &first, &flights) == DSW_STATUS_OK && flights == 0,
+  UNTIL_IT_SUCCEEDS(dsw_particle_create(g_scene, g_positions, no_volume, &one),
+                    one.generation == 0 && particle_count(g_scene) == 0, refusals);
+  CHECK(refusals >= 1 && particle_count(g_scene) == 1);
+  CHECK_OK(dsw_particle_destroy(g_scene, one));
+  UNTIL_IT_SUCCEEDS(dsw_scene_create_particles(g_scene, g_positions, CLOUD, 24, NULL, g_ids, NULL),
+                    g_ids[0].generation == 0 && particle_count(g_scene) == 0, refusals);
+  CHECK(refusals >= 2 && particle_count(g_scene) == CLOUD);
+  UNTIL_IT_SUCCEEDS(dsw_scene_move_particles(g_scene, g_ids, CLOUD, g_targets, 24, NULL, g_flights),
+                    nothing_moved(g_scene, plane) && statistics_of(g_scene).casts == 0 &&
+                        dsw_scene_get_crossings(g_scene, &list, &first, &flights) == DSW_STATUS_OK && flights == 0,
                     refusals);
-  CHECK(refusals >= 3 && statistics_of(scene).casts >= CLOUD);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  CHECK(refusals >= 3 && statistics_of(g_scene).casts >= CLOUD);
+  end();
+}
+
+/* A body of an edge, and its move. */
+static void a_body(int plane) {
+  static const double at[6] = {1.25, 0.25, 1.5, 1.25, 3.75, 1.5}, to[6] = {3.25, 0.25, 1.5, 3.25, 3.75, 1.5};
+  dsw_body_desc d = line_desc(at, 2, 0, DSW_LEVEL_EDGES_SWEPT);
+  dsw_body_id body = {0, 0};
+  double now[6];
+  size_t refusals, count = 9;
+  d.stride_bytes = 24;
+  memcpy(now, at, sizeof now);
+  begin(4, 4, plane ? 0 : 3, 0);
+  UNTIL_IT_SUCCEEDS(dsw_body_create(g_scene, &d, &body),
+                    dsw_scene_get_body_count(g_scene, &count) == DSW_STATUS_OK && count == 0 && body.generation == 0,
+                    refusals);
+  CHECK(refusals >= 1);
+  for (refusals = 0; RUNS_OUT(&g_host, refusals, dsw_body_move(g_scene, body, to, 2, 24, NULL, NULL)); ++refusals) {
+    CHECK_OK(dsw_body_get_positions(g_scene, body, now, 2, 24, NULL, &count));
+    CHECK(memcmp(now, at, sizeof now) == 0);
+  }
+  CHECK(refusals >= 1);
+  CHECK_OK(dsw_body_get_positions(g_scene, body, now, 2, 24, NULL, &count));
+  CHECK(memcmp(now, to, sizeof now) == 0);
+  end();
 }
 
 static size_t mark_count(dsw_environment *environment, dsw_cell_kind kind) {
@@ -142,8 +171,7 @@ static size_t mark_count(dsw_environment *environment, dsw_cell_kind kind) {
 }
 
 static void marks_and_tags(void) {
-  host h;
-  dsw_context *const context = make_context(&h);
+  dsw_context *const context = make_context(&g_host);
   grid g = grid_create(6, 5, 5);
   dsw_environment_desc d = grid_desc(&g);
   dsw_environment *environment = NULL;
@@ -167,25 +195,23 @@ static void marks_and_tags(void) {
   scene = make_scene(environment, 0);
   CHECK_OK(dsw_particle_create(scene, position, no_volume, &id));
   UNTIL_IT_SUCCEEDS(
-      h, dsw_environment_mark_volumes(environment, volumes, 150, DSW_MARK_IMPASSABLE, DSW_MARK_SKIP_OCCUPIED, NULL),
+      dsw_environment_mark_volumes(environment, volumes, 150, DSW_MARK_IMPASSABLE, DSW_MARK_SKIP_OCCUPIED, NULL),
       mark_count(environment, DSW_CELL_VOLUME) == 0, refusals);
   CHECK(refusals >= 1 && mark_count(environment, DSW_CELL_VOLUME) == 149);
-  UNTIL_IT_SUCCEEDS(h, dsw_environment_mark_faces(environment, faces, 150, DSW_MARK_IMPASSABLE),
+  UNTIL_IT_SUCCEEDS(dsw_environment_mark_faces(environment, faces, 150, DSW_MARK_IMPASSABLE),
                     mark_count(environment, DSW_CELL_FACE) == 0, refusals);
   CHECK(refusals >= 1 && mark_count(environment, DSW_CELL_FACE) == 150);
-  UNTIL_IT_SUCCEEDS(h, dsw_environment_mark_edges(environment, edges, 150, DSW_MARK_IMPASSABLE),
+  UNTIL_IT_SUCCEEDS(dsw_environment_mark_edges(environment, edges, 150, DSW_MARK_IMPASSABLE),
                     mark_count(environment, DSW_CELL_EDGE) == 0, refusals);
   CHECK(refusals >= 1 && mark_count(environment, DSW_CELL_EDGE) == 150);
-  UNTIL_IT_SUCCEEDS(h, dsw_environment_mark_vertices(environment, vertices, 150, DSW_MARK_IMPASSABLE),
+  UNTIL_IT_SUCCEEDS(dsw_environment_mark_vertices(environment, vertices, 150, DSW_MARK_IMPASSABLE),
                     mark_count(environment, DSW_CELL_VERTEX) == 0, refusals);
   CHECK(refusals >= 1 && mark_count(environment, DSW_CELL_VERTEX) == 150);
-  UNTIL_IT_SUCCEEDS(h, dsw_environment_set_tag(environment, volume_at(3), 77),
+  UNTIL_IT_SUCCEEDS(dsw_environment_set_tag(environment, volume_at(3), 77),
                     dsw_environment_get_tag(environment, volume_at(3), &tag) == DSW_STATUS_OK && tag == 0, refusals);
   CHECK(refusals >= 1);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end_scene(scene);
+  end_context(context, &g_host);
   grid_destroy(&g);
 }
 
@@ -193,10 +219,6 @@ static void marks_and_tags(void) {
 static void marks_with_bodies(void) {
   static const double positions[15] = {0.5, 0.5, 0.5, 5.5, 0.5, 0.5, 2.5, 4.5, 0.5, 0.5, 2.5, 2.5, 5.5, 2.5, 2.5};
   static const uint32_t offsets[2] = {0, 3}, corners[3] = {0, 1, 2}, edge[2] = {3, 4};
-  host h;
-  dsw_context *const context = make_context(&h);
-  dsw_environment *const environment = make_environment(context, 6, 5, 5);
-  dsw_scene *const scene = make_scene(environment, 0);
   const dsw_body_id *bodies = NULL;
   dsw_volume_id volumes[150];
   dsw_face_id faces[150];
@@ -204,66 +226,53 @@ static void marks_with_bodies(void) {
   dsw_body_id id;
   size_t refusals, skipped = 0, count = 9, face_count = 0;
   uint32_t i;
+  begin(6, 5, 5, 0);
   for (i = 0; i < 150; ++i) {
     volumes[i] = volume_at(i);
     if (i % 30 / 6 != 2 && i >= 30) faces[face_count++] = face_at(i, FACE_X1);
   }
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = DSW_LEVEL_FACES;
-  d.positions = positions;
-  d.vertex_count = 5;
+  d = surface_desc(positions, 5, offsets, corners, 1, DSW_LEVEL_FACES);
   d.edges = edge;
   d.edge_count = 1;
-  d.face_offsets = offsets;
-  d.face_corners = corners;
-  d.face_count = 1;
-  d.face_corner_count = 3;
-  CHECK_OK(dsw_body_create(scene, &d, &id));
-  UNTIL_IT_SUCCEEDS(h, dsw_environment_mark_faces(environment, faces, face_count, DSW_MARK_IMPASSABLE),
-                    mark_count(environment, DSW_CELL_FACE) == 0, refusals);
-  CHECK(refusals >= 1 && mark_count(environment, DSW_CELL_FACE) == face_count);
-  CHECK_OK(dsw_environment_mark_faces(environment, faces, face_count, DSW_MARK_PASSABLE));
+  CHECK_OK(dsw_body_create(g_scene, &d, &id));
+  UNTIL_IT_SUCCEEDS(dsw_environment_mark_faces(g_env, faces, face_count, DSW_MARK_IMPASSABLE),
+                    mark_count(g_env, DSW_CELL_FACE) == 0, refusals);
+  CHECK(refusals >= 1 && mark_count(g_env, DSW_CELL_FACE) == face_count);
+  CHECK_OK(dsw_environment_mark_faces(g_env, faces, face_count, DSW_MARK_PASSABLE));
   UNTIL_IT_SUCCEEDS(
-      h, dsw_environment_mark_volumes(environment, volumes, 150, DSW_MARK_IMPASSABLE, DSW_MARK_SKIP_OCCUPIED, &skipped),
-      mark_count(environment, DSW_CELL_VOLUME) == 0 && skipped == 0 &&
-          dsw_scene_get_occupant_bodies(scene, &bodies, &count) == DSW_STATUS_OK && count == 0,
+      dsw_environment_mark_volumes(g_env, volumes, 150, DSW_MARK_IMPASSABLE, DSW_MARK_SKIP_OCCUPIED, &skipped),
+      mark_count(g_env, DSW_CELL_VOLUME) == 0 && skipped == 0 &&
+          dsw_scene_get_occupant_bodies(g_scene, &bodies, &count) == DSW_STATUS_OK && count == 0,
       refusals);
-  CHECK(refusals >= 4 && skipped > 20 && mark_count(environment, DSW_CELL_VOLUME) == 150 - skipped);
-  CHECK_OK(dsw_scene_get_occupant_bodies(scene, &bodies, &count));
+  CHECK(refusals >= 4 && skipped > 20 && mark_count(g_env, DSW_CELL_VOLUME) == 150 - skipped);
+  CHECK_OK(dsw_scene_get_occupant_bodies(g_scene, &bodies, &count));
   CHECK(count == 1);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end();
 }
 
 static void queries(void) {
   static const uint32_t indices[6] = {1, 17, 13, 5, 0, 1};
   static const size_t offsets[2] = {0, 4};
-  host h;
-  dsw_context *const context = make_context(&h);
-  dsw_environment *const environment = make_environment(context, 3, 2, 2);
   const double point[3] = {1.25, 0.5, 0.625};
-  const size_t before = h.alive;
   dsw_face_id face = {9, 9, 9};
   dsw_edge_id edge = {9, 9, 9};
   dsw_nearest nearest;
-  size_t refusals;
-  UNTIL_IT_SUCCEEDS(h, dsw_environment_find_faces(environment, 1, offsets, indices, &face, NULL),
-                    face.volume == 9 && h.alive == before, refusals);
+  size_t refusals, before;
+  begin(3, 2, 2, 0);
+  before = g_host.alive;
+  UNTIL_IT_SUCCEEDS(dsw_environment_find_faces(g_env, 1, offsets, indices, &face, NULL),
+                    face.volume == 9 && g_host.alive == before, refusals);
   CHECK(refusals >= 1 && face.volume == 0);
-  UNTIL_IT_SUCCEEDS(h, dsw_environment_find_edges(environment, 1, indices + 4, &edge, NULL),
-                    edge.volume == 9 && h.alive == before, refusals);
+  UNTIL_IT_SUCCEEDS(dsw_environment_find_edges(g_env, 1, indices + 4, &edge, NULL),
+                    edge.volume == 9 && g_host.alive == before, refusals);
   CHECK(refusals >= 1 && edge.volume == 0);
   memset(&nearest, 0x55, sizeof nearest);
-  UNTIL_IT_SUCCEEDS(h, dsw_environment_find_nearest(environment, point, no_volume, 1, &nearest),
-                    nearest.tag == 0x55555555u && h.alive == before, refusals);
+  UNTIL_IT_SUCCEEDS(dsw_environment_find_nearest(g_env, point, no_volume, 1, &nearest),
+                    nearest.tag == 0x55555555u && g_host.alive == before, refusals);
   CHECK(nearest.distance == 0.5);
-  UNTIL_IT_SUCCEEDS(h, dsw_environment_check(environment, NULL), h.alive == before, refusals);
-  CHECK(h.alive == before);
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  UNTIL_IT_SUCCEEDS(dsw_environment_check(g_env, NULL), g_host.alive == before, refusals);
+  CHECK(g_host.alive == before);
+  end();
 }
 
 /* Large triangles in a batch of two chunks. */
@@ -274,60 +283,54 @@ static void sweeps(void) {
   static const double fixed[9] = {3.25, 5.5, 5.5, 2.75, 0.5, 5.25, 3.5, 5.75, 3.25};
   static double points[3][3 * COUNT];
   static dsw_sweep reports[COUNT];
-  host h;
-  dsw_context *const context = make_context(&h);
-  dsw_environment *const environment = make_environment(context, 6, 6, 6);
-  const size_t before = h.alive;
-  size_t refusals, i;
+  size_t refusals, before, i;
+  begin(6, 6, 6, 0);
+  before = g_host.alive;
   for (i = 0; i < 3 * COUNT; ++i) {
     points[0][i] = from[i % 9];
     points[1][i] = to[i % 9];
     points[2][i] = fixed[i % 9];
   }
-  UNTIL_IT_SUCCEEDS(
-      h, dsw_environment_sweep_edges(environment, COUNT, NULL, points[0], points[1], points[2], 0, NULL, reports),
-      h.alive == before, refusals);
-  CHECK(refusals >= 4 && h.alive == before && h.parallel_calls == refusals + 1);
+  UNTIL_IT_SUCCEEDS(dsw_environment_sweep_edges(g_env, COUNT, NULL, points[0], points[1], points[2], 0, NULL, reports),
+                    g_host.alive == before, refusals);
+  CHECK(refusals >= 4 && g_host.alive == before && g_host.parallel_calls == refusals + 1);
   for (i = 0; i < COUNT; ++i) CHECK(reports[i].outcome == DSW_OUTCOME_REACHED && reports[i].cells_visited > 20);
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end();
 }
 
 static void saving_and_loading_a_scene(void) {
-  host h;
-  dsw_context *const context = make_context(&h);
-  dsw_environment *const environment = make_environment(context, 3, 3, 3);
-  dsw_scene *const scene = make_scene(environment, 0);
   const double ends[6] = {0.5, 0.5, 0.5, 2.5, 1.25, 1.75}, place[3] = {1.5, 1.5, 1.5};
   static unsigned char block[2][8192];
   dsw_particle_id particle;
   dsw_scene *loaded = NULL;
   size_t size = 0, again = 0, refusals, before;
-  (void)make_edge_body(scene, ends, DSW_LEVEL_EDGES_SWEPT);
-  CHECK_OK(dsw_particle_create(scene, place, no_volume, &particle));
+  begin(3, 3, 3, 0);
+  (void)make_edge_body(g_scene, ends, DSW_LEVEL_EDGES_SWEPT);
+  CHECK_OK(dsw_particle_create(g_scene, place, no_volume, &particle));
   block[0][0] = 0x55;
-  UNTIL_IT_SUCCEEDS(h, dsw_scene_save(scene, block[0], sizeof block[0], &size), block[0][0] == 0x55 && size == 0,
+  UNTIL_IT_SUCCEEDS(dsw_scene_save(g_scene, block[0], sizeof block[0], &size), block[0][0] == 0x55 && size == 0,
                     refusals);
   CHECK(refusals >= 3);
-  before = h.alive;
-  UNTIL_IT_SUCCEEDS(h, dsw_scene_load(environment, block[0], size, &loaded), loaded == NULL && h.alive == before,
-                    refusals);
+  before = g_host.alive;
+  UNTIL_IT_SUCCEEDS(dsw_scene_load(g_env, block[0], size, &loaded), loaded == NULL && g_host.alive == before, refusals);
   CHECK(refusals >= 10);
   CHECK_OK(dsw_scene_save(loaded, block[1], sizeof block[1], &again));
   CHECK(again == size && memcmp(block[0], block[1], size) == 0);
   CHECK_OK(dsw_scene_destroy(loaded));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && h.alive_bytes == 0 && !h.broken);
+  end();
 }
 
 int main(void) {
+  int plane;
+  for (plane = 0; plane < 2; ++plane) {
+    check_in(plane ? "in the plane" : "in space");
+    creating_an_environment(plane);
+    creating_a_scene(plane);
+    particles_of_a_scene(plane);
+    a_body(plane);
+  }
+  check_in("");
   saving_and_loading_a_scene();
-  creating_an_environment();
-  creating_a_scene();
-  particles_of_a_scene();
   marks_and_tags();
   marks_with_bodies();
   queries();

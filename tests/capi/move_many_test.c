@@ -11,8 +11,7 @@ enum { NX = 4, NY = 4, NZ = 3, PILLAR = 2 + NX * (1 + NY), BODIES = 40 };
 
 static dsw_environment *make_pillar(dsw_context *context) {
   dsw_environment *const environment = make_environment(context, NX, NY, NZ);
-  const dsw_volume_id pillar = volume_at(PILLAR);
-  CHECK_OK(dsw_environment_mark_volumes(environment, &pillar, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  CHECK_OK(set_volume_mark(environment, PILLAR, DSW_MARK_IMPASSABLE));
   return environment;
 }
 
@@ -25,14 +24,7 @@ static dsw_status create_tetrahedron(dsw_scene *scene, const double *at, dsw_lev
   for (i = 0; i < 4; ++i) {
     for (k = 0; k < 3; ++k) positions[3 * i + k] = at[k] + (i == k + 1 ? 0.375 : 0);
   }
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = 4;
-  d.face_offsets = offsets;
-  d.face_corners = corners;
-  d.face_count = 4;
-  d.face_corner_count = 12;
+  d = surface_desc(positions, 4, offsets, corners, 4, level);
   return dsw_body_create(scene, &d, body);
 }
 
@@ -90,8 +82,7 @@ static void a_rigid_body_keeps_its_shape(void) {
     }
     CHECK_OK(dsw_body_destroy(scene, body));
   }
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 static void bad_motions_are_refused(void) {
@@ -108,7 +99,7 @@ static void bad_motions_are_refused(void) {
   dsw_scene *scene = make_scene(environment, 0);
   dsw_body_id body = {0, 0}, stale = {0, 9};
   dsw_rigid_motion motion = translation(0.25, 0, 0);
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   dsw_move_report r, before;
   double p[12], now[12];
   size_t i;
@@ -133,7 +124,6 @@ static void bad_motions_are_refused(void) {
   motion.translation[0] = 1.7e308;
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_body_move_rigid(scene, body, &motion, NULL, &r));
   motion = translation(0.25, 0, 0);
-  dsw_move_options_init(&o, sizeof o);
   o.order = some;
   o.order_count = 2;
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_body_move_rigid(scene, body, &motion, &o, &r));
@@ -146,8 +136,7 @@ static void bad_motions_are_refused(void) {
   motion = translation(1e300, 0, 0); /* a value */
   CHECK_OK(dsw_body_move_rigid(scene, body, &motion, NULL, &r));
   CHECK(r.fraction == 0 && r.vertices_stopped == 4 && r.contact_count == 1);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 /* Bodies on a lattice, all driven at the pillar; those that would not be free are left out. */
@@ -175,12 +164,11 @@ static void many_move_as_one_by_one(void) {
   dsw_body_id bodies[BODIES], others[BODIES];
   dsw_environment *environment = make_pillar(NULL);
   dsw_scene *alone = make_scene(environment, 0);
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   size_t n = make_bodies(alone, bodies, targets), i, contacts = 0;
   host h;
   int k;
   CHECK(n > 20);
-  dsw_move_options_init(&o, sizeof o);
   o.vertex_response = o.edge_response = DSW_RESPONSE_SLIDE;
   memset(one, 0x55, sizeof one);
   for (i = 0; i < n; ++i) {
@@ -216,13 +204,11 @@ static void many_move_as_one_by_one(void) {
       CHECK_OK(dsw_body_get_contacts(scene, others[i], &b, &count_b));
       CHECK(count_a == count_b && (count_a == 0 || memcmp(a, b, count_a * sizeof *a) == 0));
     }
-    CHECK_OK(dsw_scene_destroy(scene));
-    CHECK_OK(dsw_environment_destroy(env));
+    end_scene(scene);
     CHECK_OK(dsw_context_destroy(context));
   }
   CHECK(h.alive == 0 && !h.broken && h.parallel_calls > 0);
-  CHECK_OK(dsw_scene_destroy(alone));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(alone);
 }
 
 static void bad_batches_change_nothing(void) {
@@ -231,7 +217,7 @@ static void bad_batches_change_nothing(void) {
   dsw_environment *environment = make_pillar(NULL);
   dsw_scene *scene = make_scene(environment, 0);
   dsw_body_id bodies[2], twice[2], stale[2];
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   dsw_move_report r[2], before[2];
   double p[24], targets[24], now[24];
   size_t i;
@@ -244,7 +230,6 @@ static void bad_batches_change_nothing(void) {
   for (i = 0; i < 24; ++i) targets[i] = p[i] + 0.125;
   memset(r, 0x55, sizeof r);
   memcpy(before, r, sizeof r);
-  dsw_move_options_init(&o, sizeof o);
 #define MANY(scene, ids, targets, n, stride, o) dsw_scene_move_bodies(scene, ids, 2, targets, n, stride, o, r)
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, MANY(NULL, bodies, targets, 8, 0, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, MANY(scene, NULL, targets, 8, 0, NULL));
@@ -271,8 +256,7 @@ static void bad_batches_change_nothing(void) {
   CHECK(memcmp(p, now, sizeof p) == 0 && memcmp(r, before, sizeof r) == 0);
   CHECK_OK(dsw_scene_move_bodies(scene, NULL, 0, NULL, 0, 0, NULL, NULL));
   CHECK_OK(dsw_scene_move_bodies(scene, bodies, 2, targets, 8, 0, NULL, NULL));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 /* Every allocation of a call is refused in turn; whatever was refused, the body is where and what it was. */
@@ -286,11 +270,10 @@ static void memory_runs_out(void) {
   dsw_scene *scene = make_scene(environment, 0);
   dsw_body_id body = {7, 8};
   dsw_body_edge_id e = {0, 1};
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   double p[12], now[12], targets[12];
   size_t count = 0, body_count = 9;
   int call, refusals, i;
-  dsw_move_options_init(&o, sizeof o);
   o.edge_response = DSW_RESPONSE_ADAPTIVE_SLIDE;
   for (call = 0; call < 6; ++call) {
     dsw_status status = DSW_STATUS_OUT_OF_MEMORY;
@@ -337,10 +320,8 @@ static void memory_runs_out(void) {
       CHECK_OK(create_tetrahedron(scene, at, DSW_LEVEL_FACES, &body));
     }
   }
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && h.alive_bytes == 0 && !h.broken);
+  end_scene(scene);
+  end_context(context, &h);
 }
 
 int main(void) {

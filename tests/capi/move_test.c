@@ -1,74 +1,9 @@
-/* Moves of bodies: what a move answers, contacts, edits, and what is refused. */
+/* Moves of bodies: what a move answers, contacts, edits, and what is refused; in space and in the plane. */
 #include <math.h>
 #include <string.h>
 
 #include "check.h"
-#include "fixture.h"
-
-/* 4 x 4 x 3 cubes; the cube (2, 1, 1), number 22, is the pillar that things meet. */
-enum { NX = 4, NY = 4, NZ = 3, PILLAR = 2 + NX * (1 + NY) };
-
-static dsw_environment *g_env;
-static dsw_scene *g_scene;
-
-static void mark_pillar(dsw_mark mark) {
-  const dsw_volume_id pillar = volume_at(PILLAR);
-  CHECK_OK(dsw_environment_mark_volumes(g_env, &pillar, 1, mark, 0, NULL));
-}
-
-/* A polyline. */
-static dsw_body_id make_line(const double *positions, size_t count, dsw_level level) {
-  static const uint32_t edges[6] = {0, 1, 1, 2, 2, 3};
-  dsw_body_desc d;
-  dsw_body_id body = {0, 0};
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = count;
-  d.edges = edges;
-  d.edge_count = count - 1;
-  CHECK_OK(dsw_body_create(g_scene, &d, &body));
-  return body;
-}
-
-/* 0 below and 1 above the pillar's row, left of it. */
-static const double g_left[6] = {1.25, 0.25, 1.5, 1.25, 3.75, 1.5}, g_right[6] = {3.25, 0.25, 1.5, 3.25, 3.75, 1.5};
-
-static dsw_move_options options(void) {
-  dsw_move_options o;
-  dsw_move_options_init(&o, sizeof o);
-  return o;
-}
-
-static dsw_move_report move(dsw_body_id body, const double *targets, size_t count, const dsw_move_options *o) {
-  dsw_move_report r;
-  memset(&r, 0x55, sizeof r);
-  CHECK_OK(dsw_body_move(g_scene, body, targets, count, 0, o, &r));
-  return r;
-}
-
-static size_t positions_of(dsw_body_id body, double *p, size_t capacity) {
-  size_t count = 0;
-  CHECK_OK(dsw_body_get_positions(g_scene, body, p, capacity, 0, NULL, &count));
-  return count;
-}
-
-static int is_at(dsw_body_id body, const double *wanted, size_t count) {
-  double p[48];
-  return positions_of(body, p, 16) == count && memcmp(p, wanted, 3 * count * sizeof(double)) == 0;
-}
-
-static size_t contacts_of(dsw_body_id body, const dsw_contact **contacts) {
-  size_t count = 99;
-  CHECK_OK(dsw_body_get_contacts(g_scene, body, contacts, &count));
-  return count;
-}
-
-static size_t edits_of(dsw_body_id body, const dsw_body_edit **edits) {
-  size_t count = 99;
-  CHECK_OK(dsw_body_get_edits(g_scene, body, edits, &count));
-  return count;
-}
+#include "stage.h"
 
 static int is_unit(const double *v) { return fabs(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] - 1) < 1e-14; }
 
@@ -90,7 +25,7 @@ static void a_free_move_arrives(void) {
   const dsw_contact *contacts = NULL;
   const dsw_body_edit *edits = NULL;
   int level;
-  for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_FACES; ++level) {
+  for (level = DSW_LEVEL_POINTS; level <= (int)top_level(); ++level) {
     const dsw_body_id body = make_line(g_left, 2, (dsw_level)level);
     dsw_move_report r = move(body, g_right, 2, NULL);
     CHECK(r.fraction == 1 && r.vertices_moved == 2 && r.vertices_stopped == 0 && r.contact_count == 0);
@@ -108,9 +43,9 @@ static void a_free_move_arrives(void) {
 /* From one cube to the next but one: three volumes. */
 static void a_work_limit_stops_free(void) {
   int level;
-  for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_FACES; ++level) {
+  for (level = DSW_LEVEL_POINTS; level <= (int)top_level(); ++level) {
     const dsw_body_id body = make_line(g_left, 2, (dsw_level)level);
-    dsw_move_options o = options();
+    dsw_move_options o = move_options();
     dsw_move_report r;
     o.max_cells = 1;
     r = move(body, g_right, 2, &o);
@@ -122,15 +57,16 @@ static void a_work_limit_stops_free(void) {
   }
 }
 
-/* The edge turns about 1 and touches the rim of the pillar at (2, 1). */
+/* The edge turns about 1 and touches the edge of the pillar at (2, 1), in the plane its corner. */
 static void a_contact_says_everything(void) {
   const dsw_body_id body = make_line(g_left, 2, DSW_LEVEL_EDGES_SWEPT);
-  const double touched[3] = {2, 1, 1.5};
+  const double touched[3] = {2, 1, 1.5}, origin[3] = {0, 0, 0};
+  const int space = g_dimension == 3;
   const dsw_contact *c = NULL;
   dsw_move_report r;
   uint32_t first = 0;
   double p[6];
-  dsw_move_options o = options();
+  dsw_move_options o = move_options();
   int k;
   o.order = &first;
   o.order_count = 1;
@@ -140,18 +76,21 @@ static void a_contact_says_everything(void) {
   CHECK(r.vertices_moved == 1 && r.vertices_stopped == 1 && r.contact_count == 1 && r.fraction == 1);
   CHECK(contacts_of(body, &c) == 1);
   positions_of(body, p, 2);
-  CHECK(memcmp(c->from, g_left, sizeof c->from) == 0 && memcmp(c->to, g_right, sizeof c->to) == 0);
-  CHECK(memcmp(c->fixed[0], g_left + 3, sizeof c->fixed[0]) == 0 && c->fixed[1][0] == 0 && c->fixed[1][2] == 0);
+  CHECK(is_point(c->from, g_left) && is_point(c->to, g_right));
+  CHECK(is_point(c->fixed[0], g_left + 3) && memcmp(c->fixed[1], origin, sizeof origin) == 0);
   CHECK(c->time <= 10.5 / 22 && c->time > 10.5 / 22 - 1e-15); /* the line through (1.25, 3.75) and (2, 1) */
-  CHECK(fabs(c->position[0] - (1.25 + 2 * c->time)) < 1e-15 && c->position[1] == 0.25 && c->position[2] == 1.5);
-  for (k = 0; k < 3; ++k) CHECK(fabs(c->point[k] - touched[k]) < 1e-14);
+  CHECK(fabs(c->position[0] - (1.25 + 2 * c->time)) < 1e-15 && c->position[1] == 0.25);
+  CHECK(c->position[2] == (space ? 1.5 : 0));
+  for (k = 0; k < (int)g_dimension; ++k) CHECK(fabs(c->point[k] - touched[k]) < 1e-14);
   CHECK(is_unit(c->normal) && c->normal[0] < -0.9 && c->normal[1] < 0 && c->normal[2] == 0);
   CHECK(fabs(c->along - 0.75 / 3.5) < 1e-14 && c->vertex.index == 0 && c->vertex.generation == 1);
   CHECK(c->edge.index == 0 && c->edge.generation == 1 && c->face.generation == 0);
-  CHECK(c->obstacle.kind == DSW_CELL_EDGE && c->obstacle.generation == 1 && c->kind == DSW_CONTACT_EDGE);
-  CHECK(c->cause == DSW_CELL_VOLUME && c->tag == 100 + PILLAR && c->wall.generation == 1 && c->front.generation == 1);
+  CHECK(c->obstacle.generation == 1 && c->obstacle.kind == (space ? DSW_CELL_EDGE : DSW_CELL_VERTEX));
+  CHECK(c->kind == (space ? DSW_CONTACT_EDGE : DSW_CONTACT_VERTEX));
+  CHECK(space || (c->obstacle.index == point_at(2, 1) && c->obstacle.local == 0 && c->point[2] == 0));
+  CHECK(c->cause == DSW_CELL_VOLUME && c->tag == 100 + g_pillar && c->wall.generation == 1 && c->front.generation == 1);
   CHECK(c->history == DSW_HISTORY_NEW && c->distance_left > 1.04 && c->distance_left < 1.05);
-  CHECK(p[0] <= c->position[0] && p[0] > c->position[0] - 1e-12 && p[1] == 0.25 && memcmp(p + 3, g_left + 3, 24) == 0);
+  CHECK(p[0] <= c->position[0] && p[0] > c->position[0] - 1e-12 && p[1] == 0.25 && is_point(p + 3, g_left + 3));
   r = move(body, g_right, 2, &o);
   CHECK(r.contact_count == 1 && contacts_of(body, &c) == 1 && c->history == DSW_HISTORY_LASTING && c->time < 1e-12);
   r = move(body, g_left, 2, &o); /* away from it, and back */
@@ -164,8 +103,8 @@ static void a_contact_says_everything(void) {
 
 /* A vertex that got the index of another has no history. */
 static void a_new_vertex_has_no_history(void) {
-  const double from[3] = {0.5, 0.5, 0.5}, down[3] = {0.5, 0.5, -1};
-  const dsw_body_id body = make_line(from, 1, DSW_LEVEL_FACES);
+  const double from[3] = {0.5, 0.5, 0.5}, down[3] = {0.5, -1, 0.5};
+  const dsw_body_id body = make_line(from, 1, top_level());
   const dsw_contact *c = NULL;
   dsw_body_vertex_id v = {0, 1};
   move(body, down, 1, NULL);
@@ -183,9 +122,9 @@ static void a_new_vertex_has_no_history(void) {
 /* Sliding into a corner, a vertex is stopped by two walls in each move: both last. */
 static void every_obstacle_has_its_history(void) {
   const double from[3] = {3.5, 3.25, 1.5}, corner[3] = {5, 5, 1.5};
-  const dsw_body_id body = make_line(from, 1, DSW_LEVEL_FACES);
+  const dsw_body_id body = make_line(from, 1, top_level());
   const dsw_contact *c = NULL;
-  dsw_move_options o = options();
+  dsw_move_options o = move_options();
   size_t count, i;
   int turn;
   o.vertex_response = DSW_RESPONSE_SLIDE;
@@ -193,9 +132,7 @@ static void every_obstacle_has_its_history(void) {
     move(body, corner, 1, &o);
     count = contacts_of(body, &c);
     CHECK(count >= 2);
-    for (i = 0; i < count; ++i) {
-      CHECK(c[i].history == (turn == 0 ? DSW_HISTORY_NEW : DSW_HISTORY_LASTING));
-    }
+    for (i = 0; i < count; ++i) CHECK(c[i].history == (turn == 0 ? DSW_HISTORY_NEW : DSW_HISTORY_LASTING));
   }
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
@@ -203,10 +140,10 @@ static void every_obstacle_has_its_history(void) {
 static void a_vertex_stops_or_slides(void) {
   const double from[3] = {1.5, 1.25, 1.5}, to[3] = {2.5, 1.75, 1.5};
   const dsw_contact *c = NULL;
-  dsw_move_options o = options();
+  dsw_move_options o = move_options();
   int level;
   mark_pillar(DSW_MARK_IMPASSABLE);
-  for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_FACES; ++level) {
+  for (level = DSW_LEVEL_POINTS; level <= (int)top_level(); ++level) {
     const dsw_body_id body = make_line(from, 1, (dsw_level)level);
     double p[3];
     dsw_move_report r;
@@ -216,7 +153,8 @@ static void a_vertex_stops_or_slides(void) {
     CHECK(c->time == 0.5 && c->kind == DSW_CONTACT_PLANE && c->obstacle.kind == DSW_CELL_FACE && c->normal[0] == -1);
     CHECK(c->edge.generation == 0 && c->face.generation == 0 && c->along == 0 && c->point[0] == 2 &&
           c->point[1] == 1.5);
-    CHECK(c->tag == 100 + PILLAR && c->front.index == PILLAR - 1 && fabs(c->distance_left - sqrt(0.3125)) < 1e-8);
+    CHECK(c->tag == 100 + g_pillar && c->front.index == g_pillar - 1 && c->obstacle.index == g_pillar - 1);
+    CHECK(c->obstacle.local == FACE_X1 && fabs(c->distance_left - sqrt(0.3125)) < 1e-8);
     positions_of(body, p, 1);
     CHECK(p[0] <= 2 && p[0] > 2 - 1e-8);
     o.vertex_response = DSW_RESPONSE_SLIDE;
@@ -224,22 +162,22 @@ static void a_vertex_stops_or_slides(void) {
     CHECK(r.vertices_stopped == 1 && r.contact_count >= 1 && contacts_of(body, &c) == r.contact_count);
     CHECK(c->history == DSW_HISTORY_LASTING);
     positions_of(body, p, 1);
-    CHECK(p[0] <= 2 && p[0] > 2 - 1e-8 && p[1] == 1.75 && p[2] == 1.5);
+    CHECK(p[0] <= 2 && p[0] > 2 - 1e-8 && p[1] == 1.75 && p[2] == (g_dimension == 3 ? 1.5 : 0));
     CHECK_OK(dsw_body_destroy(g_scene, body));
   }
   mark_pillar(DSW_MARK_PASSABLE);
 }
 
 static void responses_insert_vertices(void) {
-  static const dsw_response kResponses[4] = {DSW_RESPONSE_STOP, DSW_RESPONSE_ADAPTIVE_ONE, DSW_RESPONSE_ADAPTIVE_MANY,
-                                             DSW_RESPONSE_HYBRID};
-  static const uint32_t kInserted[4] = {0, 2, 2, 1}, kStopped[4] = {2, 0, 0, 1};
+  static const dsw_response kResponses[5] = {DSW_RESPONSE_STOP, DSW_RESPONSE_ADAPTIVE_ONE, DSW_RESPONSE_ADAPTIVE_MANY,
+                                             DSW_RESPONSE_HYBRID, DSW_RESPONSE_SLIDE};
+  static const uint32_t kInserted[5] = {0, 2, 2, 1, 0}, kStopped[5] = {2, 0, 0, 1, 2};
   int i;
   mark_pillar(DSW_MARK_IMPASSABLE);
-  for (i = 0; i < 4; ++i) {
+  for (i = 0; i < 5; ++i) {
     const dsw_body_id body = make_line(g_left, 2, DSW_LEVEL_EDGES_SWEPT);
     const dsw_body_edit *e = NULL;
-    dsw_move_options o = options();
+    dsw_move_options o = move_options();
     dsw_body_vertex_id v[8];
     double targets[12];
     dsw_move_report r;
@@ -249,6 +187,8 @@ static void responses_insert_vertices(void) {
     r = move(body, g_right, 2, &o);
     CHECK(r.edit_count == kInserted[i] && edits_of(body, &e) == r.edit_count && r.vertices_moved == 2);
     CHECK(r.vertices_stopped == kStopped[i]);
+    CHECK(r.contact_count >= (i == 2 ? 1u : 2u)); /* many at once: then 1 meets nothing */
+    CHECK(has(body, 2 + kInserted[i], 1 + kInserted[i], 0));
     CHECK_OK(dsw_body_get_vertices(g_scene, body, v, 8, &count));
     CHECK(count == 2 + kInserted[i] && positions_of(body, targets, 4) == count);
     for (k = 0; k < r.edit_count; ++k) {
@@ -257,7 +197,7 @@ static void responses_insert_vertices(void) {
       CHECK(targets[6 + 3 * k] <= 2 && targets[6 + 3 * k] > 2 - 1e-6); /* at the corners (2, 1) and (2, 2) */
       CHECK(fabs(targets[7 + 3 * k] - (double)(1 + k)) < 1e-6);
     }
-    CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_body_move(g_scene, body, g_right, count - 1, 0, &o, &r));
+    CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_body_move(g_scene, body, g_right, count - 1, g_stride, &o, &r));
     if (i == 2) { /* straight again, the inserted ones are noise */
       targets[0] = targets[3] = targets[6] = targets[9] = 1.25;
       o.noise_share = 1e-3;
@@ -279,7 +219,7 @@ static void searches_agree(void) {
   mark_pillar(DSW_MARK_IMPASSABLE);
   for (i = 0; i < 3; ++i) {
     const dsw_body_id body = make_line(g_left, 2, DSW_LEVEL_EDGES_SWEPT);
-    dsw_move_options o = options();
+    dsw_move_options o = move_options();
     const dsw_contact *c = NULL;
     size_t count;
     o.search = kSearches[i];
@@ -290,22 +230,25 @@ static void searches_agree(void) {
     if (i == 0) exact = c->time;
     CHECK(i == 2 ? c->time <= exact && c->time >= exact - 1.0 / 1024 : c->time == exact);
     if (i == 2) { /* the pillar's lower face is what a cast along the edge meets first */
-      CHECK(c->kind == DSW_CONTACT_PLANE && c->obstacle.kind == DSW_CELL_FACE && c->tag == 100 + PILLAR);
+      CHECK(c->kind == DSW_CONTACT_PLANE && c->obstacle.kind == DSW_CELL_FACE && c->tag == 100 + g_pillar);
       CHECK(c->normal[0] == 0 && c->normal[1] == -1 && fabs(c->point[0] - 2) < 1e-2 && fabs(c->point[1] - 1) < 1e-15);
-      CHECK(fabs(c->along - 0.75 / 3.5) < 1e-2 && c->edge.generation == 1 && c->front.generation == 1);
+      CHECK(fabs(c->along - 0.75 / 3.5) < 1e-2 && c->edge.generation == 1);
+      CHECK(c->front.index == g_pillar - N && c->front.generation == 1);
     } else {
-      CHECK(c->kind == DSW_CONTACT_EDGE && c->obstacle.kind == DSW_CELL_EDGE);
+      CHECK(c->kind == (g_dimension == 3 ? DSW_CONTACT_EDGE : DSW_CONTACT_VERTEX));
+      CHECK(c->obstacle.kind == (g_dimension == 3 ? DSW_CELL_EDGE : DSW_CELL_VERTEX));
     }
     CHECK_OK(dsw_body_destroy(g_scene, body));
   }
   mark_pillar(DSW_MARK_PASSABLE);
 }
 
-/* A face meets the upper corner at the lower edge of a thin wall, from its right and from its left: the tag is that of its other side. */
+/* In space: a face meets the upper corner at the lower edge of a thin wall, from its right and from its left: the tag
+   is that of its other side. */
 static void a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side(void) {
   static const uint32_t corners[3] = {0, 1, 2}, offsets[2] = {0, 3};
   int left;
-  CHECK_OK(set_face_mark(g_env, PILLAR - 1, FACE_X1, DSW_MARK_IMPASSABLE));
+  CHECK_OK(mark_face(g_pillar - 1, FACE_X1, DSW_MARK_IMPASSABLE));
   for (left = 0; left < 2; ++left) {
     double p[9] = {3.5, 0.5, 2.1, 2.25, 2.9, 0.3, 2.2, 2.9, 2.7};
     const dsw_contact *c = NULL;
@@ -315,19 +258,15 @@ static void a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side(void) {
     if (left) {
       for (i = 0; i < 9; i += 3) p[i] = 4 - p[i];
     }
-    dsw_body_desc_init(&d, sizeof d);
-    d.level = DSW_LEVEL_FACES;
-    d.positions = p, d.vertex_count = 3;
-    d.face_offsets = offsets, d.face_count = 1;
-    d.face_corners = corners, d.face_corner_count = 3;
+    d = surface_desc(p, 3, offsets, corners, 1, DSW_LEVEL_FACES);
     CHECK_OK(dsw_body_create(g_scene, &d, &body));
     p[0] = 4 - p[0];
     CHECK(move(body, p, 3, NULL).contact_count == 1 && contacts_of(body, &c) == 1);
     CHECK(c->kind == DSW_CONTACT_VERTEX && c->point[0] == 2 && c->point[1] == 1 && c->point[2] == 2);
-    CHECK((left ? -c->normal[0] : c->normal[0]) > 0.9 && c->tag == 100u + PILLAR - (left ? 0 : 1));
+    CHECK((left ? -c->normal[0] : c->normal[0]) > 0.9 && c->tag == 100u + g_pillar - (left ? 0 : 1));
     CHECK_OK(dsw_body_destroy(g_scene, body));
   }
-  CHECK_OK(set_face_mark(g_env, PILLAR - 1, FACE_X1, DSW_MARK_PASSABLE));
+  CHECK_OK(mark_face(g_pillar - 1, FACE_X1, DSW_MARK_PASSABLE));
 }
 
 static void bad_options_are_refused(void) {
@@ -342,7 +281,7 @@ static void bad_options_are_refused(void) {
   const uint32_t twice[2] = {1, 1}, astray[2] = {0, 2};
   size_t n = 0, i;
   memset(&newer, 0, sizeof newer);
-  for (i = 0; i < 25; ++i) bad[i] = options();
+  for (i = 0; i < 25; ++i) bad[i] = move_options();
 #define BAD(which, member, value) (bad[n].member = (value), status[n++] = DSW_STATUS_##which)
   BAD(BAD_STRUCT_SIZE, struct_size, 16);
   BAD(UNSUPPORTED, struct_size, 4097);
@@ -377,16 +316,16 @@ static void bad_options_are_refused(void) {
     dsw_move_report r, before;
     memset(&r, 0x55, sizeof r);
     before = r;
-    CHECK_FAILS(status[i], dsw_body_move(g_scene, body, g_right, 2, 0, &bad[i], &r));
+    CHECK_FAILS(status[i], dsw_body_move(g_scene, body, g_right, 2, g_stride, &bad[i], &r));
     CHECK_MESSAGE("options->");
     CHECK_FAILS(status[i], dsw_body_move_rigid(g_scene, body, &motion, &bad[i], &r));
     CHECK_MESSAGE("options->");
     CHECK(memcmp(&r, &before, sizeof r) == 0);
   }
-  newer.known = options();
+  newer.known = move_options();
   newer.known.struct_size = sizeof newer;
   newer.unknown = 1;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_move(g_scene, body, g_right, 2, 0, &newer.known, NULL));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_move(g_scene, body, g_right, 2, g_stride, &newer.known, NULL));
   CHECK(is_at(body, g_left, 2));
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
@@ -396,7 +335,7 @@ static void bad_arguments_change_nothing(void) {
   const uint32_t first = 0;
   const dsw_contact *contacts = NULL;
   const dsw_body_edit *edits = NULL;
-  dsw_move_options o = options();
+  dsw_move_options o = move_options();
   double bad[6];
   dsw_move_report r, before;
   size_t count = 0;
@@ -405,26 +344,26 @@ static void bad_arguments_change_nothing(void) {
   memcpy(bad, g_right, sizeof bad);
   bad[4] = NAN;
 #define MOVE(scene, body, targets, n, stride) dsw_body_move(scene, body, targets, n, stride, NULL, &r)
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, MOVE(NULL, body, g_right, 2, 0));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, MOVE(g_scene, stale, g_right, 2, 0));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, MOVE(g_scene, body, NULL, 2, 0));
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, MOVE(g_scene, body, g_right, 1, 0));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, MOVE(NULL, body, g_right, 2, g_stride));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, MOVE(g_scene, stale, g_right, 2, g_stride));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, MOVE(g_scene, body, NULL, 2, g_stride));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, MOVE(g_scene, body, g_right, 1, g_stride));
   CHECK_MESSAGE("target_count is 1, there are 2 vertex slots");
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, MOVE(g_scene, body, g_right, 3, 0));
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, MOVE(g_scene, body, NULL, 0, 0));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, MOVE(g_scene, body, g_right, 3, g_stride));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, MOVE(g_scene, body, NULL, 0, g_stride));
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, MOVE(g_scene, body, g_right, 2, 20));
-  CHECK_FAILS(DSW_STATUS_NON_FINITE, MOVE(g_scene, body, bad, 2, 0));
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, MOVE(g_scene, body, bad, 2, g_stride));
   CHECK_MESSAGE("targets[1][1] is nan, must be finite");
   bad[4] = -INFINITY;
-  CHECK_FAILS(DSW_STATUS_NON_FINITE, MOVE(g_scene, body, bad, 2, 0));
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, MOVE(g_scene, body, bad, 2, g_stride));
 #undef MOVE
   CHECK(memcmp(&r, &before, sizeof r) == 0 && is_at(body, g_left, 2));
   o.order = &first; /* the other target is not read */
   o.order_count = 1;
-  CHECK_OK(dsw_body_move(g_scene, body, bad, 2, 0, &o, &r));
+  CHECK_OK(dsw_body_move(g_scene, body, bad, 2, g_stride, &o, &r));
   CHECK(r.vertices_moved == 1 && r.vertices_stopped == 0);
   o.order_count = 0; /* none moves */
-  CHECK_OK(dsw_body_move(g_scene, body, bad, 2, 0, &o, &r));
+  CHECK_OK(dsw_body_move(g_scene, body, bad, 2, g_stride, &o, &r));
   CHECK(r.vertices_moved == 0);
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contacts(NULL, body, &contacts, &count));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_contacts(g_scene, stale, &contacts, &count));
@@ -441,17 +380,17 @@ static void bad_arguments_change_nothing(void) {
 static void free_slots_are_left_out(void) {
   const double line[9] = {0.5, 0.5, 0.5, 1.5, 0.5, 0.5, 2.5, 0.5, 0.5};
   const double to[9] = {0.5, 1.5, 0.5, NAN, NAN, NAN, 2.5, 1.5, 0.5}, at[9] = {0.5, 1.5, 0.5, 0, 0, 0, 2.5, 1.5, 0.5};
-  const dsw_body_id body = make_line(line, 3, DSW_LEVEL_FACES);
+  const dsw_body_id body = make_line(line, 3, top_level());
   const dsw_body_vertex_id middle = {1, 1};
   const uint32_t gone = 1;
-  dsw_move_options o = options();
+  dsw_move_options o = move_options();
   dsw_move_report r;
   CHECK_OK(dsw_body_remove_vertex(g_scene, body, middle));
   r = move(body, to, 3, NULL);
   CHECK(r.vertices_moved == 2 && r.vertices_stopped == 0 && r.edges_swept == 0 && is_at(body, at, 3));
   o.order = &gone;
   o.order_count = 1;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_move(g_scene, body, at, 3, 0, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_move(g_scene, body, at, 3, g_stride, &o, NULL));
   CHECK_MESSAGE("options->order[0] is 1, which names no vertex");
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
@@ -461,10 +400,10 @@ static void far_targets_are_values(void) {
   const double to[6] = {1e300, -1e300, 1e300, -1e300, 1e300, 1e300};
   static const dsw_response kResponses[2] = {DSW_RESPONSE_STOP, DSW_RESPONSE_SLIDE};
   int level, i, k;
-  for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_FACES; ++level) {
+  for (level = DSW_LEVEL_POINTS; level <= (int)top_level(); ++level) {
     for (i = 0; i < 2; ++i) {
       const dsw_body_id body = make_line(g_left, 2, (dsw_level)level);
-      dsw_move_options o = options();
+      dsw_move_options o = move_options();
       dsw_move_report r;
       double p[6];
       o.vertex_response = o.edge_response = kResponses[i];
@@ -477,9 +416,7 @@ static void far_targets_are_values(void) {
   }
 }
 
-int main(void) {
-  g_env = make_environment(NULL, NX, NY, NZ);
-  g_scene = make_scene(g_env, 0);
+static void in_both(void) {
   init_writes_the_defaults();
   a_free_move_arrives();
   a_work_limit_stops_free();
@@ -489,12 +426,19 @@ int main(void) {
   a_vertex_stops_or_slides();
   responses_insert_vertices();
   searches_agree();
-  a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side();
   bad_options_are_refused();
   bad_arguments_change_nothing();
   free_slots_are_left_out();
   far_targets_are_values();
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
+}
+
+int main(void) {
+  begin_stage(2);
+  in_both();
+  end_stage();
+  begin_stage(3);
+  in_both();
+  a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side();
+  end_stage();
   return check_result();
 }

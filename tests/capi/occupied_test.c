@@ -47,16 +47,8 @@ static dsw_body_id edge_body(dsw_level level) {
 static dsw_body_id face_body(dsw_level level) {
   static const double positions[9] = {0.1, 0.1, 1.5, 4.9, 0.1, 1.5, 2.5, 4.9, 1.5};
   static const uint32_t offsets[2] = {0, 3}, corners[3] = {0, 1, 2};
-  dsw_body_desc d;
+  const dsw_body_desc d = surface_desc(positions, 3, offsets, corners, 1, level);
   dsw_body_id id = {9, 9};
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
-  d.positions = positions;
-  d.vertex_count = 3;
-  d.face_offsets = offsets;
-  d.face_corners = corners;
-  d.face_count = 1;
-  d.face_corner_count = 3;
   CHECK_OK(dsw_body_create(g_scene, &d, &id));
   return id;
 }
@@ -249,8 +241,8 @@ static void every_marking_call_forgets_the_last_ones_occupants(void) {
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 
-/* What making one cube impassable and splitting a face of it look at, with a particle and an edge in each of `count` other cubes, and in a
-   neighbour. */
+/* What making one cube impassable and splitting a face of it look at, with a particle and an edge in each of `count`
+   other cubes, and in a neighbour. */
 static uint64_t looked_at(uint32_t features, unsigned count) {
   dsw_environment *environment = make_environment(NULL, 10, 10, 3);
   dsw_scene *scene = make_scene(environment, features | DSW_FEATURE_STATISTICS);
@@ -271,8 +263,7 @@ static uint64_t looked_at(uint32_t features, unsigned count) {
   CHECK_OK(dsw_environment_split_face(environment, top, corners[0], corners[1], NULL, NULL));
   s.struct_size = sizeof s;
   CHECK_OK(dsw_scene_get_statistics(scene, &s));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
   return s.occupants_tested;
 }
 
@@ -304,7 +295,6 @@ int main(void) {
   every_marking_call_forgets_the_last_ones_occupants();
   what_is_looked_at_does_not_grow_with_the_bodies();
   the_getter_checks_its_arguments();
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
+  end_scene(g_scene);
   return check_result();
 }

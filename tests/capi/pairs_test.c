@@ -8,22 +8,12 @@ static const double square[12] = {2, 1, 1, 2, 2, 1, 2, 2, 2, 2, 1, 2};
 static const uint32_t square_offsets[2] = {0, 4}, square_corners[4] = {0, 1, 2, 3};
 
 static dsw_body_desc square_desc(void) {
-  dsw_body_desc d;
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = DSW_LEVEL_FACES;
-  d.positions = square;
-  d.vertex_count = 4;
-  d.face_offsets = square_offsets;
-  d.face_corners = square_corners;
-  d.face_count = 1;
-  d.face_corner_count = 4;
-  return d;
+  return surface_desc(square, 4, square_offsets, square_corners, 1, DSW_LEVEL_FACES);
 }
 
 static void a_contact_names_the_other_body(void) {
   const double edge[6] = {0.5, 1.25, 1.5, 0.5, 1.25, 1.75}, to[6] = {2.5, 1.25, 1.5, 0.5, 1.25, 1.75};
-  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
-  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), DSW_FEATURE_BODY_CONTACTS);
   const dsw_body_desc d = square_desc();
   dsw_body_id wall = {0, 0}, wire;
   const dsw_contact *contacts = NULL;
@@ -47,26 +37,19 @@ static void a_contact_names_the_other_body(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contact_partners(scene, wire, &partners, NULL));
   CHECK_OK(dsw_body_destroy(scene, wire));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_contact_partners(scene, wire, &partners, &count));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 static void filters_are_read_and_changed(void) {
   const double edge[6] = {1.5, 1.25, 1.5, 2.5, 1.25, 1.5};
-  const uint32_t ends[2] = {0, 1};
-  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
-  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), DSW_FEATURE_BODY_CONTACTS);
   dsw_body_desc d = square_desc();
   dsw_body_id wall, wire = {7, 7};
   uint32_t category = 99, mask = 99;
   const uint32_t *pairs = NULL;
   size_t count = 0;
   CHECK_OK(dsw_body_create(scene, &d, &wall));
-  dsw_body_desc_init(&d, sizeof d);
-  d.positions = edge;
-  d.vertex_count = 2;
-  d.edges = ends;
-  d.edge_count = 1;
+  d = line_desc(edge, 2, 0, DSW_LEVEL_EDGES_SWEPT);
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_create(scene, &d, &wire));
   CHECK(wire.index == 7 && wire.generation == 7);
   CHECK_OK(dsw_scene_get_offending_edges(scene, &pairs, &count));
@@ -87,13 +70,11 @@ static void filters_are_read_and_changed(void) {
   CHECK_OK(dsw_body_destroy(scene, wire));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_filter(scene, wire, &category, &mask));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_set_filter(scene, wire, 1, 1));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 static void what_is_not_named_is_refused(void) {
-  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
-  dsw_scene *scene = make_scene(environment, 0);
+  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), 0);
   dsw_body_desc d = square_desc();
   dsw_body_id body;
   const dsw_contact_partner *partners = NULL;
@@ -114,8 +95,7 @@ static void what_is_not_named_is_refused(void) {
   CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_body_get_filter(scene, body, &bits, &bits));
   CHECK_FAILS(DSW_STATUS_NOT_NAMED, dsw_body_set_filter(scene, body, 1, 1));
   CHECK(count == 99 && bits == 99);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 /* A line meets a square with an end and with an edge, and itself. */
@@ -123,8 +103,7 @@ static void bodies_of_the_plane_meet(void) {
   static const double corners[8] = {2, 1, 3, 1, 3, 2, 2, 2}, line[6] = {0.5, 0.5, 0.5, 1.5, 0.5, 2.5};
   static const double end_first[6] = {2.5, 1.5, 0.5, 1.5, 0.5, 2.5}, edge_first[6] = {3.5, 0.5, 0.5, 1.5, 0.5, 2.5};
   static const double folded[6] = {0.5, 3.5, 0.5, 1.5, 0.5, 2.5};
-  dsw_environment *environment = make_squares(NULL, 4, 4);
-  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_scene *scene = make_scene(make_squares(NULL, 4, 4), DSW_FEATURE_BODY_CONTACTS);
   dsw_body_desc d = line_desc(corners, 4, 1, DSW_LEVEL_EDGES);
   dsw_body_id block, wire;
   const dsw_contact *contacts = NULL;
@@ -132,8 +111,7 @@ static void bodies_of_the_plane_meet(void) {
   size_t count = 0;
   CHECK_OK(dsw_body_create(scene, &d, &block));
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_create(scene, &d, &wire));
-  d = line_desc(line, 3, 0, DSW_LEVEL_EDGES);
-  d.flags = DSW_BODY_SELF_CONTACTS;
+  d = line_desc(line, 3, 0, DSW_LEVEL_EDGES), d.flags = DSW_BODY_SELF_CONTACTS;
   CHECK_OK(dsw_body_create(scene, &d, &wire));
   CHECK_OK(dsw_body_move(scene, wire, end_first, 3, 0, NULL, NULL));
   CHECK_OK(dsw_body_get_contacts(scene, wire, &contacts, &count));
@@ -152,14 +130,12 @@ static void bodies_of_the_plane_meet(void) {
   CHECK_OK(dsw_body_move(scene, wire, folded, 3, 0, NULL, NULL));
   CHECK_OK(dsw_body_get_contact_partners(scene, wire, &partners, &count));
   CHECK(count == 1 && partners[0].body.index == wire.index);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 /* A description of the time before filters. */
 static void a_shorter_description_still_works(void) {
-  dsw_environment *environment = make_environment(NULL, 4, 3, 3);
-  dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
+  dsw_scene *scene = make_scene(make_environment(NULL, 4, 3, 3), DSW_FEATURE_BODY_CONTACTS);
   dsw_body_desc d = square_desc();
   dsw_body_id body;
   uint32_t category = 0, mask = 0;
@@ -168,8 +144,7 @@ static void a_shorter_description_still_works(void) {
   CHECK_OK(dsw_body_create(scene, &d, &body));
   CHECK_OK(dsw_body_get_filter(scene, body, &category, &mask));
   CHECK(category == 1 && mask == 0xffffffffu);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
 }
 
 int main(void) {

@@ -306,8 +306,7 @@ static dsw_statistics run_cloud(dsw_context *context, cloud *c, size_t *crossing
   *crossings = first[BATCH];
   s.struct_size = sizeof s;
   CHECK_OK(dsw_scene_get_statistics(scene, &s));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
   return s;
 }
 
@@ -344,8 +343,7 @@ static void batches_are_the_same_for_any_sharing(void) {
   CHECK(h.parallel_calls > 0 && h.tasks > h.parallel_calls);
   CHECK_OK(dsw_context_destroy(one));
   CHECK_OK(dsw_context_destroy(four));
-  CHECK_OK(dsw_context_destroy(own));
-  CHECK(h.alive == 0 && !h.broken);
+  end_context(own, &h);
   free(wanted);
   cloud_destroy(&c);
 }
@@ -353,8 +351,7 @@ static void batches_are_the_same_for_any_sharing(void) {
 static void small_batches_stay_on_this_thread(void) {
   host h;
   dsw_context *const context = make_context(&h);
-  dsw_environment *const env = make_environment(context, 4, 4, 4);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(context, 4, 4, 4), 0);
   dsw_particle_id ids[100];
   double positions[300];
   size_t i;
@@ -362,8 +359,7 @@ static void small_batches_stay_on_this_thread(void) {
   CHECK_OK(dsw_scene_create_particles(scene, positions, 100, 0, NULL, ids, NULL));
   CHECK_OK(dsw_scene_move_particles(scene, ids, 100, positions, 0, NULL, NULL));
   CHECK(h.parallel_calls == 0);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
   CHECK_OK(dsw_context_destroy(context));
 }
 
@@ -379,8 +375,7 @@ static void a_single_move_allocates_nothing(void) {
   CHECK_OK(dsw_particle_move(scene, id, to, NULL, &f));
   CHECK_OK(dsw_environment_cast(env, no_volume, g_middle, to, NULL, &f));
   CHECK(h.calls == calls);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
   CHECK_OK(dsw_context_destroy(context));
 }
 

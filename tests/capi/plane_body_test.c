@@ -3,63 +3,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "fixture.h"
-
-/* 4 x 4 unit squares; square (x, y) is polygon x + 4 y, point (x, y) is vertex x + 5 y. The square (2, 1) is
-   the pillar that things meet. */
-enum { N = 4, PILLAR = 2 + N, SIDE_RIGHT = 1, SIDE_UP = 2, SIDE_LEFT = 3 };
-
-static dsw_environment *g_env;
-static dsw_scene *g_scene;
-
-static uint32_t point_at(uint32_t x, uint32_t y) { return x + (N + 1) * y; }
-
-static dsw_status mark_square(uint32_t volume, dsw_mark mark) { return set_volume_mark(g_env, volume, mark); }
-
-static dsw_status mark_side(uint32_t volume, uint32_t local, dsw_mark mark) {
-  return set_face_mark(g_env, volume, local, mark);
-}
-
-static dsw_status mark_point(uint32_t x, uint32_t y, dsw_mark mark) {
-  return set_vertex_mark(g_env, point_at(x, y), mark);
-}
-
-static dsw_body_id make_line(const double *positions, size_t count, dsw_level level) {
-  const dsw_body_desc d = line_desc(positions, count, 0, level);
-  dsw_body_id body = {0, 0};
-  CHECK_OK(dsw_body_create(g_scene, &d, &body));
-  return body;
-}
-
-/* 0 below and 1 above the pillar's row, left of it and right of it. */
-static const double g_left[4] = {1.25, 0.25, 1.25, 3.75}, g_right[4] = {3.25, 0.25, 3.25, 3.75};
-
-static size_t positions_of(dsw_body_id body, double *p, size_t capacity) {
-  size_t count = 0;
-  CHECK_OK(dsw_body_get_positions(g_scene, body, p, capacity, 0, NULL, &count));
-  return count;
-}
-
-static int has(dsw_body_id body, uint32_t vertices, uint32_t edges) {
-  dsw_body_counts c;
-  c.struct_size = sizeof c;
-  CHECK_OK(dsw_body_get_counts(g_scene, body, &c));
-  return c.vertex_count == vertices && c.edge_count == edges && c.face_count == 0 && c.face_slots == 0;
-}
-
-static dsw_body_vertex_id vertex_id(uint32_t index) {
-  dsw_body_vertex_id v;
-  v.index = index;
-  v.generation = 1;
-  return v;
-}
-
-static dsw_body_edge_id edge_id(uint32_t index) {
-  dsw_body_edge_id e;
-  e.index = index;
-  e.generation = 1;
-  return e;
-}
+#include "stage.h"
 
 static void a_body_has_what_was_given(void) {
   /* Third numbers are not read, nor written. */
@@ -77,7 +21,7 @@ static void a_body_has_what_was_given(void) {
   d.stride_bytes = 24;
   d.hints = hints;
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
-  CHECK(has(body, 3, 3));
+  CHECK(has(body, 3, 3, 0) && counts_of(body).face_slots == 0);
   CHECK_OK(dsw_body_get_level(g_scene, body, &level));
   CHECK(level == DSW_LEVEL_EDGES_SWEPT);
   memset(p, 0x55, sizeof p);
@@ -124,18 +68,15 @@ static void bad_bodies_are_refused(void) {
   d.face_count = 1;
   d.face_corner_count = 3;
   refuses(DSW_STATUS_UNSUPPORTED, &d, "desc->face_count is 1");
-  d = line_desc(points, 3, 1, DSW_LEVEL_EDGES);
-  d.stride_bytes = 8;
+  d = line_desc(points, 3, 1, DSW_LEVEL_EDGES), d.stride_bytes = 8;
   refuses(DSW_STATUS_WRONG_SIZE, &d, "from 16 on");
   d.stride_bytes = 20;
   refuses(DSW_STATUS_WRONG_SIZE, &d, "stride_bytes is 20");
-  d = line_desc(points, 3, 1, DSW_LEVEL_EDGES);
-  d.hints = &stale;
+  d = line_desc(points, 3, 1, DSW_LEVEL_EDGES), d.hints = &stale;
   d.vertex_count = 1;
   d.edge_count = 0;
   refuses(DSW_STATUS_STALE_ID, &d, "desc->hints[0]");
-  d = line_desc(points, 3, 0, DSW_LEVEL_EDGES);
-  d.edges = twice;
+  d = line_desc(points, 3, 0, DSW_LEVEL_EDGES), d.edges = twice;
   refuses(DSW_STATUS_DUPLICATE_CELL, &d, "edge 1");
   d.edges = beyond;
   d.edge_count = 1;
@@ -146,9 +87,9 @@ static void bad_bodies_are_refused(void) {
   points[3] = 9;
   refuses(DSW_STATUS_OUTSIDE, &d, "(2.5, 9)");
   points[3] = 1.5;
-  CHECK_OK(mark_square(PILLAR, DSW_MARK_IMPASSABLE));
+  CHECK_OK(mark_cell(g_pillar, DSW_MARK_IMPASSABLE));
   refuses(DSW_STATUS_IMPASSABLE, &d, "which is impassable");
-  CHECK_OK(mark_square(PILLAR, DSW_MARK_PASSABLE));
+  CHECK_OK(mark_cell(g_pillar, DSW_MARK_PASSABLE));
 }
 
 static void one_that_is_not_free_is_refused(void) {
@@ -157,23 +98,23 @@ static void one_that_is_not_free_is_refused(void) {
   const uint32_t *offending = NULL;
   dsw_body_id body;
   size_t count = 99;
-  CHECK_OK(mark_side(1, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
+  CHECK_OK(mark_face(1, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
   refuses(DSW_STATUS_OCCUPIED, &d, "1 edges meet something impassable; the first joins vertices ");
   CHECK_OK(dsw_scene_get_offending_edges(g_scene, &offending, &count));
   CHECK(count == 1 && offending[0] + offending[1] == 3 && offending[0] * offending[1] == 2);
   d.level = DSW_LEVEL_POINTS; /* points do not care */
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES_SWEPT));
-  CHECK_OK(mark_side(1, SIDE_RIGHT, DSW_MARK_PASSABLE));
+  CHECK_OK(mark_face(1, SIDE_RIGHT, DSW_MARK_PASSABLE));
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES_SWEPT));
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_set_level(g_scene, body, DSW_LEVEL_FACES));
   CHECK_MESSAGE("level is DSW_LEVEL_FACES: bodies in the plane have no faces");
-  CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_side(1, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_face(1, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 
 static void edits_are_checked(void) {
-  const double points[4] = {0.5, 1.5, 1.5, 1.5}, behind[2] = {3.5, 1.5}, bad[2] = {NAN, 0};
+  const double points[6] = {0.5, 1.5, 0, 1.5, 1.5, 0}, behind[2] = {3.5, 1.5}, bad[2] = {NAN, 0};
   const dsw_body_id body = make_line(points, 2, DSW_LEVEL_EDGES_SWEPT);
   const dsw_body_vertex_id stale = {0, 9};
   const dsw_body_face_id no_face = {0, 1};
@@ -181,7 +122,7 @@ static void edits_are_checked(void) {
   dsw_body_edge_id e = {55, 66};
   dsw_body_face_id f;
   dsw_body_edit edit;
-  double p[8];
+  double p[12];
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_body_add_vertex(g_scene, body, bad, no_volume, &far));
   CHECK_OK(dsw_body_add_vertex(g_scene, body, behind, no_volume, &far));
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_body_add_face(g_scene, body, vertex_id(0), vertex_id(1), far, &f));
@@ -189,37 +130,37 @@ static void edits_are_checked(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_remove_face(g_scene, body, no_face));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_face(g_scene, body, no_face, corners));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_add_edge(g_scene, body, stale, far, &e));
-  CHECK_OK(mark_square(PILLAR, DSW_MARK_IMPASSABLE));
+  CHECK_OK(mark_cell(g_pillar, DSW_MARK_IMPASSABLE));
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_add_edge(g_scene, body, vertex_id(1), far, &e));
-  CHECK(e.index == 55 && e.generation == 66 && has(body, 3, 1));
-  CHECK_OK(mark_square(PILLAR, DSW_MARK_PASSABLE));
+  CHECK(e.index == 55 && e.generation == 66 && has(body, 3, 1, 0));
+  CHECK_OK(mark_cell(g_pillar, DSW_MARK_PASSABLE));
   CHECK_OK(dsw_body_add_edge(g_scene, body, vertex_id(1), far, &e));
-  CHECK(e.index == 1 && e.generation == 1 && has(body, 3, 2));
+  CHECK(e.index == 1 && e.generation == 1 && has(body, 3, 2, 0));
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_body_split_edge(g_scene, body, e, 1, &edit));
   CHECK_OK(dsw_body_split_edge(g_scene, body, e, 0.25, &edit));
-  CHECK(has(body, 4, 3) && edit.inserted == 1 && edit.vertex.index == 3 && edit.share == 0.25);
+  CHECK(has(body, 4, 3, 0) && edit.inserted == 1 && edit.vertex.index == 3 && edit.share == 0.25);
   CHECK(edit.ends[0].index == 1 && edit.ends[1].index == 2 && edit.edge.index == 1 && edit.rest.index == 2);
-  CHECK(positions_of(body, p, 4) == 4 && p[6] == 2 && p[7] == 1.5);
+  CHECK(positions_of(body, p, 4) == 4 && p[9] == 2 && p[10] == 1.5);
   /* Merging 1 into the new vertex turns the edge 0 1, on which nothing lies. */
   CHECK_OK(dsw_body_collapse_edge(g_scene, body, e, vertex_id(1), &edit));
-  CHECK(has(body, 3, 2) && edit.inserted == 0 && edit.vertex.index == 1 && edit.ends[0].index == 3);
+  CHECK(has(body, 3, 2, 0) && edit.inserted == 0 && edit.vertex.index == 1 && edit.ends[0].index == 3);
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_collapse_edge(g_scene, body, e, vertex_id(1), &edit));
   CHECK_OK(dsw_body_remove_edge(g_scene, body, edge_id(0)));
   CHECK_OK(dsw_body_remove_vertex(g_scene, body, far));
-  CHECK(has(body, 2, 0));
+  CHECK(has(body, 2, 0, 0));
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
 
 /* A triangle folded flat onto a point obstacle can't be merged across it. */
 static void a_merge_is_swept(void) {
-  const double points[6] = {0.5, 0.5, 1.25, 2.5, 3.5, 0.5};
+  const double points[9] = {0.5, 0.5, 0, 1.25, 2.5, 0, 3.5, 0.5, 0};
   dsw_body_id body = make_line(points, 3, DSW_LEVEL_EDGES_SWEPT);
   dsw_body_edit edit;
   CHECK_OK(mark_point(1, 1, DSW_MARK_IMPASSABLE)); /* under the edge 0 1 */
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_collapse_edge(g_scene, body, edge_id(1), vertex_id(1), &edit));
   CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_EDGES)); /* does not see a point */
   CHECK_OK(dsw_body_collapse_edge(g_scene, body, edge_id(1), vertex_id(1), &edit));
-  CHECK(has(body, 2, 1));
+  CHECK(has(body, 2, 1, 0));
   CHECK_OK(mark_point(1, 1, DSW_MARK_PASSABLE));
   CHECK_OK(dsw_body_destroy(g_scene, body));
 }
@@ -228,7 +169,7 @@ static void a_merge_is_swept(void) {
 static void marks_leave_bodies_free(void) {
   const double points[6] = {1.5, 1.25, 3.5, 1.75, 1.75, 3.5};
   dsw_body_desc d = line_desc(points, 3, 1, DSW_LEVEL_EDGES);
-  const dsw_volume_id all[4] = {{PILLAR, 1}, {PILLAR - 1, 1}, {PILLAR - 3, 1}, {15, 1}};
+  const dsw_volume_id all[4] = {{6, 1}, {5, 1}, {3, 1}, {15, 1}};
   const dsw_body_id *bodies = NULL;
   dsw_body_id body;
   size_t count = 99;
@@ -236,22 +177,22 @@ static void marks_leave_bodies_free(void) {
   for (level = DSW_LEVEL_POINTS; level <= DSW_LEVEL_EDGES_SWEPT; ++level) {
     d.level = (dsw_level)level;
     CHECK_OK(dsw_body_create(g_scene, &d, &body));
-    CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_square(PILLAR - 1, DSW_MARK_IMPASSABLE)); /* a vertex */
+    CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_cell(g_pillar - 1, DSW_MARK_IMPASSABLE)); /* a vertex */
     CHECK_OK(dsw_scene_get_occupant_bodies(g_scene, &bodies, &count));
     CHECK(count == 1 && bodies[0].index == body.index && bodies[0].generation == body.generation);
     if (level > DSW_LEVEL_POINTS) {
-      CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_square(PILLAR, DSW_MARK_IMPASSABLE)); /* an edge */
-      CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_side(PILLAR, SIDE_LEFT, DSW_MARK_IMPASSABLE));
-      CHECK_OK(mark_side(PILLAR, SIDE_UP, DSW_MARK_IMPASSABLE)); /* along it */
-      CHECK_OK(mark_side(PILLAR, SIDE_UP, DSW_MARK_PASSABLE));
+      CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_cell(g_pillar, DSW_MARK_IMPASSABLE)); /* an edge */
+      CHECK_FAILS(DSW_STATUS_OCCUPIED, mark_face(g_pillar, SIDE_LEFT, DSW_MARK_IMPASSABLE));
+      CHECK_OK(mark_face(g_pillar, SIDE_UP, DSW_MARK_IMPASSABLE)); /* along it */
+      CHECK_OK(mark_face(g_pillar, SIDE_UP, DSW_MARK_PASSABLE));
       CHECK_OK(dsw_environment_mark_volumes(g_env, all, 4, DSW_MARK_IMPASSABLE, DSW_MARK_SKIP_OCCUPIED, &count));
       CHECK(count == 2);
       CHECK_OK(dsw_environment_is_marked(g_env, cell_at(DSW_CELL_VOLUME, 15, 0), &flag));
       CHECK(flag == 1);
       CHECK_OK(dsw_environment_mark_volumes(g_env, all, 4, DSW_MARK_PASSABLE, 0, NULL));
     } else {
-      CHECK_OK(mark_square(PILLAR, DSW_MARK_IMPASSABLE));
-      CHECK_OK(mark_square(PILLAR, DSW_MARK_PASSABLE));
+      CHECK_OK(mark_cell(g_pillar, DSW_MARK_IMPASSABLE));
+      CHECK_OK(mark_cell(g_pillar, DSW_MARK_PASSABLE));
     }
     CHECK_OK(mark_point(2, 2, DSW_MARK_IMPASSABLE)); /* inside of the curve */
     CHECK_OK(mark_point(2, 2, DSW_MARK_PASSABLE));
@@ -259,7 +200,7 @@ static void marks_leave_bodies_free(void) {
   }
   {
     /* An edge that lies on a vertex does not under the shift, before and after. */
-    const double over[4] = {0.5, 0.5, 1.5, 1.5};
+    const double over[6] = {0.5, 0.5, 0, 1.5, 1.5, 0};
     body = make_line(over, 2, DSW_LEVEL_EDGES_SWEPT);
     CHECK_OK(mark_point(1, 1, DSW_MARK_IMPASSABLE));
     CHECK_OK(dsw_body_set_level(g_scene, body, DSW_LEVEL_POINTS));
@@ -272,22 +213,21 @@ static void marks_leave_bodies_free(void) {
 static void edges_are_swept_without_a_body(void) {
   const double from[6] = {0.5, 0.25, NAN, 1.5, 1.25, NAN}, to[6] = {0.5, 3.75, NAN, 2.5, 1.5, NAN};
   const double fixed[6] = {3.75, 0.5, NAN, 1.25, 3.5, NAN};
-  const uint32_t pillar = PILLAR;
   dsw_sweep_options o;
   dsw_sweep s[2];
   dsw_sweep_options_init(&o, sizeof o);
   CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 24, NULL, s));
   CHECK(s[0].outcome == DSW_OUTCOME_REACHED && s[0].time == 1 && s[0].position[1] == 3.75 && s[0].position[2] == 0);
-  CHECK(s[1].outcome == DSW_OUTCOME_REACHED && s[1].volume.index == pillar);
+  CHECK(s[1].outcome == DSW_OUTCOME_REACHED && s[1].volume.index == g_pillar);
   CHECK_OK(mark_point(2, 2, DSW_MARK_IMPASSABLE));
-  CHECK_OK(mark_square(PILLAR, DSW_MARK_IMPASSABLE));
+  CHECK_OK(mark_cell(g_pillar, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 24, NULL, s));
   CHECK(s[0].outcome == DSW_OUTCOME_CONTACT && s[0].kind == DSW_CONTACT_VERTEX && s[0].obstacle == DSW_CELL_VOLUME);
-  CHECK(s[0].edge.volume == point_at(2, 1) && s[0].edge.generation == 1 && s[0].tag == 100 + PILLAR);
+  CHECK(s[0].edge.volume == point_at(2, 1) && s[0].edge.generation == 1 && s[0].tag == 100 + g_pillar);
   CHECK(s[0].face.generation == 1 && s[0].normal[1] < 0 && s[0].normal[2] == 0 && fabs(s[0].point[1] - 1) < 1e-14);
   CHECK(s[1].outcome == DSW_OUTCOME_CONTACT && s[1].kind == DSW_CONTACT_PLANE && s[1].time == 0.5);
-  CHECK(s[1].edge.generation == 0 && s[1].face.volume == PILLAR - 1 && s[1].normal[0] == -1);
-  CHECK_OK(mark_square(PILLAR, DSW_MARK_PASSABLE));
+  CHECK(s[1].edge.generation == 0 && s[1].face.volume == g_pillar - 1 && s[1].normal[0] == -1);
+  CHECK_OK(mark_cell(g_pillar, DSW_MARK_PASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 24, NULL, s));
   CHECK(s[0].outcome == DSW_OUTCOME_CONTACT && s[0].kind == DSW_CONTACT_VERTEX && s[0].obstacle == DSW_CELL_VERTEX);
   CHECK(s[0].edge.volume == point_at(2, 2) && s[0].face.generation == 0 && s[0].tag == 0 && s[0].front.generation == 1);
@@ -306,25 +246,25 @@ static void edges_are_swept_without_a_body(void) {
 static void a_tag_is_that_of_what_is_behind_the_wall(void) {
   const double from[2] = {1.25, 2.5}, to[2] = {0.25, 2.25}, fixed[2] = {1.25, 1.5};
   dsw_sweep s;
-  CHECK_OK(mark_side(N, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
-  CHECK_OK(mark_side(N, SIDE_UP, DSW_MARK_IMPASSABLE));
+  CHECK_OK(mark_face(N, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
+  CHECK_OK(mark_face(N, SIDE_UP, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, to, fixed, 0, NULL, &s));
   CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.kind == DSW_CONTACT_VERTEX && s.edge.volume == point_at(1, 2));
   CHECK(s.front.index == N + 1 && s.face.volume == N && s.face.local == SIDE_RIGHT && s.tag == 100 + N);
-  CHECK_OK(mark_side(N, SIDE_RIGHT, DSW_MARK_PASSABLE));
-  CHECK_OK(mark_side(N, SIDE_UP, DSW_MARK_PASSABLE));
+  CHECK_OK(mark_face(N, SIDE_RIGHT, DSW_MARK_PASSABLE));
+  CHECK_OK(mark_face(N, SIDE_UP, DSW_MARK_PASSABLE));
 }
 
-/* The lower end (2, 1) of a thin wall, met from below, where neither square is at the wall, from its right and from its left. */
+/* The lower end (2, 1) of a thin wall, met from below, where neither square is at the wall, from both sides. */
 static void a_tag_at_the_end_of_a_wall_is_that_of_its_other_side(void) {
   static const double from[4] = {3.5, 0.5, 0.5, 0.5}, to[4] = {0.5, 0.5, 3.5, 0.5}, fixed[4] = {2.2, 2.9, 1.8, 2.9};
   dsw_sweep s[2];
-  CHECK_OK(mark_side(PILLAR - 1, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
+  CHECK_OK(mark_face(g_pillar - 1, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 0, NULL, s));
   CHECK(s[0].kind == DSW_CONTACT_VERTEX && s[0].edge.volume == point_at(2, 1) && s[0].normal[0] > 0.9);
   CHECK(s[1].kind == DSW_CONTACT_VERTEX && s[1].edge.volume == point_at(2, 1) && s[1].normal[0] < -0.9);
-  CHECK(s[0].tag == 100 + PILLAR - 1 && s[1].tag == 100 + PILLAR);
-  CHECK_OK(mark_side(PILLAR - 1, SIDE_RIGHT, DSW_MARK_PASSABLE));
+  CHECK(s[0].tag == 100 + g_pillar - 1 && s[1].tag == 100 + g_pillar);
+  CHECK_OK(mark_face(g_pillar - 1, SIDE_RIGHT, DSW_MARK_PASSABLE));
 }
 
 static void what_sweeps_nothing_needs_no_work_left(void) {
@@ -343,8 +283,8 @@ static void what_sweeps_nothing_needs_no_work_left(void) {
 
 static void what_a_scene_holds_is_told(void) {
   dsw_scene *const scene = make_scene(g_env, DSW_FEATURE_STATISTICS);
-  const dsw_body_desc d = line_desc(g_left, 2, 0, DSW_LEVEL_EDGES_SWEPT);
-  const double out[4] = {-1, 0.25, -1, 3.75};
+  const double left[4] = {1.25, 0.25, 1.25, 3.75}, out[4] = {-1, 0.25, -1, 3.75};
+  const dsw_body_desc d = line_desc(left, 2, 0, DSW_LEVEL_EDGES_SWEPT);
   dsw_statistics statistics = {0};
   dsw_body_id body, bodies[2];
   uint64_t before = 0, with = 0;
@@ -362,41 +302,8 @@ static void what_a_scene_holds_is_told(void) {
   CHECK_OK(dsw_scene_destroy(scene));
 }
 
-/* A body and its moves, with the n-th allocation refused: nothing leaks, nothing is left half done. */
-static void refused_memory_changes_nothing(void) {
-  size_t n;
-  for (n = 1; n < 300; ++n) {
-    host h = {0};
-    dsw_context *const context = make_context(&h);
-    dsw_environment *const environment = make_squares(context, N, N);
-    dsw_scene *const scene = make_scene(environment, 0);
-    const dsw_body_desc d = line_desc(g_left, 2, 0, DSW_LEVEL_EDGES_SWEPT);
-    dsw_body_id body;
-    dsw_status status;
-    h.calls = 0;
-    h.refuse = n;
-    status = dsw_body_create(scene, &d, &body);
-    if (status == DSW_STATUS_OK) {
-      double p[4];
-      size_t count = 0;
-      status = dsw_body_move(scene, body, g_right, 2, 0, NULL, NULL);
-      CHECK_OK(dsw_body_get_positions(scene, body, p, 2, 0, NULL, &count));
-      CHECK(memcmp(p, status == DSW_STATUS_OK ? g_right : g_left, sizeof p) == 0);
-    }
-    CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
-    h.refuse = 0;
-    CHECK_OK(dsw_scene_destroy(scene));
-    CHECK_OK(dsw_environment_destroy(environment));
-    CHECK_OK(dsw_context_destroy(context));
-    CHECK(h.alive == 0 && h.broken == 0);
-    if (status == DSW_STATUS_OK) break;
-  }
-  CHECK(n > 5 && n < 300);
-}
-
 int main(void) {
-  g_env = make_squares(NULL, N, N);
-  g_scene = make_scene(g_env, 0);
+  begin_stage(2);
   a_body_has_what_was_given();
   bad_bodies_are_refused();
   one_that_is_not_free_is_refused();
@@ -407,10 +314,7 @@ int main(void) {
   a_tag_is_that_of_what_is_behind_the_wall();
   a_tag_at_the_end_of_a_wall_is_that_of_its_other_side();
   what_sweeps_nothing_needs_no_work_left();
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  g_scene = NULL;
   what_a_scene_holds_is_told();
-  refused_memory_changes_nothing();
-  CHECK_OK(dsw_environment_destroy(g_env));
+  end_stage();
   return check_result();
 }

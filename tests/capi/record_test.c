@@ -6,30 +6,28 @@
 #include "check.h"
 #include "fixture.h"
 
-/* Where recordings go: memory, which may refuse. */
-typedef struct tape {
-  unsigned char bytes[65536];
-  size_t size, writes, refuse; /* the write that is refused, from 1; 0: none */
-} tape;
-
-static int write_tape(void *user, const void *bytes, size_t size_bytes) {
-  tape *const t = (tape *)user;
-  if (++t->writes == t->refuse || t->size + size_bytes > sizeof t->bytes) return 1;
-  memcpy(t->bytes + t->size, bytes, size_bytes);
-  t->size += size_bytes;
-  return 0;
-}
-
-static dsw_recording_desc to_tape(tape *t) {
-  dsw_recording_desc desc;
-  dsw_recording_desc_init(&desc, sizeof desc);
-  memset(t, 0, sizeof *t);
-  desc.write = write_tape;
-  desc.user = t;
-  return desc;
-}
-
 static tape one, other;
+
+static void record_latest(dsw_scene *scene) {
+  dsw_recording_desc latest;
+  dsw_recording_desc_init(&latest, sizeof latest);
+  latest.flags = DSW_RECORDING_LATEST;
+  CHECK_OK(dsw_scene_start_recording(scene, &latest));
+}
+
+/* Of what is on a tape. */
+static dsw_replay *replay_of(const tape *t) {
+  dsw_replay *replay = NULL;
+  CHECK_OK(dsw_replay_create(NULL, t->bytes, t->size, &replay));
+  return replay;
+}
+
+/* The next call is made again with the same results. */
+static void step(dsw_replay *replay) {
+  dsw_replay_report report;
+  CHECK_OK(dsw_replay_step(replay, &report));
+  CHECK(report.outcome == DSW_REPLAY_SAME);
+}
 
 static void calls_are_made_again_by_name(void) {
   static const char *const names[] = {"dsw_particle_create",     "dsw_particle_move", "dsw_environment_mark_volumes",
@@ -58,7 +56,7 @@ static void calls_are_made_again_by_name(void) {
   CHECK_OK(dsw_scene_stop_recording(scene));
   CHECK_OK(dsw_scene_stop_recording(scene));
   CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_particle_move(scene, particle, nan_point, NULL, NULL));
-  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  replay = replay_of(&one);
   for (i = 0; i < sizeof names / sizeof *names; ++i) {
     memset(&report, 0xff, sizeof report);
     CHECK_OK(dsw_replay_step(replay, &report));
@@ -73,8 +71,7 @@ static void calls_are_made_again_by_name(void) {
   CHECK_OK(dsw_environment_get_tag(dsw_scene_get_environment(again), wall, &tag));
   CHECK(tag == 77);
   CHECK_OK(dsw_replay_destroy(replay));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* A step of a replay is recorded itself: a recording of one call, for whoever has to look at it. */
@@ -93,7 +90,7 @@ static void one_call_can_be_taken_out(void) {
   CHECK_OK(dsw_particle_move(scene, particle, back, NULL, NULL));
   CHECK_OK(dsw_scene_destroy(scene)); /* ends the recording */
   CHECK_OK(dsw_environment_destroy(env));
-  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  replay = replay_of(&one);
   CHECK_OK(dsw_replay_step(replay, &report));
   CHECK_OK(dsw_replay_get_scene(replay, &again));
   desc = to_tape(&other);
@@ -102,7 +99,7 @@ static void one_call_can_be_taken_out(void) {
   CHECK_OK(dsw_scene_stop_recording(again));
   CHECK(report.call == 1 && report.outcome == DSW_REPLAY_SAME);
   CHECK_OK(dsw_replay_destroy(replay));
-  CHECK_OK(dsw_replay_create(NULL, other.bytes, other.size, &replay));
+  replay = replay_of(&other);
   CHECK_OK(dsw_replay_step(replay, &report));
   CHECK(report.call == 0 && report.outcome == DSW_REPLAY_SAME && report.status == DSW_STATUS_OK);
   CHECK_OK(dsw_replay_step(replay, &report));
@@ -123,7 +120,7 @@ static void a_scene_in_other_hands_differs(void) {
   CHECK_OK(dsw_scene_start_recording(scene, &desc));
   CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
   CHECK_OK(dsw_scene_stop_recording(scene));
-  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  replay = replay_of(&one);
   CHECK_OK(dsw_replay_get_scene(replay, &again));
   CHECK_OK(dsw_environment_mark_volumes(dsw_scene_get_environment(again), &wall, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   CHECK_OK(dsw_replay_step(replay, &report));
@@ -134,8 +131,7 @@ static void a_scene_in_other_hands_differs(void) {
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_scene_destroy(again));
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_environment_destroy(dsw_scene_get_environment(again)));
   CHECK_OK(dsw_replay_destroy(replay));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* What is recorded as the state after a call has what the call did. */
@@ -150,9 +146,8 @@ static void states_are_those_after_the_call(void) {
   desc.flags = DSW_RECORDING_STATES;
   CHECK_OK(dsw_scene_start_recording(scene, &desc));
   CHECK_OK(dsw_environment_set_tag(env, volume, 77));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
-  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  end_scene(scene);
+  replay = replay_of(&one);
   CHECK_OK(dsw_replay_get_scene(replay, &again));
   CHECK_OK(dsw_environment_set_tag(dsw_scene_get_environment(again), volume, 77)); /* it is there then anyway */
   CHECK_OK(dsw_replay_step(replay, &report));
@@ -162,8 +157,7 @@ static void states_are_those_after_the_call(void) {
 
 /* A recording that can't be written never fails a call. */
 static void writing_may_fail(void) {
-  dsw_environment *const env = make_environment(NULL, 2, 1, 1);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 2, 1, 1), 0);
   const double from[3] = {0.5, 0.5, 0.5};
   dsw_particle_id particle;
   size_t refuse, starts;
@@ -188,11 +182,10 @@ static void writing_may_fail(void) {
       CHECK_OK(dsw_scene_stop_recording(scene));
     }
   }
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
-/* What a call answers is the same whether it is empty for the first time or there was something before the recording began. */
+/* An empty answer is the same for the first time and where there was something before the recording began. */
 static void empty_answers_are_alike(void) {
   grid g = grid_create(2, 1, 1);
   dsw_environment_desc d = grid_desc(&g);
@@ -205,7 +198,6 @@ static void empty_answers_are_alike(void) {
   dsw_deform_report bent;
   dsw_particle_id particle;
   dsw_replay *replay = NULL;
-  dsw_replay_report report;
   dsw_recording_desc desc;
   size_t i, k, count = 0;
   for (k = 0; k < 2; ++k) {
@@ -230,21 +222,18 @@ static void empty_answers_are_alike(void) {
   }
   CHECK_OK(dsw_scene_create_particles(scene, from, 0, 0, NULL, &particle, NULL));
   CHECK_OK(dsw_scene_stop_recording(scene));
-  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  replay = replay_of(&one);
   for (k = 0; k < 2; ++k) {
-    CHECK_OK(dsw_replay_step(replay, &report));
-    CHECK(report.outcome == DSW_REPLAY_SAME);
+    step(replay);
   }
   CHECK_OK(dsw_replay_destroy(replay));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
   for (k = 0; k < 2; ++k) free(next[k]);
   grid_destroy(&g);
 }
 
 static void bad_arguments(void) {
-  dsw_environment *const env = make_environment(NULL, 1, 1, 1);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 1, 1, 1), 0);
   dsw_recording_desc desc = to_tape(&one);
   dsw_replay *replay = NULL;
   dsw_replay_report report;
@@ -283,15 +272,12 @@ static void bad_arguments(void) {
   one.bytes[13] ^= 1;
   CHECK_FAILS(DSW_STATUS_TRUNCATED, dsw_replay_create(NULL, one.bytes, one.size - 8, &replay));
   CHECK(replay == NULL);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 static void bundles_take_bad_arguments_and_full_disks(void) {
-  dsw_environment *const env = make_environment(NULL, 2, 1, 1);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 2, 1, 1), 0);
   const double from[3] = {0.5, 0.5, 0.5}, to[3] = {1.5, 0.5, 0.25};
-  dsw_recording_desc latest;
   dsw_bundle_desc desc;
   dsw_verdict verdict;
   dsw_replay *replay = NULL;
@@ -299,9 +285,7 @@ static void bundles_take_bad_arguments_and_full_disks(void) {
   dsw_replay_info info;
   dsw_particle_id particle;
   size_t writes, refuse;
-  dsw_recording_desc_init(&latest, sizeof latest);
-  latest.flags = DSW_RECORDING_LATEST;
-  CHECK_OK(dsw_scene_start_recording(scene, &latest));
+  record_latest(scene);
   CHECK_OK(dsw_particle_create(scene, from, no_volume, &particle));
   CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
   dsw_bundle_desc_init(&desc, sizeof desc);
@@ -309,8 +293,7 @@ static void bundles_take_bad_arguments_and_full_disks(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bundle(NULL, &desc, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bundle(scene, NULL, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_write_bundle(scene, &desc, &verdict));
-  memset(&one, 0, sizeof one);
-  desc.write = write_tape;
+  desc.write = to_tape(&one).write;
   desc.user = &one;
   desc.path = "x";
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_scene_write_bundle(scene, &desc, &verdict));
@@ -331,7 +314,7 @@ static void bundles_take_bad_arguments_and_full_disks(void) {
     desc.user = &other;
     CHECK_FAILS(DSW_STATUS_WRITE_FAILED, dsw_scene_write_bundle(scene, &desc, NULL));
   }
-  CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
+  replay = replay_of(&one);
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_judged(replay, &report, NULL));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_judged(replay, NULL, &verdict));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_replay_step_judged(NULL, &report, &verdict));
@@ -346,8 +329,7 @@ static void bundles_take_bad_arguments_and_full_disks(void) {
   CHECK_OK(dsw_replay_get_info(replay, &info));
   CHECK(info.calls == 1 && info.version == dsw_version() && info.bytes_left == 0 && strcmp(info.note, "strange") == 0);
   CHECK_OK(dsw_replay_destroy(replay));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* A recording in memory begins anew now and then; the report has the last call all the same. */
@@ -355,40 +337,32 @@ static void reports_always_have_their_call(void) {
   enum { kParticles = 500, kCalls = 80 };
   static double targets[kParticles][3];
   static dsw_particle_id particles[kParticles];
-  dsw_environment *const env = make_environment(NULL, 1, 1, 1);
-  dsw_scene *const scene = make_scene(env, 0);
-  dsw_recording_desc latest;
+  dsw_scene *const scene = make_scene(make_environment(NULL, 1, 1, 1), 0);
   dsw_bundle_desc desc;
   dsw_replay *replay = NULL;
-  dsw_replay_report report;
   unsigned call, i;
   for (i = 0; i < kParticles; ++i) targets[i][0] = targets[i][1] = targets[i][2] = 0.25 + i * 0.001;
   CHECK_OK(dsw_scene_create_particles(scene, targets[0], kParticles, 0, NULL, particles, NULL));
-  dsw_recording_desc_init(&latest, sizeof latest);
-  latest.flags = DSW_RECORDING_LATEST;
-  CHECK_OK(dsw_scene_start_recording(scene, &latest));
+  record_latest(scene);
   dsw_bundle_desc_init(&desc, sizeof desc);
-  desc.write = write_tape;
+  desc.write = to_tape(&one).write;
   desc.user = &one;
   for (call = 0; call < kCalls; ++call) { /* 16 kB each */
     for (i = 0; i < kParticles; ++i) targets[i][1] = 0.25 + call * 0.001;
     CHECK_OK(dsw_scene_move_particles(scene, particles, kParticles, targets[0], 0, NULL, NULL));
     memset(&one, 0, sizeof one);
     CHECK_OK(dsw_scene_write_bundle(scene, &desc, NULL));
-    CHECK_OK(dsw_replay_create(NULL, one.bytes, one.size, &replay));
-    CHECK_OK(dsw_replay_step(replay, &report));
-    CHECK(report.outcome == DSW_REPLAY_SAME);
+    replay = replay_of(&one);
+    step(replay);
     CHECK_OK(dsw_replay_destroy(replay));
   }
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* Somebody else writes to the file that a scene is recorded into. */
 static void recordings_may_be_spoilt(void) {
   static const char *const path = "record_test.dswrec";
-  dsw_environment *const env = make_environment(NULL, 1, 1, 1);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 1, 1, 1), 0);
   dsw_recording_desc to;
   dsw_bundle_desc desc;
   FILE *file;
@@ -396,8 +370,7 @@ static void recordings_may_be_spoilt(void) {
   to.path = path;
   CHECK_OK(dsw_scene_start_recording(scene, &to));
   dsw_bundle_desc_init(&desc, sizeof desc);
-  memset(&one, 0, sizeof one);
-  desc.write = write_tape;
+  desc.write = to_tape(&one).write;
   desc.user = &one;
   CHECK_OK(dsw_scene_write_bundle(scene, &desc, NULL));
   file = fopen(path, "wb");
@@ -408,12 +381,12 @@ static void recordings_may_be_spoilt(void) {
     fclose(file);
   }
   CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_write_bundle(scene, &desc, NULL));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
   remove(path);
 }
 
-/* Where an environment is folded a particle passes, in its own cell, through a face of others: nothing is wrong with that. */
+/* Where an environment is folded a particle passes, in its own cell, through a face of others: nothing is wrong with
+   that. */
 static void folds_are_not_judged(void) {
   dsw_environment *const env = make_environment(NULL, 3, 1, 1);
   dsw_scene *const scene = make_scene(env, DSW_FEATURE_DEFORMING);
@@ -421,7 +394,6 @@ static void folds_are_not_judged(void) {
   const dsw_face_id wall = face_at(1, FACE_X1);
   double next[16][3], position[3];
   const double *points = NULL;
-  dsw_recording_desc latest;
   dsw_bundle_desc desc;
   dsw_verdict verdict;
   dsw_particle_id particle;
@@ -434,21 +406,17 @@ static void folds_are_not_judged(void) {
   for (i = 0; i < 16; ++i) next[i][0] -= next[i][0] == 2 ? 1.5 : 0;
   CHECK_OK(dsw_scene_deform(scene, next[0], count, NULL, NULL));
   CHECK_FAILS(DSW_STATUS_INVALID_CELL, dsw_environment_check(env, NULL));
-  dsw_recording_desc_init(&latest, sizeof latest);
-  latest.flags = DSW_RECORDING_LATEST;
-  CHECK_OK(dsw_scene_start_recording(scene, &latest));
+  record_latest(scene);
   CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));
   CHECK_OK(dsw_particle_get(scene, particle, position, NULL));
   CHECK(memcmp(position, to, sizeof to) == 0);
   dsw_bundle_desc_init(&desc, sizeof desc);
-  memset(&one, 0, sizeof one);
-  desc.write = write_tape;
+  desc.write = to_tape(&one).write;
   desc.user = &one;
   verdict.struct_size = sizeof verdict;
   CHECK_OK(dsw_scene_write_bundle(scene, &desc, &verdict));
   CHECK(verdict.is_right == 1 && verdict.ways == 1 && verdict.missed == 0 && verdict.not_judged == 1);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 /* Every allocation of a replay refused in turn: a status, and everything is given back. */
@@ -456,8 +424,7 @@ static void memory_may_run_out(void) {
   host h;
   size_t refuse;
   int done = 0;
-  dsw_environment *const env = make_environment(NULL, 2, 2, 1);
-  dsw_scene *const scene = make_scene(env, 0);
+  dsw_scene *const scene = make_scene(make_environment(NULL, 2, 2, 1), 0);
   const dsw_recording_desc desc = to_tape(&one);
   const double from[3] = {0.5, 0.5, 0.5};
   dsw_particle_id particle;
@@ -484,15 +451,14 @@ static void memory_may_run_out(void) {
     }
     CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
     h.refuse = 0;
-    CHECK_OK(dsw_context_destroy(context));
-    CHECK(h.alive == 0 && h.broken == 0);
+    end_context(context, &h);
   }
   CHECK(done);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
-/* Every allocation of a recording in memory and of a report refused in turn: calls are made all the same, the report is written or not. */
+/* Every allocation of a recording in memory and of a report refused in turn: calls are made all the same, the report is
+   written or not. */
 static void reports_may_run_out_of_memory(void) {
   const double from[3] = {0.5, 0.5, 0.5}, to[3] = {1.5, 0.5, 0.25};
   size_t refuse, reports = 0;
@@ -516,8 +482,7 @@ static void reports_may_run_out_of_memory(void) {
     dsw_recording_desc_init(&latest, sizeof latest);
     latest.flags = DSW_RECORDING_LATEST | DSW_RECORDING_STATES;
     dsw_bundle_desc_init(&desc, sizeof desc);
-    memset(&one, 0, sizeof one);
-    desc.write = write_tape;
+    desc.write = to_tape(&one).write;
     desc.user = &one;
     h.calls = 0;
     h.refuse = refuse;
@@ -531,10 +496,8 @@ static void reports_may_run_out_of_memory(void) {
     h.refuse = 0;
     CHECK_OK(dsw_particle_get(scene, particle, position, NULL));
     CHECK(memcmp(position, to, sizeof to) == 0);
-    CHECK_OK(dsw_scene_destroy(scene));
-    CHECK_OK(dsw_environment_destroy(env));
-    CHECK_OK(dsw_context_destroy(context));
-    CHECK(h.alive == 0 && h.broken == 0);
+    end_scene(scene);
+    end_context(context, &h);
   }
   CHECK(done && reports > 1);
 }

@@ -1,5 +1,5 @@
-/* remesh.h: volumes that a deformation would turn inside out are merged before or after it; every way to be refused; what can't be
-   mended; and deformations that mend. */
+/* remesh.h: volumes that a deformation would turn inside out are merged before or after it; every way to be refused;
+   what can't be mended; and deformations that mend. */
 #include <string.h>
 
 #include "check.h"
@@ -26,8 +26,7 @@ static void begin(dsw_context *context) {
 }
 
 static void end(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
+  end_scene(g_scene);
   grid_destroy(&g_grid);
 }
 
@@ -60,7 +59,6 @@ static size_t left(void) {
 static void before_a_deformation(void) {
   dsw_remesh_desc d = with_next();
   const dsw_volume_change *changes = NULL;
-  dsw_environment_info info;
   size_t count = 0, i;
   begin(NULL);
   fold();
@@ -75,9 +73,7 @@ static void before_a_deformation(void) {
   CHECK_OK(dsw_environment_check(g_env, NULL));
   CHECK_OK(dsw_scene_deform(g_scene, g_next, POINTS, NULL, NULL));
   CHECK(is_valid(changes[0].after) == 1);
-  info.struct_size = sizeof info;
-  CHECK_OK(dsw_environment_get_info(g_env, &info));
-  CHECK(info.volume_count == N * N * N + 1 - g_report.volumes_removed);
+  CHECK(info_of(g_env).volume_count == N * N * N + 1 - g_report.volumes_removed);
   CHECK_OK(dsw_environment_check(g_env, NULL));
   end();
 }
@@ -153,6 +149,7 @@ static void with_a_deformation(void) {
 }
 
 static void bad_arguments(void) {
+  dsw_remesh_desc bad;
   dsw_remesh_desc d = with_next();
   dsw_deform_options o;
   const dsw_volume_id *volumes = NULL;
@@ -168,25 +165,13 @@ static void bad_arguments(void) {
   CHECK_MESSAGE("desc->volumes");
   d.volumes = &stale_volume;
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_remesh(g_env, &d, NULL));
-  d = with_next();
-  d.struct_size = 8;
-  CHECK_FAILS(DSW_STATUS_BAD_STRUCT_SIZE, dsw_environment_remesh(g_env, &d, NULL));
-  d = with_next();
-  d.flags = 1;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_remesh(g_env, &d, NULL));
-  d = with_next();
-  d.point_count = POINTS - 1;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_remesh(g_env, &d, NULL));
-  d.next = NULL;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_remesh(g_env, &d, NULL));
-  d = with_next();
-  d.radius = 9;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_remesh(g_env, &d, NULL));
-  d = with_next();
-  d.max_faces = 3;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_remesh(g_env, &d, NULL));
-  d.max_faces = 129;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_remesh(g_env, &d, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, with_next(), struct_size, 8, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, with_next(), flags, 1, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_WRONG_SIZE, with_next(), point_count, POINTS - 1, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_WRONG_SIZE, bad, next, NULL, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, with_next(), radius, 9, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, with_next(), max_faces, 3, dsw_environment_remesh(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, with_next(), max_faces, 129, dsw_environment_remesh(g_env, &bad, NULL));
   dsw_deform_options_init(&o, sizeof o);
   o.remesh_radius = 9;
   CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_deform(g_scene, g_next, POINTS, &o, NULL));
@@ -216,30 +201,21 @@ static void not_finite(void) {
 
 static void without_memory(void) {
   host h;
-  dsw_context *context;
+  dsw_context *const context = make_context(&h);
   dsw_environment_info before, now;
   dsw_remesh_desc d = with_next();
-  dsw_status status = DSW_STATUS_OUT_OF_MEMORY;
-  size_t n;
-  memset(&h, 0, sizeof h);
-  context = make_context(&h);
+  size_t n = 0;
   begin(context);
   fold();
-  before.struct_size = now.struct_size = sizeof before;
-  CHECK_OK(dsw_environment_get_info(g_env, &before));
-  for (n = 1; status != DSW_STATUS_OK && n < 5000; ++n) {
-    h.refuse = h.calls + n;
-    status = dsw_environment_remesh(g_env, &d, &g_report);
-    h.refuse = 0;
-    CHECK(status == DSW_STATUS_OK || status == DSW_STATUS_OUT_OF_MEMORY);
-    CHECK_OK(dsw_environment_get_info(g_env, &now));
-    CHECK(status == DSW_STATUS_OK || (now.volume_count == before.volume_count && now.face_count == before.face_count));
+  before = info_of(g_env);
+  for (; RUNS_OUT(&h, n, dsw_environment_remesh(g_env, &d, &g_report)); ++n) {
+    now = info_of(g_env);
+    CHECK(now.volume_count == before.volume_count && now.face_count == before.face_count);
   }
   CHECK(n > 50 && g_report.mended_count > 0);
   CHECK_OK(dsw_environment_check(g_env, NULL));
   end();
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && h.broken == 0);
+  end_context(context, &h);
 }
 
 int main(void) {

@@ -1,4 +1,4 @@
-/* Responses of edges to contacts, each with its own result on one scene in space and in the plane: figure 5 of [JCD10], 4.2. */
+/* Responses of edges to contacts, each with its own result on one scene in space and in the plane: [JCD10] figure 5. */
 #include <math.h>
 #include <string.h>
 
@@ -50,8 +50,9 @@ static void the_exhaustive_search_finds_what_no_sequence_meets(void) {
   }
 }
 
-/* Where each part must keep a quarter of the edge, B and C get no vertex in the whole edge, at 0.233 and 0.767 of it; in the part from A
-   to p there is room at B. B is at 0.467 of that part: where each part must keep 0.47, p stops as soon as B is met. */
+/* Where each part must keep a quarter of the edge, B and C get no vertex in the whole edge, at 0.233 and 0.767 of it;
+   in the part from A to p there is room at B. B is at 0.467 of that part: where each part must keep 0.47, p stops as
+   soon as B is met. */
 static void parts_keep_their_share(void) {
   figure5_options options = figure5_default_options();
   uint32_t dimension;
@@ -95,7 +96,7 @@ static void halving_inserts_one_vertex_at_a_time(void) {
   }
 }
 
-/* A ring of quads round a disc of many sides: the edge winds round more of its corners than one call inserts vertices. */
+/* A ring of quads round a disc of many sides: the edge winds round more corners than a call inserts vertices. */
 static void a_vertex_inserts_64_at_most(void) {
   enum { kSides = 512 };
   static double points[4 * kSides];
@@ -107,9 +108,8 @@ static void a_vertex_inserts_64_at_most(void) {
   dsw_environment *ring = NULL;
   dsw_scene *scene;
   dsw_body_id body;
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   dsw_move_report r;
-  dsw_body_counts counts;
   uint32_t i, calls = 0, inserted = 0;
   for (i = 0; i < kSides; ++i) {
     const double angle = 2 * pi * i / kSides;
@@ -120,18 +120,10 @@ static void a_vertex_inserts_64_at_most(void) {
     points[2 * (kSides + i) + 1] = 8 * sin(angle);
     memcpy(quads + 4 * i, quad, sizeof quad);
   }
-  dsw_environment_desc_init(&d, sizeof d);
-  d.dimension = 2;
-  d.points = points;
-  d.point_count = 2 * kSides;
-  d.connectivity = quads;
-  d.connectivity_count = 4 * kSides;
-  d.cell_count = kSides;
-  d.uniform_cell_type = DSW_CELL_TYPE_QUAD;
+  d = polygons_desc(points, 2 * kSides, DSW_CELL_TYPE_QUAD, quads, kSides);
   CHECK_OK(dsw_environment_create(NULL, &d, &ring, NULL));
   scene = make_scene(ring, 0);
   body = make_edge_body(scene, from, DSW_LEVEL_EDGES_SWEPT);
-  dsw_move_options_init(&o, sizeof o);
   o.edge_response = DSW_RESPONSE_ADAPTIVE_ONE;
   o.min_part = 1e-5;
   o.order = &first;
@@ -143,11 +135,8 @@ static void a_vertex_inserts_64_at_most(void) {
     CHECK(r.edit_count <= 64 && (r.vertices_stopped == 0 || r.edit_count == 64));
   } while (r.vertices_stopped != 0 && calls < 4);
   CHECK(r.vertices_stopped == 0 && calls == 2 && inserted > 64);
-  counts.struct_size = sizeof counts;
-  CHECK_OK(dsw_body_get_counts(scene, body, &counts));
-  CHECK(counts.vertex_count == 2 + inserted);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(ring));
+  CHECK(body_counts(scene, body).vertex_count == 2 + inserted);
+  end_scene(scene);
 }
 
 int main(void) {

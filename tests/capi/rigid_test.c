@@ -37,10 +37,7 @@ static void begin(unsigned dimension, uint32_t features) {
   mark_row(0);
 }
 
-static void end(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
-}
+static void end(void) { end_scene(g_scene); }
 
 /* To the array that may be written, which becomes the other one. */
 static dsw_deform_report deform(const dsw_deform_options *o) {
@@ -69,7 +66,6 @@ static void raise_row(uint32_t row, double by) {
 
 /* A body whose vertices are joined by lines in their order; x and y of each. In space its z are given by turns. */
 static dsw_body_id make(const double *xy, size_t count, dsw_level level, uint32_t flags) {
-  static const uint32_t edges[2 * MOST_VERTICES] = {0, 1, 1, 2, 2, 3, 3, 4, 4, 5};
   double positions[3 * MOST_VERTICES];
   dsw_body_desc d;
   dsw_body_id body = {0, 0};
@@ -79,13 +75,8 @@ static dsw_body_id make(const double *xy, size_t count, dsw_level level, uint32_
     positions[g_dimension * i + 1] = xy[2 * i + 1];
     if (g_dimension == 3) positions[3 * i + 2] = i % 2 == 0 ? 0.97 : 1.06;
   }
-  dsw_body_desc_init(&d, sizeof d);
-  d.level = level;
+  d = line_desc(positions, count, 0, level);
   d.flags = flags;
-  d.positions = positions;
-  d.vertex_count = count;
-  d.edges = edges;
-  d.edge_count = count - 1;
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
   return body;
 }
@@ -229,8 +220,8 @@ static double random_share(void) {
   return (double)(state >> 11) / 9007199254740992.0;
 }
 
-/* Thousands of pushes, and rigid motions of the host's between them: distances keep to 8 units in the last place of the largest coordinate,
-   once for all. */
+/* Thousands of pushes, and rigid motions of the host's between them: distances keep to 8 units in the last place of the
+   largest coordinate, once for all. */
 static void ten_thousand_pushes_do_not_bend_it(unsigned dimension) {
   static const double tool[10] = {1.1, 1.5, 1.7, 1.3, 2.0, 1.9, 2.4, 1.4, 2.9, 1.6};
   double first[MOST_VERTICES][3], before[MOST_VERTICES][3], now[MOST_VERTICES][3], worst = 0, turned = 0;
@@ -352,7 +343,7 @@ static void an_edge_is_bent_twice(unsigned dimension) {
 /* dsw_body_move moves vertices as it is told, and that is the shape then; no response inserts any. */
 static void moves_set_the_shape(unsigned dimension) {
   double before[MOST_VERTICES][3], now[MOST_VERTICES][3], targets[9];
-  dsw_move_options o;
+  dsw_move_options o = move_options();
   dsw_move_report report;
   dsw_body_id body;
   size_t i;
@@ -380,7 +371,6 @@ static void moves_set_the_shape(unsigned dimension) {
   for (i = 0; i < 3; ++i) {
     for (k = 0; k < dimension; ++k) targets[dimension * i + k] = now[i][k] - (k == 1 && i != 1 ? 0.6 : 0);
   }
-  dsw_move_options_init(&o, sizeof o);
   o.edge_response = DSW_RESPONSE_ADAPTIVE_MANY;
   CHECK_OK(dsw_body_move(g_scene, body, targets, 3, 0, &o, &report));
   CHECK(report.edit_count == 0 && read(body, now) == 3);

@@ -56,18 +56,14 @@ static void bad_descriptions_are_refused(void) {
 
 static void scenes_come_and_go_in_any_order(void) {
   dsw_scene *scenes[3];
-  dsw_environment_info i;
   int k;
   static const int order[3] = {1, 0, 2};
-  i.struct_size = sizeof i;
   for (k = 0; k < 3; ++k) scenes[k] = make_scene(g_env, 0);
   for (k = 0; k < 3; ++k) {
-    CHECK_OK(dsw_environment_get_info(g_env, &i));
-    CHECK(i.scene_count == 3 - (uint32_t)k);
+    CHECK(info_of(g_env).scene_count == 3 - (uint32_t)k);
     CHECK_OK(dsw_scene_destroy(scenes[order[k]]));
   }
-  CHECK_OK(dsw_environment_get_info(g_env, &i));
-  CHECK(i.scene_count == 0);
+  CHECK(info_of(g_env).scene_count == 0);
 }
 
 static dsw_statistics statistics_of(dsw_scene *scene) {

@@ -120,8 +120,7 @@ static void a_context_is_used_and_kept(void) {
   CHECK(refusals >= 3 && refusals < 1000 && loaded != NULL);
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_context_destroy(context));
   CHECK_OK(dsw_environment_destroy(loaded));
-  CHECK_OK(dsw_context_destroy(context));
-  CHECK(h.alive == 0 && !h.broken);
+  end_context(context, &h);
   CHECK_OK(dsw_environment_destroy(env));
   free(block);
 }
@@ -180,8 +179,7 @@ static void scenes_are_saved_and_loaded(void) {
   block[0][size - 1] ^= 1;
   CHECK_FAILS(DSW_STATUS_CORRUPT, dsw_scene_load(env, block[0], size, &loaded));
   CHECK_OK(dsw_scene_destroy(loaded));
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(scene);
 }
 
 static void a_scene_that_bends_stays_alone(void) {
@@ -193,8 +191,7 @@ static void a_scene_that_bends_stays_alone(void) {
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_scene_load(env, block, size, &loaded));
   CHECK_OK(dsw_scene_destroy(scene));
   CHECK_OK(dsw_scene_load(env, block, size, &loaded));
-  CHECK_OK(dsw_scene_destroy(loaded));
-  CHECK_OK(dsw_environment_destroy(env));
+  end_scene(loaded);
 }
 
 int main(void) {

@@ -1,5 +1,6 @@
-/* Structs that begin with their size, every one in every function that takes it: at the size of the first release, at every size since, and
- * larger than they are today, as a later header makes them. abi/check_abi.py structs compares the tables with the headers. */
+/* Structs that begin with their size, every one in every function that takes it: at the size of the first release, at
+   every size since, and larger than they are today, as a later header makes them. abi/check_abi.py structs compares
+   the tables with the headers. */
 #include <stdio.h>
 #include <string.h>
 
@@ -8,7 +9,7 @@
 
 enum { GUARD = 64, LARGEST = 4096 };
 
-/* ---- the last member of each in the first release: never changes --------------------------------------------------- */
+/* ---- the last member of each in the first release: never changes ------------------------------------------------- */
 #define LAST_dsw_body_counts reserved
 #define LAST_dsw_body_desc motion_share
 #define LAST_dsw_build_report convex_cell_count
@@ -36,7 +37,7 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_verdict text
 #define LAST_dsw_volumes_desc reserved
 
-/* ---- calls that succeed with what is described ---------------------------------------------------------------------- */
+/* ---- calls that succeed with what is described ------------------------------------------------------------------- */
 enum { SIDE = 4, POINTS = (SIDE + 1) * (SIDE + 1) * (SIDE + 1), CUBE = 1 + SIDE * (1 + SIDE) };
 
 static grid g_grid;
@@ -50,10 +51,7 @@ static void begin(void) {
   g_scene = make_scene(g_env, DSW_FEATURE_STATISTICS | DSW_FEATURE_DEFORMING);
 }
 
-static void end(void) {
-  CHECK_OK(dsw_scene_destroy(g_scene));
-  CHECK_OK(dsw_environment_destroy(g_env));
-}
+static void end(void) { end_scene(g_scene); }
 
 static const double g_from[3] = {0.5, 0.25, 0.5}, g_to[3] = {2.5, 0.25, 0.5}, g_fixed[3] = {0.5, 2.25, 0.5};
 static const double g_line[6] = {0.5, 0.25, 0.5, 0.5, 2.25, 0.5}, g_target[6] = {1.5, 0.25, 0.5, 1.5, 2.25, 0.5};
@@ -118,8 +116,7 @@ RUN(dsw_scene_create, dsw_scene_desc) {
   dsw_scene *scene = NULL;
   dsw_environment *const environment = make_environment(NULL, 1, 1, 1);
   const dsw_status status = dsw_scene_create(environment, s, &scene);
-  CHECK_OK(dsw_scene_destroy(scene));
-  CHECK_OK(dsw_environment_destroy(environment));
+  end_scene(scene);
   return status;
 }
 RUN(dsw_scene_get_statistics, dsw_statistics) { return dsw_scene_get_statistics(g_scene, s); }
@@ -202,27 +199,12 @@ RUN(dsw_scene_detach, dsw_detach_desc) {
 }
 RUN(dsw_scene_start_recording, dsw_recording_desc) { return dsw_scene_start_recording(g_scene, s); }
 
-static struct tape {
-  unsigned char bytes[1 << 16];
-  size_t size;
-} g_tape;
-
-static int write_tape(void *user, const void *bytes, size_t size_bytes) {
-  struct tape *const t = (struct tape *)user;
-  if (t->size + size_bytes > sizeof t->bytes) return 1;
-  memcpy(t->bytes + t->size, bytes, size_bytes);
-  t->size += size_bytes;
-  return 0;
-}
+static tape g_tape;
 
 /* Of a particle that is created. */
 static dsw_replay *replay(void) {
-  dsw_recording_desc desc;
+  const dsw_recording_desc desc = to_tape(&g_tape);
   dsw_replay *r = NULL;
-  dsw_recording_desc_init(&desc, sizeof desc);
-  desc.write = write_tape;
-  desc.user = &g_tape;
-  g_tape.size = 0;
   CHECK_OK(dsw_scene_start_recording(g_scene, &desc));
   particle();
   CHECK_OK(dsw_scene_stop_recording(g_scene));
@@ -246,13 +228,12 @@ RUN(dsw_scene_write_bundle, dsw_bundle_desc) { return dsw_scene_write_bundle(g_s
 RUN(dsw_scene_write_bundle, dsw_verdict) {
   dsw_bundle_desc desc;
   dsw_bundle_desc_init(&desc, sizeof desc);
-  desc.write = write_tape;
+  desc.write = to_tape(&g_tape).write;
   desc.user = &g_tape;
-  g_tape.size = 0;
   return dsw_scene_write_bundle(g_scene, &desc, s);
 }
 
-/* ---- what is described: the members without a default --------------------------------------------------------------- */
+/* ---- what is described: the members without a default ------------------------------------------------------------ */
 static const double g_square[12] = {1.25, -1, -1, 1.25, 5, -1, 1.25, -1, 5, 1.25, 5, 5};
 static const double g_loop[12] = {1.25, 0.5, 0.5, 1.25, 3.5, 0.5, 1.25, 3.5, 3.5, 1.25, 0.5, 3.5};
 static const double g_box[24] = {1, 1, 1, 3, 1, 1, 1, 3, 1, 3, 3, 1, 1, 1, 3, 3, 1, 3, 1, 3, 3, 3, 3, 3};
@@ -311,7 +292,7 @@ FILL(dsw_detach_desc) { s->volume = volume_at(CUBE); }
 FILL(dsw_recording_desc) { s->write = write_nowhere; }
 FILL(dsw_bundle_desc) { s->write = write_nowhere; }
 
-/* ---- the tables ------------------------------------------------------------------------------------------------------ */
+/* ---- the tables -------------------------------------------------------------------------------------------------- */
 typedef union any { /* aligned for each of them */
   uint32_t struct_size;
   void *pointer;
@@ -414,7 +395,7 @@ EACH_INIT(WRAP_INIT)
 static const row g_rows[] = {EACH_INPUT(INPUT_ROW) EACH_OUTPUT(OUTPUT_ROW)};
 static const init_row g_init_rows[] = {EACH_INIT(INIT_ROW)};
 
-/* ---- what holds for all of them --------------------------------------------------------------------------------------- */
+/* ---- what holds for all of them ---------------------------------------------------------------------------------- */
 static void check(int holds, const char *function, const char *what, size_t size) {
   if (!holds) fprintf(stderr, "%s with struct_size %u: %s\n", function, (unsigned)size, dsw_last_error_message());
   check_that(holds, what, function, (int)size);

@@ -17,14 +17,10 @@ static const double g_zero[3] = {0, 0, 0};
 static uint32_t point_index(unsigned x, unsigned y, unsigned z) { return x + (NX + 1) * (y + (NY + 1) * z); }
 
 static void mark_face(uint32_t volume, uint32_t local, dsw_mark mark) {
-  const dsw_face_id face = face_at(volume, local);
-  CHECK_OK(dsw_environment_mark_faces(g_env, &face, 1, mark));
+  CHECK_OK(set_face_mark(g_env, volume, local, mark));
 }
 
-static void mark_volume(uint32_t index, dsw_mark mark) {
-  const dsw_volume_id volume = volume_at(index);
-  CHECK_OK(dsw_environment_mark_volumes(g_env, &volume, 1, mark, 0, NULL));
-}
+static void mark_volume(uint32_t index, dsw_mark mark) { CHECK_OK(set_volume_mark(g_env, index, mark)); }
 
 /* The edge of the grid from a point along z. */
 static dsw_edge_id edge_along_z(unsigned x, unsigned y, unsigned z) {

@@ -30,8 +30,8 @@ INSTANTIATE_TEST_SUITE_P(All, RealMeshTest,
                            return name;
                          });
 
-/// Cells may only be refused where some face has no triangulation that suits both of its volumes; then the mesh is tried without
-/// them, so that the rest is walked with holes in it.
+/// Cells may only be refused where some face has no triangulation that suits both of its volumes; then the mesh is
+/// tried without them, so that the rest is walked with holes in it.
 EnvironmentPtr create_or_thin_out(Mesh& mesh) {
   size_t refused = 0;
   for (int round = 0; round < 10; ++round) {

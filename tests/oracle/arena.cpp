@@ -143,8 +143,8 @@ std::string Arena::wrong_at_path(const SweepEvent& event, const dsw_sweep& got) 
   return normal_fits(event, got.normal) ? "" : " normal " + hex(got.normal);
 }
 
-/// The normal of a contact of an edge: across it and the obstacle, against the motion. In doubles, so only where it is well
-/// determined. What is met in the plane goes across that.
+/// The normal of a contact of an edge: across it and the obstacle, against the motion. In doubles, so only where it is
+/// well determined. What is met in the plane goes across that.
 std::string Arena::wrong_across(const Sweep& s, const SweepEvent& event, const dsw_sweep& got) const {
   const auto [a, b] = ends_of(event);
   double most = largest(s);

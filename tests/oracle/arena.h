@@ -1,4 +1,5 @@
-// What bodies and swept edges move in, of either dimension, as those see it who judge what the library says of a contact.
+// What bodies and swept edges move in, of either dimension, as those see it who judge what the library says of a
+// contact.
 #pragma once
 
 #include "exact.h"
@@ -55,8 +56,8 @@ class Arena {
   virtual int face_of(const SweepEvent& event) const = 0;
   virtual Wall met(const SweepEvent& event) const = 0;
   virtual bool normal_fits(const SweepEvent& event, const double* normal) const = 0;
-  /// Of an event at an edge: the faces round the obstacle, its ends (twice the same: a vertex), its direction, and what of kind and
-  /// name is wrong.
+  /// Of an event at an edge: the faces round the obstacle, its ends (twice the same: a vertex), its direction, and what
+  /// of kind and name is wrong.
   virtual std::vector<int> faces_round(const SweepEvent& event) const = 0;
   virtual std::array<Vec, 2> ends_of(const SweepEvent& event) const = 0;
   virtual std::string wrong_name(const SweepEvent& event, const dsw_sweep& got) const = 0;
@@ -66,8 +67,8 @@ class Arena {
     return " no such event";
   }
 
-  /// Front, face, obstacle and tag alone, at an obstacle round which these faces lie. `alone`: what it may be where none of them is
-  /// impassable.
+  /// Front, face, obstacle and tag alone, at an obstacle round which these faces lie. `alone`: what it may be where
+  /// none of them is impassable.
   std::string wrong_wall(const dsw_sweep& got, const std::vector<int>& around,
                          const std::vector<dsw_cell_kind>& alone) const;
 

@@ -1,5 +1,5 @@
-// Back-edge elimination [JCD10] 6.2 and hybrid elimination 6.3: closed bodies that drift, swell and bend among the obstacles of
-// the swept scenes, every vertex's step against exact arithmetic.
+// Back-edge elimination [JCD10] 6.2 and hybrid elimination 6.3: closed bodies that drift, swell and bend among the
+// obstacles of the swept scenes, every vertex's step against exact arithmetic.
 #include "back_edges.h"
 
 #include "body_check.h"
@@ -91,8 +91,7 @@ class ClosedBody {
       for (size_t k = 0; k < 3; ++k) p[k] += drift[k] + swell * (p[k] - middle[k]) + bend * way * rng_.range(-1, 1);
       if (!finite(p)) return false;
     }
-    dsw_move_options options;
-    dsw_move_options_init(&options, sizeof options);
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.order = move.order.data();
     options.order_count = move.order.size();
     BodyAnswer answer;

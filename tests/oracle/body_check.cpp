@@ -73,7 +73,8 @@ void BodyChecker::placed(const BodyState& s, dsw_level level, const std::string&
   }
 }
 
-/// A reported contact against the true first events. Ids of edges and faces, by number, or null where they are not known.
+/// A reported contact against the true first events. Ids of edges and faces, by number, or null where they are not
+/// known.
 void BodyChecker::judge(const VertexMove& flight, const MoveTruth& truth, const dsw_contact& c, const std::string& what,
                         const std::vector<dsw_body_edge_id>* edges, const std::vector<dsw_body_face_id>* faces) {
   const double time = truth.events[0].time;

@@ -99,8 +99,7 @@ bool Course::create(BodyChecker& checker, Bodies& source, SweepReport& faults, u
 }
 
 dsw_move_options Course::options_of(const BodyMove& move) {
-  dsw_move_options options;
-  dsw_move_options_init(&options, sizeof options);
+  dsw_move_options options = defaults(dsw_move_options_init);
   const double distances[] = {0, 0, -1, 1e-3 * arena_.size()};
   options.stand_off = distances[rng_.below(4)];
   if (move.all) options.search = DSW_SEARCH_ALL;

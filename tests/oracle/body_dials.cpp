@@ -37,8 +37,7 @@ double bisection_slope(uint64_t seed, BodyReport& report) {
     for (uint32_t depth = kFirst; depth <= kLast; ++depth) {
       dsw_body_id body;
       BodyAnswer answer;
-      dsw_move_options options;
-      dsw_move_options_init(&options, sizeof options);
+      dsw_move_options options = defaults(dsw_move_options_init);
       options.search = DSW_SEARCH_BISECTION;
       options.bisection_depth = depth;
       options.stand_off = -1;

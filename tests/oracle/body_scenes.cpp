@@ -130,7 +130,8 @@ BodyPlan Bodies::next() {
   return plan;
 }
 
-/// So that the obstacle comes to lie inside of what an edge or a face of the vertex sweeps, and the rest is free if possible.
+/// So that the obstacle comes to lie inside of what an edge or a face of the vertex sweeps, and the rest is free if
+/// possible.
 Vec Bodies::round_obstacle(const BodyState& s, size_t vertex) {
   const VertexMove all = s.flight(vertex, s.at[vertex]);
   Vec best = places_.target(s.at[vertex]);

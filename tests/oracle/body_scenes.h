@@ -6,8 +6,8 @@
 
 namespace dsw::oracle {
 
-/// Bodies and moves with a bias to what is exactly on something, and to what meets an obstacle with the inside of an edge
-/// or a face only.
+/// Bodies and moves with a bias to what is exactly on something, and to what meets an obstacle with the inside of an
+/// edge or a face only.
 class Bodies {
  public:
   Bodies(Arena& arena, Places& places, Rng& rng, dsw_level level)

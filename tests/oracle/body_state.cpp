@@ -69,8 +69,7 @@ BodyState state_of(const BodyPlan& plan) {
 
 dsw_status create_body(dsw_scene* scene, const BodyPlan& plan, dsw_level level, uint32_t flags,
                        const std::vector<dsw_volume_id>& hints, dsw_body_id* body) {
-  dsw_body_desc desc;
-  dsw_body_desc_init(&desc, sizeof desc);
+  dsw_body_desc desc = defaults(dsw_body_desc_init);
   std::vector<uint32_t> offsets = {0}, corners;
   for (const auto& f : plan.faces) {
     corners.insert(corners.end(), f.begin(), f.end());

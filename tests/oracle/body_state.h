@@ -1,6 +1,7 @@
 // Bodies as the public interface tells of them, and the calls that make, move and read one.
 #pragma once
 
+#include "defaults.h"
 #include "exact.h"
 
 #include <string>

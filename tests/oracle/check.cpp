@@ -137,8 +137,7 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
   } else if (known) {
     hint = world_.ids[static_cast<size_t>(walk.steps.empty() ? walk.cell : walk.steps[0].cell)];
   }
-  dsw_cast_options options;
-  dsw_cast_options_init(&options, sizeof options);
+  dsw_cast_options options = defaults(dsw_cast_options_init);
   if (known) options.flags |= DSW_CAST_START_KNOWN;
   if (way == kNoDetail) options.flags |= DSW_CAST_NO_DETAIL;
   options.max_cells = max_cells;
@@ -250,8 +249,7 @@ void Checker::move(dsw_scene* scene, dsw_particle_id particle, const Vec& target
     report_.mismatch(what + " no walk: " + walk.fault);
     return;
   }
-  dsw_cast_options options;
-  dsw_cast_options_init(&options, sizeof options);
+  dsw_cast_options options = defaults(dsw_cast_options_init);
   options.max_cells = max_cells;
   dsw_flight flight;
   std::memset(&flight, 0xee, sizeof flight);

@@ -1,6 +1,7 @@
 // Compares what the library answers with the oracle's answer, one flight at a time.
 #pragma once
 
+#include "defaults.h"
 #include "names.h"
 #include "rng.h"
 #include "scenes.h"

@@ -184,8 +184,7 @@ std::vector<Vec> Deformer::next_points() {
 }
 
 dsw_deform_options Deformer::next_options() {
-  dsw_deform_options options;
-  dsw_deform_options_init(&options, sizeof options);
+  dsw_deform_options options = defaults(dsw_deform_options_init);
   options.method = rng_.chance(0.75) ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE;
   options.response = static_cast<dsw_wall_response>(rng_.below(4u));
   if (options.method == DSW_DEFORM_END_STATE && options.response == DSW_WALL_HOLD) options.response = DSW_WALL_STOP;
@@ -266,7 +265,8 @@ void Deformer::add_parts(const Lodger& lodger, const BodyState& now, const Defor
   }
 }
 
-/// Whether a rigid body keeps its vertices, edges and distances, to 8 units in the last place of the largest coordinate.
+/// Whether a rigid body keeps its vertices, edges and distances, to 8 units in the last place of the largest
+/// coordinate.
 void Deformer::check_shape(const Lodger& lodger, const BodyState& now, const std::string& how) {
   if (!lodger.rigid) return;
   if (now.at != lodger.state.at) ++report_.rigid_moves;
@@ -366,9 +366,7 @@ bool Deformer::step() {
   if (!refused) {
     arrays_.push_back(std::move(next));
     if (arrays_.size() > 2) arrays_.erase(arrays_.begin());
-    for (size_t v = 0; v < now_.size(); ++v) {
-      std::copy_n(&arrays_.back()[dimension_ * v], dimension_, now_[v].begin());
-    }
+    for (size_t v = 0; v < now_.size(); ++v) std::copy_n(&arrays_.back()[dimension_ * v], dimension_, now_[v].begin());
   }
   d.now = now_;
   const double* points = nullptr;
@@ -389,8 +387,7 @@ bool Deformer::step() {
 }
 
 void Deformer::run(int count) {
-  dsw_scene_desc desc;
-  dsw_scene_desc_init(&desc, sizeof desc);
+  dsw_scene_desc desc = defaults(dsw_scene_desc_init);
   desc.features = DSW_FEATURE_DEFORMING;
   dsw_scene* scene = nullptr;
   if (dsw_scene_create(ground_.environment(), &desc, &scene) != DSW_STATUS_OK) {

@@ -1,5 +1,5 @@
-// The oracle's run of deformations: bodies and particles lie in small environments whose points go where a seed sends them. After
-// each deformation a new picture of the environment is made, and everything is looked at in that.
+// The oracle's run of deformations: bodies and particles lie in small environments whose points go where a seed sends
+// them. After each deformation a new picture of the environment is made, and everything is looked at in that.
 #pragma once
 
 #include "body_scenes.h"

@@ -81,9 +81,7 @@ void ExactSweeps::take_points(const std::vector<Vec>& all, const std::vector<int
   stamp_.assign(all.size(), 0);
   for (int v : used) {
     vertices_.push_back({v, box_of(all, {v})});
-    for (size_t k = 0; k < 3; ++k) {
-      points_[static_cast<size_t>(v)][k] = to_big(all[static_cast<size_t>(v)][k], need_);
-    }
+    for (size_t k = 0; k < 3; ++k) points_[static_cast<size_t>(v)][k] = to_big(all[static_cast<size_t>(v)][k], need_);
   }
 }
 

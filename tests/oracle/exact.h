@@ -1,7 +1,7 @@
-// The oracle's own, brute-force answer to "what is met when a vertex p of a body moves to p' while the other ends of its
-// edges and faces stay", in either dimension. Every obstacle is looked at, in integers over a common power of two; only boxes
-// that are apart skip one. All points of the body are shifted by one and the same s = (e, e^2, e^3), in units of the
-// coordinates; values linear in s are kept as polynomials in e, and times are compared as their ratios.
+// The oracle's own, brute-force answer to "what is met when a vertex p of a body moves to p' while the other ends of
+// its edges and faces stay", in either dimension. Every obstacle is looked at, in integers over a common power of two;
+// only boxes that are apart skip one. All points of the body are shifted by one and the same s = (e, e^2, e^3), in
+// units of the coordinates; values linear in s are kept as polynomials in e, and times are compared as their ratios.
 #pragma once
 
 #include "mesh.h"
@@ -19,8 +19,8 @@ struct Shifted {
   void negate();
 };
 
-/// A moment in which what moves meets an obstacle: the moving vertex a triangle or, in the plane, a side; the inside of an
-/// edge an obstacle's edge or, in the plane, its vertex; or the inside of a face an obstacle's vertex.
+/// A moment in which what moves meets an obstacle: the moving vertex a triangle or, in the plane, a side; the inside of
+/// an edge an obstacle's edge or, in the plane, its vertex; or the inside of a face an obstacle's vertex.
 struct SweepEvent {
   int triangle = -1, side = 0;    // of the moving vertex: a triangle or a side, by number; side: +1: out of its cell[0]
   int edge = -1, a = -1, b = -1;  // of edge number `edge`: the two vertices, a < b

@@ -1,7 +1,10 @@
-// dartsweep_oracle [--casts N] [--plane N] [--plane-sweeps N] [--plane-deformations N] [--sweeps N] [--bodies N [--level L] [--scene-seed S]] [--back-edges N] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json FILE]
+// dartsweep_oracle [--casts N] [--plane N] [--plane-sweeps N] [--plane-deformations N] [--sweeps N] [--bodies N
+// [--level L] [--scene-seed S]] [--back-edges N] [--seed S] [--quick] [--only SCENE] [--print N] [--stuck] [--json
+// FILE]
 // Casts, locates and particle moves, swept edges, and moves of bodies (N: of single vertices, at each level), in many
 // small environments, each compared with exact arithmetic; --plane: casts and particle moves in the plane;
-// --back-edges: moves of closed bodies with back-edge elimination; --plane-sweeps: swept edges and bodies there; --plane-deformations: with walls that move. Without any of these: casts.
+// --back-edges: moves of closed bodies with back-edge elimination; --plane-sweeps: swept edges and bodies there;
+// --plane-deformations: with walls that move. Without any of these: casts.
 #include "back_edges.h"
 #include "body_run.h"
 #include "deform_run.h"

@@ -1,4 +1,4 @@
-// libccd's second opinion on the normals of contacts: on how many of them it has one, and how far the two normals are apart.
+// libccd's second opinion on the normals of contacts: how many it has, and how far both normals are apart.
 #pragma once
 
 #include "mesh.h"

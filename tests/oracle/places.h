@@ -1,4 +1,5 @@
-// Where bodies and swept edges are put and sent, in either dimension: with a bias to everything that is exactly on something.
+// Where bodies and swept edges are put and sent, in either dimension: with a bias to everything that is exactly on
+// something.
 #pragma once
 
 #include "mesh.h"

@@ -32,8 +32,7 @@ class Scene {
     const std::string fault = plane::mark(world_, environment_.get(), {0.1, 0.1, 0}, rng_, vertices);
     if (!fault.empty()) return wrong(fault);
     dsw_scene* scene = nullptr;
-    dsw_scene_desc desc;
-    dsw_scene_desc_init(&desc, sizeof desc);
+    dsw_scene_desc desc = defaults(dsw_scene_desc_init);
     desc.features = rng_.chance(0.5) ? uint32_t{DSW_FEATURE_STATISTICS} : 0;
     if (dsw_scene_create(environment_.get(), &desc, &scene) != DSW_STATUS_OK) return wrong(dsw_last_error_message());
     const ScenePtr owner(scene);
@@ -175,8 +174,7 @@ class Scene {
     ++report_.casts;
     const Flight truth = plane::cast(world_, cell, p, q);
     dsw_flight flight;
-    dsw_cast_options options;
-    dsw_cast_options_init(&options, sizeof options);
+    dsw_cast_options options = defaults(dsw_cast_options_init);
     const bool known = rng_.chance(0.5);
     if (known) options.flags |= uint32_t{DSW_CAST_START_KNOWN};
     const dsw_volume_id start = known ? id_of(cell) : any_hint();

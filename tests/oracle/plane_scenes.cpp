@@ -158,7 +158,8 @@ void dual(const World& of, World& world) {
   }
 }
 
-/// A square cut by lines, each through one cell only: where a cut ends, the neighbour has a vertex in a row with others.
+/// A square cut by lines, each through one cell only: where a cut ends, the neighbour has a vertex in a row with
+/// others.
 void cut(Rng& rng, World& world, int count) {
   world.points = {{0, 0}, {64, 0}, {64, 64}, {0, 64}};
   world.cells = {{0, 1, 2, 3}};

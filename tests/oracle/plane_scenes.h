@@ -1,4 +1,5 @@
-// Meshes in the plane: triangles, quads that need not be convex, polygons of many kinds, slivers; and their environments.
+// Meshes in the plane: triangles, quads that need not be convex, polygons of many kinds, slivers; and their
+// environments.
 #pragma once
 
 #include "check.h"

@@ -1,5 +1,5 @@
-// The truth about a swept edge in the plane once more, by other means: all body points really are moved, by (e, e^2) with an e so
-// small that nothing comes closer to zero; and what is met is where two lines cross, in rationals.
+// The truth about a swept edge in the plane once more, by other means: all body points really are moved, by (e, e^2)
+// with an e so small that nothing comes closer to zero; and what is met is where two lines cross, in rationals.
 #pragma once
 
 #include "arena.h"

@@ -20,8 +20,7 @@ EnvironmentPtr make_environment(const Turn& turn, const World& world, Rng& rng, 
     connectivity.insert(connectivity.end(), cell.begin(), cell.end());
     offsets.push_back(static_cast<int64_t>(connectivity.size()));
   }
-  dsw_environment_desc desc;
-  dsw_environment_desc_init(&desc, sizeof desc);
+  dsw_environment_desc desc = defaults(dsw_environment_desc_init);
   desc.dimension = 2;
   desc.points = points.data();
   desc.point_count = world.points.size();

@@ -1,5 +1,6 @@
-// The oracle's picture of an environment in the plane and its own, brute-force answer to "where is this point" and "what does this segment
-// cross". Exact: integers over a common power of two. Body points are shifted by (e, e^2); a cell is what its sides enclose.
+// The oracle's picture of an environment in the plane and its own, brute-force answer to "where is this point" and
+// "what does this segment cross". Exact: integers over a common power of two. Body points are shifted by (e, e^2); a
+// cell is what its sides enclose.
 #pragma once
 
 #include "numbers.h"
@@ -48,7 +49,8 @@ bool contains(const World& world, int cell, const Vec& p);
 int locate(const World& world, const Vec& p);
 /// Follows p -> q from the cell of p, which is passable.
 Flight cast(const World& world, int start, const Vec& p, const Vec& q);
-/// Whether each side of a cell has this point strictly on its left, and all of them go round it once; a triangle needs no such point.
+/// Whether each side of a cell has this point strictly on its left, and all of them go round it once; a triangle needs
+/// no such point.
 bool is_star_of(const World& world, int cell, const Vec& centre);
 /// Twice the area of all cells and twice what the sides on the outer boundary enclose, over a common power of two.
 void double_areas(const World& world, Big* cells, Big* enclosed);

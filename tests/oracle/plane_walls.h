@@ -1,5 +1,6 @@
-// What moving walls of the plane meet, exactly: the sweeps of exact.h turned round. What moves there is a wall's vertex, the obstacle is
-// a part of a body; all of it is mirrored, since the shift of the one is minus that of the other.
+// What moving walls of the plane meet, exactly: the sweeps of exact.h turned round. What moves there is a wall's
+// vertex, the obstacle is a part of a body; all of it is mirrored, since the shift of the one is minus that of the
+// other.
 #pragma once
 
 #include "deform_ground.h"
@@ -18,8 +19,8 @@ class Obstacle {
   std::optional<double> met_by_vertex(const Vec& from, const Vec& to);
   /// When a wall's side from a vertex on its way to `other` meets the point.
   std::optional<double> met_by_side(const Vec& from, const Vec& to, const Vec& other);
-  /// How often, in the sense of its turn, a side passes the point while its ends go from one place to the next: whatever their order,
-  /// that is the same.
+  /// How often, in the sense of its turn, a side passes the point while its ends go from one place to the next:
+  /// whatever their order, that is the same.
   int passed_by_side(const std::array<Vec, 2>& from, const std::array<Vec, 2>& to);
 
  private:
@@ -34,8 +35,8 @@ class WallJudge {
  public:
   WallJudge(const plane::World& world, const std::vector<int>& marked_vertices, const Deformed& deformed);
 
-  /// Whether it is known where all walls went, and the part was at rest. Only if all of the environment was valid before and after: walls
-  /// far away, which nobody looks at, may pass over anything while it is not.
+  /// Whether it is known where all walls went, and the part was at rest. Only if all of the environment was valid
+  /// before and after: walls far away, which nobody looks at, may pass over anything while it is not.
   bool knows(const Part& part) const;
   /// What passed it; empty if nothing did.
   std::string passed(const Part& part) const;

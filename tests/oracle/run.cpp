@@ -88,8 +88,7 @@ void one_scene(const Turn& turn, uint64_t seed, uint64_t casts, Report& report) 
     report.mismatch(world.fault());
     return;
   }
-  dsw_scene_desc desc;
-  dsw_scene_desc_init(&desc, sizeof desc);
+  dsw_scene_desc desc = defaults(dsw_scene_desc_init);
   const bool crossings = rng.chance(0.5);
   desc.features = rng.chance(0.5) ? uint32_t{DSW_FEATURE_STATISTICS} : 0;
   if (crossings) desc.features |= uint32_t{DSW_FEATURE_CROSSINGS};
@@ -179,9 +178,7 @@ Vec Motions::site() {
       for (double& x : p) x = rng_.chance(0.5) ? std::nextafter(x, rng_.chance(0.5) ? DBL_MAX : -DBL_MAX) : x;
       return p;
     default: {
-      for (size_t k = 0; k < 3; ++k) {
-        p[k] = world_.lower[k] + rng_.unit() * (world_.upper[k] - world_.lower[k]);
-      }
+      for (size_t k = 0; k < 3; ++k) p[k] = world_.lower[k] + rng_.unit() * (world_.upper[k] - world_.lower[k]);
       if (rng_.chance(0.3)) p = {p[0], corner(i)[1], p[2]};
       return p;
     }

@@ -241,6 +241,11 @@ Mesh scaled(Mesh mesh, double x, double y, double z) {
   return mesh;
 }
 
+Mesh warped(Mesh mesh, Rng& rng, double by) {
+  jitter(mesh, rng, by * kSide);
+  return mesh;
+}
+
 Mesh make_hex(Rng& rng) { return grid(rng); }
 Mesh make_hex_sheared(Rng& rng) {
   Mesh mesh = grid(rng);
@@ -252,11 +257,7 @@ Mesh make_hex_warped_lattice(Rng& rng) {
   jitter_lattice(mesh, rng, 3);
   return maybe_sheared(std::move(mesh), rng);
 }
-Mesh make_hex_warped(Rng& rng) {
-  Mesh mesh = grid(rng);
-  jitter(mesh, rng, 0.2 * kSide);
-  return mesh;
-}
+Mesh make_hex_warped(Rng& rng) { return warped(grid(rng), rng, 0.2); }
 Mesh make_tet_kuhn(Rng& rng) { return maybe_sheared(kuhn_grid(rng), rng); }
 Mesh make_tet_lattice(Rng& rng) { return delaunay(rng, rng.between(8, 16), rng.chance(0.5) ? 16 : 64); }
 Mesh make_tet_random(Rng& rng) {
@@ -264,23 +265,11 @@ Mesh make_tet_random(Rng& rng) {
 }
 Mesh make_tet_slivers(Rng& rng) { return scaled(delaunay(rng, rng.between(8, 16), 1000), 1, 1.1, 1e-12); }
 Mesh make_pyramids(Rng& rng) { return maybe_sheared(pyramids_grid(rng), rng); }
-Mesh make_pyramids_warped(Rng& rng) {
-  Mesh mesh = pyramids_grid(rng);
-  jitter(mesh, rng, 0.1 * kSide);
-  return mesh;
-}
+Mesh make_pyramids_warped(Rng& rng) { return warped(pyramids_grid(rng), rng, 0.1); }
 Mesh make_prisms(Rng& rng) { return maybe_sheared(prisms_grid(rng), rng); }
-Mesh make_prisms_warped(Rng& rng) {
-  Mesh mesh = prisms_grid(rng);
-  jitter(mesh, rng, 0.15 * kSide);
-  return mesh;
-}
+Mesh make_prisms_warped(Rng& rng) { return warped(prisms_grid(rng), rng, 0.15); }
 Mesh make_polyhedra(Rng& rng) { return maybe_sheared(truncated_grid(rng), rng); }
-Mesh make_polyhedra_warped(Rng& rng) {
-  Mesh mesh = truncated_grid(rng);
-  jitter(mesh, rng, 0.04 * kSide);
-  return mesh;
-}
+Mesh make_polyhedra_warped(Rng& rng) { return warped(truncated_grid(rng), rng, 0.04); }
 Mesh make_polyhedra_merged(Rng& rng) { return maybe_sheared(merged_columns(rng), rng); }
 Mesh make_voronoi(Rng& rng) { return scaled(voronoi(rng, 0), 1.0 / 1024, 1.0 / 1024, 1.0 / 1024); }
 Mesh make_voronoi_warped(Rng& rng) { return scaled(voronoi(rng, 0.3), 1.0 / 1024, 1.0 / 1024, 1.0 / 1024); }
@@ -329,50 +318,43 @@ void shuffle_cells(Mesh& mesh, Rng& rng) {
   for (size_t i = mesh.cells.size(); i > 1; --i) std::swap(mesh.cells[i - 1], mesh.cells[rng.below(i)]);
 }
 
-const char* transform_name(Transform t) {
+namespace {
+
+struct Transformation {
+  const char* name;
+  double factor, offset;
+};
+
+Transformation transformation_of(Transform t) {
   switch (t) {
     case Transform::kFar:
-      return "+1e8";
+      return {"+1e8", 1, 1e8};
     case Transform::kLarge:
-      return "*1e100";
+      return {"*1e100", 1e100, 0};
     case Transform::kSmall:
-      return "*1e-100";
+      return {"*1e-100", 1e-100, 0};
     case Transform::kPower:
-      return "*2^900";
+      return {"*2^900", 0x1p900, 0};
     case Transform::kDenormal:
-      return "*2^-1074";
-    case Transform::kCoarse:
-      return "+2^52";
+      return {"*2^-1074", 0x1p-1074, 0};
+    case Transform::kCoarse:  // neighbouring doubles are 1 apart
+      return {"+2^52", 1, 0x1p52 + 0x1p20};
     case Transform::kVast:
-      return "*1e300";
+      return {"*1e300", 1e300, 0};
     case Transform::kTiny:
-      return "*1e-300";
+      return {"*1e-300", 1e-300, 0};
     default:
-      return "";
+      return {"", 1, 0};
   }
 }
 
+}  // namespace
+
+const char* transform_name(Transform t) { return transformation_of(t).name; }
+
 double transformed(double x, Transform t) {
-  switch (t) {
-    case Transform::kFar:
-      return x + 1e8;
-    case Transform::kLarge:
-      return x * 1e100;
-    case Transform::kSmall:
-      return x * 1e-100;
-    case Transform::kPower:
-      return std::ldexp(x, 900);
-    case Transform::kDenormal:
-      return std::ldexp(x, -1074);
-    case Transform::kCoarse:  // neighbouring doubles are 1 apart
-      return x + (0x1p52 + 0x1p20);
-    case Transform::kVast:
-      return x * 1e300;
-    case Transform::kTiny:
-      return x * 1e-300;
-    default:
-      return x;
-  }
+  const Transformation by = transformation_of(t);
+  return by.offset != 0 ? x + by.offset : x * by.factor;
 }
 
 void apply_transform(Mesh& mesh, Transform t) {

@@ -29,9 +29,11 @@ Mesh hex_grid(const std::vector<double>& x, const std::vector<double>& y, const 
 std::vector<double> axis(int n, double s);
 /// Delaunay tetrahedra of random integer points in 0 .. size.
 Mesh delaunay(Rng& rng, int points, int size);
-/// Voronoi cells of random points; `share`: how far their vertices are drawn away from where they belong, which leaves no face flat.
+/// Voronoi cells of random points; `share`: how far their vertices are drawn away from where they belong, which leaves
+/// no face flat.
 Mesh voronoi(Rng& rng, double share);
-/// Whether some face has no triangulation that keeps the stars of its volumes positive: then creation may refuse the mesh.
+/// Whether some face has no triangulation that keeps the stars of its volumes positive: then creation may refuse the
+/// mesh.
 bool may_be_refused(const Mesh& mesh);
 /// The same mesh with its cells in another order.
 void shuffle_cells(Mesh& mesh, Rng& rng);

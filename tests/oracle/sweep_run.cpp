@@ -30,8 +30,7 @@ void call(const Arena& arena, const dsw_environment* environment, const std::vec
     starts.push_back(known ? right : rng.chance(0.4) ? dsw_volume_id{0, 0} : ids[rng.below(ids.size())]);
   }
   const bool any_start = flags != 0 || rng.chance(0.8);
-  dsw_sweep_options options;
-  dsw_sweep_options_init(&options, sizeof options);
+  dsw_sweep_options options = defaults(dsw_sweep_options_init);
   options.flags = flags;
   const auto ask = [&](size_t first, size_t count, dsw_sweep* reports) {
     std::memset(reports, 0xee, count * sizeof *reports);

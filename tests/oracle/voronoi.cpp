@@ -1,5 +1,5 @@
-// Voronoi cells: polyhedra with many faces, some of them tiny. Their vertices are circumcentres of Delaunay tetrahedra, rounded,
-// so that hardly any face is flat.
+// Voronoi cells: polyhedra with many faces, some of them tiny. Their vertices are circumcentres of Delaunay tetrahedra,
+// rounded, so that hardly any face is flat.
 #include "scenes.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ Vec cross(const Vec& a, const Vec& b) {
 }
 double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// The dual of tetrahedra: a vertex for each, at its circumcentre and for a share at its barycentre, and a cell for each point inside.
+/// The dual of tetrahedra: a vertex for each, at its circumcentre and for a share at its barycentre; a cell a point.
 Mesh dual(const Mesh& tets, double share) {
   Mesh mesh;
   std::map<std::array<int, 2>, std::vector<size_t>> round_edge;

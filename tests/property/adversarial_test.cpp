@@ -224,8 +224,7 @@ EnvironmentPtr row(bool wedges) {
       for (int32_t v : {a, a + 1, a + 2, a + 3, b, b + 1, b + 2, b + 3}) cells.push_back(v);
     }
   }
-  dsw_environment_desc desc;
-  dsw_environment_desc_init(&desc, sizeof desc);
+  dsw_environment_desc desc = defaults(dsw_environment_desc_init);
   desc.index_bytes = 4;
   desc.points = points.data();
   desc.point_count = points.size() / 3;
@@ -280,8 +279,7 @@ TEST(AdversarialLongTest, AMillionHexahedraInOneFlight) {
   }
   EXPECT_EQ(wrong, 0u);
   // A work limit in the middle of it.
-  dsw_cast_options options;
-  dsw_cast_options_init(&options, sizeof options);
+  dsw_cast_options options = defaults(dsw_cast_options_init);
   options.max_cells = 1000;
   ASSERT_EQ(dsw_environment_cast(environment.get(), {0, 0}, rows[0][0], rows[0][1], &options, &flight), DSW_STATUS_OK);
   EXPECT_EQ(flight.outcome, DSW_OUTCOME_WORK_LIMIT);

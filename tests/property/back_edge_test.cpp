@@ -1,5 +1,5 @@
-// Back-edge elimination [JCD10] 6.2 and 6.3: what is left out, what is found all the same, and why it is for DSW_LEVEL_EDGES alone.
-// The oracle (--back-edges) compares random bodies with exact arithmetic.
+// Back-edge elimination [JCD10] 6.2 and 6.3: what is left out, what is found all the same, and why it is for
+// DSW_LEVEL_EDGES alone. The oracle (--back-edges) compares random bodies with exact arithmetic.
 #include "body_check.h"
 #include "body_support.h"
 #include "space_arena.h"
@@ -7,7 +7,7 @@
 namespace dsw::oracle {
 namespace {
 
-/// The frustum of a pyramid with square base and top, in the middle of the grid; the sides look up. Vertices 0 to 3 are the top's.
+/// The frustum of a square pyramid in the middle of the grid; the sides look up. Vertices 0 to 3 are the top's.
 BodyPlan frustum(double bottom, double top, double low, double high) {
   BodyPlan plan;
   for (const auto& [half, z] : {std::pair{top, high}, std::pair{bottom, low}}) {
@@ -40,7 +40,7 @@ class BackEdgeTest : public BodyTest {
 
 TEST_F(BackEdgeTest, EdgesTowardsTheInsideAreLeftOut) {
   const BodyPlan plan = frustum(0.9, 0.6, 0.5, 1.5);  // 18 edges: 5 of the top, 5 of the bottom, 8 of the sides
-  // Down: the top's vertices go inwards, its edges are not tested, nor those of the sides before the bottom's vertices move.
+  // Down: the top's vertices go inwards, its edges are not tested, nor the sides' before the bottom's vertices move.
   const BodyAnswer down = lift(plan, -0.125, DSW_BODY_SKIP_BACK_EDGES);
   EXPECT_EQ(down.report.edges_swept, 36u);
   EXPECT_EQ(down.report.edges_skipped, 10u + 8u);
@@ -78,8 +78,9 @@ TEST_F(BackEdgeTest, AnEdgeThatIsNotFreeWhereItArrivesIsFound) {
   EXPECT_EQ(bits[0], bits[1]);
 }
 
-/// Why faces are not left out in this way: p moves inwards, further than its body is thick. Its faces come out on the other side and meet
-/// what lies there, although nothing impassable was inside of the body. See sweep/README.md for where they would lose nothing.
+/// Why faces are not left out in this way: p moves inwards, further than its body is thick. Its faces come out on the
+/// other side and meet what lies there, although nothing impassable was inside of the body. See sweep/README.md for
+/// where they would lose nothing.
 TEST_F(BackEdgeTest, AFaceThatMovesInwardsCanMeetWhatLiesBehindAThinBody) {
   const dsw_vertex_id marked = {point(2, 2, 1), 1};
   ASSERT_EQ(dsw_environment_mark_vertices(place_.get(), &marked, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);

@@ -20,8 +20,7 @@ class BodyCreateTest : public BodyTest {
   dsw_body_desc segment_desc() {
     static const double positions[6] = {0.5, 0.5, 0.5, 0.75, 0.5, 0.5};
     static const uint32_t edges[2] = {0, 1};
-    dsw_body_desc d;
-    dsw_body_desc_init(&d, sizeof d);
+    dsw_body_desc d = defaults(dsw_body_desc_init);
     d.positions = positions;
     d.vertex_count = 2;
     d.edges = edges;
@@ -157,9 +156,7 @@ TEST_F(BodyCreateTest, IndicesAreThoseGivenAndEdgesOfFacesFollow) {
   const BodyState state = read(make(plan));
   const BodyState want = state_of(plan);
   ASSERT_EQ(state.edges.size(), 5u);  // the square's four and its diagonal
-  for (uint32_t i = 0; i < 5; ++i) {
-    EXPECT_TRUE(state.edge_ids[i].index == i && state.edge_ids[i].generation == 1);
-  }
+  for (uint32_t i = 0; i < 5; ++i) EXPECT_TRUE(state.edge_ids[i].index == i && state.edge_ids[i].generation == 1);
   for (uint32_t i = 0; i < 4; ++i) {
     EXPECT_TRUE(state.vertices[i].index == i && state.vertices[i].generation == 1);
     EXPECT_TRUE(same(state.volumes[i], cube(0, 0, 0)));

@@ -26,7 +26,7 @@ TEST_F(BodyMemoryTest, MovingABody) {
       const dsw_body_id body = make(plan, level, flags), twin = make(plan, level, flags);
       std::vector<Vec> targets = plan.at;
       for (Vec& p : targets) p = {p[0] + 2.25, p[1] + 0.125, p[2]};
-      dsw_move_options options = default_options();
+      dsw_move_options options = defaults(dsw_move_options_init);
       options.vertex_response = DSW_RESPONSE_SLIDE;
       options.edge_response = flags == 0 ? DSW_RESPONSE_ADAPTIVE_MANY : DSW_RESPONSE_ADAPTIVE_SLIDE;
       const std::string before = bits_of(read(body));
@@ -103,7 +103,7 @@ TEST_F(BodyMemoryTest, AMoveThatFailedLeavesContactsAndTheirHistory) {
   ASSERT_EQ(first.contacts.size(), 1u);
   const dsw_contact* contacts = nullptr;
   size_t count = 0;
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.search = DSW_SEARCH_ALL;
   until_it_succeeds(
       [&] { return dsw_body_move(scene(), body, to[0].data(), to.size(), 0, &options, nullptr); },
@@ -141,7 +141,8 @@ TEST_F(BodyMemoryTest, ARigidMove) {
                     [&] { return bits_of(read(body)) == before; });
 }
 
-// A move that fails while casts wait in its wave must not leave them to the next one, which has other targets and may be smaller.
+// A move that fails while casts wait in its wave must not leave them to the next one, which has other targets and may
+// be smaller.
 TEST_F(BodyMemoryTest, AMoveThatFailedLeavesNoCastsBehind) {
   scene_ = make_scene(place_.get(), DSW_FEATURE_STATISTICS);
   const auto casts = [&] {

@@ -46,7 +46,7 @@ TEST_F(BodyMoveTest, ArgumentsThatAreRefusedChangeNothing) {
   refuse(DSW_STATUS_NON_FINITE, body, {kA, {0.5, NAN, 0.5}}, 2, 0, nullptr);
   refuse(DSW_STATUS_NON_FINITE, body, {kA, {0.5, HUGE_VAL, 0.5}}, 2, 0, nullptr);
   const auto with = [&](dsw_status status, auto set) {
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     set(options);
     refuse(status, body, back, 2, 0, &options);
   };
@@ -67,7 +67,7 @@ TEST_F(BodyMoveTest, ArgumentsThatAreRefusedChangeNothing) {
 
 TEST_F(BodyMoveTest, TargetsOfVerticesThatDoNotMoveAreNotRead) {
   const dsw_body_id body = make({{kA, kB, {0.5, 0.75, 0.5}}, {{0, 1}}, {}});
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   const uint32_t order[] = {1};
   options.order = order;
   options.order_count = 1;
@@ -187,7 +187,7 @@ TEST_F(BodyMoveTest, AStopLastsWhicheverObstaclesWereListedBesideIt) {
   mark_wire(3, 2, 1);
   const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {3.75, 1.5, 1.5};
   const dsw_body_id body = make(segment(from, fixed));
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.search = DSW_SEARCH_ALL;
   ASSERT_EQ(move(body, {to, fixed}, &options).contacts.size(), 2u);
   const BodyAnswer again = move(body, {to, fixed});
@@ -200,7 +200,7 @@ TEST_F(BodyMoveTest, AllObstaclesUnderTheEdgeComeInTheirOrder) {
   mark_wire(3, 2, 1);
   const Vec from = {1.5, 1.5, 1.5}, fixed = {2.5, 2.75, 1.5}, to = {3.75, 1.5, 1.5};
   const dsw_body_id body = make(segment(from, fixed)), twin = make(segment(from, fixed));
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.search = DSW_SEARCH_ALL;
   const BodyAnswer all = move(body, {to, fixed}, &options), exact = move(twin, {to, fixed});
   ASSERT_EQ(all.contacts.size(), 2u);
@@ -218,7 +218,7 @@ TEST_F(BodyMoveTest, HalvingEndsBetweenAFreePlaceAndOneThatIsNot) {
   mark_wall(1, 2, 2);
   mark_wire(3, 3, 1);
   Rng rng(17);
-  dsw_move_options options = default_options(), exact = options;
+  dsw_move_options options = defaults(dsw_move_options_init), exact = options;
   options.search = DSW_SEARCH_BISECTION;
   options.bisection_depth = 12;
   options.stand_off = exact.stand_off = -1;
@@ -278,7 +278,7 @@ TEST_F(BodyMoveTest, AllObstaclesAtEdgesAreThoseOfTheEdgesThatWereHit) {
   const BodyPlan plan = {{{0.5, 0.5, 1.5}, {1.25, 2.25, 1.5}, {2.75, 2.5, 1.5}}, {{0, 1}, {0, 2}}, {}};
   const std::vector<Vec> to = {{3.5, 0.5, 1.5}, plan.at[1], plan.at[2]};
   const dsw_body_id body = make(plan, DSW_LEVEL_EDGES), twin = make(plan, DSW_LEVEL_EDGES);
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.search = DSW_SEARCH_ALL;
   const BodyAnswer exact = move(twin, to), all = move(body, to, &options);
   ASSERT_EQ(exact.contacts.size(), 1u);
@@ -294,7 +294,7 @@ TEST_F(BodyMoveTest, AnInsertedVertexIsReportedAndSplitsItsEdge) {
   for (dsw_response response :
        {DSW_RESPONSE_ADAPTIVE_ONE, DSW_RESPONSE_ADAPTIVE_MANY, DSW_RESPONSE_HYBRID, DSW_RESPONSE_ADAPTIVE_SLIDE}) {
     const dsw_body_id body = make(segment(from, fixed));
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.edge_response = response;
     const BodyAnswer answer = move(body, {to, fixed}, &options);
     EXPECT_GE(answer.contacts.size(), 1u);
@@ -316,7 +316,7 @@ TEST(BodySlideTest, TargetsAtTheEndOfTheDoublesLeaveNumbers) {
   const Mesh mesh = delaunay(rng, 14, 64);
   const EnvironmentPtr environment = create_environment(mesh);
   const ScenePtr scene = make_scene(environment.get());
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.vertex_response = DSW_RESPONSE_SLIDE;
   options.edge_response = DSW_RESPONSE_SLIDE;
   for (int i = 0; i < 200; ++i) {
@@ -399,8 +399,8 @@ TEST_F(BodyRigidTest, MotionsThatAreNone) {
   EXPECT_EQ(everything(body), before);
 }
 
-// Vertex 0 is stopped halfway by the edge to vertex 1, so that the volumes noted for the edge to vertex 2 are not those that it
-// crosses. Then its path enters one more volume, and between that and what was noted stands an obstacle.
+// Vertex 0 is stopped halfway by the edge to vertex 1, so that the volumes noted for the edge to vertex 2 are not those
+// that it crosses. Then its path enters one more volume, and between that and what was noted stands an obstacle.
 TEST_F(BodyMoveTest, ASequenceThatTheEdgeDoesNotCrossAnyMoreIsNotContinued) {
   mark_volume(cube(1, 1, 1));
   const Vec u = {0.5, 1.5, 1.5}, q = {3.1, 1.55, 1.5};
@@ -419,8 +419,8 @@ TEST_F(BodyMoveTest, ASequenceThatTheEdgeDoesNotCrossAnyMoreIsNotContinued) {
   }
 }
 
-// A thin wedge whose edge runs through the origin, in volumes so large that distances to it are rounded by more than its distance
-// from the body: what is measured must not pass for clear.
+// A thin wedge whose edge runs through the origin, in volumes so large that distances to it are rounded by more than
+// its distance from the body: what is measured must not pass for clear.
 TEST(BodyClearanceTest, DistancesInHugeVolumesAreNotTrusted) {
   const double size = 1e13, far = 1e-3, turn = std::acos(-1.0) / 180;
   Rng rng(5);
@@ -476,7 +476,7 @@ TEST_F(BodyMoveTest, TheWorkLimitStopsTheSameMovesWithAndWithoutWhatIsLossless) 
     for (uint32_t flags = 0; flags < 8; ++flags) {
       const dsw_body_id body = make({at, {{0, 1}}, {}}, level, flags);
       EXPECT_EQ(move(body, to).report.vertices_stopped, 0u);
-      dsw_move_options options = default_options();
+      dsw_move_options options = defaults(dsw_move_options_init);
       options.max_cells = 2;
       const BodyAnswer answer = move(body, further, &options);
       EXPECT_EQ(answer.report.vertices_stopped, 1u) << "level " << level << ", flags " << flags;
@@ -487,7 +487,7 @@ TEST_F(BodyMoveTest, TheWorkLimitStopsTheSameMovesWithAndWithoutWhatIsLossless) 
 
 TEST_F(BodyMoveTest, AStandOffBeyondAllDoublesInsertsNoVertexThere) {
   mark_wire(2, 2, 1);
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   for (double stand_off : {1e300, 1e307, 1.7e308}) {
     for (int i = 0; i < 64; ++i) {
       const double d = 0.37 * i / 64;

@@ -88,10 +88,4 @@ inline BodyPlan tetrahedron(const Vec& at, double size) {
   return {{at, corner(1, 0, 0), corner(0, 1, 0), corner(0, 0, 1)}, {}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
-inline dsw_move_options default_options() {
-  dsw_move_options options;
-  dsw_move_options_init(&options, sizeof options);
-  return options;
-}
-
 }  // namespace dsw::oracle

@@ -11,8 +11,7 @@ namespace {
 constexpr size_t kBodies = 40, kRounds = 6;
 
 dsw_move_options round_options(size_t round) {
-  dsw_move_options options;
-  dsw_move_options_init(&options, sizeof options);
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.vertex_response = round % 2 == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
   options.edge_response = static_cast<dsw_response>(round % 6);
   options.noise_share = round % 3 == 0 ? 0.05 : 0;
@@ -124,9 +123,7 @@ TEST(BodyBatchTest, WhatIsRefusedMovesNothing) {
   const ScenePtr scene = make_scene(environment.get());
   const BodyPlan plan = {{{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}}, {{0, 1}}, {}};
   dsw_body_id bodies[2];
-  for (dsw_body_id& b : bodies) {
-    ASSERT_EQ(create_body(scene.get(), plan, DSW_LEVEL_EDGES, 0, {}, &b), DSW_STATUS_OK);
-  }
+  for (dsw_body_id& b : bodies) ASSERT_EQ(create_body(scene.get(), plan, DSW_LEVEL_EDGES, 0, {}, &b), DSW_STATUS_OK);
   double targets[12];
   for (double& x : targets) x = 1.25;
   const auto refuse = [&](dsw_status status, const dsw_body_id* list, size_t count, size_t target_count,
@@ -143,8 +140,7 @@ TEST(BodyBatchTest, WhatIsRefusedMovesNothing) {
   refuse(DSW_STATUS_DUPLICATE_ID, twice, 2, 4, nullptr);
   refuse(DSW_STATUS_STALE_ID, stale, 2, 4, nullptr);
   refuse(DSW_STATUS_WRONG_SIZE, bodies, 2, 3, nullptr);
-  dsw_move_options options;
-  dsw_move_options_init(&options, sizeof options);
+  dsw_move_options options = defaults(dsw_move_options_init);
   const uint32_t order[] = {0};
   options.order = order;
   options.order_count = 1;

@@ -11,8 +11,8 @@
 namespace dsw::oracle {
 namespace {
 
-/// How often a surface turns round a point: crossings of a ray in a generic direction. The infinitesimal shift of the surface is a number,
-/// too small to matter but where a sign is 0 without it.
+/// How often a surface turns round a point: crossings of a ray in a generic direction. The infinitesimal shift of the
+/// surface is a number, too small to matter but where a sign is 0 without it.
 class Turns {
  public:
   Turns(const ClosedSurface& surface, Rng& rng) : surface_(surface), rng_(rng) {
@@ -137,8 +137,7 @@ TEST_P(CarveTest, WhatIsInsideIsCarvedAndNothingElse) {
     mark_most(rng);
     for (int round = 0; round < 3; ++round) {
       const ClosedSurface surface = some_surface(env(), place_.world->size, rng);
-      dsw_carve_desc desc;
-      dsw_carve_desc_init(&desc, sizeof desc);
+      dsw_carve_desc desc = defaults(dsw_carve_desc_init);
       desc.points = surface.points.data();
       desc.point_count = surface.points.size() / 3;
       desc.triangles = surface.triangles.data();

@@ -1,5 +1,5 @@
-// A coarsened environment is the same space in fewer cells: valid, exactly as large, and whatever flies, is swept or moves meets the
-// same faces at the same times.
+// A coarsened environment is the same space in fewer cells: valid, exactly as large, and whatever flies, is swept or
+// moves meets the same faces at the same times.
 #include "body_support.h"
 
 #include <gmpxx.h>
@@ -17,8 +17,7 @@ struct Coarse {
 
 Coarse coarsened(const Place& place, uint32_t max_faces) {
   Coarse coarse;
-  dsw_coarsen_options options;
-  dsw_coarsen_options_init(&options, sizeof options);
+  dsw_coarsen_options options = defaults(dsw_coarsen_options_init);
   options.max_faces = max_faces;
   coarse.report.struct_size = sizeof coarse.report;
   coarse.map.resize(place.world->ids.size());
@@ -30,7 +29,8 @@ Coarse coarsened(const Place& place, uint32_t max_faces) {
   return coarse;
 }
 
-/// Six times the volume inside of the triangles that a volume's tetrahedra are made of, exactly. Volumes of triangles only.
+/// Six times the volume inside of the triangles that a volume's tetrahedra are made of, exactly. Volumes of triangles
+/// only.
 mpq_class volume_of(const dsw_environment* environment, uint32_t index) {
   mpq_class sum = 0;
   uint32_t faces = 0;
@@ -142,8 +142,7 @@ TEST_P(CoarsenTest, SweptEdgesMeetTheSameAtTheSameTimes) {
     fixed.insert(fixed.end(), r.begin(), r.end());
   }
   std::vector<dsw_sweep> fine(kCount), other(kCount);
-  dsw_sweep_options options;
-  dsw_sweep_options_init(&options, sizeof options);
+  dsw_sweep_options options = defaults(dsw_sweep_options_init);
   options.level = DSW_LEVEL_EDGES_SWEPT;
   ASSERT_EQ(dsw_environment_sweep_edges(place_.get(), kCount, nullptr, from.data(), to.data(), fixed.data(), 0,
                                         &options, fine.data()),
@@ -162,7 +161,7 @@ TEST_P(CoarsenTest, BodiesMoveAsFarAndStayFree) {
   mark_some(place_, rng);
   const Coarse coarse = coarsened(place_, 16);
   ASSERT_NE(coarse.environment, nullptr);
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.stand_off = -1;  // by default a share of the cell's size
   Motions motions(*place_.world, rng);
   dsw_environment* const both[2] = {place_.get(), coarse.environment.get()};

@@ -1,5 +1,6 @@
-// libccd's second opinion on the normals of swept edges and of bodies at every level, on made and on real meshes and at three scales: on
-// how many contacts it has one, and how far the two normals are apart. Both figures are printed and have a bar.
+// libccd's second opinion on the normals of swept edges and of bodies at every level, on made and on real meshes and at
+// three scales: on how many contacts it has one, and how far the two normals are apart. Both figures are printed and
+// have a bar.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +19,7 @@ namespace {
 constexpr double kScales[] = {1e-3, 1, 1e6};
 constexpr double kDegrees = 180 / 3.14159265358979323846;
 
-/// Cells thinner than libccd's numbers reach (a layer of 1e-12): opinions are few, but where there is one it has to fit.
+/// Cells thinner than libccd's numbers reach (a layer of 1e-12): opinions are few, but they have to fit.
 const std::set<std::string> kThin = {"hex_thin", "tet_slivers", "waist_slivers"};
 
 struct AllFigures {

@@ -49,8 +49,7 @@ TEST_F(DeformTest, KeepsAFaceWithItsCornersInOneLine) {
   const BodyPlan plan{{{0.25, 0.5, 0.5}, {0.75, 2.5, 0.5}, {0.5, 1.5, 0.5}}, {}, {{0, 1, 2}}};
   const dsw_body_id body = make(plan, DSW_LEVEL_FACES);
   for (const dsw_deform_method method : {DSW_DEFORM_SWEPT, DSW_DEFORM_END_STATE}) {
-    dsw_deform_options options;
-    dsw_deform_options_init(&options, sizeof options);
+    dsw_deform_options options = defaults(dsw_deform_options_init);
     options.method = method;
     const std::vector<double> now = points_of(place_.get());
     std::vector<double>& next = arrays_[method == DSW_DEFORM_SWEPT ? 0 : 1];
@@ -85,8 +84,7 @@ TEST_F(DeformMemoryTest, NamingTheFeature) {
   scene_.reset();
   place_ = place_of(hex_grid(axis(4, 1), axis(4, 1), axis(3, 1)), 0, context_.get());
   const size_t before = memory_.alive;
-  dsw_scene_desc desc;
-  dsw_scene_desc_init(&desc, sizeof desc);
+  dsw_scene_desc desc = defaults(dsw_scene_desc_init);
   desc.features = DSW_FEATURE_DEFORMING;
   dsw_scene* made = nullptr;
   const size_t refusals = until_it_succeeds([&] { return dsw_scene_create(place_.get(), &desc, &made); },
@@ -109,8 +107,7 @@ TEST_F(DeformMemoryTest, Deforming) {
   for (int method : {DSW_DEFORM_SWEPT, DSW_DEFORM_END_STATE}) {
     for (int response : {DSW_WALL_PUSH, DSW_WALL_INSERT, DSW_WALL_HOLD, DSW_WALL_STOP}) {
       if (method == DSW_DEFORM_END_STATE && response == DSW_WALL_HOLD) continue;
-      dsw_deform_options options;
-      dsw_deform_options_init(&options, sizeof options);
+      dsw_deform_options options = defaults(dsw_deform_options_init);
       options.method = static_cast<dsw_deform_method>(method);
       options.response = static_cast<dsw_wall_response>(response);
       const std::vector<double> before = points_of(place_.get());
@@ -140,8 +137,9 @@ TEST_F(DeformMemoryTest, Deforming) {
   place_.environment.reset();  // before the arrays that it reads
 }
 
-/// One particle is pushed, and a wall that squeezes another one is held: what is held is listed last, when all else is done. A new
-/// scene for each refusal, since arrays that a refused call has grown stay so, and hide allocations from the next one.
+/// One particle is pushed, and a wall that squeezes another one is held: what is held is listed last, when all else is
+/// done. A new scene for each refusal, since arrays that a refused call has grown stay so, and hide allocations from
+/// the next one.
 TEST_F(DeformMemoryTest, RunningOutOfMemoryAtTheEndPutsBackWhatWasPushed) {
   const double at[2][3] = {{2.05, 1.5, 1.5}, {2.05, 3.5, 1.5}};
   dsw_status status = DSW_STATUS_OUT_OF_MEMORY;
@@ -154,9 +152,7 @@ TEST_F(DeformMemoryTest, RunningOutOfMemoryAtTheEndPutsBackWhatWasPushed) {
     mark_wall(1, 3, 1);
     mark_wall(2, 3, 1);
     dsw_particle_id particles[2];
-    for (int i = 0; i < 2; ++i) {
-      ASSERT_EQ(dsw_particle_create(scene(), at[i], {0, 0}, &particles[i]), DSW_STATUS_OK);
-    }
+    for (int i = 0; i < 2; ++i) ASSERT_EQ(dsw_particle_create(scene(), at[i], {0, 0}, &particles[i]), DSW_STATUS_OK);
     const std::vector<double> before = points_of(place_.get());
     std::vector<double> next = before;  // lent
     for (uint32_t z = 1; z <= 2; ++z) {
@@ -202,8 +198,7 @@ TEST_F(DeformMemoryTest, AFailureLeavesWhatTheOneBeforeHasDone) {
   ASSERT_GT(pushed[0], 2.1);
   const dsw_body_id body = make(tetrahedron({3.25, 1.5, 1.25}, 0.3), DSW_LEVEL_FACES);
   const std::string bits = bits_of(read(body));
-  dsw_deform_options options;
-  dsw_deform_options_init(&options, sizeof options);
+  dsw_deform_options options = defaults(dsw_deform_options_init);
   options.method = DSW_DEFORM_END_STATE;
   arrays[1] = arrays[0];
   const size_t refusals = until_it_succeeds(

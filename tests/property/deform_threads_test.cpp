@@ -68,8 +68,7 @@ TEST(DeformThreads, PushRigidBodiesTheSameWay) {
     for (int step = 0; step < 2; ++step) {
       arrays[step] = points_of(place.get());
       for (size_t p = 0; p < 81; ++p) arrays[step][3 * p + 2] = 0.3 * (step + 1) * std::sin(static_cast<double>(p * p));
-      dsw_deform_options options;
-      dsw_deform_options_init(&options, sizeof options);
+      dsw_deform_options options = defaults(dsw_deform_options_init);
       options.method = step == 0 ? DSW_DEFORM_SWEPT : DSW_DEFORM_END_STATE;
       dsw_deform_report report;
       ASSERT_EQ(dsw_scene_deform(scene.get(), arrays[step].data(), arrays[step].size() / 3, &options, &report),

@@ -1,5 +1,5 @@
-// Pieces of every kind of cell come off: random blobs, in what is passable, beside what is not, or cut out of what is impassable all
-// round. DSW_PIECES sets how many a scene has.
+// Pieces of every kind of cell come off: random blobs, in what is passable, beside what is not, or cut out of what is
+// impassable all round. DSW_PIECES sets how many a scene has.
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -74,8 +74,8 @@ class DetachTest : public SceneTest {
     return info.boundary_face_count;
   }
 
-  /// Of the piece as a solid that is pulled apart where it touches itself: corners, edges, faces and cells of all its cells, each once
-  /// for those that hang together through faces of the piece.
+  /// Of the piece as a solid that is pulled apart where it touches itself: corners, edges, faces and cells of all its
+  /// cells, each once for those that hang together through faces of the piece.
   int euler_number(const std::set<int>& piece) {
     std::map<std::array<int, 2>, size_t> corners;
     std::map<std::array<int, 3>, size_t> edges;
@@ -249,8 +249,7 @@ TEST_P(DetachTest, ItsSurfaceIsAFreeBodyWhereItWas) {
     marked.insert(piece.begin(), piece.end());
     mark(marked);
     const uint32_t before = boundary_faces(), cracks = part(piece);
-    dsw_detach_desc desc;
-    dsw_detach_desc_init(&desc, sizeof desc);
+    dsw_detach_desc desc = defaults(dsw_detach_desc_init);
     desc.volume = id(start);
     desc.max_volumes = piece.size();
     desc.level = static_cast<dsw_level>(1 + rng_.below(4));
@@ -343,8 +342,7 @@ TEST_P(DetachTest, WhatCutsPartComesOff) {
         const double share = rng_.range(0.35, 0.65), middle = share * info.lower[k] + (1 - share) * info.upper[k];
         for (int i = 0; i < 4; ++i) blade[i][k] = middle + (i < 2 ? -u[k] : u[k]) + (i % 2 == 0 ? -v[k] : v[k]);
       }
-      dsw_cut_desc desc;
-      dsw_cut_desc_init(&desc, sizeof desc);
+      dsw_cut_desc desc = defaults(dsw_cut_desc_init);
       desc.points = blade[0];
       desc.rows = desc.columns = 2;
       desc.flags = DSW_CUT_UNSEW;
@@ -353,8 +351,7 @@ TEST_P(DetachTest, WhatCutsPartComesOff) {
     if (dsw_environment_check(place_.get(), nullptr) != DSW_STATUS_OK) continue;
     scene_ = make_scene(place_.get());
     for (uint32_t i = 0; i < info.volume_count; i += 1 + info.volume_count / 3) {
-      dsw_detach_desc desc;
-      dsw_detach_desc_init(&desc, sizeof desc);
+      dsw_detach_desc desc = defaults(dsw_detach_desc_init);
       desc.level = static_cast<dsw_level>(1 + rng_.below(4));
       int impassable = 0;
       ASSERT_EQ(dsw_environment_get_volume(place_.get(), i, &desc.volume), DSW_STATUS_OK);

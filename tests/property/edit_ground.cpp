@@ -47,8 +47,7 @@ void create_some_body(dsw_scene* scene, const std::vector<Vec>& at, uint32_t num
 
 void create_some_body(dsw_scene* scene, const std::vector<plane::Vec>& at, uint32_t number) {
   const uint32_t edges[] = {0, 1, 1, 2, 2, 3, 3, 0};
-  dsw_body_desc desc;
-  dsw_body_desc_init(&desc, sizeof desc);
+  dsw_body_desc desc = defaults(dsw_body_desc_init);
   desc.positions = at[0].data();
   desc.vertex_count = at.size();
   desc.edges = edges;

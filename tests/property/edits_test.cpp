@@ -1,5 +1,5 @@
-// Random changes of the topology on every kind of cell, with particles and bodies inside. DSW_EDITS sets how many calls succeed over
-// all scenes; a few thousand where it is not set.
+// Random changes of the topology on every kind of cell, with particles and bodies inside. DSW_EDITS sets how many calls
+// succeed over all scenes; a few thousand where it is not set.
 #include <cstdlib>
 #include <iostream>
 
@@ -23,7 +23,7 @@ void keeps_everything_in_its_place(const std::string& scene) {
   constexpr size_t kExact = 50;   // and how often that is checked in exact integers
   EditTally sums[static_cast<size_t>(Operation::kCount)];
   size_t done = 0, exact_checks = 0;
-  // Cuts can leave an outer boundary that crosses itself by a rounding, and then there is no partition to check: on to another one.
+  // Cuts can leave an outer boundary that crosses itself by a rounding, and then there is no partition to check.
   for (uint64_t seed = 1; done < wanted || (exact_checks == 0 && seed < 30); ++seed) {
     RandomEdits<D> edits(scene, seed);
     if (edits.environment() == nullptr) continue;
@@ -124,9 +124,7 @@ void goes_on_with_the_same_bits(const std::string& scene) {
     RandomEdits<D> edits(scene, seed, nullptr, features), copy(scene, seed, nullptr, features);
     if (edits.environment() == nullptr) continue;
     for (int round = 0; round < 5; ++round) {
-      for (int calls = 0; calls < 20; ++calls) {
-        ASSERT_EQ(edits.step(), copy.step()) << "scene seed " << seed;
-      }
+      for (int calls = 0; calls < 20; ++calls) ASSERT_EQ(edits.step(), copy.step()) << "scene seed " << seed;
       ASSERT_EQ(edits.move_all(), copy.move_all());
       ASSERT_TRUE(edits.saved() == copy.saved()) << "scene seed " << seed << ", round " << round;
       ASSERT_EQ(copy.reload(), "") << "scene seed " << seed << ", round " << round;

@@ -31,8 +31,7 @@ inline void one_after_the_other(void*, dsw_task_fn task, void* data, size_t coun
 class MemoryTest : public BodyTest {
  protected:
   void SetUp() override {
-    dsw_context_desc desc;
-    dsw_context_desc_init(&desc, sizeof desc);
+    dsw_context_desc desc = defaults(dsw_context_desc_init);
     desc.user = &memory_;
     desc.allocate = allocate;
     desc.release = release;

@@ -55,7 +55,8 @@ TEST_F(LeftOutTest, ASceneThatNamesNothingIsOneBlock) {
 TEST_F(LeftOutTest, WhatAFeatureKeepsIsHeldOnlyWhereItIsNamed) {
   const size_t nothing = bytes_of(0);
   EXPECT_EQ(memory_.bytes, unused_);
-  // Statistics are counters in the scene itself, crossings those of particles. Deforming goes last: it leaves walks for warped volumes.
+  // Statistics are counters in the scene itself, crossings those of particles. Deforming goes last: it leaves walks for
+  // warped volumes.
   for (uint32_t feature : {DSW_FEATURE_BODY_CONTACTS, DSW_FEATURE_LIVE_CHANGES, DSW_FEATURE_DEFORMING}) {
     EXPECT_GT(bytes_of(feature), nothing) << feature;
   }

@@ -123,7 +123,7 @@ class LongBodyMoves {
     move.order = {0};
     move.targets = plan.at;
     move.targets[0] = to;
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.order = move.order.data();
     options.order_count = 1;
     options.stand_off = stand_off;

@@ -1,6 +1,6 @@
-// Marking with bodies in the way, against exact arithmetic that looks at every obstacle: a call is refused if and only if a body
-// or particle would meet what becomes impassable, changes nothing then, and names all that are in the way; what skipping
-// leaves out would be refused by itself.
+// Marking with bodies in the way, against exact arithmetic that looks at every obstacle: a call is refused if and only
+// if a body or particle would meet what becomes impassable, changes nothing then, and names all that are in the way;
+// what skipping leaves out would be refused by itself.
 #include "support.h"
 
 #include <algorithm>
@@ -147,8 +147,7 @@ void Trial::add_body() {
     corners.insert(corners.end(), f.begin(), f.end());
     offsets.push_back(static_cast<uint32_t>(corners.size()));
   }
-  dsw_body_desc desc;
-  dsw_body_desc_init(&desc, sizeof desc);
+  dsw_body_desc desc = defaults(dsw_body_desc_init);
   desc.level = body.level;
   desc.positions = body.points[0].data();
   desc.vertex_count = body.points.size();

@@ -59,14 +59,11 @@ class OpenTissueTest : public testing::Test {
     double blade[12], turn = rng.range(-0.2, 0.2);
     for (int i = 0; i < 4; ++i) {
       const double side = i % 2 == 0 ? -10 : 10, share[3] = {0.47, 0.5, i < 2 ? 0.2 : 2};
-      for (int k = 0; k < 3; ++k) {
-        blade[3 * i + k] = (1 - share[k]) * env().lower[k] + share[k] * env().upper[k];
-      }
+      for (int k = 0; k < 3; ++k) blade[3 * i + k] = (1 - share[k]) * env().lower[k] + share[k] * env().upper[k];
       blade[3 * i] += turn * side * place_.world->size;
       blade[3 * i + 1] += side * place_.world->size;
     }
-    dsw_cut_desc desc;
-    dsw_cut_desc_init(&desc, sizeof desc);
+    dsw_cut_desc desc = defaults(dsw_cut_desc_init);
     desc.points = blade;
     desc.rows = desc.columns = 2;
     EXPECT_EQ(dsw_environment_cut(place_.get(), &desc, nullptr), DSW_STATUS_OK) << dsw_last_error_message();
@@ -143,8 +140,7 @@ class OpenTissueTest : public testing::Test {
     mark_tissue(rng);
     const std::vector<dsw_cut_face> crack = cut_tissue(rng);
     const bool is_partition = dsw_environment_check(place_.get(), nullptr) == DSW_STATUS_OK;
-    dsw_open_desc desc;
-    dsw_open_desc_init(&desc, sizeof desc);
+    dsw_open_desc desc = defaults(dsw_open_desc_init);
     desc.faces = crack.data();
     desc.face_count = crack.size();
     desc.width = 0.02 * place_.world->size;

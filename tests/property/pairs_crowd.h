@@ -12,7 +12,8 @@ class Crowd {
   Crowd(dsw_environment* environment, size_t dimension, dsw_level level)
       : dimension_(dimension), level_(level), scene_(make_scene(environment, DSW_FEATURE_BODY_CONTACTS)) {}
 
-  /// What they answer to some rounds of moves, made together or one after the other. plan(rng, try) makes a body, free or not.
+  /// What they answer to some rounds of moves, made together or one after the other. plan(rng, try) makes a body, free
+  /// or not.
   template <class Plan>
   std::string answers(size_t least, int rounds, bool together, Plan plan) {
     for (size_t i = 0; i < 400 && bodies_.size() < least * 3 / 2; ++i) {
@@ -29,7 +30,7 @@ class Crowd {
 
  private:
   std::string answers_of_round(int round, bool together) {
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     if (round % 2 == 1) options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
     std::vector<Vec> targets;
     std::vector<size_t> first;

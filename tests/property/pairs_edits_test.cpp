@@ -1,4 +1,5 @@
-// Edges of a body that meets itself are bent, its vertices merged: allowed if and only if nothing is touched on the way, by rationals.
+// Edges of a body that meets itself are bent, its vertices merged: allowed if and only if nothing is touched on the
+// way, by rationals.
 #include "pairs/pair_sweep.h"
 #include "pairs_support.h"
 
@@ -102,7 +103,8 @@ struct Knit {
     };
     const std::vector<Numbers> all = split.parts();
     for (const Numbers& moving : all) {
-      // What nothing stood for before appears where it is: a vertex of points, an edge that cuts a face in two which is not covered.
+      // What nothing stood for before appears where it is: a vertex of points, an edge that cuts a face in two which is
+      // not covered.
       const bool appears = !covers_edges(body.level) ||
                            (!covers_faces(body.level) && moving.size() == 2 && !has(moving, p) && !has(moving, q));
       if (has(moving, m) && !appears && is_touched(moving)) return false;

@@ -1,41 +1,21 @@
 // Two bodies in easy places: filters, levels, touching, responses, rigid moves, edits, walls, memory, threads.
 #include "deform_support.h"
-#include "host_memory.h"
-#include "pairs_crowd.h"
+#include "two_bodies.h"
 
 namespace dsw::oracle {
 namespace {
 
 constexpr Vec kLow = {0.5, 1.5, 1.5}, kHigh = {3.5, 1.5, 1.5};
 
-class TwoBodiesTest : public MemoryTest {
+class TwoBodiesTest : public TwoBodies {
  protected:
+  TwoBodiesTest() : TwoBodies(DSW_LEVEL_FACES) {}
   void SetUp() override {
     MemoryTest::SetUp();
     scene_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_STATISTICS);
   }
-  BodyAnswer move(dsw_body_id body, const std::vector<Vec>& targets, const dsw_move_options* options = nullptr) {
-    BodyAnswer answer;
-    EXPECT_EQ(move_body(scene(), body, targets, options, answer), "");
-    return answer;
-  }
-  dsw_contact_partner partner(dsw_body_id body, size_t i = 0) {
-    const dsw_contact_partner* partners = nullptr;
-    size_t count = 0;
-    EXPECT_EQ(dsw_body_get_contact_partners(scene(), body, &partners, &count), DSW_STATUS_OK);
-    return i < count ? partners[i] : dsw_contact_partner{};
-  }
-  dsw_status create(const BodyPlan& plan, dsw_level level = DSW_LEVEL_FACES, uint32_t flags = 0) {
-    dsw_body_id body;
-    return create_body(scene(), plan, level, flags, {}, &body);
-  }
   /// A square of two triangles across the first axis.
   static BodyPlan wall(double x) { return {{{x, 1, 1}, {x, 2, 1}, {x, 2, 2}, {x, 1, 2}}, {}, {{0, 1, 2}, {0, 2, 3}}}; }
-  static std::vector<Vec> shifted(const BodyPlan& plan, double x) {
-    std::vector<Vec> to = plan.at;
-    for (Vec& p : to) p[0] += x;
-    return to;
-  }
 };
 
 TEST_F(TwoBodiesTest, AVertexStopsAtAFaceAndSaysWhose) {
@@ -117,8 +97,7 @@ TEST_F(TwoBodiesTest, WallsThatMovePushNoBodyIntoAnother) {
         double& x = arrays.back()[i];
         if (x > 0.5 && x < 3.5) x += (x < 2 ? 1 : -1) * rng.range(0, 0.12);
       }
-      dsw_deform_options options;
-      dsw_deform_options_init(&options, sizeof options);
+      dsw_deform_options options = defaults(dsw_deform_options_init);
       options.method = method;
       options.response = DSW_WALL_PUSH;
       dsw_deform_report report;
@@ -177,8 +156,7 @@ TEST_F(TwoBodiesTest, RaisingALevelAndJoiningLookAtOthers) {
 }
 
 TEST_F(TwoBodiesTest, FiltersKeepBodiesApart) {
-  dsw_body_desc desc;
-  dsw_body_desc_init(&desc, sizeof desc);
+  dsw_body_desc desc = defaults(dsw_body_desc_init);
   const BodyPlan plan = wall(2);
   const dsw_body_id square = make(plan, DSW_LEVEL_FACES);
   const double at[6] = {1, 1.5, 1.25, 3, 1.5, 1.25};
@@ -214,25 +192,13 @@ TEST_F(TwoBodiesTest, WhatIsNotNamedIsRefused) {
 }
 
 TEST_F(TwoBodiesTest, ARigidMoveStopsBeforeTheOther) {
-  make(wall(2), DSW_LEVEL_FACES);
-  const dsw_body_id body = make(tetrahedron({0.5, 1.25, 1.25}, 0.5), DSW_LEVEL_FACES);
-  dsw_rigid_motion motion;
-  std::memset(&motion, 0, sizeof motion);
-  motion.rotation[3] = 1;
-  motion.translation[0] = 2;
-  dsw_move_report report;
-  const std::string before = bits_of(read(body));
-  until_it_succeeds([&] { return dsw_body_move_rigid(scene(), body, &motion, nullptr, &report); },
-                    [&] { return bits_of(read(body)) == before; });
-  EXPECT_EQ(report.fraction, 0.25);
-  EXPECT_EQ(report.contact_count, 1u);
-  EXPECT_NE(partner(body).body.generation, 0u);
+  EXPECT_EQ(stop_rigidly(wall(2), tetrahedron({0.5, 1.25, 1.25}, 0.5)).contact_count, 1u);
 }
 
 TEST_F(TwoBodiesTest, ResponsesWorkOnBodies) {
   make(wall(2), DSW_LEVEL_FACES);
   const dsw_body_id wire = make(segment({0.5, 1.25, 1.25}, {0.5, 1.25, 0.5}));
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
   BodyAnswer answer = move(wire, {{2.5, 1.75, 1.25}, {0.5, 1.25, 0.5}}, &options);
   ASSERT_GE(answer.contacts.size(), 1u);
@@ -255,7 +221,7 @@ TEST_F(TwoBodiesTest, HalvingStopsBeforeAnotherBody) {
   const dsw_body_id square = make(wall(2), DSW_LEVEL_FACES);
   const BodyPlan plan = segment({0.5, 1.25, 1.25}, {0.5, 1.25, 0.5});
   const std::vector<Vec> to = {{2.5, 1.75, 1.25}, {0.5, 1.25, 0.5}};
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.stand_off = -1;
   const dsw_body_id twin = make(plan);
   const BodyAnswer exact = move(twin, to, &options);
@@ -329,8 +295,7 @@ TEST_F(TwoBodiesTest, AWallBendsABodyThatMeetsItselfUpToItself) {
   for (int step = 0; step < 12; ++step) {
     arrays.push_back(points_of(place_.get()));
     arrays.back()[3 * point(2, 2, 1)] = 2 + 0.04 * (step + 1);
-    dsw_deform_options options;
-    dsw_deform_options_init(&options, sizeof options);
+    dsw_deform_options options = defaults(dsw_deform_options_init);
     options.response = DSW_WALL_INSERT;
     dsw_deform_report report;
     ASSERT_EQ(dsw_scene_deform(scene(), arrays.back().data(), arrays.back().size() / 3, &options, &report),
@@ -355,7 +320,7 @@ TEST_F(TwoBodiesTest, ABodyThatMeetsItselfBendsAndIsStraightAgain) {
                   {{0, 1}, {1, 2}, {2, 3}, {3, 4}},
                   {}},
                  wire.level, DSW_BODY_SELF_CONTACTS);
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.edge_response = DSW_RESPONSE_ADAPTIVE_ONE;
   options.noise_share = 1e-3;
   options.min_part = 0.1;
@@ -384,39 +349,11 @@ TEST_F(TwoBodiesTest, ABodyThatMeetsItselfBendsAndIsStraightAgain) {
 }
 
 TEST_F(TwoBodiesTest, MemoryThatRunsOutLeavesAllAsItWas) {
-  const BodyPlan left = wall(1), right = wall(3), middle = tetrahedron({1.75, 1.25, 1.25}, 0.5);
-  dsw_body_id bodies[3] = {};
-  const BodyPlan* const plans[3] = {&left, &right, &middle};
-  for (int i = 0; i < 3; ++i) {
-    until_it_succeeds(
-        [&] {
-          return create_body(scene(), *plans[i], DSW_LEVEL_FACES, i == 2 ? DSW_BODY_SELF_CONTACTS : 0, {}, &bodies[i]);
-        },
-        [&] { return body_count() == static_cast<size_t>(i); });
-  }
-  const auto state = [&] {
-    std::string text;
-    for (dsw_body_id b : bodies) text += bits_of(read(b));
-    return text;
-  };
-  std::string before = state();
-  dsw_move_options options = default_options();
-  options.edge_response = DSW_RESPONSE_ADAPTIVE_SLIDE;
-  options.vertex_response = DSW_RESPONSE_SLIDE;
-  std::vector<double> targets;
-  for (int i = 0; i < 3; ++i) {
-    for (const Vec& p : shifted(*plans[i], i == 0 ? 2 : i == 1 ? -2 : 0.125))
-      targets.insert(targets.end(), p.begin(), p.end());
-  }
-  until_it_succeeds(
-      [&] {
-        return dsw_scene_move_bodies(scene(), bodies, 3, targets.data(), targets.size() / 3, 0, &options, nullptr);
-      },
-      [&] { return state() == before; });
-  EXPECT_NE(state(), before);
-  before = state();
-  until_it_succeeds([&] { return dsw_body_set_filter(scene(), bodies[0], 2, 2); }, [&] { return state() == before; });
-  until_it_succeeds([&] { return dsw_body_set_filter(scene(), bodies[0], 1, 0); }, [&] { return state() == before; });
+  run_out_of_memory({wall(1), wall(3), tetrahedron({1.75, 1.25, 1.25}, 0.5)}, 2,
+                    {{{2, 0, 0}, {-2, 0, 0}, {0.125, 0, 0}}});
+  const std::string before = state();
+  until_it_succeeds([&] { return dsw_body_set_filter(scene(), bodies_[0], 2, 2); }, [&] { return state() == before; });
+  until_it_succeeds([&] { return dsw_body_set_filter(scene(), bodies_[0], 1, 0); }, [&] { return state() == before; });
 }
 
 /// Many bodies in space, see Crowd.

@@ -1,35 +1,20 @@
 // Two bodies in easy places of the plane: what touches what, normals, levels, responses, rigid moves, memory, threads.
-#include "host_memory.h"
-#include "pairs_crowd.h"
 #include "plane_support.h"
+#include "two_bodies.h"
 
 namespace dsw::oracle {
 namespace {
 
 constexpr double kHalf = 0.70710678118654752;
 
-class PlanePairsTest : public MemoryTest {
+class PlanePairsTest : public TwoBodies {
  protected:
+  PlanePairsTest() : TwoBodies(DSW_LEVEL_EDGES) {}
   void SetUp() override {
     MemoryTest::SetUp();
     scene_.reset();
     place_.environment = make_squares(4, true, context_.get());
     scene_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS);
-  }
-  BodyAnswer move(dsw_body_id body, const std::vector<Vec>& targets, const dsw_move_options* options = nullptr) {
-    BodyAnswer answer;
-    EXPECT_EQ(move_body(scene(), body, targets, options, answer), "");
-    return answer;
-  }
-  dsw_contact_partner partner(dsw_body_id body) {
-    const dsw_contact_partner* partners = nullptr;
-    size_t count = 0;
-    EXPECT_EQ(dsw_body_get_contact_partners(scene(), body, &partners, &count), DSW_STATUS_OK);
-    return count > 0 ? partners[0] : dsw_contact_partner{};
-  }
-  dsw_status create(const BodyPlan& plan, dsw_level level = DSW_LEVEL_EDGES, uint32_t flags = 0) {
-    dsw_body_id body;
-    return create_body(scene(), plan, level, flags, {}, &body);
   }
   static BodyPlan point(double x, double y) { return {{{x, y, 0}}, {}, {}}; }
   static BodyPlan line(double x, double y, double to_x, double to_y) { return segment({x, y, 0}, {to_x, to_y, 0}); }
@@ -148,7 +133,7 @@ TEST_F(PlanePairsTest, NothingLeavesAClosedCurve) {
   Rng rng(3);
   size_t contacts = 0;
   for (int i = 0; i < 200; ++i) {
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     if (i % 2 == 0) options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
     std::vector<Vec> targets = read(inner.id).at;
     const Vec way = {rng.range(-1, 1), rng.range(-1, 1), 0};
@@ -171,24 +156,11 @@ TEST_F(PlanePairsTest, WallsAndBodiesCompeteByTime) {
   EXPECT_EQ(partner(vertex).body.generation, 1u);
 }
 
-TEST_F(PlanePairsTest, ARigidMoveStopsBeforeTheOther) {
-  make(line(2, 0.5, 2, 3.5), DSW_LEVEL_EDGES);
-  const dsw_body_id body = make(square(0.5, 1.25, 0.5), DSW_LEVEL_EDGES);
-  dsw_rigid_motion motion;
-  std::memset(&motion, 0, sizeof motion);
-  motion.rotation[3] = 1;
-  motion.translation[0] = 2;
-  dsw_move_report report;
-  const std::string before = bits_of(read(body));
-  until_it_succeeds([&] { return dsw_body_move_rigid(scene(), body, &motion, nullptr, &report); },
-                    [&] { return bits_of(read(body)) == before; });
-  EXPECT_EQ(report.fraction, 0.25);
-  EXPECT_NE(partner(body).body.generation, 0u);
-}
+TEST_F(PlanePairsTest, ARigidMoveStopsBeforeTheOther) { stop_rigidly(line(2, 0.5, 2, 3.5), square(0.5, 1.25, 0.5)); }
 
 TEST_F(PlanePairsTest, ResponsesWorkOnBodies) {
   make(line(2, 0.5, 2, 2), DSW_LEVEL_EDGES);
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
   const dsw_body_id vertex = make(point(1, 1), DSW_LEVEL_POINTS);
   BodyAnswer answer = move(vertex, {{2.5, 1.75, 0}}, &options);
@@ -198,7 +170,7 @@ TEST_F(PlanePairsTest, ResponsesWorkOnBodies) {
 
 TEST_F(PlanePairsTest, AnEdgeGetsAVertexWhereACornerIsInItsWay) {
   make(line(1.625, 2.5, 2.5, 2.5), DSW_LEVEL_EDGES);
-  dsw_move_options options = default_options();
+  dsw_move_options options = defaults(dsw_move_options_init);
   options.edge_response = DSW_RESPONSE_ADAPTIVE_ONE;
   const Vec fixed = {1, 3.5, 0}, to = {3, 1, 0};
   const dsw_body_id edge = make(segment({1.5, 0.5, 0}, fixed));
@@ -210,7 +182,8 @@ TEST_F(PlanePairsTest, AnEdgeGetsAVertexWhereACornerIsInItsWay) {
 }
 
 TEST_F(PlanePairsTest, AnEdgeIsBentOverNothing) {
-  // A new vertex is rounded, and what is nearer to the origin less so: it may lie between the edge and where it would be bent to.
+  // A new vertex is rounded, and what is nearer to the origin less so: it may lie between the edge and where it would
+  // be bent to.
   Rng rng(11);
   int bent = 0, refused = 0;
   for (int i = 0; i < 300; ++i) {
@@ -269,35 +242,8 @@ TEST_F(PlanePairsTest, AChainMeetsItself) {
 }
 
 TEST_F(PlanePairsTest, MemoryThatRunsOutLeavesAllAsItWas) {
-  const BodyPlan plans[3] = {square(0.5, 1, 1), square(2.5, 1, 1), line(2, 0.5, 2, 3.5)};
-  dsw_body_id bodies[3] = {};
-  for (int i = 0; i < 3; ++i) {
-    until_it_succeeds(
-        [&] {
-          return create_body(scene(), plans[i], DSW_LEVEL_EDGES, i == 1 ? DSW_BODY_SELF_CONTACTS : 0, {}, &bodies[i]);
-        },
-        [&] { return body_count() == static_cast<size_t>(i); });
-  }
-  const auto state = [&] {
-    std::string text;
-    for (dsw_body_id b : bodies) text += bits_of(read(b));
-    return text;
-  };
-  const std::string before = state();
-  dsw_move_options options = default_options();
-  options.edge_response = DSW_RESPONSE_ADAPTIVE_SLIDE;
-  options.vertex_response = DSW_RESPONSE_SLIDE;
-  std::vector<Vec> targets;
-  for (int i = 0; i < 3; ++i) {
-    for (const Vec& p : plans[i].at) targets.push_back({p[0] + (i == 0 ? 1.5 : -1), p[1] + 0.125, 0});
-  }
-  until_it_succeeds(
-      [&] {
-        return dsw_scene_move_bodies(scene(), bodies, 3, targets[0].data(), targets.size(), sizeof(Vec), &options,
-                                     nullptr);
-      },
-      [&] { return state() == before; });
-  EXPECT_NE(state(), before);
+  const Vec left = {-1, 0.125, 0};
+  run_out_of_memory({square(0.5, 1, 1), square(2.5, 1, 1), line(2, 0.5, 2, 3.5)}, 1, {{{1.5, 0.125, 0}, left, left}});
 }
 
 /// Rings and lines, see Crowd.

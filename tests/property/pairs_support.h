@@ -94,8 +94,8 @@ inline TouchTruth truth_of_move(const std::vector<Meeting>& bodies, size_t mover
   return first;
 }
 
-/// Whether two bodies that stand still have no point in common, by what touch_test.cpp compares with rationals. Of one body: parts
-/// without a common vertex.
+/// Whether two bodies that stand still have no point in common, by what touch_test.cpp compares with rationals. Of one
+/// body: parts without a common vertex.
 inline bool are_apart(const Meeting& a, const Meeting& b) {
   const auto share_vertex = [](const Part& one, const Part& other) {
     return std::find_first_of(one.vertices.begin(), one.vertices.end(), other.vertices.begin(), other.vertices.end()) !=

@@ -1,4 +1,4 @@
-// Bodies against bodies and against themselves: every move of a vertex is compared with all parts against all parts, over GMP.
+// Bodies against bodies and against themselves: every move of a vertex against all parts, over GMP.
 #include "pairs_support.h"
 #include "plane_support.h"
 
@@ -53,7 +53,7 @@ class PairsTest : public testing::TestWithParam<Kind> {
     return q;
   }
 
-  /// Points, a wire, a strip of triangles or the surface of a tetrahedron; in the plane also what branches, and a polygon.
+  /// Points, a wire, a strip of triangles or the surface of a tetrahedron; in the plane also trees and polygons.
   BodyPlan plan() {
     const Vec at = place();
     const uint64_t kind = rng_.below(5);
@@ -104,7 +104,7 @@ class PairsTest : public testing::TestWithParam<Kind> {
     const TouchTruth truth = truth_of_move(bodies_, b, v, to);
     std::vector<Vec> targets = body.state.at;
     targets[v] = to;
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.order = &v;
     options.order_count = 1;
     BodyAnswer answer;
@@ -179,8 +179,8 @@ class PairsTest : public testing::TestWithParam<Kind> {
     return Part{{vertex.index}};
   }
 
-  /// In the plane: across the edge, moving or not, and against the motion; where that is along the edge, or there is none, the motion
-  /// turned round.
+  /// In the plane: across the edge, moving or not, and against the motion; where that is along the edge, or there is
+  /// none, the motion turned round.
   bool is_normal(const dsw_contact& contact, const dsw_contact_partner& partner) {
     const auto way = [this](const double* from, const double* to) {
       return std::array<mpq_class, 2>{(mpq_class(to[0]) - from[0]) / scale_, (mpq_class(to[1]) - from[1]) / scale_};
@@ -245,7 +245,7 @@ TEST_P(PairsTest, BodiesStayApartWhateverTheResponse) {
   size_t contacts = 0, edits = 0;
   for (int round = 0; round < 10; ++round) {
     SCOPED_TRACE(round);
-    dsw_move_options options = default_options();
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.vertex_response = round % 2 == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
     options.edge_response = static_cast<dsw_response>(round % 6);
     options.search = static_cast<dsw_search>(round / 2 % 3);

@@ -1,4 +1,4 @@
-// What a path in the plane crosses, what closed lines hold, and what a line ties, against brute force in exact integers.
+// What a path in the plane crosses, what closed lines hold, and what a line ties, against exact integers.
 #include "path_truth.h"
 #include "plane_cuts.h"
 
@@ -146,8 +146,7 @@ TEST_F(BladeTest, WhatClosedLinesHold) {
     ASSERT_EQ(dsw_environment_mark_volumes(environment_.get(), volumes.data(), volumes.size(), DSW_MARK_IMPASSABLE, 0,
                                            nullptr),
               DSW_STATUS_OK);
-    dsw_carve_desc desc;
-    dsw_carve_desc_init(&desc, sizeof desc);
+    dsw_carve_desc desc = defaults(dsw_carve_desc_init);
     desc.points = points[0].data();
     desc.point_count = points.size();
     desc.triangles = ends.data();
@@ -209,8 +208,7 @@ TEST_F(BladeTest, NothingGetsPastATie) {
       free_before += plane::cast(world_, from, p, q).outcome == plane::Flight::kReached ? 1u : 0u;
       through.push_back({p, q});
     }
-    dsw_tie_desc desc;
-    dsw_tie_desc_init(&desc, sizeof desc);
+    dsw_tie_desc desc = defaults(dsw_tie_desc_init);
     desc.points = path[0].data();
     desc.point_count = path.size();
     const double snaps[] = {0, 1e-12, 0.25};

@@ -1,4 +1,5 @@
-// Bodies in a triangulation of the plane do what they do between walls that stand on it: in a layer of prisms, at one height, to the bit.
+// Bodies in a triangulation of the plane do what they do between walls that stand on it: in a layer of prisms, at one
+// height, to the bit.
 
 #include "support.h"
 
@@ -40,8 +41,7 @@ Floor make_floor(Rng& rng) {
 
 dsw_environment_desc description(const std::vector<double>& points, const std::vector<int32_t>& corners,
                                  uint32_t dimension) {
-  dsw_environment_desc desc;
-  dsw_environment_desc_init(&desc, sizeof desc);
+  dsw_environment_desc desc = defaults(dsw_environment_desc_init);
   desc.dimension = dimension;
   desc.points = points.data();
   desc.point_count = points.size() / dimension;
@@ -100,8 +100,7 @@ struct Side {
   dsw_status create(const std::vector<double>& flat, const std::vector<uint32_t>& edges, dsw_level level,
                     uint32_t flags, dsw_body_id* body) const {
     const std::vector<double> points = placed(flat);
-    dsw_body_desc desc;
-    dsw_body_desc_init(&desc, sizeof desc);
+    dsw_body_desc desc = defaults(dsw_body_desc_init);
     desc.level = level;
     desc.flags = flags;
     desc.positions = points.data();
@@ -270,8 +269,7 @@ class PlaneBodies : public testing::TestWithParam<int> {
   }
 
   dsw_move_options random_options() {
-    dsw_move_options o;
-    dsw_move_options_init(&o, sizeof o);
+    dsw_move_options o = defaults(dsw_move_options_init);
     o.vertex_response = rng_.chance(0.5) ? DSW_RESPONSE_SLIDE : DSW_RESPONSE_STOP;
     o.edge_response = static_cast<dsw_response>(rng_.below(6u));
     o.search = static_cast<dsw_search>(rng_.below(3u));
@@ -368,8 +366,8 @@ class PlaneBodies : public testing::TestWithParam<int> {
     EXPECT_NEAR(flat.along, tall.along, 1e-9);
   }
 
-  /// On which side of an edge that moves along itself, but for a little, an obstacle is, is what rounding makes of it, and so is the normal of
-  /// an edge that is hardly there. Where they differ by a bit, what slides goes elsewhere.
+  /// On which side of an edge that moves along itself, but for a little, an obstacle is, is what rounding makes of it,
+  /// and so is the normal of an edge that is hardly there. Where they differ by a bit, what slides goes elsewhere.
   void compare_normals(const dsw_contact& flat, const dsw_contact& tall) {
     const double *const a = flat.normal, *const b = tall.normal;
     parted_ = uses_normals_ && std::memcmp(a, b, 2 * sizeof(double)) != 0;

@@ -23,8 +23,7 @@ PlaneCuts::PlaneCuts(const plane::Turn& turn, uint64_t seed, bool inhabited)
   if (environment_ == nullptr) return;
   for (size_t k = 0; k < 2; ++k) size_ = std::max(size_, env().upper[k] - env().lower[k]);
   unit_ = std::exp2(std::floor(std::log2(size_)));
-  dsw_scene_desc desc;
-  dsw_scene_desc_init(&desc, sizeof desc);
+  dsw_scene_desc desc = defaults(dsw_scene_desc_init);
   desc.features = rng_.chance(0.5) ? uint32_t{DSW_FEATURE_LIVE_CHANGES} : 0;
   dsw_scene* scene = nullptr;
   EXPECT_EQ(dsw_scene_create(environment_.get(), &desc, &scene), DSW_STATUS_OK) << dsw_last_error_message();
@@ -48,8 +47,7 @@ void PlaneCuts::add_inhabitants() {
     const plane::Vec beyond = some_point(), q = mix(p, beyond, share);
     const double positions[4] = {p[0], p[1], q[0], q[1]};
     const uint32_t edge[2] = {0, 1};
-    dsw_body_desc desc;
-    dsw_body_desc_init(&desc, sizeof desc);
+    dsw_body_desc desc = defaults(dsw_body_desc_init);
     desc.positions = positions;
     desc.vertex_count = 2;
     desc.edges = edge;
@@ -122,7 +120,8 @@ plane::Vec PlaneCuts::some_point() {
   return mix(mix(p, q, along), r, across);
 }
 
-/// Through the environment somewhere, through vertices and along sides; straight, bent, folded, or of no extent; small or large.
+/// Through the environment somewhere, through vertices and along sides; straight, bent, folded, or of no extent; small
+/// or large.
 PlaneCuts::Path PlaneCuts::some_path() {
   Path path{some_point()};
   const uint32_t count = 2 + (rng_.chance(0.5) ? 0 : rng_.below(6u));
@@ -229,8 +228,7 @@ dsw_status PlaneCuts::open() {
     }
   }
   const double widths[] = {1e-9, 0.01, 0.1, 1};
-  dsw_open_desc desc;
-  dsw_open_desc_init(&desc, sizeof desc);
+  dsw_open_desc desc = defaults(dsw_open_desc_init);
   desc.faces = faces.data();
   desc.face_count = faces.size();
   desc.width = std::max(size_ * widths[rng_.below(4u)], 5e-324);
@@ -256,8 +254,7 @@ dsw_status PlaneCuts::carve() {
       segments.insert(segments.end(), {first + i, first + (i + 1) % count});
     }
   }
-  dsw_carve_desc desc;
-  dsw_carve_desc_init(&desc, sizeof desc);
+  dsw_carve_desc desc = defaults(dsw_carve_desc_init);
   desc.points = points[0].data();
   desc.point_count = points.size();
   desc.triangles = segments.data();
@@ -272,8 +269,7 @@ dsw_status PlaneCuts::carve() {
 
 dsw_status PlaneCuts::tie() {
   const Path path = some_path();
-  dsw_tie_desc desc;
-  dsw_tie_desc_init(&desc, sizeof desc);
+  dsw_tie_desc desc = defaults(dsw_tie_desc_init);
   desc.points = path[0].data();
   desc.point_count = path.size();
   if (rng_.chance(0.5)) desc.start = volume_id(env().map, some_cell());
@@ -308,8 +304,7 @@ dsw_status PlaneCuts::call(Operation operation) {
     default:
       break;
   }
-  dsw_cut_desc desc;
-  dsw_cut_desc_init(&desc, sizeof desc);
+  dsw_cut_desc desc = defaults(dsw_cut_desc_init);
   desc.flags = rng_.chance(0.3) ? uint32_t{DSW_CUT_UNSEW} : 0;
   const double snaps[] = {0, 1e-12, 0.25, 0.05};
   desc.snap = snaps[rng_.below(4u)];
@@ -344,8 +339,7 @@ std::string PlaneCuts::cut_all(uint64_t seed) {
   const auto height = [&](const plane::Vec& p) {
     return -std::sin(angle) * ((p[0] - middle[0]) / unit_) + std::cos(angle) * ((p[1] - middle[1]) / unit_);
   };
-  dsw_cut_desc desc;
-  dsw_cut_desc_init(&desc, sizeof desc);
+  dsw_cut_desc desc = defaults(dsw_cut_desc_init);
   desc.start = volume_id(env().map, some_cell());
   through_all_ = true;
   std::set<uint32_t> is_whole;

@@ -1,5 +1,5 @@
-// Random cuts, tears, openings, shapes carved out and ties in random environments of the plane with particles and bodies inside, and what has
-// to hold after each.
+// Random cuts, tears, openings, shapes carved out and ties in random environments of the plane with particles and
+// bodies inside, and what has to hold after each.
 #pragma once
 
 #include "support.h"
@@ -23,8 +23,8 @@ inline std::vector<dsw_cut_face> cut_faces(const EnvironmentPtr& environment) {
   return {faces, faces + count};
 }
 
-/// Calls use(turn, seed) for all kinds of meshes in all sizes, so many rounds. DSW_PLANE_WORLDS asks for another number of worlds, DSW_PLANE_SEED for
-/// those from a seed on.
+/// Calls use(turn, seed) for all kinds of meshes in all sizes, so many rounds. DSW_PLANE_WORLDS asks for another number
+/// of worlds, DSW_PLANE_SEED for those from a seed on.
 template <class Use>
 void for_each_turn(uint64_t rounds, const Use& use) {
   const std::vector<plane::Turn> turns = plane::turns("");

@@ -151,7 +151,8 @@ std::set<int> PlaneCuts::folded_vertices() const {
   return folded;
 }
 
-/// The outer boundary folds only by the rounding of vertices that a cut has brought: there or beside one. What lies farther off can overlap.
+/// The outer boundary folds only by the rounding of vertices that a cut has brought: there or beside one. What lies
+/// farther off can overlap.
 std::string PlaneCuts::check_folds(bool was_cut) {
   std::set<int> folded = folded_vertices(), rounded;
   folded.swap(folded_);
@@ -205,8 +206,8 @@ double PlaneCuts::distance(const plane::Vec& p, const plane::Vec& a, const plane
 /// Over unit_: how far from a place its coordinates and what follows from them can be.
 double PlaneCuts::rounding(const plane::Vec& p) const { return 1e-12 * (1 + std::hypot(p[0] / unit_, p[1] / unit_)); }
 
-/// Ends of the cut's sides are as near to the path as was reported, and the path to the cut, in the cells that were split; sides have before
-/// and behind of the path on their sides.
+/// Ends of the cut's sides are as near to the path as was reported, and the path to the cut, in the cells that were
+/// split; sides have before and behind of the path on their sides.
 std::string PlaneCuts::check_cut(const Path& path, const plane::World& before, const std::vector<uint32_t>& numbers,
                                  const dsw_cut_report& report, bool unsewn) {
   const Map<2>& map = env().map;
@@ -272,8 +273,9 @@ std::string PlaneCuts::check_cut(const Path& path, const plane::World& before, c
   return "";
 }
 
-/// Exactly: beside a vertex that came the edge goes on, on either side of the cut, to that end of it that is there. Between two vertices that there were,
-/// at least one neighbour of theirs is where it should be; if a path ends, that hangs on more.
+/// Exactly: beside a vertex that came the edge goes on, on either side of the cut, to that end of it that is there.
+/// Between two vertices that there were, at least one neighbour of theirs is where it should be; if a path ends, that
+/// hangs on more.
 std::string PlaneCuts::check_sides(const Path& path) const {
   const Map<2>& map = env().map;
   const PathTruth truth(world_, path);

@@ -65,7 +65,7 @@ TEST(PlaneCuts, WhateverIsCutTornOpenedCarvedAndTied) {
   EXPECT_GT(points, 500u);
 }
 
-/// Angles in doubles once said so of a vertex after a tie: its sides are 1e-12 as high as long, and too small for all of a double's digits.
+/// Angles in doubles once said so of a vertex after a tie: its sides are 1e-12 as high as long, too flat for them.
 TEST(PlaneCuts, ASliverIsNotTakenForAFold) {
   const std::vector<plane::Turn> turns = plane::turns("");
   const uint64_t seed = 1013;

@@ -1,4 +1,4 @@
-// What the flags of a body leave out changes no bit, in the plane as in space: long edges among many cells, with small obstacles.
+// What the flags of a body leave out changes no bit, in the plane as in space: long edges, many cells, small obstacles.
 
 #include "plane_support.h"
 
@@ -60,8 +60,7 @@ class PlaneFlags : public testing::TestWithParam<Case> {
       edges.insert(edges.end(), {i - 1, i});
     }
     if (closed) edges.insert(edges.end(), {count - 1, 0});
-    dsw_body_desc d;
-    dsw_body_desc_init(&d, sizeof d);
+    dsw_body_desc d = defaults(dsw_body_desc_init);
     d.level = GetParam().level;
     d.positions = points.data();
     d.vertex_count = count;
@@ -95,8 +94,7 @@ class PlaneFlags : public testing::TestWithParam<Case> {
       targets[i] += x + rng_.range(-step, step) / 4;
       targets[i + 1] += y + rng_.range(-step, step) / 4;
     }
-    dsw_move_options options;
-    dsw_move_options_init(&options, sizeof options);
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.edge_response = GetParam().response;
     options.vertex_response = GetParam().response == DSW_RESPONSE_STOP ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
     options.min_length = 0.05;

@@ -144,8 +144,7 @@ TEST(PlaneSnapshotTest, EdgesAmongPolygonsThatMayMoveFromNowOn) {
   ScenePtr scene = make_scene(environment.get());
   const double points[4] = {1.5, 1.4, 6.5, 6.3}, targets[4] = {1.55, 1.42, 6.45, 6.2};
   const uint32_t edge[2] = {0, 1};
-  dsw_body_desc d;
-  dsw_body_desc_init(&d, sizeof d);
+  dsw_body_desc d = defaults(dsw_body_desc_init);
   d.positions = points;
   d.vertex_count = 2;
   d.edges = edge;
@@ -185,8 +184,7 @@ TEST(PlaneSnapshotTest, NoBodyIsAtTheLevelOfFaces) {
   const EnvironmentPtr environment = make_squares(2, false);
   const ScenePtr scene = make_scene(environment.get());
   const double point[2] = {0.5, 0.5};
-  dsw_body_desc d;
-  dsw_body_desc_init(&d, sizeof d);
+  dsw_body_desc d = defaults(dsw_body_desc_init);
   d.positions = point;
   d.vertex_count = 1;
   d.level = DSW_LEVEL_EDGES;

@@ -28,8 +28,7 @@ inline EnvironmentPtr make_squares(uint32_t n, bool cut, dsw_context* context = 
       }
     }
   }
-  dsw_environment_desc desc;
-  dsw_environment_desc_init(&desc, sizeof desc);
+  dsw_environment_desc desc = defaults(dsw_environment_desc_init);
   desc.dimension = 2;
   desc.points = points.data();
   desc.point_count = points.size() / 2;

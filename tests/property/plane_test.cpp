@@ -19,8 +19,7 @@ struct Course {
   Rng rng{7};
 
   Course(uint32_t n, size_t count, dsw_context* context) : environment(make_squares(n, true, context)) {
-    dsw_scene_desc desc;
-    dsw_scene_desc_init(&desc, sizeof desc);
+    dsw_scene_desc desc = defaults(dsw_scene_desc_init);
     desc.features = DSW_FEATURE_STATISTICS;
     dsw_scene* made = nullptr;
     EXPECT_EQ(dsw_scene_create(environment.get(), &desc, &made), DSW_STATUS_OK);

@@ -95,8 +95,7 @@ dsw_status RandomEdits<D>::add() {
   });
   const int64_t offsets[2] = {0, static_cast<int64_t>(stream.size())};
   const uint8_t type = D == 3 ? DSW_CELL_TYPE_POLYHEDRON : DSW_CELL_TYPE_POLYGON;
-  dsw_volumes_desc desc;
-  dsw_volumes_desc_init(&desc, sizeof desc);
+  dsw_volumes_desc desc = defaults(dsw_volumes_desc_init);
   desc.vertices = vertices.data();
   desc.vertex_count = vertices.size();
   desc.points = points.data();
@@ -192,8 +191,7 @@ dsw_status RandomEdits<3>::remesh() {
       if (moves) next[3 * size_t{map.vertex(c, k)} + axis] += by;
     }
   }
-  dsw_remesh_desc desc;
-  dsw_remesh_desc_init(&desc, sizeof desc);
+  dsw_remesh_desc desc = defaults(dsw_remesh_desc_init);
   desc.next = next.data();
   desc.point_count = map.vertex_count;
   desc.radius = 1 + rng_.below(2);

@@ -7,7 +7,8 @@
 
 namespace dsw::oracle {
 
-/// Through the environment somewhere, or through its vertices; flat, bent, folded, or of no extent; much smaller or larger than volumes.
+/// Through the environment somewhere, or through its vertices; flat, bent, folded, or of no extent; much smaller or
+/// larger than volumes.
 template <>
 std::vector<double> RandomEdits<3>::some_blade(uint32_t rows, uint32_t columns) {
   double at[3], across[3], along[3];
@@ -50,8 +51,7 @@ std::vector<double> RandomEdits<3>::some_blade(uint32_t rows, uint32_t columns) 
 
 template <>
 dsw_status RandomEdits<3>::cut() {
-  dsw_cut_desc desc;
-  dsw_cut_desc_init(&desc, sizeof desc);
+  dsw_cut_desc desc = defaults(dsw_cut_desc_init);
   desc.rows = 2 + rng_.below(3);
   desc.columns = 2 + rng_.below(3);
   const std::vector<double> points = some_blade(desc.rows, desc.columns);
@@ -73,8 +73,7 @@ dsw_status RandomEdits<3>::cut() {
 template <>
 dsw_status RandomEdits<3>::carve() {
   const ClosedSurface surface = some_surface(env(), place_.size(), rng_);
-  dsw_carve_desc desc;
-  dsw_carve_desc_init(&desc, sizeof desc);
+  dsw_carve_desc desc = defaults(dsw_carve_desc_init);
   desc.points = surface.points.data();
   desc.point_count = surface.points.size() / 3;
   desc.triangles = surface.triangles.data();
@@ -89,8 +88,7 @@ dsw_status RandomEdits<3>::carve() {
 template <>
 dsw_status RandomEdits<3>::tie() {
   const std::vector<double> loop = some_loop(env(), place_.size(), rng_);
-  dsw_tie_desc desc;
-  dsw_tie_desc_init(&desc, sizeof desc);
+  dsw_tie_desc desc = defaults(dsw_tie_desc_init);
   desc.points = loop.data();
   desc.point_count = loop.size() / 3;
   if (rng_.chance(0.5)) desc.start = volume_id(env().map, some_cell());
@@ -114,8 +112,7 @@ dsw_status RandomEdits<3>::detach() {
     return dsw_environment_mark_volumes(place_.get(), volumes.data(), volumes.size(), DSW_MARK_IMPASSABLE,
                                         DSW_MARK_SKIP_OCCUPIED, nullptr);
   }
-  dsw_detach_desc desc;
-  dsw_detach_desc_init(&desc, sizeof desc);
+  dsw_detach_desc desc = defaults(dsw_detach_desc_init);
   desc.volume = volume_id(map, c);
   desc.level = static_cast<dsw_level>(1 + rng_.below(4));
   const double gaps[] = {0, 1e-9, 0.25, 0.05};

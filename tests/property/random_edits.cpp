@@ -25,8 +25,7 @@ const char* name_of(Operation operation) {
 }
 
 ContextPtr FailingMemory::make_context() {
-  dsw_context_desc desc;
-  dsw_context_desc_init(&desc, sizeof desc);
+  dsw_context_desc desc = defaults(dsw_context_desc_init);
   desc.user = this;
   desc.allocate = [](void* user, size_t size, size_t alignment) -> void* {
     auto& self = *static_cast<FailingMemory*>(user);
@@ -256,8 +255,7 @@ std::string RandomEdits<D>::reload() {
 template <int D>
 std::string RandomEdits<D>::bend_to(const double* from, uint32_t vertex, double by) {
   const uint32_t count = env().map.vertex_count;
-  dsw_deform_options options;
-  dsw_deform_options_init(&options, sizeof options);
+  dsw_deform_options options = defaults(dsw_deform_options_init);
   options.method = DSW_DEFORM_END_STATE;
   options.point_room = 4 * size_t{count} + 200;
   std::vector<double>& next = lent_[env().points == lent_[0].data() ? 1 : 0];
@@ -283,8 +281,9 @@ std::string RandomEdits<D>::bend() {
 
 template <int D>
 std::string RandomEdits<D>::move_all() {
-  // Cuts leave many cracks, and openings move the outer boundary. Where later changes move one lip of one, the outer boundary passes through itself: then edges can be free over
-  // one sheet and blocked over the other, which bodies of DSW_LEVEL_EDGES do not tell apart.
+  // Cuts leave many cracks, and openings move the outer boundary. Where later changes move one lip of one, the outer
+  // boundary passes through itself: then edges can be free over one sheet and blocked over the other, which bodies of
+  // DSW_LEVEL_EDGES do not tell apart.
   const bool was_cut = tallies[static_cast<size_t>(Operation::kCut)].done != 0 ||
                        tallies[static_cast<size_t>(Operation::kOpen)].done != 0;
   if (was_cut && dsw_environment_check(place_.get(), nullptr) != DSW_STATUS_OK) return "";

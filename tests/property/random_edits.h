@@ -46,8 +46,8 @@ class RandomEdits {
  public:
   using Point = std::array<double, D>;
 
-  /// With `memory`, every call is first made with each of its allocations refused in turn. `features`: of the scene, beside those that
-  /// it has anyhow.
+  /// With `memory`, every call is first made with each of its allocations refused in turn. `features`: of the scene,
+  /// beside those that it has anyhow.
   RandomEdits(const std::string& scene, uint64_t seed, FailingMemory* memory = nullptr, uint32_t features = 0);
 
   /// One call with random arguments, then all checks that do not need exact integers. What is wrong; empty: nothing.

@@ -6,7 +6,8 @@
 
 namespace dsw::oracle {
 
-/// Faces between volumes of a random cluster that lie on different sides of a random plane; at times some are left out, or all but one.
+/// Faces between volumes of a random cluster that lie on different sides of a random plane; at times some are left out,
+/// or all but one.
 template <>
 std::vector<dsw_cut_face> RandomEdits<3>::some_crack() {
   const Map<3>& map = env().map;
@@ -58,8 +59,7 @@ dsw_status RandomEdits<3>::open() {
     faces.push_back({pair[0], pair[1]});
   }
   const double widths[] = {1e-9, 0.01, 0.1, 1, 10};
-  dsw_open_desc desc;
-  dsw_open_desc_init(&desc, sizeof desc);
+  dsw_open_desc desc = defaults(dsw_open_desc_init);
   desc.faces = faces.data();
   desc.face_count = faces.size();
   desc.width = place_.size() * widths[rng_.below(5)];

@@ -1,4 +1,4 @@
-// Shapes to carve with and loops to tie with: of every size, some through the environment's vertices or along its faces, folded, or flat.
+// Shapes to carve with and loops to tie with: of every size, some through vertices or along faces, folded, or flat.
 #pragma once
 
 #include <cstdlib>

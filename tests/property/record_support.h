@@ -15,8 +15,7 @@ inline int append_bytes(void* user, const void* bytes, size_t size) {
 }
 
 inline dsw_status start(dsw_scene* scene, std::string* recording, uint32_t flags = 0) {
-  dsw_recording_desc desc;
-  dsw_recording_desc_init(&desc, sizeof desc);
+  dsw_recording_desc desc = defaults(dsw_recording_desc_init);
   desc.write = append_bytes;
   desc.user = recording;
   desc.flags = flags;

@@ -9,7 +9,7 @@ namespace {
 
 class RefusedChangeTest : public BodyTest {};
 
-/// Balls that are free around vertices are known of the obstacles there are; those that come and go in a call that fails are none.
+/// Balls that are free around vertices are known of the obstacles there are, not of those in a call that fails.
 TEST_F(RefusedChangeTest, RefusedChangesLeaveWhatBodiesKnow) {
   const dsw_body_id body =
       make({{{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}}, {{0, 1}}, {}}, DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_CLEARANCE);

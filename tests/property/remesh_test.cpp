@@ -1,5 +1,5 @@
-// Large random deformations of environments of every kind, with particles and bodies inside: what is mended before is valid before and
-// after, nothing gets lost, and more of the way can be made.
+// Large random deformations of environments of every kind, with particles and bodies inside: what is mended before is
+// valid before and after, nothing gets lost, and more of the way can be made.
 #include <cmath>
 #include <set>
 
@@ -109,8 +109,7 @@ class RemeshTest : public SceneTest {
     ASSERT_TRUE(blocked.empty());
   }
   dsw_remesh_report mend() {
-    dsw_remesh_desc desc;
-    dsw_remesh_desc_init(&desc, sizeof desc);
+    dsw_remesh_desc desc = defaults(dsw_remesh_desc_init);
     desc.next = next_.data();
     desc.point_count = next_.size() / 3;
     dsw_remesh_report report{};
@@ -118,8 +117,7 @@ class RemeshTest : public SceneTest {
     return report;
   }
   dsw_deform_report deform(dsw_invalid_response invalid, dsw_deform_method method) {
-    dsw_deform_options options;
-    dsw_deform_options_init(&options, sizeof options);
+    dsw_deform_options options = defaults(dsw_deform_options_init);
     options.invalid = invalid;
     options.method = method;
     dsw_deform_report report{};
@@ -201,8 +199,7 @@ TEST_F(RemeshMemoryTest, DeformingWithIt) {
   const Array<EdgeSequence<3>>& sequences = dsw::capi::space(*scene()).bodies[body.index].body.sequences;
   ASSERT_TRUE(std::any_of(sequences.begin(), sequences.end(),
                           [](const EdgeSequence<3>& s) { return s.known() && !s.facets.empty(); }));
-  dsw_deform_options options;
-  dsw_deform_options_init(&options, sizeof options);
+  dsw_deform_options options = defaults(dsw_deform_options_init);
   options.invalid = DSW_INVALID_REMESH;
   std::vector<double> next = points_of(place_.get());
   next[3 * size_t{point(2, 2, 1)}] += 1.1;  // beyond the next point of the grid
@@ -218,8 +215,7 @@ TEST_F(RemeshMemoryTest, DeformingWithIt) {
     return block + of_scene.substr(0, size);
   };
   // Tables for changes are made once, whatever becomes of the first.
-  dsw_remesh_desc nothing;
-  dsw_remesh_desc_init(&nothing, sizeof nothing);
+  dsw_remesh_desc nothing = defaults(dsw_remesh_desc_init);
   ASSERT_EQ(dsw_environment_remesh(place_.get(), &nothing, nullptr), DSW_STATUS_OK);
   const std::string block = saved();
   dsw_deform_report report{};

@@ -1,4 +1,5 @@
-// What a process has recorded that was killed at any moment, what an earlier version has recorded, and which call is told to differ.
+// What a process has recorded that was killed at any moment, what an earlier version has recorded, and which call is
+// told to differ.
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -18,8 +19,7 @@ namespace {
 /// Records changes of a scene into a file for ever.
 [[noreturn]] void record_until_killed(const std::string& path, uint64_t seed) {
   RandomEdits<3> edits("prisms", seed);
-  dsw_recording_desc desc;
-  dsw_recording_desc_init(&desc, sizeof desc);
+  dsw_recording_desc desc = defaults(dsw_recording_desc_init);
   desc.path = path.c_str();
   desc.flags = DSW_RECORDING_STATES;
   if (dsw_scene_start_recording(edits.handle(), &desc) != DSW_STATUS_OK) _exit(1);
@@ -29,8 +29,8 @@ namespace {
   }
 }
 
-// Each call's result has the checksum of environment or scene as they were then: what is made again is the same up to the last call that
-// the process has finished.
+// Each call's result has the checksum of environment or scene as they were then: what is made again is the same up to
+// the last call that the process has finished.
 TEST(KilledProcessTest, LeavesARecordingOfAllItHasDone) {
   const std::string path = ::testing::TempDir() + "dartsweep_killed_" + std::to_string(getpid()) + ".dswrec";
   Rng rng(7);
@@ -147,7 +147,8 @@ TEST(ReplayTest, WhatEarlierVersionsRecordedIsMadeAgain) {
   EXPECT_GE(files, 3u);
 }
 
-/// Cubes whose points a host lends with far more room than there is memory for, as it may: it knows how much will be written.
+/// Cubes whose points a host lends with far more room than there is memory for, as it may: it knows how much will be
+/// written.
 struct Lent {
   EnvironmentPtr environment;
   ScenePtr scene;
@@ -162,21 +163,20 @@ void deform_in_place(Lent& lent, size_t spare) {
   ASSERT_EQ(dsw_environment_get_points(lent.environment.get(), &now, &count), DSW_STATUS_OK);
   std::vector<double> next(now, now + 3 * count);
   next.resize(3 * (count + spare));
-  dsw_deform_options options;
-  dsw_deform_options_init(&options, sizeof options);
+  dsw_deform_options options = defaults(dsw_deform_options_init);
   options.point_room = kHugeRoom;
   ASSERT_EQ(dsw_scene_deform(lent.scene.get(), next.data(), count, &options, nullptr), DSW_STATUS_OK)
       << dsw_last_error_message();
   lent.points.swap(next);
 }
 
-// Two thousand vertices more than there were: more than a replay makes memory for at once. The step itself recorded has one call.
+// Two thousand vertices more than there were: more than a replay makes memory for at once. The step itself recorded has
+// one call.
 TEST(ReplayTest, RoomOfTheHostsIsMadeAsItIsNeeded) {
   Rng rng(1);
   Lent lent;
   lent.environment = create_environment(kind_named("hex").make(rng), {}, 0, nullptr);
-  dsw_scene_desc desc;
-  dsw_scene_desc_init(&desc, sizeof desc);
+  dsw_scene_desc desc = defaults(dsw_scene_desc_init);
   desc.features = DSW_FEATURE_DEFORMING;
   dsw_scene* scene = nullptr;
   ASSERT_EQ(dsw_scene_create(lent.environment.get(), &desc, &scene), DSW_STATUS_OK);
@@ -197,8 +197,7 @@ TEST(ReplayTest, RoomOfTheHostsIsMadeAsItIsNeeded) {
     points.insert(points.end(), tetrahedron, tetrahedron + 12);
     for (int k = 0; k < 4; ++k) corners.push_back(static_cast<int64_t>(corners.size()));
   }
-  dsw_volumes_desc volumes;
-  dsw_volumes_desc_init(&volumes, sizeof volumes);
+  dsw_volumes_desc volumes = defaults(dsw_volumes_desc_init);
   volumes.points = points.data();
   volumes.point_count = points.size() / 3;
   volumes.uniform_cell_type = DSW_CELL_TYPE_TETRA;
@@ -227,8 +226,7 @@ TEST(ReplayTest, ThreadsDoNotMatter) {
   }
   ASSERT_EQ(dsw_scene_stop_recording(edits.handle()), DSW_STATUS_OK);
   for (const uint32_t threads : {1u, 3u}) {
-    dsw_context_desc desc;
-    dsw_context_desc_init(&desc, sizeof desc);
+    dsw_context_desc desc = defaults(dsw_context_desc_init);
     desc.thread_count = threads;
     if (threads == 3) {
       desc.parallel_for = [](void*, dsw_task_fn task, void* data, size_t count) {

@@ -10,8 +10,7 @@ namespace dsw::oracle {
 namespace {
 
 dsw_status write_bundle(dsw_scene* scene, std::string* report, dsw_verdict* verdict, const char* note = nullptr) {
-  dsw_bundle_desc desc;
-  dsw_bundle_desc_init(&desc, sizeof desc);
+  dsw_bundle_desc desc = defaults(dsw_bundle_desc_init);
   desc.write = append_bytes;
   desc.user = report;
   desc.note = note;
@@ -47,8 +46,7 @@ TEST_P(ReportTest, TheLastCallIsJudged) {
   for (uint64_t seed = 1; seed <= 2; ++seed) {
     RandomEdits<3> edits(GetParam(), seed);
     if (edits.environment() == nullptr) continue;
-    dsw_recording_desc desc;
-    dsw_recording_desc_init(&desc, sizeof desc);
+    dsw_recording_desc desc = defaults(dsw_recording_desc_init);
     if (seed == 1) desc.path = path.c_str();
     if (seed == 2) desc.flags = DSW_RECORDING_LATEST;
     ASSERT_EQ(dsw_scene_start_recording(edits.handle(), &desc), DSW_STATUS_OK);
@@ -81,8 +79,7 @@ TEST(BundleTest, OfASceneThatIsNotRecordedIsWhatIsThere) {
 TEST(BundleTest, OnlyTheLatestCallsAreKept) {
   RandomEdits<3> edits("hex", 4);
   ASSERT_EQ(edits.step(), "");
-  dsw_recording_desc desc;
-  dsw_recording_desc_init(&desc, sizeof desc);
+  dsw_recording_desc desc = defaults(dsw_recording_desc_init);
   desc.flags = DSW_RECORDING_LATEST;
   ASSERT_EQ(dsw_scene_start_recording(edits.handle(), &desc), DSW_STATUS_OK);
   const capi::Recording& recording = *edits.handle()->recording;
@@ -103,7 +100,7 @@ TEST(BundleTest, OnlyTheLatestCallsAreKept) {
   check_report(report, 1, verdict, "");
 }
 
-// A vertex that something has put behind a wall: the scene is not what its calls have made, and the verdict names what is wrong.
+// A vertex that something has put behind a wall: the scene is not what its calls have made; the verdict names that.
 TEST(BundleTest, WhatIsWrongIsNamed) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     RandomEdits<3> edits("hex", seed);

@@ -3,27 +3,10 @@
 
 #include "body_support.h"
 #include "deform_support.h"
+#include "snapshot_support.h"
 
 namespace dsw::oracle {
 namespace {
-
-using Bytes = std::vector<unsigned char>;
-
-Bytes saved(const dsw_environment* environment) {
-  size_t size = 0;
-  EXPECT_EQ(dsw_environment_save(environment, nullptr, 0, &size), DSW_STATUS_OK);
-  Bytes block(size);
-  EXPECT_EQ(dsw_environment_save(environment, block.data(), block.size(), &size), DSW_STATUS_OK);
-  return block;
-}
-
-Bytes saved(const dsw_scene* scene) {
-  size_t size = 0;
-  EXPECT_EQ(dsw_scene_save(scene, nullptr, 0, &size), DSW_STATUS_OK) << dsw_last_error_message();
-  Bytes block(size);
-  EXPECT_EQ(dsw_scene_save(scene, block.data(), block.size(), &size), DSW_STATUS_OK);
-  return block;
-}
 
 /// An environment and what is in it.
 struct World3 {
@@ -99,8 +82,7 @@ std::string move_all(dsw_scene* scene, const World& world, Rng& rng, const Ids& 
     for (Vec& p : targets) {
       for (double& x : p) x += rng.range(-step, step);
     }
-    dsw_move_options options;
-    dsw_move_options_init(&options, sizeof options);
+    dsw_move_options options = defaults(dsw_move_options_init);
     options.vertex_response = rng.chance(0.5) ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
     options.edge_response = static_cast<dsw_response>(rng.below(6));
     options.noise_share = rng.chance(0.5) ? 0 : 0.05;

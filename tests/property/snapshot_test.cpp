@@ -1,21 +1,11 @@
 // Snapshots: the same bytes, the same marks, the same answers; damage is an error.
-#include "support.h"
+#include "snapshot_support.h"
 
 namespace dsw::oracle {
 namespace {
 
 class SnapshotTest : public SceneTest {};
 DSW_FOR_ALL_SCENES(SnapshotTest);
-
-std::vector<unsigned char> saved(const dsw_environment* environment) {
-  size_t size = 0;
-  EXPECT_EQ(dsw_environment_save(environment, nullptr, 0, &size), DSW_STATUS_OK);
-  std::vector<unsigned char> block(size);
-  size_t again = 0;
-  EXPECT_EQ(dsw_environment_save(environment, block.data(), block.size(), &again), DSW_STATUS_OK);
-  EXPECT_EQ(again, size);
-  return block;
-}
 
 Place marked_place(const std::string& name, uint64_t seed) {
   Rng rng(seed);

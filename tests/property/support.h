@@ -68,8 +68,7 @@ inline Place make_place(const std::string& name, uint64_t seed, uint32_t flags =
   ASSERT_EQ((place).world->fault(), std::string())
 
 inline ScenePtr make_scene(dsw_environment* environment, uint32_t features = 0) {
-  dsw_scene_desc desc;
-  dsw_scene_desc_init(&desc, sizeof desc);
+  dsw_scene_desc desc = defaults(dsw_scene_desc_init);
   desc.features = features;
   dsw_scene* scene = nullptr;
   EXPECT_EQ(dsw_scene_create(environment, &desc, &scene), DSW_STATUS_OK) << dsw_last_error_message();

@@ -21,7 +21,8 @@ using oracle::Rng;
 using oracle::SceneKind;
 using oracle::Vec;
 
-/// Exact truth is slow under sanitizers: DSW_SWEPT_SHARE asks for one in so many moves, and for as much less that must be seen on them.
+/// Exact truth is slow under sanitizers: DSW_SWEPT_SHARE asks for one in so many moves, and for as much less that must
+/// be seen on them.
 inline int share_of(int count) {
   const char* const text = std::getenv("DSW_SWEPT_SHARE");
   return text == nullptr ? count : count / std::max(1, std::atoi(text));

@@ -1,5 +1,5 @@
-// What a swept triangle or tetrahedron meets, by brute force over everything impassable: polynomials in the infinitesimal with
-// GMP coefficients. It reads the engine's map for what stands where, and asks it for nothing else.
+// What a swept triangle or tetrahedron meets, by brute force over everything impassable: polynomials in the
+// infinitesimal with GMP coefficients. It reads the engine's map for what stands where, and asks it for nothing else.
 #pragma once
 
 #include "environment/environment.h"

@@ -33,8 +33,7 @@ inline void shuffled_for(void* user, dsw_task_fn task, void* data, size_t count)
 }
 
 inline ContextPtr context_with(uint32_t threads, Shuffler* shuffler) {
-  dsw_context_desc desc;
-  dsw_context_desc_init(&desc, sizeof desc);
+  dsw_context_desc desc = defaults(dsw_context_desc_init);
   desc.thread_count = threads;
   if (shuffler != nullptr) {
     desc.user = shuffler;

@@ -1,5 +1,5 @@
-// A cell that a tie does not meet, with nothing but vertices that stand for crossings, stays on its side: in the plane, and with everything drawn
-// out to prisms in space.
+// A cell that a tie does not meet, with nothing but vertices that stand for crossings, stays on its side: in the plane,
+// and with everything drawn out to prisms in space.
 #include "support.h"
 
 namespace dsw::oracle {
@@ -26,8 +26,7 @@ EnvironmentPtr make_environment(const Sheet& sheet, uint32_t dimension) {
       if (space) corners.push_back(v + static_cast<int32_t>(sheet.points.size()));
     }
   }
-  dsw_environment_desc desc;
-  dsw_environment_desc_init(&desc, sizeof desc);
+  dsw_environment_desc desc = defaults(dsw_environment_desc_init);
   desc.dimension = dimension;
   desc.points = points.data();
   desc.point_count = points.size() / dimension;
@@ -52,7 +51,8 @@ int32_t outcome(const EnvironmentPtr& environment, const double* from, const dou
 class TieSidesOf : public testing::TestWithParam<std::tuple<uint32_t, bool>> {};
 INSTANTIATE_TEST_SUITE_P(Dimensions, TieSidesOf, testing::Combine(testing::Values(2, 3), testing::Bool()));
 
-/// The tie is x = 0. It crosses edges from 1 and 4 near 2, 3 and 5, which are on one side of it with the last two triangles.
+/// The tie is x = 0. It crosses edges from 1 and 4 near 2, 3 and 5, which are on one side of it with the last two
+/// triangles.
 TEST_P(TieSidesOf, WhatIsNotMetStays) {
   const auto [dimension, turned] = GetParam();
   const Sheet sheet{{{-4, 0}, {-2, 1}, {0.1, 2}, {0.1, 0}, {-2, -1}, {0.4, -1}, {2, 1}},
@@ -61,8 +61,7 @@ TEST_P(TieSidesOf, WhatIsNotMetStays) {
   ASSERT_NE(environment, nullptr);
   const double end = turned ? 9 : -9, from[3] = {0.2, 0.4, 0.5}, to[3] = {-3, 0, 0.5};
   const double line[] = {0, -end, 0, end}, loop[] = {0, -9, end, 0, -9, -end, 0, 9, -end, 0, 9, end};
-  dsw_tie_desc desc;
-  dsw_tie_desc_init(&desc, sizeof desc);
+  dsw_tie_desc desc = defaults(dsw_tie_desc_init);
   desc.points = dimension == 2 ? line : loop;
   desc.point_count = dimension == 2 ? 2 : 4;
   desc.snap = 0.25;
@@ -83,8 +82,7 @@ TEST(TieSides, ALineThatCrossesItself) {
   const EnvironmentPtr environment = make_environment(sheet, 2);
   ASSERT_NE(environment, nullptr);
   const double line[] = {-9, -0.5, 9, -0.5, 9, 9, 1.2, 9, 1.2, -9, -1.2, -9, -1.2, 9};
-  dsw_tie_desc desc;
-  dsw_tie_desc_init(&desc, sizeof desc);
+  dsw_tie_desc desc = defaults(dsw_tie_desc_init);
   desc.points = line;
   desc.point_count = std::size(line) / 2;
   desc.snap = 0.25;

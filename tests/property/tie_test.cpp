@@ -37,8 +37,7 @@ class TieTest : public SceneTest {
     return Blade<3>::fan(nullptr, {points_.data(), 3}, count + 1);
   }
   dsw_status tie(const std::vector<double>& loop, dsw_volume_id start, double snap) {
-    dsw_tie_desc desc;
-    dsw_tie_desc_init(&desc, sizeof desc);
+    dsw_tie_desc desc = defaults(dsw_tie_desc_init);
     desc.points = loop.data();
     desc.point_count = loop.size() / 3;
     desc.start = start;
@@ -142,7 +141,8 @@ TEST_P(TieTest, NothingGetsThrough) {
   }
 }
 
-/// A tube round a line, and a loop round the tube: what hangs together afterwards is on one side, and together again when that is undone.
+/// A tube round a line, and a loop round the tube: what hangs together afterwards is on one side, and together again
+/// when that is undone.
 TEST_P(TieTest, ATubeIsClosed) {
   size_t closed = 0;
   for (uint64_t seed = 1; seed <= wanted_shape_seeds(); ++seed) {

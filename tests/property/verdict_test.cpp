@@ -8,7 +8,7 @@
 namespace dsw::swept {
 namespace {
 
-/// When the edge from p to q first meets a line while p goes to p', by GMP's order of times; `points` are p, p', q. 2: never.
+/// When the edge from p to q first meets a line while p goes to p', by GMP; `points` are p, p', q. 2: never.
 double first_time(const Environment<3>& env, SweptTruth& truth, const double* const* points) {
   const Line* first = nullptr;
   for (const Line& line : truth.lines) {

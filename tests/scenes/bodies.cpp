@@ -8,9 +8,7 @@ BodyMotion::BodyMotion(const HexGrid& grid, const BodyOptions& options) : Drift(
     for (std::size_t i = 0; i < kBodyVertices; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         double sum = 0.0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          sum += frame[axis][k] * ((i >> axis & 1) != 0 ? 0.5 : -0.5);
-        }
+        for (std::size_t axis = 0; axis < 3; ++axis) sum += frame[axis][k] * ((i >> axis & 1) != 0 ? 0.5 : -0.5);
         corners[i][k] = sum * options.edge;
       }
     }
@@ -22,9 +20,7 @@ BodyMotion::BodyMotion(const HexGrid& grid, const BodyOptions& options) : Drift(
 bool BodyMotion::free(const double* vertices) const {
   for (std::size_t i = 0; i < kBodyVertices; ++i) {
     const std::uint32_t cell = grid_.cell_at(vertices + 3 * i);
-    if (cell == kNone || grid_.obstacle[cell] != 0) {
-      return false;
-    }
+    if (cell == kNone || grid_.obstacle[cell] != 0) return false;
   }
   return true;
 }
@@ -55,12 +51,8 @@ void append_step_segments(const HexGrid& grid, const BodyMotion& motion, std::ve
   };
   for (std::size_t body = 0; body < motion.body_count(); ++body) {
     const std::size_t first = body * kBodyVertices;
-    for (std::size_t i = 0; i < kBodyVertices; ++i) {
-      append(first + i, first + i);
-    }
-    for (const auto& edge : kEdgeVertices) {
-      append(first + edge[0], first + edge[1]);
-    }
+    for (std::size_t i = 0; i < kBodyVertices; ++i) append(first + i, first + i);
+    for (const auto& edge : kEdgeVertices) append(first + edge[0], first + edge[1]);
   }
 }
 

@@ -20,7 +20,8 @@ struct BodyOptions : DriftOptions {
 };
 
 /** Bodies drift through the passable cells, wobbling; one that would enter an obstacle or leave the lattice stays where
- * it is, keeps pressing for some steps and then turns to a random direction. Some targets lie in obstacles or outside. */
+ * it is, keeps pressing for some steps and then turns to a random direction. Some targets lie in obstacles or
+ * outside. */
 class BodyMotion : public Drift<kBodyVertices> {
  public:
   BodyMotion(const HexGrid& grid, const BodyOptions& options);
@@ -32,9 +33,9 @@ class BodyMotion : public Drift<kBodyVertices> {
   bool free(const double* vertices) const;
 };
 
-/** All casts of one step in space, body by body: 8 trajectories (start to target of a vertex), then 12 casts along edges
- * (start of one vertex to the target of the other, the paper's p'q). `from` and `to` get 3 doubles a cast; `lattice_cells`
- * gets the lattice cell of each start. All are appended. */
+/** All casts of one step in space, body by body: 8 trajectories (start to target of a vertex), then 12 casts along
+ * edges (start of one vertex to the target of the other, the paper's p'q). `from` and `to` get 3 doubles a cast;
+ * `lattice_cells` gets the lattice cell of each start. All are appended. */
 void append_step_segments(const HexGrid& grid, const BodyMotion& motion, std::vector<double>& from,
                           std::vector<double>& to, std::vector<std::uint32_t>& lattice_cells);
 

@@ -35,9 +35,7 @@ VolumeMesh make_delaunay(std::size_t tets, std::uint64_t seed) {
   // A finite cell of a three-dimensional triangulation is never flat: CGAL decides with exact predicates.
   mesh.connectivity.reserve(4 * delaunay.number_of_finite_cells());
   for (const auto& cell : delaunay.finite_cell_handles()) {
-    for (int i = 0; i < 4; ++i) {
-      mesh.connectivity.push_back(static_cast<std::int32_t>(cell->vertex(i)->info()));
-    }
+    for (int i = 0; i < 4; ++i) mesh.connectivity.push_back(static_cast<std::int32_t>(cell->vertex(i)->info()));
   }
   return mesh;
 }

@@ -1,5 +1,5 @@
-// Bodies of N vertices that drift through a lattice and wobble, in lattice coordinates. Their shapes, and where there is
-// room for them, are their owners' business. Uses no libm but sqrt.
+// Bodies of N vertices that drift through a lattice and wobble, in lattice coordinates. Their shapes, and where there
+// is room for them, are their owners' business. Uses no libm but sqrt.
 #ifndef DARTSWEEP_TESTS_SCENES_DRIFT_H
 #define DARTSWEEP_TESTS_SCENES_DRIFT_H
 
@@ -46,16 +46,12 @@ class Drift {
     double* vertices = starts_.data();
     for (Body& body : bodies_) {
       body.corners = shape(random_frame(random_));
-      for (auto& phase : body.phase) {
-        phase = random_phase(random_);
-      }
+      for (auto& phase : body.phase) phase = random_phase(random_);
       const double slope = random_.uniform(0.05, 0.3);  // tangent of half the turn a step
       body.turn = {(1 - slope * slope) / (1 + slope * slope), 2 * slope / (1 + slope * slope)};
       choose_direction(body);
       do {
-        for (std::size_t k = 0; k < 3; ++k) {
-          body.centre[k] = random_.uniform(0.0, double(grid_.options.size[k]));
-        }
+        for (std::size_t k = 0; k < 3; ++k) body.centre[k] = random_.uniform(0.0, double(grid_.options.size[k]));
         place(body, body.centre, vertices);
       } while (!has_room(vertices));
       vertices += 3 * N;
@@ -65,15 +61,11 @@ class Drift {
 
   /** Body i follows its centre. */
   void arrive(std::size_t i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      bodies_[i].centre[k] += bodies_[i].velocity[k];
-    }
+    for (std::size_t k = 0; k < 3; ++k) bodies_[i].centre[k] += bodies_[i].velocity[k];
   }
   /** Body i stays, and after some steps turns to a random direction. */
   void press(std::size_t i) {
-    if (++bodies_[i].pressed >= options_.press) {
-      choose_direction(bodies_[i]);
-    }
+    if (++bodies_[i].pressed >= options_.press) choose_direction(bodies_[i]);
   }
 
   void aim() {
@@ -107,9 +99,7 @@ class Drift {
   void choose_direction(Body& body) {
     const double speed = random_.uniform(options_.step_low, options_.step_high);
     const auto direction = random_direction(random_);
-    for (std::size_t k = 0; k < 3; ++k) {
-      body.velocity[k] = direction[k] * speed;
-    }
+    for (std::size_t k = 0; k < 3; ++k) body.velocity[k] = direction[k] * speed;
     body.pressed = 0;
   }
 

@@ -1,5 +1,6 @@
-/* The panels of figure 5 of [JCD10], 4.2, on one scene in space and in the plane: an edge swings down among pegs. Its end p falls from
-   (15.5, 7.5) to (15.5, 0.75), the other end q stays at (0.5, 7.5). In the plane pegs are marked vertices, in space marked upright edges. */
+/* The panels of figure 5 of [JCD10], 4.2, on one scene in space and in the plane: an edge swings down among pegs. Its
+   end p falls from (15.5, 7.5) to (15.5, 0.75), the other end q stays at (0.5, 7.5). In the plane pegs are marked
+   vertices, in space marked upright edges. */
 #ifndef DARTSWEEP_TESTS_SCENES_FIGURE5_H
 #define DARTSWEEP_TESTS_SCENES_FIGURE5_H
 
@@ -20,8 +21,8 @@ typedef enum figure5_panel {
   FIGURE5_PANELS = 7
 } figure5_panel;
 
-/* The pegs: the edge meets A, then the part from A to p meets B, and the part from B to p meets D, too near p for a vertex; C lies under
-   the edge between q and A. */
+/* The pegs: the edge meets A, then the part from A to p meets B, and the part from B to p meets D, too near p for a
+   vertex; C lies under the edge between q and A. */
 enum { FIGURE5_A = 0, FIGURE5_B = 1, FIGURE5_C = 2, FIGURE5_D = 3, FIGURE5_PEGS = 4, FIGURE5_NO_PEG = 9 };
 
 /* What has become of the edge. */
@@ -46,8 +47,9 @@ dsw_response figure5_response(figure5_panel panel);
 /* Makes the scene in 2 or 3 dimensions and the one move in it. 0 if a call failed. */
 int figure5_run(uint32_t dimension, figure5_panel panel, const figure5_options *options, figure5_answer *answer);
 
-/* Whether that is what the panel shows with default options: how many new vertices, where, in which order, where p ends and how many contacts
-   there are. Places follow from the pegs by hand; distances up to 1e-6 for what is kept off walls. */
+/* Whether that is what the panel shows with default options: how many new vertices, where, in which order, where p ends
+   and how many contacts there are. Places follow from the pegs by hand; distances up to 1e-6 for what is kept off
+   walls. */
 int figure5_is_expected(figure5_panel panel, const figure5_answer *answer);
 
 #ifdef __cplusplus

@@ -40,9 +40,7 @@ std::uint32_t HexGrid::cell_at(const double* lattice_point) const {
   std::array<std::uint32_t, 3> at{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double value = lattice_point[axis];
-    if (!(value >= 0.0) || value >= static_cast<double>(options.size[axis])) {
-      return kNone;
-    }
+    if (!(value >= 0.0) || value >= static_cast<double>(options.size[axis])) return kNone;
     at[axis] = static_cast<std::uint32_t>(value);
   }
   return cell(at[0], at[1], at[2]);
@@ -65,9 +63,7 @@ HexGrid make_hex_grid(const HexGridOptions& options) {
         double lattice[3] = {double(x), double(y), double(z)};
         const bool interior = x > 0 && x < nx && y > 0 && y < ny && z > 0 && z < nz;
         if (options.jitter > 0.0 && interior) {
-          for (double& value : lattice) {
-            value += shifts.uniform(-options.jitter, options.jitter);
-          }
+          for (double& value : lattice) value += shifts.uniform(-options.jitter, options.jitter);
         }
         lattice_to_space(options, lattice, out);
       }
@@ -97,9 +93,7 @@ std::uint32_t neighbour(const HexGrid& grid, std::uint32_t cell, std::uint32_t s
   const std::array<std::uint32_t, 3> at = {cell % nx, cell / nx % ny, cell / (nx * ny)};
   const std::array<std::uint32_t, 3> step = {1, nx, nx * ny};
   const std::uint32_t axis = side / 2;
-  if (side % 2 == 0) {
-    return at[axis] == 0 ? kNone : cell - step[axis];
-  }
+  if (side % 2 == 0) return at[axis] == 0 ? kNone : cell - step[axis];
   return at[axis] + 1 == grid.options.size[axis] ? kNone : cell + step[axis];
 }
 
@@ -107,27 +101,21 @@ Wall cell_wall(const HexGrid& grid, std::uint32_t cell, std::uint32_t side) {
   Wall wall;
   wall.vertex_count = 4;
   const std::int32_t* points = grid.mesh.cell(cell);
-  for (std::size_t i = 0; i < 4; ++i) {
-    wall.vertices[i] = static_cast<std::uint32_t>(points[kHexFaces[side][3 - i]]);
-  }
+  for (std::size_t i = 0; i < 4; ++i) wall.vertices[i] = static_cast<std::uint32_t>(points[kHexFaces[side][3 - i]]);
   return wall;
 }
 
 void append_cell_walls(const HexGrid& grid, std::uint32_t cell, std::vector<Wall>& walls) {
   for (std::uint32_t side = 0; side < 6; ++side) {
     const std::uint32_t other = neighbour(grid, cell, side);
-    if (other == kNone || grid.obstacle[other] != 0) {
-      walls.push_back(cell_wall(grid, cell, side));
-    }
+    if (other == kNone || grid.obstacle[other] != 0) walls.push_back(cell_wall(grid, cell, side));
   }
 }
 
 std::vector<Wall> hex_grid_walls(const HexGrid& grid) {
   std::vector<Wall> walls;
   for (std::uint32_t cell = 0; cell < grid.obstacle.size(); ++cell) {
-    if (grid.obstacle[cell] == 0) {
-      append_cell_walls(grid, cell, walls);
-    }
+    if (grid.obstacle[cell] == 0) append_cell_walls(grid, cell, walls);
   }
   return walls;
 }

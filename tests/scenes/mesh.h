@@ -36,9 +36,7 @@ struct Wall {
   /** Triangle 0 or 1, turning as the wall does. */
   std::array<std::uint32_t, 3> triangle(std::uint32_t index) const {
     const auto& v = vertices;
-    if (vertex_count == 3) {
-      return {v[0], v[1], v[2]};
-    }
+    if (vertex_count == 3) return {v[0], v[1], v[2]};
     if (diagonal == 0) {
       return index == 0 ? std::array<std::uint32_t, 3>{v[0], v[1], v[2]}
                         : std::array<std::uint32_t, 3>{v[0], v[2], v[3]};

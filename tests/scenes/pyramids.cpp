@@ -32,9 +32,7 @@ Pyramids make_pyramids(const PyramidOptions& options) {
   };
   for (std::uint32_t z = 0; z <= nz; ++z) {
     for (std::uint32_t y = 0; y <= ny; ++y) {
-      for (std::uint32_t x = 0; x <= nx; ++x) {
-        add_point(x, y, z);
-      }
+      for (std::uint32_t x = 0; x <= nx; ++x) add_point(x, y, z);
     }
   }
   Random random(options.seed);
@@ -46,9 +44,7 @@ Pyramids make_pyramids(const PyramidOptions& options) {
         add_point(x + 0.5, y + 0.5, z + 0.5);
         const auto points = corners(pyramids, cube);
         for (const auto& face : kHexFaces) {  // turns clockwise seen from the centre
-          for (std::size_t i = 0; i < 4; ++i) {
-            mesh.connectivity.push_back(points[face[3 - i]]);
-          }
+          for (std::size_t i = 0; i < 4; ++i) mesh.connectivity.push_back(points[face[3 - i]]);
           mesh.connectivity.push_back(centre);
         }
         pyramids.obstacle.push_back(random.uniform() < options.obstacle_share ? 1 : 0);
@@ -71,9 +67,7 @@ void clear_box(Pyramids& pyramids, const std::array<double, 3>& low, const std::
   }
   for (std::uint32_t z = from[2]; z <= to[2]; ++z) {
     for (std::uint32_t y = from[1]; y <= to[1]; ++y) {
-      for (std::uint32_t x = from[0]; x <= to[0]; ++x) {
-        pyramids.obstacle[pyramids.cube(x, y, z)] = 0;
-      }
+      for (std::uint32_t x = from[0]; x <= to[0]; ++x) pyramids.obstacle[pyramids.cube(x, y, z)] = 0;
     }
   }
 }
@@ -83,22 +77,16 @@ std::vector<Wall> pyramid_walls(const Pyramids& pyramids) {
   const std::array<std::uint32_t, 3> step = {1, nx, nx * ny}, size = {nx, ny, nz};
   std::vector<Wall> walls;
   for (std::uint32_t cube = 0; cube < pyramids.obstacle.size(); ++cube) {
-    if (pyramids.obstacle[cube] != 0) {
-      continue;
-    }
+    if (pyramids.obstacle[cube] != 0) continue;
     const std::array<std::uint32_t, 3> at = {cube % nx, cube / nx % ny, cube / (nx * ny)};
     const auto points = corners(pyramids, cube);
     for (std::uint32_t side = 0; side < 6; ++side) {
       const std::uint32_t axis = side / 2;
       const bool outer = side % 2 == 0 ? at[axis] == 0 : at[axis] + 1 == size[axis];
-      if (!outer && pyramids.obstacle[side % 2 == 0 ? cube - step[axis] : cube + step[axis]] == 0) {
-        continue;
-      }
+      if (!outer && pyramids.obstacle[side % 2 == 0 ? cube - step[axis] : cube + step[axis]] == 0) continue;
       Wall wall;
       wall.vertex_count = 4;
-      for (std::size_t i = 0; i < 4; ++i) {
-        wall.vertices[i] = static_cast<std::uint32_t>(points[kHexFaces[side][3 - i]]);
-      }
+      for (std::size_t i = 0; i < 4; ++i) wall.vertices[i] = static_cast<std::uint32_t>(points[kHexFaces[side][3 - i]]);
       walls.push_back(wall);
     }
   }

@@ -25,12 +25,8 @@ std::array<std::array<double, 3>, 3> random_frame(Random& random) {
       b[k] -= along * a[k];
       length_sq += b[k] * b[k];
     }
-    if (length_sq < 0.01) {
-      continue;
-    }
-    for (double& value : b) {
-      value /= std::sqrt(length_sq);
-    }
+    if (length_sq < 0.01) continue;
+    for (double& value : b) value /= std::sqrt(length_sq);
     return {a, b, {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
   }
 }

@@ -1,5 +1,5 @@
-// Shape matching [MHTG05] as [JCD10] 7.3 takes it: equation 1 with weights, the rotation by Jacobi rotations. Uses no libm but
-// sqrt, so that a scene is the same on every machine.
+// Shape matching [MHTG05] as [JCD10] 7.3 takes it: equation 1 with weights, the rotation by Jacobi rotations. Uses no
+// libm but sqrt, so that a scene is the same on every machine.
 #ifndef DARTSWEEP_TESTS_SCENES_SHAPE_MATCHING_H
 #define DARTSWEEP_TESTS_SCENES_SHAPE_MATCHING_H
 
@@ -13,8 +13,9 @@ using Matrix = std::array<std::array<double, 3>, 3>;  // rows
 
 constexpr Matrix kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/** The rotation R of the polar decomposition A = R S: of all rotations the nearest to A. Eigenvectors of A^T A come from cyclic
- * Jacobi rotations. R is never a reflection: if the determinant of A is negative, the direction of least stretch is turned over.
+/** The rotation R of the polar decomposition A = R S: of all rotations the nearest to A. Eigenvectors of A^T A come
+ * from cyclic Jacobi rotations. R is never a reflection: if the determinant of A is negative, the direction of least
+ * stretch is turned over.
  * @param last what counts where A has rank one or zero, so that no rotation is the nearest. */
 Matrix nearest_rotation(const Matrix& a, const Matrix& last);
 

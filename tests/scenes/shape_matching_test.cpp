@@ -1,4 +1,4 @@
-// The physics of the benchmark's hexahedra: rotations by Jacobi rotations, equation 1 of [JCD10], bodies that fly and bounce.
+// The physics of the benchmark's hexahedra: rotations by Jacobi rotations, equation 1 of [JCD10], bodies that fly.
 #include "scenes/shape_matching.h"
 
 #include "scenes/random_turns.h"
@@ -15,9 +15,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
   Matrix c{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        c[i][j] += a[i][k] * b[k][j];
-      }
+      for (std::size_t k = 0; k < 3; ++k) c[i][j] += a[i][k] * b[k][j];
     }
   }
   return c;
@@ -26,9 +24,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
 Matrix transposed(const Matrix& a) {
   Matrix c{};
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      c[i][j] = a[j][i];
-    }
+    for (std::size_t j = 0; j < 3; ++j) c[i][j] = a[j][i];
   }
   return c;
 }
@@ -41,9 +37,7 @@ double determinant(const Matrix& a) {
 double distance(const Matrix& a, const Matrix& b) {
   double most = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      most = std::fmax(most, std::fabs(a[i][j] - b[i][j]));
-    }
+    for (std::size_t j = 0; j < 3; ++j) most = std::fmax(most, std::fabs(a[i][j] - b[i][j]));
   }
   return most;
 }
@@ -58,9 +52,7 @@ Matrix symmetric(Random& random, const std::array<double, 3>& stretches) {
   const Matrix frame = random_frame(random);
   Matrix scaled = frame;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (double& value : scaled[i]) {
-      value *= stretches[i];
-    }
+    for (double& value : scaled[i]) value *= stretches[i];
   }
   return product(transposed(frame), scaled);
 }
@@ -104,16 +96,12 @@ TEST(ShapeMatching, GoalsAreTheTurnedShapeAndKeepTheWeightedCentre) {
   Matrix rotation = kIdentity;
   shape.find_goals(at.data(), rotation, goals.data());
   EXPECT_LT(distance(rotation, turn), 1e-12);
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    EXPECT_NEAR(goals[i], at[i], 1e-12);
-  }
+  for (std::size_t i = 0; i < at.size(); ++i) EXPECT_NEAR(goals[i], at[i], 1e-12);
 
   at[0] += 0.5;  // deformed: goals differ, their weighted centre does not
   shape.find_goals(at.data(), rotation, goals.data());
   double moved = 0;
-  for (std::size_t i = 0; i < 8; ++i) {
-    moved += weights[i] * (goals[3 * i] - at[3 * i]);
-  }
+  for (std::size_t i = 0; i < 8; ++i) moved += weights[i] * (goals[3 * i] - at[3 * i]);
   EXPECT_NEAR(moved, 0, 1e-12);
   EXPECT_GT(std::fabs(goals[0] - at[0]), 0.01);
 }
@@ -154,18 +142,14 @@ TEST(SoftHexahedra, AContactTurnsTheTouchingPointRound) {
     way[k] -= before[k];
     size += way[k] * way[k];
   }
-  for (std::size_t k = 0; k < 3; ++k) {
-    normal[k] = -way[k] / std::sqrt(size);
-  }
+  for (std::size_t k = 0; k < 3; ++k) normal[k] = -way[k] / std::sqrt(size);
   const double speed = bodies.speed();
   bodies.bounce(0, 0, 0.0, normal.data());
   EXPECT_NEAR(bodies.speed(), speed, 1e-12);  // reflected, nothing lost
   bodies.reach(before);
   const std::vector<double>& after = bodies.aim();
   double along = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    along += (after[k] - before[k]) * normal[k];
-  }
+  for (std::size_t k = 0; k < 3; ++k) along += (after[k] - before[k]) * normal[k];
   EXPECT_GT(along, 0);
 }
 

@@ -12,9 +12,7 @@ constexpr std::size_t kNumbers = 3 * kBodyVertices;
 std::vector<double> cube(double edge) {
   std::vector<double> corners;
   for (std::size_t i = 0; i < kBodyVertices; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      corners.push_back((i >> axis & 1) != 0 ? 0.5 * edge : -0.5 * edge);
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis) corners.push_back((i >> axis & 1) != 0 ? 0.5 * edge : -0.5 * edge);
   }
   return corners;
 }
@@ -22,15 +20,11 @@ std::vector<double> cube(double edge) {
 /** Whether every cell that a box meets is passable. */
 bool has_room(const HexGrid& grid, const Box& box) {
   const auto& [low, high] = box;
-  if (grid.cell_at(low.data()) == kNone || grid.cell_at(high.data()) == kNone) {
-    return false;
-  }
+  if (grid.cell_at(low.data()) == kNone || grid.cell_at(high.data()) == kNone) return false;
   for (auto z = static_cast<std::uint32_t>(low[2]); z <= static_cast<std::uint32_t>(high[2]); ++z) {
     for (auto y = static_cast<std::uint32_t>(low[1]); y <= static_cast<std::uint32_t>(high[1]); ++y) {
       for (auto x = static_cast<std::uint32_t>(low[0]); x <= static_cast<std::uint32_t>(high[0]); ++x) {
-        if (grid.obstacle[grid.cell(x, y, z)] != 0) {
-          return false;
-        }
+        if (grid.obstacle[grid.cell(x, y, z)] != 0) return false;
       }
     }
   }
@@ -51,9 +45,7 @@ Box::Box(const double* vertices) {
 
 bool Box::overlaps(const Box& other) const {
   bool all = true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    all = all && low[k] <= other.high[k] && other.low[k] <= high[k];
-  }
+  for (std::size_t k = 0; k < 3; ++k) all = all && low[k] <= other.high[k] && other.low[k] <= high[k];
   return all;
 }
 
@@ -77,9 +69,7 @@ SoftHexahedra::SoftHexahedra(const HexGrid& grid, const SoftHexahedraOptions& op
     rotations_[body] = kIdentity;
     do {
       std::array<double, 3> centre{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        centre[k] = random.uniform(0.0, double(grid.options.size[k]));
-      }
+      for (std::size_t k = 0; k < 3; ++k) centre[k] = random.uniform(0.0, double(grid.options.size[k]));
       for (std::size_t i = 0; i < kBodyVertices; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
           at[3 * i + k] =

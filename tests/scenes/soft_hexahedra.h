@@ -1,5 +1,6 @@
-// The bodies of [JCD10] 7.4: deformable hexahedra of 8 particles, simulated by shape matching, each of which starts with a random
-// impulse. Where their particles get to is decided by the caller, who answers every step with positions and contacts.
+// The bodies of [JCD10] 7.4: deformable hexahedra of 8 particles, simulated by shape matching, each of which starts
+// with a random impulse. Where their particles get to is decided by the caller, who answers every step with positions
+// and contacts.
 #ifndef DARTSWEEP_TESTS_SCENES_SOFT_HEXAHEDRA_H
 #define DARTSWEEP_TESTS_SCENES_SOFT_HEXAHEDRA_H
 
@@ -29,8 +30,8 @@ constexpr std::array<std::array<std::uint32_t, 4>, 6> kBodyFaces = {
 
 class SoftHexahedra {
  public:
-  /** Bodies start at random places of the lattice, turned at random. Every cell that a body's box meets is passable, and no two
-   * boxes overlap. */
+  /** Bodies start at random places of the lattice, turned at random. Every cell that a body's box meets is passable,
+   * and no two boxes overlap. */
   SoftHexahedra(const HexGrid& grid, const SoftHexahedraOptions& options);
 
   std::size_t body_count() const { return rotations_.size(); }
@@ -40,8 +41,8 @@ class SoftHexahedra {
   const std::vector<double>& aim();
   /** Where the particles got to. */
   void reach(const std::vector<double>& positions) { positions_ = positions; }
-  /** A contact: the touching point, (1 - along) of particle p and along of q, is reflected if it moves against the normal. Its
-   * two particles share the impulse; nothing is lost. If only p touches, q is p and `along` 0. */
+  /** A contact: the touching point, (1 - along) of particle p and along of q, is reflected if it moves against the
+   * normal. Its two particles share the impulse; nothing is lost. If only p touches, q is p and `along` 0. */
   void bounce(std::size_t p, std::size_t q, double along, const double* normal);
 
   /** Root of the mean square distance of particles to their goals, in edges of the rest shape. */

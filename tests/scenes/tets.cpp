@@ -37,9 +37,7 @@ double mean_edge_where(const VolumeMesh& mesh, Counts counts) {
   double sum = 0.0;
   std::size_t count = 0;
   for (std::size_t cell = 0; cell < mesh.cell_count(); ++cell) {
-    if (!counts(cell)) {
-      continue;
-    }
+    if (!counts(cell)) continue;
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i + 1; j < 4; ++j) {
         const double* a = mesh.point(static_cast<std::size_t>(mesh.cell(cell)[i]));
@@ -82,9 +80,7 @@ std::vector<std::array<std::uint32_t, 4>> tet_neighbours(const VolumeMesh& mesh)
   for (std::uint32_t cell = 0; cell < mesh.cell_count(); ++cell) {
     for (std::uint32_t side = 0; side < 4; ++side) {
       HalfFace half{{}, cell, side};
-      for (std::size_t i = 0; i < 3; ++i) {
-        half.key[i] = static_cast<std::uint32_t>(mesh.cell(cell)[kTetFaces[side][i]]);
-      }
+      for (std::size_t i = 0; i < 3; ++i) half.key[i] = static_cast<std::uint32_t>(mesh.cell(cell)[kTetFaces[side][i]]);
       std::sort(half.key.begin(), half.key.end());
       halves.push_back(half);
     }

@@ -93,8 +93,8 @@ std::vector<std::array<Vec, 2>> random_casts(Place& place, Rng& rng, std::size_t
   return casts;
 }
 
-/** Straight at a corner or the middle of a side of a wall near by, and as far behind it, where that is outside of the lumen: no way
- * there is free. */
+/** Straight at a corner or the middle of a side of a wall near by, and as far behind it, where that is outside of the
+ * lumen: no way there is free. */
 std::vector<std::array<Vec, 2>> grazing_casts(Place& place, Rng& rng, std::size_t count) {
   std::vector<std::array<Vec, 2>> casts;
   const bench::WallMesh& walls = place.walls();

@@ -49,8 +49,8 @@ struct Method {
   std::function<void()> run;      // all items
 };
 
-/** Seconds an item, processor time of this thread: medians over `rounds`, in which the methods take turns, after a round that warms
- * up. What the last run of a method left behind is still there. */
+/** Seconds an item, processor time of this thread: medians over `rounds`, in which the methods take turns, after a
+ * round that warms up. What the last run of a method left behind is still there. */
 std::vector<double> time_methods(const std::vector<Method>& methods, std::size_t items, int rounds);
 
 }  // namespace dsw::curves

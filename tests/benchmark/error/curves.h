@@ -26,8 +26,8 @@ struct Options {
 void time_curves(const Options& options);
 /** missed_vessel, missed_faces, missed_spikes: levels against the length of edges. */
 void level_curves(const Options& options);
-/** ccd_vertex_face, ccd_edge_edge, degenerate_vertex_face, degenerate_edge_edge, contact_point, contact_normal: single pairs, beside
- * peers. Leaves the pairs of the first four in pairs_<curve>.csv. */
+/** ccd_vertex_face, ccd_edge_edge, degenerate_vertex_face, degenerate_edge_edge, contact_point, contact_normal: single
+ * pairs, beside peers. Leaves the pairs of the first four in pairs_<curve>.csv. */
 void pair_curves(const Options& options);
 /** cast_time, cast_through: casts through a scene, beside peers. */
 void cast_curves(const Options& options);

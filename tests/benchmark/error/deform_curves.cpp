@@ -1,6 +1,6 @@
-// Particles at rest while all of a lattice goes by, one cell in ten of it impassable. Seen from the lattice each particle flies straight on, so
-// exact rationals tell which of them walls meet. The way is 10 cell radii long and is made in 1 to 1000 deformations. Then the same with edges in
-// place of particles.
+// Particles at rest while all of a lattice goes by, one cell in ten of it impassable. Seen from the lattice each
+// particle flies straight on, so exact rationals tell which of them walls meet. The way is 10 cell radii long and is
+// made in 1 to 1000 deformations. Then the same with edges in place of particles.
 #include "deform_curves.h"
 
 #include "../timing.h"

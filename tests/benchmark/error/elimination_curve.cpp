@@ -92,7 +92,7 @@ class Ropes {
     return at;
   }
 
-  /** Vertex after vertex, each from where the others are by then: whether something is met, and whether a contact tells so. */
+  /** Vertex after vertex, each from where the others are by then: whether something is met, and is a contact. */
   void judge_step(std::size_t i, std::vector<Vec> now, const std::vector<Vec>& targets, Judged& judged) {
     const dsw_contact* contacts = nullptr;
     std::size_t count = 0;

@@ -1,5 +1,5 @@
-// One thing against one other, without a scene: a vertex p that moves to p' against a triangle, or an edge p q whose end moves to p'
-// against a segment. What is true of each pair, and peers that answer it.
+// One thing against one other, without a scene: a vertex p that moves to p' against a triangle, or an edge p q whose
+// end moves to p' against a segment. What is true of each pair, and peers that answer it.
 #ifndef DARTSWEEP_TESTS_BENCHMARK_ERROR_PAIRS_H
 #define DARTSWEEP_TESTS_BENCHMARK_ERROR_PAIRS_H
 

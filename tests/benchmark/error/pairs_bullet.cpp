@@ -1,5 +1,6 @@
-// Bullet's casts of convex shapes. Those by which it casts rays get what its rays are: a sphere of radius 0, no margins. Its continuous
-// test of convex shapes works on distances and wants a margin: a sphere that is not quite a point. It knows no edge of which one end moves.
+// Bullet's casts of convex shapes. Those by which it casts rays get what its rays are: a sphere of radius 0, no
+// margins. Its continuous test of convex shapes works on distances and wants a margin: a sphere that is not quite a
+// point. It knows no edge of which one end moves.
 #include "pairs.h"
 
 #include "../bullet_casts.h"

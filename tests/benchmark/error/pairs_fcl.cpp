@@ -1,5 +1,5 @@
-// FCL's continuous tests of moving vertices and edges, which its continuous collision of deforming meshes is made of: cubics, by
-// Newton's method in an interval, or solved in closed form; and with its filters before them.
+// FCL's continuous tests of moving vertices and edges, which its continuous collision of deforming meshes is made of:
+// cubics, by Newton's method in an interval, or solved in closed form; and with its filters before them.
 #include "pairs.h"
 
 #include <fcl/narrowphase/detail/traversal/collision/intersect.h>

@@ -1,5 +1,5 @@
-// The environments of the curves: a lattice of tetrahedra, shaken so that nothing is flat or in a row, and what is impassable in it,
-// as the library sees it and as the oracle does.
+// The environments of the curves: a lattice of tetrahedra, shaken so that nothing is flat or in a row, and what is
+// impassable in it, as the library sees it and as the oracle does.
 #ifndef DARTSWEEP_TESTS_BENCHMARK_ERROR_PLACE_H
 #define DARTSWEEP_TESTS_BENCHMARK_ERROR_PLACE_H
 

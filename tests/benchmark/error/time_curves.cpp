@@ -1,5 +1,5 @@
-// The dichotomic search against the exact one, where the whole scene is searched: for each contact, and for each move whether it
-// touches or not.
+// The dichotomic search against the exact one, where the whole scene is searched: for each contact, and for each move
+// whether it touches or not.
 #include "curves.h"
 #include "moves.h"
 

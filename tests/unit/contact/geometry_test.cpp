@@ -44,7 +44,7 @@ TEST(SwingNormal, LooksToWhereTheEdgeComesFrom) {
   EXPECT_GT(nearly_along, 1000);
 }
 
-// What lies on the end about which the edge turns says nothing of the edge's direction, nor does an end that has come there.
+// What lies on the end about which the edge turns says nothing of the edge's direction, nor does an end there.
 TEST(SwingNormal, HasALengthWhereTheEdgeHasNone) {
   const double p[2] = {0, 0}, q[2] = {1, 0}, to[2] = {2, 2};
   const double end[2] = {1, 1};

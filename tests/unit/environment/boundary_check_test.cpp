@@ -98,7 +98,7 @@ Int3 cross(const Int3& a, const Int3& b) {
 }
 int64_t dot(const Int3& a, const Int3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/** Convex bodies have no inner point in common exactly if a plane along a face of one or two edges of both separates. */
+/** Convex bodies share no inner point exactly if a plane along a face of one or two edges of both separates them. */
 bool tets_overlap(const std::array<Int3, 4>& a, const std::array<Int3, 4>& b) {
   std::vector<Int3> edges[2], normals;
   for (int body = 0; body < 2; ++body) {
@@ -188,7 +188,7 @@ TEST(BoundaryCheck, NestedPartsAreFoundAndNamed) {
   for (uint32_t i = 0; i < offenders.count; ++i) EXPECT_NE(offenders.index[i], 1u);
 }
 
-/** A shell of one layer of cells whose middle layer holds another shell: no boundary crosses, no centre gives it away. */
+/** A shell of one layer of cells whose middle layer holds another shell: no boundary crosses, no centre tells. */
 TEST(BoundaryCheck, ShellInsideOfAShell) {
   Mesh3 mesh;
   const auto shell = [](int x, int y, int z) { return x % 4 == 0 || y % 4 == 0 || z % 4 == 0; };
@@ -200,8 +200,8 @@ TEST(BoundaryCheck, ShellInsideOfAShell) {
   EXPECT_TRUE(crosses(inside));
 }
 
-/** Two solids that have one closed line in common and pass through each other along it; the cells that a ray meets first
- * are not those that overlap. */
+/** Two solids that have one closed line in common and pass through each other along it; the cells that a ray meets
+ * first are not those that overlap. */
 TEST(BoundaryCheck, SheetsThatCrossInEdgesOnly) {
   const auto square = [](Mesh3& mesh, double low, double high, double z) {
     return std::vector<int64_t>{mesh.point({low, low, z}), mesh.point({high, low, z}), mesh.point({high, high, z}),

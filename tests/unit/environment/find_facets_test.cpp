@@ -1,4 +1,4 @@
-// Facets and edges by their vertices: every one of a mixed mesh is found under any order of its vertices, nothing else is.
+// Facets and edges by their vertices: those of a mixed mesh, and no other, under any order of them.
 
 #include "environment/find_facets.h"
 

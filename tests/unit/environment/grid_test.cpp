@@ -1,4 +1,4 @@
-// The locate grid: every bucket lists, ascending, exactly the cells whose box it may be asked for, and lists stay short.
+// The locate grid: every bucket lists, ascending, exactly the cells whose box it may be asked for; lists are short.
 
 #include "environment/grid.h"
 

@@ -1,4 +1,5 @@
-// The boundary check in the plane against independent answers, in whole numbers: separating lines for triangles, sets for pixels.
+// The boundary check in the plane against independent answers, in whole numbers: separating lines for triangles, sets
+// for pixels.
 
 #include <gtest/gtest.h>
 
@@ -56,8 +57,8 @@ TEST(PlaneBoundaryCheck, PairsOfTriangles) {
   EXPECT_LT(overlaps, 18000);
 }
 
-/** Two sets of pixels, each a part (or several) with points of its own: they touch themselves and each other in points and along
- * sides, one can lie in a hole of the other, or in the middle of it. */
+/** Two sets of pixels, each a part (or several) with points of its own: they touch themselves and each other in points
+ * and along sides, one can lie in a hole of the other, or in the middle of it. */
 TEST(PlaneBoundaryCheck, SetsOfPixels) {
   Random random(2);
   constexpr int kSize = 5;

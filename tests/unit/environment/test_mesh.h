@@ -25,18 +25,14 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-template <int D>
-struct TestMesh {
+/** Cells of either dimension. */
+struct MeshData {
   std::vector<double> points;
   std::vector<uint8_t> types;
   std::vector<int64_t> offsets{0}, connectivity;
   std::vector<int32_t> regions;
   std::vector<uint32_t> tags;
 
-  int64_t point(std::initializer_list<double> p) {
-    points.insert(points.end(), p);
-    return static_cast<int64_t>(points.size() / D) - 1;
-  }
   void cell(uint8_t type, const std::vector<int64_t>& stream) {
     types.push_back(type);
     connectivity.insert(connectivity.end(), stream.begin(), stream.end());
@@ -52,8 +48,8 @@ struct TestMesh {
   }
 
   /** Throws what creation throws. */
-  std::unique_ptr<Environment<D>> build(BuildReport* report = nullptr, const Memory* memory = nullptr) const {
-    auto env = std::make_unique<Environment<D>>(memory);
+  template <int D>
+  void build_into(Environment<D>& env, BuildReport& report) const {
     MeshInput input;
     input.points = points.data();
     input.point_count = points.size() / D;
@@ -65,8 +61,20 @@ struct TestMesh {
     input.connectivity_count = connectivity.size();
     input.regions = regions.empty() ? nullptr : regions.data();
     input.tags = tags.empty() ? nullptr : tags.data();
+    dsw::build(env, input, report);
+  }
+};
+
+template <int D>
+struct TestMesh : MeshData {
+  int64_t point(std::initializer_list<double> p) {
+    points.insert(points.end(), p);
+    return static_cast<int64_t>(points.size() / D) - 1;
+  }
+  std::unique_ptr<Environment<D>> build(BuildReport* report = nullptr, const Memory* memory = nullptr) const {
+    auto env = std::make_unique<Environment<D>>(memory);
     BuildReport own;
-    dsw::build(*env, input, report == nullptr ? own : *report);
+    build_into(*env, report == nullptr ? own : *report);
     return env;
   }
 };
@@ -74,7 +82,8 @@ struct TestMesh {
 using Mesh3 = TestMesh<3>;
 using Mesh2 = TestMesh<2>;
 
-/** A lattice of nx * ny * nz boxes with the given spacing, appended with points of its own; only where keep(x, y, z). */
+/** A lattice of nx * ny * nz boxes with the given spacing, appended with points of its own; only where keep(x, y,
+ * z). */
 template <class Keep>
 void add_boxes(Mesh3& mesh, int nx, int ny, int nz, double origin_x, double origin_y, double origin_z, double spacing,
                Keep keep) {
@@ -130,7 +139,8 @@ inline void add_box(Mesh3& mesh, const double* lower, const double* upper) {
   mesh.cell(kHexahedron, corners);
 }
 
-/** Every cell type in one part: a box, a wedge, a polyhedron (another box), a pyramid and a tetrahedron on its faces. */
+/** Every cell type in one part: a box, a wedge, a polyhedron (another box), a pyramid and a tetrahedron on its
+ * faces. */
 inline Mesh3 mixed_mesh() {
   Mesh3 m;
   add_boxes(m, 1, 1, 1);

@@ -146,7 +146,7 @@ TEST_P(PlaneSequence, IsForgottenByPolygonsThatMove) {
   EXPECT_EQ(follows(p, q), GetParam());
 }
 
-/** Side by side two sides in a row belong to the same cells: nobody knows through which of them a path of three cells went. */
+/** Side by side two sides in a row belong to the same cells: nobody knows which of them a path of three cells met. */
 TEST(PlanePath, NamesASecondSideOnlyIfThereIsOne) {
   Mesh2 mesh;
   for (int y = 0; y <= 3; ++y) {

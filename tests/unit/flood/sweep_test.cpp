@@ -51,7 +51,7 @@ SweepResult sweep_edge(const Environment<3>& env, const Moved& m, const Point& e
   return flood.sweep(m.edge(end), locate(env, m.p.data(), Cell{}, nullptr).cell, 0);
 }
 
-/** A large face that tilts down; its plane meets (x, y) at height 5 - 4 t (1 - (x + y - 1) / 4.5) where p moves from 5 to 1. */
+/** A large face that tilts down: at (x, y) its height is 5 - 4 t (1 - (x + y - 1) / 4.5), while p moves from 5 to 1. */
 const Moved kTilt{{0.5, 0.5, 5}, {0.5, 0.5, 1}, {5, 0.5, 5}, {0.5, 5, 5}};
 
 TEST(SweepFace, ASpikeThroughTheFaceIsFound) {

@@ -1,4 +1,4 @@
-// Locating: every way to ask gives the one cell that contains the shifted point; classify gives what lies exactly there.
+// Locating: every way to ask gives the cell that contains the shifted point; classify gives what lies exactly there.
 // On lattices both are known from the coordinates alone.
 
 #include "locate/locate.h"

@@ -119,7 +119,7 @@ TEST(Integrity, MarksAreNoDamage) {
   }
 }
 
-/** Every bit of every table: each is refused, but for those of marks and of "convex", which are not the map's to judge. */
+/** Every bit of every table: each is refused, but for marks and "convex", which the map does not judge. */
 TEST(Integrity, NoBitOfAMapIsFree) {
   for (const Mesh3& mesh : {boxes(), mixed_mesh()}) {
     const auto env = mesh.build();

@@ -124,7 +124,7 @@ TEST(LinkedCuts, LinkedToAFacetWithOtherVertices) {
   EXPECT_STREQ(check_integrity(map), kUnlike);
 }
 
-/** A cube whose opposite corners 0 and 6 are one vertex has two discs there. A vertex too many makes Euler's numbers fit. */
+/** A cube whose opposite corners 0 and 6 are one vertex has two discs there. One vertex more, and Euler's sum fits. */
 TEST(LinkedCuts, AVertexInTwoDiscsIsSeenThoughTheNumbersFit) {
   const uint16_t loops[] = {0, 4, 6, 3, 1, 2, 0, 5, 0, 1, 5, 4, 3, 6, 0, 2, 0, 3, 2, 1, 4, 5, 0, 6};
   const uint16_t first[] = {0, 4, 8, 12, 16, 20, 24};

@@ -9,38 +9,26 @@
 #include <utility>
 #include <vector>
 
-#include "environment/builder.h"
+#include "../environment/test_mesh.h"
 
 namespace dsw::testing_meshes {
 
-constexpr uint8_t kTriangle = 5, kPolygon = 7, kQuad = 9, kTetra = 10, kHexahedron = 12, kWedge = 13, kPyramid = 14,
-                  kPolyhedron = 42;
+using test::kHexahedron;
+using test::kPolygon;
+using test::kPolyhedron;
+using test::kPyramid;
+using test::kQuad;
+using test::kTetra;
+using test::kTriangle;
+using test::kWedge;
 
-struct SmallMesh {
+struct SmallMesh : test::MeshData {
   std::string name;
   int dimension = 3;
-  std::vector<double> points;
-  std::vector<uint8_t> types;
-  std::vector<int64_t> offsets{0}, connectivity;
-  std::vector<int32_t> regions;
-  std::vector<uint32_t> tags;
 
   void point(double x, double y, double z = 0) {
     points.insert(points.end(), {x, y});
     if (dimension == 3) points.push_back(z);
-  }
-  void cell(uint8_t type, const std::vector<int64_t>& entries) {
-    types.push_back(type);
-    connectivity.insert(connectivity.end(), entries.begin(), entries.end());
-    offsets.push_back(static_cast<int64_t>(connectivity.size()));
-  }
-  void polyhedron(const std::vector<std::vector<int64_t>>& faces) {
-    std::vector<int64_t> stream{static_cast<int64_t>(faces.size())};
-    for (const auto& face : faces) {
-      stream.push_back(static_cast<int64_t>(face.size()));
-      stream.insert(stream.end(), face.begin(), face.end());
-    }
-    cell(kPolyhedron, stream);
   }
   void label() {
     for (size_t i = 0; i < types.size(); ++i) {
@@ -52,19 +40,8 @@ struct SmallMesh {
 
 template <int D>
 void build_mesh(Environment<D>& env, const SmallMesh& mesh) {
-  MeshInput input;
-  input.points = mesh.points.data();
-  input.point_count = mesh.points.size() / D;
-  input.point_stride_bytes = D * sizeof(double);
-  input.cell_types = mesh.types.data();
-  input.cell_count = mesh.types.size();
-  input.offsets = mesh.offsets.data();
-  input.connectivity = mesh.connectivity.data();
-  input.connectivity_count = mesh.connectivity.size();
-  if (!mesh.regions.empty()) input.regions = mesh.regions.data();
-  if (!mesh.tags.empty()) input.tags = mesh.tags.data();
   BuildReport report;
-  build(env, input, report);
+  mesh.build_into(env, report);
 }
 
 inline std::vector<std::vector<int64_t>> box_faces(const std::vector<int64_t>& c) {
@@ -171,8 +148,8 @@ inline SmallMesh two_polygon_prisms(int64_t n) {
   return mesh;
 }
 
-/** Two lattice boxes side by side, the first as itself or cut up, the second as itself or as a polyhedron; on their common
- * side a prism, a pyramid, a hexahedron or a polyhedron meets one of the others. */
+/** Two lattice boxes side by side, the first as itself or cut up, the second as itself or as a polyhedron; on their
+ * common side a prism, a pyramid, a hexahedron or a polyhedron meets one of the others. */
 inline SmallMesh pair_of(uint8_t left, uint8_t right) {
   SmallMesh mesh;
   mesh.name = "pair " + std::to_string(left) + " " + std::to_string(right);

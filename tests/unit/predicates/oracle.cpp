@@ -199,58 +199,52 @@ void run_all(std::uint64_t cases, std::uint64_t seed, PredicateTally& tally) {
   merge(tally, run_crossing_time<D>(cases, seed + 4));
 }
 
-}  // namespace
-
-template <int D>
-PredicateTally run_plane_side(std::uint64_t cases, std::uint64_t seed) {
-  PredicateTally tally;
-  Random random(seed);
-  PointSet<D> s;
-  for (std::uint64_t i = 0; i < cases; ++i) {
-    draw(random, D + 1, s);
-    note(tally, oracle::plane_side<D>(s.at, s.at[D]), exact::plane_side<D>(s.at, s.at[D]),
-         plane_side<D>(s.at, s.at[D], NoTally{}));
-  }
-  return tally;
-}
-
-template <int D>
-PredicateTally run_line_side(std::uint64_t cases, std::uint64_t seed) {
-  PredicateTally tally;
-  Random random(seed);
-  PointSet<D> s;
-  for (std::uint64_t i = 0; i < cases; ++i) {
-    draw(random, D + 1, s);
-    note(tally, oracle::line_side<D>(s.at[0], s.at[1], s.at + 2), exact::line_side<D>(s.at[0], s.at[1], s.at + 2),
-         line_side<D>(s.at[0], s.at[1], s.at + 2, NoTally{}));
-  }
-  return tally;
-}
-
-template <int D>
-PredicateTally run_compare_times(std::uint64_t cases, std::uint64_t seed) {
+/** Draws sets of points for `test` until it has counted so many cases. */
+template <int D, class Test>
+PredicateTally run(std::uint64_t cases, std::uint64_t seed, int points, Test test) {
   PredicateTally tally;
   Random random(seed);
   PointSet<D> s;
   while (tally.cases < cases) {
-    draw(random, 2 + 2 * D, s);
-    const double* const* a = s.at + 2;
-    const double* const* b = s.at + 2 + D;
-    ShiftedSign truth;
-    if (!oracle::compare_times<D>(s.at[0], s.at[1], a, b, truth)) continue;
-    note(tally, truth, exact::compare_times<D>(s.at[0], s.at[1], a, b),
-         compare_times<D>(s.at[0], s.at[1], a, b, NoTally{}));
+    draw(random, points, s);
+    test(s, tally);
   }
   return tally;
 }
 
+}  // namespace
+
+template <int D>
+PredicateTally run_plane_side(std::uint64_t cases, std::uint64_t seed) {
+  return run<D>(cases, seed, D + 1, [](const PointSet<D>& s, PredicateTally& tally) {
+    note(tally, oracle::plane_side<D>(s.at, s.at[D]), exact::plane_side<D>(s.at, s.at[D]),
+         plane_side<D>(s.at, s.at[D], NoTally{}));
+  });
+}
+
+template <int D>
+PredicateTally run_line_side(std::uint64_t cases, std::uint64_t seed) {
+  return run<D>(cases, seed, D + 1, [](const PointSet<D>& s, PredicateTally& tally) {
+    note(tally, oracle::line_side<D>(s.at[0], s.at[1], s.at + 2), exact::line_side<D>(s.at[0], s.at[1], s.at + 2),
+         line_side<D>(s.at[0], s.at[1], s.at + 2, NoTally{}));
+  });
+}
+
+template <int D>
+PredicateTally run_compare_times(std::uint64_t cases, std::uint64_t seed) {
+  return run<D>(cases, seed, 2 + 2 * D, [](const PointSet<D>& s, PredicateTally& tally) {
+    const double* const* a = s.at + 2;
+    const double* const* b = s.at + 2 + D;
+    ShiftedSign truth;
+    if (!oracle::compare_times<D>(s.at[0], s.at[1], a, b, truth)) return;
+    note(tally, truth, exact::compare_times<D>(s.at[0], s.at[1], a, b),
+         compare_times<D>(s.at[0], s.at[1], a, b, NoTally{}));
+  });
+}
+
 template <int D>
 PredicateTally run_orient(std::uint64_t cases, std::uint64_t seed) {
-  PredicateTally tally;
-  Random random(seed);
-  PointSet<D> s;
-  for (std::uint64_t i = 0; i < cases; ++i) {
-    draw(random, D + 1, s);
+  return run<D>(cases, seed, D + 1, [](const PointSet<D>& s, PredicateTally& tally) {
     mpz_class n[D];
     oracle::normal<D>(s.at, n);
     mpz_class value = 0;
@@ -259,21 +253,16 @@ PredicateTally run_orient(std::uint64_t cases, std::uint64_t seed) {
     ++tally.cases;
     if (truth == 0) ++tally.ties;
     if (exact::orient<D>(s.at, s.at[D]) != truth || orient<D>(s.at, s.at[D]) != truth) ++tally.wrong;
-  }
-  return tally;
+  });
 }
 
 template <int D>
 PredicateTally run_crossing_time(std::uint64_t cases, std::uint64_t seed) {
-  PredicateTally tally;
-  Random random(seed);
-  PointSet<D> s;
-  while (tally.cases < cases) {
-    draw(random, 2 + D, s);
+  return run<D>(cases, seed, 2 + D, [](const PointSet<D>& s, PredicateTally& tally) {
     const double* const* simplex = s.at + 2;
     mpz_class numerator, denominator;
     oracle::time<D>(s.at[0], s.at[1], simplex, numerator, denominator);
-    if (sgn(denominator) == 0) continue;
+    if (sgn(denominator) == 0) return;
     const bool turned = sgn(denominator) < 0;
     const double* p = s.at[turned ? 1 : 0];
     const double* q = s.at[turned ? 0 : 1];
@@ -282,8 +271,7 @@ PredicateTally run_crossing_time(std::uint64_t cases, std::uint64_t seed) {
     ++tally.cases;
     if (sgn(numerator) == 0) ++tally.ties;
     if (!oracle::is_time_below(t, numerator, denominator) || plane_hit<D>(p, q, simplex).time != t) ++tally.wrong;
-  }
-  return tally;
+  });
 }
 
 PredicateTally run_predicate_oracle(std::uint64_t cases, std::uint64_t seed) {

@@ -121,7 +121,8 @@ void check_normals() {
 TEST(PlaneHit, NormalInThePlaneIsAccurateAtEveryScale) { check_normals<2>(); }
 TEST(PlaneHit, NormalInSpaceIsAccurateAtEveryScale) { check_normals<3>(); }
 
-/** Random flights through random triangles, ordinary ones: general ones, or flat across an axis as the walls of a lattice. */
+/** Random flights through random triangles, ordinary ones: general ones, or flat across an axis as the walls of a
+ * lattice. */
 void check_certified(bool across_an_axis) {
   std::mt19937_64 random(23);
   std::uniform_real_distribution<double> coordinate(-1, 1);

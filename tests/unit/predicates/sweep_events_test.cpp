@@ -146,7 +146,8 @@ TEST(SweepEvents, OrderAndTimesAreThoseOfThePolynomials) {
   const int cases = static_cast<int>(case_count() * 3 / 5);
   for (int i = 0; i < cases; ++i) {
     draw(random, 8, s);
-    // Often something stands twice: an end on an obstacle's vertex, a common end q, two lines with a common point or the same.
+    // Often something stands twice: an end on an obstacle's vertex, a common end q, two lines with a common point or
+    // the same.
     if (random.below(3) == 0) std::copy_n(s.x[random.between(2, 7)], 3, s.x[random.below(3)]);
     if (random.below(3) == 0) std::copy_n(s.x[2], 3, s.x[5]);
     if (random.below(4) == 0) std::copy_n(s.x[random.between(3, 4)], 3, s.x[random.between(6, 7)]);
@@ -167,7 +168,8 @@ TEST(SweepEvents, OrderAndTimesAreThoseOfThePolynomials) {
   EXPECT_GT(seen[1][1].deep + seen[1][2].deep + seen[2][2].deep, cases / 4000);
 }
 
-/** Points of a 3 x 3 x 3 lattice: two in three comparisons are ties, many are decided by high powers of e or by nothing. */
+/** Points of a 3 x 3 x 3 lattice: two in three comparisons are ties, many are decided by high powers of e or by
+ * nothing. */
 TEST(SweepEvents, OrderOnASmallLattice) {
   Random random(47);
   double x[8][3];

@@ -1,5 +1,5 @@
-// Points in common are sums a p + b p' + ... = ... with shares that are not negative and add up to 1 on both sides; a p + b p' is
-// (a + b) p(b / (a + b)). The least of such a ratio is at a corner of all such shares.
+// Points in common are sums a p + b p' + ... = ... with shares that are not negative and add up to 1 on both sides; a p
+// + b p' is (a + b) p(b / (a + b)). The least of such a ratio is at a corner of all such shares.
 
 #include "touch_truth.h"
 
@@ -8,7 +8,7 @@
 namespace dsw {
 namespace {
 
-/** The one solution of sum x_i column_i = (0, ..., 0, 1, 1) over the columns of `chosen`, if there is one and only one. */
+/** The one solution of sum x_i column_i = (0, ..., 0, 1, 1) over the columns of `chosen`, if there is just one. */
 template <size_t N>
 bool solve(const std::vector<std::array<mpq_class, N>>& columns, unsigned chosen, std::vector<mpq_class>& x) {
   std::vector<size_t> names;

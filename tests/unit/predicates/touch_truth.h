@@ -1,4 +1,5 @@
-// When closed simplices touch, over GMP: all corners of the set of points that what is swept and what stays have in common.
+// When closed simplices touch, over GMP: all corners of the set of points that what is swept and what stays have in
+// common.
 #pragma once
 
 #include <gmpxx.h>

@@ -1,4 +1,5 @@
-// Edits one layer below the interface: records that are used again, taking back, and damage that the integrity check must see.
+// Edits one layer below the interface: records that are used again, taking back, and damage that the integrity check
+// must see.
 #include "topology/edit.h"
 
 #include <gtest/gtest.h>

@@ -34,8 +34,8 @@ void expect_contact(const Environment<3>& env, const double* from, const double*
   EXPECT_EQ(cast(env, request, nullptr).end, CastEnd::kHit);
 }
 
-/** A corner of 180 degrees, as a node hanging in the middle of an edge makes it: three vertices of a flat face lie in a row and
- * give no plane. Targets on the plane and an ulp beyond it are left to exact arithmetic. */
+/** A corner of 180 degrees, as a node hanging in the middle of an edge makes it: three vertices of a flat face lie in
+ * a row and give no plane. Targets on the plane and an ulp beyond it are left to exact arithmetic. */
 TEST(Cast, LeavesAFlatFaceWithAStraightCorner) {
   Environment<3> env(nullptr);
   build_mesh(env, one_hexahedron({0, 0, 0, 1, 0, 0, 1, .5, .5, 0, .5, .5, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1}));
@@ -47,8 +47,8 @@ TEST(Cast, LeavesAFlatFaceWithAStraightCorner) {
   }
 }
 
-/** Two faces in one plane, one of them L-shaped: the volume is convex, the face is not, and lines that leave through it run on both
- * sides of its rim. */
+/** Two faces in one plane, one of them L-shaped: the volume is convex, the face is not, and lines that leave through it
+ * run on both sides of its rim. */
 TEST(Cast, LeavesAnLShapedFaceOfAConvexVolume) {
   SmallMesh mesh;
   mesh.name = "a box with a divided top";
@@ -75,8 +75,8 @@ TEST(Cast, LeavesASlantedFaceWithAStraightCorner) {
   expect_contact(env, from, to);
 }
 
-/** What joins a point from which all of a cell is seen to another point in it lies in it. In the middle are most of these points; not all of
- * a cell that is not convex is. `ends`: vertices that lie about all round vertex 0. */
+/** What joins a point from which all of a cell is seen to another point in it lies in it. In the middle are most of
+ * these points; not all of a cell that is not convex is. `ends`: vertices that lie about all round vertex 0. */
 template <int D>
 void expect_to_stay(const SmallMesh& mesh, const uint32_t (&ends)[D]) {
   Environment<D> env(nullptr);

@@ -1,4 +1,4 @@
-// The walk gives the same results and counts the same work whatever instruction set it was compiled for and however casts are
+// The walk gives the same results and counts the same work for every instruction set and however casts are
 // grouped.
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// What the walls at one vertex sweep, against integers in which the shift is a number: e = 2^-200, far below anything that
-// determinants of small coordinates leave.
+// What the walls at one vertex sweep, against integers in which the shift is a number: e = 2^-200, far below anything
+// that determinants of small coordinates leave.
 #include "walls/wall_sweep.h"
 
 #include <gtest/gtest.h>

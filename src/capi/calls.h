@@ -1,0 +1,191 @@
+#pragma once
+// The table of the functions that change a scene or its environment. A row has the function's number in recordings, and
+// its arguments in the order in which they are recorded. Recording, replay and description follow from the row.
+
+#include "capi/arguments.h"
+#include "dartsweep/dartsweep.h"
+
+namespace dsw::capi {
+
+template <class Function>
+struct Prototype;
+template <class Handle, class... Rest>
+struct Prototype<dsw_status (*)(Handle*, Rest...)> {
+  using Given = std::tuple<Handle*, Rest...>;
+};
+
+/** A function, and kinds of arguments. */
+template <uint32_t kNumber, auto kFunction, class... Kinds>
+struct Row {
+  using Function = std::integral_constant<decltype(kFunction), kFunction>;
+  using Given = typename Prototype<decltype(kFunction)>::Given;
+  static constexpr uint32_t number = kNumber;
+
+  const char* name;
+  std::tuple<Kinds...> kinds;
+
+  template <class Use>
+  void for_each_kind(const Use& use) const {
+    std::apply([&](const Kinds&... each) { (use(each), ...); }, kinds);
+  }
+  /** The arguments of a recorded call; what they point at is kept by the replay. */
+  Given read(WordReader from, dsw_replay& replay) const {
+    Given given{};
+    for_each_kind([&](const auto& each) { each.read(from, given, {nullptr, &replay, from.dimension()}); });
+    return given;
+  }
+  void describe(WordReader from, Text& text) const {
+    for_each_kind([&](const auto& each) {
+      text.label(each.label);
+      each.template print<Given>(from, text);
+    });
+  }
+};
+template <uint32_t kNumber, auto kFunction>
+struct RowName {
+  const char* name;
+  template <class... Kinds>
+  constexpr Row<kNumber, kFunction, Kinds...> operator()(Kinds... kinds) const {
+    return {name, {kinds...}};
+  }
+};
+
+// How many are in arrays of structs, where no member says it. Sums and products that are too large stay so: a recording
+// is not trusted.
+constexpr size_t times(size_t a, size_t b) { return b != 0 && a > SIZE_MAX / b ? SIZE_MAX : a * b; }
+constexpr size_t one_more(size_t count) { return count == SIZE_MAX ? count : count + 1; }
+constexpr size_t index_bytes(const dsw_volumes_desc& d) { return d.index_bytes == 0 ? 8 : d.index_bytes; }
+inline constexpr auto offset_bytes = [](const dsw_volumes_desc& d, size_t) {
+  return times(one_more(d.cell_count), index_bytes(d));
+};
+inline constexpr auto connectivity_bytes = [](const dsw_volumes_desc& d, size_t) {
+  return times(d.connectivity_count, index_bytes(d));
+};
+inline constexpr auto blade_points = [](const dsw_cut_desc& d, size_t) { return times(d.rows, d.columns); };
+inline constexpr auto corners = [](const dsw_carve_desc& d, size_t dimension) {
+  return times(d.triangle_count, dimension);
+};
+inline constexpr auto edge_ends = [](const dsw_body_desc& d, size_t) { return times(d.edge_count, 2); };
+inline constexpr auto face_offsets = [](const dsw_body_desc& d, size_t) {
+  return d.face_count == 0 ? 0 : one_more(d.face_count);
+};
+
+// The first number of a row is the one in recordings: new rows are appended. Numbers in angle brackets are positions of
+// arguments in the declaration, where the handle is at 0; the first is the argument's, the next its count's, then its
+// stride's.
+#define DSW_ROW(number, function) (RowName<number, function>{#function})
+// clang-format off
+inline constexpr auto kTable = std::make_tuple(
+    DSW_ROW(1, dsw_environment_mark_volumes)(array<1, 2>("volumes"), value<3>("mark"), value<4>("flags")),
+    DSW_ROW(2, dsw_environment_mark_faces)(array<1, 2>("faces"), value<3>("mark")),
+    DSW_ROW(3, dsw_environment_mark_edges)(array<1, 2>("edges"), value<3>("mark")),
+    DSW_ROW(4, dsw_environment_mark_vertices)(array<1, 2>("vertices"), value<3>("mark")),
+    DSW_ROW(5, dsw_environment_mark_region)(value<1>("region"), value<2>("mark"), value<3>("flags")),
+    DSW_ROW(6, dsw_environment_mark_between)(value<1>("regions"), value<2>(), value<3>("mark")),
+    DSW_ROW(7, dsw_environment_set_tag)(value<1>("volume"), value<2>("tag")),
+    DSW_ROW(8, dsw_environment_add_volumes)(structure<1>("desc",
+        array("vertices", &dsw_volumes_desc::vertices, &dsw_volumes_desc::vertex_count),
+        points("points", &dsw_volumes_desc::points, &dsw_volumes_desc::point_count,
+               &dsw_volumes_desc::point_stride_bytes),
+        array("types", &dsw_volumes_desc::cell_types, &dsw_volumes_desc::cell_count),
+        array("offsets", &dsw_volumes_desc::offsets, offset_bytes),
+        array("connectivity", &dsw_volumes_desc::connectivity, connectivity_bytes),
+        array("regions", &dsw_volumes_desc::regions, &dsw_volumes_desc::cell_count),
+        array("tags", &dsw_volumes_desc::tags, &dsw_volumes_desc::cell_count),
+        array("sewn to", &dsw_volumes_desc::sew_to, &dsw_volumes_desc::sew_count))),
+    DSW_ROW(9, dsw_environment_remove_volumes)(array<1, 2>("volumes")),
+    DSW_ROW(10, dsw_environment_sew_faces)(array<1, 3>("faces"), array_like<2, 3>("to")),
+    DSW_ROW(11, dsw_environment_unsew_face)(value<1>("face")),
+    DSW_ROW(12, dsw_environment_merge_volumes)(value<1>("face")),
+    DSW_ROW(13, dsw_environment_split_volume)(value<1>("volume"), array<2, 3>("loop")),
+    DSW_ROW(14, dsw_environment_merge_faces)(value<1>("edge")),
+    DSW_ROW(15, dsw_environment_split_face)(value<1>("face"), value<2>("from"), value<3>("to")),
+    DSW_ROW(16, dsw_environment_split_edge)(value<1>("edge"), value<2>("at")),
+    DSW_ROW(17, dsw_environment_merge_edges)(value<1>("edge"), value<2>("vertex")),
+    DSW_ROW(18, dsw_environment_collapse_edge)(value<1>("edge"), value<2>("vertex")),
+    DSW_ROW(19, dsw_environment_cut)(structure<1>("desc",
+        points("points", &dsw_cut_desc::points, blade_points, &dsw_cut_desc::point_stride_bytes))),
+    DSW_ROW(20, dsw_environment_tear_faces)(array<1, 3>("faces"), array_like<2, 3>("loads"), value<4>("limit")),
+    DSW_ROW(21, dsw_environment_open)(structure<1>("desc",
+        array("faces", &dsw_open_desc::faces, &dsw_open_desc::face_count))),
+    DSW_ROW(22, dsw_environment_carve)(structure<1>("desc",
+        points("points", &dsw_carve_desc::points, &dsw_carve_desc::point_count, &dsw_carve_desc::point_stride_bytes),
+        array("triangles", &dsw_carve_desc::triangles, corners))),
+    DSW_ROW(23, dsw_environment_tie)(structure<1>("desc",
+        points("points", &dsw_tie_desc::points, &dsw_tie_desc::point_count, &dsw_tie_desc::point_stride_bytes))),
+    DSW_ROW(24, dsw_scene_detach)(structure<1>("desc"), result<2>()),
+    DSW_ROW(25, dsw_environment_remesh)(structure<1>("desc",
+        array("volumes", &dsw_remesh_desc::volumes, &dsw_remesh_desc::volume_count),
+        points("next", &dsw_remesh_desc::next, &dsw_remesh_desc::point_count))),
+    DSW_ROW(26, dsw_scene_deform)(structure<3>("options"), MovedPoints{"vertices"}),
+    DSW_ROW(27, dsw_particle_create)(point<1>("position"), value<2>("hint"), result<3>()),
+    DSW_ROW(28, dsw_scene_create_particles)(
+        points<1, 2, 3>("positions"), array_like<4, 2>("hints"), results<5, 2>()),
+    DSW_ROW(29, dsw_particle_destroy)(value<1>("particle")),
+    DSW_ROW(30, dsw_particle_move)(value<1>("particle"), point<2>("target"), structure<3>("options")),
+    DSW_ROW(31, dsw_scene_move_particles)(
+        array<1, 2>("particles"), points_like<3, 2, 4>("targets"), structure<5>("options")),
+    DSW_ROW(32, dsw_scene_cast_from_particles)(
+        array<1, 2>("particles"), points_like<3, 2, 4>("targets"), structure<5>("options"), results<6, 2>()),
+    DSW_ROW(33, dsw_scene_reset_statistics)(),
+    DSW_ROW(34, dsw_body_create)(structure<1>("desc",
+        points("positions", &dsw_body_desc::positions, &dsw_body_desc::vertex_count, &dsw_body_desc::stride_bytes),
+        array("hints", &dsw_body_desc::hints, &dsw_body_desc::vertex_count),
+        array("edges", &dsw_body_desc::edges, edge_ends),
+        array("face offsets", &dsw_body_desc::face_offsets, face_offsets),
+        array("corners", &dsw_body_desc::face_corners, &dsw_body_desc::face_corner_count)), result<2>()),
+    DSW_ROW(35, dsw_body_destroy)(value<1>("body")),
+    DSW_ROW(36, dsw_body_set_level)(value<1>("body"), value<2>("level")),
+    DSW_ROW(37, dsw_body_set_filter)(value<1>("body"), value<2>("category"), value<3>("mask")),
+    DSW_ROW(38, dsw_body_add_vertex)(value<1>("body"), point<2>("position"), value<3>("hint"), result<4>()),
+    DSW_ROW(39, dsw_body_add_edge)(value<1>("body"), value<2>("vertices"), value<3>(), result<4>()),
+    DSW_ROW(40, dsw_body_add_face)(value<1>("body"), value<2>("vertices"), value<3>(), value<4>(), result<5>()),
+    DSW_ROW(41, dsw_body_remove_face)(value<1>("body"), value<2>("face")),
+    DSW_ROW(42, dsw_body_remove_edge)(value<1>("body"), value<2>("edge")),
+    DSW_ROW(43, dsw_body_remove_vertex)(value<1>("body"), value<2>("vertex")),
+    DSW_ROW(44, dsw_body_split_edge)(value<1>("body"), value<2>("edge"), value<3>("at")),
+    DSW_ROW(45, dsw_body_collapse_edge)(value<1>("body"), value<2>("edge"), value<3>("vertex")),
+    DSW_ROW(46, dsw_body_move)(value<1>("body"), points<2, 3, 4>("targets"), structure<5>("options",
+        array("order", &dsw_move_options::order, &dsw_move_options::order_count))),
+    DSW_ROW(47, dsw_scene_move_bodies)(array<1, 2>("bodies"), points<3, 4, 5>("targets"), structure<6>("options")),
+    DSW_ROW(48, dsw_body_move_rigid)(value<1>("body"), value<2>("motion"), structure<3>("options",
+        array("order", &dsw_move_options::order, &dsw_move_options::order_count))));
+// clang-format on
+#undef DSW_ROW
+constexpr size_t kCallCount = std::tuple_size_v<decltype(kTable)>;
+
+template <class... Rows>
+constexpr bool are_in_order(const std::tuple<Rows...>&) {
+  uint32_t before = 0;
+  return ((Rows::number == ++before) && ...);
+}
+static_assert(are_in_order(kTable));
+
+/** The row of a function. */
+template <auto kFunction, size_t kAt = 0>
+constexpr const auto& find_row() {
+  using Each = std::tuple_element_t<kAt, decltype(kTable)>;
+  if constexpr (std::is_same_v<typename Each::Function, std::integral_constant<decltype(kFunction), kFunction>>) {
+    return std::get<kAt>(kTable);
+  } else {
+    return find_row<kFunction, kAt + 1>();
+  }
+}
+template <auto kFunction>
+inline constexpr const auto& row_of = find_row<kFunction>();
+
+/** Whether a call changes the environment and not only what is in the scene. */
+template <class Row>
+constexpr bool changes_environment(const Row&) {
+  return std::is_same_v<std::tuple_element_t<0, typename Row::Given>, dsw_environment*> ||
+         Row::number == row_of<dsw_scene_detach>.number || Row::number == row_of<dsw_scene_deform>.number;
+}
+
+/** Calls use(row) with the row that has a number. False: there is none. */
+template <class Use>
+bool visit_row(uint64_t number, const Use& use) {
+  return std::apply([&](const auto&... row) { return ((row.number == number ? (use(row), true) : false) || ...); },
+                    kTable);
+}
+
+}  // namespace dsw::capi

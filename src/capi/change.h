@@ -1,0 +1,97 @@
+#pragma once
+// What all functions share that change the topology of an environment.
+
+#include <optional>
+
+#include "capi/recorded.h"
+#include "scene/change.h"
+
+namespace dsw::capi {
+
+/** One call: a change of an environment that no more than one scene uses. */
+template <int D>
+class Change : public Site<D> {
+ public:
+  static constexpr int kDimension = D;
+
+  /** Throws SHARED. */
+  Change(dsw_environment& handle, Environment<D>& engine) : Change(handle, engine, only_scene(handle)) {}
+
+  const Map<D>& map() const { return this->env.map; }
+  const Memory* memory() const { return this->env.memory; }
+  template <class T>
+  Array<T> array(size_t count) const {
+    return Array<T>(count, T{}, Allocator<T>(memory()));
+  }
+
+  /** The arguments have been checked: the call is written if the scene is recorded. */
+  template <class Row, class... Arguments>
+  void record(const Row& row, const Arguments&... arguments) {
+    call_.emplace(host_, row, arguments...);
+  }
+  /** The change has been made, and `done` says how. */
+  template <class Report>
+  void tell(const Report& done, Report* report) {
+    call_->done(done, items_of(this->results.volumes));
+    if (report != nullptr) *report = done;
+  }
+  void tell() { call_->done(items_of(this->results.volumes)); }
+
+  /** Likewise, of a change that is written as an edit here. */
+  template <class Row, class... Arguments>
+  Edit<D>& begin(const Row& row, const Arguments&... arguments) {
+    record(row, arguments...);
+    return edit_.emplace(this->env);
+  }
+  void carry_out() {
+    edit_->prepare();
+    this->change(*edit_, {});
+    tell();
+  }
+  /** What has come of a draft. */
+  dsw_volume_id volume(size_t draft) const { return volume_id(map(), edit_->cell(draft)); }
+  dsw_face_id face(size_t draft, uint32_t facet) const {
+    return face_id(map(), canonical(map(), edit_->half_facet(draft, facet)));
+  }
+  dsw_edge_id edge(size_t draft, uint32_t a, uint32_t b) const {
+    Dart d{edit_->cell(draft), 0};
+    while (dart_vertex(map(), d) != a || dart_target(map(), d) != b) ++d.local;
+    return edge_id(map(), d);
+  }
+
+ private:
+  Change(dsw_environment& handle, Environment<D>& engine, dsw_scene* host)
+      : Site<D>{engine, engine_of<D>(host), handle.results}, host_(host) {}
+
+  dsw_scene* host_;  // null: nobody looks on
+  std::optional<Recorded> call_;
+  std::optional<Edit<D>> edit_;
+};
+
+/** Runs the body of the entry point named `function` with the change that it is to make. */
+template <class Body>
+dsw_status guarded_change(const char* function, dsw_environment* environment, const Body& body) noexcept {
+  return guarded_visit(function, environment, [&](auto& env) {
+    Change<kDimension<decltype(env)>> change(*environment, env);
+    body(change);
+  });
+}
+/** Likewise, for functions of space. */
+template <class Body>
+dsw_status guarded_change_of_space(const char* function, dsw_environment* environment, const Body& body) noexcept {
+  return guard(function, [&] {
+    Environment<3>& env = space(check_handle(environment));
+    Change<3> change(*environment, env);
+    body(change);
+  });
+}
+
+/** The share of an edge's length within which a vertex stands for a crossing; throws unless it is allowed. */
+inline double to_snap(double given) {
+  if (!(given >= 0 && given <= 0.25)) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->snap is %g, must be above 0 and at most 0.25, or 0", given);
+  }
+  return given == 0 ? CutSettings().snap : given;
+}
+
+}  // namespace dsw::capi

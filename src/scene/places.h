@@ -1,0 +1,24 @@
+#pragma once
+// Answers about a place in an environment, as a host reads them.
+
+#include "dartsweep/query.h"
+#include "environment/environment.h"
+#include "locate/classify.h"
+
+namespace dsw {
+
+/** What a cell is that locate has found. */
+template <int D>
+dsw_place place_of(const Environment<D>& env, Cell c) noexcept {
+  return !c.valid() ? DSW_PLACE_OUTSIDE : is_closed(env, c) ? DSW_PLACE_IMPASSABLE : DSW_PLACE_PASSABLE;
+}
+
+/** The public id of what classify and find_nearest name. */
+template <int D>
+dsw_cell name_feature(const Environment<D>& env, const FeatureRef& feature) noexcept;
+
+/** The nearest obstacle within `radius` of a point in a passable cell. Throws std::bad_alloc. */
+template <int D>
+dsw_nearest report_nearest(const Environment<D>& env, const double* point, Cell c, double radius);
+
+}  // namespace dsw

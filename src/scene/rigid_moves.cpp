@@ -1,0 +1,34 @@
+#include "scene/rigid_moves.h"
+
+namespace dsw {
+
+template <int D>
+bool stays_finite(const Body<D>& body, const RigidMove<D>& motion) noexcept {
+  for (const BodyVertex<D>& each : body.vertices) {
+    double to[D];
+    if (!each.cell.valid()) continue;
+    RigidMove<D>::place(&motion, 0, each.position, 1, to);
+    if (!is_finite<D>(to)) return false;
+  }
+  return true;
+}
+
+template <int D>
+void move_rigid(Scene<D>& scene, BodyRecord<D>& of, const RigidMove<D>& motion, const MoveOrder& order) {
+  if (!of.body.is_rigid()) {
+    return move_body_together(scene, of, RigidMove<D>::place, &motion, order, motion.reach(of.body));
+  }
+  keep_shape(of.body);
+  const ShapeMove<D> kept{motion, of.body.shape[0]};
+  move_body_together(scene, of, ShapeMove<D>::place, &kept, order, motion.reach(of.body));
+  if (of.record.fraction > 0) of.body.shape[0].moved = kept.moved(of.record.fraction);
+}
+
+#define DSW_RIGID_MOVES(D)                                                  \
+  template bool stays_finite(const Body<D>&, const RigidMove<D>&) noexcept; \
+  template void move_rigid(Scene<D>&, BodyRecord<D>&, const RigidMove<D>&, const MoveOrder&)
+DSW_RIGID_MOVES(2);
+DSW_RIGID_MOVES(3);
+#undef DSW_RIGID_MOVES
+
+}  // namespace dsw
