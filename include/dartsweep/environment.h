@@ -52,12 +52,14 @@ enum {
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
   /** Volumes that are turned inside out are mirrored instead of refused (meshes differ in their wedges). */
   DSW_ENVIRONMENT_REORIENT = 0x2,
-  /** Builds a grid that makes locating a point without a hint independent of the number of cells; costs about 16
-   * bytes a cell. Without it such a locate scans all cells. */
+  /** Builds the search structure for locating a point without a hint at creation. By default the structure is built when a
+   * few such locates have taken as long as it takes to build it. It costs about 8 bytes a cell. */
   DSW_ENVIRONMENT_LOCATE_GRID = 0x4,
   /** Also proves that the outer boundary does not pass through itself, so that the cells are a partition:
    * about ten times the cost of the rest. Also available later as dsw_environment_check. */
-  DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8
+  DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8,
+  /** Never builds the search structure for locating a point without a hint. Each such locate then looks at all cells. */
+  DSW_ENVIRONMENT_NO_LOCATE_GRID = 0x10
 };
 
 /** Describes an environment. All arrays are read in place, once; nothing is retained unless flags say so. */
