@@ -22,7 +22,7 @@ enum {
   DSW_FEATURE_CROSSINGS = 0x2,
   /** The environment can be bent, see deform.h: it belongs to this scene alone. Costs some 12 bytes a volume and 4 a vertex, and walks
    * through hexahedra take them for warped, in the plane those through polygons with more than three corners take them for ones that
-   * need not be convex, also after the scene; the grid of DSW_ENVIRONMENT_LOCATE_GRID is given up. */
+   * need not be convex, also after the scene. */
   DSW_FEATURE_DEFORMING = 0x4,
   /** Bodies meet each other, and themselves where DSW_BODY_SELF_CONTACTS says so: see dsw_body_desc. Costs some 64 bytes for each
    * vertex, edge and face. */
