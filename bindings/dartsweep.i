@@ -3,8 +3,7 @@
 %module(directors="1") dartsweep
 
 %{
-#include "common/body.h"
-#include "common/trace.h"
+#include "common/host.h"
 %}
 
 %include <stdint.i>
@@ -40,10 +39,10 @@
 %include "dartsweep/record.h"
 %include "dartsweep/trace.h"
 
-%include "common/arrays.h"
-%include "common/results.h"
-%include "common/handles.h"
-%include "common/environment.h"
-%include "common/scene.h"
-%include "common/body.h"
-%include "common/trace.h"
+%include "dartsweep/cpp/arrays.hpp"
+%include "dartsweep/cpp/results.hpp"
+%include "dartsweep/cpp/handles.hpp"
+%include "dartsweep/cpp/environment.hpp"
+%include "dartsweep/cpp/scene.hpp"
+%include "dartsweep/cpp/body.hpp"
+%include "dartsweep/cpp/trace.hpp"

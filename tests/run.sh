@@ -115,7 +115,7 @@ step_page() { examples/insertion/page/test.sh; }
 step_report() { examples/report/tests/run.sh; }
 step_format() {
   local files
-  mapfile -t files < <(find src include tests examples bindings -regex '.*\.\(h\|inl\|c\|cpp\)' | sort)
+  mapfile -t files < <(find src include tests examples bindings -regex '.*\.\(h\|hpp\|inl\|c\|cpp\)' | sort)
   clang-format-14 --dry-run -Werror "${files[@]}" && echo "format: ${#files[@]} files in order"
 }
 

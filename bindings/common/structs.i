@@ -89,8 +89,7 @@ DSW_EACH_RESULT(DSW_MEMBER)
 %ignore dartsweep::NoWait;
 %ignore dartsweep::Reading;
 %ignore dartsweep::Writing;
-%ignore dartsweep::lock;
-%ignore dartsweep::lock_shared;
+%ignore dartsweep::Mutex;
 %ignore dartsweep::EnvironmentState;
 %ignore dartsweep::SceneState;
 %ignore dartsweep::EnvironmentReading;

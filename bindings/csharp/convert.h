@@ -5,8 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "common/arrays.h"
-#include "common/handles.h"
+#include "common/host.h"
 #include "errors.h"
 
 namespace dartsweep_csharp {

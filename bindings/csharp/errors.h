@@ -5,7 +5,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "common/error.h"
+#include "common/host.h"
 
 #if defined(_WIN32)
 #define DSW_CALLBACK __stdcall

@@ -13,6 +13,9 @@ python3 bindings/docs/check_reference.py "$out/xml"
 for example in examples/c/*.c; do
   grep -q "$example" bindings/docs/c_examples.md || { echo "c_examples.md is without $example"; exit 1; }
 done
+for example in examples/cpp/*.cpp; do
+  grep -q "$example" bindings/docs/cpp.md || { echo "cpp.md is without $example"; exit 1; }
+done
 
 # Links between files of the project work as they stand, so its root is where Sphinx looks for pages.
 echo '<!doctype html><meta http-equiv="refresh" content="0; url=bindings/docs/index.html">' > "$out/site/index.html"

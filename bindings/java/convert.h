@@ -8,8 +8,7 @@
 #include <new>
 #include <type_traits>
 
-#include "common/arrays.h"
-#include "common/handles.h"
+#include "common/host.h"
 
 namespace dartsweep_java {
 

@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-#include "common/arrays.h"
+#include "common/host.h"
 #include "values.h"
 
 namespace dartsweep_lua {

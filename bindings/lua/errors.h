@@ -8,7 +8,7 @@
 #include <new>
 #include <string_view>
 
-#include "common/error.h"
+#include "common/host.h"
 
 namespace dartsweep_lua {
 

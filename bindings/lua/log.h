@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "common/handles.h"
+#include "common/host.h"
 
 namespace dartsweep_lua {
 

@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/arrays.h"
-#include "common/handles.h"
+#include "common/host.h"
 #include "structs.h"
 
 namespace dartsweep_node {

@@ -101,7 +101,7 @@ for name, value in re.findall(r"#define DSW_(VERSION_\w+) (\d+)", headers):
 
 # --- structs
 bodies = dict(re.findall(r"typedef struct (\w+) \{(.*?)\n\} \w+;", headers, re.S))
-results = dict(re.findall(r"struct (\w+) \{(.*?)\n\};", (common / "results.h").read_text(), re.S))
+results = dict(re.findall(r"struct (\w+) \{(.*?)\n\};", (root / "include/dartsweep/cpp/results.hpp").read_text(), re.S))
 structs: dict[str, Struct] = {}
 
 
@@ -195,7 +195,7 @@ def ids() -> list[Struct]:
 
 
 made = "Made by declare.py of the headers of the C interface."
-errors = re.findall(r"  X\((\w+), (\w+)\)", (common / "error.h").read_text())
+errors = re.findall(r"  X\((\w+), (\w+)\)", (root / "include/dartsweep/cpp/error.hpp").read_text())
 lines = [f"// {made}\n'use strict';\nconst {{ IdOfTwo, IdOfThree }} = require('./ids.js');\n\n"]
 for struct in ids():
     lines.append(f"class {struct.name} extends IdOf{'Two' if len(struct.members) == 2 else 'Three'} {{}}\n")
@@ -266,7 +266,7 @@ exported = re.findall(r"^export (?:class|function|const|enum) (\w+)", index_type
     + "".join(f"  {name},\n" for name in sorted(exported)) + "} = dartsweep;\n")
 
 # --- C++
-lines = [f"// {made}\n#pragma once\n\n#include <cstddef>\n\n#include \"common/results.h\"\n\nnamespace dartsweep_node {{\n\n"]
+lines = [f"// {made}\n#pragma once\n\n#include <cstddef>\n\n#include \"common/host.h\"\n\nnamespace dartsweep_node {{\n\n"]
 lines.append("// The place of a struct in structs.js.\ntemplate <class T>\nconstexpr int kind_of = -1;\n")
 for index, struct in enumerate(structs.values()):
     lines.append(f"template <>\ninline constexpr int kind_of<{struct.c_name}> = {index};\n")

@@ -10,7 +10,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "common/arrays.h"
+#include "common/host.h"
 #include "dartsweep/dartsweep.h"
 #include "host.h"
 

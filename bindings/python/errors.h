@@ -3,7 +3,7 @@
 
 #include <new>
 
-#include "common/error.h"
+#include "common/host.h"
 #include "host.h"
 
 namespace dartsweep_python {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails when an exported C function is used nowhere in bindings/common. Usage: complete.py ROOT"""
+"""Fails when an exported C function is used nowhere in the C++ interface. Usage: complete.py ROOT"""
 
 import pathlib
 import re
@@ -7,7 +7,8 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 exported = set(re.findall(r"^dsw_\w+", (root / "abi/symbols.txt").read_text(), re.M))
-layer = "".join(path.read_text() for path in sorted((root / "bindings/common").iterdir()))
+sources = [*(root / "include/dartsweep/cpp").glob("*.hpp"), *(root / "bindings/common").glob("*.i")]
+layer = "".join(path.read_text() for path in sources)
 used = set(re.findall(r"\bdsw_\w+", layer))
 # Made from the lists of elements.i, or wrapped as it is.
 used |= {name + "_init" for name in re.findall(r"X\((dsw_\w+),", layer)}
@@ -18,5 +19,5 @@ used.add("dsw_scene_get_environment")
 used |= {name for name in exported if name.startswith("dsw_replay_")}
 missing = sorted(exported - used)
 if missing:
-    sys.exit("no method in bindings/common calls " + ", ".join(missing))
+    sys.exit("no method in include/dartsweep/cpp calls " + ", ".join(missing))
 print(f"bindings: all {len(exported)} functions of the interface are reached")

@@ -8,8 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "common/body.h"
-#include "common/trace.h"
+#include "common/host.h"
 
 using namespace dartsweep;
 

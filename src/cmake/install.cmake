@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME Dartsweep_development)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/dartsweep DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN "*.h")
+        FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 install(TARGETS dartsweep EXPORT DartsweepTargets
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT Dartsweep_runtime NAMELINK_COMPONENT Dartsweep_development
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

@@ -255,6 +255,11 @@ int main(int argc, char** argv) {
     return 1;
   }
   const std::filesystem::path folder = argv[1];
+  // Where the fuzzers keep what they find: empty at the start of a run.
+  std::filesystem::remove_all(folder / "found");
+  for (const char* target : {"create", "snapshot", "scene", "calls", "replay"}) {
+    std::filesystem::create_directories(folder / "found" / target);
+  }
   const struct {
     const char* name;
     Mesh mesh;

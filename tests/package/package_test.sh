@@ -85,6 +85,8 @@ for languages in C "C CXX"; do
   consumer "in $languages" "s/LANGUAGES C/LANGUAGES $languages/"
   cmake --build "$work/in $languages/build" >>"$work/in $languages.log"
   "$work/in $languages/build/consumer"
+  cpp="$work/in $languages/build/consumer_cpp"
+  [ "$languages" = C ] || "$cpp"
 done
 echo "find_package refuses a version that does not fit, and components that are not there:"
 if consumer newer 's/find_package(Dartsweep [0-9]*/&9/'; then exit 1; fi

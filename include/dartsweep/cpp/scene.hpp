@@ -1,17 +1,18 @@
-// A scene, its particles and its bodies as hosts' objects; names and meanings as in environment.h.
+// A scene, with its particles and bodies. Each method is the C function of its name.
 #pragma once
 
 #include <algorithm>
 
-#include "common/environment.h"
+#include "dartsweep/cpp/environment.hpp"
 
 namespace dartsweep {
 
 class Scene {
  public:
   explicit Scene(Environment &environment, const dsw_scene_desc *desc = nullptr)
-      : Scene(Made(), environment,
-              [desc](dsw_environment *in, dsw_scene **out) { return dsw_scene_create(in, desc, out); }) {}
+      : Scene(Made(), environment, [desc](dsw_environment *in, dsw_scene **out) {
+          return dsw_scene_create(in, desc, out);
+        }) {}
 
   static Scene load(Environment &environment, View<const std::uint8_t> block) {
     return Scene(Made(), environment, [block](dsw_environment *in, dsw_scene **out) {
@@ -26,13 +27,18 @@ class Scene {
     });
   }
 
-  // May be repeated. Bodies of the scene are closed with it.
+  /** May be repeated. The bodies of the scene are closed with it. */
   void close() { state_->close(); }
   bool is_closed() const {
     const Reading hold(state_->environment->mutex);
     return state_->handle == nullptr;
   }
   const std::shared_ptr<SceneState> &state() const { return state_; }
+#ifndef SWIG
+  /** For C functions, such as those that lend results. It lives as long as this object, unless that
+   * is closed. */
+  dsw_scene *handle() const { return state_->handle; }
+#endif
   // Of its environment.
   std::uint32_t dimension() const { return state_->environment->dimension; }
 
@@ -51,10 +57,12 @@ class Scene {
   std::size_t get_particle_count() const { return one<std::size_t>(dsw_scene_get_particle_count); }
   std::size_t get_body_count() const { return one<std::size_t>(dsw_scene_get_body_count); }
 
-  Array<dsw_particle_id> get_particle_ids() const { return ids<dsw_particle_id>(dsw_scene_get_particle_ids); }
+  Array<dsw_particle_id> get_particle_ids() const {
+    return ids<dsw_particle_id>(dsw_scene_get_particle_ids);
+  }
   Array<dsw_body_id> get_bodies() const { return ids<dsw_body_id>(dsw_scene_get_bodies); }
 
-  // Into a file, or with DSW_RECORDING_LATEST and a null path kept for write_bundle; replays are for examples/replay.
+  /** Into a file. DSW_RECORDING_LATEST and a null path keep the recording for write_bundle. */
   void start_recording(const char *path, std::uint32_t flags = 0) {
     dsw_recording_desc desc;
     dsw_recording_desc_init(&desc, sizeof desc);
@@ -87,13 +95,14 @@ class Scene {
     check(dsw_particle_create(self.handle, in_dimension(dimension(), position), hint, &out));
     return out;
   }
-  void create_particles(Points positions, View<const dsw_volume_id> hints, View<dsw_particle_id> particles) {
+  void create_particles(Points positions, View<const dsw_volume_id> hints,
+                        View<dsw_particle_id> particles) {
     count_points(dimension(), positions);
     optional_count("hints", hints, positions.count);
     same_count("particles", particles.count, positions.count);
     const SceneWriting self(*state_);
-    check(dsw_scene_create_particles(self.handle, positions.data, positions.count, positions.stride_bytes, hints.data,
-                                     particles.data, nullptr));
+    check(dsw_scene_create_particles(self.handle, positions.data, positions.count,
+                                     positions.stride_bytes, hints.data, particles.data, nullptr));
   }
   void destroy_particle(dsw_particle_id particle) {
     const SceneWriting self(*state_);
@@ -113,34 +122,37 @@ class Scene {
     optional_count("positions", positions, particles.count);
     optional_count("volumes", volumes, particles.count);
     const SceneReading self(*state_);
-    check(dsw_scene_get_particles(self.handle, particles.data, particles.count, positions.data, 0, volumes.data));
+    check(dsw_scene_get_particles(self.handle, particles.data, particles.count, positions.data, 0,
+                                  volumes.data));
   }
-  dsw_flight move_particle(dsw_particle_id particle, const Point &target, const dsw_cast_options *options = nullptr) {
+  dsw_flight move_particle(dsw_particle_id particle, const Point &target,
+                           const dsw_cast_options *options = nullptr) {
     const SceneWriting self(*state_);
     dsw_flight out;
-    check(dsw_particle_move(self.handle, particle, in_dimension(dimension(), target), options, &out));
+    check(
+        dsw_particle_move(self.handle, particle, in_dimension(dimension(), target), options, &out));
     return out;
   }
   // `flights` may be left out, here and below.
-  void move_particles(View<const dsw_particle_id> particles, Points targets, const dsw_cast_options *options,
-                      View<dsw_flight> flights) {
+  void move_particles(View<const dsw_particle_id> particles, Points targets,
+                      const dsw_cast_options *options, View<dsw_flight> flights) {
     count_points(dimension(), targets);
     same_count("targets", targets.count, particles.count);
     optional_count("flights", flights, particles.count);
     const SceneWriting self(*state_);
-    check(dsw_scene_move_particles(self.handle, particles.data, particles.count, targets.data, targets.stride_bytes,
-                                   options, flights.data));
+    check(dsw_scene_move_particles(self.handle, particles.data, particles.count, targets.data,
+                                   targets.stride_bytes, options, flights.data));
   }
-  void cast_from_particles(View<const dsw_particle_id> particles, Points to, const dsw_cast_options *options,
-                           View<dsw_flight> flights) {
+  void cast_from_particles(View<const dsw_particle_id> particles, Points to,
+                           const dsw_cast_options *options, View<dsw_flight> flights) {
     count_points(dimension(), to);
     same_count("to", to.count, particles.count);
     same_count("flights", flights.count, particles.count);
     const SceneWriting self(*state_);
-    check(dsw_scene_cast_from_particles(self.handle, particles.data, particles.count, to.data, to.stride_bytes, options,
-                                        flights.data));
+    check(dsw_scene_cast_from_particles(self.handle, particles.data, particles.count, to.data,
+                                        to.stride_bytes, options, flights.data));
   }
-  // Crossings of the last move of particles; get_crossing_offsets has where each flight's begin, and the end.
+  /** Crossings of the last move of particles. */
   Array<dsw_crossing> get_crossings() const {
     const SceneReading self(*state_);
     const dsw_crossing *crossings = nullptr;
@@ -149,6 +161,7 @@ class Scene {
     check(dsw_scene_get_crossings(self.handle, &crossings, &first, &count));
     return Array<dsw_crossing>(crossings, count ? first[count] : 0);
   }
+  /** Where the crossings of each flight begin, and the end. */
   Array<std::size_t> get_crossing_offsets() const {
     const SceneReading self(*state_);
     const dsw_crossing *crossings = nullptr;
@@ -159,8 +172,12 @@ class Scene {
   }
 
   // --- what was in the way, or moved
-  Array<dsw_particle_id> get_occupants() const { return list<dsw_particle_id>(dsw_scene_get_occupants); }
-  Array<dsw_body_id> get_occupant_bodies() const { return list<dsw_body_id>(dsw_scene_get_occupant_bodies); }
+  Array<dsw_particle_id> get_occupants() const {
+    return list<dsw_particle_id>(dsw_scene_get_occupants);
+  }
+  Array<dsw_body_id> get_occupant_bodies() const {
+    return list<dsw_body_id>(dsw_scene_get_occupant_bodies);
+  }
   Array<std::uint32_t> get_offending_edges() const {  // Two indices for each.
     const SceneReading self(*state_);
     return copied<std::uint32_t>([&](const std::uint32_t **out, std::size_t *count) {
@@ -170,16 +187,17 @@ class Scene {
     });
   }
 
-  // --- deformation. `next` stays with the environment until the next deformation that is not refused. More points than the
-  // environment has vertices are room for those that operations add, as options->point_room says where there are none too many.
+  // --- deformation
+  /** The environment reads `next` until the next deformation that is not refused. Points beyond the
+   * number of vertices are room for vertices that operations add (options->point_room). */
   dsw_deform_report deform(Lent next, const dsw_deform_options *options = nullptr) {
     dsw_deform_options all;
     if (options) all = *options;
     if (!options) dsw_deform_options_init(&all, sizeof all);
     count_points(dimension(), next);
     if (all.point_room > next.count)
-      throw Error(DSW_STATUS_WRONG_SIZE, "point_room is " + std::to_string(all.point_room) + ", there are " +
-                                             std::to_string(next.count) + " points");
+      throw WrongSize("point_room is " + std::to_string(all.point_room) + ", there are " +
+                      std::to_string(next.count) + " points");
     const WholeWriting self(*state_);
     const double *now = nullptr;
     std::size_t count = 0;
@@ -190,9 +208,15 @@ class Scene {
     if (report.outcome != DSW_DEFORM_REFUSED) state_->environment->lent = std::move(next.owner);
     return report;
   }
-  Array<dsw_wall_contact> get_wall_contacts() const { return list<dsw_wall_contact>(dsw_scene_get_wall_contacts); }
-  Array<dsw_vertex_id> get_held_vertices() const { return list<dsw_vertex_id>(dsw_scene_get_held_vertices); }
-  Array<dsw_volume_id> get_invalid_volumes() const { return list<dsw_volume_id>(dsw_scene_get_invalid_volumes); }
+  Array<dsw_wall_contact> get_wall_contacts() const {
+    return list<dsw_wall_contact>(dsw_scene_get_wall_contacts);
+  }
+  Array<dsw_vertex_id> get_held_vertices() const {
+    return list<dsw_vertex_id>(dsw_scene_get_held_vertices);
+  }
+  Array<dsw_volume_id> get_invalid_volumes() const {
+    return list<dsw_volume_id>(dsw_scene_get_invalid_volumes);
+  }
 
   // --- pieces that come off
   Detached detach(const dsw_detach_desc &desc) {
@@ -201,16 +225,22 @@ class Scene {
     check(dsw_scene_detach(self.handle, &desc, &out.body, &out.report));
     return out;
   }
-  Array<dsw_volume_id> get_detached_volumes() const { return list<dsw_volume_id>(dsw_scene_get_detached_volumes); }
+  Array<dsw_volume_id> get_detached_volumes() const {
+    return list<dsw_volume_id>(dsw_scene_get_detached_volumes);
+  }
   Array<dsw_detached_vertex> get_detached_vertices() const {
     return list<dsw_detached_vertex>(dsw_scene_get_detached_vertices);
   }
-  Array<dsw_detached_face> get_detached_faces() const { return list<dsw_detached_face>(dsw_scene_get_detached_faces); }
+  Array<dsw_detached_face> get_detached_faces() const {
+    return list<dsw_detached_face>(dsw_scene_get_detached_faces);
+  }
 
   // --- bodies; class Body has the calls on one
   dsw_body_id create_body(Points positions, View<const std::uint32_t> edges = {},
-                          View<const std::uint32_t> face_offsets = {}, View<const std::uint32_t> face_corners = {},
-                          View<const dsw_volume_id> hints = {}, const dsw_body_desc *desc = nullptr) {
+                          View<const std::uint32_t> face_offsets = {},
+                          View<const std::uint32_t> face_corners = {},
+                          View<const dsw_volume_id> hints = {},
+                          const dsw_body_desc *desc = nullptr) {
     dsw_body_desc all;
     if (desc) all = *desc;
     if (!desc) dsw_body_desc_init(&all, sizeof all);
@@ -261,13 +291,15 @@ class Scene {
   template <class T, class Call>
   Array<T> ids(Call call) const {
     const SceneReading self(*state_);
-    return filled<T>(
-        [&](T *out, std::size_t capacity, std::size_t *count) { return call(self.handle, out, capacity, count); });
+    return filled<T>([&](T *out, std::size_t capacity, std::size_t *count) {
+      return call(self.handle, out, capacity, count);
+    });
   }
   template <class T, class Call>
   Array<T> list(Call call) const {
     const SceneReading self(*state_);
-    return copied<T>([&](const T **out, std::size_t *count) { return call(self.handle, out, count); });
+    return copied<T>(
+        [&](const T **out, std::size_t *count) { return call(self.handle, out, count); });
   }
 
   std::shared_ptr<SceneState> state_;

@@ -1,4 +1,5 @@
-// Statuses as exceptions. A binding turns each into the host's exception of that status (DSW_EACH_STATUS lists them).
+// Statuses as exceptions: one class for each, and Error for all. Bindings turn each class into an
+// exception of their language.
 #pragma once
 
 #include <exception>
@@ -7,7 +8,7 @@
 
 #include "dartsweep/base.h"
 
-// The list that gives every language one exception class per status: X(name of the status, name of the class).
+// X(name of the status, name of the class), for every status but OK.
 #define DSW_EACH_STATUS(X)               \
   X(NULL_ARGUMENT, NullArgument)         \
   X(BAD_STRUCT_SIZE, BadStructSize)      \
@@ -47,6 +48,7 @@
 
 namespace dartsweep {
 
+/** What every method throws when the C function answers another status than OK. */
 class Error : public std::exception {
  public:
   Error(dsw_status status, std::string message) : status_(status), message_(std::move(message)) {}
@@ -58,14 +60,41 @@ class Error : public std::exception {
   std::string message_;
 };
 
-// Use of an object after close().
+/** Use of an object after close(). */
 class Closed : public Error {
  public:
-  explicit Closed(const char *object) : Error(DSW_STATUS_NULL_ARGUMENT, std::string(object) + " is closed") {}
+  explicit Closed(const char *object)
+      : Error(DSW_STATUS_NULL_ARGUMENT, std::string(object) + " is closed") {}
 };
 
-inline void check(dsw_status status) {
-  if (status != DSW_STATUS_OK) throw Error(status, dsw_last_error_message());
+#ifndef SWIG
+template <dsw_status S>
+class StatusError : public Error {
+ public:
+  explicit StatusError(std::string message) : Error(S, std::move(message)) {}
+};
+
+#define DSW_STATUS_CLASS(status, name) using name = StatusError<DSW_STATUS_##status>;
+DSW_EACH_STATUS(DSW_STATUS_CLASS)
+#undef DSW_STATUS_CLASS
+
+/** Throws the class of the status; Error for statuses of a newer library. */
+[[noreturn]] inline void throw_status(dsw_status status, std::string message) {
+#define DSW_THROW_STATUS(status, name) \
+  case DSW_STATUS_##status:            \
+    throw name(std::move(message));
+  switch (status) {
+    DSW_EACH_STATUS(DSW_THROW_STATUS)
+    default:
+      throw Error(status, std::move(message));
+  }
+#undef DSW_THROW_STATUS
 }
+
+/** Throws unless the status is OK. For calls of C functions, too. */
+inline void check(dsw_status status) {
+  if (status != DSW_STATUS_OK) throw_status(status, dsw_last_error_message());
+}
+#endif
 
 }  // namespace dartsweep

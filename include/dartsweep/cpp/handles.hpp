@@ -1,68 +1,87 @@
-// Who owns what, and who may call at the same time. Host objects (Environment, Scene, ...) share these states, so that
-// every handle is destroyed exactly once, in the right order, whatever the order in which a collector lets go.
+// Who owns what. Objects (Environment, Scene, ...) share the states below. Every handle is
+// destroyed once, and an environment after its scenes, in whatever order the objects go.
 //
-// The header says of each call whether it reads or writes; here that becomes locks, so that a host's threads may call as they like.
-// Calls on a scene hold its environment for reading, or for writing where they change it; that excludes all its scenes.
+// Threads: as the C functions say, unless DARTSWEEP_LOCKS is defined before the first include, in
+// all sources of a program. Then each call takes the lock that its C function asks for: a call on a
+// scene holds the environment for reading, a call that changes the environment excludes all others.
 #pragma once
 
 #include <memory>
+#ifdef DARTSWEEP_LOCKS
 #include <mutex>
 #include <shared_mutex>
+#endif
 
-#include "common/error.h"
+#include "dartsweep/cpp/error.hpp"
 #include "dartsweep/dartsweep.h"
 
 namespace dartsweep {
 
-// What a host has to do round a wait, such as letting go of an interpreter's lock: a callback of whoever is waited for may need it.
-// A binding that needs it defines DSW_HOST_WAIT as a type of its own before this header.
+#ifdef DARTSWEEP_LOCKS
+// What a host has to do while a call waits, such as letting go of an interpreter's lock: a type,
+// defined before this header.
 #ifndef DSW_HOST_WAIT
 struct NoWait {};
 #define DSW_HOST_WAIT NoWait
 #endif
 
-inline void lock(std::shared_mutex &mutex) {
-  if (mutex.try_lock()) return;
-  [[maybe_unused]] DSW_HOST_WAIT wait;
-  mutex.lock();
-}
+class Mutex {
+ public:
+  void lock() {
+    if (mutex_.try_lock()) return;
+    [[maybe_unused]] DSW_HOST_WAIT wait;
+    mutex_.lock();
+  }
+  void lock_shared() {
+    if (mutex_.try_lock_shared()) return;
+    [[maybe_unused]] DSW_HOST_WAIT wait;
+    mutex_.lock_shared();
+  }
+  void unlock() { mutex_.unlock(); }
+  void unlock_shared() { mutex_.unlock_shared(); }
 
-inline void lock_shared(std::shared_mutex &mutex) {
-  if (mutex.try_lock_shared()) return;
-  [[maybe_unused]] DSW_HOST_WAIT wait;
-  mutex.lock_shared();
-}
+ private:
+  std::shared_mutex mutex_;
+};
+#else
+struct Mutex {
+  void lock() {}
+  void lock_shared() {}
+  void unlock() {}
+  void unlock_shared() {}
+};
+#endif
 
 class Writing {
  public:
-  explicit Writing(std::shared_mutex &mutex) : mutex_(mutex) { lock(mutex_); }
+  explicit Writing(Mutex &mutex) : mutex_(mutex) { mutex_.lock(); }
   ~Writing() { mutex_.unlock(); }
   Writing(const Writing &) = delete;
   Writing &operator=(const Writing &) = delete;
 
  private:
-  std::shared_mutex &mutex_;
+  Mutex &mutex_;
 };
 
 class Reading {
  public:
-  explicit Reading(std::shared_mutex &mutex) : mutex_(mutex) { lock_shared(mutex_); }
+  explicit Reading(Mutex &mutex) : mutex_(mutex) { mutex_.lock_shared(); }
   ~Reading() { mutex_.unlock_shared(); }
   Reading(const Reading &) = delete;
   Reading &operator=(const Reading &) = delete;
 
  private:
-  std::shared_mutex &mutex_;
+  Mutex &mutex_;
 };
 
-// Receives log lines; a host derives from it (a SWIG director). Exceptions must not reach the library and are dropped.
+/** Receives the lines of the log. Its exceptions are dropped: they must not reach the library. */
 class LogSink {
  public:
   virtual ~LogSink() = default;
   virtual void write(int level, const char *text) = 0;
 };
 
-// The C context. `sink` may be null and must outlive everything made with the context: the binding keeps it.
+/** The C context. `sink` may be null; the sink must outlive all that is made with the context. */
 class Context {
  public:
   explicit Context(std::uint32_t thread_count = 0, LogSink *sink = nullptr) {
@@ -82,12 +101,13 @@ class Context {
     state_.reset(context, [](dsw_context *gone) { dsw_context_destroy(gone); });
   }
 #ifndef SWIG
-  // For languages that cannot keep a sink for as long: the context owns it.
-  Context(std::uint32_t thread_count, std::unique_ptr<LogSink> sink) : Context(thread_count, sink.get()) {
-    state_.reset(state_.get(),
-                 [made = state_, kept = std::shared_ptr<LogSink>(std::move(sink))](dsw_context *) mutable {
-                   made.reset();  // before its sink
-                 });
+  /** The context owns the sink. */
+  Context(std::uint32_t thread_count, std::unique_ptr<LogSink> sink)
+      : Context(thread_count, sink.get()) {
+    state_.reset(state_.get(), [made = state_, kept = std::shared_ptr<LogSink>(std::move(sink))](
+                                   dsw_context *) mutable {
+      made.reset();  // before its sink
+    });
   }
 #endif
   const std::shared_ptr<dsw_context> &state() const { return state_; }
@@ -96,15 +116,15 @@ class Context {
   std::shared_ptr<dsw_context> state_;
 };
 
-// An environment goes when it is closed (or its last object is gone) and no scene is left.
+/** An environment goes when it is closed, or its last object is gone, and no scene is left. */
 struct EnvironmentState {
   std::shared_ptr<dsw_context> context;
-  std::shared_ptr<void> lent;  // The array that the library reads points from, if that is the host's.
+  std::shared_ptr<void> lent;  // the caller's array that the library reads points from
   dsw_environment *handle = nullptr;
-  std::uint32_t dimension = 3;  // It never changes: no lock is needed.
+  std::uint32_t dimension = 3;  // never changes
   std::size_t scenes = 0;
   bool closed = false;
-  std::shared_mutex mutex;
+  Mutex mutex;
 
   ~EnvironmentState() { dsw_environment_destroy(handle); }
   void destroy_if_unused() {
@@ -118,7 +138,7 @@ struct EnvironmentState {
 struct SceneState {
   std::shared_ptr<EnvironmentState> environment;
   dsw_scene *handle = nullptr;
-  std::shared_mutex mutex;
+  Mutex mutex;
 
   ~SceneState() { close(); }
   void close() {
@@ -131,7 +151,7 @@ struct SceneState {
   }
 };
 
-// Locks of one call on a scene; `handle` is the scene's.
+/** Locks of one call on a scene. */
 class SceneReading {
  public:
   explicit SceneReading(SceneState &state)
@@ -161,10 +181,11 @@ class SceneWriting {
   dsw_scene *handle;
 };
 
-// For calls that change the environment, too.
+/** Of a call that changes the environment, too. */
 class WholeWriting {
  public:
-  explicit WholeWriting(SceneState &state) : outer_(state.environment->mutex), handle(state.handle) {
+  explicit WholeWriting(SceneState &state)
+      : outer_(state.environment->mutex), handle(state.handle) {
     if (!handle) throw Closed("the scene");
   }
 

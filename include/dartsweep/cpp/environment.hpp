@@ -1,37 +1,39 @@
-// An environment as a host's object: one method for each C function on it, of the same name; see include/dartsweep for what they do.
+// An environment. Each method is the C function of its name, whose comment says what it does.
 #pragma once
 
-#include "common/handles.h"
-#include "common/results.h"
+#include "dartsweep/cpp/handles.hpp"
+#include "dartsweep/cpp/results.hpp"
 
 namespace dartsweep {
 
 class Environment {
  public:
-  // Scalars come from `desc`, arrays as arguments; `regions` and later may be left out.
-  Environment(Points points, Indices connectivity, Indices offsets = {}, View<const std::uint8_t> cell_types = {},
-              View<const std::int32_t> regions = {}, View<const std::uint32_t> tags = {}, Indices faces = {},
-              Indices face_locations = {}, const dsw_environment_desc *desc = nullptr, const Context *context = nullptr)
+  /** The scalars of `desc` count; its arrays are the arguments. Empty arrays are left out. */
+  Environment(Points points, Indices connectivity, Indices offsets = {},
+              View<const std::uint8_t> cell_types = {}, View<const std::int32_t> regions = {},
+              View<const std::uint32_t> tags = {}, Indices faces = {}, Indices face_locations = {},
+              const dsw_environment_desc *desc = nullptr, const Context *context = nullptr)
       : Environment() {
     dsw_environment_desc all;
     if (desc) all = *desc;
     if (!desc) dsw_environment_desc_init(&all, sizeof all);
     if (all.flags & DSW_ENVIRONMENT_BORROW_POINTS)
-      throw Error(DSW_STATUS_UNSUPPORTED, "points can be lent by Scene.deform only");
+      throw Unsupported("points can be lent by Scene.deform only");
     state_->dimension = all.dimension == 2 ? 2 : 3;
     count_points(state_->dimension, points);
     leave_out_empty(cell_types, faces, face_locations);
     all.index_bytes = connectivity.bytes;
     for (const Indices *other : {&offsets, &faces, &face_locations})
       if (other->count && other->bytes != connectivity.bytes)
-        throw Error(DSW_STATUS_WRONG_SIZE, "integers of the cells differ in size");
+        throw WrongSize("integers of the cells differ in size");
     all.points = points.data;
     all.point_count = points.count;
     all.point_stride_bytes = points.stride_bytes;
     all.connectivity = connectivity.data;
     all.connectivity_count = connectivity.count;
     all.cell_types = cell_types.data;
-    all.cell_count = cell_types.count ? cell_types.count : uniform_count(all.uniform_cell_type, connectivity, offsets);
+    all.cell_count = cell_types.count ? cell_types.count
+                                      : uniform_count(all.uniform_cell_type, connectivity, offsets);
     optional_count("offsets", offsets, all.cell_count + 1);
     all.offsets = offsets.data;
     optional_count("regions", regions, all.cell_count);
@@ -47,10 +49,21 @@ class Environment {
     check(dsw_environment_create(state_->context.get(), &all, &state_->handle, &report_));
   }
 
+#ifndef SWIG
+  /** Cells of one type. Triangles and quads make an environment of the plane. */
+  static Environment of(dsw_cell_type type, Points points, Indices connectivity) {
+    dsw_environment_desc desc = defaults<dsw_environment_desc>();
+    desc.uniform_cell_type = type;
+    if (type == DSW_CELL_TYPE_TRIANGLE || type == DSW_CELL_TYPE_QUAD) desc.dimension = 2;
+    return Environment(points, connectivity, {}, {}, {}, {}, {}, {}, &desc);
+  }
+#endif
+
   static Environment load(View<const std::uint8_t> block, const Context *context = nullptr) {
     Environment loaded;
     if (context) loaded.state_->context = context->state();
-    check(dsw_environment_load(loaded.state_->context.get(), block.data, block.count, &loaded.state_->handle));
+    check(dsw_environment_load(loaded.state_->context.get(), block.data, block.count,
+                               &loaded.state_->handle));
     loaded.state_->dimension = loaded.info().dimension;
     return loaded;
   }
@@ -62,18 +75,19 @@ class Environment {
     });
   }
 
-  // Volume of the result for each of this environment's volume indices goes to `volume_map`, where that is given.
-  Environment coarsen(const dsw_coarsen_options *options = nullptr, View<std::uint32_t> volume_map = {}) const {
+  /** `volume_map`: for each volume index of this environment, the volume of the result. */
+  Environment coarsen(const dsw_coarsen_options *options = nullptr,
+                      View<std::uint32_t> volume_map = {}) const {
     const EnvironmentReading self(*state_);
     Environment result;
     result.state_->context = state_->context;
     result.state_->dimension = state_->dimension;
-    check(dsw_environment_coarsen(self.handle, options, &result.state_->handle, volume_map.data, volume_map.count,
-                                  nullptr));
+    check(dsw_environment_coarsen(self.handle, options, &result.state_->handle, volume_map.data,
+                                  volume_map.count, nullptr));
     return result;
   }
 
-  // May be repeated. Scenes of the environment go on.
+  /** May be repeated. Scenes of the environment go on. */
   void close() {
     const Writing hold(state_->mutex);
     state_->closed = true;
@@ -84,10 +98,14 @@ class Environment {
     return state_->closed;
   }
   const std::shared_ptr<EnvironmentState> &state() const { return state_; }
+#ifndef SWIG
+  /** For C functions. It lives as long as this object, unless that is closed. */
+  dsw_environment *handle() const { return state_->handle; }
+#endif
 
-  // 2 in the plane, where points have two coordinates, else 3.
+  /** 2 in the plane, else 3. */
   std::uint32_t dimension() const { return state_->dimension; }
-  // What creation found; zeros where it was loaded.
+  /** What creation found; zeros if the environment was loaded. */
   dsw_build_report build_report() const { return report_; }
 
   dsw_environment_info info() const {
@@ -103,14 +121,21 @@ class Environment {
   }
 
   // --- cells
-  dsw_volume_id get_volume(std::uint32_t index) const { return one<dsw_volume_id>(dsw_environment_get_volume, index); }
-  dsw_vertex_id get_vertex(std::uint32_t index) const { return one<dsw_vertex_id>(dsw_environment_get_vertex, index); }
-  Point get_position(dsw_vertex_id vertex) const { return point(dsw_environment_get_position, vertex); }
+  dsw_volume_id get_volume(std::uint32_t index) const {
+    return one<dsw_volume_id>(dsw_environment_get_volume, index);
+  }
+  dsw_vertex_id get_vertex(std::uint32_t index) const {
+    return one<dsw_vertex_id>(dsw_environment_get_vertex, index);
+  }
+  Point get_position(dsw_vertex_id vertex) const {
+    return point(dsw_environment_get_position, vertex);
+  }
   Point get_centre(dsw_volume_id volume) const { return point(dsw_environment_get_centre, volume); }
   VolumeCounts get_volume_counts(dsw_volume_id volume) const {
     const EnvironmentReading self(*state_);
     VolumeCounts out = {};
-    check(dsw_environment_get_volume_counts(self.handle, volume, &out.type, &out.vertices, &out.edges, &out.faces));
+    check(dsw_environment_get_volume_counts(self.handle, volume, &out.type, &out.vertices,
+                                            &out.edges, &out.faces));
     return out;
   }
   dsw_face_id get_volume_face(dsw_volume_id volume, std::uint32_t local) const {
@@ -139,12 +164,14 @@ class Environment {
     out.impassable = impassable != 0;
     return out;
   }
-  Array<dsw_face_id> find_faces(View<const std::size_t> offsets, View<const std::uint32_t> indices) const {
+  Array<dsw_face_id> find_faces(View<const std::size_t> offsets,
+                                View<const std::uint32_t> indices) const {
     if (offsets.count == 0 || offsets.data[offsets.count - 1] > indices.count)
-      throw Error(DSW_STATUS_WRONG_SIZE, "offsets end beyond the indices");
+      throw WrongSize("offsets end beyond the indices");
     const EnvironmentReading self(*state_);
     Array<dsw_face_id> out(offsets.count - 1);
-    check(dsw_environment_find_faces(self.handle, out.size(), offsets.data, indices.data, out.data(), nullptr));
+    check(dsw_environment_find_faces(self.handle, out.size(), offsets.data, indices.data,
+                                     out.data(), nullptr));
     return out;
   }
   Array<dsw_edge_id> find_edges(View<const std::uint32_t> indices) const {
@@ -154,10 +181,18 @@ class Environment {
     check(dsw_environment_find_edges(self.handle, out.size(), indices.data, out.data(), nullptr));
     return out;
   }
-  std::int32_t get_region(dsw_volume_id volume) const { return one<std::int32_t>(dsw_environment_get_region, volume); }
-  std::uint32_t get_tag(dsw_volume_id volume) const { return one<std::uint32_t>(dsw_environment_get_tag, volume); }
-  void set_tag(dsw_volume_id volume, std::uint32_t tag) { change(dsw_environment_set_tag, volume, tag); }
-  bool is_valid(dsw_volume_id volume) const { return one<int>(dsw_environment_is_valid, volume) != 0; }
+  std::int32_t get_region(dsw_volume_id volume) const {
+    return one<std::int32_t>(dsw_environment_get_region, volume);
+  }
+  std::uint32_t get_tag(dsw_volume_id volume) const {
+    return one<std::uint32_t>(dsw_environment_get_tag, volume);
+  }
+  void set_tag(dsw_volume_id volume, std::uint32_t tag) {
+    change(dsw_environment_set_tag, volume, tag);
+  }
+  bool is_valid(dsw_volume_id volume) const {
+    return one<int>(dsw_environment_is_valid, volume) != 0;
+  }
   Array<double> get_points() const {
     const EnvironmentReading self(*state_);
     const double *points = nullptr;
@@ -181,8 +216,9 @@ class Environment {
     same_count("volumes", volumes.count, points.count);
     optional_count("places", places, points.count);
     const EnvironmentReading self(*state_);
-    check(dsw_environment_locate_points(self.handle, points.data, points.count, points.stride_bytes, hints.data,
-                                        volumes.data, reinterpret_cast<dsw_place *>(places.data)));
+    check(dsw_environment_locate_points(self.handle, points.data, points.count, points.stride_bytes,
+                                        hints.data, volumes.data,
+                                        reinterpret_cast<dsw_place *>(places.data)));
   }
   dsw_cell classify(const Point &point, dsw_volume_id volume) const {
     return one<dsw_cell>(dsw_environment_classify, in(point), volume);
@@ -191,22 +227,23 @@ class Environment {
                   const dsw_cast_options *options = nullptr) const {
     return one<dsw_flight>(dsw_environment_cast, start, in(from), in(to), options);
   }
-  void cast_segments(Points from, Points to, View<const dsw_volume_id> starts, const dsw_cast_options *options,
-                     View<dsw_flight> flights) const {
+  void cast_segments(Points from, Points to, View<const dsw_volume_id> starts,
+                     const dsw_cast_options *options, View<dsw_flight> flights) const {
     count_points(dimension(), from, to);
     same_count("to", to.count, from.count);
     optional_count("starts", starts, from.count);
     same_count("flights", flights.count, from.count);
     const std::size_t stride = common_stride(from, to);
     const EnvironmentReading self(*state_);
-    check(dsw_environment_cast_segments(self.handle, from.count, starts.data, from.data, to.data, stride, options,
-                                        flights.data));
+    check(dsw_environment_cast_segments(self.handle, from.count, starts.data, from.data, to.data,
+                                        stride, options, flights.data));
   }
   Array<dsw_crossing> cast_path(const Point &from, const Point &to, dsw_volume_id start = {},
                                 const dsw_cast_options *options = nullptr) const {
     const EnvironmentReading self(*state_);
     return filled<dsw_crossing>([&](dsw_crossing *out, std::size_t capacity, std::size_t *count) {
-      return dsw_environment_cast_path(self.handle, start, in(from), in(to), options, out, capacity, count, nullptr);
+      return dsw_environment_cast_path(self.handle, start, in(from), in(to), options, out, capacity,
+                                       count, nullptr);
     });
   }
   dsw_nearest find_nearest(const Point &point, double radius, dsw_volume_id volume = {}) const {
@@ -222,15 +259,16 @@ class Environment {
     common_stride(from, to);
     const std::size_t stride = common_stride(from, fixed);
     const EnvironmentReading self(*state_);
-    check(dsw_environment_sweep_edges(self.handle, from.count, starts.data, from.data, to.data, fixed.data, stride,
-                                      options, sweeps.data));
+    check(dsw_environment_sweep_edges(self.handle, from.count, starts.data, from.data, to.data,
+                                      fixed.data, stride, options, sweeps.data));
   }
   dsw_contact_opinion check_contact(const dsw_contact &contact) const {
     return one<dsw_contact_opinion>(dsw_contact_check, &contact);
   }
 
   // --- marks
-  std::size_t mark_volumes(View<const dsw_volume_id> volumes, dsw_mark mark, std::uint32_t flags = 0) {
+  std::size_t mark_volumes(View<const dsw_volume_id> volumes, dsw_mark mark,
+                           std::uint32_t flags = 0) {
     std::size_t skipped = 0;
     change(dsw_environment_mark_volumes, volumes.data, volumes.count, mark, flags, &skipped);
     return skipped;
@@ -255,7 +293,9 @@ class Environment {
     return marked;
   }
   bool is_marked(dsw_cell cell) const { return one<int>(dsw_environment_is_marked, cell) != 0; }
-  bool is_impassable(dsw_cell cell) const { return one<int>(dsw_environment_is_impassable, cell) != 0; }
+  bool is_impassable(dsw_cell cell) const {
+    return one<int>(dsw_environment_is_impassable, cell) != 0;
+  }
   std::size_t get_mark_count(dsw_cell_kind kind) const {
     return one<std::size_t>(dsw_environment_get_mark_count, kind);
   }
@@ -267,15 +307,18 @@ class Environment {
   }
   void unsew_face(dsw_face_id face) { change(dsw_environment_unsew_face, face); }
   // New vertices and volumes are those of get_volume_changes, and of the indices that follow.
-  Array<dsw_volume_id> add_volumes(View<const dsw_vertex_id> vertices, Points points, Indices connectivity,
-                                   Indices offsets = {}, View<const std::uint8_t> cell_types = {},
-                                   View<const std::int32_t> regions = {}, View<const std::uint32_t> tags = {},
-                                   View<const dsw_face_id> sew_to = {}, const dsw_volumes_desc *desc = nullptr) {
+  Array<dsw_volume_id> add_volumes(View<const dsw_vertex_id> vertices, Points points,
+                                   Indices connectivity, Indices offsets = {},
+                                   View<const std::uint8_t> cell_types = {},
+                                   View<const std::int32_t> regions = {},
+                                   View<const std::uint32_t> tags = {},
+                                   View<const dsw_face_id> sew_to = {},
+                                   const dsw_volumes_desc *desc = nullptr) {
     dsw_volumes_desc all;
     if (desc) all = *desc;
     if (!desc) dsw_volumes_desc_init(&all, sizeof all);
     if (offsets.count && offsets.bytes != connectivity.bytes)
-      throw Error(DSW_STATUS_WRONG_SIZE, "integers of the cells differ in size");
+      throw WrongSize("integers of the cells differ in size");
     count_points(dimension(), points);
     leave_out_empty(cell_types);
     all.index_bytes = connectivity.bytes;
@@ -285,7 +328,8 @@ class Environment {
     all.point_count = points.count;
     all.point_stride_bytes = points.stride_bytes;
     all.cell_types = cell_types.data;
-    all.cell_count = cell_types.count ? cell_types.count : uniform_count(all.uniform_cell_type, connectivity, offsets);
+    all.cell_count = cell_types.count ? cell_types.count
+                                      : uniform_count(all.uniform_cell_type, connectivity, offsets);
     optional_count("offsets", offsets, all.cell_count + 1);
     optional_count("regions", regions, all.cell_count);
     optional_count("tags", tags, all.cell_count);
@@ -297,7 +341,8 @@ class Environment {
     all.sew_to = sew_to.data;
     all.sew_count = sew_to.count;
     Array<dsw_volume_id> volumes(all.cell_count);
-    change(dsw_environment_add_volumes, &all, volumes.data(), static_cast<dsw_vertex_id *>(nullptr));
+    change(dsw_environment_add_volumes, &all, volumes.data(),
+           static_cast<dsw_vertex_id *>(nullptr));
     return volumes;
   }
   void remove_volumes(View<const dsw_volume_id> volumes) {
@@ -342,13 +387,16 @@ class Environment {
     change(dsw_environment_merge_edges, edge, vertex, &merged);
     return merged;
   }
-  void collapse_edge(dsw_edge_id edge, dsw_vertex_id vertex) { change(dsw_environment_collapse_edge, edge, vertex); }
+  void collapse_edge(dsw_edge_id edge, dsw_vertex_id vertex) {
+    change(dsw_environment_collapse_edge, edge, vertex);
+  }
   Array<dsw_volume_change> get_volume_changes() const {
     return list<dsw_volume_change>(dsw_environment_get_volume_changes);
   }
 
   // `blade` has rows * columns points, row by row.
-  dsw_cut_report cut(Points blade, std::uint32_t rows, std::uint32_t columns, const dsw_cut_desc *desc = nullptr) {
+  dsw_cut_report cut(Points blade, std::uint32_t rows, std::uint32_t columns,
+                     const dsw_cut_desc *desc = nullptr) {
     dsw_cut_desc all;
     if (desc) all = *desc;
     if (!desc) dsw_cut_desc_init(&all, sizeof all);
@@ -362,15 +410,22 @@ class Environment {
     change(dsw_environment_cut, &all, &report);
     return report;
   }
-  std::size_t tear_faces(View<const dsw_face_id> faces, View<const double> loads, double threshold) {
+  std::size_t tear_faces(View<const dsw_face_id> faces, View<const double> loads,
+                         double threshold) {
     same_count("loads", loads.count, faces.count);
     std::size_t torn = 0;
     change(dsw_environment_tear_faces, faces.data, loads.data, faces.count, threshold, &torn);
     return torn;
   }
-  Array<dsw_cut_vertex> get_cut_vertices() const { return list<dsw_cut_vertex>(dsw_environment_get_cut_vertices); }
-  Array<dsw_cut_face> get_cut_faces() const { return list<dsw_cut_face>(dsw_environment_get_cut_faces); }
-  Array<dsw_volume_id> get_whole_volumes() const { return list<dsw_volume_id>(dsw_environment_get_whole_volumes); }
+  Array<dsw_cut_vertex> get_cut_vertices() const {
+    return list<dsw_cut_vertex>(dsw_environment_get_cut_vertices);
+  }
+  Array<dsw_cut_face> get_cut_faces() const {
+    return list<dsw_cut_face>(dsw_environment_get_cut_faces);
+  }
+  Array<dsw_volume_id> get_whole_volumes() const {
+    return list<dsw_volume_id>(dsw_environment_get_whole_volumes);
+  }
   dsw_open_report open(View<const dsw_cut_face> faces, const dsw_open_desc &desc) {
     dsw_open_desc all = desc;
     all.faces = faces.data;
@@ -379,12 +434,14 @@ class Environment {
     change(dsw_environment_open, &all, &report);
     return report;
   }
-  dsw_carve_report carve(Points points, View<const std::uint32_t> triangles, const dsw_carve_desc *desc = nullptr) {
+  dsw_carve_report carve(Points points, View<const std::uint32_t> triangles,
+                         const dsw_carve_desc *desc = nullptr) {
     dsw_carve_desc all;
     if (desc) all = *desc;
     if (!desc) dsw_carve_desc_init(&all, sizeof all);
     count_points(dimension(), points);
-    same_count("corners of triangles", triangles.count, triangles.count / dimension() * dimension());
+    same_count("corners of triangles", triangles.count,
+               triangles.count / dimension() * dimension());
     all.points = points.data;
     all.point_count = points.count;
     all.point_stride_bytes = points.stride_bytes;
@@ -394,7 +451,9 @@ class Environment {
     change(dsw_environment_carve, &all, &report);
     return report;
   }
-  Array<dsw_volume_id> get_carved_volumes() const { return list<dsw_volume_id>(dsw_environment_get_carved_volumes); }
+  Array<dsw_volume_id> get_carved_volumes() const {
+    return list<dsw_volume_id>(dsw_environment_get_carved_volumes);
+  }
   dsw_tie_report tie(Points loop, const dsw_tie_desc *desc = nullptr) {
     dsw_tie_desc all;
     if (desc) all = *desc;
@@ -429,7 +488,8 @@ class Environment {
  private:
   Environment() : state_(std::make_shared<EnvironmentState>()) {}
 
-  static std::size_t uniform_count(std::uint32_t type, const Indices &connectivity, const Indices &offsets) {
+  static std::size_t uniform_count(std::uint32_t type, const Indices &connectivity,
+                                   const Indices &offsets) {
     if (offsets.count) return offsets.count - 1;
     switch (type) {
       case DSW_CELL_TYPE_TRIANGLE:
@@ -446,7 +506,7 @@ class Environment {
     }
   }
 
-  // call(environment, arguments..., &result) for readers with one result, and with a point as result.
+  // Readers with one result: call(environment, arguments..., &result).
   template <class T, class Call, class... Arguments>
   T one(Call call, Arguments... arguments) const {
     const EnvironmentReading self(*state_);
@@ -465,7 +525,8 @@ class Environment {
   template <class T, class Call>
   Array<T> list(Call call) const {
     const EnvironmentReading self(*state_);
-    return copied<T>([&](const T **out, std::size_t *count) { return call(self.handle, out, count); });
+    return copied<T>(
+        [&](const T **out, std::size_t *count) { return call(self.handle, out, count); });
   }
   // call(environment, arguments...) for writers.
   template <class Call, class... Arguments>

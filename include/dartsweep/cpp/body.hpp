@@ -1,7 +1,7 @@
-// A body as a host's object: a scene and the id of a body in it. It keeps the scene's memory, not the body: that may be gone.
+// A body: a scene and the id of a body in it. The scene owns the body.
 #pragma once
 
-#include "common/scene.h"
+#include "dartsweep/cpp/scene.hpp"
 
 namespace dartsweep {
 
@@ -29,7 +29,9 @@ class Body {
     check(dsw_body_get_filter(self.handle, id_, &out.category, &out.mask));
     return out;
   }
-  void set_filter(std::uint32_t category, std::uint32_t mask) { change(dsw_body_set_filter, category, mask); }
+  void set_filter(std::uint32_t category, std::uint32_t mask) {
+    change(dsw_body_set_filter, category, mask);
+  }
 
   // --- parts
   void get_positions(PointsOut positions, View<dsw_volume_id> volumes = {}) const {
@@ -37,18 +39,29 @@ class Body {
     optional_count("volumes", volumes, positions.count);
     const SceneReading self(*state_);
     std::size_t count = 0;
-    check(dsw_body_get_positions(self.handle, id_, positions.data, positions.count, 0, volumes.data, &count));
+    check(dsw_body_get_positions(self.handle, id_, positions.data, positions.count, 0, volumes.data,
+                                 &count));
     same_count("positions", positions.count, count);
   }
-  Array<dsw_body_vertex_id> get_vertices() const { return fill<dsw_body_vertex_id>(dsw_body_get_vertices); }
+  Array<dsw_body_vertex_id> get_vertices() const {
+    return fill<dsw_body_vertex_id>(dsw_body_get_vertices);
+  }
   Array<dsw_body_edge_id> get_edges() const { return fill<dsw_body_edge_id>(dsw_body_get_edges); }
   Array<dsw_body_face_id> get_faces() const { return fill<dsw_body_face_id>(dsw_body_get_faces); }
   // Ends of one edge, corners of one triangle.
-  Array<dsw_body_vertex_id> get_edge(dsw_body_edge_id edge) const { return corners(2, dsw_body_get_edge, edge); }
-  Array<dsw_body_vertex_id> get_face(dsw_body_face_id face) const { return corners(3, dsw_body_get_face, face); }
+  Array<dsw_body_vertex_id> get_edge(dsw_body_edge_id edge) const {
+    return corners(2, dsw_body_get_edge, edge);
+  }
+  Array<dsw_body_vertex_id> get_face(dsw_body_face_id face) const {
+    return corners(3, dsw_body_get_face, face);
+  }
   // Of all at once, by index: 2 or 3 indices of vertices for each slot.
-  Array<std::uint32_t> get_edge_vertices() const { return all_corners(2, dsw_body_get_edge_vertices); }
-  Array<std::uint32_t> get_face_vertices() const { return all_corners(3, dsw_body_get_face_vertices); }
+  Array<std::uint32_t> get_edge_vertices() const {
+    return all_corners(2, dsw_body_get_edge_vertices);
+  }
+  Array<std::uint32_t> get_face_vertices() const {
+    return all_corners(3, dsw_body_get_face_vertices);
+  }
   dsw_body_vertex_id get_vertex(std::uint32_t index) const {
     const SceneReading self(*state_);
     dsw_body_vertex_id out = {};
@@ -93,7 +106,8 @@ class Body {
     change(dsw_body_move, targets.data, targets.count, targets.stride_bytes, ordered.get(), &out);
     return out;
   }
-  dsw_move_report move_rigid(const dsw_rigid_motion &motion, const dsw_move_options *options = nullptr,
+  dsw_move_report move_rigid(const dsw_rigid_motion &motion,
+                             const dsw_move_options *options = nullptr,
                              View<const std::uint32_t> order = {}) {
     dsw_move_report out = {};
     const Ordered ordered(options, order);
@@ -104,7 +118,9 @@ class Body {
   Array<dsw_contact_partner> get_contact_partners() const {
     return list<dsw_contact_partner>(dsw_body_get_contact_partners);
   }
-  Array<dsw_contact_past> get_contact_pasts() const { return list<dsw_contact_past>(dsw_body_get_contact_pasts); }
+  Array<dsw_contact_past> get_contact_pasts() const {
+    return list<dsw_contact_past>(dsw_body_get_contact_pasts);
+  }
   Array<dsw_body_edit> get_edits() const { return list<dsw_body_edit>(dsw_body_get_edits); }
 
  private:
@@ -136,13 +152,15 @@ class Body {
   template <class T, class Call>
   Array<T> list(Call call) const {
     const SceneReading self(*state_);
-    return copied<T>([&](const T **out, std::size_t *count) { return call(self.handle, id_, out, count); });
+    return copied<T>(
+        [&](const T **out, std::size_t *count) { return call(self.handle, id_, out, count); });
   }
   template <class T, class Call>
   Array<T> fill(Call call) const {
     const SceneReading self(*state_);
-    return filled<T>(
-        [&](T *out, std::size_t capacity, std::size_t *count) { return call(self.handle, id_, out, capacity, count); });
+    return filled<T>([&](T *out, std::size_t capacity, std::size_t *count) {
+      return call(self.handle, id_, out, capacity, count);
+    });
   }
   template <class Call, class Id>
   Array<dsw_body_vertex_id> corners(std::size_t count, Call call, Id id) const {

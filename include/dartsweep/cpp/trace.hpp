@@ -1,7 +1,7 @@
-// A trace as a host's object: geometry for viewers.
+// A trace: geometry for viewers.
 #pragma once
 
-#include "common/environment.h"
+#include "dartsweep/cpp/environment.hpp"
 
 namespace dartsweep {
 
@@ -17,7 +17,8 @@ class Trace {
     const Writing hold(mutex_);
     check(dsw_trace_clear(handle_.get()));
   }
-  void add_volumes(const Environment &environment, View<const dsw_volume_id> volumes, std::uint32_t label = 0) {
+  void add_volumes(const Environment &environment, View<const dsw_volume_id> volumes,
+                   std::uint32_t label = 0) {
     const EnvironmentReading source(*environment.state());
     const Writing hold(mutex_);
     check(dsw_trace_add_volumes(handle_.get(), source.handle, volumes.data, volumes.count, label));
@@ -27,20 +28,25 @@ class Trace {
     const Writing hold(mutex_);
     check(dsw_trace_add_impassable(handle_.get(), source.handle, with_boundary, label));
   }
-  void add_walk(const Environment &environment, const Point &from, const Point &to, double normal_length,
-                std::uint32_t label = 0, dsw_volume_id start = {}, const dsw_cast_options *options = nullptr) {
+  void add_walk(const Environment &environment, const Point &from, const Point &to,
+                double normal_length, std::uint32_t label = 0, dsw_volume_id start = {},
+                const dsw_cast_options *options = nullptr) {
     const EnvironmentReading source(*environment.state());
     const Writing hold(mutex_);
-    check(dsw_trace_add_walk(handle_.get(), source.handle, start, in_dimension(environment.dimension(), from),
-                             in_dimension(environment.dimension(), to), options, normal_length, label));
+    check(dsw_trace_add_walk(
+        handle_.get(), source.handle, start, in_dimension(environment.dimension(), from),
+        in_dimension(environment.dimension(), to), options, normal_length, label));
   }
   void add_contact(const dsw_flight &flight, double normal_length, std::uint32_t label = 0) {
     const Writing hold(mutex_);
     check(dsw_trace_add_contact(handle_.get(), &flight, normal_length, label));
   }
 
-  // Copies; points have 3 doubles each, also those of the plane, vertices, segments and triangles 1, 2 and 3 indices.
-  Array<double> get_points() const { return copy<double>(&dsw_trace_data::points, &dsw_trace_data::point_count, 3); }
+  // Copies. A point has 3 doubles, in the plane, too. A vertex, a segment and a triangle have 1, 2
+  // and 3 indices.
+  Array<double> get_points() const {
+    return copy<double>(&dsw_trace_data::points, &dsw_trace_data::point_count, 3);
+  }
   Array<std::uint32_t> get_vertices() const {
     return copy<std::uint32_t>(&dsw_trace_data::vertices, &dsw_trace_data::vertex_count, 1);
   }
@@ -57,12 +63,14 @@ class Trace {
     return copy<std::uint32_t>(&dsw_trace_data::triangles, &dsw_trace_data::triangle_count, 3);
   }
   Array<std::uint32_t> get_triangle_labels() const {
-    return copy<std::uint32_t>(&dsw_trace_data::triangle_labels, &dsw_trace_data::triangle_count, 1);
+    return copy<std::uint32_t>(&dsw_trace_data::triangle_labels, &dsw_trace_data::triangle_count,
+                               1);
   }
 
  private:
   template <class T>
-  Array<T> copy(const T *dsw_trace_data::*array, std::size_t dsw_trace_data::*count, std::size_t width) const {
+  Array<T> copy(const T *dsw_trace_data::*array, std::size_t dsw_trace_data::*count,
+                std::size_t width) const {
     const Reading hold(mutex_);
     dsw_trace_data data = {};
     data.struct_size = sizeof data;
@@ -71,7 +79,7 @@ class Trace {
   }
 
   std::unique_ptr<dsw_trace, dsw_status (*)(dsw_trace *)> handle_{nullptr, dsw_trace_destroy};
-  mutable std::shared_mutex mutex_;
+  mutable Mutex mutex_;
 };
 
 }  // namespace dartsweep

@@ -1,0 +1,143 @@
+// Results of calls that give more than one, ids, defaults, and how lists are copied.
+#pragma once
+
+#include "dartsweep/cpp/arrays.hpp"
+#include "dartsweep/dartsweep.h"
+
+namespace dartsweep {
+
+struct Location {
+  dsw_volume_id volume;  // null when outside
+  dsw_place place;
+};
+
+struct VolumeCounts {
+  dsw_cell_type type;
+  std::uint32_t vertices, edges, faces;
+};
+
+struct FaceVolumes {
+  dsw_volume_id near_side, far_side;
+};
+
+struct Neighbour {
+  dsw_volume_id volume;  // null at the outer boundary
+  bool impassable;
+};
+
+struct Marked {
+  std::size_t marked, skipped;
+};
+
+struct VolumeSplit {
+  dsw_volume_id left, right;
+  dsw_face_id face;
+};
+
+struct FaceSplit {
+  dsw_face_id left, right;
+  dsw_edge_id edge;
+};
+
+struct EdgeSplit {
+  dsw_vertex_id vertex;
+  dsw_edge_id first, second;
+};
+
+struct Particle {
+  dsw_vec3 position;  // in the plane z is 0
+  dsw_volume_id volume;
+};
+
+struct Detached {
+  dsw_body_id body;
+  dsw_detach_report report;
+};
+
+struct BodyFilter {
+  std::uint32_t category, mask;
+};
+
+/** The cell that an id names. */
+inline dsw_cell cell_of(dsw_vertex_id id) { return {DSW_CELL_VERTEX, id.index, id.generation, 0}; }
+inline dsw_cell cell_of(dsw_edge_id id) {
+  return {DSW_CELL_EDGE, id.volume, id.generation, id.local};
+}
+inline dsw_cell cell_of(dsw_face_id id) {
+  return {DSW_CELL_FACE, id.volume, id.generation, id.local};
+}
+inline dsw_cell cell_of(dsw_volume_id id) { return {DSW_CELL_VOLUME, id.index, id.generation, 0}; }
+
+/** Throws what a call with this status would. For tests. */
+inline void raise_status(dsw_status status) {
+  if (status != DSW_STATUS_OK) throw_status(status, dsw_status_string(status));
+}
+
+#ifndef SWIG
+/** Whether an id names nothing. */
+template <class Id>
+bool is_null(const Id &id) {
+  return id.generation == 0;
+}
+
+inline bool equal(dsw_face_id a, dsw_face_id b) {
+  return a.volume == b.volume && a.generation == b.generation && a.local == b.local;
+}
+inline bool equal(dsw_edge_id a, dsw_edge_id b) {
+  return a.volume == b.volume && a.generation == b.generation && a.local == b.local;
+}
+/** Whether two ids name the same. */
+template <class Id>
+bool equal(Id a, Id b) {
+  return a.index == b.index && a.generation == b.generation;
+}
+
+/** A description or options with their defaults: defaults<dsw_move_options>(). */
+template <class T>
+T defaults();
+#define DSW_DEFAULTS(type)           \
+  template <>                        \
+  inline type defaults<type>() {     \
+    type made;                       \
+    type##_init(&made, sizeof made); \
+    return made;                     \
+  }
+DSW_DEFAULTS(dsw_environment_desc)
+DSW_DEFAULTS(dsw_scene_desc)
+DSW_DEFAULTS(dsw_body_desc)
+DSW_DEFAULTS(dsw_volumes_desc)
+DSW_DEFAULTS(dsw_cut_desc)
+DSW_DEFAULTS(dsw_open_desc)
+DSW_DEFAULTS(dsw_carve_desc)
+DSW_DEFAULTS(dsw_tie_desc)
+DSW_DEFAULTS(dsw_detach_desc)
+DSW_DEFAULTS(dsw_remesh_desc)
+DSW_DEFAULTS(dsw_cast_options)
+DSW_DEFAULTS(dsw_sweep_options)
+DSW_DEFAULTS(dsw_move_options)
+DSW_DEFAULTS(dsw_deform_options)
+DSW_DEFAULTS(dsw_coarsen_options)
+#undef DSW_DEFAULTS
+#endif
+
+/** What get(&pointer, &count) lends, copied while the lock is held. */
+template <class T, class Get>
+Array<T> copied(Get get) {
+  const T *lent = nullptr;
+  std::size_t count = 0;
+  check(get(&lent, &count));
+  return Array<T>(lent, count);
+}
+
+/** What get(out, capacity, &count) fills. The first call tells how much there is. */
+template <class T, class Get>
+Array<T> filled(Get get) {
+  std::size_t count = 0;
+  const dsw_status status = get(static_cast<T *>(nullptr), std::size_t{0}, &count);
+  if (status != DSW_STATUS_BUFFER_TOO_SMALL) check(status);
+  Array<T> out(count);
+  if (count) check(get(out.data(), count, &count));
+  return out;
+}
+
+}  // namespace dartsweep

@@ -1,0 +1,172 @@
+// dartsweep.hpp: who owns what, spans from containers, an exception for each status.
+#include <gtest/gtest.h>
+#include <dartsweep/dartsweep.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/** A vector of a program's own, for points. */
+struct OwnVector {
+  double x, y, z;
+};
+template <>
+struct dartsweep::columns_of<OwnVector> : std::integral_constant<std::size_t, 3> {};
+
+namespace {
+
+using namespace dartsweep;
+
+using Row = std::array<double, 3>;
+
+const std::vector<Row> kCorners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                   {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+const std::vector<std::int32_t> kCube = {0, 1, 2, 3, 4, 5, 6, 7};
+const Point kMiddle = {0.5, 0.5, 0.5}, kBeyond = {0.5, 0.5, 2.5};
+
+Environment cube() { return Environment::of(DSW_CELL_TYPE_HEXAHEDRON, kCorners, kCube); }
+
+Scene deforming_scene(Environment &environment) {
+  auto desc = defaults<dsw_scene_desc>();
+  desc.features = DSW_FEATURE_DEFORMING;
+  return Scene(environment, &desc);
+}
+
+TEST(Cpp, AScenesEnvironmentStaysUntilTheSceneGoes) {
+  std::optional<Environment> environment(cube());
+  Scene scene(*environment);
+  environment.reset();
+  EXPECT_EQ(scene.move_particle(scene.create_particle(kMiddle), kBeyond).time, 0.25);
+  scene.close();
+  scene.close();
+  EXPECT_THROW(scene.create_particle(kMiddle), Closed);
+}
+
+TEST(Cpp, MovedObjectsHaveTheHandle) {
+  Environment environment = cube();
+  dsw_environment *const handle = environment.handle();
+  const Environment moved = std::move(environment);
+  EXPECT_EQ(moved.handle(), handle);
+  EXPECT_EQ(moved.info().volume_count, 1u);
+}
+
+TEST(Cpp, AContextOutlivesItsObject) {
+  std::optional<Context> context(std::in_place, 1u);
+  const Environment environment(kCorners, kCube, {}, {}, {}, {}, {}, {}, nullptr, &*context);
+  context.reset();
+  EXPECT_EQ(environment.cast(kMiddle, kBeyond).time, 0.25);
+}
+
+template <class Class>
+void expect_class(dsw_status status) {
+  static_assert(std::is_base_of_v<Error, Class>, "one handler can catch all of them");
+  EXPECT_THROW(raise_status(status), Class);
+  EXPECT_EQ(Class("").status(), status);
+}
+
+TEST(Cpp, EveryStatusHasItsClass) {
+#define DSW_EXPECT_CLASS(status, name) expect_class<name>(DSW_STATUS_##status);
+  DSW_EACH_STATUS(DSW_EXPECT_CLASS)
+#undef DSW_EXPECT_CLASS
+  EXPECT_NO_THROW(raise_status(DSW_STATUS_OK));
+  EXPECT_THROW(throw_status(static_cast<dsw_status>(10000), "of a newer library"), Error);
+}
+
+TEST(Cpp, ExceptionsHaveTheMessageOfTheLibrary) {
+  Environment environment = cube();
+  Scene scene(environment);
+  try {
+    scene.destroy_particle({9, 1});
+    FAIL() << "nothing was thrown";
+  } catch (const StaleId &error) {
+    EXPECT_NE(std::string(error.what()).find("names no particle"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(check(dsw_environment_check(nullptr, nullptr)), NullArgument);
+}
+
+TEST(Cpp, PointsComeAsNumbersRowsOrVectorsOfAProgram) {
+  const Environment environment = cube();
+  const std::vector<double> numbers = {0.5, 0.5, 0.5, 0.25, 0.5, 3};
+  const std::vector<Row> rows = {{0.5, 0.5, 0.5}, {0.25, 0.5, 3}};
+  const OwnVector own[] = {{0.5, 0.5, 0.5}, {0.25, 0.5, 3}};
+  const std::array<dsw_vec3, 2> structs = {{{0.5, 0.5, 0.5}, {0.25, 0.5, 3}}};
+  std::vector<OwnVector> in_vector(own, own + 2);
+  for (const Points points : {Points(numbers), Points(rows), Points(in_vector), Points(structs)}) {
+    std::vector<dsw_volume_id> volumes(2, dsw_volume_id{7, 7});
+    environment.locate_points(points, {}, volumes);
+    EXPECT_FALSE(is_null(volumes[0]));
+    EXPECT_TRUE(is_null(volumes[1]));
+    EXPECT_TRUE(equal(volumes[0], environment.get_volume(0)));
+  }
+  std::vector<dsw_volume_id> volumes(2);
+  EXPECT_THROW(environment.locate_points(std::vector<double>(5), {}, volumes), WrongSize);
+  EXPECT_THROW(environment.locate_points(std::vector<std::array<double, 2>>(2), {}, volumes), WrongSize);
+}
+
+TEST(Cpp, IndicesHaveAnyWidth) {
+  const std::vector<std::int64_t> wide(kCube.begin(), kCube.end());
+  const std::array<std::uint32_t, 8> narrow = {0, 1, 2, 3, 4, 5, 6, 7};
+  EXPECT_EQ(Environment::of(DSW_CELL_TYPE_HEXAHEDRON, kCorners, wide).info().volume_count, 1u);
+  EXPECT_EQ(Environment::of(DSW_CELL_TYPE_HEXAHEDRON, kCorners, narrow).info().volume_count, 1u);
+}
+
+TEST(Cpp, ABodyMovesAndItsContactsAreRead) {
+  Environment environment = cube();
+  Scene scene(environment);
+  std::vector<Row> rod = {{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}};
+  Body body(scene, scene.create_body(rod, std::vector<std::uint32_t>{0, 1}));
+  for (Row &at : rod) at[2] = 2;
+  const dsw_move_report report = body.move(rod);
+  const Array<dsw_contact> contacts = body.get_contacts();
+  ASSERT_EQ(contacts.size(), report.contact_count);
+  ASSERT_EQ(contacts.size(), 2u);
+  for (const dsw_contact &contact : contacts) EXPECT_EQ(contact.position[2], 1);
+  EXPECT_EQ(contacts[1].vertex.index, contacts.get(1).vertex.index);
+  EXPECT_THROW(contacts.get(2), OutOfRange);
+  std::vector<Row> now(2);
+  body.get_positions(now);
+  EXPECT_EQ(now[0][0], 0.25);
+  EXPECT_LT(now[0][2], 1);
+  const dsw_contact *lent = nullptr;
+  std::size_t count = 0;
+  check(dsw_body_get_contacts(scene.handle(), body.id(), &lent, &count));
+  EXPECT_EQ(count, contacts.size());
+}
+
+TEST(Cpp, LentPointsLiveAsLongAsTheyAreRead) {
+  Environment environment = cube();
+  Scene scene = deforming_scene(environment);
+  auto next = std::make_shared<std::vector<Row>>(kCorners);
+  for (Row &at : *next) at[0] *= 2;
+  const std::weak_ptr<void> watched = next;
+  EXPECT_EQ(scene.deform(Lent(std::move(next))).outcome, DSW_DEFORM_DONE);
+  EXPECT_FALSE(watched.expired());
+  EXPECT_EQ(environment.get_points()[3], 2);
+  EXPECT_EQ(environment.get_position(environment.get_vertex(1))[0], 2);
+  scene.deform(Lent(std::make_shared<std::vector<Row>>(kCorners)));
+  EXPECT_TRUE(watched.expired());
+}
+
+TEST(Cpp, TrianglesMakeThePlane) {
+  const std::vector<std::array<double, 2>> points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const std::vector<int> triangles = {0, 1, 2, 0, 2, 3};
+  const Environment environment = Environment::of(DSW_CELL_TYPE_TRIANGLE, points, triangles);
+  EXPECT_EQ(environment.dimension(), 2u);
+  EXPECT_EQ(environment.cast({0.75, 0.25}, {0.75, -0.25}).time, 0.5);
+  EXPECT_THROW(environment.cast({0.75, 0.25, 1}, {0.75, -0.25}), WrongSize);
+}
+
+TEST(Cpp, SnapshotsLoad) {
+  Environment environment = cube();
+  Scene scene(environment);
+  const dsw_particle_id particle = scene.create_particle(kMiddle);
+  Environment other = Environment::load(environment.save());
+  Scene copy = Scene::load(other, scene.save());
+  EXPECT_EQ(copy.move_particle(particle, kBeyond).time, scene.move_particle(particle, kBeyond).time);
+  EXPECT_THROW(Environment::load(std::vector<std::uint8_t>(3)), Error);
+}
+
+}  // namespace
