@@ -44,6 +44,40 @@ struct SpreadBits {
   uint64_t operator()(uint32_t x) const { return of[x & 63u] | of[x >> 6] << 6 * D; }
 };
 
+template <int D>
+void prefetch_record(const Environment<D>& env, uint32_t index) noexcept {
+  const Cell c = env.map.cell(index);
+  if (c.valid()) __builtin_prefetch(env.map.record(c));
+}
+template <int D>
+void prefetch_vertices(const Environment<D>& env, uint32_t index) noexcept {
+  const Cell c = env.map.cell(index);
+  for (uint32_t i = 0, n = c.valid() ? env.map.vertices_of(c) : 0; i < n; ++i) __builtin_prefetch(env.point(c, i));
+}
+
+/** How far along the Hilbert curve a place is: J. Skilling, Programming the Hilbert curve, 2004. What follows each other on this curve lies
+ * side by side, which keeps boxes small. Turns and mirrors the places in cubes of half the size, from the largest cube on. */
+template <int D>
+uint64_t place_on_curve(uint32_t* x, const SpreadBits<D>& spread) noexcept {
+  for (uint32_t half = 1u << (kKeyBits - 1); half > 1; half /= 2) {
+    const uint32_t below = half - 1;
+    for (int k = 0; k < D; ++k) {
+      const uint32_t upper = (x[k] & half) != 0 ? below : 0;
+      const uint32_t swapped = (x[0] ^ x[k]) & (below ^ upper);
+      x[0] ^= upper | swapped;
+      x[k] ^= swapped;
+    }
+  }
+  for (int k = 1; k < D; ++k) x[k] ^= x[k - 1];
+  uint32_t mirrored = 0;
+  for (uint32_t half = 1u << (kKeyBits - 1); half > 1; half /= 2) {
+    if ((x[D - 1] & half) != 0) mirrored ^= half - 1;
+  }
+  uint64_t place = 0;
+  for (int k = 0; k < D; ++k) place |= spread(x[k] ^ mirrored) << (D - 1 - k);
+  return place;
+}
+
 /** Sorts by the bits above the index, which are D digits. */
 template <int D>
 void sort_keys(Array<uint64_t>& keys) {
@@ -79,7 +113,7 @@ void CellTree<D>::set_frame(const Environment<D>& env) noexcept {
   for (int k = 0; k < D; ++k) {
     lower_[k] = all.lower[k];
     upper_[k] = all.upper[k];
-    const double length = upper_[k] - lower_[k], scale = 65535 / length;
+    const double length = upper_[k] - lower_[k], scale = kLastStep / length;
     steps_per_unit_[k] = std::isfinite(length) && std::isfinite(scale) && length > 0 ? scale : 0;
   }
 }
@@ -92,12 +126,12 @@ void CellTree<D>::build(const Environment<D>& env) {
   const SpreadBits<D> spread;
   for_each_cell(env.map, [&](Cell c) {
     const Box<D> box(env, c);
-    uint64_t key = 0;
+    uint32_t middle[D];
     for (int k = 0; k < D; ++k) {
-      const uint32_t middle = (uint32_t{step(k, box.lower[k])} + step(k, box.upper[k])) >> (17 - kKeyBits);
-      key |= spread(middle) << k;
+      const int twice = step(k, box.lower[k]) + step(k, box.upper[k]) - 2 * INT16_MIN;
+      middle[k] = static_cast<uint32_t>(twice) >> (17 - kKeyBits);
     }
-    keys.push_back(key << kIndexBits | env.map.index(c));
+    keys.push_back(place_on_curve<D>(middle, spread) << kIndexBits | env.map.index(c));
   });
   sort_keys<D>(keys);
   cells_.resize(keys.size());
@@ -116,11 +150,17 @@ void CellTree<D>::build(const Environment<D>& env) {
 template <int D>
 void CellTree<D>::fit(const Environment<D>& env) noexcept {
   set_frame(env);
+  constexpr int16_t kFirst = INT16_MIN, kLast = INT16_MAX;
   Group nothing;
-  std::fill_n(&nothing.lower[0][0], D * kWidth, uint16_t{65535});
-  std::fill_n(&nothing.upper[0][0], D * kWidth, uint16_t{0});
+  for (int k = 0; k < D; ++k) {
+    nothing.lower[k] = kLast - Lanes{};
+    nothing.upper[k] = kFirst - Lanes{};
+  }
   std::fill(groups_.begin(), groups_.end(), nothing);
+  constexpr size_t kVerticesAhead = 8, kRecordAhead = 24;  // neighbours on the curve lie anywhere in memory
   for (size_t i = 0; i < cells_.size(); ++i) {
+    if (i + kRecordAhead < cells_.size()) prefetch_record(env, cells_[i + kRecordAhead]);
+    if (i + kVerticesAhead < cells_.size()) prefetch_vertices(env, cells_[i + kVerticesAhead]);
     const Cell c = env.map.cell(cells_[i]);
     if (!c.valid()) continue;
     const Box<D> box(env, c);
@@ -136,8 +176,10 @@ void CellTree<D>::fit(const Environment<D>& env) noexcept {
       const Group& from = groups_[first + i];
       Group& to = groups_[level_first_[level + 1] + i / kWidth];
       for (int k = 0; k < D; ++k) {
-        to.lower[k][i % kWidth] = *std::min_element(from.lower[k], from.lower[k] + kWidth);
-        to.upper[k][i % kWidth] = *std::max_element(from.upper[k], from.upper[k] + kWidth);
+        for (uint32_t lane = 0; lane < kWidth; ++lane) {
+          to.lower[k][i % kWidth] = std::min<int16_t>(to.lower[k][i % kWidth], from.lower[k][lane]);
+          to.upper[k][i % kWidth] = std::max<int16_t>(to.upper[k][i % kWidth], from.upper[k][lane]);
+        }
       }
     }
   }

@@ -1,5 +1,5 @@
 #pragma once
-// A tree of boxes over the cells of an environment: which cells may contain a point. Cells are sorted along a Morton curve, and eight
+// A tree of boxes over the cells of an environment: which cells may contain a point. Cells are sorted along a Hilbert curve, and eight
 // boxes make a group. Boxes are rounded to 16 bits an axis. Rounding is monotone, so no cell is lost by it.
 
 #include <atomic>
@@ -27,7 +27,7 @@ class CellTree {
   /** Calls look(index) for each cell of the tree whose box holds the point, and for some others. */
   template <class Look>
   void visit(const double* point, Look&& look) const noexcept {
-    uint16_t at[D];
+    int16_t at[D];
     for (int k = 0; k < D; ++k) {
       if (!(point[k] >= lower_[k] && point[k] <= upper_[k])) return;
       at[k] = step(k, point[k]);
@@ -39,11 +39,9 @@ class CellTree {
     nodes[count++] = {level_count_ - 1, 0};
     while (count != 0) {
       const Node node = nodes[--count];
-      uint16_t held[kWidth];
-      hold(groups_[level_first_[node.level] + node.group], at, held);
-      for (uint32_t i = 0; i < kWidth; ++i) {
-        if (held[i] == 0) continue;
-        const uint32_t child = node.group * kWidth + i;
+      uint32_t held = boxes_that_hold(groups_[level_first_[node.level] + node.group], at);
+      for (; held != 0; held &= held - 1) {
+        const uint32_t child = node.group * kWidth + static_cast<uint32_t>(__builtin_ctz(held));
         if (node.level != 0) {
           __builtin_prefetch(&groups_[level_first_[node.level - 1] + child]);
           nodes[count++] = {node.level - 1, child};
@@ -63,24 +61,31 @@ class CellTree {
 
  private:
   static constexpr uint32_t kWidth = 8, kMostLevels = 12;
+  static constexpr int kLastStep = 65535;
 
+  /** A number for each of eight boxes: the processor compares them side by side. */
+  using Lanes = int16_t __attribute__((vector_size(2 * kWidth)));
   /** Eight boxes. One that is not used has its lower bounds above its upper ones. */
   struct Group {
-    uint16_t lower[D][kWidth], upper[D][kWidth];
+    Lanes lower[D], upper[D];
   };
 
   /** Monotone in x. An axis that cannot be divided in doubles has one step. */
-  uint16_t step(int k, double x) const noexcept {
+  int16_t step(int k, double x) const noexcept {
     const double at = (x - lower_[k]) * steps_per_unit_[k];
-    return at >= 65535 ? uint16_t{65535} : at > 0 ? static_cast<uint16_t>(at) : uint16_t{0};
+    return static_cast<int16_t>(at >= kLastStep ? INT16_MAX : at > 0 ? static_cast<int>(at) + INT16_MIN : INT16_MIN);
   }
-  static void hold(const Group& group, const uint16_t* at, uint16_t* held) noexcept {
-    for (uint32_t i = 0; i < kWidth; ++i) held[i] = 0xffff;
+  /** A bit for each of the boxes that hold a place. */
+  static uint32_t boxes_that_hold(const Group& group, const int16_t* at) noexcept {
+    Lanes beyond = {};
     for (int k = 0; k < D; ++k) {
-      for (uint32_t i = 0; i < kWidth; ++i) {
-        held[i] = static_cast<uint16_t>(group.lower[k][i] <= at[k] && at[k] <= group.upper[k][i] ? held[i] : 0);
-      }
+      const Lanes place = at[k] - Lanes{};
+      beyond |= (group.lower[k] > place) | (group.upper[k] < place);
     }
+    const Lanes bits = ~beyond & Lanes{1, 2, 4, 8, 16, 32, 64, 128};
+    int held = 0;
+    for (uint32_t i = 0; i < kWidth; ++i) held |= bits[i];
+    return static_cast<uint32_t>(held);
   }
   void set_frame(const Environment<D>& env) noexcept;
   void sort_cells(const Environment<D>& env);
