@@ -42,8 +42,8 @@ DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size)
  * smaller one's surface, for as long as the union is a valid volume. Merged volumes are polyhedra of triangles; most are not convex,
  * since unions of tetrahedra seldom are. Regions, tags, marks and everything impassable stay: nothing is merged across a face that is
  * impassable, has other regions or tags on its two sides, or has a marked edge or vertex. Volumes of other types stay as they are.
- * Vertices keep their indices, those inside of merged volumes belong to none. DSW_ENVIRONMENT_LOCATE_GRID and
- * DSW_ENVIRONMENT_NO_LOCATE_GRID hold as they do for the source. The source
+ * Vertices keep their indices, those inside of merged volumes belong to none.
+ * DSW_ENVIRONMENT_LOCATE_GRID and DSW_ENVIRONMENT_NO_LOCATE_GRID hold as for the source. The source
  * is not changed, and nothing of it is retained.
  * @param source [in] its points must not have moved (deform.h).
  * @param options [in] null: defaults.

@@ -52,14 +52,16 @@ enum {
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
   /** Volumes that are turned inside out are mirrored instead of refused (meshes differ in their wedges). */
   DSW_ENVIRONMENT_REORIENT = 0x2,
-  /** Builds the search structure for locating points without a hint at creation. By default the structure is built when
-   * such calls have taken about as long as building it. It costs 18 bytes a volume, in the plane 14 bytes a polygon. */
+  /** Builds the search structure for locating points without a hint at creation. By default the
+   * structure is built when such calls have taken about as long as building it. The structure costs
+   * 18 bytes a volume, in the plane 14 bytes a polygon. */
   DSW_ENVIRONMENT_LOCATE_GRID = 0x4,
   /** Also proves that the outer boundary does not pass through itself, so that the cells are a partition:
    * about ten times the cost of the rest. Also available later as dsw_environment_check. */
   DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8,
-  /** Never builds the search structure for locating points without a hint. Each such call then looks at all cells. The
-   * flag wins over DSW_ENVIRONMENT_LOCATE_GRID. A snapshot does not keep the flag. @since 2.0 */
+  /** Never builds the search structure for locating points without a hint. Each such call then
+   * looks at all cells. The flag wins over DSW_ENVIRONMENT_LOCATE_GRID. A snapshot does not keep
+   * the flag. @since 2.0 */
   DSW_ENVIRONMENT_NO_LOCATE_GRID = 0x10
 };
 

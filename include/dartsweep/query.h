@@ -52,10 +52,11 @@ DSW_API void dsw_cast_options_init(dsw_cast_options *options, size_t size);
  * @param hint [in] a live volume to walk from, or null id. @param volume [out] null id when outside.
  * @param place [out] may be null.
  * @return DSW_STATUS_NON_FINITE, DSW_STATUS_STALE_ID.
- * @note With a hint: O(volumes between). Without, or when the walk leaves the environment: O(log volumes) expected, by
- * a search structure. The first few such calls look at all volumes, and one of the next builds the structure. The
- * first call after a deformation fits the structure to the new positions, which takes about twice as long as looking
- * at all volumes. See DSW_ENVIRONMENT_LOCATE_GRID and DSW_ENVIRONMENT_NO_LOCATE_GRID. Thread: reader. @since 1.0 */
+ * @note With a hint: O(volumes between). Without, or when the walk leaves the environment:
+ * expected O(log volumes), by a search structure. The first few such calls look at all volumes,
+ * and one of the next builds the structure. The first call after a deformation fits the structure
+ * to the new positions, which takes about twice as long as looking at all volumes. See
+ * DSW_ENVIRONMENT_LOCATE_GRID and DSW_ENVIRONMENT_NO_LOCATE_GRID. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, const double *point, dsw_volume_id hint,
                                           dsw_volume_id *volume, dsw_place *place);
 

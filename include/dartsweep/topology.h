@@ -22,8 +22,9 @@
  * O(faces of the volumes that change), plus amortised growth of arrays, one pass over the particles and the vertices of bodies of the
  * scene (with DSW_FEATURE_LIVE_CHANGES only over those near), and a cast or sweep for each edge and face of a body in the box of
  * what changes; never the size of the environment.
- * The search structure for locating points (DSW_ENVIRONMENT_LOCATE_GRID) keeps a list of the volumes that are made, and is built anew when
- * looking at that list has taken longer than building takes.
+ * The search structure for locating points (DSW_ENVIRONMENT_LOCATE_GRID) keeps a list of the
+ * volumes that are made. The structure is built anew when looking at that list has taken longer
+ * than building takes.
  *
  * Every function here returns, besides what it says: DSW_STATUS_NULL_ARGUMENT, DSW_STATUS_STALE_ID, DSW_STATUS_SHARED,
  * DSW_STATUS_OCCUPIED, DSW_STATUS_TOO_LARGE (more than 2^28 records or vertices, or volumes with more than 65534 corners of

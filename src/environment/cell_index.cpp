@@ -26,8 +26,8 @@ void CellIndex<D>::replace(const Environment<D>& env) const {
   scans_.store(kScansFirst, std::memory_order_relaxed);
 }
 
-/** Points move while nobody reads, so that nobody reads a tree that has to be fitted to them. Another tree than the one that is worn can
- * be asked at the same time as that one. */
+/** Points move while nobody reads, so nobody reads a tree that has to be fitted to them. A new tree and the worn
+ * one that it replaces can be read at the same time. */
 template <int D>
 const CellTree<D>* CellIndex<D>::renew(const Environment<D>& env) const noexcept {
   if (tree_.load(std::memory_order_acquire) == nullptr) {
@@ -61,7 +61,8 @@ void CellIndex<D>::set_use(TreeUse use) noexcept {
   use_ = use;
 }
 
-/** Nobody reads: trees that have been replaced go, and where as many cells have been made as there are, the last one, too. */
+/** Nobody reads: trees that have been replaced go. The last one goes, too, where as many cells have been made as it
+ * has. */
 template <int D>
 void CellIndex<D>::make_room(size_t cells) {
   CellTree<D>* const tree = tree_.load(std::memory_order_relaxed);

@@ -1,6 +1,7 @@
 #pragma once
-// Which cells may contain a point: the tree of an environment, made when it is worth it, kept right when cells or points change. Any
-// number of readers may ask at a time; one of them makes the tree, the others wait for it.
+// Which cells may contain a point: the tree of an environment. The tree is made when it is worth it, and kept right
+// when cells or points change. Any number of readers may ask at a time; one of them makes the tree, the others wait
+// for it.
 
 #include <atomic>
 #include <mutex>
@@ -19,8 +20,9 @@ class CellIndex {
   CellIndex(const CellIndex&) = delete;
   CellIndex& operator=(const CellIndex&) = delete;
 
-  /** Calls look(index) for all cells that may contain the point, some of which may be gone. False: there is no tree, all cells have to be
-   * looked at. The first tree is made after a few such answers, which take as long as to make it. */
+  /** Calls look(index) for all cells that may contain the point, some of which may be gone. False: there is no
+   * tree, and all cells have to be looked at. The first tree is made after a few such answers, which take as long
+   * as to make it. */
   template <class Look>
   bool visit(const Environment<D>& env, const double* point, Look&& look) const noexcept {
     const CellTree<D>* tree = tree_.load(std::memory_order_acquire);

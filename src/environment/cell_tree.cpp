@@ -55,8 +55,9 @@ void prefetch_vertices(const Environment<D>& env, uint32_t index) noexcept {
   for (uint32_t i = 0, n = c.valid() ? env.map.vertices_of(c) : 0; i < n; ++i) __builtin_prefetch(env.point(c, i));
 }
 
-/** How far along the Hilbert curve a place is: J. Skilling, Programming the Hilbert curve, 2004. What follows each other on this curve lies
- * side by side, which keeps boxes small. Turns and mirrors the places in cubes of half the size, from the largest cube on. */
+/** How far along the Hilbert curve a place is: J. Skilling, Programming the Hilbert curve, 2004. What follows each
+ * other on this curve lies side by side, which keeps boxes small. Places are turned and mirrored in cubes of half
+ * the size, from the largest cube on. */
 template <int D>
 uint64_t place_on_curve(uint32_t* x, const SpreadBits<D>& spread) noexcept {
   for (uint32_t half = 1u << (kKeyBits - 1); half > 1; half /= 2) {

@@ -1,6 +1,7 @@
 #pragma once
-// A tree of boxes over the cells of an environment: which cells may contain a point. Cells are sorted along a Hilbert curve, and eight
-// boxes make a group. Boxes are rounded to 16 bits an axis. Rounding is monotone, so no cell is lost by it.
+// A tree of boxes over the cells of an environment: which cells may contain a point. Cells are sorted along a
+// Hilbert curve, and eight boxes make a group. Boxes are rounded to 16 bits an axis. Rounding is monotone, so no
+// cell is lost by it.
 
 #include <atomic>
 #include <cstdint>

@@ -42,7 +42,8 @@ Cell walk(const Environment<D>& env, const double* point, Cell from, CastCounter
   return walked.end == CastEnd::kReached ? walked.cell : Cell{};
 }
 
-/** Cells that may contain a point, by index. They are looked at in ascending order, so that the first that contains it is the one. */
+/** Cells that may contain a point, by index. They are looked at in ascending order: the first that contains it is
+ * the one. */
 template <int D>
 class Candidates {
  public:

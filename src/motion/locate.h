@@ -10,8 +10,9 @@ struct LocateResult {
 };
 
 /** The cell that contains a point under the shift. With a valid hint: a walk from its centre through passable and
- * impassable cells alike, O(cells between); it can leave the environment although the point is inside, where that is not
- * convex. Then, and without a hint: the cell of lowest index that contains the point, by the tree of boxes or a scan of all cells. */
+ * impassable cells alike, O(cells between); it can leave the environment although the point is inside, where that
+ * is not convex. Then, and without a hint: the cell of lowest index that contains the point, by the tree of boxes
+ * or by a scan of all cells. */
 template <int D>
 LocateResult locate(const Environment<D>& env, const double* point, Cell hint, CastCounters* counters) noexcept;
 

@@ -1,5 +1,5 @@
-// Points located without a hint in a million tetrahedra, beside CGAL's triangulation hierarchy on the same tetrahedra; and the nearest
-// obstacle without a limit.
+// Points located without a hint in a million tetrahedra, beside CGAL's triangulation hierarchy on the same
+// tetrahedra. The nearest obstacle without a limit.
 #include "parts.h"
 
 #include "timing.h"

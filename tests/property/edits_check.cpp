@@ -133,7 +133,8 @@ std::string RandomEdits<D>::check_counts() const {
   return keys.empty() ? "" : "an edge that is none is marked";
 }
 
-/// Whether locate names the first of all volumes, in the order of indices, that contains a point: at vertices, beside them, and outside.
+/// Whether locate names the first of all volumes, in the order of indices, that contains a point: at vertices,
+/// beside them, and outside.
 template <int D>
 std::string wrong_locate(const dsw_environment* environment, const Environment<D>& e) {
   for (uint32_t v = 0; v < e.map.vertex_count; v += 1 + e.map.vertex_count / 16) {

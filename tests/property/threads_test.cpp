@@ -11,7 +11,8 @@ struct Answers {
 
 constexpr size_t kCount = 1500;
 
-/// Everything that goes through the parallel-for, on one environment made with `context`. Its tree of cells is made at need.
+/// Everything that goes through the parallel-for, on one environment made with `context`. Its tree of cells is made at
+/// need.
 Answers answers(const std::string& name, dsw_context* context) {
   Answers out;
   Place place = make_place(name, 81, 0, context);

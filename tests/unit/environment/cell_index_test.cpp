@@ -1,4 +1,5 @@
-// Which cells may contain a point: no cell whose box holds the point is left out, whatever has moved or changed, and few others are named.
+// Which cells may contain a point: no cell whose box holds the point is left out, whatever has moved or changed,
+// and few others are named.
 
 #include "environment/cell_index.h"
 
