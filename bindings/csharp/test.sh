@@ -24,6 +24,9 @@ python3 -m zipfile -e "$out"/Dartsweep.*.nupkg "$program"
 cp "$program"/lib/net45/* "$program"/runtimes/linux-x64/native/* "$program"
 mcs -nologo -out:"$program/catheter.exe" -r:"$program/Dartsweep.dll" $source/examples/Catheter.cs
 mono "$program/catheter.exe"
+python3 bindings/tests/readme_code.py $source/README.md csharp >"$program/Contacts.cs"
+mcs -nologo -out:"$program/contacts.exe" -r:"$program/Dartsweep.dll" "$program/Contacts.cs"
+mono "$program/contacts.exe" | grep "vertex 1 met x = 1 after 0.5"
 mcs -nologo -unsafe -nowarn:1591 -out:"$plugins/catheter.exe" $source/examples/Catheter.cs "$out"/unity/Runtime/*.cs
 mono "$plugins/catheter.exe"
 echo "csharp: $(tail -n 1 "$out/tests.txt"), and the example"

@@ -21,7 +21,7 @@ myst_enable_extensions = ["colon_fence", "deflist"]
 myst_heading_anchors = 3
 myst_url_schemes = {"http": None, "https": None, "c": "../../c/{{path}}"}  # pages of the C reference, from this folder
 autodoc_member_order = "bysource"
-autodoc_type_aliases = {name: name for name in ("ArrayLike", "Ids", "Records")}  # as they are written
+autodoc_type_aliases = {name: name for name in ("ArrayLike", "IdOrIds", "Ids", "Records")}  # as they are written
 default_role = "code"
 nitpick_ignore_regex = [("py:.*", r"(?!dartsweep).*"), ("py:class", r".*\.Description|dartsweep\._core\..*")]  # not ours; a type variable; structs are told by the C reference
 

@@ -13,5 +13,8 @@ cmake -S $source -B "$out" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$libr
 cmake --build "$out"
 mvn -f $source/pom.xml "-Dnative=$out/maven" install
 mvn -f $source/examples/pom.xml "-Doutput=$out/example" compile exec:exec
+mkdir -p "$out/readme"
+python3 bindings/tests/readme_code.py $source/README.md java >"$out/readme/Contacts.java"
+java -cp "$(echo "$out"/maven/target/dartsweep-*.jar | tr ' ' :)" "$out/readme/Contacts.java" | grep "vertex 1 met x = 1.0 after 0.5"
 if grep -l "WARNING in native method" "$out"/maven/target/surefire-reports/*; then exit 1; fi # by -Xcheck:jni
 printf '\njava: %s tests passed, and the example\n' "$(grep -ho '<testcase ' "$out"/maven/target/surefire-reports/*.xml | wc -l)"

@@ -16,4 +16,6 @@ lua5.4 $source/tests/tests.lua bindings/tests/scenario.json | tee "$out/tests.tx
 cc $source/tests/threads.c -o "$out/threads" -pthread $(pkg-config --cflags --libs lua5.4)
 "$out/threads" bindings/tests/scenario.json
 lua5.4 $source/examples/catheter.lua
+python3 bindings/tests/readme_code.py $source/README.md lua >"$out/readme.lua"
+lua5.4 "$out/readme.lua" | grep "vertex 1 met x = 1.0 after 0.5"
 echo "lua: $(sed -n 's/^Ran \([0-9]*\) tests.*/\1/p' "$out/tests.txt") tests passed, and the example"

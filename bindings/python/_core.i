@@ -24,6 +24,13 @@ void set_dtype(PyObject *dtype) {
   Type<T>::descr = reinterpret_cast<PyArray_Descr *>(dtype);
 }
 
+// A dict: value -> member of an enum's class.
+template <class Enum>
+void set_enum(PyObject *members) {
+  Py_INCREF(members);
+  Constants<Enum>::members = members;
+}
+
 // Hands lines of the log to a callable.
 class Log : public dartsweep::LogSink {
  public:
@@ -47,3 +54,9 @@ class Log : public dartsweep::LogSink {
 %enddef
 DSW_EACH_ID(DSW_DTYPE)
 DSW_EACH_RECORD(DSW_DTYPE)
+DSW_DTYPE(dsw_cell, Cell)
+
+%define DSW_SET_ENUM(type, name)
+%template(set_enum_##name) dartsweep_python::set_enum<type>;
+%enddef
+DSW_EACH_ENUM(DSW_SET_ENUM)

@@ -217,6 +217,7 @@ struct ViewArgument : Argument {
       }
     }
     if constexpr (kNumber<T> == NPY_NOTYPE) {
+      if (read_one && !PyArray_Check(object) && set_one(object, out, read_one)) return true;
       return set_structs(object, out, read_one);
     } else if constexpr (std::is_same_v<T, double>) {
       return set_converted(object, NPY_DOUBLE, out);
@@ -246,6 +247,18 @@ struct ViewArgument : Argument {
       return false;
     }
     out = {own.data(), own.size()};
+    return true;
+  }
+
+  // One id is as good as an array of one.
+  bool set_one(PyObject *object, View<const T> &out, bool (*read_one)(PyObject *, T *)) {
+    T one;
+    if (!read_one(object, &one)) {
+      PyErr_Clear();
+      return false;
+    }
+    own = Array<T>(&one, 1);
+    out = {own.data(), 1};
     return true;
   }
 
@@ -283,12 +296,58 @@ bool set_view(PyObject *object, View<T> &out) {
 // A scalar of a structured array, such as ids[3].
 template <class T>
 bool read_scalar(PyObject *object, T *out) {
+  if (PyArray_Check(object) && PyArray_NDIM(reinterpret_cast<PyArrayObject *>(object)) == 0) {
+    auto *array = reinterpret_cast<PyArrayObject *>(object);
+    if (!has_type<T>(array)) return false;
+    std::memcpy(out, PyArray_DATA(array), sizeof *out);
+    return true;
+  }
   if (!PyArray_IsScalar(object, Void)) return false;
   PyArray_Descr *descr = PyArray_DescrFromScalar(object);
   const bool same = descr == Type<T>::descr || PyArray_EquivTypes(descr, Type<T>::descr);
   Py_DECREF(descr);
   if (same) std::memcpy(out, reinterpret_cast<PyVoidScalarObject *>(object)->obval, sizeof *out);
   return same;
+}
+
+// The id of a cell of the right kind.
+template <class Id>
+bool id_of(const dsw_cell &, Id &) {
+  return false;
+}
+inline bool id_of(const dsw_cell &cell, dsw_vertex_id &out) {
+  out = {cell.index, cell.generation};
+  return cell.kind == DSW_CELL_VERTEX;
+}
+inline bool id_of(const dsw_cell &cell, dsw_volume_id &out) {
+  out = {cell.index, cell.generation};
+  return cell.kind == DSW_CELL_VOLUME;
+}
+inline bool id_of(const dsw_cell &cell, dsw_face_id &out) {
+  out = {cell.index, cell.generation, cell.local};
+  return cell.kind == DSW_CELL_FACE;
+}
+inline bool id_of(const dsw_cell &cell, dsw_edge_id &out) {
+  out = {cell.index, cell.generation, cell.local};
+  return cell.kind == DSW_CELL_EDGE;
+}
+
+// Value -> member of the class in enums.py; an integer where the library is newer.
+template <class Enum>
+struct Constants {
+  static PyObject *members;
+};
+template <class Enum>
+PyObject *Constants<Enum>::members = nullptr;
+
+template <class Enum>
+PyObject *to_constant(Enum value) {
+  PyObject *number = PyLong_FromLong(static_cast<long>(value));
+  PyObject *member = number && Constants<Enum>::members ? PyDict_GetItem(Constants<Enum>::members, number) : nullptr;
+  if (!member) return number;
+  Py_INCREF(member);
+  Py_DECREF(number);
+  return member;
 }
 
 // NumPy takes the memory over.

@@ -7,6 +7,10 @@
 %{
 #include "convert.h"
 #include "errors.h"
+// What SWIG says of arguments of a wrong type is put into words first.
+#undef SWIG_exception_fail
+#define SWIG_exception_fail(code, text) \
+  do { dartsweep_python::refuse(SWIG_Python_ErrorType(code), text); SWIG_fail; } while (0)
 %}
 
 %init %{
@@ -189,7 +193,15 @@ DSW_EACH_RECORD(DSW_RECORDS)
       *out = *static_cast<type *>(held);
       return true;
     }
-    PyErr_SetString(PyExc_TypeError, #name " is needed: an id, an entry of an array of these, or None");
+    dsw_cell cell;
+    bool is_cell = dartsweep_python::read_scalar(object, &cell);
+    if (!is_cell && SWIG_IsOK(SWIG_ConvertPtr(object, &held, $descriptor(dsw_cell *), 0)) && held) {
+      cell = *static_cast<dsw_cell *>(held);
+      is_cell = true;
+    }
+    if (is_cell && dartsweep_python::id_of(cell, *out)) return true;
+    PyErr_SetString(PyExc_TypeError, is_cell ? "the cell is no " #name
+                                             : #name " is needed: an id, an entry of an array of these, or None");
     return false;
   }
 }
@@ -212,6 +224,34 @@ DSW_RECORDS(type, name)
 %enddef
 DSW_EACH_ID(DSW_IDS)
 
+// --- reports: an entry of an array is as good as the object
+%define DSW_READ_RECORD(type, name)
+%typemap(in) const type & (type temporary) {
+  void *held = nullptr;
+  if (dartsweep_python::read_scalar($input, &temporary)) {
+    $1 = &temporary;
+  } else if (SWIG_IsOK(SWIG_ConvertPtr($input, &held, $1_descriptor, 0)) && held) {
+    $1 = static_cast<type *>(held);
+  } else {
+    SWIG_exception_fail(SWIG_TypeError, "in method '" "$symname" "', argument " "$argnum"" of type '" "type const &" "'");
+  }
+}
+%enddef
+DSW_EACH_RECORD(DSW_READ_RECORD)
+
+// --- constants: members of the classes in enums.py
+%define DSW_CONSTANT(type, name)
+%typemap(out) type {
+  $result = dartsweep_python::to_constant<type>($1);
+}
+%enddef
+DSW_EACH_ENUM(DSW_CONSTANT)
+
+// --- labels of regions
+%extend dartsweep::Environment {
+  dartsweep::Array<std::int32_t> get_region_labels() const { return $self->get_region_labels(); }
+}
+
 // --- members that are structs
 %define DSW_COPIED(type, name)
 %typemap(out) const type & {
@@ -226,6 +266,16 @@ DSW_EACH_RESULT(DSW_COPIED)
 }
 // --- values that compare, hash and describe themselves
 %pythonbegin %{
+def _set_member(self, name, value):
+    """A name that is misspelt is an error."""
+    kind = type(self)
+    if name not in ("this", "thisown") and not isinstance(getattr(kind, name, None), property):
+        import difflib
+
+        near = difflib.get_close_matches(name, [known for known in dir(kind) if not known.startswith("_")], 1)
+        raise AttributeError(f"{kind.__name__} has no member '{name}'" + (f": did you mean '{near[0]}'?" if near else ""))
+    object.__setattr__(self, name, value)
+
 def _describe(self):
     """Name(member=value, ...)"""
     kind = type(self)
@@ -234,7 +284,8 @@ def _describe(self):
 %}
 %define DSW_DESCRIBED(type, name)
 %extend type {
-%pythoncode %{__repr__ = _describe%}
+%pythoncode %{__repr__ = _describe
+__setattr__ = _set_member%}
 }
 %enddef
 DSW_EACH_ID(DSW_DESCRIBED)

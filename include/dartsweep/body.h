@@ -1,16 +1,13 @@
 /** @file body.h
- * Bodies: vertices joined by edges and, where they are surfaces, by triangles. At its level a body never meets anything
- * impassable, exactly: creating, raising the level and every edit check that or change nothing.
+ * Bodies: vertices joined by edges and, for surfaces, by triangles. The parts that a body's level
+ * covers never meet anything impassable, exactly. Calls that would break this are refused.
  *
- * In a scene with DSW_FEATURE_BODY_CONTACTS bodies do not touch each other either: what their levels cover, vertices, edges from
- * DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES, has no point in common, and passed through nothing on its way (but see DSW_DEFORM_END_STATE). Here touching is a
- * contact; also at DSW_LEVEL_EDGES the whole way of an edge counts. Bodies whose filters keep them apart ignore each other.
+ * With DSW_FEATURE_BODY_CONTACTS, bodies whose filters match do not touch or pass each other
+ * either.
  *
- * In the plane bodies are polylines, closed curves, or any other vertices and edges. They have no faces, and no level for them: asking
- * for either answers DSW_STATUS_UNSUPPORTED.
+ * Arrays by vertex have an entry for each slot. Removed parts leave free slots. `edit` may be null.
  *
- * Vertices, edges and faces are named by ids whose index is stable; a removed one leaves a free index that a later one may take
- * with a higher generation. Arrays by vertex (positions, targets) have one entry for each index below the number of slots.
+ * More: bindings/docs/moving_bodies.md.
  */
 #ifndef DARTSWEEP_BODY_H
 #define DARTSWEEP_BODY_H
@@ -23,260 +20,240 @@
 extern "C" {
 #endif
 
-/** Flags of a body: ways to leave out work. Those marked lossless change no result by a bit, unless
- * DSW_BODY_SKIP_SIMILAR_MOTION or DSW_BODY_SKIP_BACK_EDGES is set as well. */
+/** Flags of a body. Lossless flags only save time. With lossy flags contacts on the way are
+ * missed. */
 enum {
-  /** Edges keep the faces that they cross, 4 bytes for each, of tetrahedra 76, of convex polygons in the plane 36: a sweep that crosses
-   * the same ones is done [lossless]. From DSW_LEVEL_EDGES_SWEPT on they do so anyway; the flag says it for DSW_LEVEL_EDGES. */
+  /** Lossless. Skips edges that still cross the same faces. */
   DSW_BODY_SEQUENCES = 0x1,
-  /** Skip edges that sweep inside of one volume [JCD10] 6.1: an exactly convex one, or a hexahedron, in the plane any polygon, that is
-   * seen whole from where they end [lossless]. */
+  /** Lossless [JCD10] 6.1. Skips edges that sweep inside of one convex volume. */
   DSW_BODY_SKIP_BY_ENVIRONMENT = 0x2,
-  /** Skip edges that sweep inside of a ball known to hold nothing impassable [lossless]. */
+  /** Lossless. Skips edges that sweep inside of a ball known to be free. */
   DSW_BODY_SKIP_BY_CLEARANCE = 0x4,
-  /** Similar motion, at DSW_LEVEL_EDGES: an edge is tested once a move, where the edge arrives, if both ends move less than the
-   * length of the edge, by vectors that differ by less than `motion_share` of that length. A contact that only exists on the way
-   * there is missed. Where the edge arrives is exactly free all the same. The name is since 1.1. */
+  /** Lossy, at DSW_LEVEL_EDGES. Tests edges whose ends move alike (`motion_share`) only where they
+   * arrive. Name since 1.1. */
   DSW_BODY_SKIP_SIMILAR_MOTION = 0x8,
-  /** The name of DSW_BODY_SKIP_SIMILAR_MOTION in 1.0. */
+  /** Its name in 1.0. */
   DSW_BODY_SKIP_BY_MOTION = 0x8,
-  /** The body also meets itself [JCD10] 4.4: no two of its parts without a common vertex may touch. The two ends of an edge are such
-   * parts. Edits and responses keep this rule for new parts. Needs DSW_FEATURE_BODY_CONTACTS. */
+  /** Parts of the body without a common vertex must not touch [JCD10] 4.4. Needs
+   * DSW_FEATURE_BODY_CONTACTS. */
   DSW_BODY_SELF_CONTACTS = 0x10,
-  /** Back-edge elimination [JCD10] 6.2, at DSW_LEVEL_EDGES, for closed surfaces whose faces are turned outwards: the edges at a
-   * vertex are not tested when that vertex moves towards the inside of the body, against the normals of all its faces. The normals
-   * are those at the beginning of the move. An edge that was not tested where it arrives is cast there once, so the body is exactly
-   * free after the move. A contact that only exists on the way there is missed. With DSW_BODY_SKIP_BY_ENVIRONMENT this is the
-   * hybrid elimination of 6.3. At other levels, and in dsw_body_move_rigid, the flag changes nothing. An edge without two faces is
-   * always tested. Since 1.1. */
+  /** Lossy, at DSW_LEVEL_EDGES, for closed surfaces with faces turned outwards: back-edge
+   * elimination [JCD10] 6.2. Since 1.1. */
   DSW_BODY_SKIP_BACK_EDGES = 0x20,
-  /** Walls that push the body move it as a whole, by a rigid motion, or wait [JCD10] 5.1; see
-   * DSW_WALL_PUSH. The library takes the shape when the body is created, and anew after
-   * dsw_body_move or an edit has changed the body. From then on pushes and dsw_body_move_rigid add
-   * up to one motion, and each position is its place in the shape, moved and rounded once. So the
-   * distance of any two vertices keeps to 8 units in the last place of the largest coordinate that
-   * the body has had since, after any number of pushes. Responses of dsw_body_move insert no
-   * vertices: ADAPTIVE_SLIDE slides, the others stop. Since 1.1. */
+  /** Walls push the body by rigid motions, or wait [JCD10] 5.1. Pushes and dsw_body_move_rigid keep
+   * the shape without adding up rounding. Responses insert no vertices. Since 1.1. */
   DSW_BODY_RIGID = 0x40
 };
 
 /** Describes a body. */
 typedef struct dsw_body_desc {
-  uint32_t struct_size; /**< sizeof(dsw_body_desc). */
-  uint32_t flags;       /**< DSW_BODY_... */
-  dsw_level level;      /**< DSW_LEVEL_EDGES_SWEPT by default. */
-  uint32_t reserved;    /**< 0. */
-  const double
-      *positions;      /**< `vertex_count` points, stride_bytes apart, finite. Borrowed for the call, as all arrays. */
-  size_t vertex_count; /**< At least 1. */
-  size_t stride_bytes; /**< 0 means 8 * dimension. */
-  const dsw_volume_id *hints; /**< Null, or `vertex_count` ids of which any may be null. */
-  const uint32_t *edges;      /**< Two vertices each; an edge that a face has may be given or left out. */
-  size_t edge_count;          /**< How many. */
-  /** Faces: corners of face i are face_corners[face_offsets[i] .. face_offsets[i+1]-1], in order. Polygons become fans of
-   * triangles round their first corner; the diagonals become edges. None in the plane. */
+  uint32_t struct_size;       /**< sizeof(dsw_body_desc). */
+  uint32_t flags;             /**< DSW_BODY_... */
+  dsw_level level;            /**< DSW_LEVEL_EDGES_SWEPT by default. */
+  uint32_t reserved;          /**< 0. */
+  const double *positions;    /**< Points, one for each vertex. */
+  size_t vertex_count;        /**< At least 1. */
+  size_t stride_bytes;        /**< As in base.h. */
+  const dsw_volume_id *hints; /**< May be null; a hint for each vertex. */
+  const uint32_t *edges;      /**< Two vertices each; not necessary for faces. */
+  size_t edge_count;          /**< Edges. */
+  /** Face i has the corners face_corners[face_offsets[i] .. face_offsets[i+1]-1], in order.
+   * Polygons become fans of triangles round their first corner. */
   const uint32_t *face_offsets;
-  const uint32_t *face_corners; /**< Vertices, as said. */
-  size_t face_count;            /**< face_offsets has one more entry. */
-  size_t face_corner_count;     /**< Entries of face_corners: the last of face_offsets. */
+  const uint32_t *face_corners; /**< Vertices. */
+  size_t face_count;            /**< Faces; face_offsets has one more entry. */
+  size_t face_corner_count;     /**< Entries of face_corners. */
   double motion_share;          /**< For DSW_BODY_SKIP_SIMILAR_MOTION; 0 means 0.1. */
-  /** Two bodies meet if the category of each has a bit in common with the other's mask. 0 means 1. These two need
-   * DSW_FEATURE_BODY_CONTACTS. */
+  /** Two bodies meet if the category of each has a bit of the other's mask; 0 means 1. Both members
+   * need DSW_FEATURE_BODY_CONTACTS. */
   uint32_t category;
-  uint32_t mask; /**< 0 means all bits. To meet nobody, name a bit that no category has. */
+  uint32_t mask; /**< 0 means all bits. */
 } dsw_body_desc;
 
-/** How many vertices, edges and triangles a body has, and below which number their indices are. */
+/** Numbers of parts. Indices are below the number of slots. */
 typedef struct dsw_body_counts {
-  uint32_t struct_size;  /**< Set by the caller: sizeof(dsw_body_counts). */
-  uint32_t vertex_count; /**< Vertices that there are. */
-  uint32_t edge_count;   /**< Edges. */
-  uint32_t face_count;   /**< Triangles. */
-  uint32_t vertex_slots; /**< Indices of vertices are below. */
-  uint32_t edge_slots;   /**< Likewise of edges, */
-  uint32_t face_slots;   /**< and of triangles. */
+  uint32_t struct_size;  /**< sizeof(dsw_body_counts). */
+  uint32_t vertex_count; /**< Living vertices. */
+  uint32_t edge_count;   /**< Living edges. */
+  uint32_t face_count;   /**< Living triangles. */
+  uint32_t vertex_slots; /**< Slots of vertices. */
+  uint32_t edge_slots;   /**< Slots of edges. */
+  uint32_t face_slots;   /**< Slots of triangles. */
   uint32_t reserved;     /**< 0. */
 } dsw_body_counts;
 
-/** Writes the defaults and struct_size into at most `size` bytes.
- * @param desc [out] may be null. @param size [in] sizeof(dsw_body_desc). @note Thread: any. @since 1.0 */
+/** Writes the defaults.
+ * @note Cost: O(1). Thread: any. @since 1.0 */
 DSW_API void dsw_body_desc_init(dsw_body_desc *desc, size_t size);
 
-/** Creates a body: locates every vertex and checks that it is free at its level. Index i of vertices and edges is the i-th
- * given; edges that only faces have follow, then faces triangle by triangle.
- * @param scene [in,out] @param desc [in] see dsw_body_desc. @param body [out] its id.
- * @return DSW_STATUS_NON_FINITE, STALE_ID (hints), OUTSIDE, IMPASSABLE (a vertex; the message names it), INDEX_OUT_OF_RANGE,
- * BAD_CELL (an edge or face names a vertex twice), DUPLICATE_CELL (an edge or triangle stands twice), SHARED_FACE (an edge of three
- * triangles, or a vertex whose triangles form more than one fan), INVERTED_CELL (neighbouring triangles are turned against
- * each other; DSW_BODY_SKIP_BACK_EDGES: the volume that they hold is not positive), NOT_CLOSED
- * (DSW_BODY_SKIP_BACK_EDGES: an edge has not two faces, or a vertex has no edge), OCCUPIED (edges or
- * faces meet something impassable, or touch a body: see dsw_scene_get_offending_edges), NOT_NAMED
- * (category, mask or DSW_BODY_SELF_CONTACTS without the feature), UNSUPPORTED (in the plane also
- * faces and DSW_BODY_SKIP_BACK_EDGES), WRONG_SIZE, OUT_OF_MEMORY: nothing was created.
- * @note O(vertices + volumes that edges cross), and the locating. Thread: writer; uses the parallel-for. Certain: what the level
- * covers is free. Source: [JCD10] 4. @since 1.0 */
+/** Creates a body. Vertices and edges keep their indices, and other edges of faces follow. Faces
+ * are numbered triangle by triangle.
+ * @return DSW_STATUS_OUTSIDE, IMPASSABLE: a vertex; INDEX_OUT_OF_RANGE; BAD_CELL: a repeated
+ * vertex; DUPLICATE_CELL; SHARED_FACE: three triangles at an edge, several fans at a vertex;
+ * INVERTED_CELL: neighbours turned against each other; OCCUPIED: not free; NOT_NAMED:
+ * DSW_FEATURE_BODY_CONTACTS. For DSW_BODY_SKIP_BACK_EDGES also NOT_CLOSED; INVERTED_CELL: no volume
+ * inside.
+ * @note Cost: O(vertices + volumes that edges cross). Thread: writer, batch. Source: [JCD10] 4.
+ * @since 1.0 */
 DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, dsw_body_id *body);
 
-/** Pairs of vertices (indices of the description, or of the body) of the edges that made the last dsw_body_create,
- * dsw_body_set_level or dsw_body_set_filter answer DSW_STATUS_OCCUPIED; of a vertex without edges twice the same.
- * @param scene [in] @param vertices [out] 2 * `count` numbers, owned by the scene, valid until the next such call.
- * @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices, size_t *count);
+/** Gives the edges that made the last dsw_body_create, dsw_body_set_level or dsw_body_set_filter
+ * answer DSW_STATUS_OCCUPIED.
+ * @param vertices two indices for each edge.
+ * @note Cost: O(1). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices,
+                                                 size_t *count);
 
-/** The bodies that made the last marking call answer DSW_STATUS_OCCUPIED, or that occupy volumes it left out; each once.
- * @param scene [in] @param bodies [out] owned by the scene, valid until the next marking call.
- * @param count [out] how many there are.
- * @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_scene_get_occupant_bodies(const dsw_scene *scene, const dsw_body_id **bodies, size_t *count);
+/** Gives the bodies that made the last marking call answer DSW_STATUS_OCCUPIED or leave volumes
+ * out.
+ * @note Cost: O(1). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_scene_get_occupant_bodies(const dsw_scene *scene, const dsw_body_id **bodies,
+                                                 size_t *count);
 
-/** Removes a body; its ids become stale.
- * @param scene [in,out] @param body [in] @return DSW_STATUS_STALE_ID. @note O(its size). Thread: writer. @since 1.0 */
+/** Removes a body. Its ids become stale.
+ * @note Cost: O(body). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_destroy(dsw_scene *scene, dsw_body_id body);
 
-/** How many bodies there are.
- * @param scene [in] @param count [out] @return DSW_STATUS_NULL_ARGUMENT. @note O(1). Thread: reader. @since 1.0 */
+/** Counts the bodies of a scene.
+ * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_body_count(const dsw_scene *scene, size_t *count);
 
-/** Ids of the bodies of a scene, by index.
- * @param scene [in] @param bodies [out] `capacity` ids. @param capacity [in] its entries.
- * @param count [out] how many there are.
- * @return DSW_STATUS_BUFFER_TOO_SMALL. @note O(bodies). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_scene_get_bodies(const dsw_scene *scene, dsw_body_id *bodies, size_t capacity, size_t *count);
+/** Copies the ids of all bodies, by index.
+ * @note Cost: O(bodies). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_scene_get_bodies(const dsw_scene *scene, dsw_body_id *bodies,
+                                        size_t capacity, size_t *count);
 
-/** How many parts a body has.
- * @param scene, body [in] @param counts [in,out] its struct_size set.
- * @return DSW_STATUS_STALE_ID, BAD_STRUCT_SIZE. @note O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_body_get_counts(const dsw_scene *scene, dsw_body_id body, dsw_body_counts *counts);
+/** Counts the parts of a body.
+ * @note Cost: O(1). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_body_get_counts(const dsw_scene *scene, dsw_body_id body,
+                                       dsw_body_counts *counts);
 
-/** Level of a body.
- * @param scene, body [in] @param level [out] @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 1.0 */
+/** Gives the level of a body.
+ * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_level(const dsw_scene *scene, dsw_body_id body, dsw_level *level);
 
-/** Changes the level. Raising it checks that the body is free there.
- * @param scene [in,out] @param body, level [in]
- * @return DSW_STATUS_OCCUPIED: it is not, the level stays; see dsw_scene_get_offending_edges. DSW_STATUS_UNSUPPORTED.
- * @note Lowering: O(1). Raising: as creation. Thread: writer. @since 1.0 */
+/** Changes the level of a body.
+ * @return DSW_STATUS_OCCUPIED: the body is not free at that level.
+ * @note Cost: O(1) to lower, as creation to raise. Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_set_level(dsw_scene *scene, dsw_body_id body, dsw_level level);
 
-/** Which bodies it meets, see dsw_body_desc.
- * @param scene, body [in] @param category, mask [out]
- * @return DSW_STATUS_NOT_NAMED without DSW_FEATURE_BODY_CONTACTS. @note O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_body_get_filter(const dsw_scene *scene, dsw_body_id body, uint32_t *category, uint32_t *mask);
+/** Gives `category` and `mask` of a body.
+ * @return DSW_STATUS_NOT_NAMED: DSW_FEATURE_BODY_CONTACTS.
+ * @note Cost: O(1). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_body_get_filter(const dsw_scene *scene, dsw_body_id body, uint32_t *category,
+                                       uint32_t *mask);
 
-/** Changes that; 0 as in dsw_body_desc.
- * @param scene [in,out] @param body, category, mask [in]
- * @return DSW_STATUS_NOT_NAMED; DSW_STATUS_OCCUPIED: it touches a body that it would meet, the filter stays; see
- * dsw_scene_get_offending_edges. @note O(its size). Thread: writer. @since 1.0 */
-DSW_API dsw_status dsw_body_set_filter(dsw_scene *scene, dsw_body_id body, uint32_t category, uint32_t mask);
+/** Changes `category` and `mask` of a body.
+ * @return DSW_STATUS_NOT_NAMED; OCCUPIED: the body would touch another.
+ * @note Cost: O(body). Thread: writer. @since 1.0 */
+DSW_API dsw_status dsw_body_set_filter(dsw_scene *scene, dsw_body_id body, uint32_t category,
+                                       uint32_t mask);
 
-/** Positions of all vertices, by index; free slots get zeros.
- * @param scene, body [in] @param positions [out] `capacity` points, stride_bytes apart (0 means 8 * dimension).
- * @param capacity, stride_bytes [in] @param volumes [out] null, or `capacity` ids. @param count [out] vertex slots.
- * @return DSW_STATUS_BUFFER_TOO_SMALL: only `count` was set. @note O(slots). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_body_get_positions(const dsw_scene *scene, dsw_body_id body, double *positions, size_t capacity,
-                                          size_t stride_bytes, dsw_volume_id *volumes, size_t *count);
+/** Copies the positions of all vertex slots. Free slots get zeros.
+ * @param volumes may be null; the volumes that hold the vertices.
+ * @note Cost: O(slots). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_body_get_positions(const dsw_scene *scene, dsw_body_id body,
+                                          double *positions, size_t capacity, size_t stride_bytes,
+                                          dsw_volume_id *volumes, size_t *count);
 
-/** Ids of all living vertices, in the order of their indices.
- * @param scene, body [in] @param vertices [out] `capacity` ids. @param capacity [in]
- * @param count [out] how many there are.
- * @return DSW_STATUS_BUFFER_TOO_SMALL: only `count` was set. @note O(slots). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_body_get_vertices(const dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id *vertices,
-                                         size_t capacity, size_t *count);
-/** Ids of all living edges, likewise.
- * @param scene, body [in] @param edges [out] `capacity` ids. @param capacity [in] @param count [out] how many there are.
- * @return as dsw_body_get_vertices. @note O(slots). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_body_get_edges(const dsw_scene *scene, dsw_body_id body, dsw_body_edge_id *edges,
-                                      size_t capacity, size_t *count);
-/** Ids of all living triangles, likewise.
- * @param scene, body [in] @param faces [out] `capacity` ids. @param capacity [in] @param count [out] how many there are.
- * @return as dsw_body_get_vertices. @note O(slots). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_body_get_faces(const dsw_scene *scene, dsw_body_id body, dsw_body_face_id *faces,
-                                      size_t capacity, size_t *count);
+/** Copies the ids of all living vertices, by index.
+ * @note Cost: O(slots). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_body_get_vertices(const dsw_scene *scene, dsw_body_id body,
+                                         dsw_body_vertex_id *vertices, size_t capacity,
+                                         size_t *count);
 
-/** Ends of an edge.
- * @param scene, body, edge [in] @param vertices [out] 2 ids.
- * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_body_get_edge(const dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
-                                     dsw_body_vertex_id *vertices);
-/** Corners of a triangle.
- * @param scene, body, face [in] @param vertices [out] 3 ids.
- * @return DSW_STATUS_STALE_ID. @note O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_body_get_face(const dsw_scene *scene, dsw_body_id body, dsw_body_face_id face,
-                                     dsw_body_vertex_id *vertices);
+/** Copies the ids of all living edges, by index.
+ * @note Cost: O(slots). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_body_get_edges(const dsw_scene *scene, dsw_body_id body,
+                                      dsw_body_edge_id *edges, size_t capacity, size_t *count);
 
-/** Id of the vertex with an index.
- * @param scene, body, index [in] @param vertex [out]
- * @return DSW_STATUS_OUT_OF_RANGE (not below the slots, or free). @note O(1). Thread: reader. @since 1.0 */
+/** Copies the ids of all living triangles, by index.
+ * @note Cost: O(slots). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_body_get_faces(const dsw_scene *scene, dsw_body_id body,
+                                      dsw_body_face_id *faces, size_t capacity, size_t *count);
+
+/** Gives the two ends of an edge.
+ * @note Cost: O(1). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_body_get_edge(const dsw_scene *scene, dsw_body_id body,
+                                     dsw_body_edge_id edge, dsw_body_vertex_id *vertices);
+
+/** Gives the three corners of a triangle.
+ * @note Cost: O(1). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_body_get_face(const dsw_scene *scene, dsw_body_id body,
+                                     dsw_body_face_id face, dsw_body_vertex_id *vertices);
+
+/** Gives the id of the vertex with an `index`, which must not be free.
+ * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_body_get_vertex(const dsw_scene *scene, dsw_body_id body, uint32_t index,
                                        dsw_body_vertex_id *vertex);
-/** Ends of all edges at once, by index: two vertex indices each, UINT32_MAX in free slots.
- * @param scene, body [in] @param vertices [out] 2 * `capacity` numbers.
- * @param capacity [in] edges that it has room for. @param count [out] edge slots.
- * @return DSW_STATUS_BUFFER_TOO_SMALL: only `count` was set. @note O(slots). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_body_get_edge_vertices(const dsw_scene *scene, dsw_body_id body, uint32_t *vertices,
-                                              size_t capacity, size_t *count);
-/** Corners of all triangles, likewise: three vertex indices each.
- * @param scene, body [in] @param vertices [out] 3 * `capacity` numbers.
- * @param capacity [in] triangles that it has room for. @param count [out] face slots.
- * @return DSW_STATUS_BUFFER_TOO_SMALL: only `count` was set. @note O(slots). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_body_get_face_vertices(const dsw_scene *scene, dsw_body_id body, uint32_t *vertices,
-                                              size_t capacity, size_t *count);
+
+/** Copies two vertex indices for each edge slot, UINT32_MAX for a free one.
+ * @param vertices 2 * `capacity` numbers.
+ * @note Cost: O(slots). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_body_get_edge_vertices(const dsw_scene *scene, dsw_body_id body,
+                                              uint32_t *vertices, size_t capacity, size_t *count);
+
+/** Copies three vertex indices for each triangle slot, UINT32_MAX for a free one.
+ * @param vertices 3 * `capacity` numbers.
+ * @note Cost: O(slots). Thread: reader. @since 1.0 */
+DSW_API dsw_status dsw_body_get_face_vertices(const dsw_scene *scene, dsw_body_id body,
+                                              uint32_t *vertices, size_t capacity, size_t *count);
 
 /** Adds a vertex without edges.
- * @param scene [in,out] @param body [in] @param position [in] as many finite doubles as there are dimensions.
- * @param hint [in] a volume near it, or null id. @param vertex [out] its id.
- * @return as dsw_particle_create; OCCUPIED: it touches a body that it would meet. @note Thread: writer. @since 1.0 */
-DSW_API dsw_status dsw_body_add_vertex(dsw_scene *scene, dsw_body_id body, const double *position, dsw_volume_id hint,
-                                       dsw_body_vertex_id *vertex);
-/** Adds an edge between two vertices.
- * @param scene [in,out] @param body, a, b [in] @param edge [out] its id.
- * @return DSW_STATUS_STALE_ID, BAD_CELL (a == b), DUPLICATE_CELL, OCCUPIED (it is not free): nothing has changed.
- * @note O(volumes it crosses). Thread: writer. @since 1.0 */
-DSW_API dsw_status dsw_body_add_edge(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
-                                     dsw_body_edge_id *edge);
-/** Adds a triangle, with those of its edges that are missing.
- * @param scene [in,out] @param body [in] @param a, b, c [in] its corners, in their order round it.
- * @param face [out] its id.
- * @return as dsw_body_add_edge; SHARED_FACE and INVERTED_CELL as dsw_body_create; UNSUPPORTED in the plane. @note Thread:
- * writer. @since 1.0 */
-DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a, dsw_body_vertex_id b,
-                                     dsw_body_vertex_id c, dsw_body_face_id *face);
-/** Removes a face. Always possible, also where the faces left at a vertex form several fans then.
- * @param scene [in,out] @param body, face [in]
- * @return DSW_STATUS_STALE_ID. @note O(what is round it). Thread: writer. @since 1.0 */
-DSW_API dsw_status dsw_body_remove_face(dsw_scene *scene, dsw_body_id body, dsw_body_face_id face);
-/** Removes an edge with its faces, likewise.
- * @param scene [in,out] @param body, edge [in]
- * @return DSW_STATUS_STALE_ID. @note O(what is round it). Thread: writer. @since 1.0 */
-DSW_API dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge);
-/** Removes a vertex with its edges and faces, likewise.
- * @param scene [in,out] @param body, vertex [in]
- * @return DSW_STATUS_STALE_ID. @note O(what is round it). Thread: writer. @since 1.0 */
-DSW_API dsw_status dsw_body_remove_vertex(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id vertex);
+ * @return as dsw_particle_create; OCCUPIED: the vertex touches a body.
+ * @note Cost: locating. Thread: writer. @since 1.0 */
+DSW_API dsw_status dsw_body_add_vertex(dsw_scene *scene, dsw_body_id body, const double *position,
+                                       dsw_volume_id hint, dsw_body_vertex_id *vertex);
 
-/** What became of an edge that was split at a new vertex, or of a vertex that was merged into another. Attributes of a new vertex
- * are (1 - share) * those of ends[0] + share * those of ends[1]. */
+/** Adds an edge between two vertices.
+ * @return DSW_STATUS_BAD_CELL: a is b; DUPLICATE_CELL; OCCUPIED: the edge is not free.
+ * @note Cost: O(volumes met). Thread: writer. @since 1.0 */
+DSW_API dsw_status dsw_body_add_edge(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a,
+                                     dsw_body_vertex_id b, dsw_body_edge_id *edge);
+
+/** Adds a triangle and its missing edges.
+ * @return as dsw_body_add_edge; SHARED_FACE, INVERTED_CELL: as dsw_body_create.
+ * @note Cost: O(volumes met). Thread: writer. @since 1.0 */
+DSW_API dsw_status dsw_body_add_face(dsw_scene *scene, dsw_body_id body, dsw_body_vertex_id a,
+                                     dsw_body_vertex_id b, dsw_body_vertex_id c,
+                                     dsw_body_face_id *face);
+
+/** Removes a face.
+ * @note Cost: O(parts there). Thread: writer. @since 1.0 */
+DSW_API dsw_status dsw_body_remove_face(dsw_scene *scene, dsw_body_id body, dsw_body_face_id face);
+
+/** Removes an edge and its faces.
+ * @note Cost: O(parts there). Thread: writer. @since 1.0 */
+DSW_API dsw_status dsw_body_remove_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge);
+
+/** Removes a vertex, its edges and its faces.
+ * @note Cost: O(parts there). Thread: writer. @since 1.0 */
+DSW_API dsw_status dsw_body_remove_vertex(dsw_scene *scene, dsw_body_id body,
+                                          dsw_body_vertex_id vertex);
+
+/** A split of an edge at a new vertex, or a merge of a vertex into another. */
 typedef struct dsw_body_edit {
-  dsw_body_vertex_id vertex;  /**< The new vertex, or the one that is gone. */
-  dsw_body_vertex_id ends[2]; /**< Split: of the edge. Merge: ends[0] is the vertex it was merged into. */
-  dsw_body_edge_id edge;      /**< Split: keeps ends[0], and its id. Merge: the edge that is gone. */
-  dsw_body_edge_id rest;      /**< Split: the new edge at ends[1]. */
-  double share;               /**< Split: place on the edge, in (0,1). */
-  uint32_t inserted;          /**< 1: split, 0: merge. */
-  uint32_t reserved;          /**< 0. */
+  dsw_body_vertex_id vertex; /**< Split: the new vertex. Merge: the removed vertex. */
+  /** Split: ends of the edge. Merge: ends[0] is the vertex that stays. */
+  dsw_body_vertex_id ends[2];
+  dsw_body_edge_id edge; /**< Split: the part at ends[0], id kept. Merge: the removed edge. */
+  dsw_body_edge_id rest; /**< Split: the new edge at ends[1]. */
+  double share;          /**< Split: place on the edge, and weight of ends[1]. */
+  uint32_t inserted;     /**< 1: split; 0: merge. */
+  uint32_t reserved;     /**< 0. */
 } dsw_body_edit;
 
-/** Splits an edge at ends[0] + share * (ends[1] - ends[0]), rounded, and its faces with it. What the rounding sweeps is checked.
- * @param scene [in,out] @param body, edge [in] @param share [in] in (0,1). @param edit [out] may be null.
- * @return DSW_STATUS_STALE_ID, OUT_OF_RANGE (share), OCCUPIED (a part is not free): nothing has changed.
- * @note Thread: writer. Source: [JCD10] 4.2. @since 1.0 */
-DSW_API dsw_status dsw_body_split_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge, double share,
-                                       dsw_body_edit *edit);
-/** Moves `vertex` to the other end of `edge`, swept at the body's level, and merges it there.
- * @param scene [in,out] @param body, edge, vertex [in] @param edit [out] may be null.
- * @return DSW_STATUS_STALE_ID, NOT_FOUND (`vertex` is no end of `edge`), BAD_CELL (the body would not stay a manifold), OCCUPIED
- * (the way is not free): nothing has changed. @note Thread: writer. @since 1.0 */
+/** Splits an edge and its faces at ends[0] + `share` * (ends[1] - ends[0]), rounded, with a share
+ * in (0,1).
+ * @return DSW_STATUS_OCCUPIED: a part is not free.
+ * @note Cost: O(volumes met). Thread: writer. Source: [JCD10] 4.2. @since 1.0 */
+DSW_API dsw_status dsw_body_split_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
+                                       double share, dsw_body_edit *edit);
+
+/** Moves `vertex` to the other end of `edge`, at the level of the body, and merges it there.
+ * @return DSW_STATUS_NOT_FOUND: `vertex` is no end of `edge`; BAD_CELL: the body would not stay a
+ * manifold; OCCUPIED: the way is not free.
+ * @note Cost: O(volumes met). Thread: writer. @since 1.0 */
 DSW_API dsw_status dsw_body_collapse_edge(dsw_scene *scene, dsw_body_id body, dsw_body_edge_id edge,
                                           dsw_body_vertex_id vertex, dsw_body_edit *edit);
 

@@ -73,7 +73,7 @@ void Crack<D>::add(HalfFacet a, HalfFacet b, size_t i) {
       fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: front and back are two faces, one is inside", i);
     }
     if (map_.cell_of(a) == map_.cell_of(b)) {
-      fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: both faces are those of volume %u", i, map_.index(map_.cell_of(a)));
+      fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: both faces belong to volume %u", i, map_.index(map_.cell_of(a)));
     }
     if (!face_each_other(draft_of(env_, a), draft_of(env_, b))) {
       fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: the faces do not have the same vertices in opposite order", i);
@@ -81,7 +81,7 @@ void Crack<D>::add(HalfFacet a, HalfFacet b, size_t i) {
   }
   for (const HalfFacet h : {a, b}) {
     const uint32_t known = sides_.size();
-    if (sides_.insert(h.word) != known) fail(DSW_STATUS_DUPLICATE_ID, "pair %zu: a face stands in two pairs", i);
+    if (sides_.insert(h.word) != known) fail(DSW_STATUS_DUPLICATE_ID, "pair %zu: a face occurs in two pairs", i);
   }
   pairs_.push_back({a, b});
 }

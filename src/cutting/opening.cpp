@@ -332,7 +332,7 @@ void Opening<D>::shorten(Edit<D>& edit, const Array<uint32_t>& drafts) {
       }
     }
   }
-  if (copies.size() == 0) fail(DSW_STATUS_INVALID_CELL, "a volume at the crack is not valid as it is");
+  if (copies.size() == 0) fail(DSW_STATUS_INVALID_CELL, "a volume at the crack is invalid already");
   bool moved = false;
   for (uint32_t i = 0; i < copies.size(); ++i) {
     Way& way = ways_[copies[i] / 2];

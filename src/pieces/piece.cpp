@@ -159,7 +159,7 @@ Piece::Piece(const Environment<3>& env, Cell start, size_t most)
 void Piece::find_cells(Cell start, size_t most) {
   const Map<3>& map = env_.map;
   if (!map.marked(start)) {
-    fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u is passable: a piece consists of impassable ones", map.index(start));
+    fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u is passable: a piece consists of impassable volumes", map.index(start));
   }
   cells_.insert(start);
   for (size_t i = 0; i < cells_.size(); ++i) {
@@ -172,8 +172,7 @@ void Piece::find_cells(Cell start, size_t most) {
       if (o.valid() && map.marked(map.cell_of(o))) cells_.insert(map.cell_of(o));
     }
     if (cells_.size() > most) {
-      fail(DSW_STATUS_TOO_LARGE, "more than %zu impassable volumes hang together with volume %u", most,
-           map.index(start));
+      fail(DSW_STATUS_TOO_LARGE, "more than %zu impassable volumes are connected to volume %u", most, map.index(start));
     }
   }
 }

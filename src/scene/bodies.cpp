@@ -26,7 +26,7 @@ void add_edges(Body<D>& body, const BodyDescription& d) {
     check_corner(d, b, "edges", 2 * i + 1);
     if (a == b) fail(DSW_STATUS_BAD_CELL, "edge %zu joins vertex %u with itself", i, a);
     if (find_edge(body, a, b) != kNone) {
-      fail(DSW_STATUS_DUPLICATE_CELL, "edge %zu between vertices %u and %u stands twice", i, a, b);
+      fail(DSW_STATUS_DUPLICATE_CELL, "edge %zu between vertices %u and %u occurs twice", i, a, b);
     }
     add_edge(body, a, b);
   }
@@ -45,7 +45,7 @@ void add_triangle(Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32_t c
 void check_closed(const Body<3>& body) {
   if (!is_closed_surface(body)) {
     fail(DSW_STATUS_NOT_CLOSED,
-         "DSW_BODY_SKIP_BACK_EDGES is for closed surfaces: an edge has not two faces, or a vertex none");
+         "DSW_BODY_SKIP_BACK_EDGES is for closed surfaces: an edge does not have two faces, or a vertex has none");
   }
   if (!is_turned_outwards(body)) {
     fail(DSW_STATUS_INVERTED_CELL,
@@ -89,7 +89,7 @@ void check_face(const Body<D>& body, size_t face, uint32_t a, uint32_t b, uint32
     case FaceDefect::kFine:
       return;
     case FaceDefect::kRepeated:
-      fail(DSW_STATUS_DUPLICATE_CELL, "face %zu: the triangle (%u, %u, %u) stands twice", face, a, b, c);
+      fail(DSW_STATUS_DUPLICATE_CELL, "face %zu: the triangle (%u, %u, %u) occurs twice", face, a, b, c);
     case FaceDefect::kThirdFace:
       fail(DSW_STATUS_SHARED_FACE, "face %zu: an edge of triangle (%u, %u, %u) has two triangles already", face, a, b,
            c);

@@ -81,7 +81,7 @@ uint32_t add_body_face(Scene<D>& scene, Body<D>& body, uint32_t a, uint32_t b, u
   if (a == b || b == c || c == a) fail(DSW_STATUS_BAD_CELL, "triangle (%u, %u, %u) names a vertex twice", a, b, c);
   check_face(body, body.faces.size(), a, b, c);
   if (starts_fan(body, a, b, c)) {
-    fail(DSW_STATUS_SHARED_FACE, "triangle (%u, %u, %u) touches others in a vertex alone", a, b, c);
+    fail(DSW_STATUS_SHARED_FACE, "triangle (%u, %u, %u) shares only a vertex with the others", a, b, c);
   }
   const uint32_t corners[3] = {a, b, c};
   const Neighbours<D> neighbours(scene, body);
@@ -114,7 +114,7 @@ void split_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, double s
   sweeps.partners = neighbours.partners();
   Cell cell;
   if (!can_bend(scene.env, sweeps, body, edge, point, &cell)) {
-    fail(DSW_STATUS_OCCUPIED, "the place at %g on the edge between vertices %u and %u, rounded, is not free", share,
+    fail(DSW_STATUS_OCCUPIED, "the point at %g on the edge between vertices %u and %u, rounded, is not free", share,
          e.ends[0], e.ends[1]);
   }
   insert_vertex(body, edge, point, cell, share, edit);
@@ -133,7 +133,8 @@ void collapse_body_edge(Scene<D>& scene, BodyRecord<D>& of, uint32_t edge, uint3
   StarSweep<D> sweeps(scene.env);
   sweeps.partners = neighbours.partners();
   if (!merge_vertex(sweeps, body, edge, vertex, edit)) {
-    fail(DSW_STATUS_OCCUPIED, "the way of vertex %u to vertex %u is not free", vertex, body.edges[edge].other(vertex));
+    fail(DSW_STATUS_OCCUPIED, "the path from vertex %u to vertex %u is not free", vertex,
+         body.edges[edge].other(vertex));
   }
 }
 

@@ -90,8 +90,8 @@ void Detachment::set_marks(bool marked) noexcept {
 
 void Detachment::give_up(uint32_t a, uint32_t b) const {
   const uint32_t of_a = surface_.vertices[a].from[0], of_b = surface_.vertices[b].from[0];
-  fail(DSW_STATUS_OCCUPIED, "the piece's surface can't be drawn free near vertices %u and %u of the environment", of_a,
-       of_b);
+  fail(DSW_STATUS_OCCUPIED,
+       "no free position was found for the piece's surface near vertices %u and %u of the environment", of_a, of_b);
 }
 
 /** The next place of a vertex. */

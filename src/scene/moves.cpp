@@ -30,7 +30,7 @@ void check_distinct_ids(Scene<D>& scene, const dsw_particle_id* ids, size_t coun
     if (!scene.slots.alive(ids[i].index, ids[i].generation)) fail_stale(ids[i], {"particles", true}, i);
     uint32_t& stamp = scene.stamps[ids[i].index];
     if (stamp == scene.stamp) {
-      fail(DSW_STATUS_DUPLICATE_ID, "particles[%zu] {index %u, generation %u} stands twice", i, ids[i].index,
+      fail(DSW_STATUS_DUPLICATE_ID, "particles[%zu] {index %u, generation %u} occurs twice", i, ids[i].index,
            ids[i].generation);
     }
     stamp = scene.stamp;

@@ -63,7 +63,7 @@ BlockReader::BlockReader(const BlockKind& kind, uint32_t dimension, const uint8_
   if (size < kAtSections) {
     fail(DSW_STATUS_TRUNCATED, "the snapshot has %zu bytes, its header alone needs %zu", size, header_bytes(kind));
   }
-  if (std::memcmp(block, kind.magic, 8) != 0) fail_corrupt("it does not begin like one of its kind");
+  if (std::memcmp(block, kind.magic, 8) != 0) fail_corrupt("it begins with other bytes than a snapshot of its kind");
   uint32_t of_dimension, sections;
   uint64_t total, sum;
   fetch(&version_, block + kAtVersion, 1);

@@ -141,7 +141,8 @@ size_t BodyProbe<D>::leave_out(Environment<D>& env, const Body<D>& body, const P
           if (behind.valid()) Unmarking<D>::enter(&passed, {}, 0, env_.map.cell_of(behind));
         }
         DSW_ASSERT(passed.count != before);
-        if (passed.count == before) fail(DSW_STATUS_OCCUPIED, "face %u of a body meets what was impassable before", f);
+        if (passed.count == before)
+          fail(DSW_STATUS_OCCUPIED, "face %u of a body meets something that was impassable before", f);
       } while (!is_face_free(env_, flood_, body, f));
       return true;
     });

@@ -71,7 +71,7 @@ class Addition {
     Array<uint32_t> sorted = facet.loop;
     std::sort(sorted.begin(), sorted.end());
     if (sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-      fail(DSW_STATUS_BAD_CELL, "a face of new volume %u has less than three vertices, or one twice", i);
+      fail(DSW_STATUS_BAD_CELL, "a face of new volume %u has fewer than three vertices, or one vertex twice", i);
     }
     // From the lowest vertex, as at creation.
     const size_t base = facet.place_of(sorted[0]);
@@ -102,7 +102,7 @@ class Addition {
     }
     Array<uint32_t> order{Allocator<uint32_t>(env_.memory)};
     if (draft.facets.size() < 3 || !order_sides(draft, 0, order)) {
-      fail(DSW_STATUS_BAD_CELL, "new volume %u has less than three vertices, or one twice", i);
+      fail(DSW_STATUS_BAD_CELL, "new volume %u has fewer than three vertices, or one vertex twice", i);
     }
   }
 

@@ -58,8 +58,9 @@ uint32_t other_end(const Map<D>& map, Dart d, uint32_t vertex) {
 template <int D>
 void check_alone(const Map<D>& map, uint32_t vertex, size_t cells) {
   if (map.vertex_uses[vertex] == cells) return;
-  fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u has %u volumes, only %zu of them are joined through faces with the edge's",
-       vertex, map.vertex_uses[vertex], cells);
+  fail(DSW_STATUS_BAD_TOPOLOGY,
+       "vertex %u has %u volumes, only %zu of them are connected through faces to those of the edge", vertex,
+       map.vertex_uses[vertex], cells);
 }
 
 /** Moves a facet's vertex to another one. Whether a facet is left. */
@@ -226,7 +227,7 @@ MergedEdge merge_edges(Edit<3>& edit, Dart d, uint32_t vertex) {
     for (uint32_t f = 0; f < draft.facets.size(); ++f) {
       if (!draft.facets[f].has(vertex)) continue;
       if (draft.facets[f].loop.size() == 3) {
-        fail(DSW_STATUS_BAD_TOPOLOGY, "a face at vertex %u is a triangle: nothing would be left of it", vertex);
+        fail(DSW_STATUS_BAD_TOPOLOGY, "a face at vertex %u is a triangle and would vanish", vertex);
       }
       holes.push_back({draft.from, f, take_out(draft.facets[f], vertex)});
     }
@@ -241,8 +242,7 @@ MergedEdge merge_edges(Edit<3>& edit, Dart d, uint32_t vertex) {
     centre(env, draft, apex);
     if (other != nullptr) centre(env, *other, beyond);
     if (!cut_anew(env, facet, hole.loop, apex, other != nullptr ? beyond : nullptr)) {
-      fail(DSW_STATUS_INVALID_CELL, "what vertex %u leaves of a face can't be cut so that its volumes stay valid",
-           vertex);
+      fail(DSW_STATUS_INVALID_CELL, "a face without vertex %u can't be cut so that its volumes stay valid", vertex);
     }
     if (other != nullptr) cut_like(other->facets[facet_from(*other, facet.far)], facet);
   }
@@ -265,8 +265,7 @@ MergedEdge merge_edges(Edit<2>& edit, Dart d, uint32_t vertex) {
   check_alone(map, vertex, other.valid() ? 2 : 1);
   for (const Cell c : {d.cell, other}) {
     if (!c.valid() || map.facets_of(c) > 3) continue;
-    fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u at vertex %u is a triangle: nothing would be left of it", map.index(c),
-         vertex);
+    fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u at vertex %u is a triangle and would vanish", map.index(c), vertex);
   }
   Array<uint32_t> ends{Allocator<uint32_t>(env.memory)};
   for (const uint32_t corner : {before, after}) ends.push_back(map.vertex(d.cell, corner));

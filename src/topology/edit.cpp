@@ -116,7 +116,8 @@ double* Edit<D>::room_for(uint32_t v) {
   const size_t at = size_t{v} * D;
   reserve_more(points_before_, D);
   if (env_.owned_points.empty()) {
-    if (v >= env_.point_room) fail(DSW_STATUS_BORROWED, "the points are the host's, without room for vertex %u", v);
+    if (v >= env_.point_room)
+      fail(DSW_STATUS_BORROWED, "the points belong to the host and have no room for vertex %u", v);
   } else if (at == env_.owned_points.size()) {
     reserve_more(env_.owned_points, D);
     env_.points = env_.owned_points.data();
@@ -193,7 +194,7 @@ void Edit<D>::prepare(Array<uint32_t>* invalid) {
       const Cell from = drafts_[i].from;
       const char* const what = D == 3 ? "a sphere" : "a loop";
       if (!from.valid()) fail(DSW_STATUS_BAD_CELL, "the faces of new volume %u would not close %s", i, what);
-      fail(DSW_STATUS_BAD_CELL, "the faces of what comes of volume %u would not close %s", map_.index(from), what);
+      fail(DSW_STATUS_BAD_CELL, "the faces of a part of volume %u would not close %s", map_.index(from), what);
     }
     invalid->push_back(i);
   }
@@ -340,7 +341,7 @@ void Edit<D>::check_cells(Array<uint32_t>* invalid) {
       const bool inverted = state == CellState::kInverted;
       const char* const what = inverted ? "turned inside out" : "flat, folded, or cover a part of itself twice";
       if (!draft.from.valid()) fail(DSW_STATUS_INVALID_CELL, "new volume %u would be %s", i, what);
-      fail(DSW_STATUS_INVALID_CELL, "what comes of volume %u would be %s", map_.index(draft.from), what);
+      fail(DSW_STATUS_INVALID_CELL, "a part of volume %u would be %s", map_.index(draft.from), what);
     }
     uint32_t& word0 = map_.record(c)[0];
     const bool says_convex = map_.form(c) != Form::kSimplex && !env_.checked.active();  // see let_points_move

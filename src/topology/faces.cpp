@@ -15,7 +15,7 @@ SplitFacet split_facet(Edit<3>& edit, HalfFacet h, uint32_t a, uint32_t b) {
   const FacetDraft whole = draft_of(env, h);
   const size_t n = whole.loop.size();
   for (const uint32_t v : {a, b}) {
-    if (!whole.has(v)) fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u is none of the face", v);
+    if (!whole.has(v)) fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u is not a vertex of the face", v);
   }
   const size_t distance = (whole.place_of(b) + n - whole.place_of(a)) % n;
   if (distance < 2 || distance > n - 2) {

@@ -23,7 +23,7 @@ void check_pair(const Environment<D>& env, const FacetPair& pair, size_t i) {
          map.local_of(h, map.cell_of(h)), map.index(map.cell_of(h)));
   }
   if (map.cell_of(pair.a) == map.cell_of(pair.b)) {
-    fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: both faces are those of volume %u", i, map.index(map.cell_of(pair.a)));
+    fail(DSW_STATUS_BAD_TOPOLOGY, "pair %zu: both faces belong to volume %u", i, map.index(map.cell_of(pair.a)));
   }
 }
 
@@ -69,14 +69,14 @@ bool has_edge(const Map<D>& map, Cell c, uint32_t from, uint32_t to) {
 
 /** Throws unless a loop runs along edges of a cell. */
 void check_loop(const Map<3>& map, Cell c, const uint32_t* loop, size_t count) {
-  if (count < 3) fail(DSW_STATUS_BAD_TOPOLOGY, "the loop has %zu vertices, must have 3 at least", count);
+  if (count < 3) fail(DSW_STATUS_BAD_TOPOLOGY, "the loop has %zu vertices, must have at least 3", count);
   for (size_t i = 0; i < count; ++i) {
     const uint32_t from = loop[i], to = loop[(i + 1) % count];
     if (!has_edge(map, c, from, to)) {
       fail(DSW_STATUS_BAD_TOPOLOGY, "volume %u has no edge from vertex %u to vertex %u", map.index(c), from, to);
     }
     if (std::find(loop, loop + i, from) != loop + i) {
-      fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u stands twice in the loop", from);
+      fail(DSW_STATUS_BAD_TOPOLOGY, "vertex %u occurs twice in the loop", from);
     }
   }
 }
@@ -109,7 +109,7 @@ void sew(Edit<D>& edit, const FacetPair* pairs, size_t count) {
   }
   std::sort(words.begin(), words.end());
   if (std::adjacent_find(words.begin(), words.end()) != words.end()) {
-    fail(DSW_STATUS_DUPLICATE_ID, "a face stands in two pairs");
+    fail(DSW_STATUS_DUPLICATE_ID, "a face occurs in two pairs");
   }
   for (size_t i = 0; i < count; ++i) fit(edit, pairs[i], i);
   for (size_t i = 0; i < count; ++i) {
@@ -143,7 +143,7 @@ template <int D>
 void remove_cells(Edit<D>& edit, const Cell* cells, size_t count) {
   for (size_t i = 0; i < count; ++i) edit.remove(cells[i]);
   if (edit.removed().size() == edit.environment().map.cell_count) {
-    fail(DSW_STATUS_BAD_TOPOLOGY, "an environment keeps one volume at least");
+    fail(DSW_STATUS_BAD_TOPOLOGY, "an environment must keep at least one volume");
   }
 }
 
@@ -186,7 +186,7 @@ SplitCell split_cell(Edit<D>& edit, Cell c, const uint32_t* loop, size_t count) 
   inserted.pair = 0;
   inserted.loop.assign(loop, loop + count);
   if (!part_along(whole, inserted.loop, left, right)) {
-    fail(DSW_STATUS_BAD_TOPOLOGY, "the loop does not part the faces of the volume");
+    fail(DSW_STATUS_BAD_TOPOLOGY, "the loop does not separate the faces of the volume");
   }
   FacetDraft turned = inserted;
   std::reverse(turned.loop.begin(), turned.loop.end());

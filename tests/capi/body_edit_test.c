@@ -275,7 +275,7 @@ static void a_collapse_is_swept(void) {
   mark_wall(DSW_MARK_IMPASSABLE);
   CHECK_OK(dsw_body_create(g_scene, &d, &body));
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_collapse_edge(g_scene, body, edge_id(0), vertex_id(0), &edit));
-  CHECK_MESSAGE("the way of vertex 0 to vertex 1 is not free");
+  CHECK_MESSAGE("the path from vertex 0 to vertex 1 is not free");
   CHECK(memcmp(&edit, &before, sizeof edit) == 0 && has(body, 3, 2, 0));
   position_of(body, 0, p);
   CHECK(memcmp(p, positions, sizeof p) == 0);

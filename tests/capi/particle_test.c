@@ -400,7 +400,7 @@ static void bad_batches_move_nothing(void) {
   targets[8] = 0.5;
   ids[2] = ids[0];
   CHECK_FAILS(DSW_STATUS_DUPLICATE_ID, dsw_scene_move_particles(scene, ids, 3, targets, 0, NULL, f));
-  CHECK_MESSAGE("particles[2] {index 0, generation 1} stands twice");
+  CHECK_MESSAGE("particles[2] {index 0, generation 1} occurs twice");
   ids[2] = stale_particle;
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_scene_move_particles(scene, ids, 3, targets, 0, NULL, f));
   CHECK_MESSAGE("particles[2] {index 0, generation 7}");

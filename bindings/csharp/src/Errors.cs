@@ -81,7 +81,7 @@ namespace Dartsweep
     internal BadStructSizeException(string message) : base(Status.BadStructSize, message) { }
   }
 
-  /// <summary>A value, flag or non-zero unknown member this library does not know.</summary>
+  /// <summary>The library does not know a value, a flag or a non-zero member.</summary>
   public sealed class UnsupportedException : DartsweepException
   {
     internal UnsupportedException(string message) : base(Status.Unsupported, message) { }
@@ -105,7 +105,7 @@ namespace Dartsweep
     internal WrongSizeException(string message) : base(Status.WrongSize, message) { }
   }
 
-  /// <summary>The id names nothing that is alive, or was never given out.</summary>
+  /// <summary>The id names nothing that exists.</summary>
   public sealed class StaleIdException : DartsweepException
   {
     internal StaleIdException(string message) : base(Status.StaleId, message) { }
@@ -135,7 +135,7 @@ namespace Dartsweep
     internal IndexOutOfRangeException(string message) : base(Status.IndexOutOfRange, message) { }
   }
 
-  /// <summary>A cell type that is not 10, 12, 13, 14 or 42.</summary>
+  /// <summary>A cell type is unknown.</summary>
   public sealed class BadCellTypeException : DartsweepException
   {
     internal BadCellTypeException(string message) : base(Status.BadCellType, message) { }
@@ -207,7 +207,7 @@ namespace Dartsweep
     internal SharedException(string message) : base(Status.Shared, message) { }
   }
 
-  /// <summary>An id stands twice in a batch.</summary>
+  /// <summary>An id occurs twice in a batch.</summary>
   public sealed class DuplicateIdException : DartsweepException
   {
     internal DuplicateIdException(string message) : base(Status.DuplicateId, message) { }
@@ -237,7 +237,7 @@ namespace Dartsweep
     internal BadVersionException(string message) : base(Status.BadVersion, message) { }
   }
 
-  /// <summary>The scene did not name the feature that this call needs.</summary>
+  /// <summary>The scene has not enabled the feature that this call needs.</summary>
   public sealed class NotNamedException : DartsweepException
   {
     internal NotNamedException(string message) : base(Status.NotNamed, message) { }
@@ -249,7 +249,7 @@ namespace Dartsweep
     internal NotBuiltException(string message) : base(Status.NotBuilt, message) { }
   }
 
-  /// <summary>A defect of the library; please report the message.</summary>
+  /// <summary>A bug of the library; please report the message.</summary>
   public sealed class InternalException : DartsweepException
   {
     internal InternalException(string message) : base(Status.Internal, message) { }
@@ -261,7 +261,7 @@ namespace Dartsweep
     internal BadTopologyException(string message) : base(Status.BadTopology, message) { }
   }
 
-  /// <summary>The points are the host's, without room for another vertex.</summary>
+  /// <summary>The points belong to the host and have no room for another vertex.</summary>
   public sealed class BorrowedException : DartsweepException
   {
     internal BorrowedException(string message) : base(Status.Borrowed, message) { }

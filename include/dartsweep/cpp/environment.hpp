@@ -1,6 +1,9 @@
 // An environment. Each method is the C function of its name, whose comment says what it does.
 #pragma once
 
+#include <algorithm>
+#include <set>
+
 #include "dartsweep/cpp/handles.hpp"
 #include "dartsweep/cpp/results.hpp"
 
@@ -184,6 +187,26 @@ class Environment {
   std::int32_t get_region(dsw_volume_id volume) const {
     return one<std::int32_t>(dsw_environment_get_region, volume);
   }
+#ifndef SWIG
+  /** The labels of the regions that have volumes, in order. */
+  Array<std::int32_t> get_region_labels() const {
+    const EnvironmentReading self(*state_);
+    dsw_environment_info counts = {};
+    counts.struct_size = sizeof counts;
+    check(dsw_environment_get_info(self.handle, &counts));
+    std::set<std::int32_t> labels;
+    for (std::uint32_t index = 0; index < counts.volume_index_count; ++index) {
+      dsw_volume_id volume = {};
+      std::int32_t label = 0;
+      if (dsw_environment_get_volume(self.handle, index, &volume) != DSW_STATUS_OK) continue;
+      check(dsw_environment_get_region(self.handle, volume, &label));
+      labels.insert(label);
+    }
+    Array<std::int32_t> out(labels.size());
+    std::copy(labels.begin(), labels.end(), out.data());
+    return out;
+  }
+#endif
   std::uint32_t get_tag(dsw_volume_id volume) const {
     return one<std::uint32_t>(dsw_environment_get_tag, volume);
   }

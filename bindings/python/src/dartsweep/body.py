@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Body:
-    """A body of a scene, made by Scene.create_body. It goes with its scene, or with destroy()."""
+    """A body of a scene, made by Scene.create_body. The scene owns the body; destroy() removes it."""
 
     __slots__ = ("_core",)
 
@@ -34,7 +34,7 @@ class Body:
 
     @property
     def id(self) -> BodyId:
-        """Its id in the scene."""
+        """The id of the body in its scene."""
         return self._core.id()  # type: ignore[no-any-return]
 
     def destroy(self) -> None:
@@ -43,12 +43,12 @@ class Body:
 
     @property
     def counts(self) -> BodyCounts:
-        """How many vertices, edges and triangles there are, and below which number their indices are."""
+        """Numbers of vertices, edges and triangles, and upper bounds of their indices."""
         return self._core.get_counts()  # type: ignore[no-any-return]
 
     @property
     def level(self) -> Level:
-        """How much of what edges sweep is looked at. Raising it raises Occupied where the body is not free there."""
+        """The part of a move that is tested. A higher level raises Occupied if the body is not free at that level."""
         return Level(self._core.get_level())
 
     @level.setter
@@ -57,7 +57,7 @@ class Body:
 
     @property
     def filter(self) -> tuple[int, int]:
-        """Category and mask: which bodies it meets."""
+        """Category and mask, which decide the bodies that this body meets."""
         both = self._core.get_filter()
         return both.category, both.mask
 
@@ -109,19 +109,19 @@ class Body:
         return self._core.get_edge_vertices().reshape(-1, 2)  # type: ignore[no-any-return]
 
     def face_vertices(self) -> NDArray[np.uint32]:
-        """Indices of the corners of all triangles, likewise."""
+        """Indices of the corners of all triangles, by index of the triangle; 2**32 - 1 in free slots."""
         return self._core.get_face_vertices().reshape(-1, 3)  # type: ignore[no-any-return]
 
     def add_vertex(self, position: ArrayLike, hint: Any = None) -> BodyVertexId:
-        """Adds a vertex without edges; `hint` is a volume near it."""
+        """Adds a vertex without edges; `hint` is a volume near the vertex."""
         return self._core.add_vertex(position, hint)  # type: ignore[no-any-return]
 
     def add_edge(self, a: Any, b: Any) -> BodyEdgeId:
-        """Adds an edge between two vertices; raises Occupied where it is not free."""
+        """Adds an edge between two vertices; raises Occupied if the edge is not free."""
         return self._core.add_edge(a, b)  # type: ignore[no-any-return]
 
     def add_face(self, a: Any, b: Any, c: Any) -> BodyFaceId:
-        """Adds a triangle, with those of its edges that are missing."""
+        """Adds a triangle and its missing edges."""
         return self._core.add_face(a, b, c)  # type: ignore[no-any-return]
 
     def remove_vertex(self, vertex: Any) -> None:
@@ -137,17 +137,17 @@ class Body:
         self._core.remove_face(face)
 
     def split_edge(self, edge: Any, share: float = 0.5) -> BodyEdit:
-        """Splits an edge, and its triangles, at a share of its length; answers what came."""
+        """Splits an edge and its triangles at a share of the edge's length; returns the new parts."""
         return self._core.split_edge(edge, share)  # type: ignore[no-any-return]
 
     def collapse_edge(self, edge: Any, vertex: Any) -> BodyEdit:
-        """Moves a vertex to the other end of an edge, swept, and merges it there."""
+        """Moves a vertex to the other end of an edge and merges it there; the way is swept."""
         return self._core.collapse_edge(edge, vertex)  # type: ignore[no-any-return]
 
     # --- moves
 
     def move(self, targets: ArrayLike, options: MoveOptions | None = None, order: ArrayLike | None = None) -> MoveReport:
-        """Moves vertices to targets (by index), one after the other, each as far as it goes; `order` names those that move."""
+        """Moves vertices to targets (by index), one after the other, each as far as it is free; `order` lists the vertices that move."""
         return self._core.move(targets, options, order)  # type: ignore[no-any-return]
 
     def move_rigid(
@@ -158,12 +158,12 @@ class Body:
         options: MoveOptions | None = None,
         order: ArrayLike | None = None,
     ) -> MoveReport:
-        """Moves the whole as far as it goes: rotated (quaternion x, y, z, w; in the plane x and y are 0) round a centre, then translated."""
+        """Moves the whole body as far as it is free: rotated (quaternion x, y, z, w; in the plane x and y are 0) round a centre, then translated."""
         motion = described(RigidMotion, translation=_in_space(translation), rotation=rotation, centre=_in_space(centre))
         return self._core.move_rigid(motion, options, order)  # type: ignore[no-any-return]
 
     def contacts(self) -> Records:
-        """Contacts of the last move (dtypes.CONTACT), as they were met."""
+        """Contacts of the last move (dtypes.CONTACT), in order."""
         return self._core.get_contacts()  # type: ignore[no-any-return]
 
     def contact_partners(self) -> Records:
@@ -171,7 +171,7 @@ class Body:
         return self._core.get_contact_partners()  # type: ignore[no-any-return]
 
     def contact_pasts(self) -> Records:
-        """What the vertices of these contacts touched before (dtypes.CONTACT_PAST)."""
+        """The previous contacts of the vertices of these contacts (dtypes.CONTACT_PAST)."""
         return self._core.get_contact_pasts()  # type: ignore[no-any-return]
 
     def edits(self) -> Records:

@@ -15,15 +15,20 @@ def _struct(*fields: tuple[Any, ...]) -> np.dtype[np.void]:
     return np.dtype(list(fields), align=True)
 
 
-VERTEX_ID = _struct(("index", U4), ("generation", U4))
-VOLUME_ID = _struct(("index", U4), ("generation", U4))
-FACE_ID = _struct(("volume", U4), ("generation", U4), ("local", U4))
-EDGE_ID = _struct(("volume", U4), ("generation", U4), ("local", U4))
-PARTICLE_ID = _struct(("index", U4), ("generation", U4))
-BODY_ID = _struct(("index", U4), ("generation", U4))
-BODY_VERTEX_ID = _struct(("index", U4), ("generation", U4))
-BODY_EDGE_ID = _struct(("index", U4), ("generation", U4))
-BODY_FACE_ID = _struct(("index", U4), ("generation", U4))
+def _id(kind: str, *names: str) -> np.dtype[np.void]:
+    """Kinds of ids have the same layout: the metadata tell them apart, also where an id is a field of a result."""
+    return np.dtype([(name, U4) for name in names], align=True, metadata={"id": kind})
+
+
+VERTEX_ID = _id("VertexId", "index", "generation")
+VOLUME_ID = _id("VolumeId", "index", "generation")
+FACE_ID = _id("FaceId", "volume", "generation", "local")
+EDGE_ID = _id("EdgeId", "volume", "generation", "local")
+PARTICLE_ID = _id("ParticleId", "index", "generation")
+BODY_ID = _id("BodyId", "index", "generation")
+BODY_VERTEX_ID = _id("BodyVertexId", "index", "generation")
+BODY_EDGE_ID = _id("BodyEdgeId", "index", "generation")
+BODY_FACE_ID = _id("BodyFaceId", "index", "generation")
 CELL = _struct(("kind", I4), ("index", U4), ("generation", U4), ("local", U4))
 FLIGHT = _struct(
     ("position", F8, 3),
@@ -134,6 +139,7 @@ CUT_FACE = _struct(("front", FACE_ID), ("back", FACE_ID))
 DETACHED_VERTEX = _struct(("from", VERTEX_ID, 2), ("weights", F8, 2))
 DETACHED_FACE = _struct(("face", FACE_ID), ("volume", VOLUME_ID))
 
+_core.set_dtype_Cell(CELL)
 _core.set_dtype_VertexId(VERTEX_ID)
 _core.set_dtype_VolumeId(VOLUME_ID)
 _core.set_dtype_FaceId(FACE_ID)

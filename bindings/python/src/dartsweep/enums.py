@@ -7,8 +7,33 @@ from enum import IntEnum, IntFlag
 from . import _core
 
 
-class Status(IntEnum):
-    """What a call answers. Values are stable; new ones are only appended."""
+class Constant(IntEnum):
+    """A constant that prints as its name; otherwise an integer."""
+
+    def __str__(self) -> str:
+        return f"{type(self).__name__}.{self.name}"
+
+    __repr__ = __str__
+
+    def __format__(self, spec: str) -> str:
+        return format(str(self) if spec == "" else int(self), spec)
+
+
+class Flags(IntFlag):
+    """Flags that print as their names; otherwise an integer."""
+
+    def __str__(self) -> str:
+        names = [flag.name or "" for flag in type(self) if flag and flag in self]
+        return f"{type(self).__name__}.{'|'.join(names) or int(self)}"
+
+    __repr__ = __str__
+
+    def __format__(self, spec: str) -> str:
+        return format(str(self) if spec == "" else int(self), spec)
+
+
+class Status(Constant):
+    """The result of a call. Values are stable; new values are only appended."""
 
     OK = _core.STATUS_OK
     NULL_ARGUMENT = _core.STATUS_NULL_ARGUMENT
@@ -48,8 +73,8 @@ class Status(IntEnum):
     NOT_CLOSED = _core.STATUS_NOT_CLOSED
 
 
-class LogLevel(IntEnum):
-    """Weight of a log line."""
+class LogLevel(Constant):
+    """Severity of a log line."""
 
     NONE = _core.LOG_NONE
     ERROR = _core.LOG_ERROR
@@ -57,7 +82,7 @@ class LogLevel(IntEnum):
     INFO = _core.LOG_INFO
 
 
-class CellKind(IntEnum):
+class CellKind(Constant):
     """Dimension of a cell."""
 
     NONE = _core.CELL_NONE
@@ -67,7 +92,7 @@ class CellKind(IntEnum):
     VOLUME = _core.CELL_VOLUME
 
 
-class CellType(IntEnum):
+class CellType(Constant):
     """Cell types, numbered as in VTK; so are the points of each:
 
     - tetrahedron 0 1 2 3: seen from 3, 0 1 2 turn counter-clockwise;
@@ -90,7 +115,7 @@ class CellType(IntEnum):
     POLYHEDRON = _core.CELL_TYPE_POLYHEDRON
 
 
-class Outcome(IntEnum):
+class Outcome(Constant):
     """How a flight ended."""
 
     NONE = _core.OUTCOME_NONE
@@ -101,8 +126,8 @@ class Outcome(IntEnum):
     IMPASSABLE = _core.OUTCOME_IMPASSABLE
 
 
-class ContactKind(IntEnum):
-    """What of the environment was touched."""
+class ContactKind(Constant):
+    """The part of the obstacle that was touched."""
 
     NONE = _core.CONTACT_NONE
     PLANE = _core.CONTACT_PLANE
@@ -110,16 +135,16 @@ class ContactKind(IntEnum):
     VERTEX = _core.CONTACT_VERTEX
 
 
-class ContactHistory(IntEnum):
-    """Whether a body vertex was already stopped by this obstacle in the body's move before."""
+class ContactHistory(Constant):
+    """Whether the same obstacle stopped the vertex in the body's previous move."""
 
     NONE = _core.HISTORY_NONE
     NEW = _core.HISTORY_NEW
     LASTING = _core.HISTORY_LASTING
 
 
-class Opinion(IntEnum):
-    """What libccd was asked."""
+class Opinion(Constant):
+    """What libccd compared."""
 
     NONE = _core.OPINION_NONE
     PLANE = _core.OPINION_PLANE
@@ -127,8 +152,8 @@ class Opinion(IntEnum):
     VERTEX = _core.OPINION_VERTEX
 
 
-class NoOpinion(IntEnum):
-    """Why there is no opinion."""
+class NoOpinion(Constant):
+    """Why there is no cross-check."""
 
     NONE = _core.NO_OPINION_NONE
     WIRE = _core.NO_OPINION_WIRE
@@ -138,8 +163,8 @@ class NoOpinion(IntEnum):
     NOT_UNIQUE = _core.NO_OPINION_NOT_UNIQUE
 
 
-class Place(IntEnum):
-    """Answer of a locate."""
+class Place(Constant):
+    """Where a point is."""
 
     NONE = _core.PLACE_NONE
     PASSABLE = _core.PLACE_PASSABLE
@@ -147,8 +172,8 @@ class Place(IntEnum):
     OUTSIDE = _core.PLACE_OUTSIDE
 
 
-class Level(IntEnum):
-    """How much of what an edge sweeps is looked at when its end p moves to p' while its other end q stays."""
+class Level(Constant):
+    """What is tested when the end p of an edge moves to p' and the other end q stays."""
 
     POINTS = _core.LEVEL_POINTS
     EDGES = _core.LEVEL_EDGES
@@ -156,14 +181,14 @@ class Level(IntEnum):
     FACES = _core.LEVEL_FACES
 
 
-class Mark(IntEnum):
+class Mark(Constant):
     """The mark of one cell."""
 
     PASSABLE = _core.MARK_PASSABLE
     IMPASSABLE = _core.MARK_IMPASSABLE
 
 
-class Search(IntEnum):
+class Search(Constant):
     """How a contact is found."""
 
     EXACT = _core.SEARCH_EXACT
@@ -171,8 +196,8 @@ class Search(IntEnum):
     BISECTION = _core.SEARCH_BISECTION
 
 
-class Response(IntEnum):
-    """What is done about a contact [JCD10] 4.2, figure 5."""
+class Response(Constant):
+    """The response to a contact [JCD10] 4.2, figure 5."""
 
     STOP = _core.RESPONSE_STOP
     ADAPTIVE_ONE = _core.RESPONSE_ADAPTIVE_ONE
@@ -182,15 +207,15 @@ class Response(IntEnum):
     ADAPTIVE_SLIDE = _core.RESPONSE_ADAPTIVE_SLIDE
 
 
-class DeformMethod(IntEnum):
-    """How what lies in the environment is kept in its place."""
+class DeformMethod(Constant):
+    """How bodies and particles are kept in their places."""
 
     SWEPT = _core.DEFORM_SWEPT
     END_STATE = _core.DEFORM_END_STATE
 
 
-class WallResponse(IntEnum):
-    """What is done where a wall meets a body or particle."""
+class WallResponse(Constant):
+    """The response of a wall that meets a body or particle."""
 
     PUSH = _core.WALL_PUSH
     INSERT = _core.WALL_INSERT
@@ -198,15 +223,15 @@ class WallResponse(IntEnum):
     STOP = _core.WALL_STOP
 
 
-class InvalidResponse(IntEnum):
-    """What is done where a volume that is met would become invalid, also in the smallest steps."""
+class InvalidResponse(Constant):
+    """The response if a volume that is met would become invalid, also in the smallest steps."""
 
     HOLD = _core.INVALID_HOLD
     REFUSE = _core.INVALID_REFUSE
     REMESH = _core.INVALID_REMESH
 
 
-class DeformOutcome(IntEnum):
+class DeformOutcome(Constant):
     """How a deformation ended."""
 
     DONE = _core.DEFORM_DONE
@@ -215,7 +240,7 @@ class DeformOutcome(IntEnum):
     REFUSED = _core.DEFORM_REFUSED
 
 
-class EnvironmentFlag(IntFlag):
+class EnvironmentFlag(Flags):
     """How an environment is made."""
 
     REORIENT = _core.ENVIRONMENT_REORIENT
@@ -224,8 +249,8 @@ class EnvironmentFlag(IntFlag):
     NO_LOCATE_GRID = _core.ENVIRONMENT_NO_LOCATE_GRID
 
 
-class Feature(IntFlag):
-    """What a scene can do beyond particles and bodies."""
+class Feature(Flags):
+    """Features that a scene can enable."""
 
     STATISTICS = _core.FEATURE_STATISTICS
     CROSSINGS = _core.FEATURE_CROSSINGS
@@ -234,28 +259,28 @@ class Feature(IntFlag):
     LIVE_CHANGES = _core.FEATURE_LIVE_CHANGES
 
 
-class CastFlag(IntFlag):
+class CastFlag(Flags):
     """Flags of CastOptions."""
 
     START_KNOWN = _core.CAST_START_KNOWN
     NO_DETAIL = _core.CAST_NO_DETAIL
 
 
-class SweepFlag(IntFlag):
+class SweepFlag(Flags):
     """Flags of SweepOptions."""
 
     START_KNOWN = _core.SWEEP_START_KNOWN
     START_FREE = _core.SWEEP_START_FREE
 
 
-class MarkFlag(IntFlag):
+class MarkFlag(Flags):
     """Flags of calls that mark."""
 
     SKIP_OCCUPIED = _core.MARK_SKIP_OCCUPIED
 
 
-class BodyFlag(IntFlag):
-    """Ways of a body to leave out work, self-contacts, and whether walls move it as a whole."""
+class BodyFlag(Flags):
+    """Flags of a body: work that is skipped, self-contacts, and whether walls move the body as a whole."""
 
     SEQUENCES = _core.BODY_SEQUENCES
     SKIP_BY_ENVIRONMENT = _core.BODY_SKIP_BY_ENVIRONMENT
@@ -267,20 +292,31 @@ class BodyFlag(IntFlag):
     RIGID = _core.BODY_RIGID
 
 
-class CutFlag(IntFlag):
+class CutFlag(Flags):
     """Flags of CutDesc."""
 
     UNSEW = _core.CUT_UNSEW
 
 
-class CarveFlag(IntFlag):
+class CarveFlag(Flags):
     """Flags of CarveDesc."""
 
     WHOLE = _core.CARVE_WHOLE
 
 
-class RecordingFlag(IntFlag):
+class RecordingFlag(Flags):
     """Flags of recordings."""
 
     STATES = _core.RECORDING_STATES
     LATEST = _core.RECORDING_LATEST
+
+
+def _give_to_core() -> None:
+    """Members and results of the C interface are these constants from now on."""
+    for kind in Constant.__subclasses__():
+        register = getattr(_core, f"set_enum_{kind.__name__}", None)
+        if register is not None:
+            register(dict(kind._value2member_map_))
+
+
+_give_to_core()

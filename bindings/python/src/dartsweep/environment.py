@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from types import TracebackType
 from typing import Any, Union
 
@@ -35,6 +35,7 @@ from .options import options as described
 
 Records = NDArray[np.void]
 Ids = Union[Records, Sequence[Any]]
+IdOrIds = Union[Ids, np.void, VertexId, EdgeId, FaceId, VolumeId, Cell]
 
 _TYPE_OF_WIDTH = {4: CellType.TETRA, 5: CellType.PYRAMID, 6: CellType.WEDGE, 8: CellType.HEXAHEDRON}
 _PLANAR_TYPE_OF_WIDTH = {3: CellType.TRIANGLE, 4: CellType.QUAD}
@@ -53,17 +54,17 @@ def _rows(cells: NDArray[Any], dimension: int) -> tuple[CellType, ArrayLike | No
 
 
 class Environment:
-    """A volume mesh that things move in, or a mesh of polygons in the plane. Close it, or use it in a `with` statement; scenes of it go on
+    """A volume mesh in which particles and bodies move, or a mesh of polygons in the plane. Close it, or use it in a `with` statement; scenes of it go on
     until they are closed, too.
 
     points: (n, 3) float64. cells: integers of shape (n, 4), (n, 5), (n, 6) or (n, 8), tetrahedra, pyramids, wedges or hexahedra
     numbered as in VTK; or in one dimension, with `types` (CellType of each) and, but for face streams of polyhedra in `faces`,
     `offsets` as in VTK's unstructured grids. In the plane points are (n, 2), cells (n, 3) or more, triangles, quads or polygons; they are the
     "volumes" and their sides the "faces", and wherever points are asked for they have two coordinates. regions, tags: a label and a host's tag for each cell. flags: EnvironmentFlag.
-    threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
+    region_names: names of labels, which calls then take in place of these. threads: of batches, 0 for one per processor. log: called with (LogLevel, text) for each line of the library's log.
     """
 
-    __slots__ = ("_core", "_log", "__weakref__")
+    __slots__ = ("_core", "_log", "_region_names", "__weakref__")
 
     def __init__(
         self,
@@ -77,6 +78,7 @@ class Environment:
         faces: ArrayLike | None = None,
         face_locations: ArrayLike | None = None,
         flags: int = 0,
+        region_names: Mapping[str, int] | None = None,
         threads: int = 0,
         log: Callable[[int, str], object] | None = None,
     ) -> None:
@@ -86,6 +88,7 @@ class Environment:
         if cells.ndim == 2 and types is None:
             kind, types, offsets = _rows(cells, dimension)
             desc.uniform_cell_type = int(kind)
+        self._region_names = dict(region_names or {})
         self._log = None if log is None else _core.Log(log)
         context = None if log is None and threads == 0 else _core.Context(threads, self._log)
         self._core: Any = _core.Environment(
@@ -93,25 +96,25 @@ class Environment:
         )
 
     @classmethod
-    def _of(cls, core: Any, log: Any = None) -> Environment:
+    def _of(cls, core: Any, log: Any = None, region_names: Mapping[str, int] | None = None) -> Environment:
         made = cls.__new__(cls)
-        made._core, made._log = core, log
+        made._core, made._log, made._region_names = core, log, dict(region_names or {})
         return made
 
     @classmethod
-    def load(cls, block: bytes) -> Environment:
-        """Of a snapshot that `save` made: the same cells, ids and bits."""
-        return cls._of(_core.Environment.load(block))
+    def load(cls, block: bytes, region_names: Mapping[str, int] | None = None) -> Environment:
+        """Loads a snapshot that `save` made: the same cells, ids and bits. A snapshot has labels of regions, but not their names."""
+        return cls._of(_core.Environment.load(block), None, region_names)
 
     def save(self) -> bytes:
-        """A snapshot; what pickle and copy use as well. Threads and log do not go with it."""
+        """A snapshot, which pickle and copy use as well. Threads and log are not saved."""
         return self._core.save()  # type: ignore[no-any-return]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Environment.load, (self.save(),)
+        return Environment.load, (self.save(), self._region_names)
 
     def close(self) -> None:
-        """Gives up the environment. Again is fine; any other call then raises Closed."""
+        """Closes the environment. A second close is allowed; any other call then raises Closed."""
         self._core.close()
 
     @property
@@ -142,13 +145,13 @@ class Environment:
         return self._core.info()  # type: ignore[no-any-return]
 
     def check(self) -> None:
-        """Proves everything again, and that the outer boundary does not pass through itself; raises what is wrong."""
+        """Proves that the cells are a partition, and that the outer boundary does not pass through itself; raises an error if not."""
         self._core.check_all()
 
     def coarsen(self, options: CoarsenOptions | None = None) -> tuple[Environment, NDArray[np.uint32]]:
-        """The same obstacles with passable tetrahedra merged; and for each index of a volume here that of its volume there."""
+        """A coarser environment with the same obstacles and merged tetrahedra; and for each volume index the index of its new volume."""
         volume_map = np.empty(self.info.volume_index_count, np.uint32)
-        return Environment._of(self._core.coarsen(options, volume_map), self._log), volume_map
+        return Environment._of(self._core.coarsen(options, volume_map), self._log, self._region_names), volume_map
 
     # --- cells
 
@@ -161,7 +164,7 @@ class Environment:
         return self._core.get_vertex(index)  # type: ignore[no-any-return]
 
     def position(self, vertex: Any) -> NDArray[np.float64]:
-        """Where a vertex is."""
+        """The position of a vertex."""
         return self._core.get_position(vertex)  # type: ignore[no-any-return]
 
     def points(self) -> NDArray[np.float64]:
@@ -194,7 +197,7 @@ class Environment:
         return both.near_side, both.far_side
 
     def neighbour(self, volume: Any, local: int) -> Neighbour:
-        """What lies behind a face of a volume, and whether it can be passed."""
+        """The volume behind a face of a volume, and whether the face is impassable."""
         return self._core.get_neighbour(volume, local)  # type: ignore[no-any-return]
 
     def find_faces(self, offsets: ArrayLike, indices: ArrayLike) -> Records:
@@ -285,37 +288,62 @@ class Environment:
 
     # --- marks
 
-    def mark_volumes(self, volumes: Ids, mark: int = Mark.IMPASSABLE, flags: int = 0) -> int:
-        """Sets the mark of volumes; answers how many occupied ones were left out (MarkFlag.SKIP_OCCUPIED)."""
+    def mark_volumes(self, volumes: IdOrIds, mark: int = Mark.IMPASSABLE, flags: int = 0) -> int:
+        """Sets the mark of volumes; returns the number of occupied volumes that were skipped (MarkFlag.SKIP_OCCUPIED)."""
         return self._core.mark_volumes(volumes, mark, flags)  # type: ignore[no-any-return]
 
-    def mark_faces(self, faces: Ids, mark: int = Mark.IMPASSABLE) -> None:
+    def mark_faces(self, faces: IdOrIds, mark: int = Mark.IMPASSABLE) -> None:
         """Sets the mark of faces."""
         self._core.mark_faces(faces, mark)
 
-    def mark_edges(self, edges: Ids, mark: int = Mark.IMPASSABLE) -> None:
-        """Sets the mark of edges: a marked edge is a wire."""
+    def mark_edges(self, edges: IdOrIds, mark: int = Mark.IMPASSABLE) -> None:
+        """Sets the mark of edges."""
         self._core.mark_edges(edges, mark)
 
-    def mark_vertices(self, vertices: Ids, mark: int = Mark.IMPASSABLE) -> None:
+    def mark_vertices(self, vertices: IdOrIds, mark: int = Mark.IMPASSABLE) -> None:
         """Sets the mark of vertices."""
         self._core.mark_vertices(vertices, mark)
 
-    def mark_region(self, region: int, mark: int = Mark.IMPASSABLE, flags: int = 0) -> tuple[int, int]:
-        """Sets the mark of all volumes of a region; answers how many have it now, and how many were left out."""
-        both = self._core.mark_region(region, mark, flags)
+    def mark_region(self, region: int | str, mark: int = Mark.IMPASSABLE, flags: int = 0) -> tuple[int, int]:
+        """Sets the mark of all volumes of a region, by label or name; returns how many have the mark now, and how many were
+        skipped. Raises ValueError where no volume has the label."""
+        both = self._core.mark_region(self._label(region), mark, flags)
+        if both.marked == both.skipped == 0:
+            raise ValueError(f"no volume has region {region!r}; {self._known_regions()}")
         return both.marked, both.skipped
 
-    def mark_between(self, a: int, b: int, mark: int = Mark.IMPASSABLE) -> int:
-        """Sets the mark of all faces between two regions; answers how many there are."""
-        return self._core.mark_between(a, b, mark)  # type: ignore[no-any-return]
+    def mark_between(self, a: int | str, b: int | str, mark: int = Mark.IMPASSABLE) -> int:
+        """Sets the mark of all faces between two regions, by label or name; returns their number."""
+        return self._core.mark_between(self._label(a), self._label(b), mark)  # type: ignore[no-any-return]
+
+    def regions(self) -> list[int]:
+        """The labels of all regions that have volumes."""
+        return self._core.get_region_labels().tolist()  # type: ignore[no-any-return]
+
+    @property
+    def region_names(self) -> dict[str, int]:
+        """The label of each region that has a name."""
+        return dict(self._region_names)
+
+    def _label(self, region: int | str) -> int:
+        if not isinstance(region, str):
+            return region
+        if region not in self._region_names:
+            raise ValueError(f"no region is called {region!r}; {self._known_regions()}")
+        return self._region_names[region]
+
+    def _known_regions(self) -> str:
+        name_of = {label: f" ({name})" for name, label in self._region_names.items()}
+        labels = self.regions()
+        shown = ", ".join(f"{label}{name_of.get(label, '')}" for label in labels[:20])
+        return f"regions are {shown}{', ...' if len(labels) > 20 else ''}"
 
     def is_marked(self, cell: Any) -> bool:
-        """Whether this very cell carries a mark."""
+        """Whether the cell itself carries a mark."""
         return self._core.is_marked(_cell(cell))  # type: ignore[no-any-return]
 
     def is_impassable(self, cell: Any) -> bool:
-        """Whether a cell is impassable, by its own mark or by what follows from others."""
+        """Whether a cell is impassable, by its own mark or because of others."""
         return self._core.is_impassable(_cell(cell))  # type: ignore[no-any-return]
 
     def mark_count(self, kind: int) -> int:
@@ -329,11 +357,11 @@ class Environment:
         self._core.sew_faces(a, b)
 
     def unsew_face(self, face: Any) -> None:
-        """One face between two volumes becomes two on the outer boundary, which nothing passes."""
+        """One face between two volumes becomes two faces of the outer boundary, which nothing passes."""
         self._core.unsew_face(face)
 
-    def remove_volumes(self, volumes: Ids) -> None:
-        """Removes volumes; faces that they share with others are on the outer boundary then."""
+    def remove_volumes(self, volumes: IdOrIds) -> None:
+        """Removes volumes; the faces that they shared with others are then on the outer boundary."""
         self._core.remove_volumes(volumes)
 
     def merge_volumes(self, face: Any) -> VolumeId:
@@ -360,7 +388,7 @@ class Environment:
         return parts.vertex, parts.first, parts.second
 
     def merge_edges(self, edge: Any, vertex: Any) -> EdgeId:
-        """Merges the two edges of a vertex that has no others: the vertex goes."""
+        """Merges the two edges of a vertex that has no others, and removes the vertex."""
         return self._core.merge_edges(edge, vertex)  # type: ignore[no-any-return]
 
     def collapse_edge(self, edge: Any, vertex: Any) -> None:
@@ -378,7 +406,7 @@ class Environment:
         return self._core.add_volumes(vertices, points, cells, offsets, types, regions, tags, sew_to, desc)  # type: ignore[no-any-return]
 
     def volume_changes(self) -> Records:
-        """What became of the volumes that the last change replaced (dtypes.VOLUME_CHANGE)."""
+        """How the last change replaced volumes (dtypes.VOLUME_CHANGE)."""
         return self._core.get_volume_changes()  # type: ignore[no-any-return]
 
     def cut(self, blade: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> CutReport:
@@ -394,11 +422,11 @@ class Environment:
         return self._core.cut(blade.reshape(-1, blade.shape[2]), blade.shape[0], blade.shape[1], desc)  # type: ignore[no-any-return]
 
     def tear_faces(self, faces: Ids, loads: ArrayLike, threshold: float) -> int:
-        """Tears faces with a load above the threshold; answers how many."""
+        """Tears faces with a load above the threshold; returns their number."""
         return self._core.tear_faces(faces, loads, threshold)  # type: ignore[no-any-return]
 
     def cut_vertices(self) -> Records:
-        """Vertices that the last cut or opening added (dtypes.CUT_VERTEX), with those that each comes from."""
+        """Vertices that the last cut or opening added (dtypes.CUT_VERTEX), with the vertices that each comes from."""
         return self._core.get_cut_vertices()  # type: ignore[no-any-return]
 
     def cut_faces(self) -> Records:
@@ -415,7 +443,7 @@ class Environment:
         return self._core.open(faces, desc)  # type: ignore[no-any-return]
 
     def carve(self, points: ArrayLike, triangles: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> CarveReport:
-        """Makes passable what is inside of a closed surface; in the plane `triangles` are segments, (n, 2), of closed lines."""
+        """Makes the inside of a closed surface passable; in the plane `triangles` are segments, (n, 2), of closed lines."""
         desc = described(_core.CarveDesc, flags=int(flags), snap=snap)
         if start is not None:
             desc.start = start
@@ -426,7 +454,7 @@ class Environment:
         return self._core.get_carved_volumes()  # type: ignore[no-any-return]
 
     def tie(self, loop: ArrayLike, *, start: Any = None, snap: float = 0.0) -> TieReport:
-        """Closes what is passable over a closed loop of points, in the plane along a line of points."""
+        """Closes passable space along a closed loop of points, in the plane along a line of points."""
         desc = described(_core.TieDesc, snap=snap)
         if start is not None:
             desc.start = start
@@ -458,4 +486,27 @@ def _contiguous(points: ArrayLike) -> NDArray[np.float64]:
 
 
 def _cell(cell: Any) -> Any:
-    return cell if isinstance(cell, Cell) else _core.cell_of(cell)
+    """The cell that a Cell, an id, or an entry of an array of one of these names."""
+    if isinstance(cell, Cell):
+        return cell
+    if isinstance(cell, np.ndarray) and cell.ndim == 0:
+        cell = cell[()]
+    if isinstance(cell, np.void):
+        if cell.dtype == dtypes.CELL:
+            made = Cell()
+            for name, value in zip(("kind", "index", "generation", "local"), cell.item()):
+                setattr(made, name, value)
+            return made
+        cell = _id(cell)
+    if isinstance(cell, (VertexId, EdgeId, FaceId, VolumeId)):
+        return _core.cell_of(cell)
+    raise TypeError(f"a Cell, or the id of a vertex, edge, face or volume is needed, not {type(cell).__name__}")
+
+
+def _id(entry: np.void) -> Any:
+    """The id that an entry of an array is. Arrays that NumPy made of others do not tell."""
+    metadata: Any = entry.dtype.metadata or {}
+    kind = metadata.get("id")
+    if kind is None:
+        raise TypeError("this entry does not tell what it names: make an id of it, such as VolumeId(*entry)")
+    return getattr(_core, kind)(*entry.item())

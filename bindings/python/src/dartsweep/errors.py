@@ -7,7 +7,7 @@ from .enums import Status
 
 
 class Error(Exception):
-    """A call has failed, and nothing has changed. The text is the library's; `status` says what is wrong."""
+    """A call has failed, and nothing has changed. The text is the library's; `status` is the kind of failure."""
 
     status: Status = Status.INTERNAL
 
@@ -25,7 +25,7 @@ class BadStructSize(Error):
 
 
 class Unsupported(Error, ValueError):
-    """A value, flag or non-zero unknown member this library does not know."""
+    """The library does not know a value, a flag or a non-zero member."""
 
     status = Status.UNSUPPORTED
 
@@ -49,7 +49,7 @@ class WrongSize(Error, ValueError):
 
 
 class StaleId(Error, LookupError):
-    """The id names nothing that is alive, or was never given out."""
+    """The id names nothing that exists."""
 
     status = Status.STALE_ID
 
@@ -79,7 +79,7 @@ class IndexOutOfRange(Error, IndexError):
 
 
 class BadCellType(Error):
-    """A cell type that is not 10, 12, 13, 14 or 42."""
+    """A cell type is unknown."""
 
     status = Status.BAD_CELL_TYPE
 
@@ -151,7 +151,7 @@ class Shared(Error):
 
 
 class DuplicateId(Error):
-    """An id stands twice in a batch."""
+    """An id occurs twice in a batch."""
 
     status = Status.DUPLICATE_ID
 
@@ -181,7 +181,7 @@ class BadVersion(Error):
 
 
 class NotNamed(Error):
-    """The scene did not name the feature that this call needs."""
+    """The scene has not enabled the feature that this call needs."""
 
     status = Status.NOT_NAMED
 
@@ -193,7 +193,7 @@ class NotBuilt(Error, NotImplementedError):
 
 
 class Internal(Error):
-    """A defect of the library; please report the message."""
+    """A bug of the library; please report the message."""
 
     status = Status.INTERNAL
 
@@ -205,7 +205,7 @@ class BadTopology(Error):
 
 
 class Borrowed(Error):
-    """The points are the host's, without room for another vertex."""
+    """The points belong to the host and have no room for another vertex."""
 
     status = Status.BORROWED
 

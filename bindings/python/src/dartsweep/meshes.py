@@ -40,9 +40,11 @@ def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Env
     """An environment of a meshio.Mesh: its linear volume cells, in their order; surfaces, lines and points are left out. A mesh without
     volumes in two dimensions, or with z = 0 everywhere, is one of the plane: of its triangles, quads and polygons.
 
-    regions: name of the cell data that labels cells; by default the usual names are looked for. options: as of Environment.
+    regions: name of the cell data that labels cells; by default the usual names are looked for, then groups of cells that do not overlap.
+    Names of groups can be used in place of labels. options: as of Environment.
     """
     name = regions or next((known for known in _REGION_NAMES if known in mesh.cell_data), None)
+    groups = {} if name is not None else _disjoint_groups(mesh)
     types, sizes, connectivity, labels = [], [], [], []
     points = np.ascontiguousarray(mesh.points, np.float64)
     is_planar = not np.any(points[:, 2:]) and not any(getattr(block, "dim", 3) == 3 for block in mesh.cells)
@@ -59,6 +61,8 @@ def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Env
         connectivity.append(data.ravel())
         if name is not None:
             labels.append(np.asarray(mesh.cell_data[name][i], np.int32))
+        elif groups:
+            labels.append(_labels_of(groups, i, len(data)))
     if not types:
         raise ValueError("the mesh has no volume cells, and no triangles, quads or polygons with z = 0")
     return Environment(
@@ -67,8 +71,37 @@ def from_meshio(mesh: Any, *, regions: str | None = None, **options: Any) -> Env
         np.concatenate(types),
         np.concatenate([np.zeros(1, np.int64), np.cumsum(np.concatenate(sizes))]),
         regions=np.concatenate(labels) if labels else None,
+        region_names=_names_of(mesh, 2 if is_planar else 3) if name is not None else {key: i for i, key in enumerate(groups, 1)},
         **options,
     )
+
+
+def _names_of(mesh: Any, dimension: int) -> dict[str, int]:
+    """Names of labels as Gmsh has them: (label, dimension) of each."""
+    pairs = {name: np.ravel(data) for name, data in getattr(mesh, "field_data", {}).items()}
+    return {name: int(pair[0]) for name, pair in pairs.items() if len(pair) == 2 and pair[1] == dimension}
+
+
+def _disjoint_groups(mesh: Any) -> dict[str, Any]:
+    """Named groups of cells: for each an array of cells of each block, or None. Empty where groups overlap: no label could tell them."""
+    groups = {name: blocks for name, blocks in getattr(mesh, "cell_sets", {}).items() if not name.startswith("gmsh:")}
+    for i, block in enumerate(mesh.cells):
+        taken = np.zeros(len(block.data), np.int32)
+        for blocks in groups.values():
+            if blocks[i] is not None:
+                np.add.at(taken, np.asarray(blocks[i], np.int64), 1)
+        if np.any(taken > 1):
+            return {}
+    return groups
+
+
+def _labels_of(groups: dict[str, Any], block: int, count: int) -> Any:
+    """The number of each cell's group, from 1 on; 0 for cells of none."""
+    labels = np.zeros(count, np.int32)
+    for label, blocks in enumerate(groups.values(), 1):
+        if blocks[block] is not None:
+            labels[np.asarray(blocks[block], np.int64)] = label
+    return labels
 
 
 def body_from_trimesh(scene: Scene, mesh: Any, **options: Any) -> Body:
@@ -77,7 +110,7 @@ def body_from_trimesh(scene: Scene, mesh: Any, **options: Any) -> Body:
 
 
 def carve_trimesh(environment: Environment, mesh: Any, **options: Any) -> CarveReport:
-    """Makes passable what is inside of a closed surface with `vertices` and `faces`; options: as of Environment.carve."""
+    """Makes the inside of a closed surface passable, with `vertices` and `faces`; options: as of Environment.carve."""
     return environment.carve(mesh.vertices, mesh.faces, **options)
 
 

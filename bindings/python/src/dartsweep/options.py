@@ -13,9 +13,10 @@ def options(kind: type[Description], **values: Any) -> Description:
     """Options of a kind, such as MoveOptions, with its defaults but for `values`."""
     made = kind()
     for name, value in values.items():
-        if not hasattr(made, name):
-            raise TypeError(f"{kind.__name__} has no member '{name}'")
-        setattr(made, name, value)
+        try:
+            setattr(made, name, value)
+        except AttributeError as error:
+            raise TypeError(str(error)) from None
     return made
 
 

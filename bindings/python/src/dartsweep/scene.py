@@ -32,7 +32,7 @@ class Scene:
 
     @classmethod
     def load(cls, environment: Environment, block: bytes) -> Scene:
-        """Of a snapshot that `save` made, in the same environment or one loaded from its snapshot."""
+        """Loads a snapshot that `save` made, into the same environment or one loaded from its snapshot."""
         made = cls.__new__(cls)
         made._environment, made._core = environment, _core.Scene.load(environment._core, block)
         return made
@@ -46,11 +46,11 @@ class Scene:
 
     @property
     def environment(self) -> Environment:
-        """The environment that it was made with."""
+        """The environment of the scene."""
         return self._environment
 
     def close(self) -> None:
-        """Gives up the scene and its bodies. Again is fine; any other call then raises Closed."""
+        """Closes the scene and its bodies. A second close is allowed; any other call then raises Closed."""
         self._core.close()
 
     @property
@@ -71,12 +71,12 @@ class Scene:
 
     @property
     def particle_count(self) -> int:
-        """How many particles there are."""
+        """The number of particles."""
         return self._core.get_particle_count()  # type: ignore[no-any-return]
 
     @property
     def body_count(self) -> int:
-        """How many bodies there are."""
+        """The number of bodies."""
         return self._core.get_body_count()  # type: ignore[no-any-return]
 
     def particle_ids(self) -> Records:
@@ -88,17 +88,17 @@ class Scene:
         return self._core.get_bodies()  # type: ignore[no-any-return]
 
     def start_recording(self, path: str | None = None, flags: int = 0) -> None:
-        """Writes every call that changes the scene into a file, before it is made: see record.h of the C interface. Without a path the latest
+        """Writes every call that changes the scene into a file before the call is made: see record.h of the C interface. Without a path the latest
         calls are kept in memory, for write_bundle. flags: RecordingFlag."""
         self._core.start_recording(path, int(flags) | (RecordingFlag.LATEST if path is None else 0))
 
     def stop_recording(self) -> None:
-        """Ends the recording, if there is one."""
+        """Ends the recording, if any."""
         self._core.stop_recording()
 
     @contextmanager
     def recording(self, path: str | None = None, flags: int = 0) -> Iterator[None]:
-        """A recording of what is called in a `with` statement. Raises WriteFailed at its end where not all could be written."""
+        """Records the calls in a `with` statement. Raises WriteFailed at its end if the recording is incomplete."""
         self.start_recording(path, flags)
         try:
             yield
@@ -106,8 +106,8 @@ class Scene:
             self.stop_recording()
 
     def write_bundle(self, path: str, note: str = "") -> Verdict:
-        """A bug report in one call: the scene before its last recorded call, that call and the exact verdict on what it did. examples/replay of
-        the C library prints and draws it."""
+        """A bug report in one call: the scene before its last recorded call, that call, and the exact validation of its answer.
+        examples/replay of the C library prints and draws the report."""
         return self._core.write_bundle(path, note)  # type: ignore[no-any-return]
 
     @property
@@ -127,7 +127,7 @@ class Scene:
     # --- particles
 
     def create_particle(self, position: ArrayLike, hint: Any = None) -> ParticleId:
-        """A particle at a position; `hint` is a volume near it."""
+        """A particle at a position; `hint` is a volume near the position."""
         return self._core.create_particle(position, hint)  # type: ignore[no-any-return]
 
     def create_particles(self, positions: ArrayLike, hints: Ids | None = None) -> Records:
@@ -159,13 +159,13 @@ class Scene:
         return volumes
 
     def move_particle(self, particle: Any, target: ArrayLike, options: CastOptions | None = None) -> Flight:
-        """Moves a particle towards a target, to it or to the first wall."""
+        """Moves a particle to its target or to the first wall."""
         return self._core.move_particle(particle, target, options)  # type: ignore[no-any-return]
 
     def move_particles(
         self, particles: Ids, targets: ArrayLike, options: CastOptions | None = None, out: Records | None = None
     ) -> Records:
-        """Moves many; answers their flights (dtypes.FLIGHT), in `out` where it is given."""
+        """Moves many particles; returns their flights (dtypes.FLIGHT), in `out` if given."""
         flights = np.empty(len(particles), dtypes.FLIGHT) if out is None else out
         self._core.move_particles(particles, targets, options, flights)
         return flights
@@ -179,7 +179,7 @@ class Scene:
         return flights
 
     def crossings(self) -> tuple[Records, NDArray[np.uintp]]:
-        """Volumes that the last move entered (dtypes.CROSSING), and where each flight's begin; with Feature.CROSSINGS."""
+        """Volumes that the last move entered (dtypes.CROSSING), and the index where those of each flight begin; with Feature.CROSSINGS."""
         return self._core.get_crossings(), self._core.get_crossing_offsets()
 
     def occupants(self) -> Records:
@@ -187,7 +187,7 @@ class Scene:
         return self._core.get_occupants()  # type: ignore[no-any-return]
 
     def occupant_bodies(self) -> Records:
-        """Bodies that were in the way."""
+        """Bodies that were in the way of the last mark or change of the topology."""
         return self._core.get_occupant_bodies()  # type: ignore[no-any-return]
 
     # --- bodies
@@ -222,17 +222,17 @@ class Scene:
         return Body(self._core, body)
 
     def move_bodies(self, bodies: Ids, targets: ArrayLike, options: MoveOptions | None = None) -> Records:
-        """Moves many bodies (ids, dtypes.BODY_ID): their targets one after the other; answers a report of each."""
+        """Moves many bodies (ids, dtypes.BODY_ID): with targets body after body; returns a report for each body."""
         reports = np.empty(len(bodies), dtypes.MOVE_REPORT)
         self._core.move_bodies(bodies, targets, options, reports)
         return reports
 
     def offending_edges(self) -> NDArray[np.uint32]:
-        """Pairs of vertices of edges that were not free where a body was created, or changed its level or filter."""
+        """Pairs of vertices of the edges that were not free when a body was created, or changed its level or filter."""
         return self._core.get_offending_edges().reshape(-1, 2)  # type: ignore[no-any-return]
 
     def detach(self, volume: Any, max_volumes: int, **values: Any) -> tuple[Body, DetachReport]:
-        """Makes a body of the piece of impassable volumes that hang together with one; `values` are of DetachDesc."""
+        """Makes a body of the piece of impassable volumes that are connected to one; `values` are members of DetachDesc."""
         both = self._core.detach(described(_core.DetachDesc, volume=volume, max_volumes=max_volumes, **values))
         return Body(self._core, both.body), both.report
 
@@ -241,11 +241,11 @@ class Scene:
         return self._core.get_detached_volumes()  # type: ignore[no-any-return]
 
     def detached_vertices(self) -> Records:
-        """Where the vertices of its body come from (dtypes.DETACHED_VERTEX)."""
+        """The origins of the vertices of its body (dtypes.DETACHED_VERTEX)."""
         return self._core.get_detached_vertices()  # type: ignore[no-any-return]
 
     def detached_faces(self) -> Records:
-        """Where the faces of its body come from (dtypes.DETACHED_FACE)."""
+        """The origins of the faces of its body (dtypes.DETACHED_FACE)."""
         return self._core.get_detached_faces()  # type: ignore[no-any-return]
 
     # --- deformation, with Feature.DEFORMING
@@ -264,9 +264,9 @@ class Scene:
         return self._core.get_wall_contacts()  # type: ignore[no-any-return]
 
     def held_vertices(self) -> Records:
-        """Vertices of the environment that the last deformation did not take to their places."""
+        """Vertices of the environment that the last deformation did not take to their targets."""
         return self._core.get_held_vertices()  # type: ignore[no-any-return]
 
     def invalid_volumes(self) -> Records:
-        """Volumes that the last deformation did not let become invalid."""
+        """Volumes that the last deformation kept from becoming invalid."""
         return self._core.get_invalid_volumes()  # type: ignore[no-any-return]

@@ -38,7 +38,7 @@ class Trace:
         """The volumes that a segment enters, and its contact."""
         self._core.add_walk(environment._core, start, end, normal_length, label)
 
-    def add_contact(self, flight: Flight, normal_length: float, label: int = 0) -> None:
+    def add_contact(self, flight: Flight | np.void, normal_length: float, label: int = 0) -> None:
         """The contact of a flight, and a segment along its normal."""
         self._core.add_contact(flight, normal_length, label)
 

@@ -77,7 +77,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
     }
   }
 
-  /** A value, flag or non-zero unknown member this library does not know. */
+  /** The library does not know a value, a flag or a non-zero member. */
   public static final class Unsupported extends DartsweepException {
     private Unsupported(String message) {
       super(Status.UNSUPPORTED, message);
@@ -105,7 +105,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
     }
   }
 
-  /** The id names nothing that is alive, or was never given out. */
+  /** The id names nothing that exists. */
   public static final class StaleId extends DartsweepException {
     private StaleId(String message) {
       super(Status.STALE_ID, message);
@@ -140,7 +140,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
     }
   }
 
-  /** A cell type that is not 10, 12, 13, 14 or 42. */
+  /** A cell type is unknown. */
   public static final class BadCellType extends DartsweepException {
     private BadCellType(String message) {
       super(Status.BAD_CELL_TYPE, message);
@@ -224,7 +224,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
     }
   }
 
-  /** An id stands twice in a batch. */
+  /** An id occurs twice in a batch. */
   public static final class DuplicateId extends DartsweepException {
     private DuplicateId(String message) {
       super(Status.DUPLICATE_ID, message);
@@ -259,7 +259,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
     }
   }
 
-  /** The scene did not name the feature that this call needs. */
+  /** The scene has not enabled the feature that this call needs. */
   public static final class NotNamed extends DartsweepException {
     private NotNamed(String message) {
       super(Status.NOT_NAMED, message);
@@ -273,7 +273,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
     }
   }
 
-  /** A defect of the library; please report the message. */
+  /** A bug of the library; please report the message. */
   public static final class Internal extends DartsweepException {
     private Internal(String message) {
       super(Status.INTERNAL, message);
@@ -287,7 +287,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
     }
   }
 
-  /** The points are the host's, without room for another vertex. */
+  /** The points belong to the host and have no room for another vertex. */
   public static final class Borrowed extends DartsweepException {
     private Borrowed(String message) {
       super(Status.BORROWED, message);
