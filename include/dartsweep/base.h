@@ -7,6 +7,7 @@
  *    Edelsbrunner, E. P. Muecke, ACM Transactions on Graphics 9, 1990) decides ties: every moving
  *    point stands for itself plus "the shift", the vector (e, e^2, e^3) with an infinitesimal e >
  *    0. More: bindings/docs/exactness.md.
+ *  - A thing is free if it meets nothing impassable. A wall is an impassable face.
  *  - A geometric outcome (no contact, stopped, outside) is never a status.
  *  - A call that fails changes nothing, unless its comment says otherwise.
  *
@@ -22,12 +23,13 @@
  *  - `point`, `points`, `position`, `positions`, `from`, `to`, `target`, `targets`, `xyz`: a point
  *    is `dimension` finite doubles. `stride_bytes` leads from one point to the next, a multiple of
  *    8; 0 means no gaps.
- *  - A `const T **` result belongs to its object, and is valid until the next call that makes such
- *    results anew.
+ *  - A `const T **` result belongs to its object, and is valid until the next call that replaces
+ *    this result.
  *  - Arrays have `count` entries, unless a comment says otherwise. An array of unknown length has
  *    `capacity` entries, or `capacity_bytes` bytes; *count, or *size_bytes, is set to what is
  *    needed, also on DSW_STATUS_BUFFER_TOO_SMALL. Capacity 0 only asks, and the array may be null.
- *  - A `hint` is a volume near the point, or the null id. `flags` are bits of the header's enum.
+ *  - A `hint` or `start` is a volume near the point, or the null id. `flags` are bits of the
+ *    header's enum.
  *  - A struct with struct_size, set by the caller or its `_init` function, may be of any version
  *    since its first release. Members that it lacks count as 0. Members unknown to the library must
  *    be 0 in a description, and are set to 0 in a report.

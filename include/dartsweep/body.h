@@ -99,7 +99,7 @@ DSW_API dsw_status dsw_body_create(dsw_scene *scene, const dsw_body_desc *desc, 
 
 /** Gives the edges that made the last dsw_body_create, dsw_body_set_level or dsw_body_set_filter
  * answer DSW_STATUS_OCCUPIED.
- * @param vertices two indices for each edge.
+ * @param vertices two indices for each edge, equal for a lone vertex.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_scene_get_offending_edges(const dsw_scene *scene, const uint32_t **vertices,
                                                  size_t *count);

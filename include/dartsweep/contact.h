@@ -1,6 +1,6 @@
 /** @file contact.h
  * Reports of casts, sweeps and moves. Members of a contact are 0 without a contact. The structs are
- * frozen: new data comes with a new getter.  More: bindings/docs/contacts.md.
+ * frozen: new data comes with a new getter. More: bindings/docs/contacts.md.
  */
 #ifndef DARTSWEEP_CONTACT_H
 #define DARTSWEEP_CONTACT_H
@@ -35,7 +35,7 @@ typedef enum dsw_contact_kind {
 
 /** Report of a cast or a particle's move. */
 typedef struct dsw_flight {
-  /** End of the flight; free for a particle. */
+  /** End of the flight; verified to be free for a particle, rounded for a cast. */
   double position[3];
   /** Fraction of the move. At a contact: the largest double not later than the exact time. */
   double time;
@@ -127,7 +127,7 @@ typedef struct dsw_contact_past {
 } dsw_contact_past;
 
 /** The touched body of a contact, or null. `obstacle`, `wall`, `cause` and `tag` of dsw_contact are
- * then null, and `front` is where the vertex started. */
+ * then 0, and `front` is where the vertex started. */
 typedef struct dsw_contact_partner {
   dsw_body_id body;          /**< The body; maybe the moving one. */
   dsw_body_vertex_id vertex; /**< Its touched vertex, or null. */

@@ -1,6 +1,7 @@
 /** @file context.h
  * A context: memory, log and parallel-for of the host. Null means malloc, no log, and one thread
- * per processor for batches. A context outlives its objects. Callbacks must not call dsw functions.
+ * per processor for batches. A context must outlive its objects. Callbacks must not call dsw
+ * functions.
  */
 #ifndef DARTSWEEP_CONTEXT_H
 #define DARTSWEEP_CONTEXT_H

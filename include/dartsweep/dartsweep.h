@@ -1,6 +1,6 @@
 /** @file dartsweep.h
  * All headers of Dartsweep: exact contacts of moving points, edges and surfaces with a volume mesh.
- * base.h says what all functions share. The plane stands at the end.
+ * base.h says what all functions share. How they read in the plane stands at the end.
  */
 #ifndef DARTSWEEP_DARTSWEEP_H
 #define DARTSWEEP_DARTSWEEP_H
@@ -32,9 +32,10 @@
 /* In the plane
  *
  * With `dimension` 2 all headers read so; bindings/docs/plane.md says more:
- *  - Volumes are polygons, corners counter-clockwise. Faces are their sides: face i runs from corner
- *    i to the next.
- *  - Points have 2 doubles. Third numbers in structs are 0. The shift is (e, e^2).
+ *  - Volumes are polygons, corners counter-clockwise. Faces are their sides: face i runs from
+ *    corner i to the next.
+ *  - Points have 2 doubles. Third numbers in structs are 0. The shift is (e, e^2). x and y of a
+ *    rotation are 0.
  *  - In topology.h sides are the edges: an edge id has the numbers of the face id of a side.
  *    Elsewhere there are no edges.
  *  - DSW_STATUS_UNSUPPORTED: coarsen.h, remesh.h, detach.h, contact_check.h, edges outside of

@@ -18,8 +18,8 @@ typedef enum dsw_deform_method {
   /** Vertices near bodies and particles move one at a time, by index, in 2^k steps. No wall passes
    * anything. */
   DSW_DEFORM_SWEPT = 0,
-  /** A dial: all vertices move at once, and bodies and particles are located again. For walls that
-   * move by less than a volume is thick. */
+  /** An approximation: all vertices move at once, and bodies and particles are located again. Walls
+   * that move farther than a volume is thick can pass them. */
   DSW_DEFORM_END_STATE = 1,
   DSW_DEFORM_METHOD_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_deform_method;

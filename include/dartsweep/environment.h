@@ -207,7 +207,8 @@ DSW_API dsw_status dsw_environment_get_face_volumes(const dsw_environment *envir
 
 /** Gives what lies behind face `local` of a volume.
  * @param neighbour null at the outer boundary; may be null.
- * @param impassable whether the face is; may be null. @return DSW_STATUS_OUT_OF_RANGE.
+ * @param impassable whether the face is impassable; may be null.
+ * @return DSW_STATUS_OUT_OF_RANGE.
  * @note Cost: O(1). Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_get_neighbour(const dsw_environment *environment,
                                                  dsw_volume_id volume, uint32_t local,

@@ -1,12 +1,13 @@
 /** @file marking.h
  * Marks: which cells are passable. A mark belongs to one cell. Faces of an impassable volume, and
  * edges and vertices of an impassable face, are impassable, too, until that mark is removed. The
- * outer boundary (faces with one volume) always is. A marked edge or vertex stops no particle, only
- * edges and faces of bodies (dsw_level). More: bindings/docs/topology.md.
+ * outer boundary (faces with one volume) is always impassable. A marked edge or vertex stops no
+ * particle, only edges and faces of bodies (dsw_level). More: bindings/docs/topology.md.
  *
  * Marking answers DSW_STATUS_SHARED if several scenes use the environment, and DSW_STATUS_OCCUPIED
  * if particles or bodies are in the way; dsw_scene_get_occupants and dsw_scene_get_occupant_bodies
- * tell which. Edges of bodies are in the way from DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES.
+ * tell which. Particles and bodies are in the way in the cells that they lie in or cross; edges of
+ * bodies count from DSW_LEVEL_EDGES on, faces at DSW_LEVEL_FACES.
  *
  * Making cells impassable checks the bodies of the scene. Writers need the environment and its
  * scene.

@@ -2,9 +2,10 @@
  * Cuts along the surface that a blade sweeps, tears, cracks that open: changes, for which
  * topology.h holds. How they work: bindings/docs/cutting.md.
  *
- * The blade is exact under the shift, and may lie anywhere. Volumes that it crosses completely are
- * split, passable or not. A volume stays whole if the blade ends inside or crosses one of its edges
- * twice, or if a part would be invalid; it can still get vertices and edges from neighbours.
+ * The blade is exact under the shift, and may lie anywhere: along edges and faces, folded, outside.
+ * Volumes that it crosses completely are split, passable or not. A volume stays whole if the blade
+ * ends inside or crosses one of its edges twice, or if a part would be invalid; it can still get
+ * vertices and edges from neighbours.
  */
 #ifndef DARTSWEEP_SURGERY_H
 #define DARTSWEEP_SURGERY_H

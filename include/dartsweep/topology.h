@@ -114,7 +114,8 @@ DSW_API dsw_status dsw_environment_split_volume(dsw_environment *environment, ds
 DSW_API dsw_status dsw_environment_merge_faces(dsw_environment *environment, dsw_edge_id edge,
                                                dsw_face_id *face);
 
-/** Splits a face by a new edge. In a warped face this can change volumes, or the outer boundary.
+/** Splits a face by a new edge. In a warped face this can change the space of its volumes, or the
+ * outer boundary.
  * @param a, b vertices of the face that no edge joins.
  * @param faces 2 ids: the part from a to b, seen from outside of the volume in the face id, and the
  * other.
