@@ -46,12 +46,16 @@ enum {
   DSW_ENVIRONMENT_BORROW_POINTS = 0x1,
   /** Mirrors cells that are inside out; meshes differ in their wedges. */
   DSW_ENVIRONMENT_REORIENT = 0x2,
-  /** Builds a grid, about 16 bytes a cell. Without a grid, a locate without a hint scans all
-   * cells. */
+  /** Builds the search structure of dsw_environment_locate at creation. By default the first few
+   * locates without a hint scan all cells, and one of the next builds the structure. It takes 18
+   * bytes a volume, in the plane 14. */
   DSW_ENVIRONMENT_LOCATE_GRID = 0x4,
   /** Also proves that the outer boundary does not pass through itself, at ten times the cost.
    * dsw_environment_check does so later. */
-  DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8
+  DSW_ENVIRONMENT_CHECK_BOUNDARY = 0x8,
+  /** Never builds the search structure: every locate without a hint scans all cells. This flag wins
+   * over DSW_ENVIRONMENT_LOCATE_GRID. A snapshot does not keep this flag. @since 2.0 */
+  DSW_ENVIRONMENT_NO_LOCATE_GRID = 0x10
 };
 
 /** Describes an environment. */

@@ -46,7 +46,8 @@ DSW_API void dsw_cast_options_init(dsw_cast_options *options, size_t size);
 /** Finds the volume that contains a point.
  * @param volume null if outside. @param place may be null.
  * @note Cost: O(volumes from hint to point); without hint, or if that way leaves the environment,
- * O(n), with a grid O(1) expected. Thread: reader. @since 1.0 */
+ * O(log n) expected, by a search structure (DSW_ENVIRONMENT_LOCATE_GRID). O(n) for the first few such
+ * calls, and for the first one after a deformation. Thread: reader. @since 1.0 */
 DSW_API dsw_status dsw_environment_locate(const dsw_environment *environment, const double *point,
                                           dsw_volume_id hint, dsw_volume_id *volume,
                                           dsw_place *place);

@@ -20,8 +20,7 @@ enum {
   /** Moves record crossings: dsw_scene_get_crossings. */
   DSW_FEATURE_CROSSINGS = 0x2,
   /** The environment can deform (deform.h), and belongs to this scene alone: about 12 bytes a
-   * volume and 4 a vertex. From then on, also after the scene, hexahedra count as warped in casts,
-   * and there is no grid. */
+   * volume and 4 a vertex. From then on, also after the scene, hexahedra count as warped in casts. */
   DSW_FEATURE_DEFORMING = 0x4,
   /** Bodies meet each other, and themselves with DSW_BODY_SELF_CONTACTS: about 64 bytes for each
    * vertex, edge and face. */

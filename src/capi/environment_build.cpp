@@ -64,7 +64,7 @@ template <int D>
 MeshInput read_input(const dsw_environment_desc& d) {
   check_flags(d.flags,
               DSW_ENVIRONMENT_BORROW_POINTS | DSW_ENVIRONMENT_REORIENT | DSW_ENVIRONMENT_LOCATE_GRID |
-                  DSW_ENVIRONMENT_CHECK_BOUNDARY,
+                  DSW_ENVIRONMENT_CHECK_BOUNDARY | DSW_ENVIRONMENT_NO_LOCATE_GRID,
               "desc->flags");
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
   check_points<D>(d);
@@ -88,6 +88,11 @@ MeshInput read_input(const dsw_environment_desc& d) {
   input.regions = d.regions;
   input.tags = d.tags;
   return input;
+}
+
+TreeUse tree_use(uint32_t flags) {
+  if ((flags & DSW_ENVIRONMENT_NO_LOCATE_GRID) != 0) return TreeUse::kNever;
+  return (flags & DSW_ENVIRONMENT_LOCATE_GRID) != 0 ? TreeUse::kAtOnce : TreeUse::kAtNeed;
 }
 
 /** Fills the caller's report, whatever ended the work. */
@@ -146,7 +151,8 @@ dsw_environment* build_in(dsw_context* context, const dsw_environment_desc& desc
     owner.emplace(context, D);
     Environment<D>& env = std::get<Environment<D>>((*owner)->engine);
     build(env, input, found);
-    if ((desc.flags & DSW_ENVIRONMENT_LOCATE_GRID) != 0) build_grid(env);
+    env.index.set_use(tree_use(desc.flags));
+    if (env.index.use() == TreeUse::kAtOnce) env.index.build(env);
     if ((desc.flags & DSW_ENVIRONMENT_CHECK_BOUNDARY) != 0) check_boundary(env, found.offenders);
     if (found.reoriented_count != 0) {
       log_line(context, DSW_LOG_WARNING, "dsw_environment_create: %u cells were inside out and have been mirrored",

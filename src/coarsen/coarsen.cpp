@@ -33,7 +33,8 @@ void coarsen(const Environment<3>& source, const CoarsenOptions& options, Enviro
   merging.run(options);
   rebuild(source, merging, target, new_index);
   finish_topology(target, nullptr);
-  if (!source.grid.empty()) build_grid(target);
+  target.index.set_use(source.index.use());
+  if (target.index.use() == TreeUse::kAtOnce) target.index.build(target);
   keep_local_points(target);
   report.trials = merging.trials();
   report.complete = merging.complete();

@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "base/parallel.h"
+#include "environment/cell_index.h"
 #include "environment/checked_cells.h"
 #include "environment/edge_marks.h"
-#include "environment/grid.h"
 #include "map/map.h"
 
 namespace dsw {
@@ -30,9 +30,10 @@ struct Environment {
   uint64_t marked_cells = 0, marked_facets = 0, marked_edges = 0, marked_vertices = 0;
   uint64_t obstacle_version = 0;  // another one when something becomes impassable, or points move
   uint64_t last_version = 0;      // that was given
+  uint64_t points_version = 0;    // another one when points move
   uint32_t part_count = 0;
   double lower[D] = {}, upper[D] = {};  // box of the vertices that cells use
-  Grid<D> grid{memory};                 // empty unless asked for
+  CellIndex<D> index{memory};           // which cells may contain a point
   CheckedCells checked{memory};         // of moving points: cells may be invalid
   Array<float> local_points{memory};    // of polyhedra that stay as they are, see local_points.h; empty: not kept
 
@@ -42,6 +43,11 @@ struct Environment {
 
   /** What was known of obstacles is not any more. Who takes back what was done gives back the version from before. */
   void renew_version() noexcept { obstacle_version = ++last_version; }
+  /** Points are elsewhere than they were. */
+  void note_move() noexcept {
+    ++points_version;
+    renew_version();
+  }
   /** Where vertices are written that come and go; null: they stay as they are. */
   double* writable_points() { return owned_points.empty() ? lent : owned_points.data(); }
   const double* point(uint32_t vertex) const { return points + size_t{vertex} * D; }
@@ -51,7 +57,7 @@ struct Environment {
   uint64_t memory_bytes() const {
     const uint64_t borrowed = owned_points.empty() ? uint64_t{map.vertex_count} * D * sizeof(double) : 0;
     return sizeof(*this) + map.memory_bytes() + array_bytes(owned_points) + borrowed + array_bytes(regions) +
-           array_bytes(tags) + edge_marks.memory_bytes() + array_bytes(vertex_marks) + grid.memory_bytes() +
+           array_bytes(tags) + edge_marks.memory_bytes() + array_bytes(vertex_marks) + index.memory_bytes() +
            checked.memory_bytes() + array_bytes(local_points);
   }
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <vector>
 
@@ -71,6 +72,18 @@ class Reader {
     fail(status, "cell %u %s", offenders.index[0], what);
   }
 
+  /** Cells that follow each other are more than connectivity holds: mostly they are of another type. */
+  void raise_few_entries(const Offenders& offenders) {
+    report_.offenders = offenders;
+    const size_t entries = in_.connectivity_count, cells = in_.cell_count;
+    char each[40] = "";
+    if (entries % cells == 0) std::snprintf(each, sizeof each, ", %zu a cell", entries / cells);
+    fail(DSW_STATUS_WRONG_SIZE,
+         "connectivity has %zu entries for %zu cells%s, but cells of uniform_cell_type %u have %zu each; set "
+         "uniform_cell_type, or pass cell_types and offsets",
+         entries, cells, each, in_.uniform_cell_type, uniform_vertices_);
+  }
+
   /** Types and extents of all entries: after this every access to connectivity is inside of it. */
   void scan_types() {
     if (in_.cell_count >= kMaxUnits)
@@ -91,6 +104,7 @@ class Reader {
       if (!inside || !right) bad_size.add(i);
     }
     raise(DSW_STATUS_BAD_CELL_TYPE, bad_type, "has a type that is not supported");
+    if (in_.offsets == nullptr && bad_size.count != 0) raise_few_entries(bad_size);
     raise(DSW_STATUS_WRONG_SIZE, bad_size, "has offsets outside of connectivity, or not as many points as its type");
   }
 

@@ -13,7 +13,6 @@ void let_points_move(Environment<D>& env) {
   for_each_cell(map, [&](Cell c) {
     if (map.form(c) != Form::kSimplex) map.record(c)[0] &= ~kConvexBit;
   });
-  env.grid = Grid<D>(env.memory);
   drop_local_points(env);
 }
 

@@ -6,7 +6,7 @@
 namespace dsw {
 
 /** From now on cells are looked at when they are first entered, and none is taken to be convex: that is known of cells
- * that stay as they are. The grid is given up. Throws std::bad_alloc before it changes anything. O(cells), once. */
+ * that stay as they are. Throws std::bad_alloc before it changes anything. O(cells), once. */
 template <int D>
 void let_points_move(Environment<D>& env);
 

@@ -1,5 +1,7 @@
 #include "locate/locate.h"
 
+#include <algorithm>
+
 namespace dsw {
 namespace {
 
@@ -40,19 +42,55 @@ Cell walk(const Environment<D>& env, const double* point, Cell from, CastCounter
   return walked.end == CastEnd::kReached ? walked.cell : Cell{};
 }
 
-/** The cell of a point by the grid. Where cells have changed since it was built it proves nothing: a cell listed near the point is then
- * as good a start for a walk as any. */
+/** Cells that may contain a point, by index. They are looked at in ascending order: the first that contains it is
+ * the one. */
 template <int D>
-Cell find_in_grid(const Environment<D>& env, const double* point, CastCounters* counters) noexcept {
-  size_t bucket = 0;
-  if (!find_bucket(env.grid, env.upper, point, &bucket)) return {};
-  Cell near;
-  for (uint32_t i = env.grid.first[bucket]; i < env.grid.first[bucket + 1]; ++i) {
-    const Cell c = env.map.cell(env.grid.cells[i]);
-    if (holds(env, c, point)) return c;
-    if (c.valid()) near = c;
+class Candidates {
+ public:
+  Candidates(const Environment<D>& env, const double* point) noexcept : env_(env), point_(point) {}
+
+  void add(uint32_t index) noexcept {
+    const Cell c = env_.map.cell(index);
+    if (!c.valid()) return;
+    __builtin_prefetch(env_.map.record(c));
+    indices_[count_++] = index;
+    if (count_ == kMost) look();
   }
-  return env.map.has_changed() && near.valid() ? walk(env, point, near, counters) : Cell{};
+  Cell lowest() noexcept {
+    look();
+    return lowest_ == kNoCell ? Cell{} : env_.map.cell(lowest_);
+  }
+
+ private:
+  static constexpr uint32_t kMost = 32;
+
+  void prefetch_vertices(uint32_t index) const noexcept {
+    const Cell c = env_.map.cell(index);
+    for (uint32_t i = 0, count = env_.map.vertices_of(c); i < count; ++i) __builtin_prefetch(env_.point(c, i));
+  }
+  void look() noexcept {
+    std::sort(indices_, indices_ + count_);
+    for (uint32_t i = 0; i < count_; ++i) prefetch_vertices(indices_[i]);
+    for (uint32_t i = 0; i < count_ && indices_[i] < lowest_; ++i) {
+      if (holds(env_, env_.map.cell(indices_[i]), point_)) lowest_ = indices_[i];
+    }
+    count_ = 0;
+  }
+
+  const Environment<D>& env_;
+  const double* point_;
+  uint32_t indices_[kMost], count_ = 0, lowest_ = kNoCell;
+};
+
+/** The cell of lowest index that contains a point. */
+template <int D>
+Cell find_anywhere(const Environment<D>& env, const double* point) noexcept {
+  Candidates<D> candidates(env, point);
+  if (env.index.visit(env, point, [&](uint32_t index) { candidates.add(index); })) return candidates.lowest();
+  for (uint32_t i = 0, count = env.map.index_count(); i < count; ++i) {
+    if (holds(env, env.map.cell(i), point)) return env.map.cell(i);
+  }
+  return {};
 }
 
 }  // namespace
@@ -61,13 +99,7 @@ template <int D>
 LocateResult locate(const Environment<D>& env, const double* point, Cell hint, CastCounters* counters) noexcept {
   Cell found;
   if (hint.valid()) found = walk(env, point, hint, counters);
-  if (!found.valid() && !env.grid.empty()) {
-    found = find_in_grid(env, point, counters);
-    if (!env.map.has_changed()) return {found};
-  }
-  for (uint32_t i = 0, count = env.map.index_count(); !found.valid() && i < count; ++i) {
-    if (holds(env, env.map.cell(i), point)) found = env.map.cell(i);
-  }
+  if (!found.valid()) found = find_anywhere(env, point);
   return {found};
 }
 

@@ -103,11 +103,13 @@ class Flood {
   void visit(Cell c) {
     const Shape shape = map_.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      const HalfFacet h = map_.half_facet(c, f);
+      const bool impassable = is_impassable(env_, h);
+      if (!impassable && is_seen(map_.cell_of(map_.opposite(h)))) continue;
       const Vec at = nearest_of_facet(c, shape, f);
       const double distance = std::sqrt(dot(at, at));
       if (!(distance <= best_)) continue;
-      const HalfFacet h = map_.half_facet(c, f);
-      if (is_impassable(env_, h)) {
+      if (impassable) {
         const HalfFacet first = canonical(map_, h);
         const Cell owner = map_.cell_of(first);
         offer(distance, at, {D - 1, owner, map_.local_of(first, owner)});
@@ -204,6 +206,7 @@ class Flood {
     ++seen_count_;
     return true;
   }
+  bool is_seen(Cell c) const { return seen_[slot_of(c.unit)] == c.unit; }
   size_t slot_of(uint32_t unit) const {
     const size_t mask = seen_.size() - 1;
     size_t slot = (unit * 0x9e3779b1u) & mask;

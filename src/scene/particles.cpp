@@ -83,10 +83,12 @@ void place_points(const Scene<D>& scene, PointArray positions, size_t count, con
                   Cell* cells, size_t* offender) {
   check_arguments(scene, positions, count, hints, indexed, offender);
   auto body = [&](size_t begin, size_t end) noexcept {
-    Cell last;  // without hint and grid a walk from the point before is much less work than a scan
+    Cell last;  // without hint a walk from the point before can be less work than to make a tree
     for (size_t i = begin; i < end; ++i) {
       const bool hinted = hints != nullptr && !is_null(hints[i]);
-      const Cell hint = hinted ? scene.env.map.cell(hints[i].index) : scene.env.grid.empty() ? last : Cell{};
+      const Cell hint = hinted                                      ? scene.env.map.cell(hints[i].index)
+                        : scene.env.index.use() == TreeUse::kAtOnce ? Cell{}
+                                                                    : last;
       cells[i] = locate(scene.env, positions[i], hint, nullptr).cell;
       if (cells[i].valid()) last = cells[i];
     }

@@ -43,7 +43,7 @@ enum Section {
 template <int D>
 constexpr BlockKind kKind = {"DSWENV\x1a\n", D == 2 ? 3 : 2, 2, kSectionCount, kSectionCount};
 constexpr uint32_t kLastWideVersion = 2;
-constexpr uint32_t kHasGrid = 1, kHasChanged = 2, kPointsMove = 4;
+constexpr uint32_t kHasTree = 1, kHasChanged = 2, kPointsMove = 4;
 constexpr uint64_t kMostUnits = uint64_t{1} << 28;
 
 constexpr uint64_t vertex_mark_words(uint64_t vertices) { return (vertices + 63) / 64; }
@@ -58,7 +58,8 @@ BlockHeader header_of(const Environment<D>& env) {
   const Map<D>& map = env.map;
   const bool changed = map.has_changed(), moving = env.checked.active();
   BlockHeader h;
-  h.flags = (env.grid.empty() ? 0 : kHasGrid) | (changed ? kHasChanged : 0) | (moving ? kPointsMove : 0);
+  const bool tree = env.index.use() == TreeUse::kAtOnce && !moving;
+  h.flags = (tree ? kHasTree : 0) | (changed ? kHasChanged : 0) | (moving ? kPointsMove : 0);
   h.counts[0] = map.vertex_count;
   h.counts[1] = map.cell_count;
   h.bytes[kWords] = bytes_of(map.words);
@@ -87,9 +88,9 @@ void check_sizes(const BlockHeader& h, uint32_t unit_words) {
   const bool changed = (h.flags & kHasChanged) != 0, moving = (h.flags & kPointsMove) != 0;
   const uint64_t units = h.bytes[kWords] / (unit_words * sizeof(uint32_t));
   const uint64_t vertices = h.counts[0], cells = h.counts[1];
-  if ((h.flags & ~(kHasGrid | kHasChanged | kPointsMove)) != 0) fail_corrupt("it has unknown flags");
+  if ((h.flags & ~(kHasTree | kHasChanged | kPointsMove)) != 0) fail_corrupt("it has unknown flags");
   const bool wide = unit_words != kUnitWords<D>;
-  if (((changed || moving) && wide) || (moving && (h.flags & kHasGrid) != 0)) {
+  if (((changed || moving) && wide) || (moving && (h.flags & kHasTree) != 0)) {
     fail_corrupt("flags that do not go together");
   }
   if (vertices > kVertexMask) fail_corrupt("it has too many vertices");
@@ -369,7 +370,9 @@ void load(Environment<D>& env, const uint8_t* block, size_t size) {
   finish_topology(env, nullptr);
   load_box(env, box, moving);
   if (moving) let_points_move(env);
-  if ((h.flags & kHasGrid) != 0) build_grid(env);
+  if ((h.flags & kHasTree) == 0) return;
+  env.index.set_use(TreeUse::kAtOnce);
+  env.index.build(env);
 }
 
 DSW_INSTANTIATE(snapshot_bytes);

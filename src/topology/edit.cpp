@@ -393,6 +393,7 @@ void Edit<D>::reserve() {
   map_.cell_slots.reserve(fresh_, removed_.size());
   reserve_more(map_.unit_of_cell, fresh_);
   env_.checked.make_room(map_.index_count() + fresh_);
+  env_.index.make_room(made_.size());
   reserve_labels();
   size_t corners = 0;
   for (const Cell c : removed_) corners += map_.vertices_of(c);

@@ -110,6 +110,7 @@ void Edit<D>::finish() noexcept {
     const CellDraft& draft = drafts_[i];
     const uint32_t index = made_[i].index;
     map_.unit_of_cell[index] = made_[i].cell.unit;
+    env_.index.add(index);
     if (draft.from.valid() && map_.index(draft.from) == index) map_.cell_slots.renew(index);
     if (!env_.regions.empty()) env_.regions[index] = draft.region;
     if (!env_.tags.empty()) env_.tags[index] = draft.tag;

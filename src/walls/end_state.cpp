@@ -21,7 +21,7 @@ void EndState<D>::run(double* next, const WallSettings& settings, WallRecord& re
   Array<double> targets{env_.memory};  // if the way is shortened
   const auto read_points = [&](const double* points) {
     env_.points = points;
-    env_.renew_version();
+    env_.note_move();
     env_.checked.forget_all();
   };
   const auto take_back = [&] { read_points(start); };

@@ -17,7 +17,7 @@ void MovingPoints<D>::begin(double* next) {
   start_ = env_.points;
   next_ = next;
   env_.points = next;
-  env_.renew_version();
+  env_.note_move();
   env_.checked.close_all();
 }
 
@@ -27,7 +27,7 @@ void MovingPoints<D>::finish() noexcept {
   for (const uint32_t v : touched_) place_[v] = kUntouched;
   touched_.clear();
   targets_.clear();
-  env_.renew_version();
+  env_.note_move();
   release_owned_points(env_);
   env_.checked.forget_all();
 }
@@ -43,7 +43,7 @@ void MovingPoints<D>::take_back() noexcept {
   targets_.clear();
   next_ = nullptr;
   env_.points = start_;
-  env_.renew_version();
+  env_.note_move();
   env_.checked.forget_all();
 }
 
@@ -69,7 +69,7 @@ void MovingPoints<D>::at(uint32_t v, double fraction, double* out) const noexcep
 template <int D>
 void MovingPoints<D>::put(uint32_t v, const double* position) noexcept {
   std::copy_n(position, D, next_ + size_t{D} * v);
-  env_.renew_version();
+  env_.note_move();
 }
 
 template <int D>

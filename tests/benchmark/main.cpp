@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   std::string json = "benchmark.json";
   const std::vector<std::string> known = {"hex",       "threads", "tet",      "vessel", "change",  "create",
                                           "fig11",     "fig12",   "catheter", "deform", "coarsen", "cut",
-                                          "obstacles", "remesh",  "self",     "plane",  "figure5"};
+                                          "obstacles", "remesh",  "self",     "plane",  "figure5", "locate"};
   std::vector<std::string> parts;
   CLI::App app("Dartsweep's benchmark: ours and peers on the same segments.");
   app.add_flag("--quick", options.quick, "Fewer steps and rounds");
@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   };
   try {
     if (wanted("create")) run_create(options, report);
+    if (wanted("locate")) run_locate(options, report);
     if (wanted("change")) run_change(options, report);
     if (wanted("cut")) run_cut(options, report);
     if (wanted("obstacles")) run_obstacles(options, report);

@@ -276,6 +276,64 @@ static void an_unknown_cell_type_is_refused(void) {
   CHECK_OK(dsw_environment_destroy(environment));
 }
 
+/* Four entries a cell without a type: hexahedra are expected, and the message says what to set. */
+static void a_missing_cell_type_is_named(void) {
+  const int64_t cells[8] = {0, 1, 2, 3, 0, 1, 2, 3};
+  dsw_environment_desc d;
+  dsw_build_report r = new_report();
+  dsw_environment *environment = NULL;
+  dsw_environment_desc_init(&d, sizeof d);
+  d.points = unit_tet;
+  d.point_count = 4;
+  d.cell_count = 2;
+  d.connectivity = cells;
+  d.connectivity_count = 8;
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_create(NULL, &d, &environment, &r));
+  CHECK(strstr(dsw_last_error_message(), "8 entries for 2 cells, 4 a cell") != NULL);
+  CHECK(strstr(dsw_last_error_message(), "uniform_cell_type 12 have 8 each") != NULL);
+  CHECK(strstr(dsw_last_error_message(), "set uniform_cell_type, or pass cell_types and offsets") != NULL);
+  CHECK(r.offender_count == 1 && r.offenders[0] == 1);
+  d.connectivity_count = 7;
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_create(NULL, &d, &environment, &r));
+  CHECK(strstr(dsw_last_error_message(), "7 entries for 2 cells, but") != NULL);
+  d.connectivity_count = 4;
+  d.cell_count = 1;
+  d.uniform_cell_type = DSW_CELL_TYPE_TETRA;
+  CHECK_OK(dsw_environment_create(NULL, &d, &environment, &r));
+  CHECK_OK(dsw_environment_destroy(environment));
+}
+
+/* Whatever is said of the search structure, the answers are the same; what is never built takes no memory. */
+static void the_search_structure_changes_no_answer(void) {
+  const uint32_t flags[] = {0, DSW_ENVIRONMENT_LOCATE_GRID, DSW_ENVIRONMENT_NO_LOCATE_GRID};
+  grid g = grid_create(5, 5, 5);
+  uint64_t bytes[3];
+  size_t i, k;
+  for (i = 0; i < 3; ++i) {
+    dsw_environment_desc d = grid_desc(&g);
+    dsw_environment *environment = NULL;
+    dsw_environment_info info;
+    d.flags = flags[i];
+    CHECK_OK(dsw_environment_create(NULL, &d, &environment, NULL));
+    for (k = 0; k < 125; ++k) {
+      const double on_three_faces[3] = {(double)(k % 5), (double)(k / 5 % 5), (double)(k / 25)};
+      const double outside[3] = {-0.5, on_three_faces[1], on_three_faces[2]};
+      const dsw_volume_id none = {0, 0};
+      dsw_volume_id volume = {0, 0};
+      CHECK_OK(dsw_environment_locate(environment, on_three_faces, none, &volume, NULL));
+      CHECK(volume.index == k && volume.generation == 1);
+      CHECK_OK(dsw_environment_locate(environment, outside, none, &volume, NULL));
+      CHECK(volume.generation == 0);
+    }
+    info.struct_size = sizeof info;
+    CHECK_OK(dsw_environment_get_info(environment, &info));
+    bytes[i] = info.memory_bytes;
+    CHECK_OK(dsw_environment_destroy(environment));
+  }
+  CHECK(bytes[2] < bytes[0] && bytes[0] <= bytes[1]);
+  grid_destroy(&g);
+}
+
 static void a_boundary_that_crosses_is_found_on_request(void) {
   /* Two tetrahedra that share nothing and overlap. */
   const double points[24] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, .1, .1, -.1, 1.1, .1, -.1, .1, 1.1, -.1, .1, .1, .9};
@@ -330,6 +388,8 @@ int main(void) {
   every_defect_has_its_status_and_names_its_cells();
   a_face_of_three_cells_is_refused();
   an_unknown_cell_type_is_refused();
+  a_missing_cell_type_is_named();
+  the_search_structure_changes_no_answer();
   a_boundary_that_crosses_is_found_on_request();
   an_environment_can_be_checked_again();
   an_environment_in_use_stays();

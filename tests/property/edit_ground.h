@@ -12,7 +12,8 @@ struct Ground;
 
 template <>
 struct Ground<3> : Place {
-  Ground(const std::string& scene, uint64_t seed, dsw_context* context) : Place(make_place(scene, seed, 0, context)) {}
+  Ground(const std::string& scene, uint64_t seed, dsw_context* context)
+      : Place(make_place(scene, seed, seed % 2 * DSW_ENVIRONMENT_LOCATE_GRID, context)) {}
   double size() const { return world->size; }
   Vec start(Rng& rng) const { return Motions(*world, rng).start(); }
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/points.h"
 #include "body_check.h"
 #include "environment/marking.h"
 #include "environment/validity.h"
@@ -132,6 +133,31 @@ std::string RandomEdits<D>::check_counts() const {
   return keys.empty() ? "" : "an edge that is none is marked";
 }
 
+/// Whether locate names the first of all volumes, in the order of indices, that contains a point: at vertices,
+/// beside them, and outside.
+template <int D>
+std::string wrong_locate(const dsw_environment* environment, const Environment<D>& e) {
+  for (uint32_t v = 0; v < e.map.vertex_count; v += 1 + e.map.vertex_count / 16) {
+    const double *const a = e.point(v), *const b = e.point(e.map.vertex_count - 1 - v);
+    for (const double share : {0.0, 0.25, -2.0}) {
+      double p[D];
+      for (int k = 0; k < D; ++k) p[k] = a[k] + share * (b[k] - a[k]);
+      if (!is_finite<D>(p)) continue;
+      dsw::Cell expected;
+      for (uint32_t i = 0; i < e.map.index_count() && !expected.valid(); ++i) {
+        const dsw::Cell c = e.map.cell(i);
+        if (c.valid() && admits(e, c) && contains(e, c, p)) expected = c;
+      }
+      dsw_volume_id found{};
+      if (dsw_environment_locate(environment, p, {0, 0}, &found, nullptr) != DSW_STATUS_OK) return "locate fails";
+      if (found.generation == 0 ? expected.valid() : e.map.cell(found.index) != expected) {
+        return "locate does not name the first volume that contains a point";
+      }
+    }
+  }
+  return "";
+}
+
 template <int D>
 std::string RandomEdits<D>::check() const {
   const Environment<D>& e = env();
@@ -153,7 +179,7 @@ std::string RandomEdits<D>::check() const {
     }
     if (wrong.empty() && !probe.is_free(body, {})) wrong = "body " + std::to_string(b) + " is not free";
   }
-  return wrong;
+  return wrong.empty() ? wrong_locate(place_.get(), e) : wrong;
 }
 
 template <>

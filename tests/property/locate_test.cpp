@@ -10,7 +10,7 @@ class LocateTest : public SceneTest {};
 DSW_FOR_ALL_SCENES(LocateTest);
 
 TEST_P(LocateTest, AgreesWithBruteForceWithAndWithoutHintAndGrid) {
-  for (uint32_t flags : {0u, static_cast<uint32_t>(DSW_ENVIRONMENT_LOCATE_GRID)}) {
+  for (uint32_t flags : {0u, uint32_t{DSW_ENVIRONMENT_LOCATE_GRID}, uint32_t{DSW_ENVIRONMENT_NO_LOCATE_GRID}}) {
     for (uint64_t seed = 31; seed <= 33; ++seed) {
       const Place place = make_place(GetParam(), seed, flags);
       ASSERT_PLACE(place);

@@ -11,10 +11,11 @@ struct Answers {
 
 constexpr size_t kCount = 1500;
 
-/// Everything that goes through the parallel-for, on one environment made with `context`.
+/// Everything that goes through the parallel-for, on one environment made with `context`. Its tree of cells is made at
+/// need.
 Answers answers(const std::string& name, dsw_context* context) {
   Answers out;
-  Place place = make_place(name, 81, DSW_ENVIRONMENT_LOCATE_GRID, context);
+  Place place = make_place(name, 81, 0, context);
   EXPECT_NE(place.environment, nullptr);
   if (place.environment == nullptr) return out;
   World& world = *place.world;

@@ -23,6 +23,14 @@ def test_the_text_is_that_of_the_library(environment: ds.Environment) -> None:
         environment.cast((0.0, float("nan"), 0.0), (1.0, 1.0, 1.0))
 
 
+def test_a_missing_cell_type_is_named() -> None:
+    corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    with pytest.raises(ValueError, match="cells in one dimension need `types`"):
+        ds.Environment(corners, [0, 1, 2, 3])
+    with ds.Environment(corners, [[0, 1, 2, 3]]) as environment:
+        assert environment.info.volume_count == 1
+
+
 def test_some_are_of_pythons_kinds_too() -> None:
     assert issubclass(ds.errors.OutOfMemory, MemoryError)
     assert issubclass(ds.errors.OutOfRange, ValueError)

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "environment/moving.h"
 #include "environment/test_mesh.h"
 #include "locate/classify.h"
 
@@ -20,14 +21,14 @@ int cell_along(double x, int count) { return x < 0 || x >= count ? -1 : static_c
 
 template <int D>
 void expect_everywhere(Environment<D>& env, const double* p, Cell expected) {
-  for (const bool with_grid : {false, true}) {
-    if (with_grid) build_grid(env);
-    EXPECT_EQ(locate(env, p, Cell{}, nullptr).cell, expected) << "grid " << with_grid;
+  for (const TreeUse use : {TreeUse::kNever, TreeUse::kAtOnce}) {
+    env.index.set_use(use);
+    if (use == TreeUse::kAtOnce) env.index.build(env);
+    const bool tree = use == TreeUse::kAtOnce;
+    EXPECT_EQ(locate(env, p, Cell{}, nullptr).cell, expected) << "tree " << tree;
     for (uint32_t hint = 0; hint < env.map.cell_count; ++hint) {
-      EXPECT_EQ(locate(env, p, env.map.cell(hint), nullptr).cell, expected) << "grid " << with_grid << " hint " << hint;
+      EXPECT_EQ(locate(env, p, env.map.cell(hint), nullptr).cell, expected) << "tree " << tree << " hint " << hint;
     }
-    env.grid.first.clear();
-    env.grid.cells.clear();
   }
 }
 
@@ -97,6 +98,61 @@ TEST(Locate, InThePlane) {
     const double p[2] = {code % 9 * 0.5 - 0.5, code / 9 * 0.5 - 0.5};
     const int x = cell_along(p[0], 3), y = cell_along(p[1], 3);
     expect_everywhere(*env, p, x >= 0 && y >= 0 ? env->map.cell(static_cast<uint32_t>(x + 3 * y)) : Cell{});
+  }
+}
+
+/** The first cell in the order of indices that contains a point: what locate promises, also where cells overlap. */
+template <int D>
+Cell first_that_contains(const Environment<D>& env, const double* p) {
+  for (uint32_t i = 0; i < env.map.index_count(); ++i) {
+    const Cell c = env.map.cell(i);
+    if (c.valid() && admits(env, c) && contains(env, c, p)) return c;
+  }
+  return {};
+}
+
+/** Vertices wander, so that cells turn inside out and lie over each other; some are nowhere. */
+template <int D>
+void expect_the_first_of_all(Environment<D>& env, const std::vector<double>& points, uint64_t seed) {
+  Random random(seed);
+  env.index.build(env);
+  let_points_move(env);
+  int inside = 0, bad = 0;
+  for (int round = 0; round < 12; ++round) {
+    std::vector<double> moved = points;
+    for (double& x : moved) x += 0.2 * round * (random.unit() - 0.5) + 7 * round;
+    if (round % 3 == 2) moved[static_cast<size_t>(random.below(50))] = std::nan("");
+    env.points = moved.data();
+    env.note_move();
+    env.checked.forget_all();
+    for (int i = 0; i < 300; ++i) {
+      double p[D];
+      const auto v = static_cast<uint32_t>(random.below(static_cast<int>(env.map.vertex_count)));
+      for (int k = 0; k < D; ++k) {
+        const double free = 7 * round + 8 * random.unit() - 1, of_vertex = env.point(v)[k];
+        p[k] = i % 4 == 0 && std::isfinite(of_vertex) ? of_vertex : i % 4 == 1 ? std::floor(free) : free;
+      }
+      const Cell expected = first_that_contains(env, p);
+      inside += expected.valid() ? 1 : 0;
+      ASSERT_EQ(locate(env, p, Cell{}, nullptr).cell, expected) << "round " << round << ", point " << i;
+    }
+    for_each_cell(env.map, [&](Cell c) { bad += admits(env, c) ? 0 : 1; });
+  }
+  EXPECT_GT(inside, 500);
+  EXPECT_GT(bad, 50);
+}
+
+TEST(Locate, OfMovedPointsTheFirstCellOfAll) {
+  Mesh3 boxes = mixed_mesh();
+  add_boxes(boxes, 6, 6, 6, 20, 20, 20);
+  for (double& x : boxes.points) x = x < 15 ? x : x - 20;  // the parts overlap, too
+  const auto in_space = boxes.build();
+  expect_the_first_of_all(*in_space, boxes.points, 5);
+  for (const bool cut : {false, true}) {
+    Mesh2 squares;
+    add_squares(squares, 6, 6, cut);
+    const auto in_plane = squares.build();
+    expect_the_first_of_all(*in_plane, squares.points, 6);
   }
 }
 

@@ -68,11 +68,12 @@ std::vector<uint8_t> repaired(std::vector<uint8_t> block) {
   return block;
 }
 
-/** An environment with a grid, if `grid`, and marks of every kind. */
+/** An environment with a tree of its cells from the start, if `tree`, and marks of every kind. */
 template <int D>
-void make(Environment<D>& env, const SmallMesh& mesh, bool marked, bool grid) {
+void make(Environment<D>& env, const SmallMesh& mesh, bool marked, bool tree) {
   build_mesh(env, mesh);
-  if (grid) build_grid(env);
+  if (tree) env.index.set_use(TreeUse::kAtOnce);
+  if (tree) env.index.build(env);
   if (!marked) return;
   reserve_edge_marks(env, 4);
   reserve_vertex_marks(env);
@@ -114,8 +115,8 @@ void expect_same(const Environment<D>& a, const Environment<D>& b) {
     EXPECT_EQ(a.lower[k], b.lower[k]);
     EXPECT_EQ(a.upper[k], b.upper[k]);
   }
-  EXPECT_EQ(a.grid.first, b.grid.first);
-  EXPECT_EQ(a.grid.cells, b.grid.cells);
+  EXPECT_EQ(a.index.use(), b.index.use());
+  EXPECT_EQ(a.index.memory_bytes(), b.index.memory_bytes());
 }
 
 template <int D>

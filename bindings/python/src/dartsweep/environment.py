@@ -88,6 +88,8 @@ class Environment:
         if cells.ndim == 2 and types is None:
             kind, types, offsets = _rows(cells, dimension)
             desc.uniform_cell_type = int(kind)
+        elif types is None:
+            raise ValueError("cells in one dimension need `types`; rows, such as (n, 4) for tetrahedra, need none")
         self._region_names = dict(region_names or {})
         self._log = None if log is None else _core.Log(log)
         context = None if log is None and threads == 0 else _core.Context(threads, self._log)

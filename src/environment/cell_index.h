@@ -1,0 +1,67 @@
+#pragma once
+// Which cells may contain a point: the tree of an environment. The tree is made when it is worth it, and kept right
+// when cells or points change. Any number of readers may ask at a time; one of them makes the tree, the others wait
+// for it.
+
+#include <atomic>
+#include <mutex>
+
+#include "environment/cell_tree.h"
+
+namespace dsw {
+
+enum class TreeUse : uint32_t { kAtNeed, kAtOnce, kNever };
+
+template <int D>
+class CellIndex {
+ public:
+  explicit CellIndex(const Memory* memory) : memory_(memory), made_(Allocator<uint32_t>(memory)) {}
+  ~CellIndex() { release(tree_.load(std::memory_order_relaxed)); }
+  CellIndex(const CellIndex&) = delete;
+  CellIndex& operator=(const CellIndex&) = delete;
+
+  /** Calls look(index) for all cells that may contain the point, some of which may be gone. False: there is no
+   * tree, and all cells have to be looked at. The first tree is made after a few such answers, which take as long
+   * as to make it. */
+  template <class Look>
+  bool visit(const Environment<D>& env, const double* point, Look&& look) const noexcept {
+    const CellTree<D>* tree = tree_.load(std::memory_order_acquire);
+    if (tree == nullptr || !is_current(env, *tree)) tree = renew(env);
+    if (tree == nullptr) return false;
+    tree->visit(point, look);
+    for (size_t i = tree->made_before; i < made_.size(); ++i) look(made_[i]);
+    return true;
+  }
+
+  /** For writers. The tree is made now. Throws std::bad_alloc. */
+  void build(const Environment<D>& env);
+  TreeUse use() const noexcept { return use_; }
+  /** For writers. A tree that there is goes. */
+  void set_use(TreeUse use) noexcept;
+  /** For writers. Room for so many cells that are made. Throws std::bad_alloc. */
+  void make_room(size_t cells);
+  /** For writers. A cell that was made, in the room for it. */
+  void add(uint32_t index) noexcept {
+    if (tree_.load(std::memory_order_relaxed) != nullptr) made_.push_back(index);
+  }
+  uint64_t memory_bytes() const noexcept;
+
+ private:
+  static constexpr uint32_t kFewCells = 32;   // are looked at one by one
+  static constexpr uint32_t kScansFirst = 8;  // that take as long as to make a tree
+  static constexpr uint64_t kMostWear = 16;   // cells looked at one by one, for each cell that a new tree sorts
+
+  bool is_current(const Environment<D>& env, const CellTree<D>& tree) const noexcept;
+  const CellTree<D>* renew(const Environment<D>& env) const noexcept;
+  void replace(const Environment<D>& env) const;
+  void release(CellTree<D>* tree) const noexcept;
+
+  const Memory* memory_;
+  TreeUse use_ = TreeUse::kAtNeed;
+  mutable std::atomic<uint32_t> scans_{0};
+  mutable std::mutex making_;
+  mutable std::atomic<CellTree<D>*> tree_{nullptr};  // and, behind it, those that it replaced
+  Array<uint32_t> made_;                             // indices of cells made since there is a tree
+};
+
+}  // namespace dsw
