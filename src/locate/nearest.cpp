@@ -25,8 +25,9 @@ Vec without(const Vec& v, const Vec& d, double length) {
   return once - dot(once, d) / length * d;
 }
 
-/** Nearest point of triangle abc to the origin, ab its longest edge. In coordinates x along ab and y along the height over it
- * the foot of the origin is found to a rounding error over the height, where barycentric coordinates lose it twice. */
+/** Nearest point of triangle abc to the origin, ab its longest edge. In coordinates x along ab and y along the height
+ * over it the foot of the origin is found to a rounding error over the height, where barycentric coordinates lose it
+ * twice. */
 Vec nearest_over_longest(const Vec& a, const Vec& b, const Vec& c) {
   const Vec ab = b - a, ac = c - a;
   const double length = dot(ab, ab);

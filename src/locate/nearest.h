@@ -13,9 +13,9 @@ struct NearestResult {
   uint32_t cells_visited = 0;
 };
 
-/** Whether something impassable that can be seen from `point`, in `start`, lies within `radius`. Cells are visited in the
- * order of their distance, so the work is that of the cells nearer than the answer. Equal distances: the lower dimension,
- * then the lower canonical cell. May throw std::bad_alloc. */
+/** Whether something impassable that can be seen from `point`, in `start`, lies within `radius`. Cells are visited in
+ * the order of their distance, so the work is that of the cells nearer than the answer. Equal distances: the lower
+ * dimension, then the lower canonical cell. May throw std::bad_alloc. */
 template <int D>
 bool find_nearest(const Environment<D>& env, const double* point, Cell start, double radius, NearestResult& result);
 

@@ -1,6 +1,6 @@
-// Any bytes as a program of calls: every function that changes a scene or its environment, with ids that live, are stale or were never given
-// out, and numbers of every kind. No answer may be INTERNAL; in the end all must be free, and the recording of it, made again, must end with
-// the same bytes.
+// Any bytes as a program of calls: every function that changes a scene or its environment, with ids that live, are
+// stale or were never given out, and numbers of every kind. No answer may be INTERNAL; in the end all must be free, and
+// the recording of it, made again, must end with the same bytes.
 
 #include "calls.h"
 
@@ -46,7 +46,8 @@ void check_replay(const std::vector<uint8_t>& recording, const std::vector<uint8
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   constexpr int kMostCalls = 60;
-  // Not always, it takes most of the time; and not always from the beginning: what has been done before is in its snapshots only.
+  // Not always, it takes most of the time; and not always from the beginning: what has been done before is in its
+  // snapshots only.
   const int first_recorded = size % 4 == 0 ? static_cast<int>(size / 4 % 8) : kMostCalls;
   dsw_fuzz::Bytes bytes(data, size);
   const dsw_fuzz::World world = dsw_fuzz::world_of(bytes.byte());

@@ -1,5 +1,6 @@
-// Any bytes as a program of calls, as in fuzz_calls, whose recording is then damaged in the arguments of its calls, with all checksums right
-// again. A recording is not trusted: each call is made, refused or CORRUPT, and in the end all must load as it was saved, and be free.
+// Any bytes as a program of calls, as in fuzz_calls, whose recording is then damaged in the arguments of its calls,
+// with all checksums right again. A recording is not trusted: each call is made, refused or CORRUPT, and in the end all
+// must load as it was saved, and be free.
 
 #include <cstring>
 

@@ -1,5 +1,6 @@
-// Any bytes as the snapshot of a scene in an environment of space or the plane. What is accepted must save to the same bytes, and move. A block with a wrong size
-// or checksum is also tried with both set right, or the fuzzer would never get past them.
+// Any bytes as the snapshot of a scene in an environment of space or the plane. What is accepted must save to the same
+// bytes, and move. A block with a wrong size or checksum is also tried with both set right, or the fuzzer would never
+// get past them.
 
 #include "use.h"
 

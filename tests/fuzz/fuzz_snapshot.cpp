@@ -1,5 +1,5 @@
-// Any bytes as a snapshot. What is accepted must save to a block that loads to the same: same bytes, same casts. A block
-// with a wrong size or checksum is also tried with both set right, or the fuzzer would never get past them.
+// Any bytes as a snapshot. What is accepted must save to a block that loads to the same: same bytes, same casts. A
+// block with a wrong size or checksum is also tried with both set right, or the fuzzer would never get past them.
 
 #include "use.h"
 

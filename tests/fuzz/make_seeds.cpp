@@ -1,6 +1,7 @@
-// Writes the seeds of all targets: sound meshes of every cell type as fuzz_create reads them, snapshots of the same meshes with marks, also
-// changed and with points that move, the snapshot of a scene, and programs of calls. Made new in every build, so that they follow the formats.
-// usage: make_seeds FOLDER   (writes FOLDER/create, FOLDER/snapshot, FOLDER/scene, FOLDER/calls and FOLDER/replay)
+// Writes the seeds of all targets: sound meshes of every cell type as fuzz_create reads them, snapshots of the same
+// meshes with marks, also changed and with points that move, the snapshot of a scene, and programs of calls. Made new
+// in every build, so that they follow the formats. usage: make_seeds FOLDER   (writes FOLDER/create, FOLDER/snapshot,
+// FOLDER/scene, FOLDER/calls and FOLDER/replay)
 
 #include <array>
 #include <filesystem>
@@ -135,7 +136,8 @@ std::vector<uint8_t> encode(const Mesh& mesh, uint8_t layout, uint8_t flags) {
     seed.push_back(region++ % 2);
     seed.push_back(7);
   }
-  // What use_environment does afterwards: wires and sweeps; then casts, locates, particles, marks, in this order, twice.
+  // What use_environment does afterwards: wires and sweeps; then casts, locates, particles, marks, in this order,
+  // twice.
   const uint8_t edges[] = {0,    0, 1, 3, 4,    0, 0, 1, 3,    5, 0, 0, 1,    3, 6, 0, 0,    1, 3,  7,
                            0xc0, 0, 0, 1, 1,    1, 3, 2, 3,    3, 3, 2, 0xc1, 0, 0, 1, 1,    2, 40, 3,
                            2,    2, 3, 3, 0xc2, 1, 3, 1, 2,    3, 7, 2, 3,    3, 3, 1, 0xc3, 0, 0,  1,

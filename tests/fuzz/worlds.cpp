@@ -9,7 +9,8 @@ namespace {
 
 constexpr uint8_t kFirstPlanarWorld = 160;
 
-/** Cells of a box with corners in the order of a hexahedron, as positions in these; 8 is the middle. Polyhedra as face streams. */
+/** Cells of a box with corners in the order of a hexahedron, as positions in these; 8 is the middle. Polyhedra as face
+ * streams. */
 std::vector<std::vector<uint32_t>> cells_of_box(dsw_cell_type type) {
   switch (type) {
     case DSW_CELL_TYPE_TETRA:  // six round the diagonal
