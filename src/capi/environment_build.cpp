@@ -91,7 +91,7 @@ MeshInput read_input(const dsw_environment_desc& d) {
 }
 
 TreeUse tree_use(uint32_t flags) {
-  if ((flags & DSW_ENVIRONMENT_NO_LOCATE_GRID) != 0) return TreeUse::kNever;
+  if ((flags & DSW_ENVIRONMENT_NO_LOCATE_GRID) != 0) return TreeUse::kLeftOut;
   return (flags & DSW_ENVIRONMENT_LOCATE_GRID) != 0 ? TreeUse::kAtOnce : TreeUse::kAtNeed;
 }
 

@@ -31,7 +31,7 @@ void CellIndex<D>::replace(const Environment<D>& env) const {
 template <int D>
 const CellTree<D>* CellIndex<D>::renew(const Environment<D>& env) const noexcept {
   if (tree_.load(std::memory_order_acquire) == nullptr) {
-    if (use_ == TreeUse::kNever || env.map.cell_count < kFewCells) return nullptr;
+    if (use_ == TreeUse::kLeftOut || env.map.cell_count < kFewCells) return nullptr;
     if (scans_.fetch_add(1, std::memory_order_relaxed) < kScansFirst) return nullptr;
   }
   try {

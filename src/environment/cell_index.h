@@ -10,7 +10,7 @@
 
 namespace dsw {
 
-enum class TreeUse : uint32_t { kAtNeed, kAtOnce, kNever };
+enum class TreeUse : uint32_t { kAtNeed, kAtOnce, kLeftOut };
 
 template <int D>
 class CellIndex {

@@ -145,7 +145,7 @@ TEST(CellIndex, IsMadeAtNeed) {
   EXPECT_GT(env->memory_bytes(), before);
 
   const auto without = mesh.build();
-  without->index.set_use(TreeUse::kNever);
+  without->index.set_use(TreeUse::kLeftOut);
   Mesh3 few;
   add_boxes(few, 2, 2, 2);
   const auto small = few.build();

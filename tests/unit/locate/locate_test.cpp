@@ -21,7 +21,7 @@ int cell_along(double x, int count) { return x < 0 || x >= count ? -1 : static_c
 
 template <int D>
 void expect_everywhere(Environment<D>& env, const double* p, Cell expected) {
-  for (const TreeUse use : {TreeUse::kNever, TreeUse::kAtOnce}) {
+  for (const TreeUse use : {TreeUse::kLeftOut, TreeUse::kAtOnce}) {
     env.index.set_use(use);
     if (use == TreeUse::kAtOnce) env.index.build(env);
     const bool tree = use == TreeUse::kAtOnce;
