@@ -32,10 +32,15 @@ static dsw_context *g_context;
 static dsw_environment *g_env;
 static dsw_scene *g_scene;
 
-/* Cubes, or squares where nz is 0, and a scene of theirs, in memory of the host. */
+/* Cubes, or squares where nz is 0, and a scene of theirs, in memory of the host. The tree of cells is there: it would be
+   made by one of many calls that locate a point, and stay. */
 static void begin(unsigned nx, unsigned ny, unsigned nz, uint32_t features) {
+  const double point[3] = {0.5, 0.5, 0.5};
+  dsw_volume_id volume;
+  int i;
   g_context = make_context(&g_host);
   g_env = nz == 0 ? make_squares(g_context, nx, ny) : make_environment(g_context, nx, ny, nz);
+  for (i = 0; i < 20; ++i) CHECK_OK(dsw_environment_locate(g_env, point, no_volume, &volume, NULL));
   g_scene = make_scene(g_env, features);
 }
 
@@ -283,12 +288,8 @@ static void sweeps(void) {
   static const double fixed[9] = {3.25, 5.5, 5.5, 2.75, 0.5, 5.25, 3.5, 5.75, 3.25};
   static double points[3][3 * COUNT];
   static dsw_sweep reports[COUNT];
-  const dsw_volume_id none = {0, 0};
-  dsw_volume_id volume;
   size_t refusals, before, i;
   begin(6, 6, 6, 0);
-  /* until there is a search structure for points, which stays */
-  for (i = 0; i < 20; ++i) CHECK_OK(dsw_environment_locate(g_env, from, none, &volume, NULL));
   before = g_host.alive;
   for (i = 0; i < 3 * COUNT; ++i) {
     points[0][i] = from[i % 9];
