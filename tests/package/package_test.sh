@@ -58,8 +58,8 @@ case $kind in
     cp -P "$build"/src/libdartsweep.so* "$work/build/src"
     cpack --config "$work/build/CPackConfig.cmake" -B "$work/packages" >"$work/cpack.log"
     check_packages "$work"/packages/libdartsweep[0-9]*.deb "$work"/packages/libdartsweep-dev_*.deb >"$work/packages.log"
-    for package in "$work"/packages/*.deb; do dpkg-deb -x "$package" "$work/root"; done
-    prefix=$work/root/usr
+    for package in "$work"/packages/*.deb; do dpkg-deb -x "$package" "$work/unpacked"; done
+    prefix=$work/unpacked/usr
     ;;
 esac
 library_dir=$(dirname "$(find "$prefix" -name 'libdartsweep.*' | head -n 1)")

@@ -129,8 +129,7 @@ class Body {
    public:
     Ordered(const dsw_move_options *options, View<const std::uint32_t> order) : given_(options) {
       if (!order.data) return;
-      if (options) own_ = *options;
-      if (!options) dsw_move_options_init(&own_, sizeof own_);
+      own_ = or_defaults(options);
       own_.order = order.data;
       own_.order_count = order.count;
       given_ = &own_;

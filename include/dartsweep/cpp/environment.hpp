@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
 
 #include "dartsweep/cpp/handles.hpp"
@@ -17,33 +18,14 @@ class Environment {
               View<const std::uint32_t> tags = {}, Indices faces = {}, Indices face_locations = {},
               const dsw_environment_desc *desc = nullptr, const Context *context = nullptr)
       : Environment() {
-    dsw_environment_desc all;
-    if (desc) all = *desc;
-    if (!desc) dsw_environment_desc_init(&all, sizeof all);
+    dsw_environment_desc all = or_defaults(desc);
     if (all.flags & DSW_ENVIRONMENT_BORROW_POINTS)
       throw Unsupported("points can be lent by Scene.deform only");
     state_->dimension = all.dimension == 2 ? 2 : 3;
-    count_points(state_->dimension, points);
-    leave_out_empty(cell_types, faces, face_locations);
-    all.index_bytes = connectivity.bytes;
-    for (const Indices *other : {&offsets, &faces, &face_locations})
-      if (other->count && other->bytes != connectivity.bytes)
-        throw WrongSize("integers of the cells differ in size");
-    all.points = points.data;
-    all.point_count = points.count;
-    all.point_stride_bytes = points.stride_bytes;
-    all.connectivity = connectivity.data;
-    all.connectivity_count = connectivity.count;
-    all.cell_types = cell_types.data;
-    all.cell_count = cell_types.count ? cell_types.count
-                                      : uniform_count(all.uniform_cell_type, connectivity, offsets);
-    optional_count("offsets", offsets, all.cell_count + 1);
-    all.offsets = offsets.data;
-    optional_count("regions", regions, all.cell_count);
-    optional_count("tags", tags, all.cell_count);
+    same_width(connectivity, {&offsets, &faces, &face_locations});
+    set_cells(all, points, connectivity, offsets, cell_types, regions, tags);
+    leave_out_empty(faces, face_locations);
     if (faces.count) same_count("face_locations", face_locations.count, all.cell_count);
-    all.regions = regions.data;
-    all.tags = tags.data;
     all.faces = faces.data;
     all.faces_count = faces.count;
     all.face_locations = face_locations.data;
@@ -337,30 +319,11 @@ class Environment {
                                    View<const std::uint32_t> tags = {},
                                    View<const dsw_face_id> sew_to = {},
                                    const dsw_volumes_desc *desc = nullptr) {
-    dsw_volumes_desc all;
-    if (desc) all = *desc;
-    if (!desc) dsw_volumes_desc_init(&all, sizeof all);
-    if (offsets.count && offsets.bytes != connectivity.bytes)
-      throw WrongSize("integers of the cells differ in size");
-    count_points(dimension(), points);
-    leave_out_empty(cell_types);
-    all.index_bytes = connectivity.bytes;
+    dsw_volumes_desc all = or_defaults(desc);
+    same_width(connectivity, {&offsets});
+    set_cells(all, points, connectivity, offsets, cell_types, regions, tags);
     all.vertices = vertices.data;
     all.vertex_count = vertices.count;
-    all.points = points.data;
-    all.point_count = points.count;
-    all.point_stride_bytes = points.stride_bytes;
-    all.cell_types = cell_types.data;
-    all.cell_count = cell_types.count ? cell_types.count
-                                      : uniform_count(all.uniform_cell_type, connectivity, offsets);
-    optional_count("offsets", offsets, all.cell_count + 1);
-    optional_count("regions", regions, all.cell_count);
-    optional_count("tags", tags, all.cell_count);
-    all.offsets = offsets.data;
-    all.connectivity = connectivity.data;
-    all.connectivity_count = connectivity.count;
-    all.regions = regions.data;
-    all.tags = tags.data;
     all.sew_to = sew_to.data;
     all.sew_count = sew_to.count;
     Array<dsw_volume_id> volumes(all.cell_count);
@@ -420,9 +383,7 @@ class Environment {
   // `blade` has rows * columns points, row by row.
   dsw_cut_report cut(Points blade, std::uint32_t rows, std::uint32_t columns,
                      const dsw_cut_desc *desc = nullptr) {
-    dsw_cut_desc all;
-    if (desc) all = *desc;
-    if (!desc) dsw_cut_desc_init(&all, sizeof all);
+    dsw_cut_desc all = or_defaults(desc);
     count_points(dimension(), blade);
     same_count("blade", blade.count, std::size_t{rows} * columns);
     all.points = blade.data;
@@ -459,9 +420,7 @@ class Environment {
   }
   dsw_carve_report carve(Points points, View<const std::uint32_t> triangles,
                          const dsw_carve_desc *desc = nullptr) {
-    dsw_carve_desc all;
-    if (desc) all = *desc;
-    if (!desc) dsw_carve_desc_init(&all, sizeof all);
+    dsw_carve_desc all = or_defaults(desc);
     count_points(dimension(), points);
     same_count("corners of triangles", triangles.count,
                triangles.count / dimension() * dimension());
@@ -478,9 +437,7 @@ class Environment {
     return list<dsw_volume_id>(dsw_environment_get_carved_volumes);
   }
   dsw_tie_report tie(Points loop, const dsw_tie_desc *desc = nullptr) {
-    dsw_tie_desc all;
-    if (desc) all = *desc;
-    if (!desc) dsw_tie_desc_init(&all, sizeof all);
+    dsw_tie_desc all = or_defaults(desc);
     count_points(dimension(), loop);
     all.points = loop.data;
     all.point_count = loop.count;
@@ -492,9 +449,7 @@ class Environment {
   // `volumes` and `next` may be left out.
   dsw_remesh_report remesh(View<const dsw_volume_id> volumes, View<const double> next,
                            const dsw_remesh_desc *desc = nullptr) {
-    dsw_remesh_desc all;
-    if (desc) all = *desc;
-    if (!desc) dsw_remesh_desc_init(&all, sizeof all);
+    dsw_remesh_desc all = or_defaults(desc);
     all.volumes = volumes.data;
     all.volume_count = volumes.count;
     same_count("coordinates of next", next.count, next.count / dimension() * dimension());
@@ -510,6 +465,37 @@ class Environment {
 
  private:
   Environment() : state_(std::make_shared<EnvironmentState>()) {}
+
+  static void same_width(const Indices &connectivity,
+                         std::initializer_list<const Indices *> others) {
+    for (const Indices *other : others)
+      if (other->count && other->bytes != connectivity.bytes)
+        throw WrongSize("integers of the cells differ in size");
+  }
+
+  /** The arrays of cells in a dsw_environment_desc or a dsw_volumes_desc. */
+  template <class Description>
+  void set_cells(Description &all, Points points, const Indices &connectivity, Indices offsets,
+                 View<const std::uint8_t> cell_types, View<const std::int32_t> regions,
+                 View<const std::uint32_t> tags) const {
+    count_points(dimension(), points);
+    leave_out_empty(cell_types);
+    all.index_bytes = connectivity.bytes;
+    all.points = points.data;
+    all.point_count = points.count;
+    all.point_stride_bytes = points.stride_bytes;
+    all.connectivity = connectivity.data;
+    all.connectivity_count = connectivity.count;
+    all.cell_types = cell_types.data;
+    all.cell_count = cell_types.count ? cell_types.count
+                                      : uniform_count(all.uniform_cell_type, connectivity, offsets);
+    optional_count("offsets", offsets, all.cell_count + 1);
+    optional_count("regions", regions, all.cell_count);
+    optional_count("tags", tags, all.cell_count);
+    all.offsets = offsets.data;
+    all.regions = regions.data;
+    all.tags = tags.data;
+  }
 
   static std::size_t uniform_count(std::uint32_t type, const Indices &connectivity,
                                    const Indices &offsets) {

@@ -118,6 +118,12 @@ DSW_DEFAULTS(dsw_move_options)
 DSW_DEFAULTS(dsw_deform_options)
 DSW_DEFAULTS(dsw_coarsen_options)
 #undef DSW_DEFAULTS
+
+/** What was given, or the defaults. */
+template <class T>
+T or_defaults(const T *given) {
+  return given ? *given : defaults<T>();
+}
 #endif
 
 /** What get(&pointer, &count) lends, copied while the lock is held. */

@@ -191,9 +191,7 @@ class Scene {
   /** The environment reads `next` until the next deformation that is not refused. Points beyond the
    * number of vertices are room for vertices that operations add (options->point_room). */
   dsw_deform_report deform(Lent next, const dsw_deform_options *options = nullptr) {
-    dsw_deform_options all;
-    if (options) all = *options;
-    if (!options) dsw_deform_options_init(&all, sizeof all);
+    dsw_deform_options all = or_defaults(options);
     count_points(dimension(), next);
     if (all.point_room > next.count)
       throw WrongSize("point_room is " + std::to_string(all.point_room) + ", there are " +
@@ -241,9 +239,7 @@ class Scene {
                           View<const std::uint32_t> face_corners = {},
                           View<const dsw_volume_id> hints = {},
                           const dsw_body_desc *desc = nullptr) {
-    dsw_body_desc all;
-    if (desc) all = *desc;
-    if (!desc) dsw_body_desc_init(&all, sizeof all);
+    dsw_body_desc all = or_defaults(desc);
     same_count("indices of edges", edges.count, edges.count / 2 * 2);
     count_points(dimension(), positions);
     optional_count("hints", hints, positions.count);
