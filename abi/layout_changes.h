@@ -63,15 +63,15 @@ AT(dsw_tie_report, cut, 0);
 AT(dsw_tie_report, is_closed, 40);
 AT(dsw_tie_report, reserved, 44);
 
-SIZE(dsw_open_desc, 40);
-AT(dsw_open_desc, struct_size, 0);
-AT(dsw_open_desc, flags, 4);
-AT(dsw_open_desc, faces, 8);
-AT(dsw_open_desc, face_count, 16);
-AT(dsw_open_desc, width, 24);
-AT(dsw_open_desc, region, 32);
-AT(dsw_open_desc, tag, 36);
-GROWS(dsw_open_desc, tag);
+SIZE(dsw_open_crack_desc, 40);
+AT(dsw_open_crack_desc, struct_size, 0);
+AT(dsw_open_crack_desc, flags, 4);
+AT(dsw_open_crack_desc, faces, 8);
+AT(dsw_open_crack_desc, face_count, 16);
+AT(dsw_open_crack_desc, width, 24);
+AT(dsw_open_crack_desc, region, 32);
+AT(dsw_open_crack_desc, tag, 36);
+GROWS(dsw_open_crack_desc, tag);
 
 SIZE(dsw_open_report, 32);
 AT(dsw_open_report, smallest_width, 0);

@@ -51,8 +51,8 @@ DSW_CELLS_AS_ARGUMENTS(dsw_volumes_desc)
 %ignore dsw_cut_desc::point_stride_bytes;
 %ignore dsw_cut_desc::rows;
 %ignore dsw_cut_desc::columns;
-%ignore dsw_open_desc::faces;
-%ignore dsw_open_desc::face_count;
+%ignore dsw_open_crack_desc::faces;
+%ignore dsw_open_crack_desc::face_count;
 %ignore dsw_carve_desc::points;
 %ignore dsw_carve_desc::point_count;
 %ignore dsw_carve_desc::point_stride_bytes;
@@ -82,7 +82,7 @@ DSW_EACH_RESULT(DSW_MEMBER)
 %ignore dsw_trace_data;
 %ignore dsw_coarsen_report;
 %ignore dsw_recording_desc;
-%ignore dsw_bundle_desc;
+%ignore dsw_bug_report_desc;
 %ignore dsw_replay_info;
 %ignore dsw_replay_report;
 %ignore dsw_replay_outcome;

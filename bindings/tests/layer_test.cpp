@@ -51,7 +51,7 @@ TEST(Layer, StatusesAreThrown) {
   Scene scene(environment);
   EXPECT_EQ(status_of([&] { environment.get_volume(1); }), DSW_STATUS_OUT_OF_RANGE);
   EXPECT_EQ(status_of([&] { scene.destroy_particle({9, 1}); }), DSW_STATUS_STALE_ID);
-  EXPECT_EQ(status_of([&] { scene.deform({}); }), DSW_STATUS_NOT_NAMED);
+  EXPECT_EQ(status_of([&] { scene.deform({}); }), DSW_STATUS_NOT_ENABLED);
   EXPECT_EQ(status_of([&] { environment.locate_points({kPoints.data(), 24}, {}, {}); }), DSW_STATUS_WRONG_SIZE);
   EXPECT_EQ(status_of([&] { Environment::load({}); }), DSW_STATUS_NULL_ARGUMENT);
 }
@@ -88,9 +88,9 @@ TEST(Layer, PointsOfThePlaneHaveTwoCoordinates) {
   Body body(scene, scene.create_body({rope, 4}, {edge, 2}));
   const dsw_move_report report = body.move({rows, 2, 2, 24});
   EXPECT_EQ(report.vertices_stopped, 1u);
-  const Array<dsw_contact> contacts = body.get_contacts();
+  const Array<dsw_body_contact> contacts = body.get_contacts();
   ASSERT_EQ(contacts.size(), 1u);
-  EXPECT_TRUE(contacts.get(0).time == 0.75 && contacts.get(0).normal[1] == -1 && contacts.get(0).normal[2] == 0);
+  EXPECT_TRUE(contacts.get(0).time == 0.75 && contacts.get(0).contact.normal[1] == -1 && contacts.get(0).contact.normal[2] == 0);
   double positions[4];
   body.get_positions({positions, 4});
   EXPECT_TRUE(positions[0] == 0.5 && positions[1] > 0.99 && positions[1] < 1 && positions[3] == 0.5);

@@ -39,10 +39,10 @@ static dsw_environment *create_block(void) {
   desc.point_count = ALONG * ALONG * ALONG;
   desc.connectivity = cells;
   desc.connectivity_count = n;
-  desc.cell_count = n / 8;
+  desc.volume_count = n / 8;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   for (k = 0; k < TISSUE; ++k) {
-    check(dsw_environment_get_volume(environment, (uint32_t)k, &tissue[k]) == DSW_STATUS_OK, "naming the tissue");
+    check(dsw_environment_get_volume_id(environment, (uint32_t)k, &tissue[k]) == DSW_STATUS_OK, "naming the tissue");
   }
   check(dsw_environment_mark_volumes(environment, tissue, TISSUE, DSW_MARK_IMPASSABLE, 0, NULL) == DSW_STATUS_OK,
         "marking the tissue");
@@ -98,10 +98,10 @@ int main(void) {
   dsw_environment *environment = create_block();
   const dsw_cut_vertex *vertices = NULL;
   size_t vertex_count = 0;
-  dsw_open_desc desc;
+  dsw_open_crack_desc desc;
   dsw_open_report report;
   double depth;
-  dsw_open_desc_init(&desc, sizeof desc);
+  dsw_open_crack_desc_init(&desc, sizeof desc);
   desc.faces = inside;
   desc.face_count = cut(environment, inside, 64);
   desc.width = 0.5;
@@ -109,7 +109,7 @@ int main(void) {
   depth = push_probe(environment);
   printf("the cut is closed: the probe goes %.3f of its way\n", depth);
   check(depth < 0.2, "the tissue stops the probe");
-  check(dsw_environment_open(environment, &desc, &report) == DSW_STATUS_OK, "opening");
+  check(dsw_environment_open_crack(environment, &desc, &report) == DSW_STATUS_OK, "opening");
   printf("%u of %u faces opened, %u vertices came apart by %.3f to %.3f\n", (unsigned)report.faces_opened,
          (unsigned)desc.face_count, (unsigned)report.vertices_parted, report.smallest_width, report.largest_width);
   check(dsw_environment_get_cut_vertices(environment, &vertices, &vertex_count) == DSW_STATUS_OK, "reading vertices");

@@ -39,7 +39,7 @@ static dsw_environment *create_block(void) {
   desc.point_count = ALONG * ALONG * ALONG;
   desc.connectivity = cells;
   desc.connectivity_count = n;
-  desc.cell_count = n / 8;
+  desc.volume_count = n / 8;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   check(dsw_environment_mark_region(environment, 0, DSW_MARK_IMPASSABLE, 0, NULL, NULL) == DSW_STATUS_OK, "marking");
   return environment;

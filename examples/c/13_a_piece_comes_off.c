@@ -45,7 +45,7 @@ static dsw_environment *create_organ(void) {
   desc.point_count = ALONG * ALONG * ALONG;
   desc.connectivity = cells;
   desc.connectivity_count = n;
-  desc.cell_count = n / 8;
+  desc.volume_count = n / 8;
   desc.regions = regions;
   check(dsw_environment_create(NULL, &desc, &environment, NULL) == DSW_STATUS_OK, "creating");
   check(dsw_environment_mark_region(environment, 1, DSW_MARK_IMPASSABLE, 0, NULL, NULL) == DSW_STATUS_OK, "marking");
@@ -105,12 +105,12 @@ int main(void) {
   check(dsw_environment_locate(environment, inside, anywhere, &desc.volume, NULL) == DSW_STATUS_OK, "locating");
   desc.level = DSW_LEVEL_FACES;
   desc.max_volumes = 150;
-  check(dsw_scene_detach(scene, &desc, &piece, &report) == DSW_STATUS_TOO_LARGE, "one cut is not enough");
+  check(dsw_environment_detach(scene, &desc, &piece, &report) == DSW_STATUS_TOO_LARGE, "one cut is not enough");
   cut(environment, right[0], right[1]);
   check(!is_way_free(environment), "the piece is in the way");
 
   check(dsw_environment_locate(environment, inside, anywhere, &desc.volume, NULL) == DSW_STATUS_OK, "locating");
-  check(dsw_scene_detach(scene, &desc, &piece, &report) == DSW_STATUS_OK, "detaching");
+  check(dsw_environment_detach(scene, &desc, &piece, &report) == DSW_STATUS_OK, "detaching");
   printf("%u volumes came off as a body of %u vertices and %u triangles, drawn in by %.3f at most\n",
          (unsigned)report.volume_count, (unsigned)report.vertex_count, (unsigned)report.face_count, report.distance);
   check(dsw_scene_get_detached_vertices(scene, &vertices, &count) == DSW_STATUS_OK && count == report.vertex_count,

@@ -98,8 +98,8 @@ Step Run::step() {
   step.reached = catheter_->reached();
   step.all_in = catheter_->links() >= made_of_.links;
   std::size_t count = 0;
-  const dsw_contact* all = contacts(&count);
-  std::for_each(all, all + count, [this](const dsw_contact& contact) { table_.add(contact); });
+  const dsw_body_contact* all = contacts(&count);
+  std::for_each(all, all + count, [this](const dsw_body_contact& contact) { table_.add(contact); });
 
   const physics::Verdict verdict = physics::verify(world_.scene(), catheter_->body().id());
   step.free = verdict.good() && verdict.from_own == 0;  // nothing bends: no volume lies over another
@@ -139,8 +139,8 @@ void Run::add(const Step& step, std::size_t edges) {
   t.whole_longest = std::max(t.whole_longest, step.detection_seconds);
 }
 
-const dsw_contact* Run::contacts(std::size_t* count) const {
-  const dsw_contact* contacts = nullptr;
+const dsw_body_contact* Run::contacts(std::size_t* count) const {
+  const dsw_body_contact* contacts = nullptr;
   check(dsw_body_get_contacts(world_.scene(), catheter_->body().id(), &contacts, count), "reading contacts");
   return contacts;
 }

@@ -42,7 +42,7 @@ class Run {
   // Throws BadInput where not all of it could be written.
   void stop_recording();
   // Of the last step.
-  const dsw_contact* contacts(std::size_t* count) const;
+  const dsw_body_contact* contacts(std::size_t* count) const;
   bool good() const { return totals_.steps == totals_.exactly_free && totals_.refused == 0; }
 
  private:

@@ -37,20 +37,20 @@ Json rounded(const double* values, std::size_t count) {
 
 Json contacts_of(const Run& run, const std::vector<std::size_t>& line) {
   std::size_t count = 0;
-  const dsw_contact* contacts = run.contacts(&count);
+  const dsw_body_contact* contacts = run.contacts(&count);
   std::vector<double> impulse(count, 0);
   for (const physics::Touch& touch : run.catheter().body().touches()) {
     impulse[touch.contact] = touch.impulse.norm();
   }
   Json list = Json::array();
   for (std::size_t i = 0; i < count; ++i) {
-    const dsw_contact& contact = contacts[i];
+    const dsw_body_contact& contact = contacts[i];
     const auto at = std::find(line.begin(), line.end(), contact.vertex.index);
     list.push_back({{"point", rounded(contact.point, 3)},
-                    {"normal", rounded(contact.normal, 3)},
-                    {"kind", name_of(contact.kind)},
+                    {"normal", rounded(contact.contact.normal, 3)},
+                    {"kind", name_of(contact.contact.kind)},
                     {"time", rounded(contact.time)},
-                    {"tag", contact.tag},
+                    {"tag", contact.contact.tag},
                     {"vertex", at == line.end() ? -1 : at - line.begin()},
                     {"impulse", rounded(impulse[i])}});
   }
@@ -220,10 +220,10 @@ void Record::write_vtu() const {
     }
   }
   std::size_t count = 0;
-  const dsw_contact* contacts = run_->contacts(&count);
+  const dsw_body_contact* contacts = run_->contacts(&count);
   for (std::size_t i = 0; i < count; ++i) {
     touches.insert(touches.end(), contacts[i].point, contacts[i].point + 3);
-    normals.insert(normals.end(), contacts[i].normal, contacts[i].normal + 3);
+    normals.insert(normals.end(), contacts[i].contact.normal, contacts[i].contact.normal + 3);
   }
   const Wall wall = wall_of(*vessel_);
   const vtu_field field_inserted = field("inserted", inserted.data(), 1);

@@ -77,7 +77,7 @@ void cut_lattice(std::size_t cells, const std::string& label, std::size_t bodies
     dsw_cut_desc_init(&desc, sizeof desc);
     desc.points = blade.data();
     desc.rows = desc.columns = kRows;
-    check(dsw_environment_get_volume(environment, scene.grid.cell_at(at), &desc.start));
+    check(dsw_environment_get_volume_id(environment, scene.grid.cell_at(at), &desc.start));
     dsw_cut_report cut;
     const double time = time_ns([&] { check(dsw_environment_cut(environment, &desc, &cut)); });
     if (i == 0) continue;  // makes the tables of the first change

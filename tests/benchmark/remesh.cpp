@@ -103,11 +103,11 @@ Result mend(const scenes::VolumeMesh& mesh, std::vector<double> next, std::uint3
   {
     World bent(mesh, 1);
     std::vector<double> points = next;
-    check(dsw_scene_deform(bent.scene(DSW_FEATURE_DEFORMING), points.data(), points.size() / 3, nullptr, nullptr));
+    check(dsw_environment_deform(bent.scene(DSW_FEATURE_DEFORMING), points.data(), points.size() / 3, nullptr, nullptr));
     for (std::uint32_t i = 0; i < mesh.cell_count(); ++i) {
       dsw_volume_id volume;
       int valid;
-      check(dsw_environment_get_volume(bent.environment(), i, &volume));
+      check(dsw_environment_get_volume_id(bent.environment(), i, &volume));
       check(dsw_environment_is_valid(bent.environment(), volume, &valid));
       if (valid == 0) invalid.push_back(volume);
     }
@@ -122,7 +122,7 @@ Result mend(const scenes::VolumeMesh& mesh, std::vector<double> next, std::uint3
     desc.next = next.data();
     desc.point_count = next.size() / 3;
   } else {
-    check(dsw_scene_deform(world.scene(DSW_FEATURE_DEFORMING), read.data(), read.size() / 3, nullptr, nullptr));
+    check(dsw_environment_deform(world.scene(DSW_FEATURE_DEFORMING), read.data(), read.size() / 3, nullptr, nullptr));
   }
   dsw_remesh_desc nothing = desc;
   nothing.volume_count = 0;

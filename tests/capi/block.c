@@ -70,7 +70,7 @@ size_t keep_faces(void) {
 
 double x_of(dsw_vertex_id vertex) {
   double at[3] = {0, 0, 0};
-  CHECK_OK(dsw_environment_get_position(g_env, vertex, at));
+  CHECK_OK(dsw_environment_get_vertex_position(g_env, vertex, at));
   return at[0];
 }
 

@@ -1,4 +1,4 @@
-/* dsw_scene_detach: cubes that come off a grid of cubes, what is told of them, and every way to be refused. */
+/* dsw_environment_detach: cubes that come off a grid of cubes, what is told of them, and every way to be refused. */
 #include <math.h>
 #include <string.h>
 
@@ -55,7 +55,7 @@ static void two_cubes(void) {
   begin(NULL, 0);
   CHECK_OK(dsw_scene_get_detached_volumes(g_scene, &volumes, &count));
   CHECK(count == 0);
-  CHECK_OK(dsw_scene_detach(g_scene, &g_desc, &g_body, &g_report));
+  CHECK_OK(dsw_environment_detach(g_scene, &g_desc, &g_body, &g_report));
   CHECK(g_report.volume_count == 2 && g_report.vertex_count == 12 && g_report.face_count == 20);
   CHECK(g_report.sewn_count == 1 && g_report.unsewn_count == 0);
   CHECK(fabs(g_report.distance - 0.01) < 1e-12);
@@ -71,7 +71,7 @@ static void two_cubes(void) {
     double square = 0;
     CHECK(vertices[i].weights[0] == 1 && vertices[i].weights[1] == 0);
     CHECK(vertices[i].from[0].index == vertices[i].from[1].index);
-    CHECK_OK(dsw_environment_get_position(g_env, vertices[i].from[0], xyz));
+    CHECK_OK(dsw_environment_get_vertex_position(g_env, vertices[i].from[0], xyz));
     for (k = 0; k < 3; ++k) square += (positions[3 * i + k] - xyz[k]) * (positions[3 * i + k] - xyz[k]);
     CHECK(square > 0 && square < 1.01e-4);
     for (k = 0; k < 3; ++k) CHECK(positions[3 * i + k] > 1 && positions[3 * i + k] < (k == 0 ? 3 : 2));
@@ -106,7 +106,7 @@ static void marks_go_with_it(void) {
   }
   corner = vertex_at(grid_point(&g, 1, 1, 1));
   CHECK_OK(dsw_environment_mark_vertices(g_env, &corner, 1, DSW_MARK_IMPASSABLE));
-  CHECK_OK(dsw_scene_detach(g_scene, &g_desc, &g_body, &g_report));
+  CHECK_OK(dsw_environment_detach(g_scene, &g_desc, &g_body, &g_report));
   CHECK(g_report.volume_count == 5 && g_report.sewn_count == 2);
   CHECK(marks(DSW_CELL_FACE) == 1 && marks(DSW_CELL_EDGE) == 11 && marks(DSW_CELL_VERTEX) == 1);
   end(96);
@@ -135,7 +135,7 @@ static void in_a_corner(void) {
   }
   g_desc.flags = DSW_BODY_SELF_CONTACTS;
   g_desc.level = DSW_LEVEL_FACES;
-  CHECK_OK(dsw_scene_detach(g_scene, &g_desc, &g_body, &g_report));
+  CHECK_OK(dsw_environment_detach(g_scene, &g_desc, &g_body, &g_report));
   CHECK(g_report.volume_count == 27 && g_report.sewn_count == 1 && g_report.unsewn_count == 27);
   CHECK(g_report.vertex_count == 56 && g_report.face_count == 108);
   CHECK(marks(DSW_CELL_EDGE) == 0 && marks(DSW_CELL_VERTEX) == 0 && marks(DSW_CELL_VOLUME) == 0);
@@ -154,7 +154,7 @@ static void an_edge_twice(void) {
   for (i = 0; i < sizeof ring / sizeof *ring; ++i) mark(cube(ring[i][0], ring[i][1], ring[i][2]));
   dsw_detach_desc_init(&g_desc, sizeof g_desc);
   g_desc.volume = volume_at(cube(1, 1, 1));
-  CHECK_OK(dsw_scene_detach(g_scene, &g_desc, &g_body, &g_report));
+  CHECK_OK(dsw_environment_detach(g_scene, &g_desc, &g_body, &g_report));
   CHECK(g_report.volume_count == 8);
   CHECK_OK(dsw_scene_get_detached_vertices(g_scene, &vertices, &count));
   for (i = 0; i < count; ++i) {
@@ -171,11 +171,11 @@ static void not_off(void) {
   CHECK_OK(dsw_environment_sew_faces(g_env, (dsw_face_id[]){face_at(cube(2, 1, 1), FACE_Y1)},
                                      (dsw_face_id[]){face_at(cube(2, 2, 1), FACE_Y0)}, 1));
   g_desc.max_volumes = 2;
-  CHECK_FAILS(DSW_STATUS_TOO_LARGE, dsw_scene_detach(g_scene, &g_desc, &g_body, NULL));
+  CHECK_FAILS(DSW_STATUS_TOO_LARGE, dsw_environment_detach(g_scene, &g_desc, &g_body, NULL));
   CHECK_MESSAGE("more than 2");
   g_desc.max_volumes = 3;
-  CHECK_OK(dsw_scene_detach(g_scene, &g_desc, &g_body, NULL));
-  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_scene_detach(g_scene, &g_desc, &g_body, NULL));
+  CHECK_OK(dsw_environment_detach(g_scene, &g_desc, &g_body, NULL));
+  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_detach(g_scene, &g_desc, &g_body, NULL));
   CHECK_MESSAGE("passable");
   end(96);
 }
@@ -188,27 +188,27 @@ static void bad_arguments(void) {
   dsw_body_id body = {7, 7};
   size_t count = 5;
   begin(NULL, 0);
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_detach(NULL, &g_desc, &body, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_detach(g_scene, NULL, &body, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_detach(g_scene, &g_desc, NULL, NULL));
-  CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, g_desc, struct_size, 8, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, g_desc, flags, 0x80, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, g_desc, level, (dsw_level)9, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, gap, 0.26, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_detach(NULL, &g_desc, &body, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_detach(g_scene, NULL, &body, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_detach(g_scene, &g_desc, NULL, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, g_desc, struct_size, 8, dsw_environment_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, g_desc, flags, 0x80, dsw_environment_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, g_desc, level, (dsw_level)9, dsw_environment_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, gap, 0.26, dsw_environment_detach(g_scene, &bad, &body, NULL));
   CHECK_MESSAGE("desc->gap");
   bad.gap = -1;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_detach(g_scene, &bad, &body, NULL));
   bad.gap = NAN;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, halvings, 41, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, motion_share, -1, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  CHECK_REFUSES(DSW_STATUS_NOT_NAMED, g_desc, category, 2, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  CHECK_REFUSES(DSW_STATUS_STALE_ID, g_desc, volume, volume_at(64), dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, halvings, 41, dsw_environment_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, g_desc, motion_share, -1, dsw_environment_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_NOT_ENABLED, g_desc, category, 2, dsw_environment_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_STALE_ID, g_desc, volume, volume_at(64), dsw_environment_detach(g_scene, &bad, &body, NULL));
   CHECK_MESSAGE("desc->volume");
-  CHECK_REFUSES(DSW_STATUS_STALE_ID, g_desc, volume, no_volume, dsw_scene_detach(g_scene, &bad, &body, NULL));
-  CHECK_REFUSES(DSW_STATUS_BAD_TOPOLOGY, g_desc, volume, volume_at(0), dsw_scene_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_STALE_ID, g_desc, volume, no_volume, dsw_environment_detach(g_scene, &bad, &body, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_TOPOLOGY, g_desc, volume, volume_at(0), dsw_environment_detach(g_scene, &bad, &body, NULL));
   second = make_scene(g_env, 0);
-  CHECK_FAILS(DSW_STATUS_SHARED, dsw_scene_detach(g_scene, &g_desc, &body, NULL));
+  CHECK_FAILS(DSW_STATUS_SHARED, dsw_environment_detach(g_scene, &g_desc, &body, NULL));
   CHECK_OK(dsw_scene_destroy(second));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_detached_faces(NULL, &faces, &count));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_scene_get_detached_faces(g_scene, NULL, &count));
@@ -226,7 +226,7 @@ static void borrowed_points(void) {
   CHECK_OK(dsw_environment_create(NULL, &e, &g_env, NULL));
   g_scene = make_scene(g_env, 0);
   mark_piece();
-  CHECK_OK(dsw_scene_detach(g_scene, &g_desc, &g_body, NULL));
+  CHECK_OK(dsw_environment_detach(g_scene, &g_desc, &g_body, NULL));
   end(96);
   grid_destroy(&g);
 }
@@ -237,7 +237,7 @@ static void running_out_of_memory(void) {
   const dsw_volume_id *volumes = NULL;
   size_t count = 0, refusals = 0;
   begin(context, DSW_FEATURE_BODY_CONTACTS);
-  for (; RUNS_OUT(&h, refusals, dsw_scene_detach(g_scene, &g_desc, &g_body, &g_report)); ++refusals) {
+  for (; RUNS_OUT(&h, refusals, dsw_environment_detach(g_scene, &g_desc, &g_body, &g_report)); ++refusals) {
     CHECK(bodies() == 0 && marks(DSW_CELL_VOLUME) == 3 && info_of(g_env).boundary_face_count == 98);
     CHECK_OK(dsw_scene_get_detached_volumes(g_scene, &volumes, &count));
     CHECK(count == 0);

@@ -10,9 +10,9 @@ static dsw_open_report g_opened;
 
 static void begin(void) { begin_block(NULL, 1, 0); }
 
-static dsw_open_desc open_faces(size_t count, double width) {
-  dsw_open_desc d;
-  dsw_open_desc_init(&d, sizeof d);
+static dsw_open_crack_desc open_faces(size_t count, double width) {
+  dsw_open_crack_desc d;
+  dsw_open_crack_desc_init(&d, sizeof d);
   d.faces = g_faces;
   d.face_count = count;
   d.width = width;
@@ -22,8 +22,8 @@ static dsw_open_desc open_faces(size_t count, double width) {
 }
 
 static void open_them(size_t count, double width) {
-  const dsw_open_desc d = open_faces(count, width);
-  CHECK_OK(dsw_environment_open(g_env, &d, &g_opened));
+  const dsw_open_crack_desc d = open_faces(count, width);
+  CHECK_OK(dsw_environment_open_crack(g_env, &d, &g_opened));
 }
 
 /* Cuts at x up to y_end and keeps the faces of the cut. */
@@ -203,47 +203,47 @@ static void as_far_as_it_goes(void) {
 
 static void bad_arguments(void) {
   const uint32_t n = g_block.layer;
-  dsw_open_desc d, bad;
+  dsw_open_crack_desc d, bad;
   begin();
   CHECK(cut_at(2, 5, 0) == n);
   d = open_faces(n, 0.5);
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_open(NULL, &d, NULL));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_open(g_env, NULL, NULL));
-  CHECK_REFUSES(DSW_STATUS_NULL_ARGUMENT, d, faces, NULL, dsw_environment_open(g_env, &bad, NULL));
-  CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, d, struct_size, 8, dsw_environment_open(g_env, &bad, NULL));
-  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 1, dsw_environment_open(g_env, &bad, NULL));
-  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, width, 0, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_open_crack(NULL, &d, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_open_crack(g_env, NULL, NULL));
+  CHECK_REFUSES(DSW_STATUS_NULL_ARGUMENT, d, faces, NULL, dsw_environment_open_crack(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, d, struct_size, 8, dsw_environment_open_crack(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 1, dsw_environment_open_crack(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, width, 0, dsw_environment_open_crack(g_env, &bad, NULL));
   bad.width = -1;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_open_crack(g_env, &bad, NULL));
   CHECK_MESSAGE("desc->width is -1");
   bad.width = NAN;
-  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_open_crack(g_env, &bad, NULL));
   bad.width = HUGE_VAL;
-  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_FAILS(DSW_STATUS_NON_FINITE, dsw_environment_open_crack(g_env, &bad, NULL));
   g_faces[n] = g_faces[3];
   bad = open_faces(n + 1, 0.5);
-  CHECK_FAILS(DSW_STATUS_DUPLICATE_ID, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_FAILS(DSW_STATUS_DUPLICATE_ID, dsw_environment_open_crack(g_env, &bad, NULL));
   CHECK_MESSAGE(n == 16 ? "pair 16" : "pair 4");
   g_faces[n].front = g_faces[n].back = face_at(0, 6);
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_open_crack(g_env, &bad, NULL));
   g_faces[n].front = face_at(0, FACE_X1), g_faces[n].back = face_at(0, g_block.y1);
-  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_open_crack(g_env, &bad, NULL));
   g_faces[n].front = face_at(0, g_block.x0);
-  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_open_crack(g_env, &bad, NULL));
   g_faces[n].back = face_at(0, g_block.x0);
-  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_open_crack(g_env, &bad, NULL));
   g_faces[n].back = face_at(4, g_block.x0);
-  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_open(g_env, &bad, NULL));
+  CHECK_FAILS(DSW_STATUS_BAD_TOPOLOGY, dsw_environment_open_crack(g_env, &bad, NULL));
   CHECK_MESSAGE("same vertices");
-  dsw_open_desc_init(NULL, 0);
+  dsw_open_crack_desc_init(NULL, 0);
   end_block(g_block.cells, g_block.boundary, 1);
 }
 
 static void borrowed_points(void) {
-  dsw_open_desc d;
+  dsw_open_crack_desc d;
   begin_block(NULL, 1, DSW_ENVIRONMENT_BORROW_POINTS);
   d = open_faces(cut_at(2, 5, 0), 0.5);
-  CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_open(g_env, &d, NULL));
+  CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_open_crack(g_env, &d, NULL));
   end_block(g_block.cells, g_block.boundary, 1);
 }
 
@@ -252,7 +252,7 @@ static void particles_follow(void) {
   static const double beside[3] = {2.1, 1.5, 1.5}, left[3] = {1.1, 0.5, 0.5};
   const block_numbers b = g_block;
   const dsw_cut_desc d = blade_at(3.5, 5);
-  const dsw_open_desc o = open_faces(0, 0.5);
+  const dsw_open_crack_desc o = open_faces(0, 0.5);
   dsw_particle_id particle, other;
   dsw_volume_id volume = {0, 0};
   dsw_scene *scene, *second;
@@ -261,15 +261,15 @@ static void particles_follow(void) {
   CHECK_OK(dsw_particle_create(scene, beside, no_volume, &particle));
   CHECK_OK(dsw_particle_create(scene, left, no_volume, &other));
   cut_at(1.25, 5, 0);
-  CHECK_OK(dsw_particle_get(scene, other, NULL, &volume));
+  CHECK_OK(dsw_particle_get_position(scene, other, NULL, &volume));
   CHECK(volume.index >= b.cells); /* behind the path */
   open_them(cut_at(2, 5, DSW_CUT_UNSEW), 0.5);
   CHECK(g_opened.faces_opened == b.layer);
-  CHECK_OK(dsw_particle_get(scene, particle, NULL, &volume));
+  CHECK_OK(dsw_particle_get_position(scene, particle, NULL, &volume));
   CHECK(volume.index >= b.cells); /* in the gap */
   second = make_scene(g_env, 0);
   CHECK_FAILS(DSW_STATUS_SHARED, dsw_environment_cut(g_env, &d, NULL));
-  CHECK_FAILS(DSW_STATUS_SHARED, dsw_environment_open(g_env, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_SHARED, dsw_environment_open_crack(g_env, &o, NULL));
   CHECK_OK(dsw_scene_destroy(second));
   CHECK_OK(dsw_scene_destroy(scene));
   end_block(b.cells + 2 * b.layer, b.boundary + 2 * b.rim, 1);
@@ -289,7 +289,7 @@ static void a_body_and_a_particle(void) {
   CHECK_OK(dsw_particle_create(scene, beside, no_volume, &particle));
   open_them(cut_at(2, 5, 0), 0.5);
   CHECK(g_opened.faces_opened == b.layer);
-  CHECK_OK(dsw_particle_get(scene, particle, NULL, &volume));
+  CHECK_OK(dsw_particle_get_position(scene, particle, NULL, &volume));
   CHECK(volume.index >= b.cells); /* in the gap */
   CHECK_OK(dsw_scene_destroy(scene));
   end_block(b.cells + b.layer, b.boundary + b.rim, 1);
@@ -300,7 +300,7 @@ static void a_particle_that_a_wall_would_pass(void) {
   const block_numbers b = g_block;
   const dsw_particle_id *blocked = NULL;
   dsw_particle_id particle;
-  dsw_open_desc d;
+  dsw_open_crack_desc d;
   dsw_scene *scene;
   size_t count = 0;
   begin();
@@ -310,7 +310,7 @@ static void a_particle_that_a_wall_would_pass(void) {
     CHECK_OK(dsw_environment_mark_faces(g_env, &g_faces[count].front, 1, DSW_MARK_IMPASSABLE));
   }
   CHECK_OK(dsw_particle_create(scene, at, no_volume, &particle));
-  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_environment_open(g_env, &d, &g_opened));
+  CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_environment_open_crack(g_env, &d, &g_opened));
   CHECK_OK(dsw_scene_get_occupants(scene, &blocked, &count));
   CHECK(count == 1 && blocked[0].index == particle.index && info_of(g_env).volume_count == b.cells);
   open_them(b.layer, 0.125);
@@ -323,12 +323,12 @@ static void running_out_of_memory(void) {
   const block_numbers b = g_block;
   host h;
   dsw_context *const context = make_context(&h);
-  dsw_open_desc d;
+  dsw_open_crack_desc d;
   size_t refusals = 0;
   begin_block(context, 1, 0);
   mark_lower_half();
   d = open_faces(cut_tissue(2, 5), 0.5);
-  for (; RUNS_OUT(&h, refusals, dsw_environment_open(g_env, &d, NULL)); ++refusals) {
+  for (; RUNS_OUT(&h, refusals, dsw_environment_open_crack(g_env, &d, NULL)); ++refusals) {
     CHECK(info_of(g_env).volume_count == b.cells);
   }
   CHECK(refusals > (b.dimension == 3 ? 100u : 50u));

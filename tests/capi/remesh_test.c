@@ -71,7 +71,7 @@ static void before_a_deformation(void) {
   for (i = 0; i < count; ++i)
     CHECK(changes[i].after.index == changes[0].after.index && changes[i].before.generation == 1);
   CHECK_OK(dsw_environment_check(g_env, NULL));
-  CHECK_OK(dsw_scene_deform(g_scene, g_next, POINTS, NULL, NULL));
+  CHECK_OK(dsw_environment_deform(g_scene, g_next, POINTS, NULL, NULL));
   CHECK(is_valid(changes[0].after) == 1);
   CHECK(info_of(g_env).volume_count == N * N * N + 1 - g_report.volumes_removed);
   CHECK_OK(dsw_environment_check(g_env, NULL));
@@ -83,7 +83,7 @@ static void after_a_deformation(void) {
   dsw_remesh_desc d;
   begin(NULL);
   fold();
-  CHECK_OK(dsw_scene_deform(g_scene, g_next, POINTS, NULL, NULL));
+  CHECK_OK(dsw_environment_deform(g_scene, g_next, POINTS, NULL, NULL));
   CHECK(is_valid(one) == 0);
   CHECK_FAILS(DSW_STATUS_INVALID_CELL, dsw_environment_check(g_env, NULL));
   dsw_remesh_desc_init(&d, sizeof d);
@@ -139,9 +139,9 @@ static void with_a_deformation(void) {
     dsw_deform_options_init(&o, sizeof o);
     CHECK(o.remesh_radius == 0 && o.remesh_max_faces == 0);
     o.invalid = remesh ? DSW_INVALID_REMESH : DSW_INVALID_HOLD;
-    CHECK_OK(dsw_scene_deform(g_scene, g_next, POINTS, &o, &report));
+    CHECK_OK(dsw_environment_deform(g_scene, g_next, POINTS, &o, &report));
     CHECK(remesh ? report.remeshed_count > 0 : report.remeshed_count == 0);
-    CHECK_OK(dsw_particle_get(g_scene, particle, now, &in));
+    CHECK_OK(dsw_particle_get_position(g_scene, particle, now, &in));
     CHECK(is_valid(in) == 1 && now[0] == at[0] && now[1] == at[1]);
     CHECK(report.outcome == (remesh ? DSW_DEFORM_DONE : DSW_DEFORM_HELD));
     end();
@@ -174,10 +174,10 @@ static void bad_arguments(void) {
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, with_next(), max_faces, 129, dsw_environment_remesh(g_env, &bad, NULL));
   dsw_deform_options_init(&o, sizeof o);
   o.remesh_radius = 9;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_deform(g_scene, g_next, POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_deform(g_scene, g_next, POINTS, &o, NULL));
   o.remesh_radius = 0;
   o.remesh_max_faces = 3;
-  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_scene_deform(g_scene, g_next, POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_deform(g_scene, g_next, POINTS, &o, NULL));
   CHECK_OK(dsw_scene_destroy(g_scene));
   g_scene = make_scene(g_env, 0);
   other = make_scene(g_env, 0);

@@ -232,13 +232,13 @@ TEST_F(BodyCreateTest, IdsOfGoneBodiesAreStale) {
     size_t count = 55;
     const double targets[6] = {0};
     dsw_body_vertex_id vertex;
-    const dsw_contact* contacts = nullptr;
+    const dsw_body_contact* contacts = nullptr;
     EXPECT_EQ(dsw_body_destroy(scene(), id), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_get_counts(scene(), id, &counts), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_get_level(scene(), id, &level), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_set_level(scene(), id, DSW_LEVEL_POINTS), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_get_positions(scene(), id, xyz, 2, 0, nullptr, &count), DSW_STATUS_STALE_ID);
-    EXPECT_EQ(dsw_body_get_vertices(scene(), id, &vertex, 1, &count), DSW_STATUS_STALE_ID);
+    EXPECT_EQ(dsw_body_get_vertex_ids(scene(), id, &vertex, 1, &count), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_add_vertex(scene(), id, kA.data(), {0, 0}, &vertex), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_move(scene(), id, targets, 2, 0, nullptr, nullptr), DSW_STATUS_STALE_ID);
     EXPECT_EQ(dsw_body_get_contacts(scene(), id, &contacts, &count), DSW_STATUS_STALE_ID);
@@ -254,11 +254,11 @@ TEST_F(BodyCreateTest, BuffersThatAreTooSmallLearnTheSize) {
   EXPECT_EQ(count, 4u);
   EXPECT_EQ(xyz[0], 7);
   dsw_body_edge_id edges[6] = {{9, 9}};
-  EXPECT_EQ(dsw_body_get_edges(scene(), body, edges, 5, &count), DSW_STATUS_BUFFER_TOO_SMALL);
+  EXPECT_EQ(dsw_body_get_edge_ids(scene(), body, edges, 5, &count), DSW_STATUS_BUFFER_TOO_SMALL);
   EXPECT_EQ(count, 6u);
   EXPECT_EQ(edges[0].index, 9u);
   dsw_body_face_id faces[4];
-  EXPECT_EQ(dsw_body_get_faces(scene(), body, faces, 3, &count), DSW_STATUS_BUFFER_TOO_SMALL);
+  EXPECT_EQ(dsw_body_get_face_ids(scene(), body, faces, 3, &count), DSW_STATUS_BUFFER_TOO_SMALL);
   EXPECT_EQ(count, 4u);
 }
 

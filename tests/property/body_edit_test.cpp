@@ -41,7 +41,7 @@ TEST_F(BodyEditTest, RemovedPartsAreStaleAndTheirIndicesComeBackWithAHigherGener
   EXPECT_EQ(read(body).edges.size(), 5u);
   EXPECT_EQ(read(body).faces.size(), 2u);
   dsw_body_vertex_id ends[2];
-  refuse(DSW_STATUS_STALE_ID, body, [&] { return dsw_body_get_edge(scene(), body, before.edge_ids[e], ends); });
+  refuse(DSW_STATUS_STALE_ID, body, [&] { return dsw_body_get_edge_ends(scene(), body, before.edge_ids[e], ends); });
 
   ASSERT_EQ(dsw_body_remove_vertex(scene(), body, before.vertices[3]), DSW_STATUS_OK);
   const BodyState rest = read(body);
@@ -126,7 +126,7 @@ TEST_F(BodyEditTest, SplitAndCollapseAreARoundTrip) {
     const BodyState middle = read(body);
     EXPECT_EQ(middle.edges.size(), 9u);
     EXPECT_EQ(middle.faces.size(), 6u);
-    EXPECT_TRUE(split.inserted == 1 && split.reserved == 0 && split.share == 0.25);
+    EXPECT_TRUE(split.inserted == 1 && split.reserved == 0 && split.edge_parameter == 0.25);
     EXPECT_EQ(split.edge.index, before.edge_ids[e].index);
     EXPECT_EQ(split.edge.generation, before.edge_ids[e].generation);
     const Vec& a = before.at[split.ends[0].index];
@@ -135,7 +135,7 @@ TEST_F(BodyEditTest, SplitAndCollapseAreARoundTrip) {
     for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(m[k], a[k] + 0.25 * (b[k] - a[k]), 1e-15);
     const auto joins = [&](dsw_body_edge_id id, dsw_body_vertex_id x, dsw_body_vertex_id y) {
       dsw_body_vertex_id ends[2];
-      EXPECT_EQ(dsw_body_get_edge(scene(), body, id, ends), DSW_STATUS_OK);
+      EXPECT_EQ(dsw_body_get_edge_ends(scene(), body, id, ends), DSW_STATUS_OK);
       return (ends[0].index == x.index && ends[1].index == y.index) ||
              (ends[0].index == y.index && ends[1].index == x.index);
     };

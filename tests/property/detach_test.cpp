@@ -255,7 +255,7 @@ TEST_P(DetachTest, ItsSurfaceIsAFreeBodyWhereItWas) {
     desc.level = static_cast<dsw_level>(1 + rng_.below(4));
     if (seed % 4 == 0) desc.flags = DSW_BODY_SELF_CONTACTS;
     dsw_body_id body = {0, 0};
-    const dsw_status status = dsw_scene_detach(scene_.get(), &desc, &body, &report_);
+    const dsw_status status = dsw_environment_detach(scene_.get(), &desc, &body, &report_);
     ++tried[kind];
     if (status == DSW_STATUS_OCCUPIED) {
       ++refused[kind];
@@ -295,7 +295,7 @@ std::unique_ptr<World> world_now(const dsw_environment* environment) {
   std::vector<char> marked;
   for (uint32_t i = 0; i < info.volume_index_count; ++i) {
     dsw_volume_id v;
-    if (dsw_environment_get_volume(environment, i, &v) != DSW_STATUS_OK) continue;
+    if (dsw_environment_get_volume_id(environment, i, &v) != DSW_STATUS_OK) continue;
     uint32_t faces = 0;
     EXPECT_EQ(dsw_environment_get_volume_counts(environment, v, nullptr, nullptr, nullptr, &faces), DSW_STATUS_OK);
     std::vector<Loop> loops;
@@ -354,11 +354,11 @@ TEST_P(DetachTest, WhatCutsPartComesOff) {
       dsw_detach_desc desc = defaults(dsw_detach_desc_init);
       desc.level = static_cast<dsw_level>(1 + rng_.below(4));
       int impassable = 0;
-      ASSERT_EQ(dsw_environment_get_volume(place_.get(), i, &desc.volume), DSW_STATUS_OK);
+      ASSERT_EQ(dsw_environment_get_volume_id(place_.get(), i, &desc.volume), DSW_STATUS_OK);
       ASSERT_EQ(dsw_environment_is_marked(place_.get(), cell_of(desc.volume), &impassable), DSW_STATUS_OK);
       if (impassable == 0) continue;
       dsw_body_id body;
-      const dsw_status status = dsw_scene_detach(scene_.get(), &desc, &body, &report_);
+      const dsw_status status = dsw_environment_detach(scene_.get(), &desc, &body, &report_);
       if (status == DSW_STATUS_OCCUPIED) {
         ++refused;
         if (text != nullptr) std::cout << "seed " << seed << ": " << dsw_last_error_message() << "\n";

@@ -140,12 +140,12 @@ class OpenTissueTest : public testing::Test {
     mark_tissue(rng);
     const std::vector<dsw_cut_face> crack = cut_tissue(rng);
     const bool is_partition = dsw_environment_check(place_.get(), nullptr) == DSW_STATUS_OK;
-    dsw_open_desc desc = defaults(dsw_open_desc_init);
+    dsw_open_crack_desc desc = defaults(dsw_open_crack_desc_init);
     desc.faces = crack.data();
     desc.face_count = crack.size();
     desc.width = 0.02 * place_.world->size;
     dsw_open_report report;
-    ASSERT_EQ(dsw_environment_open(place_.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
+    ASSERT_EQ(dsw_environment_open_crack(place_.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
     ASSERT_EQ(check_integrity(env().map), nullptr);
     for_each_cell(env().map, [&](dsw::Cell c) {
       EXPECT_TRUE(check_cell(env(), c) == CellState::kValid || check_cell(env(), c) == CellState::kValidConvex);

@@ -228,13 +228,13 @@ dsw_status PlaneCuts::open() {
     }
   }
   const double widths[] = {1e-9, 0.01, 0.1, 1};
-  dsw_open_desc desc = defaults(dsw_open_desc_init);
+  dsw_open_crack_desc desc = defaults(dsw_open_crack_desc_init);
   desc.faces = faces.data();
   desc.face_count = faces.size();
   desc.width = std::max(size_ * widths[rng_.below(4u)], 5e-324);
   desc.region = rng_.chance(0.5) ? 99 : 0;
   dsw_open_report report;
-  const dsw_status status = dsw_environment_open(environment_.get(), &desc, &report);
+  const dsw_status status = dsw_environment_open_crack(environment_.get(), &desc, &report);
   if (status != DSW_STATUS_OK) return status;
   read();
   opened += report.faces_opened;

@@ -101,7 +101,7 @@ dsw_status RandomEdits<D>::add() {
   desc.points = points.data();
   desc.point_count = points.size() / D;
   desc.cell_types = &type;
-  desc.cell_count = 1;
+  desc.volume_count = 1;
   desc.offsets = offsets;
   desc.connectivity = stream.data();
   desc.connectivity_count = stream.size();

@@ -118,7 +118,7 @@ dsw_status RandomEdits<3>::detach() {
   const double gaps[] = {0, 1e-9, 0.25, 0.05};
   desc.gap = gaps[rng_.below(4)];
   dsw_body_id body;
-  return dsw_scene_detach(scene_.get(), &desc, &body, nullptr);
+  return dsw_environment_detach(scene_.get(), &desc, &body, nullptr);
 }
 
 /// Else there would be more and more bodies.

@@ -121,7 +121,7 @@ class RemeshTest : public SceneTest {
     options.invalid = invalid;
     options.method = method;
     dsw_deform_report report{};
-    EXPECT_EQ(dsw_scene_deform(scene_.get(), next_.data(), next_.size() / 3, &options, &report), DSW_STATUS_OK)
+    EXPECT_EQ(dsw_environment_deform(scene_.get(), next_.data(), next_.size() / 3, &options, &report), DSW_STATUS_OK)
         << dsw_last_error_message();
     return report;
   }
@@ -166,9 +166,9 @@ TEST_P(RemeshTest, DeformationsGoFartherWithIt) {
         check_all();
         const dsw_wall_contact* contacts = nullptr;
         size_t count = 0;
-        dsw_scene_get_wall_contacts(scene_.get(), &contacts, &count);
+        dsw_environment_get_wall_contacts(scene_.get(), &contacts, &count);
         for (size_t i = 0; i < count; ++i) {
-          const dsw_face_id wall = contacts[i].wall;
+          const dsw_face_id wall = contacts[i].contact.wall;
           ASSERT_TRUE(wall.generation == 0 || env().map.is_alive(wall.volume, wall.generation));
         }
       }
@@ -220,10 +220,10 @@ TEST_F(RemeshMemoryTest, DeformingWithIt) {
   const std::string block = saved();
   dsw_deform_report report{};
   const size_t refusals = until_it_succeeds(
-      [&] { return dsw_scene_deform(scene(), next.data(), next.size() / 3, &options, &report); },
+      [&] { return dsw_environment_deform(scene(), next.data(), next.size() / 3, &options, &report); },
       [&] {
         double now[3];
-        return dsw_particle_get(scene(), particle, now, nullptr) == DSW_STATUS_OK && std::equal(now, now + 3, at) &&
+        return dsw_particle_get_position(scene(), particle, now, nullptr) == DSW_STATUS_OK && std::equal(now, now + 3, at) &&
                next == asked && points_of(place_.get()) == before && bits_of(read(body)) == bits && saved() == block;
       });
   EXPECT_GE(refusals, 50u);

@@ -177,23 +177,23 @@ inline std::vector<std::string> scene_names() {
 
 /// Every member of a flight, for comparisons bit by bit.
 inline std::string bits_of(const dsw_flight& f) {
-  std::string text = hex(f.position) + hex(f.normal);
+  std::string text = hex(f.position) + hex(f.contact.normal);
   char rest[400];
   std::snprintf(rest, sizeof rest, " t %a v %u.%u f %u.%u/%u b %u.%u o %d k %d c %d tag %u n %u r %u", f.time,
-                f.volume.index, f.volume.generation, f.face.volume, f.face.generation, f.face.local, f.behind.index,
-                f.behind.generation, f.outcome, f.kind, f.obstacle, f.tag, f.cells_visited,
+                f.volume.index, f.volume.generation, f.contact.wall.volume, f.contact.wall.generation, f.contact.wall.local, f.contact.behind.index,
+                f.contact.behind.generation, f.outcome, f.contact.kind, f.contact.marked_kind, f.contact.tag, f.volumes_visited,
                 f.reserved[0] | f.reserved[1]);
   return text + rest;
 }
 
 /// Every member of a sweep's report.
 inline std::string bits_of(const dsw_sweep& s) {
-  std::string text = hex(s.position) + hex(s.point) + hex(s.normal);
+  std::string text = hex(s.position) + hex(s.point) + hex(s.contact.normal);
   char rest[400];
   std::snprintf(rest, sizeof rest, " t %a a %a v %u.%u b %u.%u f %u.%u/%u e %u.%u/%u o %d k %d c %d tag %u n %u r %u",
-                s.time, s.along, s.volume.index, s.volume.generation, s.front.index, s.front.generation, s.face.volume,
-                s.face.generation, s.face.local, s.edge.volume, s.edge.generation, s.edge.local, s.outcome, s.kind,
-                s.obstacle, s.tag, s.cells_visited, s.reserved);
+                s.time, s.edge_parameter, s.volume.index, s.volume.generation, s.contact.front.index, s.contact.front.generation, s.contact.wall.volume,
+                s.contact.wall.generation, s.contact.wall.local, s.contact.obstacle.volume, s.contact.obstacle.generation, s.contact.obstacle.local, s.outcome, s.contact.kind,
+                s.contact.marked_kind, s.contact.tag, s.volumes_visited, s.reserved);
   return text + rest;
 }
 

@@ -31,7 +31,7 @@ EnvironmentPtr make_environment(const Sheet& sheet, uint32_t dimension) {
   desc.points = points.data();
   desc.point_count = points.size() / dimension;
   desc.uniform_cell_type = space ? DSW_CELL_TYPE_WEDGE : DSW_CELL_TYPE_TRIANGLE;
-  desc.cell_count = sheet.triangles.size();
+  desc.volume_count = sheet.triangles.size();
   desc.index_bytes = 4;
   desc.connectivity = corners.data();
   desc.connectivity_count = corners.size();
