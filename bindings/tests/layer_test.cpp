@@ -90,7 +90,8 @@ TEST(Layer, PointsOfThePlaneHaveTwoCoordinates) {
   EXPECT_EQ(report.vertices_stopped, 1u);
   const Array<dsw_body_contact> contacts = body.get_contacts();
   ASSERT_EQ(contacts.size(), 1u);
-  EXPECT_TRUE(contacts.get(0).time == 0.75 && contacts.get(0).contact.normal[1] == -1 && contacts.get(0).contact.normal[2] == 0);
+  EXPECT_TRUE(contacts.get(0).time == 0.75 && contacts.get(0).contact.normal[1] == -1 &&
+              contacts.get(0).contact.normal[2] == 0);
   double positions[4];
   body.get_positions({positions, 4});
   EXPECT_TRUE(positions[0] == 0.5 && positions[1] > 0.99 && positions[1] < 1 && positions[3] == 0.5);
@@ -160,8 +161,8 @@ TEST(Layer, SurgeryInThePlaneReadsByTwo) {
   EXPECT_NEAR(environment.get_centre(made).at[0], 4.0 / 3, 1e-15);
   EXPECT_EQ(environment.cut(of<Points>(blade), 2, 1).volumes_split, 2u);
   const std::uint32_t corners[] = {0, 1, 1, 2, 2, 0};
-  EXPECT_GT(environment.carve(of<Points>(shape), {corners, 6}).cut.volumes_crossed, 0u);
-  EXPECT_GT(environment.tie(of<Points>(line)).cut.face_count, 0u);
+  EXPECT_GT(environment.carve(of<Points>(shape), {corners, 6}).volumes_crossed, 0u);
+  EXPECT_GT(environment.tie(of<Points>(line)).face_count, 0u);
   EXPECT_EQ(status_of([&] { environment.cut(of<Points>(blade), 3, 1); }), DSW_STATUS_WRONG_SIZE);
   EXPECT_EQ(status_of([&] { environment.carve(of<Points>(shape), {corners, 5}); }), DSW_STATUS_WRONG_SIZE);
   const dsw_face_id side = environment.get_volume_face(environment.get_volume(made.index), 0);

@@ -98,8 +98,9 @@ void say_deformation(const dsw_deform_report *report) {
 }
 
 void cut(dsw_environment *environment, const dsw_cut_desc *desc) {
-  const dsw_cut_vertex *vertices = NULL;
-  dsw_cut_report report;
+  const dsw_vertex_origin *vertices = NULL;
+  dsw_change report;
+  report.struct_size = sizeof report;
   dsw_environment_info info;
   size_t i, count = 0;
   must(dsw_environment_cut(environment, desc, &report));
@@ -354,7 +355,7 @@ static void deform(void) {
     memcpy(next + 3 * i, points + 3 * i, 3 * sizeof *next);
     next[3 * i] += (48 - points[3 * i]) * 0.4375;
   }
-  must(dsw_environment_deform(scene, next, POINTS, NULL, &report));
+  must(dsw_environment_deform(dsw_scene_get_environment(scene), next, POINTS, NULL, &report));
   say_deformation(&report);
   must(dsw_body_get_positions(scene, body, positions, LINKS, 0, NULL, &count));
   for (i = 0; i < LINKS; ++i) point(positions + 3 * i);

@@ -107,7 +107,7 @@ static void bend_and_cut(dsw_environment *environment, dsw_scene *scene, dsw_bod
   }
   dsw_deform_options_init(&options, sizeof options);
   options.point_room = CORNERS + ROOM;
-  must(dsw_environment_deform(scene, next, CORNERS, &options, &report));
+  must(dsw_environment_deform(dsw_scene_get_environment(scene), next, CORNERS, &options, &report));
   say_deformation(&report);
   must(dsw_body_get_positions(scene, rope, positions, LINKS, 0, NULL, &count));
   for (i = 0; i < 2 * LINKS; ++i) number(positions[i]);
