@@ -81,8 +81,8 @@ DSW_CSHARP_API std::size_t dartsweep_size_of(int index) {
       sizeof(dsw_vec3),           sizeof(dsw_cell),         sizeof(dsw_vertex_id),    sizeof(dsw_volume_id),
       sizeof(dsw_face_id),        sizeof(dsw_edge_id),      sizeof(dsw_particle_id),  sizeof(dsw_body_id),
       sizeof(dsw_body_vertex_id), sizeof(dsw_body_edge_id), sizeof(dsw_body_face_id), sizeof(dsw_flight),
-      sizeof(dsw_crossing),       sizeof(dsw_sweep),        sizeof(dsw_contact),      sizeof(dsw_contact_partner),
-      sizeof(dsw_contact_past),   sizeof(dsw_body_edit),    sizeof(dsw_move_report),  sizeof(dsw_wall_contact),
+      sizeof(dsw_crossing),       sizeof(dsw_sweep),        sizeof(dsw_body_contact),      sizeof(dsw_contact_partner),
+      sizeof(dsw_previous_contact),   sizeof(dsw_body_edit),    sizeof(dsw_move_report),  sizeof(dsw_wall_contact),
       sizeof(dsw_volume_change),  sizeof(dsw_cut_vertex),   sizeof(dsw_cut_face),     sizeof(dsw_detached_vertex),
       sizeof(dsw_detached_face)};
   return sizes[index];

@@ -189,7 +189,7 @@ DSW_VALUE(dsw_cell, Cell)
       return value;
     } %}
 %enddef
-DSW_COPIED(dsw_contact_opinion, ContactOpinion)
+DSW_COPIED(dsw_cross_check, CrossCheck)
 DSW_COPIED(dsw_detach_report, DetachReport)
 
 %define DSW_NUMBERS_MEMBER(type, element)
@@ -221,7 +221,7 @@ DSW_NUMBERS_MEMBER(double, double)
 DSW_NUMBERS_MEMBER(uint32_t, uint)
 
 // --- members that are text: SWIG's own way needs its helper
-%immutable dsw_verdict::text;
+%immutable dsw_validation::text;
 %typemap(ctype) char [ANY] "dartsweep_csharp::Block"
 %typemap(imtype) char [ANY] "Block"
 %typemap(cstype) char [ANY] "string"

@@ -190,7 +190,7 @@ DSW_NUMBERS(std::size_t, long, jlongArray)
   }
 
 %immutable dsw_build_report::offenders;
-%immutable dsw_contact::fixed;
+%immutable dsw_body_contact::fixed;
 
 // --- arrays of structs: lists in C's memory
 %define DSW_LISTS(type, name)

@@ -173,7 +173,7 @@ struct dartsweep_lua::ArrayName<type> {
 %enddef
 DSW_EACH_ID(DSW_STRUCTS)
 DSW_EACH_RECORD(DSW_STRUCTS)
-DSW_STRUCTS(dsw_contact_opinion, ContactOpinion)
+DSW_STRUCTS(dsw_cross_check, CrossCheck)
 DSW_STRUCTS(dsw_detach_report, DetachReport)
 DSW_STRUCTS(dsw_cell, Cell)
 

@@ -23,8 +23,8 @@
  *  - `point`, `points`, `position`, `positions`, `from`, `to`, `target`, `targets`, `xyz`: a point
  *    is `dimension` finite doubles. `stride_bytes` leads from one point to the next, a multiple of
  *    8; 0 means no gaps.
- *  - A `const T **` result belongs to its object, and is valid until the next call that replaces
- *    this result.
+ *  - A `const T **` result, and a pointer in a report, belongs to the object. It is valid until the
+ *    next call that writes the environment or the scene of the object.
  *  - Arrays have `count` entries, unless a comment says otherwise. An array of unknown length has
  *    `capacity` entries, or `capacity_bytes` bytes; *count, or *size_bytes, is set to what is
  *    needed, also on DSW_STATUS_BUFFER_TOO_SMALL. Capacity 0 only asks, and the array may be null.
@@ -35,8 +35,9 @@
  *    be 0 in a description, and are set to 0 in a report.
  *  - An `_init` function writes the defaults into at most `size` bytes, sizeof the struct.
  *
- * Threads: a "reader" may run beside other readers of the object, a "writer" runs alone on it. A
- * "batch" uses the context's parallel-for; its results do not depend on threads, and its error
+ * Threads: a "reader" may run beside other readers of the object, a "writer" runs alone on it. The
+ * signature tells: a function with a `dsw_environment *` that is not const writes the environment
+ * and its scene, one with a `dsw_scene *` writes the scene. A "batch" uses the context's parallel-for; its results do not depend on threads, and its error
  * message names the first wrong entry.
  *
  * Costs: n counts the cells of the environment. [JCD10]: T. Jund, D. Cazier, J.-F. Dufourd, "Edge
@@ -63,8 +64,8 @@
 #define DSW_API
 #endif
 
-#define DSW_VERSION_MAJOR 1 /**< Of this header. dsw_version() tells the library's. */
-#define DSW_VERSION_MINOR 1 /**< Grows with additions. */
+#define DSW_VERSION_MAJOR 2 /**< Of this header. dsw_version() tells the library's. */
+#define DSW_VERSION_MINOR 0 /**< Grows with additions. */
 #define DSW_VERSION_PATCH 0 /**< Grows with corrections. */
 
 #ifdef __cplusplus
@@ -107,7 +108,7 @@ typedef enum dsw_status {
   DSW_STATUS_CORRUPT = 27,          /**< The block of bytes is damaged. */
   DSW_STATUS_BAD_VERSION = 28,      /**< The block has an unknown format version. */
   /** The scene has not enabled the feature. */
-  DSW_STATUS_NOT_NAMED = 29,
+  DSW_STATUS_NOT_ENABLED = 29,
   DSW_STATUS_NOT_BUILT = 30, /**< Not part of this library. */
   DSW_STATUS_INTERNAL = 31,  /**< A bug; please report the message. */
   /** The change needs other cells; see the message. */
@@ -115,29 +116,26 @@ typedef enum dsw_status {
   DSW_STATUS_BORROWED = 33,           /**< The host's points have no room for more. */
   DSW_STATUS_WRITE_FAILED = 34,       /**< A recording was not written. */
   DSW_STATUS_NOT_CLOSED = 35,         /**< The body is not a closed surface. */
+  DSW_STATUS_REPEATED_VERTEX = 36,    /**< An edge or face of a body repeats a vertex. */
+  DSW_STATUS_DUPLICATE_PART = 37,     /**< A body has an edge or face twice. */
+  DSW_STATUS_NOT_MANIFOLD = 38,       /**< A body would not be a manifold. */
+  DSW_STATUS_NOT_ORIENTED = 39,       /**< Faces of a body are turned against each other. */
   DSW_STATUS_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_status;
 
-/** A point or direction. */
-typedef struct dsw_vec3 {
-  double x; /**< First. */
-  double y; /**< Second. */
-  double z; /**< Third. */
-} dsw_vec3;
-
 /** Returns the version of the loaded library.
  * @return major * 1000000 + minor * 1000 + patch.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+ * @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API uint32_t dsw_version(void);
 
 /** Returns the name of a status, for example "DSW_STATUS_OUTSIDE".
  * @return static text; "unknown status" for other values.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+ * @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API const char *dsw_status_string(dsw_status status);
 
 /** Describes the last failure on this thread: function, argument, index, value, range accepted.
  * @return text, empty before the first failure, valid until the next failure on this thread.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+ * @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API const char *dsw_last_error_message(void);
 
 #ifdef __cplusplus

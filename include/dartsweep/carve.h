@@ -1,7 +1,6 @@
 /** @file carve.h
  * Carving removes the material inside of a shape; a ligature closes a vessel. surgery.h and
- * topology.h hold here, with their getters. `report` may be null. More:
- * bindings/docs/carving.md.
+ * topology.h hold here. More: bindings/docs/carving.md.
  */
 #ifndef DARTSWEEP_CARVE_H
 #define DARTSWEEP_CARVE_H
@@ -33,15 +32,8 @@ typedef struct dsw_carve_desc {
   double snap; /**< As in dsw_cut_desc. */
 } dsw_carve_desc;
 
-/** What a carving did. */
-typedef struct dsw_carve_report {
-  dsw_cut_report cut;      /**< The cut along the surface. */
-  uint32_t volumes_carved; /**< See dsw_environment_get_carved_volumes. */
-  uint32_t reserved;       /**< 0. */
-} dsw_carve_report;
-
 /** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+ * @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
 
 /** Splits impassable volumes that a surface crosses, as dsw_environment_cut does, then makes
@@ -49,14 +41,9 @@ DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
  * @return as topology.h; DSW_STATUS_INDEX_OUT_OF_RANGE; BORROWED: no room for vertices;
  * BAD_TOPOLOGY: the surface is not closed, or a triangle repeats a point.
  * @note Cost: O(volumes crossed or inside * log triangles); without `start` also O(n). Thread: as
- * topology.h. @since 1.0 */
+ * topology.h. @since 2.0 */
 DSW_API dsw_status dsw_environment_carve(dsw_environment *environment, const dsw_carve_desc *desc,
-                                         dsw_carve_report *report);
-
-/** Gives the volumes that the last carving made passable, by their ids then.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
-DSW_API dsw_status dsw_environment_get_carved_volumes(const dsw_environment *environment,
-                                                      const dsw_volume_id **volumes, size_t *count);
+                                         dsw_change *change);
 
 /** A closed loop of points round a vessel. Its surface is made of triangles of two neighbouring
  * points and the mean of all. Its front sees the loop counter-clockwise. */
@@ -72,16 +59,8 @@ typedef struct dsw_tie_desc {
   double snap; /**< As in dsw_cut_desc. */
 } dsw_tie_desc;
 
-/** What a ligature did. */
-typedef struct dsw_tie_report {
-  dsw_cut_report cut; /**< The cut; its whole volumes became impassable. */
-  /** 0: there is a way past the loop. */
-  uint32_t is_closed;
-  uint32_t reserved; /**< 0. */
-} dsw_tie_report;
-
 /** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+ * @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API void dsw_tie_desc_init(dsw_tie_desc *desc, size_t size);
 
 /** Closes passable space along the surface of a loop. Passable volumes that the surface crosses are
@@ -89,9 +68,9 @@ DSW_API void dsw_tie_desc_init(dsw_tie_desc *desc, size_t size);
  * impassable.
  * @return as topology.h; DSW_STATUS_BORROWED: no room for vertices.
  * @note Cost: as dsw_environment_cut; without `start` O(n log triangles). Thread: as topology.h.
- * @since 1.0 */
+ * @since 2.0 */
 DSW_API dsw_status dsw_environment_tie(dsw_environment *environment, const dsw_tie_desc *desc,
-                                       dsw_tie_report *report);
+                                       dsw_change *change);
 
 #ifdef __cplusplus
 }

@@ -32,7 +32,7 @@ typedef struct dsw_coarsen_report {
 } dsw_coarsen_report;
 
 /** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+ * @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size);
 
 /** Creates a coarser copy of an environment. Merged volumes are valid polyhedra. Casts and sweeps
@@ -44,7 +44,7 @@ DSW_API void dsw_coarsen_options_init(dsw_coarsen_options *options, size_t size)
  * @param capacity volume_index_count of the source.
  * @param report may be null.
  * @return DSW_STATUS_TOO_LARGE.
- * @note Cost: O(n log n). Thread: reader of the source. Source: [JCD10] 3.2. @since 1.0 */
+ * @note Cost: O(n log n). Thread: reader of the source. Source: [JCD10] 3.2. @since 2.0 */
 DSW_API dsw_status dsw_environment_coarsen(const dsw_environment *source,
                                            const dsw_coarsen_options *options,
                                            dsw_environment **environment, uint32_t *volume_map,

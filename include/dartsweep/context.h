@@ -55,18 +55,18 @@ typedef struct dsw_context_desc {
   dsw_parallel_for_fn parallel_for; /**< Null: built in. */
 } dsw_context_desc;
 
-/** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API void dsw_context_desc_init(dsw_context_desc *desc, size_t size);
 
 /** Creates a context.
  * @param desc null: all defaults; the callbacks are retained.
  * @return DSW_STATUS_OUT_OF_RANGE: also if only one of allocate and release is set.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+ * @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API dsw_status dsw_context_create(const dsw_context_desc *desc, dsw_context **context);
 
 /** Destroys a context.
  * @return DSW_STATUS_IN_USE: objects of the context exist.
- * @note Cost: O(1). Thread: writer. @since 1.0 */
+ * @note Cost: O(1). Thread: writer. @since 2.0 */
 DSW_API dsw_status dsw_context_destroy(dsw_context *context);
 
 #ifdef __cplusplus

@@ -10,8 +10,8 @@
 #include "dartsweep/carve.h"
 #include "dartsweep/coarsen.h"
 #include "dartsweep/contact.h"
-#include "dartsweep/contact_check.h"
 #include "dartsweep/context.h"
+#include "dartsweep/cross_check.h"
 #include "dartsweep/deform.h"
 #include "dartsweep/detach.h"
 #include "dartsweep/environment.h"
@@ -38,7 +38,7 @@
  *    rotation are 0.
  *  - In topology.h sides are the edges: an edge id has the numbers of the face id of a side.
  *    Elsewhere there are no edges.
- *  - DSW_STATUS_UNSUPPORTED: coarsen.h, remesh.h, detach.h, contact_check.h, edges outside of
+ *  - DSW_STATUS_UNSUPPORTED: coarsen.h, remesh.h, detach.h, cross_check.h, edges outside of
  *    topology.h, dsw_environment_merge_faces, dsw_environment_split_face, faces of bodies,
  *    DSW_LEVEL_FACES, DSW_BODY_SKIP_BACK_EDGES, DSW_INVALID_REMESH.
  *  - Edges of bodies meet vertices (DSW_CONTACT_VERTEX) instead of edges, also marked vertices.

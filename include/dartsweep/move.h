@@ -17,7 +17,7 @@ extern "C" {
 typedef enum dsw_search {
   DSW_SEARCH_EXACT = 0, /**< The first contact. */
   /** All obstacles of the whole way, by time. */
-  DSW_SEARCH_ALL = 1,
+  DSW_SEARCH_EXHAUSTIVE = 1,
   /** Dichotomic: halvings between a free and an occupied place, which the contact describes. At
    * DSW_LEVEL_EDGES another contact may come first. */
   DSW_SEARCH_BISECTION = 2,
@@ -37,7 +37,7 @@ typedef enum dsw_response {
   DSW_RESPONSE_HYBRID = 3,
   /** The vertex moves on along the obstacle. */
   DSW_RESPONSE_SLIDE = 4,
-  /** ADAPTIVE_ONE, or SLIDE where no vertex can be inserted. Since 1.1. */
+  /** ADAPTIVE_ONE, or SLIDE where no vertex can be inserted. */
   DSW_RESPONSE_ADAPTIVE_SLIDE = 5,
   DSW_RESPONSE_FORCE_INT32 = 0x7fffffff /**< No value. */
 } dsw_response;
@@ -51,7 +51,7 @@ typedef struct dsw_move_options {
   dsw_search search;            /**< Default EXACT. */
   uint32_t bisection_depth;     /**< Halvings, 1 to 52; 0 means 20. */
   /** Work limit: volumes that one sweep may look at; 0: none. Then vertices stop free. */
-  uint32_t max_cells;
+  uint32_t max_volumes;
   uint32_t reserved; /**< 0. */
   double min_part;   /**< Least share of an edge in a part, up to 0.5; 0 means 0.25. */
   double min_length; /**< Least length of a part; 0: none. */
@@ -80,14 +80,14 @@ typedef struct dsw_move_report {
 } dsw_move_report;
 
 /** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+ * @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API void dsw_move_options_init(dsw_move_options *options, size_t size);
 
 /** Moves the vertices of a body to their targets, one after the other.
  * @param targets `target_count` points, one for each vertex slot; read for vertices that move.
  * @return DSW_STATUS_DUPLICATE_ID: `order`.
  * @note Cost: O(volumes met + bodies near the way). Thread: writer. Source: [JCD10] 4.
- * @since 1.0 */
+ * @since 2.0 */
 DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const double *targets,
                                  size_t target_count, size_t stride_bytes,
                                  const dsw_move_options *options, dsw_move_report *report);
@@ -97,7 +97,7 @@ DSW_API dsw_status dsw_body_move(dsw_scene *scene, dsw_body_id body, const doubl
  * @param targets `target_count` points, body after body.
  * @param options `order` must be null.
  * @return as dsw_body_move.
- * @note Cost: as dsw_body_move. Thread: writer, batch. @since 1.0 */
+ * @note Cost: as dsw_body_move. Thread: writer, batch. @since 2.0 */
 DSW_API dsw_status dsw_scene_move_bodies(dsw_scene *scene, const dsw_body_id *bodies, size_t count,
                                          const double *targets, size_t target_count,
                                          size_t stride_bytes, const dsw_move_options *options,
@@ -114,32 +114,31 @@ typedef struct dsw_rigid_motion {
  * by one.
  * @param options only `order`, of all vertices, counts.
  * @return as dsw_body_move.
- * @note Cost: as dsw_body_move, for each fraction tried. Thread: writer. @since 1.0 */
+ * @note Cost: as dsw_body_move, for each fraction tried. Thread: writer. @since 2.0 */
 DSW_API dsw_status dsw_body_move_rigid(dsw_scene *scene, dsw_body_id body,
                                        const dsw_rigid_motion *motion,
                                        const dsw_move_options *options, dsw_move_report *report);
 
 /** Gives the contacts of the last move of a body, in order.
- * @param contacts valid until the body moves or is edited.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+ * @note Cost: O(1). Thread: reader. @since 2.0 */
 DSW_API dsw_status dsw_body_get_contacts(const dsw_scene *scene, dsw_body_id body,
-                                         const dsw_contact **contacts, size_t *count);
+                                         const dsw_body_contact **contacts, size_t *count);
 
 /** Gives the other body of each of these contacts.
- * @return DSW_STATUS_NOT_NAMED: DSW_FEATURE_BODY_CONTACTS.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+ * @return DSW_STATUS_NOT_ENABLED: DSW_FEATURE_BODY_CONTACTS.
+ * @note Cost: O(1). Thread: reader. @since 2.0 */
 DSW_API dsw_status dsw_body_get_contact_partners(const dsw_scene *scene, dsw_body_id body,
                                                  const dsw_contact_partner **partners,
                                                  size_t *count);
 
 /** Gives what the vertex of each of these contacts touched before.
- * @note Cost: O(1). Thread: reader. Source: [JCD10] 3.1. @since 1.1 */
-DSW_API dsw_status dsw_body_get_contact_pasts(const dsw_scene *scene, dsw_body_id body,
-                                              const dsw_contact_past **pasts, size_t *count);
+ * @note Cost: O(1). Thread: reader. Source: [JCD10] 3.1. @since 2.0 */
+DSW_API dsw_status dsw_body_get_previous_contacts(const dsw_scene *scene, dsw_body_id body,
+                                                  const dsw_previous_contact **pasts,
+                                                  size_t *count);
 
 /** Gives the vertices that the last move of a body inserted and removed, in order.
- * @param edits valid until the body moves or is edited, or the environment is deformed.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+ * @note Cost: O(1). Thread: reader. @since 2.0 */
 DSW_API dsw_status dsw_body_get_edits(const dsw_scene *scene, dsw_body_id body,
                                       const dsw_body_edit **edits, size_t *count);
 

@@ -19,10 +19,10 @@ typedef int (*dsw_write_fn)(void *user, const void *bytes, size_t size_bytes);
 enum {
   /** Also a checksum of the state after each call. */
   DSW_RECORDING_STATES = 1,
-  /** In memory, for dsw_scene_write_bundle; old calls are dropped. */
+  /** In memory, for dsw_scene_write_bug_report; old calls are dropped. */
   DSW_RECORDING_LATEST = 2,
   /** In dsw_replay_info only: a bug report. */
-  DSW_RECORDING_BUNDLE = 4
+  DSW_RECORDING_BUG_REPORT = 4
 };
 
 /** Describes a recording. */
@@ -36,19 +36,19 @@ typedef struct dsw_recording_desc {
 } dsw_recording_desc;
 
 /** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
+ * @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API void dsw_recording_desc_init(dsw_recording_desc *desc, size_t size);
 
 /** Begins to record a scene: writes snapshots of environment and scene, then calls and results.
  * @return DSW_STATUS_IN_USE: a recording is under way; UNSUPPORTED: two of `path`, `write` and
  * LATEST; WRITE_FAILED.
  * @note Cost: O(environment), then O(arguments) a call. Thread: writer of the environment.
- * @since 1.0 */
+ * @since 2.0 */
 DSW_API dsw_status dsw_scene_start_recording(dsw_scene *scene, const dsw_recording_desc *desc);
 
 /** Ends the recording of a scene.
  * @return DSW_STATUS_WRITE_FAILED: the recording is incomplete.
- * @note Cost: O(1). Thread: writer. @since 1.0 */
+ * @note Cost: O(1). Thread: writer. @since 2.0 */
 DSW_API dsw_status dsw_scene_stop_recording(dsw_scene *scene);
 
 /** Opaque. A recording that is made again. */
@@ -71,7 +71,7 @@ typedef struct dsw_replay_report {
   dsw_replay_outcome outcome; /**< What the step shows. */
   dsw_status status;          /**< Its status now. */
   uint32_t has_failed;        /**< 1: the recorded call failed. */
-  uint32_t reserved;          /**< DSW_DIFFERS_... if DIFFERENT; else 0. */
+  uint32_t differs;           /**< DSW_DIFFERS_... if DIFFERENT; else 0. */
 } dsw_replay_report;
 
 /** What differs in a step. */
@@ -85,36 +85,36 @@ enum {
  * @param context retained.
  * @param recording `size_bytes`, retained until the replay is destroyed.
  * @return DSW_STATUS_TRUNCATED, BAD_VERSION, CORRUPT.
- * @note Cost: O(environment). Thread: any. @since 1.0 */
+ * @note Cost: O(environment). Thread: any. @since 2.0 */
 DSW_API dsw_status dsw_replay_create(dsw_context *context, const void *recording, size_t size_bytes,
                                      dsw_replay **replay);
 
 /** Destroys a replay with its scene and environment.
  * @return DSW_STATUS_IN_USE: other scenes use the environment.
- * @note Cost: O(its size). Thread: writer. @since 1.0 */
+ * @note Cost: O(its size). Thread: writer. @since 2.0 */
 DSW_API dsw_status dsw_replay_destroy(dsw_replay *replay);
 
 /** Gives the scene after the last step. The host must not change the scene.
  * @param scene owned by the replay.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+ * @note Cost: O(1). Thread: reader. @since 2.0 */
 DSW_API dsw_status dsw_replay_get_scene(const dsw_replay *replay, dsw_scene **scene);
 
 /** Makes the next call.
  * @return DSW_STATUS_CORRUPT: damaged, or of a later version; no call was made.
- * @note Cost: that of the call. Thread: writer. @since 1.0 */
+ * @note Cost: that of the call. Thread: writer. @since 2.0 */
 DSW_API dsw_status dsw_replay_step(dsw_replay *replay, dsw_replay_report *report);
 
 /** Describes the arguments of the next call as text for people.
  * @param text cut to `capacity`, ends with 0.
  * @param size of the whole text.
  * @return DSW_STATUS_CORRUPT: as dsw_replay_step.
- * @note Cost: O(arguments). Thread: writer. @since 1.0 */
+ * @note Cost: O(arguments). Thread: writer. @since 2.0 */
 DSW_API dsw_status dsw_replay_describe_next(dsw_replay *replay, char *text, size_t capacity,
                                             size_t *size);
 
 /** A validation of a call's answer, by exact integers against every obstacle. */
-typedef struct dsw_verdict {
-  uint32_t struct_size; /**< sizeof(dsw_verdict). */
+typedef struct dsw_validation {
+  uint32_t struct_size; /**< sizeof(dsw_validation). */
   uint32_t is_right;    /**< 1: nothing is wrong. */
   uint64_t places;      /**< Particles and vertices of bodies. */
   uint64_t lost;        /**< Those outside of their volumes. */
@@ -124,12 +124,12 @@ typedef struct dsw_verdict {
   uint64_t pierced;     /**< Those not free. */
   /** Ways reported free, from DSW_LEVEL_EDGES_SWEPT on with swept edges. */
   uint64_t ways;
-  uint64_t missed;     /**< Those not free. */
-  uint64_t contacts;   /**< First contacts with the environment. */
-  uint64_t wrong;      /**< Those with a wrong time. */
-  uint64_t not_judged; /**< Contacts and ways not validated. */
-  char text[128];      /**< The first error, or empty. */
-} dsw_verdict;
+  uint64_t missed;        /**< Those not free. */
+  uint64_t contacts;      /**< First contacts with the environment. */
+  uint64_t wrong;         /**< Those with a wrong time. */
+  uint64_t not_validated; /**< Contacts and ways not validated. */
+  char text[128];         /**< The first error, or empty. */
+} dsw_validation;
 
 /** What is known of a recording. */
 typedef struct dsw_replay_info {
@@ -143,41 +143,41 @@ typedef struct dsw_replay_info {
   /** Note of a bug report, known at its end. */
   const char *note;
   /** Likewise its validation, or null. */
-  const dsw_verdict *verdict;
+  const dsw_validation *validation;
 } dsw_replay_info;
 
 /** Gives what is known of the recording.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+ * @note Cost: O(1). Thread: reader. @since 2.0 */
 DSW_API dsw_status dsw_replay_get_info(const dsw_replay *replay, dsw_replay_info *info);
 
 /** Makes the next call, and validates its answer and the state.
  * @return as dsw_replay_step. After OUT_OF_MEMORY a call was made if `report->function` is set.
- * @note Cost: O(obstacles * parts validated). Thread: writer. @since 1.0 */
-DSW_API dsw_status dsw_replay_step_judged(dsw_replay *replay, dsw_replay_report *report,
-                                          dsw_verdict *verdict);
+ * @note Cost: O(obstacles * parts validated). Thread: writer. @since 2.0 */
+DSW_API dsw_status dsw_replay_step_validated(dsw_replay *replay, dsw_replay_report *report,
+                                             dsw_validation *validation);
 
 /** Describes a bug report. */
-typedef struct dsw_bundle_desc {
-  uint32_t struct_size; /**< sizeof(dsw_bundle_desc). */
+typedef struct dsw_bug_report_desc {
+  uint32_t struct_size; /**< sizeof(dsw_bug_report_desc). */
   uint32_t flags;       /**< 0. */
   const char *path;     /**< A file, replaced. */
   dsw_write_fn write;   /**< Instead of `path`. */
   void *user;           /**< Passed to `write`. */
   const char *note;     /**< Words of the host; may be null. */
-} dsw_bundle_desc;
+} dsw_bug_report_desc;
 
 /** Writes the defaults.
- * @note Cost: O(1). Thread: any. @since 1.0 */
-DSW_API void dsw_bundle_desc_init(dsw_bundle_desc *desc, size_t size);
+ * @note Cost: O(1). Thread: any. @since 2.0 */
+DSW_API void dsw_bug_report_desc_init(dsw_bug_report_desc *desc, size_t size);
 
 /** Writes a bug report: the scene before its last recorded call, the call, its results, the note,
  * and a validation. Without a recording in a file or in memory the report has no call.
- * @param verdict may be null.
+ * @param validation may be null.
  * @return DSW_STATUS_WRITE_FAILED; NOT_FOUND: the recording cannot be read; CORRUPT: the replay
  * ends early or in another state, and the report there.
- * @note Cost: O(environment + recorded calls). Thread: writer of the environment. @since 1.0 */
-DSW_API dsw_status dsw_scene_write_bundle(dsw_scene *scene, const dsw_bundle_desc *desc,
-                                          dsw_verdict *verdict);
+ * @note Cost: O(environment + recorded calls). Thread: writer of the environment. @since 2.0 */
+DSW_API dsw_status dsw_scene_write_bug_report(dsw_scene *scene, const dsw_bug_report_desc *desc,
+                                              dsw_validation *validation);
 
 #ifdef __cplusplus
 }

@@ -43,7 +43,7 @@ typedef struct dsw_statistics {
   uint32_t reserved;    /**< 0. */
   uint64_t casts;       /**< Casts, also those that verify a stop. */
   /** Volumes entered by casts or visited by sweeps. */
-  uint64_t cells_visited;
+  uint64_t volumes_visited;
   uint64_t orientation_tests; /**< Plane and line tests of casts; not those of sweeps. */
   /** Of these, decided by exact arithmetic after the filter. */
   uint64_t exact_fallbacks;
@@ -55,40 +55,40 @@ typedef struct dsw_statistics {
   uint64_t occupants_tested;
 } dsw_statistics;
 
-/** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API void dsw_scene_desc_init(dsw_scene_desc *desc, size_t size);
 
 /** Creates a scene.
  * @param environment retained. @param desc null: no features.
  * @return DSW_STATUS_IN_USE: two scenes would share an environment that deforms.
  * @note Cost: O(1), the first time with DSW_FEATURE_DEFORMING O(n). Thread: writer of the
- * environment. @since 1.0 */
+ * environment. @since 2.0 */
 DSW_API dsw_status dsw_scene_create(dsw_environment *environment, const dsw_scene_desc *desc,
                                     dsw_scene **scene);
 
 /** Destroys a scene with all that it holds. Stop a recording before, to know whether it is
  * complete.
  * @return DSW_STATUS_IN_USE: the scene belongs to a replay.
- * @note Cost: O(1). Thread: writer of the environment. @since 1.0 */
+ * @note Cost: O(1). Thread: writer of the environment. @since 2.0 */
 DSW_API dsw_status dsw_scene_destroy(dsw_scene *scene);
 
 /** Returns the environment of a scene.
  * @return null for a null scene.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+ * @note Cost: O(1). Thread: reader. @since 2.0 */
 DSW_API dsw_environment *dsw_scene_get_environment(const dsw_scene *scene);
 
 /** Copies the counters.
- * @return DSW_STATUS_NOT_NAMED.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+ * @return DSW_STATUS_NOT_ENABLED.
+ * @note Cost: O(1). Thread: reader. @since 2.0 */
 DSW_API dsw_status dsw_scene_get_statistics(const dsw_scene *scene, dsw_statistics *statistics);
 
 /** Sets the counters to zero.
- * @return DSW_STATUS_NOT_NAMED.
- * @note Cost: O(1). Thread: writer. @since 1.0 */
+ * @return DSW_STATUS_NOT_ENABLED.
+ * @note Cost: O(1). Thread: writer. @since 2.0 */
 DSW_API dsw_status dsw_scene_reset_statistics(dsw_scene *scene);
 
 /** Gives the memory of a scene in `bytes`, without its environment.
- * @note Cost: O(1). Thread: reader. @since 1.0 */
+ * @note Cost: O(1). Thread: reader. @since 2.0 */
 DSW_API dsw_status dsw_scene_get_memory_bytes(const dsw_scene *scene, uint64_t *bytes);
 
 #ifdef __cplusplus

@@ -13,20 +13,20 @@ extern "C" {
 #endif
 
 /** Saves an environment, but not the list of its last change (topology.h).
- * @note Cost: O(n). Thread: reader. @since 1.0 */
+ * @note Cost: O(n). Thread: reader. @since 2.0 */
 DSW_API dsw_status dsw_environment_save(const dsw_environment *environment, void *block,
                                         size_t capacity_bytes, size_t *size_bytes);
 
 /** Loads an environment, which owns its points. Cells may be invalid only if the saved one had been
  * deformed.
  * @return DSW_STATUS_TRUNCATED, DSW_STATUS_BAD_VERSION, DSW_STATUS_CORRUPT.
- * @note Cost: O(n). Thread: any. @since 1.0 */
+ * @note Cost: O(n). Thread: any. @since 2.0 */
 DSW_API dsw_status dsw_environment_load(dsw_context *context, const void *block, size_t size_bytes,
                                         dsw_environment **environment);
 
 /** Saves a scene without its environment. Of borrowed results only the contacts of each body's last
  * move are saved.
- * @note Cost: O(contents of the scene). Thread: reader. @since 1.0 */
+ * @note Cost: O(contents of the scene). Thread: reader. @since 2.0 */
 DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t capacity_bytes,
                                   size_t *size_bytes);
 
@@ -36,7 +36,7 @@ DSW_API dsw_status dsw_scene_save(const dsw_scene *scene, void *block, size_t ca
  * @return DSW_STATUS_TRUNCATED, DSW_STATUS_BAD_VERSION; DSW_STATUS_CORRUPT, also if saved in
  * another environment; DSW_STATUS_IN_USE as dsw_scene_create.
  * @note Cost: O(contents of the scene); clearances are measured again. Thread: writer of the
- * environment. @since 1.0 */
+ * environment. @since 2.0 */
 DSW_API dsw_status dsw_scene_load(dsw_environment *environment, const void *block,
                                   size_t size_bytes, dsw_scene **scene);
 

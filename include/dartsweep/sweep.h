@@ -42,10 +42,10 @@ typedef struct dsw_sweep_options {
   uint32_t struct_size; /**< sizeof(dsw_sweep_options). */
   uint32_t flags;       /**< DSW_SWEEP_... */
   dsw_level level;      /**< DSW_LEVEL_EDGES_SWEPT by default. */
-  uint32_t max_cells;   /**< Volumes visited before DSW_OUTCOME_WORK_LIMIT; 0: no limit. */
+  uint32_t max_volumes; /**< Volumes visited before DSW_OUTCOME_WORK_LIMIT; 0: no limit. */
 } dsw_sweep_options;
 
-/** Writes the defaults. @note Cost: O(1). Thread: any. @since 1.0 */
+/** Writes the defaults. @note Cost: O(1). Thread: any. @since 2.0 */
 DSW_API void dsw_sweep_options_init(dsw_sweep_options *options, size_t size);
 
 /** Sweeps edges, each as if alone. At DSW_LEVEL_EDGES_SWEPT a contact is reported if and only if
@@ -53,7 +53,7 @@ DSW_API void dsw_sweep_options_init(dsw_sweep_options *options, size_t size);
  * @param starts hints for the moving ends, see DSW_SWEEP_START_KNOWN; may be null.
  * @param from, to, fixed p, p' and q. @param sweeps undefined on failure.
  * @note Cost: O(volumes that the triangle meets). Thread: reader, batch. Source: [JCD10] 4.1.
- * @since 1.0 */
+ * @since 2.0 */
 DSW_API dsw_status dsw_environment_sweep_edges(const dsw_environment *environment, size_t count,
                                                const dsw_volume_id *starts, const double *from,
                                                const double *to, const double *fixed,

@@ -114,7 +114,7 @@ SegmentOptions to_options(const dsw_cast_options* options) {
   const dsw_cast_options o = read_struct(options, "options");
   check_flags(o.flags, DSW_CAST_START_KNOWN | DSW_CAST_NO_DETAIL, "options->flags");
   if (o.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "options->reserved is %u, must be 0", o.reserved);
-  return {o.max_cells, (o.flags & DSW_CAST_NO_DETAIL) == 0, (o.flags & DSW_CAST_START_KNOWN) != 0};
+  return {o.max_volumes, (o.flags & DSW_CAST_NO_DETAIL) == 0, (o.flags & DSW_CAST_START_KNOWN) != 0};
 }
 
 void check_flags(uint32_t flags, uint32_t known, const char* name) {

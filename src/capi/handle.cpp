@@ -23,9 +23,7 @@ dsw_environment::dsw_environment(dsw_context* owner, uint32_t dimension)
 
 template <int D>
 dsw_scene::dsw_scene(dsw_environment* home, const dsw::Environment<D>& env, dsw::SceneFeatures features)
-    : environment(home),
-      engine(std::in_place_type<dsw::Scene<D>>, env, env.memory, home->parallel, features),
-      detached(env.memory) {}
+    : environment(home), engine(std::in_place_type<dsw::Scene<D>>, env, env.memory, home->parallel, features) {}
 
 dsw_scene::~dsw_scene() { dsw::capi::end_recording(*this); }
 

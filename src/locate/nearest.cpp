@@ -86,7 +86,7 @@ class Flood {
       const Cell c = map_.cell(heap_.back().index);
       heap_.pop_back();
       if (!see(c)) continue;
-      ++result_.cells_visited;
+      ++result_.volumes_visited;
       visit(c);
     }
     if (found_) finish();

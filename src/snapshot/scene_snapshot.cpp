@@ -28,7 +28,7 @@ constexpr size_t kCounters = 9, kExtents = 3;
 
 void get_counters(const SceneStatistics& s, uint64_t* out) {
   const uint64_t values[kCounters] = {s.cast.casts,
-                                      s.cast.cells_visited,
+                                      s.cast.volumes_visited,
                                       s.cast.orientation_tests,
                                       s.cast.exact_fallbacks,
                                       s.cast.ties,

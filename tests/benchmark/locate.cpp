@@ -130,7 +130,8 @@ void run_moved(const Tetrahedra& tets, const std::vector<double>& points, Report
     std::vector<double>& to = next[step % 2];
     for (std::size_t i = 0; i < to.size(); i += 3)
       to[i + 2] = tets.points[i + 2] + 0.02 * std::sin(6 * tets.points[i] + step);
-    expect_ok(dsw_scene_deform(scene.get(), to.data(), to.size() / 3, nullptr, nullptr));
+    expect_ok(
+        dsw_environment_deform(dsw_scene_get_environment(scene.get()), to.data(), to.size() / 3, nullptr, nullptr));
     first.push_back(1e-6 * cpu_time_ns([&] { locate(environment.get(), &points[0]); }));
     later.push_back(time_points(points, [&](const double* p) { locate(environment.get(), p); }).mean);
   }
@@ -148,7 +149,7 @@ void run_nearest(const dsw_environment* environment, const std::vector<double>& 
     times.push_back(1e-3 * cpu_time_ns([&] {
                       expect_ok(dsw_environment_find_nearest(environment, &points[3 * i], volume, HUGE_VAL, &nearest));
                     }));
-    cells += nearest.cells_visited;
+    cells += nearest.volumes_visited;
   }
   report.set("nearest.unlimited_us.n1e6", std::accumulate(times.begin(), times.end(), 0.0) / 100);
   report.set("nearest.unlimited_median_us.n1e6", median(times));
@@ -160,7 +161,7 @@ void run_nearest(const dsw_environment* environment, const std::vector<double>& 
 void run_locate(const Options& options, Report& report) {
   const Tetrahedra tets(1000000);
   const std::vector<double> inside = random_points(kPoints, 0.02, 0.98, 5), outside = random_points(kPoints, 1.1, 2, 6);
-  const EnvironmentOwner environment = tets.make(0), without = tets.make(DSW_ENVIRONMENT_NO_LOCATE_GRID);
+  const EnvironmentOwner environment = tets.make(0), without = tets.make(DSW_ENVIRONMENT_NO_LOCATE_TREE);
   const double cells = static_cast<double>(tets.corners.size() / 4);
   const std::uint64_t before = bytes_of(environment.get());
   const auto ours = [&](const double* p) { return locate(environment.get(), p); };

@@ -71,7 +71,7 @@ std::vector<double> move_on(dsw_scene* scene, size_t dimension) {
   size_t count = 0;
   EXPECT_EQ(dsw_scene_get_body_count(scene, &count), DSW_STATUS_OK);
   std::vector<dsw_body_id> bodies(count);
-  EXPECT_EQ(dsw_scene_get_bodies(scene, bodies.data(), count, &count), DSW_STATUS_OK);
+  EXPECT_EQ(dsw_scene_get_body_ids(scene, bodies.data(), count, &count), DSW_STATUS_OK);
   EXPECT_EQ(dsw_scene_get_particle_count(scene, &count), DSW_STATUS_OK);
   std::vector<dsw_particle_id> particles(count);
   EXPECT_EQ(dsw_scene_get_particle_ids(scene, particles.data(), count, &count), DSW_STATUS_OK);
@@ -88,10 +88,10 @@ std::vector<double> move_on(dsw_scene* scene, size_t dimension) {
     }
     for (const dsw_particle_id particle : particles) {
       double at[3] = {};
-      EXPECT_EQ(dsw_particle_get(scene, particle, at, nullptr), DSW_STATUS_OK);
+      EXPECT_EQ(dsw_particle_get_position(scene, particle, at, nullptr), DSW_STATUS_OK);
       at[dimension - 1] += by;
       EXPECT_EQ(dsw_particle_move(scene, particle, at, nullptr, nullptr), DSW_STATUS_OK);
-      EXPECT_EQ(dsw_particle_get(scene, particle, at, nullptr), DSW_STATUS_OK);
+      EXPECT_EQ(dsw_particle_get_position(scene, particle, at, nullptr), DSW_STATUS_OK);
       all.insert(all.end(), at, at + dimension);
     }
   }
@@ -133,7 +133,7 @@ TEST_P(KeptTest, EveryFunctionIsCalledAgainAndLeavesTheSameState) {
         ASSERT_EQ(dsw_replay_step(replay.get(), &report), DSW_STATUS_OK) << dsw_last_error_message();
         if (report.outcome == DSW_REPLAY_END) break;
         EXPECT_EQ(report.outcome, DSW_REPLAY_SAME)
-            << "call " << report.call << ", " << report.function << ": " << report.reserved;
+            << "call " << report.call << ", " << report.function << ": " << report.differs;
         EXPECT_EQ(report.status == DSW_STATUS_OK, report.has_failed == 0);
         failed += report.has_failed;
         if (report.has_failed == 0) functions.insert(report.function);
@@ -159,7 +159,7 @@ TEST_P(KeptTest, AnotherStateIsNoticedInTheFormatOfTheRelease) {
       ASSERT_EQ(dsw_replay_step(replay.get(), &report), DSW_STATUS_OK) << dsw_last_error_message();
       EXPECT_EQ(report.outcome, i == call ? DSW_REPLAY_DIFFERENT : DSW_REPLAY_SAME) << i;
     }
-    EXPECT_EQ(report.reserved, uint32_t{DSW_DIFFERS_STATE});
+    EXPECT_EQ(report.differs, uint32_t{DSW_DIFFERS_STATE});
   }
 }
 
@@ -254,7 +254,7 @@ TEST_P(KeptTest, ASnapshotIsWhereTheRecordingEnds) {
   EXPECT_GE(pairs, 4u);
 }
 
-TEST_P(KeptTest, ABugReportHasItsVerdictAndComesToItAgain) {
+TEST_P(KeptTest, ABugReportHasItsValidationAndComesToItAgain) {
   size_t files = 0;
   for (const char* const place : {"space", "plane"}) {
     for (const std::string& path : kept_files(folder(place), ".bundle")) {
@@ -264,18 +264,18 @@ TEST_P(KeptTest, ABugReportHasItsVerdictAndComesToItAgain) {
       const ReplayPtr replay = open_replay(report);
       ASSERT_NE(replay, nullptr);
       EXPECT_EQ(info_of(replay).version, GetParam().version);
-      EXPECT_EQ(info_of(replay).flags, uint32_t{DSW_RECORDING_STATES} | DSW_RECORDING_BUNDLE);
-      dsw_verdict now = {};
+      EXPECT_EQ(info_of(replay).flags, uint32_t{DSW_RECORDING_STATES} | DSW_RECORDING_BUG_REPORT);
+      dsw_validation now = {};
       now.struct_size = sizeof now;
       dsw_replay_report step = {};
-      ASSERT_EQ(dsw_replay_step_judged(replay.get(), &step, &now), DSW_STATUS_OK) << dsw_last_error_message();
+      ASSERT_EQ(dsw_replay_step_validated(replay.get(), &step, &now), DSW_STATUS_OK) << dsw_last_error_message();
       EXPECT_EQ(step.outcome, DSW_REPLAY_SAME);
       ASSERT_EQ(dsw_replay_step(replay.get(), &step), DSW_STATUS_OK);
       EXPECT_EQ(step.outcome, DSW_REPLAY_END);
       EXPECT_STREQ(info_of(replay).note, "the thread rests on the floor");
-      const dsw_verdict* const then = info_of(replay).verdict;
+      const dsw_validation* const then = info_of(replay).validation;
       ASSERT_NE(then, nullptr);
-      for (const dsw_verdict* const each : {then, static_cast<const dsw_verdict*>(&now)}) {
+      for (const dsw_validation* const each : {then, static_cast<const dsw_validation*>(&now)}) {
         EXPECT_EQ(each->is_right, 1u) << each->text;
         EXPECT_EQ(each->places, 3u);
         EXPECT_EQ(each->edges, 2u);
@@ -283,7 +283,7 @@ TEST_P(KeptTest, ABugReportHasItsVerdictAndComesToItAgain) {
         EXPECT_STREQ(each->text, "");
       }
       EXPECT_EQ(now.contacts, then->contacts);
-      EXPECT_EQ(now.not_judged, then->not_judged);
+      EXPECT_EQ(now.not_validated, then->not_validated);
     }
   }
   EXPECT_EQ(files, GetParam().in_plane == 0 ? 1u : 2u);

@@ -97,7 +97,7 @@ TEST(ReplayTest, TheFirstCallThatDiffersIsTold) {
     }
     EXPECT_EQ(report.call, wrong);
     EXPECT_EQ(report.function, functions[wrong]);
-    EXPECT_EQ(report.reserved, kinds[word]);
+    EXPECT_EQ(report.differs, kinds[word]);
   }
 }
 
@@ -136,7 +136,8 @@ void deform_in_place(Lent& lent, size_t spare) {
   next.resize(3 * (count + spare));
   dsw_deform_options options = defaults(dsw_deform_options_init);
   options.point_room = kHugeRoom;
-  ASSERT_EQ(dsw_scene_deform(lent.scene.get(), next.data(), count, &options, nullptr), DSW_STATUS_OK)
+  ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(lent.scene.get()), next.data(), count, &options, nullptr),
+            DSW_STATUS_OK)
       << dsw_last_error_message();
   lent.points.swap(next);
 }
@@ -172,7 +173,7 @@ TEST(ReplayTest, RoomOfTheHostsIsMadeAsItIsNeeded) {
   volumes.points = points.data();
   volumes.point_count = points.size() / 3;
   volumes.uniform_cell_type = DSW_CELL_TYPE_TETRA;
-  volumes.cell_count = corners.size() / 4;
+  volumes.volume_count = corners.size() / 4;
   volumes.connectivity = corners.data();
   volumes.connectivity_count = corners.size();
   ASSERT_EQ(dsw_environment_add_volumes(lent.environment.get(), &volumes, nullptr, nullptr), DSW_STATUS_OK)

@@ -51,7 +51,7 @@ namespace Dartsweep
         case Status.Truncated: return new TruncatedException(message);
         case Status.Corrupt: return new CorruptException(message);
         case Status.BadVersion: return new BadVersionException(message);
-        case Status.NotNamed: return new NotNamedException(message);
+        case Status.NotEnabled: return new NotEnabledException(message);
         case Status.NotBuilt: return new NotBuiltException(message);
         case Status.Internal: return new InternalException(message);
         case Status.BadTopology: return new BadTopologyException(message);
@@ -238,9 +238,9 @@ namespace Dartsweep
   }
 
   /// <summary>The scene has not enabled the feature that this call needs.</summary>
-  public sealed class NotNamedException : DartsweepException
+  public sealed class NotEnabledException : DartsweepException
   {
-    internal NotNamedException(string message) : base(Status.NotNamed, message) { }
+    internal NotEnabledException(string message) : base(Status.NotEnabled, message) { }
   }
 
   /// <summary>The library was built without this part.</summary>

@@ -128,7 +128,7 @@ namespace Dartsweep
     /// <summary>Host tag of the volume behind; at the outer boundary of the volume in front.</summary>
     public uint Tag;
     /// <summary>Volumes entered, the first included; the verification of a stop is not counted.</summary>
-    public uint CellsVisited;
+    public uint VolumesVisited;
     /// <summary>0; no byte of a report is left undefined.</summary>
     internal uint Reserved0, Reserved1;
   }
@@ -184,7 +184,7 @@ namespace Dartsweep
     /// <summary>As in dsw_flight; 0 for a wire.</summary>
     public uint Tag;
     /// <summary>Volumes looked at, all casts included.</summary>
-    public uint CellsVisited;
+    public uint VolumesVisited;
     /// <summary>0.</summary>
     internal uint Reserved;
   }
@@ -237,7 +237,7 @@ namespace Dartsweep
 
   /// <summary>The other body of a contact, and its part that was touched: one of vertex, edge and face; the rest is null.
   /// All is null in a contact with the environment. In a contact of bodies `obstacle`, `wall`, `cause` and `tag` of
-  /// dsw_contact are null, `front` is the volume that the moving vertex started in, and `kind` is that of the part:
+  /// dsw_body_contact are null, `front` is the volume that the moving vertex started in, and `kind` is that of the part:
   /// DSW_CONTACT_VERTEX, EDGE or (a face) PLANE.</summary>
   [StructLayout(LayoutKind.Sequential)]
   public partial struct ContactPartner
@@ -251,7 +251,7 @@ namespace Dartsweep
 
   /// <summary>What the vertex of a contact touched before: tells resting, sliding and bouncing apart.</summary>
   [StructLayout(LayoutKind.Sequential)]
-  public partial struct ContactPast
+  public partial struct PreviousContact
   {
     /// <summary>Where the vertex was stopped last before this move.</summary>
     public Vec3 Point;

@@ -153,7 +153,7 @@ sealed class Scenario
       Say(flight.Time);
       Say(flight.Position);
       Say(flight.Normal);
-      Say(flight.Face.Volume, flight.Face.Local, flight.CellsVisited);
+      Say(flight.Face.Volume, flight.Face.Local, flight.VolumesVisited);
     }
   }
 
@@ -193,7 +193,7 @@ sealed class Scenario
     Stage("nearest");
     for (int i = 0; i < 64; ++i)
     {
-      if (places[i] != (int)Place.Passable) continue;
+      if (places[i] != (int)Location.Passable) continue;
       Say(environment.FindNearest(new Vec3(from[3 * i], from[3 * i + 1], from[3 * i + 2]), 20.0, volumes[i]));
     }
   }
@@ -372,7 +372,7 @@ sealed class Scenario
       for (int i = 0; i < 32; ++i)
       {
         Say(found[i], volumes[i].Index, volumes[i].Generation);
-        if (found[i] == (int)Place.Passable) Say(environment.FindNearest(new Vec3(from[2 * i], from[2 * i + 1]), 20.0, volumes[i]));
+        if (found[i] == (int)Location.Passable) Say(environment.FindNearest(new Vec3(from[2 * i], from[2 * i + 1]), 20.0, volumes[i]));
       }
 
       Stage("plane cast");

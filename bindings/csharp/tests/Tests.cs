@@ -68,7 +68,7 @@ static class Tests
   {
     Type[] types = { typeof(Vec3), typeof(Cell), typeof(VertexId), typeof(VolumeId), typeof(FaceId), typeof(EdgeId), typeof(ParticleId),
       typeof(BodyId), typeof(BodyVertexId), typeof(BodyEdgeId), typeof(BodyFaceId), typeof(Flight), typeof(Crossing), typeof(Sweep),
-      typeof(Contact), typeof(ContactPartner), typeof(ContactPast), typeof(BodyEdit), typeof(MoveReport), typeof(WallContact), typeof(VolumeChange),
+      typeof(Contact), typeof(ContactPartner), typeof(PreviousContact), typeof(BodyEdit), typeof(MoveReport), typeof(WallContact), typeof(VolumeChange),
       typeof(CutVertex), typeof(CutFace), typeof(DetachedVertex), typeof(DetachedFace) };
     MethodInfo size = typeof(Environment).Assembly.GetType("Dartsweep.Callbacks").GetMethod("dartsweep_size_of", BindingFlags.Static | BindingFlags.NonPublic);
     for (int i = 0; i < types.Length; ++i)
@@ -244,9 +244,9 @@ static class Tests
     {
       scene.StartRecording(null, Library.RECORDING_LATEST);
       scene.CreateParticle(inside);
-      Verdict verdict = scene.WriteBundle(path, "a note");
-      Same(1u, verdict.IsRight);
-      Same("", verdict.Text);
+      Validation validation = scene.WriteBugReport(path, "a note");
+      Same(1u, validation.IsRight);
+      Same("", validation.Text);
       scene.StopRecording();
     }
     True(File.ReadAllText(path).Contains("a note"));

@@ -149,11 +149,11 @@ function Environment:coarsen(options)
 end
 
 local locate_points = Environment.locate_points
-function Environment:locate_points(points, hints, volumes, places)
+function Environment:locate_points(points, hints, volumes, locations)
   points = core.points(points, self:dimension())
-  volumes, places = volumes or core.VolumeIdArray(#points // self:dimension()), places or core.IntArray(#points // self:dimension())
-  locate_points(self, points, hints, volumes, places)
-  return volumes, places
+  volumes, locations = volumes or core.VolumeIdArray(#points // self:dimension()), locations or core.IntArray(#points // self:dimension())
+  locate_points(self, points, hints, volumes, locations)
+  return volumes, locations
 end
 
 local cast_segments = Environment.cast_segments

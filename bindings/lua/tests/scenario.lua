@@ -83,7 +83,7 @@ local function say_flights(result, flights)
   for _, flight in ipairs(flights) do
     result:integers(flight.outcome)
     result:numbers(flight.time, flight.position, flight.normal)
-    result:integers(flight.face.volume, flight.face.local_index, flight.cells_visited)
+    result:integers(flight.face.volume, flight.face.local_index, flight.volumes_visited)
   end
 end
 
@@ -102,8 +102,8 @@ end
 local function queries(result, environment, draw)
   result:stage "locate"
   local from = draw(64)
-  local volumes, places = environment:locate_points(from)
-  for i, volume in ipairs(volumes) do result:integers(places[i], volume.index, volume.generation) end
+  local volumes, locations = environment:locate_points(from)
+  for i, volume in ipairs(volumes) do result:integers(locations[i], volume.index, volume.generation) end
 
   result:stage "cast"
   local to = draw(64)
@@ -115,7 +115,7 @@ local function queries(result, environment, draw)
 
   result:stage "nearest"
   for i, point in ipairs(from) do
-    if places[i] == dsw.PLACE_PASSABLE then
+    if locations[i] == dsw.LOCATION_PASSABLE then
       say_nearest(result, environment:find_nearest(point, 20, volumes[i]))
     end
   end
@@ -258,10 +258,10 @@ local function plane(result, draw)
 
   result:stage "plane locate"
   local from = draw(32)
-  local volumes, places = environment:locate_points(from)
+  local volumes, locations = environment:locate_points(from)
   for i, volume in ipairs(volumes) do
-    result:integers(places[i], volume.index, volume.generation)
-    if places[i] == dsw.PLACE_PASSABLE then say_nearest(result, environment:find_nearest(from[i], 20, volume)) end
+    result:integers(locations[i], volume.index, volume.generation)
+    if locations[i] == dsw.LOCATION_PASSABLE then say_nearest(result, environment:find_nearest(from[i], 20, volume)) end
   end
 
   result:stage "plane cast"

@@ -4,12 +4,12 @@
 import type {
   BodyCounts, BodyDesc, BodyEdgeId, BodyFaceId, BodyFilter, BodyId, BodyIdArray, BodyVertexId, BodyVertexIdArray, BodyEdit,
   BodyEdgeIdArray, BodyEditArray, BodyFaceIdArray, BuildReport, CarveDesc, CarveReport, CastOptions, Cell, CellKind, CellType,
-  CoarsenOptions, Contact, ContactArray, ContactOpinion, ContactPartnerArray, ContactPastArray, CrossingArray, CutDesc, CutFace, CutFaceArray, CutReport,
+  CoarsenOptions, Contact, ContactArray, CrossCheck, ContactPartnerArray, PreviousContactArray, CrossingArray, CutDesc, CutFace, CutFaceArray, CutReport,
   CutVertexArray, DeformOptions, DeformReport, Detached, DetachDesc, DetachedFaceArray, DetachedVertexArray, EdgeId, EdgeIdArray,
   EdgeSplit, EnvironmentDesc, EnvironmentInfo, FaceId, FaceIdArray, FaceSplit, FaceVolumes, Flight, FlightArray, Level, Location,
-  LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, Neighbour, OpenDesc, OpenReport, Particle, ParticleId,
+  LogLevel, Mark, Marked, MoveOptions, MoveReport, MoveReportArray, Nearest, Neighbour, OpenCrackDesc, OpenReport, Particle, ParticleId,
   ParticleIdArray, RemeshDesc, RemeshReport, RigidMotion, SceneDesc, Statistics, Status, SweepArray, SweepOptions, TieDesc, TieReport,
-  Vec3, Verdict, VertexId, VertexIdArray, VolumeChangeArray, VolumeCounts, VolumeId, VolumeIdArray, VolumeSplit, VolumesDesc, WallContactArray,
+  Vec3, Validation, VertexId, VertexIdArray, VolumeChangeArray, VolumeCounts, VolumeId, VolumeIdArray, VolumeSplit, VolumesDesc, WallContactArray,
 } from './structs.js';
 
 export * from './structs.js';
@@ -103,8 +103,8 @@ export class Environment {
   getPoints(): Float64Array;
 
   locate(point: Point, hint?: VolumeId | null): Location;
-  /** `places` are of type Place. */
-  locatePoints(points: Points, hints?: Structs<VolumeId>): { volumes: VolumeIdArray; places: Int32Array };
+  /** `locations` are of type Location. */
+  locatePoints(points: Points, hints?: Structs<VolumeId>): { volumes: VolumeIdArray; locations: Int32Array };
   classify(point: Point, volume: VolumeId): Cell;
   cast(from: Point, to: Point, options?: CastOptions & { start?: VolumeId | null }): Flight;
   castPath(from: Point, to: Point, options?: CastOptions & { start?: VolumeId | null }): CrossingArray;
@@ -114,7 +114,7 @@ export class Environment {
   /** One end of each edge moves, the other is `fixed`. */
   sweepEdges(from: Points, to: Points, fixed: Points,
     options?: SweepOptions & { starts?: Structs<VolumeId>; sweeps?: SweepArray }): SweepArray;
-  checkContact(contact: Contact): ContactOpinion;
+  checkContact(contact: Contact): CrossCheck;
 
   /** How many were skipped. */
   markVolumes(volumes: Structs<VolumeId>, mark: Mark, flags?: number): number;
@@ -147,7 +147,7 @@ export class Environment {
   getCutVertices(): CutVertexArray;
   getCutFaces(): CutFaceArray;
   getWholeVolumes(): VolumeIdArray;
-  open(faces: Structs<CutFace>, options: OpenDesc): OpenReport;
+  open(faces: Structs<CutFace>, options: OpenCrackDesc): OpenReport;
   carve(points: Points, triangles: Numbers, options?: CarveDesc): CarveReport;
   getCarvedVolumes(): VolumeIdArray;
   tie(loop: Points, options?: TieDesc): TieReport;
@@ -173,11 +173,11 @@ export class Scene {
   getBodyCount(): number;
   getParticleIds(): ParticleIdArray;
   getBodies(): BodyIdArray;
-  /** Into a file; without a path the latest calls are kept for writeBundle, which needs RECORDING_LATEST among the flags. */
+  /** Into a file; without a path the latest calls are kept for writeBugReport, which needs RECORDING_LATEST among the flags. */
   startRecording(path: string | null, flags?: number): void;
   stopRecording(): void;
   /** A bug report of the last recorded call. */
-  writeBundle(path: string, note?: string): Verdict;
+  writeBugReport(path: string, note?: string): Validation;
 
   createParticle(position: Point, hint?: VolumeId | null): ParticleId;
   /** All or none. */
@@ -251,7 +251,7 @@ export class Body {
   moveRigid(motion: RigidMotion, options?: MoveOptions & { order?: Numbers }): MoveReport;
   getContacts(): ContactArray;
   getContactPartners(): ContactPartnerArray;
-  getContactPasts(): ContactPastArray;
+  getPreviousContacts(): PreviousContactArray;
   getEdits(): BodyEditArray;
 }
 

@@ -1,7 +1,7 @@
 // The scenario of bindings/tests/README.md, in JavaScript. Its result is text, as in scenario.json.
 'use strict';
 const {
-  CellType, Environment, Mark, Place, Response, Scene, DartsweepError, FEATURE_DEFORMING, Status, VolumeId,
+  CellType, Environment, Mark, Location, Response, Scene, DartsweepError, FEATURE_DEFORMING, Status, VolumeId,
 } = require('dartsweep');
 
 const LINKS = 12, PARTICLES = 50, SIDE = 10, NX = 6, NY = 6, NZ = 12;
@@ -132,10 +132,10 @@ class Scenario {
   }
 
   flights(flights) {
-    for (const { outcome, time, position, normal, face, cellsVisited } of flights) {
+    for (const { outcome, time, position, normal, face, volumesVisited } of flights) {
       this.integers(outcome);
       this.doubles(time, ...position, ...normal);
-      this.integers(face.volume, face.local, cellsVisited);
+      this.integers(face.volume, face.local, volumesVisited);
     }
   }
 
@@ -149,8 +149,8 @@ class Scenario {
   queries(environment) {
     this.stage('locate');
     const from = this.draw(64);
-    const { volumes, places } = environment.locatePoints(from);
-    places.forEach((place, i) => this.integers(place, volumes.at(i).index, volumes.at(i).generation));
+    const { volumes, locations } = environment.locatePoints(from);
+    locations.forEach((location, i) => this.integers(location, volumes.at(i).index, volumes.at(i).generation));
 
     this.stage('cast');
     const to = this.draw(64);
@@ -160,8 +160,8 @@ class Scenario {
     this.sweeps(environment.sweepEdges(from.subarray(0, 48), to.subarray(0, 48), this.draw(16)));
 
     this.stage('nearest');
-    places.forEach((place, i) => {
-      if (place !== Place.Passable) return;
+    locations.forEach((location, i) => {
+      if (location !== Location.Passable) return;
       this.nearest(environment.findNearest(from.subarray(3 * i, 3 * i + 3), 20, volumes.at(i)));
     });
   }
@@ -289,10 +289,10 @@ class Scenario {
     this.stage('plane locate');
     this.seed = 1;
     const from = this.drawInPlane(32);
-    const { volumes, places } = environment.locatePoints(from);
-    places.forEach((place, i) => {
-      this.integers(place, volumes.at(i).index, volumes.at(i).generation);
-      if (place === Place.Passable) this.nearest(environment.findNearest(from.subarray(2 * i, 2 * i + 2), 20, volumes.at(i)));
+    const { volumes, locations } = environment.locatePoints(from);
+    locations.forEach((location, i) => {
+      this.integers(location, volumes.at(i).index, volumes.at(i).generation);
+      if (location === Location.Passable) this.nearest(environment.findNearest(from.subarray(2 * i, 2 * i + 2), 20, volumes.at(i)));
     });
 
     this.stage('plane cast');

@@ -102,7 +102,7 @@ def say_moves(result: Result, flights: Iterable[Any]) -> None:
 
 def say_flight(result: Result, flight: Any) -> None:
     result.say(flight["outcome"], flight["time"], flight["position"], flight["normal"])
-    result.say(flight["face"]["volume"], flight["face"]["local"], flight["cells_visited"])
+    result.say(flight["face"]["volume"], flight["face"]["local"], flight["volumes_visited"])
 
 
 def say_sweep(result: Result, sweep: Any) -> None:
@@ -140,7 +140,7 @@ def queries(result: Result, environment: ds.Environment, draw: Draw) -> None:
 
     result.stage("nearest")
     for point, volume, place in zip(start, volumes, places):
-        if place == ds.Place.PASSABLE:
+        if place == ds.Location.PASSABLE:
             say_nearest(result, environment, point, volume)
 
 
@@ -244,7 +244,7 @@ def plane(result: Result, draw: Draw) -> None:
         volumes, places = environment.locate_points(start)
         for point, volume, place in zip(start, volumes, places):
             result.say(place, volume["index"], volume["generation"])
-            if place == ds.Place.PASSABLE:
+            if place == ds.Location.PASSABLE:
                 say_nearest(result, environment, point, volume)
 
         result.stage("plane cast")

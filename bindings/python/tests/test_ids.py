@@ -116,7 +116,7 @@ def test_constants_print_as_names(environment: ds.Environment) -> None:
     assert f"{flight.outcome:d}" == str(int(flight.outcome))
     assert "outcome=Outcome.CONTACT" in repr(flight)
     assert str(ds.BodyFlag.RIGID | ds.BodyFlag.SEQUENCES) == "BodyFlag.SEQUENCES|RIGID"
-    assert environment.locate((24, 24, 40))[1] is ds.Place.PASSABLE
+    assert environment.locate((24, 24, 40))[1] is ds.Location.PASSABLE
 
 
 def test_groups_of_meshes_have_names() -> None:

@@ -110,7 +110,7 @@ def test_room_for_points_is_what_the_array_has(environment: ds.Environment) -> N
 def test_positions_that_are_refused_are_not_held(environment: ds.Environment) -> None:
     array = environment.points().copy()
     before = sys.getrefcount(array)
-    with ds.Scene(environment) as scene, pytest.raises(ds.errors.NotNamed):
+    with ds.Scene(environment) as scene, pytest.raises(ds.errors.NotEnabled):
         scene.deform(array)
     assert sys.getrefcount(array) == before
 
@@ -222,8 +222,8 @@ def test_a_bug_report_is_one_call(environment: ds.Environment, tmp_path: pathlib
         with scene.recording():
             particle = scene.create_particle(INSIDE)
             scene.move_particle(particle, INSIDE)
-            verdict = scene.write_bundle(str(path), "it did not move")
-        assert verdict.is_right == 1 and verdict.places == 1 and verdict.lost == 0 and verdict.text == ""
+            validation = scene.write_bug_report(str(path), "it did not move")
+        assert validation.is_right == 1 and validation.places == 1 and validation.lost == 0 and validation.text == ""
         assert path.read_bytes().startswith(b"DSWREC") and b"it did not move" in path.read_bytes()
         with scene.recording(str(tmp_path / "calls.dswrec"), ds.RecordingFlag.STATES):
             scene.destroy_particle(particle)

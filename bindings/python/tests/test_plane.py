@@ -166,8 +166,8 @@ def test_bug_reports(tmp_path: object) -> None:
     with create_plane() as environment, ds.Scene(environment) as scene:
         with scene.recording(f"{tmp_path}/calls"):
             scene.create_body([(20.0, 40.0), (25.0, 40.0)], [(0, 1)]).move([(20.0, 90.0), (25.0, 90.0)])
-            verdict = scene.write_bundle(f"{tmp_path}/report")
-    assert verdict.is_right == 1 and verdict.contacts > 0 and verdict.missed == 0
+            validation = scene.write_bug_report(f"{tmp_path}/report")
+    assert validation.is_right == 1 and validation.contacts > 0 and validation.missed == 0
 
 
 def test_traces_have_segments() -> None:

@@ -83,7 +83,7 @@ class Flight:
     kind: int
     obstacle: int
     tag: int
-    cells_visited: int
+    volumes_visited: int
 
 class Crossing:
     volume: VolumeId
@@ -104,7 +104,7 @@ class Sweep:
     kind: int
     obstacle: int
     tag: int
-    cells_visited: int
+    volumes_visited: int
 
 class Contact:
     from_: NDArray[np.float64]
@@ -133,7 +133,7 @@ class ContactPartner:
     edge: BodyEdgeId
     face: BodyFaceId
 
-class ContactPast:
+class PreviousContact:
     point: NDArray[np.float64]
     normal: NDArray[np.float64]
     obstacle: Cell
@@ -216,9 +216,9 @@ class Nearest:
     normal: NDArray[np.float64]
     cell: Cell
     tag: int
-    cells_visited: int
+    volumes_visited: int
 
-class ContactOpinion:
+class CrossCheck:
     normal: NDArray[np.float64]
     depth: float
     pushed_in: float
@@ -234,7 +234,7 @@ class BuildReport:
     part_count: int
     unused_point_count: int
     boundary_face_count: int
-    convex_cell_count: int
+    convex_volume_count: int
 
 class EnvironmentInfo:
     dimension: int
@@ -252,7 +252,7 @@ class EnvironmentInfo:
 
 class Statistics:
     casts: int
-    cells_visited: int
+    volumes_visited: int
     orientation_tests: int
     exact_fallbacks: int
     ties: int
@@ -328,7 +328,7 @@ class TieReport:
     cut: CutReport
     is_closed: int
 
-class Verdict:
+class Validation:
     is_right: int
     places: int
     lost: int
@@ -340,7 +340,7 @@ class Verdict:
     missed: int
     contacts: int
     wrong: int
-    not_judged: int
+    not_validated: int
     text: str
 
 class EnvironmentDesc:
@@ -366,7 +366,7 @@ class CutDesc:
     start: VolumeId
     snap: float
 
-class OpenDesc:
+class OpenCrackDesc:
     flags: int
     width: float
     region: int
@@ -400,12 +400,12 @@ class RemeshDesc:
 
 class CastOptions:
     flags: int
-    max_cells: int
+    max_volumes: int
 
 class SweepOptions:
     flags: int
     level: int
-    max_cells: int
+    max_volumes: int
 
 class MoveOptions:
     flags: int
@@ -413,7 +413,7 @@ class MoveOptions:
     edge_response: int
     search: int
     bisection_depth: int
-    max_cells: int
+    max_volumes: int
     min_part: float
     min_length: float
     stand_off: float

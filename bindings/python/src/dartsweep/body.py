@@ -170,7 +170,7 @@ class Body:
         """The other bodies of these contacts, with Feature.BODY_CONTACTS."""
         return self._core.get_contact_partners()  # type: ignore[no-any-return]
 
-    def contact_pasts(self) -> Records:
+    def previous_contacts(self) -> Records:
         """The previous contacts of the vertices of these contacts (dtypes.CONTACT_PAST)."""
         return self._core.get_contact_pasts()  # type: ignore[no-any-return]
 

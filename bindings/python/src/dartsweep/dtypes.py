@@ -41,7 +41,7 @@ FLIGHT = _struct(
     ("kind", I4),
     ("obstacle", I4),
     ("tag", U4),
-    ("cells_visited", U4),
+    ("volumes_visited", U4),
     ("reserved", U4, 2),
 )
 CROSSING = _struct(("volume", VOLUME_ID), ("face", FACE_ID), ("time", F8))
@@ -59,7 +59,7 @@ SWEEP = _struct(
     ("kind", I4),
     ("obstacle", I4),
     ("tag", U4),
-    ("cells_visited", U4),
+    ("volumes_visited", U4),
     ("reserved", U4),
 )
 CONTACT = _struct(

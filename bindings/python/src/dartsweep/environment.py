@@ -30,7 +30,7 @@ from ._core import (
     VolumeCounts,
     VolumeId,
 )
-from .enums import CellType, Mark, Place
+from .enums import CellType, Mark, Location
 from .options import options as described
 
 Records = NDArray[np.void]
@@ -228,10 +228,10 @@ class Environment:
 
     # --- queries
 
-    def locate(self, point: ArrayLike, hint: Any = None) -> tuple[VolumeId, Place]:
+    def locate(self, point: ArrayLike, hint: Any = None) -> tuple[VolumeId, Location]:
         """The volume that contains a point, exactly; null outside."""
         found = self._core.locate(point, hint)
-        return found.volume, Place(found.place)
+        return found.volume, Location(found.place)
 
     def locate_points(self, points: ArrayLike, hints: Ids | None = None) -> tuple[Records, NDArray[np.int32]]:
         """Ids of the volumes that contain points, and Place of each."""
@@ -441,7 +441,7 @@ class Environment:
 
     def open(self, faces: Records, width: float, *, region: int = 0, tag: int = 0) -> OpenReport:
         """Opens a crack (faces as `cut_faces` gives them) by a width."""
-        desc = described(_core.OpenDesc, width=width, region=region, tag=tag)
+        desc = described(_core.OpenCrackDesc, width=width, region=region, tag=tag)
         return self._core.open(faces, desc)  # type: ignore[no-any-return]
 
     def carve(self, points: ArrayLike, triangles: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> CarveReport:

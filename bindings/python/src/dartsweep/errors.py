@@ -180,10 +180,10 @@ class BadVersion(Error):
     status = Status.BAD_VERSION
 
 
-class NotNamed(Error):
+class NotEnabled(Error):
     """The scene has not enabled the feature that this call needs."""
 
-    status = Status.NOT_NAMED
+    status = Status.NOT_ENABLED
 
 
 class NotBuilt(Error, NotImplementedError):

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, dtypes
-from ._core import CastOptions, DeformOptions, DeformReport, DetachReport, Flight, MoveOptions, ParticleId, Statistics, Verdict, VolumeId
+from ._core import CastOptions, DeformOptions, DeformReport, DetachReport, Flight, MoveOptions, ParticleId, Statistics, Validation, VolumeId
 from .body import Body
 from .enums import Level, RecordingFlag
 from .environment import Environment, Ids, Records, rows_of
@@ -89,7 +89,7 @@ class Scene:
 
     def start_recording(self, path: str | None = None, flags: int = 0) -> None:
         """Writes every call that changes the scene into a file before the call is made: see record.h of the C interface. Without a path the latest
-        calls are kept in memory, for write_bundle. flags: RecordingFlag."""
+        calls are kept in memory, for write_bug_report. flags: RecordingFlag."""
         self._core.start_recording(path, int(flags) | (RecordingFlag.LATEST if path is None else 0))
 
     def stop_recording(self) -> None:
@@ -105,10 +105,10 @@ class Scene:
         finally:
             self.stop_recording()
 
-    def write_bundle(self, path: str, note: str = "") -> Verdict:
+    def write_bug_report(self, path: str, note: str = "") -> Validation:
         """A bug report in one call: the scene before its last recorded call, that call, and the exact validation of its answer.
         examples/replay of the C library prints and draws the report."""
-        return self._core.write_bundle(path, note)  # type: ignore[no-any-return]
+        return self._core.write_bug_report(path, note)  # type: ignore[no-any-return]
 
     @property
     def memory_bytes(self) -> int:

@@ -45,7 +45,7 @@ public abstract sealed class DartsweepException extends RuntimeException {
       case TRUNCATED -> new Truncated(message);
       case CORRUPT -> new Corrupt(message);
       case BAD_VERSION -> new BadVersion(message);
-      case NOT_NAMED -> new NotNamed(message);
+      case NOT_ENABLED -> new NotEnabled(message);
       case NOT_BUILT -> new NotBuilt(message);
       case INTERNAL -> new Internal(message);
       case BAD_TOPOLOGY -> new BadTopology(message);
@@ -260,9 +260,9 @@ public abstract sealed class DartsweepException extends RuntimeException {
   }
 
   /** The scene has not enabled the feature that this call needs. */
-  public static final class NotNamed extends DartsweepException {
-    private NotNamed(String message) {
-      super(Status.NOT_NAMED, message);
+  public static final class NotEnabled extends DartsweepException {
+    private NotEnabled(String message) {
+      super(Status.NOT_ENABLED, message);
     }
   }
 

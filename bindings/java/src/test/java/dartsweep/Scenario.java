@@ -177,7 +177,7 @@ final class Scenario {
 
     stage("nearest");
     for (int i = 0; i < 64; ++i) {
-      if (places[i] != Place.PASSABLE.swigValue()) continue;
+      if (places[i] != Location.PASSABLE.swigValue()) continue;
       double[] point = java.util.Arrays.copyOfRange(from, 3 * i, 3 * i + 3);
       say(environment.findNearest(point, 20.0, volumes.get(i)));
     }
@@ -353,7 +353,7 @@ final class Scenario {
       for (int i = 0; i < 32; ++i) {
         say(places[i], volumes.get(i).index(), volumes.get(i).generation());
         double[] point = {from[2 * i], from[2 * i + 1]};
-        if (places[i] == Place.PASSABLE.swigValue()) say(environment.findNearest(point, 20.0, volumes.get(i)));
+        if (places[i] == Location.PASSABLE.swigValue()) say(environment.findNearest(point, 20.0, volumes.get(i)));
       }
 
       stage("plane cast");

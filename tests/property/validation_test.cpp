@@ -1,9 +1,9 @@
-// The exact verdict's claims against brute force with GMP: who is met, and first where; and in which cell a point is.
+// The exact validation's claims against brute force with GMP: who is met, and first where; and in which cell a point is.
 
 #include "swept_cases.h"
 
 #include "locate/locate.h"
-#include "verdict/verdict.h"
+#include "validation/validation.h"
 
 namespace dsw::swept {
 namespace {
@@ -45,7 +45,7 @@ void check(const Environment<3>& env, SweptTruth& truth, const Vec (&x)[4], Seen
   ++seen.inside;
 }
 
-TEST(VerdictTest, ClaimsAreTrueWhereExactArithmeticSaysSo) {
+TEST(ValidationTest, ClaimsAreTrueWhereExactArithmeticSaysSo) {
   Seen seen;
   for (const SceneKind& kind : oracle::sweep_scenes()) {
     for (uint64_t seed = 1; seed <= 2; ++seed) {

@@ -5,16 +5,16 @@
 
 namespace dsw {
 
-enum class Verdict : uint32_t { kNotConverged, kNotUnique, kGiven };
+enum class Answer : uint32_t { kNotConverged, kNotUnique, kGiven };
 
-struct SecondOpinion {
-  Verdict verdict = Verdict::kNotConverged;  // unless it is kGiven what follows is 0
+struct SecondNormal {
+  Answer answer = Answer::kNotConverged;  // unless it is kGiven what follows is 0
   double normal[3] = {};
   double depth = 0, pushed_in = 0;  // scene units
   double angle = 0;                 // to our normal, radians
 };
 
 /** Only after require_libccd. May throw std::bad_alloc. */
-SecondOpinion second_opinion(const Features& features, const double* normal);
+SecondNormal second_normal(const Features& features, const double* normal);
 
 }  // namespace dsw

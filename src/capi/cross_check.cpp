@@ -1,4 +1,4 @@
-#include "dartsweep/contact_check.h"
+#include "dartsweep/cross_check.h"
 
 #include <algorithm>
 
@@ -13,13 +13,13 @@ namespace {
 
 constexpr double kUnit = 1e-9;  // of the square of a unit normal: more than rounding makes
 
-void check_numbers(const dsw_contact& contact) {
+void check_numbers(const dsw_body_contact& contact) {
   dsw::check_finite({contact.position, 3}, 1, 3, {"contact->position", false});
   dsw::check_finite({contact.fixed[0], 3}, 1, 3, {"contact->fixed[0]", false});
   dsw::check_finite({contact.fixed[1], 3}, 1, 3, {"contact->fixed[1]", false});
   dsw::check_finite({contact.point, 3}, 1, 3, {"contact->point", false});
-  dsw::check_finite({contact.normal, 3}, 1, 3, {"contact->normal", false});
-  const double* const n = contact.normal;
+  dsw::check_finite({contact.contact.normal, 3}, 1, 3, {"contact->normal", false});
+  const double* const n = contact.contact.normal;
   const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
   if (!(square > 1 - kUnit && square < 1 + kUnit)) {
     fail(DSW_STATUS_OUT_OF_RANGE, "contact->normal (%g, %g, %g) is not of length 1", n[0], n[1], n[2]);
@@ -27,45 +27,46 @@ void check_numbers(const dsw_contact& contact) {
 }
 
 /** The wall as it is seen from in front. */
-dsw::HalfFacet to_wall(const dsw::Map<3>& map, const dsw_contact& contact) {
-  const dsw::HalfFacet given = capi::to_half_facet(map, contact.wall, {"contact->wall", false});
-  const dsw::Cell front = capi::to_cell(map, contact.front, {"contact->front", false});
+dsw::HalfFacet to_wall(const dsw::Map<3>& map, const dsw_body_contact& contact) {
+  const dsw::HalfFacet given = capi::to_half_facet(map, contact.contact.wall, {"contact->wall", false});
+  const dsw::Cell front = capi::to_cell(map, contact.contact.front, {"contact->front", false});
   if (map.cell_of(given) == front) return given;
   const dsw::HalfFacet other = map.opposite(given);
   if (other.valid() && map.cell_of(other) == front) return other;
   fail(DSW_STATUS_NOT_FOUND, "contact->front (volume %u) is not at contact->wall (face %u of volume %u)",
-       contact.front.index, contact.wall.local, contact.wall.volume);
+       contact.contact.front.index, contact.contact.wall.local, contact.contact.wall.volume);
 }
 
 /** The wall of a touched vertex, which is one of several there: `front` may be at another. Seen from a passable side.
  * */
-dsw::HalfFacet to_wall_at_vertex(const dsw::Map<3>& map, const dsw_contact& contact) {
-  const dsw::HalfFacet given = capi::to_half_facet(map, contact.wall, {"contact->wall", false});
-  const dsw::Cell front = capi::to_cell(map, contact.front, {"contact->front", false});
+dsw::HalfFacet to_wall_at_vertex(const dsw::Map<3>& map, const dsw_body_contact& contact) {
+  const dsw::HalfFacet given = capi::to_half_facet(map, contact.contact.wall, {"contact->wall", false});
+  const dsw::Cell front = capi::to_cell(map, contact.contact.front, {"contact->front", false});
   const dsw::HalfFacet other = map.opposite(given);
   if (!other.valid() || map.cell_of(given) == front) return given;
   return map.cell_of(other) == front || map.marked(map.cell_of(given)) ? other : given;
 }
 
-void require_obstacle(const dsw_contact& contact, dsw_cell_kind kind) {
-  if (contact.obstacle.kind != kind) capi::fail_kind("contact->obstacle.kind", contact.obstacle.kind, 3);
+void require_obstacle(const dsw_body_contact& contact, dsw_cell_kind kind) {
+  if (contact.contact.obstacle.kind != kind)
+    capi::fail_kind("contact->obstacle.kind", contact.contact.obstacle.kind, 3);
 }
 
-bool has_wall(const dsw_contact& contact) {
-  return (contact.wall.volume | contact.wall.generation | contact.wall.local) != 0;
+bool has_wall(const dsw_body_contact& contact) {
+  return (contact.contact.wall.volume | contact.contact.wall.generation | contact.contact.wall.local) != 0;
 }
 
-dsw::Touch to_touch(const dsw::Map<3>& map, const dsw_contact& contact) {
-  if (!has_wall(contact) && contact.obstacle.kind == DSW_CELL_NONE) {
+dsw::Touch to_touch(const dsw::Map<3>& map, const dsw_body_contact& contact) {
+  if (!has_wall(contact) && contact.contact.obstacle.kind == DSW_CELL_NONE) {
     fail(DSW_STATUS_UNSUPPORTED, "contact->obstacle is null: it is one of two bodies");
   }
   dsw::Touch touch{};
   touch.position = contact.position;
   touch.fixed = contact.fixed[0];
   touch.point = contact.point;
-  touch.normal = contact.normal;
-  const dsw_cell& cell = contact.obstacle;
-  switch (contact.kind) {
+  touch.normal = contact.contact.normal;
+  const dsw_cell& cell = contact.contact.obstacle;
+  switch (contact.contact.kind) {
     case DSW_CONTACT_PLANE:
       touch.kind =
           (contact.edge.index | contact.edge.generation) != 0 ? dsw::TouchKind::kDiagonal : dsw::TouchKind::kPoint;
@@ -84,15 +85,15 @@ dsw::Touch to_touch(const dsw::Map<3>& map, const dsw_contact& contact) {
       break;
     default:
       fail(DSW_STATUS_UNSUPPORTED, "contact->kind is %d, must be a plane, an edge or a vertex",
-           static_cast<int>(contact.kind));
+           static_cast<int>(contact.contact.kind));
   }
   return touch;
 }
 
 }  // namespace
 
-dsw_status dsw_contact_check(const dsw_environment* environment, const dsw_contact* contact,
-                             dsw_contact_opinion* opinion) {
+dsw_status dsw_environment_cross_check(const dsw_environment* environment, const dsw_body_contact* contact,
+                                       dsw_cross_check* opinion) {
   return capi::guard(__func__, [&] {
     const dsw::Environment<3>& env = capi::space(capi::check_handle(environment));
     capi::require(contact, "contact");
@@ -100,6 +101,6 @@ dsw_status dsw_contact_check(const dsw_environment* environment, const dsw_conta
     check_numbers(*contact);
     const dsw::Touch touch = to_touch(env.map, *contact);
     dsw::require_libccd();
-    *opinion = opinion_on(env, touch, has_wall(*contact));
+    *opinion = cross_check_of(env, touch, has_wall(*contact));
   });
 }

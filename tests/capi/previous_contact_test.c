@@ -1,4 +1,4 @@
-/* Contact history: vertices that rest, slide from face to face and bounce, as dsw_contact_past tells them apart. */
+/* Contact history: vertices that rest, slide from face to face and bounce, as dsw_previous_contact tells them apart. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,7 +33,7 @@ static dsw_body_id make_ball(double x, double y) {
 
 /* What the host makes of it, with the distance that it chooses. */
 enum { FREE, FIRST, RESTING, SLIDING, BOUNCING };
-static int classify(const dsw_contact *contact, const dsw_contact_past *past) {
+static int classify(const dsw_body_contact *contact, const dsw_previous_contact *past) {
   double way = 0;
   int k;
   if (past->since == 0) return FIRST;
@@ -42,16 +42,16 @@ static int classify(const dsw_contact *contact, const dsw_contact_past *past) {
   return way < 1e-6 ? RESTING : SLIDING;
 }
 
-static const dsw_contact *g_contact; /* of the last move, the first of them */
-static dsw_contact_past g_past;
+static const dsw_body_contact *g_contact; /* of the last move, the first of them */
+static dsw_previous_contact g_past;
 
 /* Sends the ball by a step, and says how it touches. */
 static int step(dsw_body_id body, double dx, double dy) {
   double p[3] = {0, 0, 0};
   dsw_move_options o = move_options();
   dsw_move_report report;
-  const dsw_contact *contacts = NULL;
-  const dsw_contact_past *pasts = NULL;
+  const dsw_body_contact *contacts = NULL;
+  const dsw_previous_contact *pasts = NULL;
   size_t count = 0, past_count = 99;
   CHECK_OK(dsw_body_get_positions(g_scene, body, p, 1, 0, NULL, &count));
   p[0] += dx;
@@ -59,7 +59,7 @@ static int step(dsw_body_id body, double dx, double dy) {
   o.vertex_response = DSW_RESPONSE_SLIDE;
   CHECK_OK(dsw_body_move(g_scene, body, p, 1, 0, &o, &report));
   CHECK_OK(dsw_body_get_contacts(g_scene, body, &contacts, &count));
-  CHECK_OK(dsw_body_get_contact_pasts(g_scene, body, &pasts, &past_count));
+  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &pasts, &past_count));
   CHECK(past_count == count && count == report.contact_count);
   if (count == 0) return FREE;
   CHECK((pasts[0].moves > 1) == (contacts[0].history == DSW_HISTORY_LASTING) && pasts[0].reserved == 0);
@@ -83,7 +83,7 @@ static void a_ball_rests(unsigned dimension) {
     CHECK(step(ball, 0, -0.1) == RESTING);
     CHECK(g_past.since == 1 && g_past.moves == i && g_past.touching == i && g_past.body.generation == 0);
     CHECK(memcmp(g_past.point, point, sizeof point) == 0 && g_past.normal[1] == 1);
-    CHECK(memcmp(&g_past.obstacle, &g_contact->obstacle, sizeof g_past.obstacle) == 0);
+    CHECK(memcmp(&g_past.obstacle, &g_contact->contact.obstacle, sizeof g_past.obstacle) == 0);
   }
   end();
 }
@@ -91,7 +91,7 @@ static void a_ball_rests(unsigned dimension) {
 /* Along the floor by 0.3 a step: three tiles of it, and never a step without it. */
 static void a_ball_slides_over_tiles(unsigned dimension) {
   dsw_body_id ball;
-  dsw_contact before;
+  dsw_body_contact before;
   uint32_t i, same = 1, changes = 0;
   begin(dimension, 0);
   ball = make_ball(0.25, 1.25);
@@ -100,12 +100,12 @@ static void a_ball_slides_over_tiles(unsigned dimension) {
     int lasts;
     before = *g_contact;
     CHECK(step(ball, 0.3, -0.2) == (i == 2 ? RESTING : SLIDING)); /* it touches, then begins to slide */
-    lasts = memcmp(&before.obstacle, &g_contact->obstacle, sizeof before.obstacle) == 0;
+    lasts = memcmp(&before.contact.obstacle, &g_contact->contact.obstacle, sizeof before.contact.obstacle) == 0;
     same = lasts ? same + 1 : 1;
     changes += lasts ? 0 : 1;
     CHECK(g_past.since == 1 && g_past.moves == same && g_past.touching == i);
     CHECK(memcmp(g_past.point, before.point, sizeof before.point) == 0);
-    CHECK(memcmp(&g_past.obstacle, &before.obstacle, sizeof before.obstacle) == 0);
+    CHECK(memcmp(&g_past.obstacle, &before.contact.obstacle, sizeof before.contact.obstacle) == 0);
   }
   CHECK(changes == 2);
   end();
@@ -113,7 +113,7 @@ static void a_ball_slides_over_tiles(unsigned dimension) {
 
 static void a_ball_bounces(unsigned dimension) {
   dsw_body_id ball;
-  dsw_contact before;
+  dsw_body_contact before;
   begin(dimension, 0);
   ball = make_ball(1.25, 1.25);
   CHECK(step(ball, 0.1, -1) == FIRST);
@@ -135,8 +135,8 @@ static void all_kinds_of_moves_count(void) {
   double to[9] = {1.25, 0.25, 0.5, 2.75, 0.25, 0.5, 2, 0.25, 0.5};
   const double third[3] = {2, 1.25, 0.5};
   dsw_rigid_motion down = {{0, 0, 0, 1}, {0, 0, 0}, {0, -1, 0}};
-  const dsw_contact *contacts = NULL;
-  const dsw_contact_past *pasts = NULL;
+  const dsw_body_contact *contacts = NULL;
+  const dsw_previous_contact *pasts = NULL;
   dsw_body_vertex_id vertex;
   dsw_move_options o = move_options();
   size_t count = 0, i;
@@ -148,32 +148,32 @@ static void all_kinds_of_moves_count(void) {
   o.order_count = 1;
   CHECK_OK(dsw_body_move(g_scene, body, to, 2, 0, &o, NULL));
   CHECK_OK(dsw_scene_move_bodies(g_scene, &body, 1, to, 2, 0, NULL, NULL));
-  CHECK_OK(dsw_body_get_contact_pasts(g_scene, body, &pasts, &count));
+  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &pasts, &count));
   CHECK_OK(dsw_body_get_contacts(g_scene, body, &contacts, &count));
   CHECK(count == 2 && contacts[0].vertex.index == 0 && contacts[1].vertex.index == 1);
   CHECK(pasts[0].moves == 3 && pasts[0].since == 1 && pasts[1].moves == 1 && pasts[1].since == 2);
   CHECK_OK(dsw_body_move_rigid(g_scene, body, &down, NULL, NULL)); /* its first contact stops all of it */
-  CHECK_OK(dsw_body_get_contact_pasts(g_scene, body, &pasts, &count));
+  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &pasts, &count));
   CHECK(count == 1 && pasts[0].moves == 4);
   /* An edit counts for nothing, and the vertex that takes a free slot does not take its past. */
-  CHECK_OK(dsw_body_get_vertex(g_scene, body, 1, &vertex));
+  CHECK_OK(dsw_body_get_vertex_id(g_scene, body, 1, &vertex));
   CHECK_OK(dsw_body_remove_vertex(g_scene, body, vertex));
   CHECK_OK(dsw_body_add_vertex(g_scene, body, third, no_volume, &vertex));
   CHECK(vertex.index == 1 && vertex.generation == 2);
   memcpy(to + 3, to + 6, 3 * sizeof(double));
   CHECK_OK(dsw_body_move(g_scene, body, to, 2, 0, NULL, NULL));
-  CHECK_OK(dsw_body_get_contact_pasts(g_scene, body, &pasts, &count));
+  CHECK_OK(dsw_body_get_previous_contacts(g_scene, body, &pasts, &count));
   CHECK_OK(dsw_body_get_contacts(g_scene, body, &contacts, &count));
   CHECK(count == 2);
   for (i = 0; i < count; ++i) {
     CHECK(contacts[i].vertex.index == i && pasts[i].moves == (i == 0 ? 5u : 1u) &&
           pasts[i].since == (i == 0 ? 1u : 0u));
   }
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contact_pasts(NULL, body, &pasts, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contact_pasts(g_scene, body, NULL, &count));
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_contact_pasts(g_scene, body, &pasts, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_previous_contacts(NULL, body, &pasts, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_previous_contacts(g_scene, body, NULL, &count));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_get_previous_contacts(g_scene, body, &pasts, NULL));
   CHECK_OK(dsw_body_destroy(g_scene, body));
-  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_contact_pasts(g_scene, body, &pasts, &count));
+  CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_get_previous_contacts(g_scene, body, &pasts, &count));
   end();
 }
 
@@ -185,13 +185,13 @@ static void another_body_was_touched(void) {
   wire = make_edge_body(g_scene, bar, DSW_LEVEL_EDGES);
   ball = make_ball(2.125, 2.5);
   CHECK(step(ball, 0, -1) == FIRST);
-  CHECK(g_contact->obstacle.kind == DSW_CELL_NONE);
+  CHECK(g_contact->contact.obstacle.kind == DSW_CELL_NONE);
   CHECK(step(ball, 0, -1) == RESTING);
   CHECK(g_past.moves == 2 && g_past.body.index == wire.index && g_past.body.generation == wire.generation);
   CHECK(g_past.obstacle.kind == DSW_CELL_NONE && g_past.point[1] == 2);
   CHECK(step(ball, 0.25, 0.5) == FREE);
   CHECK(step(ball, 0, -2) == BOUNCING);
-  CHECK(g_contact->obstacle.kind != DSW_CELL_NONE && g_past.since == 2 && g_past.moves == 1 && g_past.point[1] == 2);
+  CHECK(g_contact->contact.obstacle.kind != DSW_CELL_NONE && g_past.since == 2 && g_past.moves == 1 && g_past.point[1] == 2);
   CHECK(g_past.body.index == wire.index && g_past.body.generation == wire.generation);
   end();
 }
@@ -218,9 +218,9 @@ static void snapshots_keep_it(void) {
     CHECK_OK(dsw_scene_destroy(g_scene));
     g_scene = loaded;
     if (!in_air) {
-      const dsw_contact_past *pasts = NULL;
+      const dsw_previous_contact *pasts = NULL;
       size_t count = 0;
-      CHECK_OK(dsw_body_get_contact_pasts(g_scene, ball, &pasts, &count));
+      CHECK_OK(dsw_body_get_previous_contacts(g_scene, ball, &pasts, &count));
       CHECK(count == 1 && pasts[0].moves == 2 && pasts[0].since == 1 && memcmp(&pasts[0], &g_past, sizeof g_past) == 0);
     }
     CHECK(step(ball, 0, -1) == (in_air ? BOUNCING : RESTING) && g_past.touching == (in_air ? 1u : 3u));

@@ -85,18 +85,20 @@ bool make_others(dsw_replay* replay, size_t count) {
 
 }  // namespace
 
-void dsw_bundle_desc_init(dsw_bundle_desc* desc, size_t size) { capi::init_struct(desc, size, dsw_bundle_desc{}); }
+void dsw_bug_report_desc_init(dsw_bug_report_desc* desc, size_t size) {
+  capi::init_struct(desc, size, dsw_bug_report_desc{});
+}
 
-dsw_status dsw_scene_write_bundle(dsw_scene* scene, const dsw_bundle_desc* desc, dsw_verdict* verdict) {
+dsw_status dsw_scene_write_bug_report(dsw_scene* scene, const dsw_bug_report_desc* desc, dsw_validation* validation) {
   return capi::guard(__func__, [&] {
     dsw_scene& handle = capi::check_handle(scene);
-    const dsw_bundle_desc d = capi::read_required(desc, "desc");
+    const dsw_bug_report_desc d = capi::read_required(desc, "desc");
     capi::check_flags(d.flags, 0, "desc->flags");
     if (d.path != nullptr && d.write != nullptr) {
       fail(DSW_STATUS_UNSUPPORTED, "desc->path and desc->write are both set, one of them must be null");
     }
     if (d.path == nullptr) capi::require(reinterpret_cast<const void*>(d.write), "desc->write");
-    if (verdict != nullptr) capi::check_size(verdict, "verdict");
+    if (validation != nullptr) capi::check_size(validation, "validation");
 
     Bytes recording{dsw::Allocator<uint8_t>(capi::memory_of(*handle.environment))};
     get_recording(handle, recording);
@@ -107,7 +109,7 @@ dsw_status dsw_scene_write_bundle(dsw_scene* scene, const dsw_bundle_desc* desc,
 
     dsw_recording_desc to{};
     to.struct_size = sizeof to;
-    to.flags = DSW_RECORDING_STATES | DSW_RECORDING_BUNDLE;
+    to.flags = DSW_RECORDING_STATES | DSW_RECORDING_BUG_REPORT;
     to.path = d.path;
     to.write = d.write;
     to.user = d.user;
@@ -115,18 +117,18 @@ dsw_status dsw_scene_write_bundle(dsw_scene* scene, const dsw_bundle_desc* desc,
     capi::begin_recording(*made->scene, to, owner);
     made->scene->recording = owner.release();
     dsw_replay_report report;
-    dsw_verdict judged{};
-    judged.struct_size = sizeof judged;
-    check_done(dsw_replay_step_judged(made, &report, &judged));
+    dsw_validation answer{};
+    answer.struct_size = sizeof answer;
+    check_done(dsw_replay_step_validated(made, &report, &answer));
     is_same = is_same && report.outcome != DSW_REPLAY_DIFFERENT;
     dsw::RecordWriter& writer = made->scene->recording->writer;
     write_note(writer, d.note == nullptr ? "" : d.note);
-    judged.struct_size = sizeof judged;
-    writer.begin(dsw::EntryKind::kVerdict, sizeof judged);
-    writer.put(&judged, sizeof judged);
+    answer.struct_size = sizeof answer;
+    writer.begin(dsw::EntryKind::kValidation, sizeof answer);
+    writer.put(&answer, sizeof answer);
     writer.end();
     if (!capi::end_recording(*made->scene)) fail(DSW_STATUS_WRITE_FAILED, "the report could not be written");
-    if (verdict != nullptr) capi::write_struct(verdict, judged);
+    if (validation != nullptr) capi::write_struct(validation, answer);
     if (!is_same || capi::state_of(handle, true) != capi::state_of(*made->scene, true)) {
       fail(DSW_STATUS_CORRUPT,
            "what was recorded, made again, is another scene than this: the report is of the former");

@@ -1,4 +1,4 @@
-#include "verdict/verdict.h"
+#include "validation/validation.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-// The exact verdict on a call that is made again: what it says of ways and contacts, held against all obstacles. See
-// src/verdict/README.md.
+// The exact validation on a call that is made again: what it says of ways and contacts, held against all obstacles. See
+// src/validation/README.md.
 
 #include <algorithm>
 #include <cstdio>
 
 #include "capi/replay.h"
-#include "verdict/verdict.h"
+#include "validation/validation.h"
 
 namespace dsw::capi {
 namespace {
@@ -59,7 +59,7 @@ class CallJudge {
   }
 
   /** After it. `was_done`: it did not fail. */
-  dsw_verdict judge(bool was_done) {
+  dsw_validation judge(bool was_done) {
     look_at_places();
     for (const Mover& mover : particles_) {
       if (was_done) claim_flight(mover);
@@ -84,12 +84,12 @@ class CallJudge {
                             : subject.part == kNone          ? !is_met
                                                              : !is_met || subject.time != time;
       for (size_t k = first; is_wrong && k < i; ++k) is_folded = is_folded || judge_.is_folded(k);
-      if (is_folded) ++verdict_.not_judged;
+      if (is_folded) ++validation_.not_validated;
       if (is_wrong && !is_folded) count_wrong(subject);
     }
-    const dsw_verdict& v = verdict_;
-    verdict_.is_right = v.lost + v.crossing + v.pierced + v.missed + v.wrong == 0 ? 1 : 0;
-    return verdict_;
+    const dsw_validation& v = validation_;
+    validation_.is_right = v.lost + v.crossing + v.pierced + v.missed + v.wrong == 0 ? 1 : 0;
+    return validation_;
   }
 
  private:
@@ -110,7 +110,7 @@ class CallJudge {
 
   void remember_particle(dsw_particle_id particle, const double* target, const dsw_cast_options& options) {
     if (target == nullptr || !scene_.slots.alive(particle.index, particle.generation)) return;  // the call will fail
-    particles_.push_back({particle.index, options.max_cells == 0, before_.size(), 0, 0});
+    particles_.push_back({particle.index, options.max_volumes == 0, before_.size(), 0, 0});
     const auto& from = scene_.particles[particle.index].position;
     before_.insert(before_.end(), from, from + D);
     before_.insert(before_.end(), target, target + D);
@@ -119,7 +119,7 @@ class CallJudge {
   void remember_body(dsw_body_id id, const dsw_move_options& options) {
     if (!scene_.body_slots.alive(id.index, id.generation)) return;  // the call will fail
     const Body<D>& body = scene_.bodies[id.index].body;
-    const bool is_exact = options.search == DSW_SEARCH_EXACT && options.max_cells == 0;
+    const bool is_exact = options.search == DSW_SEARCH_EXACT && options.max_volumes == 0;
     bodies_.push_back({id.index, is_exact, before_.size(), orders_.size(), body.vertices.size()});
     for (const BodyVertex<D>& v : body.vertices) before_.insert(before_.end(), v.position, v.position + D);
     const bool is_ordered = options.order != nullptr;
@@ -131,7 +131,7 @@ class CallJudge {
   }
 
   void note(const char* format, uint32_t one, uint32_t other) {
-    if (verdict_.text[0] == 0) std::snprintf(verdict_.text, sizeof verdict_.text, format, one, other);
+    if (validation_.text[0] == 0) std::snprintf(validation_.text, sizeof validation_.text, format, one, other);
   }
 
   uint32_t add_subject(Said said, uint32_t owner, uint32_t part, double time = 0) {
@@ -141,9 +141,9 @@ class CallJudge {
 
   void look_at_places() {
     const auto is_lost = [&](Cell c, const double* point) {
-      ++verdict_.places;
+      ++validation_.places;
       const bool lost = !c.valid() || is_closed(scene_.env, c) || !exactly_contains(scene_.env, c, point);
-      verdict_.lost += lost ? 1 : 0;
+      validation_.lost += lost ? 1 : 0;
       return lost;
     };
     for (uint32_t i = 0; i < scene_.particles.size(); ++i) {
@@ -169,14 +169,14 @@ class CallJudge {
       if (!body.has_edge(e)) continue;
       const BodyEdge& edge = body.edges[e];
       judge_.add(add_subject(Said::kEdgeIsFree, slot, e), body.position(edge.ends[0]), body.position(edge.ends[1]));
-      ++verdict_.edges;
+      ++validation_.edges;
     }
     for (uint32_t f = 0; body.level == SweepLevel::kFaces && f < body.faces.size(); ++f) {
       if (!body.has_face(f)) continue;
       const BodyFace& face = body.faces[f];
       judge_.add(add_subject(Said::kFaceIsFree, slot, f), body.position(face.corners[0]),
                  body.position(face.corners[1]), body.position(face.corners[2]));
-      ++verdict_.faces;
+      ++validation_.faces;
     }
   }
 
@@ -184,14 +184,14 @@ class CallJudge {
     const double *const from = &before_[mover.first], *const target = from + D;
     const auto& now = scene_.particles[mover.slot].position;
     judge_.add(add_subject(Said::kWayIsFree, mover.slot, kNone), from, now);
-    ++verdict_.ways;
+    ++validation_.ways;
     if (are_equal<D>(now, target)) return;
     if (!mover.is_exact) {
-      ++verdict_.not_judged;
+      ++validation_.not_validated;
       return;
     }
     judge_.add(add_subject(Said::kContactAt, mover.slot, kNone, -1), from, target);
-    ++verdict_.contacts;
+    ++validation_.contacts;
   }
 
   void claim_way(const Mover& mover, const Body<D>& body, uint32_t vertex) {
@@ -199,7 +199,7 @@ class CallJudge {
     const uint32_t* const ranks = &orders_[mover.order_first];
     const uint32_t subject = add_subject(Said::kWayIsFree, mover.slot, vertex);
     judge_.add(subject, at(vertex), body.position(vertex));
-    ++verdict_.ways;
+    ++validation_.ways;
     // Edges whose sweeps are left out by the share of motion are only free where they end.
     if (body.level < SweepLevel::kEdgesSwept || body.skipping.by_similar_motion) return;
     for_each_edge(body, vertex, [&](uint32_t e) {
@@ -209,28 +209,28 @@ class CallJudge {
     });
   }
 
-  void claim_contact(const Mover& mover, const dsw_contact& contact) {
-    const bool is_wall = contact.obstacle.kind != DSW_CELL_NONE, is_of_face = contact.face.generation != 0;
+  void claim_contact(const Mover& mover, const dsw_body_contact& contact) {
+    const bool is_wall = contact.contact.obstacle.kind != DSW_CELL_NONE, is_of_face = contact.face.generation != 0;
     if (!is_wall || is_of_face || !mover.is_exact) {
-      ++verdict_.not_judged;
+      ++validation_.not_validated;
       return;
     }
     const uint32_t subject = add_subject(Said::kContactAt, mover.slot, contact.vertex.index, contact.time);
     judge_.add(subject, contact.from, contact.to);
     if (contact.edge.generation != 0) judge_.add(subject, contact.from, contact.to, contact.fixed[0]);
-    ++verdict_.contacts;
+    ++validation_.contacts;
   }
 
   void claim_move(const Mover& mover) {
     const BodyRecord<D>& of = scene_.bodies[mover.slot];
-    for (const dsw_contact& contact : of.record.contacts) claim_contact(mover, contact);
+    for (const dsw_body_contact& contact : of.record.contacts) claim_contact(mover, contact);
     for (uint32_t v = 0; v < mover.order_count; ++v) {
       if (!of.record.edits.empty()) {
-        ++verdict_.not_judged;
+        ++validation_.not_validated;
         continue;
       }
       if (!of.body.has_vertex(v) || are_equal<D>(of.body.position(v), &before_[mover.first + D * size_t{v}])) continue;
-      const auto is_its = [v](const dsw_contact& contact) { return contact.vertex.index == v; };
+      const auto is_its = [v](const dsw_body_contact& contact) { return contact.vertex.index == v; };
       if (std::any_of(of.record.contacts.begin(), of.record.contacts.end(), is_its)) continue;
       claim_way(mover, of.body, v);
     }
@@ -239,17 +239,17 @@ class CallJudge {
   void count_wrong(const Subject& s) {
     switch (s.said) {
       case Said::kEdgeIsFree:
-        ++verdict_.crossing;
+        ++validation_.crossing;
         return note("body %u: edge %u meets something impassable", s.owner, s.part);
       case Said::kFaceIsFree:
-        ++verdict_.pierced;
+        ++validation_.pierced;
         return note("body %u: face %u meets something impassable", s.owner, s.part);
       case Said::kWayIsFree:
-        ++verdict_.missed;
+        ++validation_.missed;
         if (s.part == kNone) return note("particle %u has passed something impassable", s.owner, 0);
         return note("body %u: vertex %u, or an edge of it, has passed something impassable", s.owner, s.part);
       case Said::kContactAt:
-        ++verdict_.wrong;
+        ++validation_.wrong;
         if (s.part == kNone) return note("particle %u stopped, though there is nothing in its way", s.owner, 0);
         return note("body %u: a contact of vertex %u is at another time", s.owner, s.part);
     }
@@ -261,24 +261,24 @@ class CallJudge {
   Array<Mover> particles_, bodies_;
   Array<Subject> subjects_;
   Judge<D> judge_;
-  dsw_verdict verdict_{};
+  dsw_validation validation_{};
 };
 
 }  // namespace
 }  // namespace dsw::capi
 
-dsw_status dsw_replay_step_judged(dsw_replay* replay, dsw_replay_report* report, dsw_verdict* verdict) {
+dsw_status dsw_replay_step_validated(dsw_replay* replay, dsw_replay_report* report, dsw_validation* validation) {
   namespace capi = dsw::capi;
   return capi::guard(__func__, [&] {
     dsw_replay& handle = capi::check_handle(replay);
     capi::require(report, "report");
-    capi::require(verdict, "verdict");
-    capi::check_size(verdict, "verdict");
+    capi::require(validation, "validation");
+    capi::check_size(validation, "validation");
     capi::visit(*handle.scene, [&](const auto& scene) {
       capi::CallJudge<capi::kDimension<decltype(scene)>> judge(scene);
       *report = capi::step(handle, [&](const capi::NextCall& next) { judge.remember(handle, next); });
       const bool was_done = report->function != nullptr && handle.watch.last.made && !handle.watch.last.failed;
-      capi::write_struct(verdict, judge.judge(was_done));
+      capi::write_struct(validation, judge.judge(was_done));
     });
   });
 }

@@ -27,131 +27,131 @@ static dsw_cell edge_between(unsigned x, unsigned y, unsigned z, unsigned x2, un
 }
 
 /* The moving vertex at the wall x = 2. */
-static dsw_contact plane_contact(void) {
-  dsw_contact c;
+static dsw_body_contact plane_contact(void) {
+  dsw_body_contact c;
   memset(&c, 0, sizeof c);
   set(c.position, 2, 2.25, 1.5);
   set(c.fixed[0], 1.5, 1.5, 1.5);
   memcpy(c.point, c.position, sizeof c.point);
-  set(c.normal, -1, 0, 0);
-  c.wall = face_at(BEFORE, FACE_X1);
-  c.obstacle = cell_at(DSW_CELL_FACE, BEFORE, FACE_X1);
-  c.front = volume_at(BEFORE);
-  c.kind = DSW_CONTACT_PLANE;
-  c.cause = DSW_CELL_VOLUME;
+  set(c.contact.normal, -1, 0, 0);
+  c.contact.wall = face_at(BEFORE, FACE_X1);
+  c.contact.obstacle = cell_at(DSW_CELL_FACE, BEFORE, FACE_X1);
+  c.contact.front = volume_at(BEFORE);
+  c.contact.kind = DSW_CONTACT_PLANE;
+  c.contact.marked_kind = DSW_CELL_VOLUME;
   return c;
 }
 
 /* An edge of the body across the cube's edge x = y = 2. */
-static dsw_contact edge_contact(void) {
-  dsw_contact c = plane_contact();
+static dsw_body_contact edge_contact(void) {
+  dsw_body_contact c = plane_contact();
   set(c.position, 1.5, 2.5, 1.25);
   set(c.fixed[0], 2.5, 1.5, 1.75);
   set(c.point, 2, 2, 1.5);
-  set(c.normal, -sqrt(0.5), -sqrt(0.5), 0);
-  c.along = 0.5;
+  set(c.contact.normal, -sqrt(0.5), -sqrt(0.5), 0);
+  c.edge_parameter = 0.5;
   c.edge.generation = 1;
-  c.obstacle = edge_between(2, 2, 1, 2, 2, 2);
-  c.kind = DSW_CONTACT_EDGE;
+  c.contact.obstacle = edge_between(2, 2, 1, 2, 2, 2);
+  c.contact.kind = DSW_CONTACT_EDGE;
   return c;
 }
 
 /* A face of the body on the cube's corner (2, 2, 1), in the plane x + y + z = 5. */
-static dsw_contact corner_contact(void) {
-  dsw_contact c = plane_contact();
+static dsw_body_contact corner_contact(void) {
+  dsw_body_contact c = plane_contact();
   set(c.position, 1.5, 2, 1.5);
   set(c.fixed[0], 2.5, 1.75, 0.75);
   set(c.fixed[1], 2, 2.5, 0.5);
   set(c.point, 2, 2, 1);
-  set(c.normal, -sqrt(1 / 3.0), -sqrt(1 / 3.0), -sqrt(1 / 3.0));
+  set(c.contact.normal, -sqrt(1 / 3.0), -sqrt(1 / 3.0), -sqrt(1 / 3.0));
   c.face.generation = 1;
-  c.obstacle = cell_at(DSW_CELL_VERTEX, point_index(2, 2, 1), 0);
-  c.kind = DSW_CONTACT_VERTEX;
+  c.contact.obstacle = cell_at(DSW_CELL_VERTEX, point_index(2, 2, 1), 0);
+  c.contact.kind = DSW_CONTACT_VERTEX;
   return c;
 }
 
-static dsw_contact_opinion opinion_on(const dsw_contact *c) {
-  dsw_contact_opinion o;
+static dsw_cross_check cross_check_of(const dsw_body_contact *c) {
+  dsw_cross_check o;
   memset(&o, 0x55, sizeof o);
-  CHECK_OK(dsw_contact_check(g_env, c, &o));
+  CHECK_OK(dsw_environment_cross_check(g_env, c, &o));
   return o;
 }
 
-static int agrees(const dsw_contact *c, dsw_opinion kind) {
-  const dsw_contact_opinion o = opinion_on(c);
-  return o.opinion == kind && o.reason == DSW_NO_OPINION_NONE && o.angle_rad >= 0 && o.angle_rad < 1e-7 &&
-         fabs(o.normal[0] - c->normal[0]) < 1e-7 && fabs(o.normal[1] - c->normal[1]) < 1e-7 &&
-         fabs(o.normal[2] - c->normal[2]) < 1e-7 && o.pushed_in > 0 && o.pushed_in < 1e-4 &&
+static int agrees(const dsw_body_contact *c, dsw_cross_check_kind kind) {
+  const dsw_cross_check o = cross_check_of(c);
+  return o.kind == kind && o.reason == DSW_NO_CROSS_CHECK_NONE && o.angle_rad >= 0 && o.angle_rad < 1e-7 &&
+         fabs(o.normal[0] - c->contact.normal[0]) < 1e-7 && fabs(o.normal[1] - c->contact.normal[1]) < 1e-7 &&
+         fabs(o.normal[2] - c->contact.normal[2]) < 1e-7 && o.pushed_in > 0 && o.pushed_in < 1e-4 &&
          fabs(o.depth - o.pushed_in) < 1e-3 * o.pushed_in;
 }
 
-static int has_none(const dsw_contact *c, dsw_no_opinion reason) {
-  const dsw_contact_opinion o = opinion_on(c);
-  return o.opinion == DSW_OPINION_NONE && o.reason == reason && o.normal[0] == 0 && o.normal[1] == 0 &&
+static int has_none(const dsw_body_contact *c, dsw_no_cross_check reason) {
+  const dsw_cross_check o = cross_check_of(c);
+  return o.kind == DSW_CROSS_CHECK_NONE && o.reason == reason && o.normal[0] == 0 && o.normal[1] == 0 &&
          o.normal[2] == 0 && o.depth == 0 && o.pushed_in == 0 && o.angle_rad == 0;
 }
 
 static void a_right_normal_is_confirmed(void) {
-  dsw_contact c = plane_contact();
-  CHECK(agrees(&c, DSW_OPINION_PLANE));
+  dsw_body_contact c = plane_contact();
+  CHECK(agrees(&c, DSW_CROSS_CHECK_PLANE));
   c = edge_contact();
-  CHECK(agrees(&c, DSW_OPINION_EDGE));
+  CHECK(agrees(&c, DSW_CROSS_CHECK_EDGE));
   c = corner_contact();
-  CHECK(agrees(&c, DSW_OPINION_VERTEX));
+  CHECK(agrees(&c, DSW_CROSS_CHECK_VERTEX));
   c = plane_contact(); /* at the outer boundary there is nothing behind */
   set(c.position, 0, 2.25, 1.5);
   memcpy(c.point, c.position, sizeof c.point);
-  set(c.normal, 1, 0, 0);
-  c.wall = face_at(BEFORE - 1, FACE_X0);
-  c.front = volume_at(BEFORE - 1);
-  CHECK(agrees(&c, DSW_OPINION_PLANE));
+  set(c.contact.normal, 1, 0, 0);
+  c.contact.wall = face_at(BEFORE - 1, FACE_X0);
+  c.contact.front = volume_at(BEFORE - 1);
+  CHECK(agrees(&c, DSW_CROSS_CHECK_PLANE));
 }
 
 static void a_wrong_normal_is_told(void) {
-  dsw_contact c = plane_contact();
-  dsw_contact_opinion o;
-  set(c.normal, -0.8, 0.6, 0);
-  o = opinion_on(&c);
-  CHECK(o.opinion == DSW_OPINION_PLANE && fabs(o.angle_rad - acos(0.8)) < 1e-7);
+  dsw_body_contact c = plane_contact();
+  dsw_cross_check o;
+  set(c.contact.normal, -0.8, 0.6, 0);
+  o = cross_check_of(&c);
+  CHECK(o.kind == DSW_CROSS_CHECK_PLANE && fabs(o.angle_rad - acos(0.8)) < 1e-7);
   CHECK(fabs(o.normal[0] + 1) < 1e-7 && fabs(o.depth - 0.8 * o.pushed_in) < 1e-3 * o.pushed_in);
-  set(c.normal, 1, 0, 0); /* out of the body: pushed that way it comes free */
-  CHECK(has_none(&c, DSW_NO_OPINION_NOT_CONVERGED));
+  set(c.contact.normal, 1, 0, 0); /* out of the body: pushed that way it comes free */
+  CHECK(has_none(&c, DSW_NO_CROSS_CHECK_NOT_CONVERGED));
 }
 
 static void reasons_are_told(void) {
-  dsw_contact c = edge_contact();
+  dsw_body_contact c = edge_contact();
   set(c.position, 2, 2, 1.25);
   set(c.fixed[0], 2, 2, 1.75);
-  CHECK(has_none(&c, DSW_NO_OPINION_PARALLEL));
+  CHECK(has_none(&c, DSW_NO_CROSS_CHECK_PARALLEL));
   c = edge_contact();
-  set(c.normal, sqrt(0.5), -sqrt(0.5), 0);
-  CHECK(has_none(&c, DSW_NO_OPINION_OUTSIDE_CONE));
+  set(c.contact.normal, sqrt(0.5), -sqrt(0.5), 0);
+  CHECK(has_none(&c, DSW_NO_CROSS_CHECK_OUTSIDE_CONE));
   c = corner_contact();
-  set(c.normal, 0, 0, 1);
-  CHECK(has_none(&c, DSW_NO_OPINION_OUTSIDE_CONE));
+  set(c.contact.normal, 0, 0, 1);
+  CHECK(has_none(&c, DSW_NO_CROSS_CHECK_OUTSIDE_CONE));
   c = edge_contact(); /* a wire and a marked vertex belong to no wall */
-  memset(&c.wall, 0, sizeof c.wall);
-  CHECK(has_none(&c, DSW_NO_OPINION_WIRE));
+  memset(&c.contact.wall, 0, sizeof c.contact.wall);
+  CHECK(has_none(&c, DSW_NO_CROSS_CHECK_MARKED));
   c = corner_contact();
-  memset(&c.wall, 0, sizeof c.wall);
-  CHECK(has_none(&c, DSW_NO_OPINION_WIRE));
+  memset(&c.contact.wall, 0, sizeof c.contact.wall);
+  CHECK(has_none(&c, DSW_NO_CROSS_CHECK_MARKED));
 }
 
 /* What is wrong with the arguments is told with and without libccd. */
 static void bad_input_changes_nothing(void) {
-  const dsw_contact good = plane_contact();
-  dsw_contact c = good;
-  dsw_contact_opinion o, before;
+  const dsw_body_contact good = plane_contact();
+  dsw_body_contact c = good;
+  dsw_cross_check o, before;
   memset(&o, 0x55, sizeof o);
   before = o;
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_contact_check(NULL, &c, &o));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_cross_check(NULL, &c, &o));
   CHECK_MESSAGE("environment is null");
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_contact_check(g_env, NULL, &o));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_cross_check(g_env, NULL, &o));
   CHECK_MESSAGE("contact is null");
-  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_contact_check(g_env, &c, NULL));
+  CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_cross_check(g_env, &c, NULL));
   CHECK_MESSAGE("opinion is null");
 #define REFUSED(status, text)                              \
-  CHECK_FAILS((status), dsw_contact_check(g_env, &c, &o)); \
+  CHECK_FAILS((status), dsw_environment_cross_check(g_env, &c, &o)); \
   CHECK_MESSAGE(text);                                     \
   c = good
   c.position[1] = NAN;
@@ -162,40 +162,40 @@ static void bad_input_changes_nothing(void) {
   REFUSED(DSW_STATUS_NON_FINITE, "contact->fixed[1][0] is nan");
   c.point[0] = -INFINITY;
   REFUSED(DSW_STATUS_NON_FINITE, "contact->point[0] is -inf");
-  c.normal[0] = NAN;
+  c.contact.normal[0] = NAN;
   REFUSED(DSW_STATUS_NON_FINITE, "contact->normal[0] is nan");
-  c.normal[0] = -2;
+  c.contact.normal[0] = -2;
   REFUSED(DSW_STATUS_OUT_OF_RANGE, "contact->normal (-2, 0, 0) is not of length 1");
-  c.kind = DSW_CONTACT_NONE;
+  c.contact.kind = DSW_CONTACT_NONE;
   REFUSED(DSW_STATUS_UNSUPPORTED, "contact->kind is 0");
-  c.kind = DSW_CONTACT_EDGE; /* of a face */
+  c.contact.kind = DSW_CONTACT_EDGE; /* of a face */
   REFUSED(DSW_STATUS_UNSUPPORTED, "contact->obstacle.kind is 3");
-  c.kind = DSW_CONTACT_VERTEX;
+  c.contact.kind = DSW_CONTACT_VERTEX;
   REFUSED(DSW_STATUS_UNSUPPORTED, "contact->obstacle.kind is 3");
-  c.wall.generation = 7;
+  c.contact.wall.generation = 7;
   REFUSED(DSW_STATUS_STALE_ID, "contact->wall {volume ");
-  memset(&c.wall, 0, sizeof c.wall);
+  memset(&c.contact.wall, 0, sizeof c.contact.wall);
   REFUSED(DSW_STATUS_STALE_ID, "contact->wall {volume 0, generation 0, local 0}");
-  c.front.index = NX * NY * NZ;
+  c.contact.front.index = NX * NY * NZ;
   REFUSED(DSW_STATUS_STALE_ID, "contact->front {index 48");
-  c.front = volume_at(0);
+  c.contact.front = volume_at(0);
   REFUSED(DSW_STATUS_NOT_FOUND, "contact->front (volume 0) is not at contact->wall");
-  c.kind = DSW_CONTACT_EDGE;
-  c.obstacle = cell_at(DSW_CELL_EDGE, 0, 12);
+  c.contact.kind = DSW_CONTACT_EDGE;
+  c.contact.obstacle = cell_at(DSW_CELL_EDGE, 0, 12);
   REFUSED(DSW_STATUS_STALE_ID, "contact->obstacle {volume 0, generation 1, local 12}");
-  c.kind = DSW_CONTACT_VERTEX;
-  c.obstacle = cell_at(DSW_CELL_VERTEX, 1000, 0);
+  c.contact.kind = DSW_CONTACT_VERTEX;
+  c.contact.obstacle = cell_at(DSW_CELL_VERTEX, 1000, 0);
   REFUSED(DSW_STATUS_STALE_ID, "contact->obstacle {index 1000");
 #undef REFUSED
   CHECK(memcmp(&o, &before, sizeof o) == 0);
 }
 
 static void without_libccd_it_says_so(void) {
-  const dsw_contact c = plane_contact();
-  dsw_contact_opinion o, before;
+  const dsw_body_contact c = plane_contact();
+  dsw_cross_check o, before;
   memset(&o, 0x55, sizeof o);
   before = o;
-  CHECK_FAILS(DSW_STATUS_NOT_BUILT, dsw_contact_check(g_env, &c, &o));
+  CHECK_FAILS(DSW_STATUS_NOT_BUILT, dsw_environment_cross_check(g_env, &c, &o));
   CHECK_MESSAGE("built without libccd");
   CHECK(memcmp(&o, &before, sizeof o) == 0);
 }
@@ -203,7 +203,7 @@ static void without_libccd_it_says_so(void) {
 /* Every allocation refused in turn: an error each time, nothing kept, and then the answer. */
 static void refused_memory_is_told(void) {
   const dsw_volume_id solid = volume_at(SOLID);
-  const dsw_contact contacts[3] = {plane_contact(), edge_contact(), corner_contact()};
+  const dsw_body_contact contacts[3] = {plane_contact(), edge_contact(), corner_contact()};
   host h;
   dsw_context *const context = make_context(&h);
   dsw_environment *const environment = make_environment(context, NX, NY, NZ);
@@ -213,11 +213,11 @@ static void refused_memory_is_told(void) {
   for (i = 0; i < 3; ++i) {
     dsw_status status = DSW_STATUS_OUT_OF_MEMORY;
     for (n = 1; n < 100 && status == DSW_STATUS_OUT_OF_MEMORY; ++n) {
-      dsw_contact_opinion o;
+      dsw_cross_check o;
       memset(&o, 0x55, sizeof o);
       h.refuse = h.calls + n;
-      status = dsw_contact_check(environment, &contacts[i], &o);
-      CHECK(h.alive == before && (status == DSW_STATUS_OK ? o.opinion != DSW_OPINION_NONE : o.depth != 0));
+      status = dsw_environment_cross_check(environment, &contacts[i], &o);
+      CHECK(h.alive == before && (status == DSW_STATUS_OK ? o.kind != DSW_CROSS_CHECK_NONE : o.depth != 0));
     }
     CHECK(status == DSW_STATUS_OK && n > 2);
   }

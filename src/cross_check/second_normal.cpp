@@ -1,4 +1,4 @@
-#include "cross_check/second_opinion.h"
+#include "cross_check/second_normal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +30,8 @@ double angle_between(const double* a, const double* b) {
 
 }  // namespace
 
-SecondOpinion second_opinion(const Features& features, const double* normal) {
-  SecondOpinion opinion;
+SecondNormal second_normal(const Features& features, const double* normal) {
+  SecondNormal found_normal;
   for (const double depth : kDepths) {
     Hull pushed = features.body;
     push_in(pushed, normal, depth);
@@ -40,17 +40,17 @@ SecondOpinion second_opinion(const Features& features, const double* normal) {
     if (!(way_out(features.body, features.obstacle, found.normal) <= kSlack * depth)) continue;
     const double angle = angle_between(found.normal, normal);
     if (angle > kSame && way_out(features.body, features.obstacle, normal) <= kSlack * depth) {
-      opinion.verdict = Verdict::kNotUnique;
+      found_normal.answer = Answer::kNotUnique;
       continue;
     }
-    opinion.verdict = Verdict::kGiven;
-    std::copy_n(found.normal, 3, opinion.normal);
-    opinion.depth = found.depth * features.unit;
-    opinion.pushed_in = depth * features.unit;
-    opinion.angle = angle;
+    found_normal.answer = Answer::kGiven;
+    std::copy_n(found.normal, 3, found_normal.normal);
+    found_normal.depth = found.depth * features.unit;
+    found_normal.pushed_in = depth * features.unit;
+    found_normal.angle = angle;
     break;
   }
-  return opinion;
+  return found_normal;
 }
 
 }  // namespace dsw

@@ -10,7 +10,7 @@
 
 #include "body_state.h"
 #include "mesh_file.h"
-#include "opinions.h"
+#include "cross_checks.h"
 #include "support.h"
 
 namespace dsw::oracle {
@@ -25,10 +25,10 @@ const std::set<std::string> kThin = {"hex_thin", "tet_slivers", "waist_slivers"}
 struct AllFigures {
   Opinions vertex, edge, diagonal, face;  // by what touches; a diagonal is the wall's
 
-  Opinions& of(const dsw_contact& contact) {
+  Opinions& of(const dsw_body_contact& contact) {
     if (contact.face.generation != 0) return face;
     if (contact.edge.generation == 0) return vertex;
-    return contact.kind == DSW_CONTACT_PLANE ? diagonal : edge;
+    return contact.contact.kind == DSW_CONTACT_PLANE ? diagonal : edge;
   }
   Opinions sum() const {
     Opinions all = vertex;
@@ -81,7 +81,7 @@ class Bench {
     ASSERT_EQ(dsw_environment_mark_faces(environment_, walls.data(), walls.size(), DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
   }
 
-  std::vector<dsw_contact> contacts(size_t count) {
+  std::vector<dsw_body_contact> contacts(size_t count) {
     std::vector<Vec> from(count), to(count), fixed(count);
     for (size_t i = 0; i < count; ++i) {
       Vec size;
@@ -94,22 +94,22 @@ class Bench {
                                           0, nullptr, sweeps.data()),
               DSW_STATUS_OK)
         << dsw_last_error_message();
-    std::vector<dsw_contact> found;
+    std::vector<dsw_body_contact> found;
     for (size_t i = 0; i < count; ++i) {
       if (sweeps[i].outcome == DSW_OUTCOME_CONTACT) found.push_back(to_contact(from[i], to[i], fixed[i], sweeps[i]));
     }
     return found;
   }
 
-  dsw_contact_opinion ask(const dsw_contact& contact) const {
-    dsw_contact_opinion opinion{};
-    EXPECT_EQ(dsw_contact_check(environment_, &contact, &opinion), DSW_STATUS_OK) << dsw_last_error_message();
+  dsw_cross_check ask(const dsw_body_contact& contact) const {
+    dsw_cross_check opinion{};
+    EXPECT_EQ(dsw_environment_cross_check(environment_, &contact, &opinion), DSW_STATUS_OK) << dsw_last_error_message();
     return opinion;
   }
 
   AllFigures run(size_t count) {
     AllFigures all;
-    for (const dsw_contact& contact : contacts(count)) ask(contact, all);
+    for (const dsw_body_contact& contact : contacts(count)) ask(contact, all);
     return all;
   }
 
@@ -130,7 +130,7 @@ class Bench {
           targets.push_back(near(move == 0 ? plan.at[v] : answer.after.at[v], size));
         }
         EXPECT_EQ(move_body(scene.get(), body, targets, nullptr, answer), "");
-        for (const dsw_contact& contact : answer.contacts) ask(contact, all);
+        for (const dsw_body_contact& contact : answer.contacts) ask(contact, all);
       }
       EXPECT_EQ(dsw_body_destroy(scene.get(), body), DSW_STATUS_OK);
     }
@@ -138,7 +138,7 @@ class Bench {
   }
 
  private:
-  void ask(const dsw_contact& contact, AllFigures& all) const {
+  void ask(const dsw_body_contact& contact, AllFigures& all) const {
     EXPECT_TRUE(all.of(contact).ask(environment_, contact)) << dsw_last_error_message();
   }
   /// A vertex, a chain of three, or a fan of two triangles.
@@ -284,22 +284,22 @@ TEST_P(ContactCheckTest, AWrongNormalIsNoticed) {
   Bench bench(mesh, environment.get(), 7);
   bench.mark(0.1, 0.05);
   uint64_t asked = 0, noticed = 0, wrong = 0;
-  for (const dsw_contact& contact : bench.contacts(6000)) {
-    if (contact.kind == DSW_CONTACT_PLANE && contact.along > 0) continue;
+  for (const dsw_body_contact& contact : bench.contacts(6000)) {
+    if (contact.contact.kind == DSW_CONTACT_PLANE && contact.edge_parameter > 0) continue;
     for (const double degrees : {0.02, 0.5, 10.0, 40.0}) {
-      dsw_contact turned = contact;  // towards the edge, which leaves an edge's normal above both faces of the wedge
+      dsw_body_contact turned = contact;  // towards the edge, which leaves an edge's normal above both faces of the wedge
       const Vec along = {contact.fixed[0][0] - contact.position[0], contact.fixed[0][1] - contact.position[1],
                          contact.fixed[0][2] - contact.position[2]};
-      const double part = dot(along.data(), contact.normal);
+      const double part = dot(along.data(), contact.contact.normal);
       Vec aside;
-      for (size_t k = 0; k < 3; ++k) aside[k] = along[k] - part * contact.normal[k];
+      for (size_t k = 0; k < 3; ++k) aside[k] = along[k] - part * contact.contact.normal[k];
       const double length = std::sqrt(dot(aside.data(), aside.data())), a = degrees / kDegrees;
       for (size_t k = 0; k < 3; ++k) {
-        turned.normal[k] = std::cos(a) * contact.normal[k] + std::sin(a) * aside[k] / length;
+        turned.contact.normal[k] = std::cos(a) * contact.contact.normal[k] + std::sin(a) * aside[k] / length;
       }
-      const dsw_contact_opinion opinion = bench.ask(turned);
+      const dsw_cross_check opinion = bench.ask(turned);
       ++asked;
-      if (opinion.opinion == DSW_OPINION_NONE) continue;
+      if (opinion.kind == DSW_CROSS_CHECK_NONE) continue;
       if (std::fabs(opinion.angle_rad * kDegrees - degrees) < 1e-4) {
         ++noticed;
       } else {
@@ -325,18 +325,18 @@ TEST_P(ContactCheckTest, AnyNumbersHaveAnAnswer) {
   bench.mark(0.2, 0.1);
   const double odd[] = {0, -0.0, 1, 1e-300, 5e-324, 1e300, -1.7e308, 1e6, -1e-3};
   uint64_t opinions = 0;
-  for (dsw_contact c : bench.contacts(4000)) {
+  for (dsw_body_contact c : bench.contacts(4000)) {
     for (int i = 0; i < 20; ++i) {
       double* const members[] = {c.position, c.fixed[0], c.fixed[1], c.point};
       double& x = members[rng.below(4u)][rng.below(3u)];
       x = rng.chance(0.5) ? odd[rng.below(9u)] : x * rng.range(0.5, 2);
       if (!std::isfinite(x)) x = 0;
       if (rng.chance(0.2)) {
-        c.kind = DSW_CONTACT_VERTEX;
-        c.obstacle = cell_of(vertices_of(environment.get(), cell_of(c.wall))[0]);
+        c.contact.kind = DSW_CONTACT_VERTEX;
+        c.contact.obstacle = cell_of(vertices_of(environment.get(), cell_of(c.contact.wall))[0]);
       }
-      const dsw_contact_opinion opinion = bench.ask(c);
-      if (opinion.opinion == DSW_OPINION_NONE) continue;
+      const dsw_cross_check opinion = bench.ask(c);
+      if (opinion.kind == DSW_CROSS_CHECK_NONE) continue;
       ++opinions;
       EXPECT_NEAR(dot(opinion.normal, opinion.normal), 1, 1e-9);
       EXPECT_TRUE(std::isfinite(opinion.depth) && opinion.depth >= 0 && opinion.pushed_in >= 0);
@@ -377,7 +377,7 @@ TEST_P(ContactCheckMeshTest, NormalsOfRealMeshes) {
   for (const double by : kScales) {
     Mesh mesh = original;
     scale(mesh, by);
-    const EnvironmentPtr environment = create_environment(mesh, {}, DSW_ENVIRONMENT_LOCATE_GRID);
+    const EnvironmentPtr environment = create_environment(mesh, {}, DSW_ENVIRONMENT_LOCATE_TREE);
     ASSERT_NE(environment, nullptr);
     Bench bench(mesh, environment.get(), 5);
     bench.mark(0.02, 0.02);
