@@ -46,10 +46,11 @@ uint64_t room_of(const dsw_scene& scene) {
                      [](const auto& env) -> uint64_t { return env.lent == nullptr ? 0 : env.point_room; });
 }
 
-template <class Saved>
-dsw::Array<uint8_t> saved_block(const Saved& saved) {
-  dsw::Array<uint8_t> block(snapshot_bytes(saved), 0, dsw::Allocator<uint8_t>(saved.memory));
-  save(saved, block.data());
+/** `format`: of a scene, where it is not today's. */
+template <class Saved, class... Format>
+dsw::Array<uint8_t> saved_block(const Saved& saved, Format... format) {
+  dsw::Array<uint8_t> block(snapshot_bytes(saved, format...), 0, dsw::Allocator<uint8_t>(saved.memory));
+  save(saved, block.data(), format...);
   return block;
 }
 
@@ -119,9 +120,9 @@ bool end_recording(dsw_scene& scene) noexcept {
   return works;
 }
 
-uint64_t state_of(const dsw_scene& scene, bool with_environment) {
+uint64_t state_of(const dsw_scene& scene, bool with_environment, uint32_t format) {
   return visit(scene, [&](const auto& engine) {
-    const Array<uint8_t> block = saved_block(engine);
+    const Array<uint8_t> block = saved_block(engine, format);
     const uint64_t sum = checksum(0, block.data(), block.size());
     if (!with_environment) return sum;
     const Array<uint8_t> whole = saved_block(engine.env);
@@ -168,14 +169,18 @@ void Recorded::finish(bool failed, uint64_t digest) noexcept {
   now.made = true;
   now.failed = failed;
   now.digest = digest;
-  if (!failed && (wants_state || (scene.watch != nullptr && scene.watch->wants_state))) {
+  const auto take_state = [&](uint32_t format, CallResult& to) {
     try {
-      now.state = state_of(scene, with_environment_);
-      now.has_state = true;
+      to.state = state_of(scene, with_environment_, format);
+      to.has_state = true;
     } catch (...) {  // no memory: a call that is recorded without
     }
+  };
+  if (scene.watch != nullptr) {
+    scene.watch->last = now;
+    if (!failed && scene.watch->wants_state) take_state(scene.watch->format, scene.watch->last);
   }
-  if (scene.watch != nullptr) scene.watch->last = now;
+  if (!failed && wants_state) take_state(kSceneFormat, now);
   if (scene.recording == nullptr) return;
   RecordWriter& writer = scene.recording->writer;
   const uint64_t result[kMostResultWords] = {failed ? 1u : 0u, digest, now.state};
