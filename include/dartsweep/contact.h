@@ -40,7 +40,7 @@ typedef struct dsw_contact {
   /** Kind of the marked cell: VOLUME if only `behind` is marked; FACE also at the outer
    * boundary. */
   dsw_cell_kind marked_kind;
-  uint32_t tag; /**< Host tag of `behind`; at the outer boundary, of `front`. */
+  uint32_t tag; /**< Host tag of `behind`; at the outer boundary, of the volume at `wall`. */
 } dsw_contact;
 
 /** Report of a cast or a particle's move. */

@@ -43,7 +43,7 @@ typedef enum dsw_wall_response {
 typedef enum dsw_invalid_response {
   DSW_INVALID_HOLD = 0,   /**< The vertex stays. With END_STATE: as DSW_WALL_STOP. */
   DSW_INVALID_REFUSE = 1, /**< Nothing moves; see dsw_environment_get_invalid_volumes. */
-  /** dsw_environment_remesh repairs such volumes before; then HOLD. */
+  /** dsw_environment_remesh repairs such volumes first; then as HOLD. */
   DSW_INVALID_REMESH = 2,
   DSW_INVALID_RESPONSE_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_invalid_response;
@@ -92,7 +92,7 @@ typedef struct dsw_wall_contact {
   double to[3];          /**< Its target. */
   double time;           /**< As in dsw_sweep. */
   double point[3];       /**< Where the wall touches, rounded. */
-  double edge_parameter; /**< Place of `point` on the touched edge, from its first end. */
+  double edge_parameter; /**< Where `point` is on the touched edge: 0 first end, 1 second end. */
   dsw_contact contact;   /**< The part of the wall that touches. */
   dsw_vertex_id moving;  /**< The vertex that moved. */
   /** Other corners of the touching triangle or edge, or null. */
