@@ -17,17 +17,16 @@ X(dsw_body_face_id, BodyFaceId)
 X(dsw_flight, Flight)
 X(dsw_crossing, Crossing)
 X(dsw_sweep, Sweep)
-X(dsw_body_contact, Contact)
+X(dsw_body_contact, BodyContact)
 X(dsw_contact_partner, ContactPartner)
 X(dsw_previous_contact, PreviousContact)
 X(dsw_body_edit, BodyEdit)
 X(dsw_move_report, MoveReport)
 X(dsw_wall_contact, WallContact)
 X(dsw_volume_change, VolumeChange)
-X(dsw_cut_vertex, CutVertex)
+X(dsw_vertex_origin, VertexOrigin)
 X(dsw_cut_face, CutFace)
-X(dsw_detached_vertex, DetachedVertex)
-X(dsw_detached_face, DetachedFace)
+X(dsw_face_origin, FaceOrigin)
 %enddef
 
 // Numbers that come in arrays.
@@ -58,10 +57,11 @@ X(dsw_deform_options, DeformOptions)
 X(dsw_coarsen_options, CoarsenOptions)
 %enddef
 
-// Other structs.
+// Other structs. The lists of a Change are methods of it; ChangeNumbers are the rest.
 %define DSW_EACH_RESULT(X)
-X(dsw_vec3, Vec3)
+X(dartsweep::Vec3, Vec3)
 X(dsw_cell, Cell)
+X(dsw_contact, Contact)
 X(dsw_nearest, Nearest)
 X(dsw_cross_check, CrossCheck)
 X(dsw_build_report, BuildReport)
@@ -70,12 +70,7 @@ X(dsw_statistics, Statistics)
 X(dsw_body_counts, BodyCounts)
 X(dsw_rigid_motion, RigidMotion)
 X(dsw_deform_report, DeformReport)
-X(dsw_detach_report, DetachReport)
-X(dsw_remesh_report, RemeshReport)
-X(dsw_cut_report, CutReport)
-X(dsw_open_report, OpenReport)
-X(dsw_carve_report, CarveReport)
-X(dsw_tie_report, TieReport)
+X(dsw_change, ChangeNumbers)
 X(dsw_validation, Validation)
 %enddef
 

@@ -98,19 +98,19 @@ void say_deformation(const dsw_deform_report *report) {
 }
 
 void cut(dsw_environment *environment, const dsw_cut_desc *desc) {
-  const dsw_cut_vertex *vertices = NULL;
-  dsw_cut_report report;
+  dsw_change change;
   dsw_environment_info info;
-  size_t i, count = 0;
-  must(dsw_environment_cut(environment, desc, &report));
-  number(report.distance);
-  integer(report.volumes_split);
-  integer(report.face_count);
+  size_t i;
+  change.struct_size = sizeof change;
+  must(dsw_environment_cut(environment, desc, &change));
+  number(change.distance);
+  integer(change.volumes_split);
+  integer(change.face_count);
   info.struct_size = sizeof info;
   must(dsw_environment_get_info(environment, &info));
   integer(info.volume_count);
-  must(dsw_environment_get_cut_vertices(environment, &vertices, &count));
-  for (i = 0; i < count; ++i) integer(vertices[i].vertex.index), number(vertices[i].weights[0]);
+  for (i = 0; i < change.vertex_count; ++i)
+    integer(change.vertices[i].vertex.index), number(change.vertices[i].weights[0]);
 }
 
 /* --- what it is played with: integers, so that all languages have the same bits */
@@ -190,7 +190,7 @@ static dsw_body_id create_catheter(dsw_scene *scene, double *positions) {
 static void queries(const dsw_environment *environment) {
   static double from[3 * 64], to[3 * 64], fixed[3 * 16];
   static dsw_volume_id volumes[64];
-  static dsw_location places[64];
+  static dsw_location locations[64];
   static dsw_flight flights[64];
   static dsw_sweep sweeps[16];
   int i;
@@ -198,8 +198,8 @@ static void queries(const dsw_environment *environment) {
   stage("locate");
   seed = 1;
   draw_points(from, 64);
-  must(dsw_environment_locate_points(environment, from, 64, 0, NULL, volumes, places));
-  for (i = 0; i < 64; ++i) integer(places[i]), integer(volumes[i].index), integer(volumes[i].generation);
+  must(dsw_environment_locate_points(environment, from, 64, 0, NULL, volumes, locations));
+  for (i = 0; i < 64; ++i) integer(locations[i]), integer(volumes[i].index), integer(volumes[i].generation);
 
   stage("cast");
   draw_points(to, 64);
@@ -214,7 +214,7 @@ static void queries(const dsw_environment *environment) {
   stage("nearest");
   for (i = 0; i < 64; ++i) {
     dsw_nearest nearest;
-    if (places[i] != DSW_LOCATION_PASSABLE) continue;
+    if (locations[i] != DSW_LOCATION_PASSABLE) continue;
     must(dsw_environment_find_nearest(environment, from + 3 * i, volumes[i], 20.0, &nearest));
     say_nearest(&nearest);
   }
@@ -354,7 +354,7 @@ static void deform(void) {
     memcpy(next + 3 * i, points + 3 * i, 3 * sizeof *next);
     next[3 * i] += (48 - points[3 * i]) * 0.4375;
   }
-  must(dsw_environment_deform(scene, next, POINTS, NULL, &report));
+  must(dsw_environment_deform(environment, next, POINTS, NULL, &report));
   say_deformation(&report);
   must(dsw_body_get_positions(scene, body, positions, LINKS, 0, NULL, &count));
   for (i = 0; i < LINKS; ++i) point(positions + 3 * i);

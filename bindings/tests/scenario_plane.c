@@ -107,7 +107,7 @@ static void bend_and_cut(dsw_environment *environment, dsw_scene *scene, dsw_bod
   }
   dsw_deform_options_init(&options, sizeof options);
   options.point_room = CORNERS + ROOM;
-  must(dsw_environment_deform(scene, next, CORNERS, &options, &report));
+  must(dsw_environment_deform(environment, next, CORNERS, &options, &report));
   say_deformation(&report);
   must(dsw_body_get_positions(scene, rope, positions, LINKS, 0, NULL, &count));
   for (i = 0; i < 2 * LINKS; ++i) number(positions[i]);
@@ -126,7 +126,7 @@ void plane(void) {
   static dsw_sweep sweeps[16];
   static dsw_particle_id particles[32];
   static dsw_volume_id volumes[32];
-  static dsw_location places[32];
+  static dsw_location locations[32];
   dsw_environment *const environment = create_plane();
   const dsw_vertex_id pole = {5 * (SIDE + 1) + 5, 1};
   dsw_environment_info info;
@@ -152,10 +152,10 @@ void plane(void) {
   stage("plane locate");
   seed = 1;
   draw_plane(from, 32);
-  must(dsw_environment_locate_points(environment, from, 32, 0, NULL, volumes, places));
+  must(dsw_environment_locate_points(environment, from, 32, 0, NULL, volumes, locations));
   for (i = 0; i < 32; ++i) {
-    integer(places[i]), integer(volumes[i].index), integer(volumes[i].generation);
-    if (places[i] != DSW_LOCATION_PASSABLE) continue;
+    integer(locations[i]), integer(volumes[i].index), integer(volumes[i].generation);
+    if (locations[i] != DSW_LOCATION_PASSABLE) continue;
     must(dsw_environment_find_nearest(environment, from + 2 * i, volumes[i], 20.0, &nearest));
     say_nearest(&nearest);
   }
