@@ -94,7 +94,7 @@ Recording::Recording(const Memory* memory, const dsw_recording_desc& desc)
   if (desc.path == nullptr) return;
   file = std::fopen(desc.path, "w+b");
   if (file == nullptr) {
-    fail(DSW_STATUS_WRITE_FAILED, "desc->path, %.200s, can't be written: %s", desc.path, std::strerror(errno));
+    fail(DSW_STATUS_WRITE_FAILED, "desc->path, %.200s, cannot be written: %s", desc.path, std::strerror(errno));
   }
   std::setvbuf(file, nullptr, _IONBF, 0);  // what was written is the system's at once
   write = write_to_file;
@@ -108,7 +108,7 @@ Recording::~Recording() {
 void begin_recording(const dsw_scene& scene, const dsw_recording_desc& desc, Owned<Recording>& made) {
   made.make(capi::memory_of(*scene.environment), desc);
   write_beginning(scene, *made.get());
-  if (!made.get()->writer.works()) fail(DSW_STATUS_WRITE_FAILED, "the beginning could not be written");
+  if (!made.get()->writer.works()) fail(DSW_STATUS_WRITE_FAILED, "the start of the recording was not written");
 }
 
 bool end_recording(dsw_scene& scene) noexcept {
@@ -216,7 +216,7 @@ dsw_status dsw_scene_start_recording(dsw_scene* scene, const dsw_recording_desc*
 dsw_status dsw_scene_stop_recording(dsw_scene* scene) {
   return capi::guard(__func__, [&] {
     if (!capi::end_recording(capi::check_handle(scene))) {
-      fail(DSW_STATUS_WRITE_FAILED, "the recording ends early: something could not be written");
+      fail(DSW_STATUS_WRITE_FAILED, "the recording is incomplete: something was not written");
     }
   });
 }
