@@ -16,16 +16,6 @@ _Static_assert(sizeof(void *) == 8 && sizeof(size_t) == 8 && sizeof(int) == 4, "
 
 #include "layout_changes.h"
 
-SIZE(dsw_contact, 80);
-AT(dsw_contact, normal, 0);
-AT(dsw_contact, obstacle, 24);
-AT(dsw_contact, wall, 40);
-AT(dsw_contact, front, 52);
-AT(dsw_contact, behind, 60);
-AT(dsw_contact, kind, 68);
-AT(dsw_contact, marked_kind, 72);
-AT(dsw_contact, tag, 76);
-
 SIZE(dsw_flight, 128);
 AT(dsw_flight, position, 0);
 AT(dsw_flight, time, 24);
@@ -33,6 +23,22 @@ AT(dsw_flight, contact, 32);
 AT(dsw_flight, volume, 112);
 AT(dsw_flight, outcome, 120);
 AT(dsw_flight, volumes_visited, 124);
+
+SIZE(dsw_body_contact, 280);
+AT(dsw_body_contact, from, 0);
+AT(dsw_body_contact, to, 24);
+AT(dsw_body_contact, fixed, 48);
+AT(dsw_body_contact, position, 96);
+AT(dsw_body_contact, time, 120);
+AT(dsw_body_contact, point, 128);
+AT(dsw_body_contact, edge_parameter, 152);
+AT(dsw_body_contact, distance_left, 160);
+AT(dsw_body_contact, contact, 168);
+AT(dsw_body_contact, vertex, 248);
+AT(dsw_body_contact, edge, 256);
+AT(dsw_body_contact, face, 264);
+AT(dsw_body_contact, history, 272);
+AT(dsw_body_contact, reserved, 276);
 
 SIZE(dsw_crossing, 32);
 AT(dsw_crossing, volume, 0);
@@ -275,21 +281,15 @@ AT(dsw_body_edit, edge_parameter, 40);
 AT(dsw_body_edit, inserted, 48);
 AT(dsw_body_edit, reserved, 52);
 
-SIZE(dsw_body_contact, 280);
-AT(dsw_body_contact, from, 0);
-AT(dsw_body_contact, to, 24);
-AT(dsw_body_contact, fixed, 48);
-AT(dsw_body_contact, position, 96);
-AT(dsw_body_contact, time, 120);
-AT(dsw_body_contact, point, 128);
-AT(dsw_body_contact, edge_parameter, 152);
-AT(dsw_body_contact, distance_left, 160);
-AT(dsw_body_contact, contact, 168);
-AT(dsw_body_contact, vertex, 248);
-AT(dsw_body_contact, edge, 256);
-AT(dsw_body_contact, face, 264);
-AT(dsw_body_contact, history, 272);
-AT(dsw_body_contact, reserved, 276);
+SIZE(dsw_contact, 80);
+AT(dsw_contact, normal, 0);
+AT(dsw_contact, obstacle, 24);
+AT(dsw_contact, wall, 40);
+AT(dsw_contact, front, 52);
+AT(dsw_contact, behind, 60);
+AT(dsw_contact, kind, 68);
+AT(dsw_contact, marked_kind, 72);
+AT(dsw_contact, tag, 76);
 
 SIZE(dsw_contact_partner, 32);
 AT(dsw_contact_partner, body, 0);

@@ -1,4 +1,4 @@
-/* Part of layout.c: what cuts, opens, carves, detaches, bends and repairs an environment. */
+/* Part of layout.c: what cuts, opens, carves, detaches, bends and mends an environment. */
 
 SIZE(dsw_cut_desc, 48);
 AT(dsw_cut_desc, struct_size, 0);
@@ -10,51 +10,6 @@ AT(dsw_cut_desc, columns, 28);
 AT(dsw_cut_desc, start, 32);
 AT(dsw_cut_desc, snap, 40);
 GROWS(dsw_cut_desc, snap);
-
-SIZE(dsw_change, 232);
-AT(dsw_change, struct_size, 0);
-AT(dsw_change, is_closed, 4);
-AT(dsw_change, distance, 8);
-AT(dsw_change, smallest_width, 16);
-AT(dsw_change, largest_width, 24);
-AT(dsw_change, volumes_visited, 32);
-AT(dsw_change, volumes_crossed, 36);
-AT(dsw_change, volumes_split, 40);
-AT(dsw_change, volumes_changed, 44);
-AT(dsw_change, vertices_parted, 48);
-AT(dsw_change, vertices_shortened, 52);
-AT(dsw_change, faces_sewn, 56);
-AT(dsw_change, faces_unsewn, 60);
-AT(dsw_change, volumes_invalid, 64);
-AT(dsw_change, volumes_removed, 68);
-AT(dsw_change, volumes_added, 72);
-AT(dsw_change, patch_count, 76);
-AT(dsw_change, most_faces, 80);
-AT(dsw_change, reserved, 84);
-AT(dsw_change, volumes, 88);
-AT(dsw_change, volume_count, 96);
-AT(dsw_change, vertices, 104);
-AT(dsw_change, vertex_count, 112);
-AT(dsw_change, faces, 120);
-AT(dsw_change, face_count, 128);
-AT(dsw_change, whole, 136);
-AT(dsw_change, whole_count, 144);
-AT(dsw_change, carved, 152);
-AT(dsw_change, carved_count, 160);
-AT(dsw_change, unrepaired, 168);
-AT(dsw_change, unrepaired_count, 176);
-AT(dsw_change, detached, 184);
-AT(dsw_change, detached_count, 192);
-AT(dsw_change, body_vertices, 200);
-AT(dsw_change, body_vertex_count, 208);
-AT(dsw_change, body_faces, 216);
-AT(dsw_change, body_face_count, 224);
-GROWS(dsw_change, body_face_count);
-
-SIZE(dsw_vertex_origin, 40);
-AT(dsw_vertex_origin, vertex, 0);
-AT(dsw_vertex_origin, from, 8);
-AT(dsw_vertex_origin, weights, 24);
 
 SIZE(dsw_cut_face, 24);
 AT(dsw_cut_face, front, 0);
@@ -104,10 +59,6 @@ AT(dsw_detach_desc, gap, 32);
 AT(dsw_detach_desc, volume, 40);
 AT(dsw_detach_desc, max_volumes, 48);
 GROWS(dsw_detach_desc, max_volumes);
-
-SIZE(dsw_face_origin, 20);
-AT(dsw_face_origin, face, 0);
-AT(dsw_face_origin, volume, 12);
 
 SIZE(dsw_deform_options, 48);
 AT(dsw_deform_options, struct_size, 0);
@@ -160,3 +111,52 @@ AT(dsw_wall_contact, edge, 216);
 AT(dsw_wall_contact, face, 224);
 AT(dsw_wall_contact, response, 232);
 AT(dsw_wall_contact, reserved, 236);
+
+SIZE(dsw_vertex_origin, 40);
+AT(dsw_vertex_origin, vertex, 0);
+AT(dsw_vertex_origin, from, 8);
+AT(dsw_vertex_origin, weights, 24);
+
+SIZE(dsw_face_origin, 20);
+AT(dsw_face_origin, face, 0);
+AT(dsw_face_origin, volume, 12);
+
+SIZE(dsw_change, 232);
+AT(dsw_change, struct_size, 0);
+AT(dsw_change, is_closed, 4);
+AT(dsw_change, distance, 8);
+AT(dsw_change, smallest_width, 16);
+AT(dsw_change, largest_width, 24);
+AT(dsw_change, volumes_visited, 32);
+AT(dsw_change, volumes_crossed, 36);
+AT(dsw_change, volumes_split, 40);
+AT(dsw_change, volumes_changed, 44);
+AT(dsw_change, vertices_parted, 48);
+AT(dsw_change, vertices_shortened, 52);
+AT(dsw_change, faces_sewn, 56);
+AT(dsw_change, faces_unsewn, 60);
+AT(dsw_change, volumes_invalid, 64);
+AT(dsw_change, volumes_removed, 68);
+AT(dsw_change, volumes_added, 72);
+AT(dsw_change, patch_count, 76);
+AT(dsw_change, most_faces, 80);
+AT(dsw_change, reserved, 84);
+AT(dsw_change, volumes, 88);
+AT(dsw_change, volume_count, 96);
+AT(dsw_change, vertices, 104);
+AT(dsw_change, vertex_count, 112);
+AT(dsw_change, faces, 120);
+AT(dsw_change, face_count, 128);
+AT(dsw_change, whole, 136);
+AT(dsw_change, whole_count, 144);
+AT(dsw_change, carved, 152);
+AT(dsw_change, carved_count, 160);
+AT(dsw_change, unrepaired, 168);
+AT(dsw_change, unrepaired_count, 176);
+AT(dsw_change, detached, 184);
+AT(dsw_change, detached_count, 192);
+AT(dsw_change, body_vertices, 200);
+AT(dsw_change, body_vertex_count, 208);
+AT(dsw_change, body_faces, 216);
+AT(dsw_change, body_face_count, 224);
+GROWS(dsw_change, body_face_count);

@@ -93,13 +93,14 @@ int main(void) {
   printf("after %g of the turn, tip at (%g, %g, %g)\n", sweep.time, sweep.position[0], sweep.position[1],
          sweep.position[2]);
   printf("touches (%g, %g, %g), %g along the needle, normal (%.3f, %.3f, %.3f)\n", sweep.point[0], sweep.point[1],
-         sweep.point[2], sweep.edge_parameter, sweep.contact.contact.normal[0], sweep.contact.contact.normal[1], sweep.contact.contact.normal[2]);
+         sweep.point[2], sweep.edge_parameter, sweep.contact.normal[0], sweep.contact.normal[1],
+         sweep.contact.normal[2]);
   check(sweep.time == 0.5 && sweep.position[0] == 1.75 && sweep.edge_parameter == 0.5, "when");
   check(sweep.point[0] == 2 && sweep.point[1] == 2 && sweep.point[2] == 0.5, "where");
-  check(sweep.contact.contact.kind == DSW_CONTACT_EDGE && sweep.contact.marked_kind == DSW_CELL_FACE && sweep.contact.wall.volume == wall.volume &&
-            sweep.contact.wall.local == wall.local,
+  check(sweep.contact.kind == DSW_CONTACT_EDGE && sweep.contact.marked_kind == DSW_CELL_FACE &&
+            sweep.contact.wall.volume == wall.volume && sweep.contact.wall.local == wall.local,
         "what");
-  check(fabs(sweep.contact.contact.normal[0] + 3 / sqrt(9.25)) < 1e-15 && sweep.contact.contact.normal[2] == 0, "against the motion");
+  check(fabs(sweep.contact.normal[0] + 3 / sqrt(9.25)) < 1e-15 && sweep.contact.normal[2] == 0, "against the motion");
 
   check(dsw_environment_destroy(environment) == DSW_STATUS_OK, "destroying");
   return 0;

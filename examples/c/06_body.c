@@ -86,10 +86,11 @@ static void print_contacts(const dsw_scene *scene, dsw_body_id body) {
   for (i = 0; i < count; ++i) {
     printf("    vertex %u at time %.4f: %s touches %s, tag %u, at (%g, %g, %g), normal (%.3f, %.3f, %.3f), %s\n",
            (unsigned)c[i].vertex.index, c[i].time, c[i].edge.generation != 0 ? "its edge" : "it",
-           kWhat[c[i].contact.contact.obstacle.kind], (unsigned)c[i].contact.contact.tag, c[i].point[0], c[i].point[1], c[i].point[2], c[i].contact.contact.normal[0],
-           c[i].contact.contact.normal[1], c[i].contact.contact.normal[2], history_of(&c[i], &past[i]));
+           kWhat[c[i].contact.obstacle.kind], (unsigned)c[i].contact.tag, c[i].point[0], c[i].point[1], c[i].point[2],
+           c[i].contact.normal[0], c[i].contact.normal[1], c[i].contact.normal[2], history_of(&c[i], &past[i]));
     /* A sliding vertex may go as far as the outer boundary. */
-    check(c[i].edge.generation == 0 || (c[i].contact.contact.tag == 106 && c[i].contact.marked_kind == DSW_CELL_VOLUME), "edges touch the pillar");
+    check(c[i].edge.generation == 0 || (c[i].contact.tag == 106 && c[i].contact.marked_kind == DSW_CELL_VOLUME),
+          "edges touch the pillar");
   }
 }
 

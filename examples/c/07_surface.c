@@ -91,11 +91,12 @@ int main(void) {
   printf("faces: %u contacts, bottom at %g %g %g\n", (unsigned)report.contact_count, p[2], p[5], p[8]);
   printf("  the first: vertex %u at time %g, its face touches (%g, %g, %g), normal (%.3f, %.3f, %.3f)\n",
          (unsigned)contact->vertex.index, contact->time, contact->point[0], contact->point[1], contact->point[2],
-         contact->contact.contact.normal[0], contact->contact.contact.normal[1], contact->contact.contact.normal[2]);
-  check(
-      contact->contact.contact.kind == DSW_CONTACT_VERTEX && contact->contact.contact.obstacle.kind == DSW_CELL_VERTEX && contact->face.generation != 0,
-      "a face on the tip");
-  check(contact->contact.marked_kind == DSW_CELL_VOLUME && contact->contact.contact.normal[2] > 0.9 && contact->point[2] == 1, "of the spike");
+         contact->contact.normal[0], contact->contact.normal[1], contact->contact.normal[2]);
+  check(contact->contact.kind == DSW_CONTACT_VERTEX && contact->contact.obstacle.kind == DSW_CELL_VERTEX &&
+            contact->face.generation != 0,
+        "a face on the tip");
+  check(contact->contact.marked_kind == DSW_CELL_VOLUME && contact->contact.normal[2] > 0.9 && contact->point[2] == 1,
+        "of the spike");
   check(dsw_body_destroy(scene, body) == DSW_STATUS_OK, "removing the body");
 
   /* A rigid body keeps its shape: it falls until a fraction of 1/1000 is too much. */

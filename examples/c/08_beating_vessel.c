@@ -119,7 +119,8 @@ int main(void) {
     double *next = arrays[step % 2];
     dsw_deform_report report;
     beat(rest, -2 + 12.0 * step / (STEPS - 1), next);
-    check(dsw_environment_deform(scene, next, POINTS, &options, &report) == DSW_STATUS_OK, "deforming");
+    check(dsw_environment_deform(dsw_scene_get_environment(scene), next, POINTS, &options, &report) == DSW_STATUS_OK,
+          "deforming");
     contacts += report.contact_count;
     pushed += report.pushed_count;
     held += report.held_count;

@@ -59,8 +59,8 @@ int main(void) {
   for (i = 0; i < count; ++i) {
     printf("vertex %u stops after %.4f of its way: body %u was met at %g %g %g, normal %g %g %g\n",
            (unsigned)contacts[i].vertex.index, contacts[i].time, (unsigned)partners[i].body.index, contacts[i].point[0],
-           contacts[i].point[1], contacts[i].point[2], contacts[i].contact.contact.normal[0], contacts[i].contact.contact.normal[1],
-           contacts[i].contact.contact.normal[2]);
+           contacts[i].point[1], contacts[i].point[2], contacts[i].contact.normal[0], contacts[i].contact.normal[1],
+           contacts[i].contact.normal[2]);
     check(partners[i].body.index == first.index, "it is the first needle");
   }
   check(dsw_body_get_positions(scene, second, ends, 2, 0, NULL, &count) == DSW_STATUS_OK, "reading");

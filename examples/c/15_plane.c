@@ -103,7 +103,7 @@ int main(void) {
     check(dsw_body_get_contacts(scene, body, &contacts, &contact_count) == DSW_STATUS_OK, "reading contacts");
     for (i = 0; i < contact_count; ++i) {
       printf("step %d: vertex %u, touch at (%g, %g), normal (%.3f, %.3f)\n", step, (unsigned)contacts[i].vertex.index,
-             contacts[i].point[0], contacts[i].point[1], contacts[i].contact.contact.normal[0], contacts[i].contact.contact.normal[1]);
+             contacts[i].point[0], contacts[i].point[1], contacts[i].contact.normal[0], contacts[i].contact.normal[1]);
     }
   }
   check(dsw_body_get_positions(scene, body, &p[0][0], MOST, 0, NULL, &count) == DSW_STATUS_OK, "reading positions");

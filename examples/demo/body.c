@@ -36,7 +36,7 @@ void figures_add(body_figures *figures, const dsw_scene *scene, dsw_body_id body
   for (size_t i = 0; i < contact_count; ++i) {
     lasting += contacts[i].history == DSW_HISTORY_LASTING;
     if (keep) {
-      figures_touch(figures, contacts[i].point, contacts[i].contact.contact.normal);
+      figures_touch(figures, contacts[i].point, contacts[i].contact.normal);
     }
   }
   for (size_t i = 0; i < edit_count; ++i) {

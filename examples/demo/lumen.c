@@ -48,7 +48,7 @@ dsw_environment *create_environment(dsw_context *context, const demo_mesh *mesh)
   desc.points = mesh->points;
   desc.point_count = mesh->point_count;
   desc.cell_types = mesh->types;
-  desc.volume_count = mesh->volume_count;
+  desc.volume_count = mesh->cell_count;
   desc.offsets = mesh->offsets;
   desc.connectivity = mesh->connectivity;
   desc.connectivity_count = mesh->connectivity_count;

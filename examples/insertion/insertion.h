@@ -11,7 +11,7 @@ namespace insertion {
 // One step.
 struct Step {
   std::size_t vertices = 0, contacts = 0, inserted = 0, removed = 0;
-  std::uint64_t cells_visited = 0, orientation_tests = 0;  // 0 without statistics
+  std::uint64_t volumes_visited = 0, orientation_tests = 0;  // 0 without statistics
   double detection_seconds = 0, step_seconds = 0;  // the library's move; all of the step, without the verification
   double reached = 0;                              // along the route
   bool free = false, all_in = false;               // verified; no link is still to come

@@ -132,7 +132,7 @@ void print(const Json& summary, const Run& run, std::ostream& out) {
 
 Record::Record(const Options& options, const Vessel* vessel, const Run* run)
     : options_(options), vessel_(vessel), run_(run), csv_(options.out + "/steps.csv") {
-  csv_ << "step,time,vertices,contacts,inserted,removed,cells_visited,orientation_tests,detection_ms,step_ms,reached,"
+  csv_ << "step,time,vertices,contacts,inserted,removed,volumes_visited,orientation_tests,detection_ms,step_ms,reached,"
           "free\n";
   if (!csv_.flush()) {  // now, not after all steps
     throw BadInput("cannot write '" + options.out + "/steps.csv'");
@@ -147,7 +147,7 @@ void Record::add(const Step& step) {
   char line[256];
   std::snprintf(line, sizeof line, "%zu,%.9g,%zu,%zu,%zu,%zu,%llu,%llu,%.6g,%.6g,%.6g,%d\n", steps_,
                 static_cast<double>(steps_) * options_.dt, step.vertices, step.contacts, step.inserted, step.removed,
-                static_cast<unsigned long long>(step.cells_visited),
+                static_cast<unsigned long long>(step.volumes_visited),
                 static_cast<unsigned long long>(step.orientation_tests), 1e3 * step.detection_seconds,
                 1e3 * step.step_seconds, step.reached, step.free ? 1 : 0);
   csv_ << line;
@@ -168,7 +168,7 @@ void Record::add_to_series() {
   bool free = true;
   for (const Step& step : window_) {
     contacts += step.contacts;
-    cells = std::max(cells, step.cells_visited);
+    cells = std::max(cells, step.volumes_visited);
     tests += step.orientation_tests;
     detection += step.detection_seconds;
     whole += step.step_seconds;

@@ -87,7 +87,7 @@ bool remove_one(dsw_scene* scene, dsw_body_id body, const InsertedVertices& inse
         if (status == DSW_STATUS_OK) {
           return true;
         }
-        if (status != DSW_STATUS_OCCUPIED && status != DSW_STATUS_BAD_CELL) {
+        if (status != DSW_STATUS_OCCUPIED && status != DSW_STATUS_NOT_MANIFOLD) {
           check(status, "removing a vertex");
         }
       }

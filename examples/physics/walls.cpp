@@ -37,7 +37,8 @@ std::size_t Walls::point_of(dsw_vertex_id vertex) {
   const auto added = point_of_.emplace(vertex.index, vertices_.size());
   if (added.second) {
     Vector3 at;
-    check(dsw_environment_get_vertex_position(dsw_scene_get_environment(scene_), vertex, at.data()), "reading a vertex");
+    check(dsw_environment_get_vertex_position(dsw_scene_get_environment(scene_), vertex, at.data()),
+          "reading a vertex");
     points.set(vertices_.size(), at, options_.mass);
     vertices_.push_back(vertex.index);
   }
@@ -108,7 +109,8 @@ dsw_status Walls::step(double dt, dsw_deform_report* report) {
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     std::copy_n(next.position[i].data(), 3, &array[3 * std::size_t{vertices_[i]}]);
   }
-  const dsw_status status = dsw_environment_deform(scene_, array.data(), array.size() / 3, &options_.deform, report);
+  const dsw_status status = dsw_environment_deform(dsw_scene_get_environment(scene_), array.data(), array.size() / 3,
+                                                   &options_.deform, report);
   check(status, "bending the environment");
   if (report->outcome == DSW_DEFORM_REFUSED) {
     points.rest();

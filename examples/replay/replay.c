@@ -27,7 +27,7 @@ static int usage(void) {
 
 static int read_options(int argc, char **argv, options *o) {
   static const struct option known[] = {{"to", required_argument, NULL, 't'},   {"quiet", no_argument, NULL, 'q'},
-                                        {"validate", no_argument, NULL, 'j'},      {"take", required_argument, NULL, 'k'},
+                                        {"validate", no_argument, NULL, 'j'},   {"take", required_argument, NULL, 'k'},
                                         {"draw", required_argument, NULL, 'd'}, {NULL, 0, NULL, 0}};
   int letter;
   memset(o, 0, sizeof *o);
@@ -243,7 +243,7 @@ static int draw_body(const dsw_scene *scene, dsw_body_id body, const char *folde
   touches = (double *)room_for(6 * count, sizeof *touches);
   for (i = 0; i < count; ++i) {
     memcpy(touches + 3 * i, contacts[i].point, sizeof contacts[i].point);
-    memcpy(touches + 3 * (count + i), contacts[i].contact.contact.normal, sizeof contacts[i].contact.contact.normal);
+    memcpy(touches + 3 * (count + i), contacts[i].contact.normal, sizeof contacts[i].contact.normal);
   }
   snprintf(name, sizeof name, "%scontacts_%u.vtu", when, body.index);
   if (code == 0 && count != 0) code = write_touches(folder, name, touches, touches + 3 * count, count);
@@ -311,7 +311,8 @@ int main(int argc, char **argv) {
            last == DSW_REPLAY_UNFINISHED ? " in a call" : "", info.bytes_left);
   if (*info.note != 0) printf("note: %s\n", info.note);
   if (info.validation != NULL)
-    printf("validation when it was written: %s%s\n", info.validation->is_right ? "right" : "WRONG: ", info.validation->text);
+    printf("validation when it was written: %s%s\n",
+           info.validation->is_right ? "right" : "WRONG: ", info.validation->text);
   if (!print_end(scene)) good = 0;
   if (o.draw != NULL &&
       (draw(scene, o.draw, "") != 0 || write_trace(dsw_scene_get_environment(scene), o.draw, "walls.vtu", 1) != 0))

@@ -130,7 +130,8 @@ void run_moved(const Tetrahedra& tets, const std::vector<double>& points, Report
     std::vector<double>& to = next[step % 2];
     for (std::size_t i = 0; i < to.size(); i += 3)
       to[i + 2] = tets.points[i + 2] + 0.02 * std::sin(6 * tets.points[i] + step);
-    expect_ok(dsw_environment_deform(scene.get(), to.data(), to.size() / 3, nullptr, nullptr));
+    expect_ok(
+        dsw_environment_deform(dsw_scene_get_environment(scene.get()), to.data(), to.size() / 3, nullptr, nullptr));
     first.push_back(1e-6 * cpu_time_ns([&] { locate(environment.get(), &points[0]); }));
     later.push_back(time_points(points, [&](const double* p) { locate(environment.get(), p); }).mean);
   }

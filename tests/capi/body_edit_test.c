@@ -81,8 +81,8 @@ static void edges_come_and_go(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_add_edge(g_scene, body, g_gone, vertex_id(4), &e));
   CHECK_MESSAGE("a {index 0, generation 9} names no vertex");
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_add_edge(g_scene, body, vertex_id(0), g_nothing, &e));
-  CHECK_FAILS(DSW_STATUS_BAD_CELL, dsw_body_add_edge(g_scene, body, vertex_id(4), vertex_id(4), &e));
-  CHECK_FAILS(DSW_STATUS_DUPLICATE_CELL, dsw_body_add_edge(g_scene, body, vertex_id(1), vertex_id(0), &e));
+  CHECK_FAILS(DSW_STATUS_REPEATED_VERTEX, dsw_body_add_edge(g_scene, body, vertex_id(4), vertex_id(4), &e));
+  CHECK_FAILS(DSW_STATUS_DUPLICATE_PART, dsw_body_add_edge(g_scene, body, vertex_id(1), vertex_id(0), &e));
   mark_wall(DSW_MARK_IMPASSABLE);
   CHECK_FAILS(DSW_STATUS_OCCUPIED, dsw_body_add_edge(g_scene, body, vertex_id(2), far, &e));
   CHECK_MESSAGE("the edge between vertices 2 and 5");
@@ -114,10 +114,10 @@ static void faces_come_and_go(void) {
               dsw_body_add_face(g_scene, body, vertex_id(1), vertex_id(0), vertex_id(4), NULL));
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_add_face(g_scene, body, vertex_id(1), vertex_id(0), g_gone, &f));
   CHECK_MESSAGE("c {index 0, generation 9}");
-  CHECK_FAILS(DSW_STATUS_BAD_CELL, ADD(1, 0, 1));
-  CHECK_FAILS(DSW_STATUS_DUPLICATE_CELL, ADD(1, 2, 0));
-  CHECK_FAILS(DSW_STATUS_SHARED_FACE, ADD(0, 2, 4));
-  CHECK_FAILS(DSW_STATUS_INVERTED_CELL, ADD(0, 1, 4));
+  CHECK_FAILS(DSW_STATUS_REPEATED_VERTEX, ADD(1, 0, 1));
+  CHECK_FAILS(DSW_STATUS_DUPLICATE_PART, ADD(1, 2, 0));
+  CHECK_FAILS(DSW_STATUS_NOT_MANIFOLD, ADD(0, 2, 4));
+  CHECK_FAILS(DSW_STATUS_NOT_ORIENTED, ADD(0, 1, 4));
   CHECK(f.index == 55 && f.generation == 66 && has(body, 6, 5, 2));
   CHECK_OK(ADD(1, 0, 4)); /* two edges come with it */
   CHECK(f.index == 2 && f.generation == 1 && has(body, 6, 7, 3));
@@ -193,7 +193,7 @@ static void edges_are_collapsed(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_collapse_edge(g_scene, body, e, g_gone, &edit));
   CHECK_FAILS(DSW_STATUS_NOT_FOUND, dsw_body_collapse_edge(g_scene, body, e, vertex_id(2), &edit));
   CHECK_MESSAGE("vertex 2 is no end of edge");
-  CHECK_FAILS(DSW_STATUS_BAD_CELL, dsw_body_collapse_edge(g_scene, body, edge_id(2), vertex_id(2), &edit));
+  CHECK_FAILS(DSW_STATUS_NOT_MANIFOLD, dsw_body_collapse_edge(g_scene, body, edge_id(2), vertex_id(2), &edit));
   CHECK_MESSAGE("would leave no manifold"); /* an inner edge between two vertices of the rim */
   CHECK_OK(dsw_body_add_edge(g_scene, body, vertex_id(4), far, &e));
   CHECK(has(body, 6, 7, 2) && memcmp(&edit, &before, sizeof edit) == 0);

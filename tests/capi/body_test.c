@@ -132,7 +132,7 @@ static void back_edges_are_those_of_closed_surfaces_turned_outwards(void) {
     for (i = 0; i <= d.face_count; ++i) offsets[i] = (uint32_t)d.face_corner_count - d.face_offsets[d.face_count - i];
     d.face_offsets = offsets;
     d.face_corners = corners;
-    refuses(DSW_STATUS_INVERTED_CELL, &d, "is not positive");
+    refuses(DSW_STATUS_NOT_ORIENTED, &d, "is not positive");
     d.flags = 0;
     CHECK_OK(dsw_body_destroy(g_scene, make(&d)));
   }
@@ -221,19 +221,19 @@ static void bad_topology_is_refused(void) {
   } kBad[] = {
       {DSW_STATUS_INDEX_OUT_OF_RANGE, "desc->edges[2] is 5, there are 5 vertices", 2, {0, 1, 5, 1}, 0, {0}, {0}},
       {DSW_STATUS_INDEX_OUT_OF_RANGE, "desc->edges[3] is 4294967295", 2, {0, 1, 2, 0xffffffffu}, 0, {0}, {0}},
-      {DSW_STATUS_BAD_CELL, "edge 1 joins vertex 2 with itself", 2, {0, 1, 2, 2}, 0, {0}, {0}},
-      {DSW_STATUS_DUPLICATE_CELL, "edge 1 between vertices 1 and 0 occurs twice", 2, {0, 1, 1, 0}, 0, {0}, {0}},
+      {DSW_STATUS_REPEATED_VERTEX, "edge 1 joins vertex 2 with itself", 2, {0, 1, 2, 2}, 0, {0}, {0}},
+      {DSW_STATUS_DUPLICATE_PART, "edge 1 between vertices 1 and 0 occurs twice", 2, {0, 1, 1, 0}, 0, {0}, {0}},
       {DSW_STATUS_INDEX_OUT_OF_RANGE, "desc->face_corners[4] is 9", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 9, 3}},
       {DSW_STATUS_WRONG_SIZE, "must go from 0 to face_corner_count", 0, {0}, 1, {3, 6}, {0, 1, 2, 0, 1, 2}},
       {DSW_STATUS_WRONG_SIZE, "face 1 has corners 3 to 5", 0, {0}, 2, {0, 3, 5}, {0, 1, 2, 0, 2}},
       {DSW_STATUS_WRONG_SIZE, "face 0 has corners 0 to 6 of 3", 0, {0}, 2, {0, 6, 3}, {0, 1, 2, 3, 4, 0}},
-      {DSW_STATUS_BAD_CELL, "names a vertex twice", 0, {0}, 1, {0, 3}, {0, 1, 0}},
-      {DSW_STATUS_BAD_CELL, "names a vertex twice", 0, {0}, 1, {0, 4}, {0, 1, 2, 0}},
-      {DSW_STATUS_DUPLICATE_CELL, "occurs twice", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 1, 2, 0}},
-      {DSW_STATUS_DUPLICATE_CELL, "occurs twice", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 2, 1}}, /* turned */
-      {DSW_STATUS_SHARED_FACE, "two triangles already", 0, {0}, 3, {0, 3, 6, 9}, {0, 1, 2, 1, 0, 3, 0, 1, 4}},
-      {DSW_STATUS_SHARED_FACE, "vertex 0 form more than one fan", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 3, 4}},
-      {DSW_STATUS_INVERTED_CELL, "is turned against a neighbour", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 1, 3}},
+      {DSW_STATUS_REPEATED_VERTEX, "names a vertex twice", 0, {0}, 1, {0, 3}, {0, 1, 0}},
+      {DSW_STATUS_REPEATED_VERTEX, "names a vertex twice", 0, {0}, 1, {0, 4}, {0, 1, 2, 0}},
+      {DSW_STATUS_DUPLICATE_PART, "occurs twice", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 1, 2, 0}},
+      {DSW_STATUS_DUPLICATE_PART, "occurs twice", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 2, 1}}, /* turned */
+      {DSW_STATUS_NOT_MANIFOLD, "two triangles already", 0, {0}, 3, {0, 3, 6, 9}, {0, 1, 2, 1, 0, 3, 0, 1, 4}},
+      {DSW_STATUS_NOT_MANIFOLD, "vertex 0 form more than one fan", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 3, 4}},
+      {DSW_STATUS_NOT_ORIENTED, "is turned against a neighbour", 0, {0}, 2, {0, 3, 6}, {0, 1, 2, 0, 1, 3}},
   };
   size_t i;
   for (i = 0; i < sizeof kBad / sizeof kBad[0]; ++i) {

@@ -38,7 +38,7 @@ static void a_floor_lifts_a_particle(void) {
   CHECK(g_dimension == 3 ? report.near_count >= 8 : report.near_count == 4);
   CHECK_OK(dsw_particle_get_position(g_scene, particle, now, &volume));
   CHECK(memcmp(now, at, g_up * sizeof *now) == 0 && now[g_up] > 2.5 && volume.index == cell(2, 1, 2));
-  CHECK_OK(dsw_environment_get_wall_contacts(g_scene, &c, &count));
+  CHECK_OK(dsw_environment_get_wall_contacts(g_env, &c, &count));
   CHECK(count == report.contact_count && c->particle.index == particle.index);
   CHECK(c->particle.generation == particle.generation && c->body.generation == 0);
   CHECK(c->contact.normal[g_up] > 0.5 && c->time > 0 && c->time < 1 && c->response == DSW_WALL_PUSH);
@@ -73,7 +73,7 @@ static void an_edge_is_pushed_split_or_holds_the_wall(void) {
     point(2, 2, 2)[g_up] += 0.4; /* one vertex, below the middle of the edge */
     report = deform(&o);
     CHECK(report.contact_count >= 1);
-    CHECK_OK(dsw_environment_get_wall_contacts(g_scene, &c, &count));
+    CHECK_OK(dsw_environment_get_wall_contacts(g_env, &c, &count));
     if (plane && responses[i] != DSW_WALL_STOP) {
       CHECK(fabs(c->edge_parameter - 0.5) < 1e-12 && c->point[0] == 2 && c->point[1] == 2.11);
       CHECK(c->contact.normal[0] == 0 && c->contact.normal[1] == 1 && c->contact.normal[2] == 0);
@@ -82,7 +82,7 @@ static void an_edge_is_pushed_split_or_holds_the_wall(void) {
     }
     CHECK(body_counts(g_scene, body).vertex_count == (responses[i] == DSW_WALL_INSERT ? 3u : 2u));
     CHECK_OK(dsw_body_get_positions(g_scene, body, now, 3, 0, NULL, &count));
-    CHECK_OK(dsw_environment_get_held_vertices(g_scene, &held, &count));
+    CHECK_OK(dsw_environment_get_held_vertices(g_env, &held, &count));
     CHECK(count == report.held_count);
     if (responses[i] == DSW_WALL_HOLD) {
       CHECK(report.outcome == DSW_DEFORM_HELD && count == 1 && held[0].index == vertex(2, 2, 2));
@@ -176,7 +176,7 @@ static void invalid_volumes(void) {
   report = deform(&o);
   CHECK(report.outcome == DSW_DEFORM_REFUSED && report.fraction == 0 && report.invalid_count >= 1);
   CHECK(memcmp(before, next_points(), bytes) == 0);
-  CHECK_OK(dsw_environment_get_invalid_volumes(g_scene, &invalid, &count));
+  CHECK_OK(dsw_environment_get_invalid_volumes(g_env, &invalid, &count));
   CHECK(count == report.invalid_count && invalid[0].generation == 1);
   o.invalid = DSW_INVALID_HOLD;
   report = deform(&o);
@@ -210,7 +210,7 @@ static void end_state(void) {
     size_t count = 0;
     heights_of(body, now);
     CHECK(now[0] >= 2.5 && now[1] >= 2.5);
-    CHECK_OK(dsw_environment_get_wall_contacts(g_scene, &c, &count));
+    CHECK_OK(dsw_environment_get_wall_contacts(g_env, &c, &count));
     CHECK(c->moving.generation == 0 && c->from[0] == 2.5 && c->from[1] == 2.75 && c->to[0] == at[0] && c->to[2] == 0);
     CHECK(c->contact.wall.generation == 1 && c->contact.normal[1] == 1 && c->contact.normal[2] == 0);
   }
@@ -224,7 +224,7 @@ static void end_state(void) {
   CHECK(report.outcome == DSW_DEFORM_FRACTION && report.fraction < 1 && report.fraction > 0);
   CHECK(point(2, 2, 2)[g_up] == 1.9 + report.fraction * (2.7 - 1.9));
   o.response = DSW_WALL_HOLD;
-  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_deform(g_scene, next_points(), g_point_count, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_deform(g_env, next_points(), g_point_count, &o, NULL));
   end();
 }
 
@@ -238,10 +238,11 @@ static void bad_arguments(void) {
   size_t count = 0;
   const double *read = NULL;
   int valid = -1;
-#define DEFORM(scene, points, more, o) dsw_environment_deform(scene, points, g_point_count + (more), o, NULL)
+#define DEFORM(scene, points, more, o) \
+  dsw_environment_deform(dsw_scene_get_environment(scene), points, g_point_count + (more), o, NULL)
   begin(0);
   CHECK_FAILS(DSW_STATUS_NOT_ENABLED, DEFORM(g_scene, next_points(), 0, NULL));
-  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_environment_get_wall_contacts(g_scene, &contacts, &count));
+  CHECK_FAILS(DSW_STATUS_NOT_ENABLED, dsw_environment_get_wall_contacts(g_env, &contacts, &count));
   dsw_scene_desc_init(&d, sizeof d);
   d.features = DSW_FEATURE_DEFORMING;
   CHECK_FAILS(DSW_STATUS_IN_USE, dsw_scene_create(g_env, &d, &other));
@@ -325,8 +326,8 @@ static void saved_and_loaded(void) {
   CHECK_OK(dsw_scene_load(loaded, blocks[1], sizes[1], &again));
   raise_row(2, 0.3);
   for (i = 0; i < 2; ++i) memcpy(arrays[i], next_points(), bytes);
-  CHECK_OK(dsw_environment_deform(g_scene, arrays[0], g_point_count, NULL, &reports[0]));
-  CHECK_OK(dsw_environment_deform(again, arrays[1], g_point_count, NULL, &reports[1]));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], g_point_count, NULL, &reports[0]));
+  CHECK_OK(dsw_environment_deform(loaded, arrays[1], g_point_count, NULL, &reports[1]));
   CHECK(memcmp(&reports[0], &reports[1], sizeof reports[0]) == 0 && reports[0].contact_count > 0);
   CHECK(memcmp(arrays[0], arrays[1], bytes) == 0);
   CHECK_OK(dsw_particle_get_position(g_scene, particle, now[0], NULL));
@@ -378,7 +379,7 @@ static void a_point_between_two_cubes(void) {
     dsw_deform_report report;
     double *const next = points[turn % 2 == 0 ? 1 : 0];
     for (k = 0; k < 3; ++k) next[3 * 7 + k] = turn % 2 == 0 ? 0.75 : 1.25;
-    CHECK_OK(dsw_environment_deform(scene, next, 15, NULL, &report));
+    CHECK_OK(dsw_environment_deform(dsw_scene_get_environment(scene), next, 15, NULL, &report));
     CHECK(report.outcome == DSW_DEFORM_DONE && report.contact_count == (turn < 2 ? 1u : 0u));
     for (i = 0; i < 2; ++i) {
       double now[3];
@@ -398,9 +399,9 @@ static void cut_while_bent(void) {
   static const double other_blade[12] = {2.25, -1, -1, 2.25, 5, -1, 2.25, -1, 5, 2.25, 5, 5};
   static double arrays[2][3 * 2 * POINTS];
   dsw_deform_options o = deform_options_of(DSW_DEFORM_END_STATE, DSW_WALL_PUSH);
-  const dsw_cut_vertex *added = NULL;
+  const dsw_vertex_origin *added = NULL;
   size_t i, count = 0, points = POINTS;
-  dsw_cut_report report;
+  dsw_change report = empty_change();
   dsw_cut_desc d;
   int turn, valid = 1;
   begin(DSW_FEATURE_DEFORMING);
@@ -410,20 +411,21 @@ static void cut_while_bent(void) {
   for (turn = 0; turn < 2; ++turn) memcpy(arrays[turn], g_points[0], sizeof g_points[0]);
 
   o.point_room = POINTS - 1;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
   o.point_room = POINTS + 24;
-  CHECK_OK(dsw_environment_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
   for (i = 3 * POINTS; i < 6 * POINTS; ++i) arrays[0][i] = -7;
   CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL)); /* needs 25 */
   for (i = 3 * POINTS; i < 6 * POINTS; ++i) CHECK(arrays[0][i] == -7);
   o.point_room = 0;
-  CHECK_OK(dsw_environment_deform(g_scene, arrays[1], POINTS, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[1], POINTS, &o, NULL));
   CHECK_FAILS(DSW_STATUS_BORROWED, dsw_environment_cut(g_env, &d, NULL));
   o.point_room = POINTS + 25;
-  CHECK_OK(dsw_environment_deform(g_scene, arrays[0], POINTS, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], POINTS, &o, NULL));
   CHECK_OK(dsw_environment_cut(g_env, &d, &report));
   CHECK(report.volumes_split == 16 && report.vertex_count == 25);
-  CHECK_OK(dsw_environment_get_cut_vertices(g_env, &added, &count));
+  added = change_of(g_env).vertices;
+  count = change_of(g_env).vertex_count;
   CHECK(count == 25);
   for (i = 0; i < count; ++i) {
     CHECK(added[i].vertex.index >= POINTS && added[i].vertex.index < POINTS + 25);
@@ -432,12 +434,12 @@ static void cut_while_bent(void) {
   }
   CHECK(arrays[0][3 * (POINTS + 25)] == -7);
   points += count;
-  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_scene, arrays[1], POINTS, &o, NULL));
+  CHECK_FAILS(DSW_STATUS_WRONG_SIZE, dsw_environment_deform(g_env, arrays[1], POINTS, &o, NULL));
   /* The first volume invalid, and the blade's points outside: it is looked for from another volume. */
   memcpy(arrays[1], arrays[0], sizeof arrays[0]);
   arrays[1][0] = arrays[1][1] = arrays[1][2] = 0.9;
   o.point_room = 2 * POINTS;
-  CHECK_OK(dsw_environment_deform(g_scene, arrays[1], points, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[1], points, &o, NULL));
   CHECK_OK(dsw_environment_is_valid(g_env, volume_at(0), &valid));
   CHECK(!valid);
   d.points = other_blade;
@@ -446,11 +448,11 @@ static void cut_while_bent(void) {
   points += report.vertex_count;
   memcpy(arrays[0], arrays[1], sizeof arrays[0]);
   memset(arrays[0], 0, 3 * sizeof(double));
-  CHECK_OK(dsw_environment_deform(g_scene, arrays[0], points, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[0], points, &o, NULL));
   memcpy(arrays[1], arrays[0], sizeof arrays[0]);
   for (i = 0; i < points; ++i) arrays[1][3 * i] *= 1.125;
   o.point_room = 0;
-  CHECK_OK(dsw_environment_deform(g_scene, arrays[1], points, &o, NULL));
+  CHECK_OK(dsw_environment_deform(g_env, arrays[1], points, &o, NULL));
   CHECK_OK(dsw_environment_check(g_env, NULL));
   end();
 }

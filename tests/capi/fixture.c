@@ -112,6 +112,19 @@ void end_scene(dsw_scene *scene) {
   CHECK_OK(dsw_environment_destroy(environment));
 }
 
+dsw_change empty_change(void) {
+  dsw_change change;
+  memset(&change, 0, sizeof change);
+  change.struct_size = sizeof change;
+  return change;
+}
+
+dsw_change change_of(const dsw_environment *environment) {
+  dsw_change change = empty_change();
+  CHECK_OK(dsw_environment_get_change(environment, &change));
+  return change;
+}
+
 dsw_environment_info info_of(const dsw_environment *environment) {
   dsw_environment_info info;
   info.struct_size = sizeof info;
@@ -208,7 +221,7 @@ dsw_deform_report deform_to_next(dsw_scene *scene, double *points, size_t point_
   double *const to = points + (size_t)*next * numbers, *const other = points + (size_t)(1 - *next) * numbers;
   dsw_deform_report report;
   memset(&report, 9, sizeof report);
-  CHECK_OK(dsw_environment_deform(scene, to, point_count, o, &report));
+  CHECK_OK(dsw_environment_deform(dsw_scene_get_environment(scene), to, point_count, o, &report));
   if (report.outcome != DSW_DEFORM_REFUSED) {
     const double *read = NULL;
     size_t count = 0;

@@ -6,7 +6,7 @@
 #include "block.h"
 #include "check.h"
 
-static dsw_open_report g_opened;
+static dsw_change g_opened;
 
 static void begin(void) { begin_block(NULL, 1, 0); }
 
@@ -64,23 +64,25 @@ static dsw_volume_id beyond_face(dsw_face_id face) {
 
 static void a_crack_right_through(void) {
   const block_numbers b = g_block;
-  const dsw_cut_vertex *v = NULL;
+  const dsw_vertex_origin *v = NULL;
   const dsw_volume_change *changes = NULL;
   size_t i, count = 0;
   begin();
   CHECK(cut_at(2, 5, DSW_CUT_UNSEW) == b.layer && fly_down(0.5, 1.6, 3.5, 1.6) == 0.5);
   open_them(b.layer, 0.5);
-  CHECK(g_opened.vertices_parted == b.corners && g_opened.vertices_shortened == 0 && g_opened.faces_opened == b.layer);
+  CHECK(g_opened.vertices_parted == b.corners && g_opened.vertices_shortened == 0 && g_opened.face_count == b.layer);
   CHECK(g_opened.smallest_width == 0.5 && g_opened.largest_width == 0.5 && g_opened.volumes_changed == 2 * b.layer);
   CHECK(fly_down(0.5, 1.6, 3.5, 1.6) == 1 && fly(2, 0.1, 2, 3.9) == 1 && fly(0.5, 0.1, 3.5, 3.9) == 1);
-  CHECK_OK(dsw_environment_get_cut_vertices(g_env, &v, &count));
+  v = change_of(g_env).vertices;
+  count = change_of(g_env).vertex_count;
   CHECK(count == 2 * b.corners);
   for (i = 0; i < count; i += 2) {
     CHECK(fabs(x_of(v[i].vertex) - 2) == 0.25 && x_of(v[i].vertex) + x_of(v[i + 1].vertex) == 4);
     CHECK(v[i].from[0].index == v[i].from[1].index && v[i].weights[0] + v[i].weights[1] == 1);
     CHECK(v[i].from[0].index == v[i + 1].from[0].index && v[i].from[0].generation == 1);
   }
-  CHECK_OK(dsw_environment_get_volume_changes(g_env, &changes, &count));
+  changes = change_of(g_env).volumes;
+  count = change_of(g_env).volume_count;
   CHECK(keep_faces() == b.layer && count == 3 * b.layer);
   for (i = 0; i < b.layer; ++i) {
     const dsw_volume_id gap = changes[2 * b.layer + i].after, beyond = beyond_face(g_faces[i].front);
@@ -104,7 +106,7 @@ static void a_wedge(void) {
   begin();
   CHECK(cut_at(1.25, 2.5, DSW_CUT_UNSEW) == b.layer / 2);
   open_them(b.layer / 2, 0.25);
-  CHECK(g_opened.vertices_parted == b.corners / 5 * 2 && g_opened.faces_opened == b.layer / 2);
+  CHECK(g_opened.vertices_parted == b.corners / 5 * 2 && g_opened.face_count == b.layer / 2);
   CHECK(g_opened.smallest_width == 0.25 && g_opened.vertices_shortened == 0);
   CHECK(fly(1.25, 0.1, 1.25, 1.9) == 1);
   end_block(b.cells + b.layer, b.boundary + b.rim, 1);
@@ -118,11 +120,12 @@ static void a_tissue_opens_into_the_air(void) {
   mark_lower_half();
   CHECK(cut_tissue(2, 5) == b.layer / 2 && fly_down(2, 3.5, 2.0001, 0.25) < 0.5);
   open_them(b.layer / 2, 0.5);
-  CHECK(g_opened.vertices_parted == b.corners / 5 * 3 && g_opened.faces_opened == b.layer / 2);
+  CHECK(g_opened.vertices_parted == b.corners / 5 * 3 && g_opened.face_count == b.layer / 2);
   CHECK(g_opened.smallest_width == 0.5);
   CHECK(fly_down(2, 3.5, 2, 0.25) == 1 && fly_down(2.2, 3.5, 1.8, 0.25) == 1);
   CHECK(fly_down(2, 1, 3, 1) < 0.26); /* the lips are walls */
-  CHECK_OK(dsw_environment_get_volume_changes(g_env, &changes, &count));
+  changes = change_of(g_env).volumes;
+  count = change_of(g_env).volume_count;
   for (i = 0; i < count; ++i) {
     dsw_cell_type type = DSW_CELL_TYPE_NONE;
     if (changes[i].before.generation == 0) continue;
@@ -142,13 +145,13 @@ static void a_tissue_opens_in_part(void) {
   if (g_block.dimension == 3) {
     CHECK(cut_tissue(1.25, 2.5) == 4);
     open_them(4, 0.25);
-    CHECK(g_opened.vertices_parted == 6 && g_opened.faces_opened == 4 && g_opened.smallest_width == 0.25);
+    CHECK(g_opened.vertices_parted == 6 && g_opened.face_count == 4 && g_opened.smallest_width == 0.25);
     CHECK(fly_between(high[0], low[0]) == 1 && fly_between(high[1], low[1]) < 0.5);
     end_block(72 + 4, 104 - 4 + 4 + 4, 1);
   } else {
     g_faces[0].front = g_faces[0].back = face_at(5, FACE_X1);
     open_them(1, 0.5);
-    CHECK(g_opened.vertices_parted == 1 && g_opened.faces_opened == 1);
+    CHECK(g_opened.vertices_parted == 1 && g_opened.face_count == 1);
     CHECK(fly(2, 3.5, 2, 1.25) == 1);
     end_block(17, 16, 1);
   }
@@ -168,7 +171,7 @@ static void gaps_join(void) {
   }
   CHECK(k == 8);
   open_them(k, 0.5);
-  CHECK(g_opened.vertices_parted == 10 && g_opened.faces_opened == 8);
+  CHECK(g_opened.vertices_parted == 10 && g_opened.face_count == 8);
   for (i = 0; i < 8; ++i) {
     for (k = 0; k < 4; ++k) points[i][k] = (uint32_t)(2 + 5 * (2 + i % 2 + (k == 1 || k == 2) + 5 * (i / 2 + k / 2)));
     offsets[i] = 4 * i;
@@ -178,7 +181,7 @@ static void gaps_join(void) {
   CHECK(missing == 0);
   for (i = 0; i < 8; ++i) g_faces[i].front = g_faces[i].back = faces[i];
   open_them(8, 0.5);
-  CHECK(g_opened.vertices_parted == 15 && g_opened.faces_opened == 8);
+  CHECK(g_opened.vertices_parted == 15 && g_opened.face_count == 8);
   CHECK(fly_between(from, to) == 1);
   end_block(80, 112, 1);
 }
@@ -194,9 +197,9 @@ static void as_far_as_it_goes(void) {
   end_block(b.cells + b.layer, b.boundary + b.rim, 1);
   begin();
   open_them(cut_at(2, 5, 0), 1e300);
-  CHECK(g_opened.vertices_parted == 0 && g_opened.faces_opened == 0 && g_opened.largest_width == 0);
+  CHECK(g_opened.vertices_parted == 0 && g_opened.face_count == 0 && g_opened.largest_width == 0);
   open_them(b.layer, 1e-300);
-  CHECK(g_opened.vertices_parted == 0 && g_opened.faces_opened == 0);
+  CHECK(g_opened.vertices_parted == 0 && g_opened.face_count == 0);
   open_them(0, 1);
   end_block(b.cells, b.boundary, 1);
 }
@@ -264,7 +267,7 @@ static void particles_follow(void) {
   CHECK_OK(dsw_particle_get_position(scene, other, NULL, &volume));
   CHECK(volume.index >= b.cells); /* behind the path */
   open_them(cut_at(2, 5, DSW_CUT_UNSEW), 0.5);
-  CHECK(g_opened.faces_opened == b.layer);
+  CHECK(g_opened.face_count == b.layer);
   CHECK_OK(dsw_particle_get_position(scene, particle, NULL, &volume));
   CHECK(volume.index >= b.cells); /* in the gap */
   second = make_scene(g_env, 0);
@@ -288,7 +291,7 @@ static void a_body_and_a_particle(void) {
   make_edge_body(scene, b.dimension == 3 ? in_space : in_plane, DSW_LEVEL_EDGES_SWEPT);
   CHECK_OK(dsw_particle_create(scene, beside, no_volume, &particle));
   open_them(cut_at(2, 5, 0), 0.5);
-  CHECK(g_opened.faces_opened == b.layer);
+  CHECK(g_opened.face_count == b.layer);
   CHECK_OK(dsw_particle_get_position(scene, particle, NULL, &volume));
   CHECK(volume.index >= b.cells); /* in the gap */
   CHECK_OK(dsw_scene_destroy(scene));
@@ -314,7 +317,7 @@ static void a_particle_that_a_wall_would_pass(void) {
   CHECK_OK(dsw_scene_get_occupants(scene, &blocked, &count));
   CHECK(count == 1 && blocked[0].index == particle.index && info_of(g_env).volume_count == b.cells);
   open_them(b.layer, 0.125);
-  CHECK(g_opened.faces_opened == b.layer);
+  CHECK(g_opened.face_count == b.layer);
   CHECK_OK(dsw_scene_destroy(scene));
   end_block(b.cells + b.layer, b.boundary + b.rim, 1);
 }
@@ -349,7 +352,7 @@ static void any_size(void) {
     cut(d, DSW_CUT_UNSEW);
     CHECK(g_cut.volumes_split == b.layer && keep_faces() == b.layer);
     open_them(b.layer, 0.25 * sizes[i]);
-    CHECK(g_opened.faces_opened == b.layer && g_opened.vertices_shortened == 0);
+    CHECK(g_opened.face_count == b.layer && g_opened.vertices_shortened == 0);
     CHECK(fabs(g_opened.smallest_width / sizes[i] - 0.25) < 1e-12);
     end_block(b.cells + 2 * b.layer, b.boundary + 2 * b.rim, 1);
   }
@@ -371,6 +374,7 @@ static void in_both(void) {
 }
 
 int main(void) {
+  g_opened = empty_change();
   use_block(2);
   in_both();
   use_block(3);

@@ -77,7 +77,7 @@ static void bad_bodies_are_refused(void) {
   d.edge_count = 0;
   refuses(DSW_STATUS_STALE_ID, &d, "desc->hints[0]");
   d = line_desc(points, 3, 0, DSW_LEVEL_EDGES), d.edges = twice;
-  refuses(DSW_STATUS_DUPLICATE_CELL, &d, "edge 1");
+  refuses(DSW_STATUS_DUPLICATE_PART, &d, "edge 1");
   d.edges = beyond;
   d.edge_count = 1;
   refuses(DSW_STATUS_INDEX_OUT_OF_RANGE, &d, "desc->edges[1] is 7");
@@ -222,15 +222,21 @@ static void edges_are_swept_without_a_body(void) {
   CHECK_OK(mark_point(2, 2, DSW_MARK_IMPASSABLE));
   CHECK_OK(mark_cell(g_pillar, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 24, NULL, s));
-  CHECK(s[0].outcome == DSW_OUTCOME_CONTACT && s[0].contact.kind == DSW_CONTACT_VERTEX && s[0].contact.marked_kind == DSW_CELL_VOLUME);
-  CHECK(s[0].contact.obstacle.volume == point_at(2, 1) && s[0].contact.obstacle.generation == 1 && s[0].contact.tag == 100 + g_pillar);
-  CHECK(s[0].contact.wall.generation == 1 && s[0].contact.normal[1] < 0 && s[0].contact.normal[2] == 0 && fabs(s[0].point[1] - 1) < 1e-14);
+  CHECK(s[0].outcome == DSW_OUTCOME_CONTACT && s[0].contact.kind == DSW_CONTACT_VERTEX &&
+        s[0].contact.marked_kind == DSW_CELL_VOLUME);
+  CHECK(s[0].contact.obstacle.index == point_at(2, 1) && s[0].contact.obstacle.generation == 1 &&
+        s[0].contact.tag == 100 + g_pillar);
+  CHECK(s[0].contact.wall.generation == 1 && s[0].contact.normal[1] < 0 && s[0].contact.normal[2] == 0 &&
+        fabs(s[0].point[1] - 1) < 1e-14);
   CHECK(s[1].outcome == DSW_OUTCOME_CONTACT && s[1].contact.kind == DSW_CONTACT_PLANE && s[1].time == 0.5);
-  CHECK(s[1].contact.obstacle.generation == 0 && s[1].contact.wall.volume == g_pillar - 1 && s[1].contact.normal[0] == -1);
+  CHECK(s[1].contact.obstacle.kind == DSW_CELL_FACE && s[1].contact.wall.volume == g_pillar - 1 &&
+        s[1].contact.normal[0] == -1);
   CHECK_OK(mark_cell(g_pillar, DSW_MARK_PASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 24, NULL, s));
-  CHECK(s[0].outcome == DSW_OUTCOME_CONTACT && s[0].contact.kind == DSW_CONTACT_VERTEX && s[0].contact.marked_kind == DSW_CELL_VERTEX);
-  CHECK(s[0].contact.obstacle.volume == point_at(2, 2) && s[0].contact.wall.generation == 0 && s[0].contact.tag == 0 && s[0].contact.front.generation == 1);
+  CHECK(s[0].outcome == DSW_OUTCOME_CONTACT && s[0].contact.kind == DSW_CONTACT_VERTEX &&
+        s[0].contact.marked_kind == DSW_CELL_VERTEX);
+  CHECK(s[0].contact.obstacle.index == point_at(2, 2) && s[0].contact.wall.generation == 0 && s[0].contact.tag == 0 &&
+        s[0].contact.front.generation == 1);
   o.level = DSW_LEVEL_EDGES; /* a lone vertex is met by what is swept alone */
   CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, to, fixed, 0, &o, s));
   CHECK(s[0].outcome == DSW_OUTCOME_REACHED);
@@ -249,8 +255,10 @@ static void a_tag_is_that_of_what_is_behind_the_wall(void) {
   CHECK_OK(mark_face(N, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
   CHECK_OK(mark_face(N, SIDE_UP, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 1, NULL, from, to, fixed, 0, NULL, &s));
-  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_VERTEX && s.contact.obstacle.volume == point_at(1, 2));
-  CHECK(s.contact.front.index == N + 1 && s.contact.wall.volume == N && s.contact.wall.local == SIDE_RIGHT && s.contact.tag == 100 + N);
+  CHECK(s.outcome == DSW_OUTCOME_CONTACT && s.contact.kind == DSW_CONTACT_VERTEX &&
+        s.contact.obstacle.index == point_at(1, 2));
+  CHECK(s.contact.front.index == N + 1 && s.contact.wall.volume == N && s.contact.wall.local == SIDE_RIGHT &&
+        s.contact.tag == 100 + N);
   CHECK_OK(mark_face(N, SIDE_RIGHT, DSW_MARK_PASSABLE));
   CHECK_OK(mark_face(N, SIDE_UP, DSW_MARK_PASSABLE));
 }
@@ -261,8 +269,10 @@ static void a_tag_at_the_end_of_a_wall_is_that_of_its_other_side(void) {
   dsw_sweep s[2];
   CHECK_OK(mark_face(g_pillar - 1, SIDE_RIGHT, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_sweep_edges(g_env, 2, NULL, from, to, fixed, 0, NULL, s));
-  CHECK(s[0].contact.kind == DSW_CONTACT_VERTEX && s[0].contact.obstacle.volume == point_at(2, 1) && s[0].contact.normal[0] > 0.9);
-  CHECK(s[1].contact.kind == DSW_CONTACT_VERTEX && s[1].contact.obstacle.volume == point_at(2, 1) && s[1].contact.normal[0] < -0.9);
+  CHECK(s[0].contact.kind == DSW_CONTACT_VERTEX && s[0].contact.obstacle.index == point_at(2, 1) &&
+        s[0].contact.normal[0] > 0.9);
+  CHECK(s[1].contact.kind == DSW_CONTACT_VERTEX && s[1].contact.obstacle.index == point_at(2, 1) &&
+        s[1].contact.normal[0] < -0.9);
   CHECK(s[0].contact.tag == 100 + g_pillar - 1 && s[1].contact.tag == 100 + g_pillar);
   CHECK_OK(mark_face(g_pillar - 1, SIDE_RIGHT, DSW_MARK_PASSABLE));
 }

@@ -105,8 +105,9 @@ static void what_a_point_lies_on_is_told(void) {
 static const double g_from[3] = {0.5, 0.5, 0.5};
 
 static int is_null_contact(const dsw_flight *f) {
-  return f->contact.normal[0] == 0 && f->contact.normal[1] == 0 && f->contact.normal[2] == 0 && f->contact.wall.generation == 0 &&
-         f->contact.behind.generation == 0 && f->contact.kind == DSW_CONTACT_NONE && f->contact.marked_kind == DSW_CELL_NONE && f->contact.tag == 0;
+  return f->contact.normal[0] == 0 && f->contact.normal[1] == 0 && f->contact.normal[2] == 0 &&
+         f->contact.wall.generation == 0 && f->contact.behind.generation == 0 && f->contact.kind == DSW_CONTACT_NONE &&
+         f->contact.marked_kind == DSW_CELL_NONE && f->contact.tag == 0;
 }
 
 static void a_free_cast_reaches_its_target(void) {
@@ -121,11 +122,13 @@ static void a_cast_stops_at_the_outer_boundary(void) {
   const double to[3] = {8.5, 0.5, 0.5};
   dsw_flight f;
   CHECK_OK(dsw_environment_cast(g_env, volume_at(0), g_from, to, NULL, &f));
-  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.contact.kind == DSW_CONTACT_PLANE && f.contact.marked_kind == DSW_CELL_FACE);
+  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.contact.kind == DSW_CONTACT_PLANE &&
+        f.contact.marked_kind == DSW_CELL_FACE);
   CHECK(f.time == 0.4375 && f.position[0] == 4 && f.position[1] == 0.5);
   CHECK(f.contact.normal[0] == -1 && f.contact.normal[1] == 0 && f.contact.normal[2] == 0);
-  CHECK(f.volume.index == 3 && f.contact.wall.volume == 3 && f.contact.wall.local == FACE_X1 && f.contact.wall.generation == 1);
-  CHECK(f.contact.behind.generation == 0 && f.contact.tag == 103 && f.volumes_visited == 4 && f.reserved[0] == 0 && f.reserved[1] == 0);
+  CHECK(f.volume.index == 3 && f.contact.wall.volume == 3 && f.contact.wall.local == FACE_X1 &&
+        f.contact.wall.generation == 1);
+  CHECK(f.contact.behind.generation == 0 && f.contact.tag == 103 && f.volumes_visited == 4);
 }
 
 static void a_cast_tells_what_makes_a_face_impassable(void) {
@@ -135,7 +138,8 @@ static void a_cast_tells_what_makes_a_face_impassable(void) {
   dsw_flight f;
   CHECK_OK(dsw_environment_mark_volumes(g_env, &wall, 1, DSW_MARK_IMPASSABLE, 0, NULL));
   CHECK_OK(dsw_environment_cast(g_env, volume_at(0), g_from, to, NULL, &f));
-  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.contact.marked_kind == DSW_CELL_VOLUME && f.contact.behind.index == 2 && f.contact.tag == 102);
+  CHECK(f.outcome == DSW_OUTCOME_CONTACT && f.contact.marked_kind == DSW_CELL_VOLUME && f.contact.behind.index == 2 &&
+        f.contact.tag == 102);
   CHECK(f.contact.wall.volume == 1 && f.contact.wall.local == FACE_X1 && f.volume.index == 1 && f.time == 0.5);
   CHECK_OK(dsw_environment_mark_faces(g_env, &face, 1, DSW_MARK_IMPASSABLE));
   CHECK_OK(dsw_environment_cast(g_env, volume_at(0), g_from, to, NULL, &f));

@@ -217,7 +217,7 @@ static void empty_answers_are_alike(void) {
       desc = to_tape(&one);
       CHECK_OK(dsw_scene_start_recording(scene, &desc));
     }
-    CHECK_OK(dsw_environment_deform(scene, next[k % 2], count, &options, &bent));
+    CHECK_OK(dsw_environment_deform(dsw_scene_get_environment(scene), next[k % 2], count, &options, &bent));
     CHECK((bent.held_count != 0) == (k < 2));
   }
   CHECK_OK(dsw_scene_create_particles(scene, from, 0, 0, NULL, &particle, NULL));
@@ -404,7 +404,7 @@ static void folds_are_not_judged(void) {
   CHECK(count == 16);
   memcpy(next, points, sizeof next);
   for (i = 0; i < 16; ++i) next[i][0] -= next[i][0] == 2 ? 1.5 : 0;
-  CHECK_OK(dsw_environment_deform(scene, next[0], count, NULL, NULL));
+  CHECK_OK(dsw_environment_deform(dsw_scene_get_environment(scene), next[0], count, NULL, NULL));
   CHECK_FAILS(DSW_STATUS_INVALID_CELL, dsw_environment_check(env, NULL));
   record_latest(scene);
   CHECK_OK(dsw_particle_move(scene, particle, to, NULL, NULL));

@@ -16,6 +16,7 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_bug_report_desc note
 #define LAST_dsw_carve_desc snap
 #define LAST_dsw_cast_options reserved
+#define LAST_dsw_change body_face_count
 #define LAST_dsw_coarsen_options max_trials
 #define LAST_dsw_coarsen_report trials
 #define LAST_dsw_context_desc parallel_for
@@ -25,7 +26,7 @@ enum { GUARD = 64, LARGEST = 4096 };
 #define LAST_dsw_environment_desc reserved
 #define LAST_dsw_environment_info upper
 #define LAST_dsw_move_options order_count
-#define LAST_dsw_open_desc tag
+#define LAST_dsw_open_crack_desc tag
 #define LAST_dsw_recording_desc user
 #define LAST_dsw_remesh_desc max_faces
 #define LAST_dsw_replay_info validation
@@ -180,7 +181,7 @@ RUN(dsw_body_move_rigid, dsw_move_options) {
 RUN(dsw_environment_deform, dsw_deform_options) {
   memcpy(g_next, g_grid.points, sizeof g_next);
   g_next[3 * grid_point(&g_grid, 1, 1, 1)] += 0.125;
-  return dsw_environment_deform(g_scene, g_next, POINTS, s, NULL);
+  return dsw_environment_deform(g_env, g_next, POINTS, s, NULL);
 }
 RUN(dsw_environment_remesh, dsw_remesh_desc) { return dsw_environment_remesh(g_env, s, NULL); }
 RUN(dsw_environment_add_volumes, dsw_volumes_desc) {
@@ -195,7 +196,7 @@ RUN(dsw_environment_detach, dsw_detach_desc) {
   const dsw_volume_id cube = volume_at(CUBE);
   dsw_body_id id;
   CHECK_OK(dsw_environment_mark_volumes(g_env, &cube, 1, DSW_MARK_IMPASSABLE, 0, NULL));
-  return dsw_environment_detach(g_scene, s, &id, NULL);
+  return dsw_environment_detach(g_env, s, &id, NULL);
 }
 RUN(dsw_scene_start_recording, dsw_recording_desc) { return dsw_scene_start_recording(g_scene, s); }
 
@@ -328,19 +329,19 @@ typedef struct init_row {
   X(dsw_environment_coarsen, dsw_coarsen_options)    \
   X(dsw_environment_create, dsw_environment_desc)    \
   X(dsw_environment_cut, dsw_cut_desc)               \
-  X(dsw_environment_open_crack, dsw_open_crack_desc)             \
+  X(dsw_environment_open_crack, dsw_open_crack_desc) \
   X(dsw_environment_remesh, dsw_remesh_desc)         \
   X(dsw_environment_sweep_edges, dsw_sweep_options)  \
   X(dsw_environment_tie, dsw_tie_desc)               \
   X(dsw_particle_move, dsw_cast_options)             \
   X(dsw_scene_cast_from_particles, dsw_cast_options) \
   X(dsw_scene_create, dsw_scene_desc)                \
-  X(dsw_environment_deform, dsw_deform_options)            \
-  X(dsw_environment_detach, dsw_detach_desc)               \
+  X(dsw_environment_deform, dsw_deform_options)      \
+  X(dsw_environment_detach, dsw_detach_desc)         \
   X(dsw_scene_move_bodies, dsw_move_options)         \
   X(dsw_scene_move_particles, dsw_cast_options)      \
   X(dsw_scene_start_recording, dsw_recording_desc)   \
-  X(dsw_scene_write_bug_report, dsw_bug_report_desc)         \
+  X(dsw_scene_write_bug_report, dsw_bug_report_desc) \
   X(dsw_trace_add_walk, dsw_cast_options)
 #define EACH_OUTPUT(X)                              \
   X(dsw_body_get_counts, dsw_body_counts)           \
@@ -349,13 +350,13 @@ typedef struct init_row {
   X(dsw_environment_create, dsw_build_report)       \
   X(dsw_environment_get_info, dsw_environment_info) \
   X(dsw_replay_get_info, dsw_replay_info)           \
-  X(dsw_replay_step_validated, dsw_validation)            \
+  X(dsw_replay_step_validated, dsw_validation)      \
   X(dsw_scene_get_statistics, dsw_statistics)       \
-  X(dsw_scene_write_bug_report, dsw_validation)            \
+  X(dsw_scene_write_bug_report, dsw_validation)     \
   X(dsw_trace_get_data, dsw_trace_data)
 #define EACH_INIT(X)                                 \
   X(dsw_body_desc_init, dsw_body_desc)               \
-  X(dsw_bug_report_desc_init, dsw_bug_report_desc)           \
+  X(dsw_bug_report_desc_init, dsw_bug_report_desc)   \
   X(dsw_carve_desc_init, dsw_carve_desc)             \
   X(dsw_cast_options_init, dsw_cast_options)         \
   X(dsw_coarsen_options_init, dsw_coarsen_options)   \
@@ -365,7 +366,7 @@ typedef struct init_row {
   X(dsw_detach_desc_init, dsw_detach_desc)           \
   X(dsw_environment_desc_init, dsw_environment_desc) \
   X(dsw_move_options_init, dsw_move_options)         \
-  X(dsw_open_crack_desc_init, dsw_open_crack_desc)               \
+  X(dsw_open_crack_desc_init, dsw_open_crack_desc)   \
   X(dsw_recording_desc_init, dsw_recording_desc)     \
   X(dsw_remesh_desc_init, dsw_remesh_desc)           \
   X(dsw_scene_desc_init, dsw_scene_desc)             \

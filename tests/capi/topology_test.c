@@ -83,7 +83,8 @@ static void merging_and_splitting_volumes(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_environment_merge_volumes(g_env, face_at(0, 6), &merged));
   CHECK_OK(dsw_environment_merge_volumes(g_env, face_at(0, FACE_X1), &merged));
   CHECK(merged.index == 0 && merged.generation == 2);
-  CHECK_OK(dsw_environment_get_volume_changes(g_env, &changes, &count));
+  changes = change_of(g_env).volumes;
+  count = change_of(g_env).volume_count;
   CHECK(count == 2 && changes[0].before.index == 0 && changes[0].before.generation == 1);
   CHECK(count == 2 && changes[1].before.index == 1 && changes[1].after.index == 0 && changes[1].after.generation == 2);
   CHECK_OK(dsw_environment_get_volume_counts(g_env, merged, &type, &vertices, &edges, &faces));

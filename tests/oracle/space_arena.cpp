@@ -60,12 +60,14 @@ std::array<Vec, 2> SpaceArena::ends_of(const SweepEvent& event) const {
 std::string SpaceArena::wrong_name(const SweepEvent& event, const dsw_sweep& got) const {
   const auto real = edges_.find({event.a, event.b});
   if (real == edges_.end()) {
-    return got.contact.kind == DSW_CONTACT_PLANE && none(got.contact.obstacle) ? ""
-                                                           : " kind " + std::to_string(got.contact.kind) + " at a diagonal";
+    return got.contact.kind == DSW_CONTACT_PLANE && names_wall(got.contact)
+               ? ""
+               : " kind " + std::to_string(got.contact.kind) + " at a diagonal";
   }
   const dsw_edge_id want = real->second;
   if (got.contact.kind != DSW_CONTACT_EDGE) return " kind " + std::to_string(got.contact.kind);
-  if (got.contact.obstacle.volume != want.volume || got.contact.obstacle.generation != want.generation || got.contact.obstacle.local != want.local) {
+  if (got.contact.obstacle.kind != DSW_CELL_EDGE || got.contact.obstacle.index != want.volume ||
+      got.contact.obstacle.generation != want.generation || got.contact.obstacle.local != want.local) {
     return " edge " + name(got.contact.obstacle) + " for " + name(want);
   }
   return "";

@@ -126,17 +126,17 @@ TEST_F(BodyCreateTest, PlacesThatAreNone) {
 TEST_F(BodyCreateTest, EdgesAndFacesThatAreNone) {
   refuse(DSW_STATUS_INDEX_OUT_OF_RANGE, {{kA, kB}, {{0, 2}}, {}});
   refuse(DSW_STATUS_INDEX_OUT_OF_RANGE, {{kA, kB, kC}, {}, {{0, 1, 3}}});
-  refuse(DSW_STATUS_BAD_CELL, {{kA, kB}, {{1, 1}}, {}});
-  refuse(DSW_STATUS_BAD_CELL, {{kA, kB, kC}, {}, {{0, 1, 0}}});
-  refuse(DSW_STATUS_DUPLICATE_CELL, {{kA, kB}, {{0, 1}, {1, 0}}, {}});
-  refuse(DSW_STATUS_DUPLICATE_CELL, {{kA, kB, kC}, {}, {{0, 1, 2}, {1, 2, 0}}});
-  refuse(DSW_STATUS_INVERTED_CELL, {{kA, kB, kC, kD}, {}, {{0, 1, 2}, {0, 1, 3}}});
+  refuse(DSW_STATUS_REPEATED_VERTEX, {{kA, kB}, {{1, 1}}, {}});
+  refuse(DSW_STATUS_REPEATED_VERTEX, {{kA, kB, kC}, {}, {{0, 1, 0}}});
+  refuse(DSW_STATUS_DUPLICATE_PART, {{kA, kB}, {{0, 1}, {1, 0}}, {}});
+  refuse(DSW_STATUS_DUPLICATE_PART, {{kA, kB, kC}, {}, {{0, 1, 2}, {1, 2, 0}}});
+  refuse(DSW_STATUS_NOT_ORIENTED, {{kA, kB, kC, kD}, {}, {{0, 1, 2}, {0, 1, 3}}});
 }
 
 TEST_F(BodyCreateTest, OnlyManifolds) {
   // Three triangles at one edge; two cones that share their tip.
-  refuse(DSW_STATUS_SHARED_FACE, {{kA, kB, kC, kD, kE}, {}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}});
-  refuse(DSW_STATUS_SHARED_FACE, {{kA, kB, kC, kD, kE}, {}, {{0, 1, 2}, {0, 3, 4}}});
+  refuse(DSW_STATUS_NOT_MANIFOLD, {{kA, kB, kC, kD, kE}, {}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}});
+  refuse(DSW_STATUS_NOT_MANIFOLD, {{kA, kB, kC, kD, kE}, {}, {{0, 1, 2}, {0, 3, 4}}});
   BodyPlan two = tetrahedron(kA, 0.25);
   const BodyPlan other = tetrahedron(kA, -0.25);
   two.at.insert(two.at.end(), other.at.begin() + 1, other.at.end());
@@ -144,7 +144,7 @@ TEST_F(BodyCreateTest, OnlyManifolds) {
     for (uint32_t& v : f) v = v == 0 ? 0 : v + 3;
     two.faces.push_back(f);
   }
-  refuse(DSW_STATUS_SHARED_FACE, two);
+  refuse(DSW_STATUS_NOT_MANIFOLD, two);
   // Edges without faces may meet where they like.
   const BodyState state = read(make({{kA, kB, kC, kD, kE}, {{0, 1}, {0, 2}, {0, 3}, {0, 4}}, {{0, 1, 2}}}));
   EXPECT_EQ(state.edges.size(), 5u);

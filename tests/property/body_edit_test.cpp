@@ -91,25 +91,25 @@ TEST_F(BodyEditTest, WhatCannotBeAdded) {
   refuse(DSW_STATUS_IMPASSABLE, body, [&] { return add_vertex({3.5, 3.5, 2.5}, {0, 0}); });
   refuse(DSW_STATUS_STALE_ID, body, [&] { return add_vertex(kB, {1, 7}); });
   refuse(DSW_STATUS_STALE_ID, body, [&] { return add_edge(v[0], stale); });
-  refuse(DSW_STATUS_BAD_CELL, body, [&] { return add_edge(v[3], v[3]); });
-  refuse(DSW_STATUS_DUPLICATE_CELL, body, [&] { return add_edge(v[0], v[3]); });
+  refuse(DSW_STATUS_REPEATED_VERTEX, body, [&] { return add_edge(v[3], v[3]); });
+  refuse(DSW_STATUS_DUPLICATE_PART, body, [&] { return add_edge(v[0], v[3]); });
   refuse(DSW_STATUS_OCCUPIED, body, [&] { return add_edge(v[0], v[4]); });
   refuse(DSW_STATUS_STALE_ID, body, [&] { return add_face(v[0], v[1], stale); });
-  refuse(DSW_STATUS_BAD_CELL, body, [&] { return add_face(v[0], v[1], v[1]); });
-  refuse(DSW_STATUS_DUPLICATE_CELL, body, [&] { return add_face(v[1], v[2], v[0]); });
-  refuse(DSW_STATUS_INVERTED_CELL, body, [&] { return add_face(v[0], v[1], v[3]); });
+  refuse(DSW_STATUS_REPEATED_VERTEX, body, [&] { return add_face(v[0], v[1], v[1]); });
+  refuse(DSW_STATUS_DUPLICATE_PART, body, [&] { return add_face(v[1], v[2], v[0]); });
+  refuse(DSW_STATUS_NOT_ORIENTED, body, [&] { return add_face(v[0], v[1], v[3]); });
   refuse(DSW_STATUS_OCCUPIED, body, [&] { return add_face(v[1], v[0], v[4]); });
   dsw_body_face_id face;
   ASSERT_EQ(dsw_body_add_face(scene(), body, v[1], v[0], v[3], &face), DSW_STATUS_OK);
   dsw_body_vertex_id more;
   ASSERT_EQ(dsw_body_add_vertex(scene(), body, Vec{0.25, 0.25, 0.25}.data(), {0, 0}, &more), DSW_STATUS_OK);
-  refuse(DSW_STATUS_SHARED_FACE, body, [&] { return add_face(v[0], v[1], more); });
+  refuse(DSW_STATUS_NOT_MANIFOLD, body, [&] { return add_face(v[0], v[1], more); });
 }
 
 TEST_F(BodyEditTest, AFaceThatWouldMakeASecondFanIsRefused) {
   const dsw_body_id body = make({{kA, kB, kC, kD, {0.25, 0.25, 0.25}}, {}, {{0, 1, 2}}});
   const BodyState s = read(body);
-  refuse(DSW_STATUS_SHARED_FACE, body, [&] {
+  refuse(DSW_STATUS_NOT_MANIFOLD, body, [&] {
     dsw_body_face_id face;
     return dsw_body_add_face(scene(), body, s.vertices[0], s.vertices[3], s.vertices[4], &face);
   });
@@ -184,7 +184,7 @@ TEST_F(BodyEditTest, CollapsesThatAreRefused) {
   BodyState s = read(surface);
   const size_t e = edge_between(s, 0, 1);
   // Two triangles on the same three vertices would be left.
-  refuse(DSW_STATUS_BAD_CELL, surface,
+  refuse(DSW_STATUS_NOT_MANIFOLD, surface,
          [&] { return dsw_body_collapse_edge(scene(), surface, s.edge_ids[e], s.vertices[0], nullptr); });
   refuse(DSW_STATUS_NOT_FOUND, surface,
          [&] { return dsw_body_collapse_edge(scene(), surface, s.edge_ids[e], s.vertices[2], nullptr); });
@@ -225,7 +225,7 @@ TEST_F(BodyEditTest, AWireBetweenTwoSurfacesDoesNotCollapseToAVertexOfTwoFans) {
                                  {{0, 1, 2}, {3, 4, 5}}});
   const BodyState s = read(body);
   for (uint32_t v : {0u, 3u}) {
-    refuse(DSW_STATUS_BAD_CELL, body, [&] {
+    refuse(DSW_STATUS_NOT_MANIFOLD, body, [&] {
       return dsw_body_collapse_edge(scene(), body, s.edge_ids[edge_between(s, 0, 3)], s.vertices[v], nullptr);
     });
   }

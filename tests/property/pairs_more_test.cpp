@@ -28,7 +28,8 @@ TEST_F(TwoBodiesTest, AVertexStopsAtAFaceAndSaysWhose) {
   EXPECT_EQ(c.time, 0.75);
   EXPECT_TRUE(c.contact.normal[0] == -1 && c.contact.normal[1] == 0 && c.contact.normal[2] == 0);
   EXPECT_TRUE(c.point[0] == 2 && c.point[1] == 1.5);
-  EXPECT_TRUE(c.contact.marked_kind == DSW_CELL_NONE && c.contact.obstacle.kind == DSW_CELL_NONE && c.contact.wall.generation == 0);
+  EXPECT_TRUE(c.contact.marked_kind == DSW_CELL_NONE && c.contact.obstacle.kind == DSW_CELL_NONE &&
+              c.contact.wall.generation == 0);
   EXPECT_EQ(c.history, DSW_HISTORY_NEW);
   EXPECT_TRUE(partner(wire).body.index == square.index && partner(wire).face.generation == 1);
   EXPECT_LT(answer.after.at[0][0], 2);
@@ -101,7 +102,8 @@ TEST_F(TwoBodiesTest, WallsThatMovePushNoBodyIntoAnother) {
       options.method = method;
       options.response = DSW_WALL_PUSH;
       dsw_deform_report report;
-      ASSERT_EQ(dsw_environment_deform(scene(), arrays.back().data(), arrays.back().size() / 3, &options, &report),
+      ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene()), arrays.back().data(),
+                                       arrays.back().size() / 3, &options, &report),
                 DSW_STATUS_OK);
       pushed += report.pushed_count;
       for (Meeting& body : bodies) body.state = read(body.id);
@@ -298,7 +300,8 @@ TEST_F(TwoBodiesTest, AWallBendsABodyThatMeetsItselfUpToItself) {
     dsw_deform_options options = defaults(dsw_deform_options_init);
     options.response = DSW_WALL_INSERT;
     dsw_deform_report report;
-    ASSERT_EQ(dsw_environment_deform(scene(), arrays.back().data(), arrays.back().size() / 3, &options, &report),
+    ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(scene()), arrays.back().data(), arrays.back().size() / 3,
+                                     &options, &report),
               DSW_STATUS_OK);
     held += report.outcome == DSW_DEFORM_HELD ? 1 : 0;
     wire.state = read(wire.id);

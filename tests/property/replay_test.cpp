@@ -165,7 +165,8 @@ void deform_in_place(Lent& lent, size_t spare) {
   next.resize(3 * (count + spare));
   dsw_deform_options options = defaults(dsw_deform_options_init);
   options.point_room = kHugeRoom;
-  ASSERT_EQ(dsw_environment_deform(lent.scene.get(), next.data(), count, &options, nullptr), DSW_STATUS_OK)
+  ASSERT_EQ(dsw_environment_deform(dsw_scene_get_environment(lent.scene.get()), next.data(), count, &options, nullptr),
+            DSW_STATUS_OK)
       << dsw_last_error_message();
   lent.points.swap(next);
 }

@@ -128,7 +128,8 @@ class Bending {
       }
       dsw_status status = DSW_STATUS_OK;
       bent.seconds += 1e-9 * bench::cpu_time_ns([&] {
-                        status = dsw_environment_deform(scene(), next.data(), points.size(), &options, nullptr);
+                        status = dsw_environment_deform(dsw_scene_get_environment(scene()), next.data(), points.size(),
+                                                        &options, nullptr);
                       });
       if (status != DSW_STATUS_OK) throw std::runtime_error(dsw_last_error_message());
     }
