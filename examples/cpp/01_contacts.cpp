@@ -27,7 +27,8 @@ int main() {
     const auto contacts = body.get_contacts();
     for (const dsw_body_contact& contact : contacts) {
       std::printf("vertex %u at (%g, %g, %g), normal (%g, %g, %g)\n", contact.vertex.index, contact.position[0],
-                  contact.position[1], contact.position[2], contact.contact.normal[0], contact.contact.normal[1], contact.contact.normal[2]);
+                  contact.position[1], contact.position[2], contact.contact.normal[0], contact.contact.normal[1],
+                  contact.contact.normal[2]);
     }
     return flight.time == 0.5 && report.contact_count == contacts.size() && !contacts.empty() ? 0 : 1;
   } catch (const dartsweep::Error& error) {

@@ -222,6 +222,30 @@ class NotClosed(Error):
     status = Status.NOT_CLOSED
 
 
+class RepeatedVertex(Error):
+    """An edge or face of a body repeats a vertex."""
+
+    status = Status.REPEATED_VERTEX
+
+
+class DuplicatePart(Error):
+    """A body has an edge or face twice."""
+
+    status = Status.DUPLICATE_PART
+
+
+class NotManifold(Error):
+    """A body would not be a manifold."""
+
+    status = Status.NOT_MANIFOLD
+
+
+class NotOriented(Error):
+    """Faces of a body are turned against each other."""
+
+    status = Status.NOT_ORIENTED
+
+
 class Closed(NullArgument):
     """The object was closed before."""
 
