@@ -16,7 +16,7 @@ typedef enum dsw_outcome {
   DSW_OUTCOME_OUTSIDE = 4,    /**< Not begun: the start lies in no volume. */
   /** Not begun: the start, or the swept edge there, is not free. */
   DSW_OUTCOME_IMPASSABLE = 5,
-  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff /**< No value. */
+  DSW_OUTCOME_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_outcome;
 
 /** What part of the obstacle was touched. */
@@ -25,7 +25,7 @@ typedef enum dsw_contact_kind {
   DSW_CONTACT_PLANE = 1,                    /**< The inside of a face, also its diagonals. */
   DSW_CONTACT_EDGE = 2,                     /**< An edge. */
   DSW_CONTACT_VERTEX = 3,                   /**< A vertex. */
-  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff /**< No value. */
+  DSW_CONTACT_KIND_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_contact_kind;
 
 /** What was touched. Every report below, and dsw_wall_contact, holds one. Without a contact all
@@ -34,18 +34,18 @@ typedef struct dsw_contact {
   double normal[3];      /**< Unit normal, out of the obstacle. */
   dsw_cell obstacle;     /**< Touched face, edge or vertex, canonical. */
   dsw_face_id wall;      /**< Impassable face there, canonical; null for a marked edge or vertex. */
-  dsw_volume_id front;   /**< Passable volume at `obstacle`; volume of the vertex at a body. */
+  dsw_volume_id front;   /**< Passable volume at `obstacle`. At a body: volume of the vertex. */
   dsw_volume_id behind;  /**< Volume on the other side of `wall`; null at the outer boundary. */
   dsw_contact_kind kind; /**< What part of the obstacle was touched. */
-  /** Kind of the marked cell: VOLUME if only the volume behind is marked; FACE also at the outer
+  /** Kind of the marked cell: VOLUME if only `behind` is marked; FACE also at the outer
    * boundary. */
   dsw_cell_kind marked_kind;
-  uint32_t tag; /**< Host tag behind `wall`; at the outer boundary, in front. */
+  uint32_t tag; /**< Host tag of `behind`; at the outer boundary, of the volume at `wall`. */
 } dsw_contact;
 
 /** Report of a cast or a particle's move. */
 typedef struct dsw_flight {
-  /** End of the flight; verified to be free for a particle, rounded for a cast. */
+  /** End of the flight: for a particle verified to be free, for a cast rounded. */
   double position[3];
   /** Fraction of the move. At a contact: the largest double not later than the exact time. */
   double time;
@@ -70,7 +70,7 @@ typedef struct dsw_sweep {
   double point[3];          /**< Where the edge touches, rounded. */
   double edge_parameter;    /**< Place of `point` on the edge: 0 moving end, 1 fixed end. */
   dsw_contact contact;      /**< What the edge touched. */
-  dsw_volume_id volume;     /**< Volume of the moving end; at its start unless REACHED. */
+  dsw_volume_id volume;     /**< Volume of the moving end; unless REACHED, at the start. */
   dsw_outcome outcome;      /**< How the sweep ended. */
   uint32_t volumes_visited; /**< Volumes looked at. */
 } dsw_sweep;
@@ -80,7 +80,7 @@ typedef enum dsw_contact_history {
   DSW_HISTORY_NONE = 0,                /**< No contact. */
   DSW_HISTORY_NEW = 1,                 /**< No. */
   DSW_HISTORY_LASTING = 2,             /**< Yes. */
-  DSW_HISTORY_FORCE_INT32 = 0x7fffffff /**< No value. */
+  DSW_HISTORY_FORCE_INT32 = 0x7fffffff /**< Unused. */
 } dsw_contact_history;
 
 /** A contact of a body: a moving vertex, or one of its edges or faces, touched something. */
@@ -89,7 +89,7 @@ typedef struct dsw_body_contact {
   double to[3];                /**< Its target. */
   double fixed[2][3];          /**< Other ends of the touching edge or face; else 0. */
   double position[3];          /**< Moving vertex at `time`, rounded. */
-  double time;                 /**< As in dsw_sweep. By bisection: the body is free then. */
+  double time;                 /**< As in dsw_sweep. By bisection: a time when the body is free. */
   double point[3];             /**< Where the body touches, rounded. */
   double edge_parameter;       /**< As in dsw_sweep. */
   double distance_left;        /**< Length of the way not made. */
@@ -101,8 +101,8 @@ typedef struct dsw_body_contact {
   uint32_t reserved;           /**< 0. */
 } dsw_body_contact;
 
-/** The previous contact of a vertex. The vertex rests or slides if `since` is 1, and bounces above
- * 1. */
+/** The previous contact of a vertex. If `since` is 1, the vertex rests or slides; above 1, it
+ * bounces. */
 typedef struct dsw_previous_contact {
   /** Where this obstacle, or else anything, stopped the vertex before. */
   double point[3];

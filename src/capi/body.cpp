@@ -48,7 +48,7 @@ dsw::BodyDescription to_description(const dsw::Scene<D>& scene, const dsw_body_d
   const dsw::SweepLevel level = capi::to_body_level<D>(d.level, "desc->level");
   dsw::BodyDescription out = capi::to_description(scene, {level, d.flags, d.motion_share, d.category, d.mask});
   if (d.reserved != 0) fail(DSW_STATUS_UNSUPPORTED, "desc->reserved is %u, must be 0", d.reserved);
-  if (d.vertex_count == 0) fail(DSW_STATUS_WRONG_SIZE, "desc->vertex_count is 0, a body has at least one vertex");
+  if (d.vertex_count == 0) fail(DSW_STATUS_WRONG_SIZE, "desc->vertex_count is 0, must be at least 1");
   out.positions = capi::to_points<D>(d.positions, d.vertex_count, d.stride_bytes, "desc->positions");
   out.vertex_count = d.vertex_count;
   capi::check_hints(scene.env.map, d.hints, d.vertex_count, "desc->hints");
@@ -111,8 +111,8 @@ uint32_t to_face(const Body<D>& body, dsw_body_face_id id, const char* name) {
   fail(DSW_STATUS_STALE_ID, "%s {index %u, generation %u} names no face of the body", name, id.index, id.generation);
 }
 
-void check_enabled(bool named, const char* feature) {
-  if (!named) fail(DSW_STATUS_NOT_ENABLED, "scene was made without %s", feature);
+void check_enabled(bool enabled, const char* feature) {
+  if (!enabled) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable %s", feature);
 }
 
 #define DSW_BODY_ACCESS(D)                                                      \

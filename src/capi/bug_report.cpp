@@ -21,12 +21,12 @@ using Replay = std::unique_ptr<dsw_replay, DestroyReplay>;
 void read_file(std::FILE* file, Bytes& bytes) {
   const bool opened = std::fseek(file, 0, SEEK_END) == 0;
   const long size = opened ? std::ftell(file) : -1;
-  if (size <= 0) fail(DSW_STATUS_NOT_FOUND, "the scene's recording can't be read again");
+  if (size <= 0) fail(DSW_STATUS_NOT_FOUND, "the scene's recording cannot be read again");
   bytes.resize(static_cast<size_t>(size));
   const bool is_read =
       std::fseek(file, 0, SEEK_SET) == 0 && std::fread(bytes.data(), 1, bytes.size(), file) == bytes.size();
   if (std::fseek(file, 0, SEEK_END) != 0 || !is_read) {
-    fail(DSW_STATUS_NOT_FOUND, "the scene's recording can't be read again");
+    fail(DSW_STATUS_NOT_FOUND, "the scene's recording cannot be read again");
   }
 }
 
@@ -127,11 +127,11 @@ dsw_status dsw_scene_write_bug_report(dsw_scene* scene, const dsw_bug_report_des
     writer.begin(dsw::EntryKind::kValidation, sizeof answer);
     writer.put(&answer, sizeof answer);
     writer.end();
-    if (!capi::end_recording(*made->scene)) fail(DSW_STATUS_WRITE_FAILED, "the report could not be written");
+    if (!capi::end_recording(*made->scene)) fail(DSW_STATUS_WRITE_FAILED, "the bug report was not written");
     if (validation != nullptr) capi::write_struct(validation, answer);
     if (!is_same || capi::state_of(handle, true) != capi::state_of(*made->scene, true)) {
       fail(DSW_STATUS_CORRUPT,
-           "what was recorded, made again, is another scene than this: the report is of the former");
+           "the replay ends in another state than that of the scene; the bug report has the state of the replay");
     }
   });
 }

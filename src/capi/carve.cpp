@@ -8,7 +8,7 @@ using dsw::fail;
 namespace {
 
 void check_count(size_t count, size_t least, const char* name) {
-  if (count < least) fail(DSW_STATUS_OUT_OF_RANGE, "desc->%s is %zu, must be %zu at least", name, count, least);
+  if (count < least) fail(DSW_STATUS_OUT_OF_RANGE, "desc->%s is %zu, must be at least %zu", name, count, least);
   if (count >= dsw::kVertexMask) fail(DSW_STATUS_TOO_LARGE, "desc->%s is %zu, must be below 2^28", name, count);
 }
 
@@ -28,7 +28,7 @@ dsw::Blade<D> read_shape(const dsw::Memory* memory, const dsw_carve_desc& d) {
            d.point_count);
     }
     if (c[0] == c[1] || (D == 3 && (c[1] == c[2] || c[2] == c[0]))) {
-      fail(DSW_STATUS_BAD_TOPOLOGY, "%s %zu of desc->triangles names a point twice", simplex, s);
+      fail(DSW_STATUS_BAD_TOPOLOGY, "%s %zu of desc->triangles repeats a point", simplex, s);
     }
   }
   auto shape = dsw::Blade<D>::of_simplices(memory, points, static_cast<uint32_t>(d.point_count), d.triangles,

@@ -88,7 +88,7 @@ void check_hints(const Map<D>& map, const dsw_volume_id* ids, size_t count, cons
 void require_array(const void* array, size_t count, const char* name) {
   if (count != 0) require(array, name);
   // No array is so long: what a host gets that counts in signed numbers and ends below zero.
-  if (count > PTRDIFF_MAX) fail(DSW_STATUS_WRONG_SIZE, "%s can't have %zu entries", name, count);
+  if (count > PTRDIFF_MAX) fail(DSW_STATUS_WRONG_SIZE, "%s cannot have %zu entries", name, count);
 }
 
 template <int D>

@@ -13,7 +13,7 @@ namespace {
 template <int D>
 dsw::Deformation<D>& deformation_of(const dsw::Scene<D>& scene) {
   dsw::Deformation<D>* const of = scene.deformation.get();
-  if (of == nullptr) fail(DSW_STATUS_NOT_ENABLED, "scene was made without DSW_FEATURE_DEFORMING");
+  if (of == nullptr) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable DSW_FEATURE_DEFORMING");
   return *of;
 }
 
@@ -43,7 +43,7 @@ dsw::WallSettings read_settings(const dsw_deform_options& o) {
   s.response = o.response;
   s.refuses_invalid = o.invalid == DSW_INVALID_REFUSE;
   if (s.end_state && s.response == DSW_WALL_HOLD) {
-    fail(DSW_STATUS_UNSUPPORTED, "options->response is %u, with END_STATE it must be PUSH, INSERT or STOP",
+    fail(DSW_STATUS_UNSUPPORTED, "options->response is %u, must be PUSH, INSERT or STOP with END_STATE",
          capi::raw_value(o.response));
   }
   if (o.most_halvings > 10) {
@@ -84,7 +84,7 @@ dsw_status dsw_environment_deform(dsw_environment* environment, double* next, si
       if (next == of.env.points) fail(DSW_STATUS_IN_USE, "next is the array that the environment reads now");
       [[maybe_unused]] const dsw::MendSettings mend = capi::to_mend_settings(o.remesh_radius, o.remesh_max_faces);
       if (D == 2 && o.invalid == DSW_INVALID_REMESH) {
-        fail(DSW_STATUS_UNSUPPORTED, "options->invalid is DSW_INVALID_REMESH, in the plane it must be HOLD or REFUSE");
+        fail(DSW_STATUS_UNSUPPORTED, "options->invalid is DSW_INVALID_REMESH, must be HOLD or REFUSE in the plane");
       }
       dsw_deform_options written = o;
       if (scene.watch != nullptr) written.point_room = scene.watch->offered;

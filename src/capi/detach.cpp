@@ -22,7 +22,7 @@ void check_numbers(const dsw_detach_desc& d) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->gap is %g, must be above 0 and at most 0.25, or 0", d.gap);
   }
   if (d.halvings > kMostHalvings) {
-    fail(DSW_STATUS_OUT_OF_RANGE, "desc->halvings is %u, must be %u at most", d.halvings, kMostHalvings);
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->halvings is %u, must be at most %u", d.halvings, kMostHalvings);
   }
 }
 

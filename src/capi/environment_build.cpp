@@ -18,9 +18,9 @@ constexpr size_t kMostPoints = kVertexMask;
 
 template <int D>
 void check_cells(const dsw_environment_desc& d) {
-  if (d.volume_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->cell_count is 0, must be at least 1");
+  if (d.volume_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->volume_count is 0, must be at least 1");
   if (d.volume_count > kMostPoints) {
-    fail(DSW_STATUS_TOO_LARGE, "desc->cell_count is %zu, must be at most %zu", d.volume_count, kMostPoints);
+    fail(DSW_STATUS_TOO_LARGE, "desc->volume_count is %zu, must be at most %zu", d.volume_count, kMostPoints);
   }
   if (d.index_bytes != 0 && d.index_bytes != 4 && d.index_bytes != 8) {
     fail(DSW_STATUS_OUT_OF_RANGE, "desc->index_bytes is %u, must be 0, 4 or 8", d.index_bytes);

@@ -84,7 +84,7 @@ uint32_t scene_count(const dsw_environment& environment) {
 dsw_scene* only_scene(const dsw_environment& environment) {
   const std::lock_guard<std::mutex> lock(environment.scenes_mutex);
   if (environment.scene_count > 1) {
-    fail(DSW_STATUS_SHARED, "environment is shared by %u scenes and can't be changed", environment.scene_count);
+    fail(DSW_STATUS_SHARED, "environment is shared by %u scenes and cannot be changed", environment.scene_count);
   }
   return environment.first_scene;
 }

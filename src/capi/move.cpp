@@ -67,7 +67,7 @@ dsw::MoveOrder to_order(const dsw::Scene<D>& scene, const dsw::Body<D>& body, co
   for (size_t i = 0; i < o.order_count; ++i) {
     const uint32_t v = o.order[i];
     if (!body.has_vertex(v)) fail(DSW_STATUS_OUT_OF_RANGE, "options->order[%zu] is %u, which names no vertex", i, v);
-    if (seen[v]) fail(DSW_STATUS_DUPLICATE_ID, "options->order[%zu] is %u, which stands twice", i, v);
+    if (seen[v]) fail(DSW_STATUS_DUPLICATE_ID, "options->order[%zu] is %u, which occurs twice", i, v);
     seen[v] = true;
   }
   return {o.order, o.order_count};
@@ -188,7 +188,7 @@ dsw_status dsw_scene_move_bodies(dsw_scene* scene, const dsw_body_id* bodies, si
     size_t needed = 0;
     for (size_t i = 0; i < count; ++i) {
       records.push_back(&check_body(s, bodies[i], {"bodies", true}, i));
-      if (seen[bodies[i].index]) fail(DSW_STATUS_DUPLICATE_ID, "bodies[%zu] stands twice", i);
+      if (seen[bodies[i].index]) fail(DSW_STATUS_DUPLICATE_ID, "bodies[%zu] occurs twice", i);
       seen[bodies[i].index] = true;
       needed += records[i]->body.vertices.size();
     }

@@ -152,7 +152,7 @@ dsw_status dsw_scene_get_crossings(const dsw_scene* scene, const dsw_crossing** 
     capi::require(crossings, "crossings");
     capi::require(first, "first");
     capi::require(flight_count, "flight_count");
-    if (!s.features.crossings) fail(DSW_STATUS_NOT_ENABLED, "scene was made without DSW_FEATURE_CROSSINGS");
+    if (!s.features.crossings) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable DSW_FEATURE_CROSSINGS");
     *crossings = s.crossings.data();
     *first = s.crossing_first.data();
     *flight_count = s.crossing_first.size() - 1;

@@ -95,6 +95,7 @@ void load_beginning(dsw_replay& replay) {
   capi::visit(*scene, [&](auto& engine) { load(engine, second.bytes, second.size); });
   replay.scene = scene.enter();
   replay.scene->watch = &replay.watch;
+  replay.watch.format = dsw::saved_version(second.bytes);
   if (lending[0] != 0) lend_points(replay, lending[1]);
 }
 

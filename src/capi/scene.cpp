@@ -10,7 +10,7 @@ namespace {
 
 template <int D>
 void require_statistics(const dsw::Scene<D>& scene) {
-  if (!scene.features.statistics) fail(DSW_STATUS_NOT_ENABLED, "scene was made without DSW_FEATURE_STATISTICS");
+  if (!scene.features.statistics) fail(DSW_STATUS_NOT_ENABLED, "the scene does not enable DSW_FEATURE_STATISTICS");
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace {
 template <int D>
 dsw::PointArray read_blade(const dsw_cut_desc& d) {
   if (d.rows < 2 || (D == 3 ? d.columns < 2 : d.columns != 1)) {
-    const char* const columns = D == 3 ? "2 at least" : "1 in the plane";
-    fail(DSW_STATUS_OUT_OF_RANGE, "desc->rows is %u and desc->columns is %u, must be 2 at least and %s", d.rows,
+    const char* const columns = D == 3 ? "at least 2" : "1 in the plane";
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->rows is %u and desc->columns is %u, must be at least 2 and %s", d.rows,
          d.columns, columns);
   }
   if (uint64_t{d.rows} * d.columns > dsw::kVertexMask) {

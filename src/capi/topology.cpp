@@ -24,9 +24,9 @@ void check_arrays(const dsw_volumes_desc& d) {
   if (d.index_bytes != 0 && d.index_bytes != 4 && d.index_bytes != 8) {
     fail(DSW_STATUS_UNSUPPORTED, "desc->index_bytes is %u, must be 4 or 8", d.index_bytes);
   }
-  if (d.volume_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->cell_count is 0, must be at least 1");
+  if (d.volume_count == 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->volume_count is 0, must be at least 1");
   if (d.volume_count > dsw::kVertexMask || d.point_count > dsw::kVertexMask) {
-    fail(DSW_STATUS_TOO_LARGE, "desc->cell_count is %zu and desc->point_count is %zu, must be below 2^28",
+    fail(DSW_STATUS_TOO_LARGE, "desc->volume_count is %zu and desc->point_count is %zu, must be below 2^28",
          d.volume_count, d.point_count);
   }
   capi::require_array(d.connectivity, d.connectivity_count, "desc->connectivity");
@@ -160,7 +160,8 @@ dsw_status dsw_environment_split_edge(dsw_environment* environment, dsw_edge_id 
   return capi::guarded_change(__func__, environment, [&](auto& change) {
     const auto& map = change.map();
     const dsw::Dart d = capi::to_dart(map, edge, {"edge", false});
-    if (!(share > 0 && share < 1)) fail(DSW_STATUS_OUT_OF_RANGE, "share is %g, must be above 0 and below 1", share);
+    if (!(share > 0 && share < 1))
+      fail(DSW_STATUS_OUT_OF_RANGE, "edge_parameter is %g, must be above 0 and below 1", share);
     const uint32_t ends[2] = {dart_vertex(map, d), dart_target(map, d)};
     const uint32_t middle = split_edge(change.begin(capi::row_of<dsw_environment_split_edge>, edge, share), d, share);
     change.carry_out();

@@ -161,7 +161,7 @@ bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexce
 }
 
 template <int D>
-void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
+void append(const Scene<D>& scene, const BodyRecord<D>& of, bool with_history, SceneImage& image) {
   const Environment<D>& env = scene.env;
   const Map<D>& map = env.map;
   const Body<D>& body = of.body;
@@ -192,7 +192,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
   // A vertex that was added since the shape was taken makes the shape worthless: the next move takes it anew.
   const bool has_rest = body.is_rigid() && body.shape[0].rest.size() == D * vertices;
   numbers[kRest] = has_rest ? D * vertices : 0;
-  append(image.bodies, numbers, kNumbers);
+  append(image.bodies, numbers, with_history ? size_t{kNumbers} : kNumbersBefore);
   const auto append_all = [](Array<uint32_t>& to, const Array<uint32_t>& from) {
     append(to, from.data(), from.size());
   };
@@ -235,6 +235,7 @@ void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image) {
     append(image.partners, {p.body.index, p.body.generation, p.vertex.index, p.vertex.generation, p.edge.index,
                             p.edge.generation, p.face.index, p.face.generation});
   }
+  if (!with_history) return;
   for (const RigidShape<D>& shape : body.shape) {
     append(image.shapes, shape.moved.rotation, 4);
     append(image.shapes, shape.moved.centre, D);

@@ -80,9 +80,10 @@ Cell to_cell(const Map<D>& map, uint32_t index) {
 template <int D>
 bool can_be_at(const Environment<D>& env, Cell cell, const double* point) noexcept;
 
-/** Appends a body, or a slot without one. Throws std::bad_alloc. */
+/** Appends a body, or a slot without one, with what vertices touched before their last move or without that. Throws
+ * std::bad_alloc. */
 template <int D>
-void append(const Scene<D>& scene, const BodyRecord<D>& of, SceneImage& image);
+void append(const Scene<D>& scene, const BodyRecord<D>& of, bool with_history, SceneImage& image);
 
 /** Takes bodies from an image, which is not trusted: Error with CORRUPT, or std::bad_alloc. */
 template <int D>

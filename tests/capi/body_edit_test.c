@@ -158,7 +158,7 @@ static void edges_are_split(void) {
   for (i = 0; i < 5; ++i) {
     CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE,
                 dsw_body_split_edge(g_scene, body, edge_id(2), i == 4 ? (double)NAN : kShares[i], &edit));
-    CHECK_MESSAGE("share is ");
+    CHECK_MESSAGE("edge_parameter is ");
   }
   CHECK_FAILS(DSW_STATUS_STALE_ID, dsw_body_split_edge(g_scene, body, edge_id(7), 0.5, &edit));
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_body_split_edge(NULL, body, edge_id(2), 0.5, &edit));

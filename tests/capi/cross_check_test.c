@@ -149,7 +149,7 @@ static void bad_input_changes_nothing(void) {
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_cross_check(g_env, NULL, &o));
   CHECK_MESSAGE("contact is null");
   CHECK_FAILS(DSW_STATUS_NULL_ARGUMENT, dsw_environment_cross_check(g_env, &c, NULL));
-  CHECK_MESSAGE("opinion is null");
+  CHECK_MESSAGE("result is null");
 #define REFUSED(status, text)                              \
   CHECK_FAILS((status), dsw_environment_cross_check(g_env, &c, &o)); \
   CHECK_MESSAGE(text);                                     \
@@ -163,29 +163,29 @@ static void bad_input_changes_nothing(void) {
   c.point[0] = -INFINITY;
   REFUSED(DSW_STATUS_NON_FINITE, "contact->point[0] is -inf");
   c.contact.normal[0] = NAN;
-  REFUSED(DSW_STATUS_NON_FINITE, "contact->normal[0] is nan");
+  REFUSED(DSW_STATUS_NON_FINITE, "contact->contact.normal[0] is nan");
   c.contact.normal[0] = -2;
-  REFUSED(DSW_STATUS_OUT_OF_RANGE, "contact->normal (-2, 0, 0) is not of length 1");
+  REFUSED(DSW_STATUS_OUT_OF_RANGE, "contact->contact.normal (-2, 0, 0) is not of length 1");
   c.contact.kind = DSW_CONTACT_NONE;
-  REFUSED(DSW_STATUS_UNSUPPORTED, "contact->kind is 0");
+  REFUSED(DSW_STATUS_UNSUPPORTED, "contact->contact.kind is 0");
   c.contact.kind = DSW_CONTACT_EDGE; /* of a face */
-  REFUSED(DSW_STATUS_UNSUPPORTED, "contact->obstacle.kind is 3");
+  REFUSED(DSW_STATUS_UNSUPPORTED, "contact->contact.obstacle.kind is 3");
   c.contact.kind = DSW_CONTACT_VERTEX;
-  REFUSED(DSW_STATUS_UNSUPPORTED, "contact->obstacle.kind is 3");
+  REFUSED(DSW_STATUS_UNSUPPORTED, "contact->contact.obstacle.kind is 3");
   c.contact.wall.generation = 7;
-  REFUSED(DSW_STATUS_STALE_ID, "contact->wall {volume ");
+  REFUSED(DSW_STATUS_STALE_ID, "contact->contact.wall {volume ");
   memset(&c.contact.wall, 0, sizeof c.contact.wall);
-  REFUSED(DSW_STATUS_STALE_ID, "contact->wall {volume 0, generation 0, local 0}");
+  REFUSED(DSW_STATUS_STALE_ID, "contact->contact.wall {volume 0, generation 0, local 0}");
   c.contact.front.index = NX * NY * NZ;
-  REFUSED(DSW_STATUS_STALE_ID, "contact->front {index 48");
+  REFUSED(DSW_STATUS_STALE_ID, "contact->contact.front {index 48");
   c.contact.front = volume_at(0);
-  REFUSED(DSW_STATUS_NOT_FOUND, "contact->front (volume 0) is not at contact->wall");
+  REFUSED(DSW_STATUS_NOT_FOUND, "contact->contact.front (volume 0) is not at contact->contact.wall");
   c.contact.kind = DSW_CONTACT_EDGE;
   c.contact.obstacle = cell_at(DSW_CELL_EDGE, 0, 12);
-  REFUSED(DSW_STATUS_STALE_ID, "contact->obstacle {volume 0, generation 1, local 12}");
+  REFUSED(DSW_STATUS_STALE_ID, "contact->contact.obstacle {volume 0, generation 1, local 12}");
   c.contact.kind = DSW_CONTACT_VERTEX;
   c.contact.obstacle = cell_at(DSW_CELL_VERTEX, 1000, 0);
-  REFUSED(DSW_STATUS_STALE_ID, "contact->obstacle {index 1000");
+  REFUSED(DSW_STATUS_STALE_ID, "contact->contact.obstacle {index 1000");
 #undef REFUSED
   CHECK(memcmp(&o, &before, sizeof o) == 0);
 }

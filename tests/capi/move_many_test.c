@@ -237,7 +237,7 @@ static void bad_batches_change_nothing(void) {
   CHECK_FAILS(DSW_STATUS_STALE_ID, MANY(scene, stale, targets, 8, 0, NULL));
   CHECK_MESSAGE("bodies[1] {index 0, generation 9}");
   CHECK_FAILS(DSW_STATUS_DUPLICATE_ID, MANY(scene, twice, targets, 8, 0, NULL));
-  CHECK_MESSAGE("bodies[1] stands twice");
+  CHECK_MESSAGE("bodies[1] occurs twice");
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, MANY(scene, bodies, targets, 7, 0, NULL));
   CHECK_FAILS(DSW_STATUS_WRONG_SIZE, MANY(scene, bodies, targets, 8, 12, NULL));
   targets[23] = NAN;

@@ -293,6 +293,34 @@ FILL(dsw_detach_desc) { s->volume = volume_at(CUBE); }
 FILL(dsw_recording_desc) { s->write = write_nowhere; }
 FILL(dsw_bug_report_desc) { s->write = write_nowhere; }
 
+/* What a change tells: described as above, with all other arguments as for its description. */
+#define CHANGE(function, type)        \
+  RUN(function, dsw_change) {         \
+    type desc;                        \
+    type##_init(&desc, sizeof desc);  \
+    fill_##type(&desc);               \
+    return function(g_env, &desc, s); \
+  }
+CHANGE(dsw_environment_cut, dsw_cut_desc)
+CHANGE(dsw_environment_carve, dsw_carve_desc)
+CHANGE(dsw_environment_tie, dsw_tie_desc)
+CHANGE(dsw_environment_open_crack, dsw_open_crack_desc)
+CHANGE(dsw_environment_remesh, dsw_remesh_desc)
+RUN(dsw_environment_detach, dsw_change) {
+  const dsw_volume_id cube = volume_at(CUBE);
+  dsw_detach_desc desc;
+  dsw_body_id id;
+  CHECK_OK(dsw_environment_mark_volumes(g_env, &cube, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  dsw_detach_desc_init(&desc, sizeof desc);
+  desc.volume = cube;
+  return dsw_environment_detach(g_env, &desc, &id, s);
+}
+RUN(dsw_environment_tear_faces, dsw_change) {
+  const double load = 2;
+  return dsw_environment_tear_faces(g_env, &g_inner_face.front, &load, 1, 1, s);
+}
+RUN(dsw_environment_get_change, dsw_change) { return dsw_environment_get_change(g_env, s); }
+
 /* ---- the tables -------------------------------------------------------------------------------------------------- */
 typedef union any { /* aligned for each of them */
   uint32_t struct_size;
@@ -345,9 +373,17 @@ typedef struct init_row {
   X(dsw_trace_add_walk, dsw_cast_options)
 #define EACH_OUTPUT(X)                              \
   X(dsw_body_get_counts, dsw_body_counts)           \
+  X(dsw_environment_carve, dsw_change)              \
   X(dsw_environment_check, dsw_build_report)        \
   X(dsw_environment_coarsen, dsw_coarsen_report)    \
   X(dsw_environment_create, dsw_build_report)       \
+  X(dsw_environment_cut, dsw_change)                \
+  X(dsw_environment_detach, dsw_change)             \
+  X(dsw_environment_get_change, dsw_change)         \
+  X(dsw_environment_open_crack, dsw_change)         \
+  X(dsw_environment_remesh, dsw_change)             \
+  X(dsw_environment_tear_faces, dsw_change)         \
+  X(dsw_environment_tie, dsw_change)                \
   X(dsw_environment_get_info, dsw_environment_info) \
   X(dsw_replay_get_info, dsw_replay_info)           \
   X(dsw_replay_step_validated, dsw_validation)      \

@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "record_support.h"
-#include "snapshot/bytes.h"
 
 namespace dsw::oracle {
 namespace {
@@ -65,34 +64,6 @@ TEST(KilledProcessTest, LeavesARecordingOfAllItHasDone) {
   EXPECT_GT(finished, 20u);
 }
 
-/// The words of a recording, entry by entry.
-class Entries {
- public:
-  explicit Entries(const std::string& recording) : words_(recording.size() / 8) {
-    std::memcpy(words_.data(), recording.data(), 8 * words_.size());
-    for (size_t at = 2; at < words_.size(); at += words_[at + 1] / 8 + 3) entries_.push_back(at);
-  }
-  /// Of the call with a number: its result's words.
-  uint64_t* result(size_t call) {
-    for (const size_t at : entries_) {
-      if (static_cast<uint32_t>(words_[at]) == 4 && call-- == 0) return &words_[at + 2];
-    }
-    return nullptr;
-  }
-  /// With its checksums right.
-  std::string sealed() {
-    for (const size_t at : entries_) {
-      const size_t size = words_[at + 1] / 8 + 2;
-      words_[at + size] = checksum(0, reinterpret_cast<const uint8_t*>(&words_[at]), 8 * size);
-    }
-    return {reinterpret_cast<const char*>(words_.data()), 8 * words_.size()};
-  }
-
- private:
-  std::vector<uint64_t> words_;
-  std::vector<size_t> entries_;
-};
-
 TEST(ReplayTest, TheFirstCallThatDiffersIsTold) {
   RandomEdits<3> edits("hex", 3);
   std::string recording;
@@ -140,7 +111,7 @@ TEST(ReplayTest, WhatEarlierVersionsRecordedIsMadeAgain) {
     const ReplayPtr replay = open_replay(recording);
     ASSERT_NE(replay, nullptr);
     EXPECT_LE(info_of(replay).version, dsw_version());
-    EXPECT_GT(replay_all(replay), 10u);
+    EXPECT_GT(replay_all(replay), 5u);
     EXPECT_EQ(info_of(replay).bytes_left, 0u);
     ++files;
   }

@@ -58,6 +58,10 @@ namespace Dartsweep
         case Status.Borrowed: return new BorrowedException(message);
         case Status.WriteFailed: return new WriteFailedException(message);
         case Status.NotClosed: return new NotClosedException(message);
+        case Status.RepeatedVertex: return new RepeatedVertexException(message);
+        case Status.DuplicatePart: return new DuplicatePartException(message);
+        case Status.NotManifold: return new NotManifoldException(message);
+        case Status.NotOriented: return new NotOrientedException(message);
         default: return new InternalException(message);
       }
     }
@@ -277,5 +281,29 @@ namespace Dartsweep
   public sealed class NotClosedException : DartsweepException
   {
     internal NotClosedException(string message) : base(Status.NotClosed, message) { }
+  }
+
+  /// <summary>An edge or face of a body repeats a vertex.</summary>
+  public sealed class RepeatedVertexException : DartsweepException
+  {
+    internal RepeatedVertexException(string message) : base(Status.RepeatedVertex, message) { }
+  }
+
+  /// <summary>A body has an edge or face twice.</summary>
+  public sealed class DuplicatePartException : DartsweepException
+  {
+    internal DuplicatePartException(string message) : base(Status.DuplicatePart, message) { }
+  }
+
+  /// <summary>A body would not be a manifold.</summary>
+  public sealed class NotManifoldException : DartsweepException
+  {
+    internal NotManifoldException(string message) : base(Status.NotManifold, message) { }
+  }
+
+  /// <summary>Faces of a body are turned against each other.</summary>
+  public sealed class NotOrientedException : DartsweepException
+  {
+    internal NotOrientedException(string message) : base(Status.NotOriented, message) { }
   }
 }

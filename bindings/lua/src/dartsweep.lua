@@ -180,10 +180,10 @@ function Scene:create_particles(positions, hints, particles)
   return particles
 end
 
-local get_particles = Scene.get_particles
-function Scene:get_particles(particles, positions, volumes)
+local get_particle_positions = Scene.get_particle_positions
+function Scene:get_particle_positions(particles, positions, volumes)
   positions, volumes = positions or core.DoubleArray(self:dimension() * #particles), volumes or core.VolumeIdArray(#particles)
-  get_particles(self, particles, positions, volumes)
+  get_particle_positions(self, particles, positions, volumes)
   return positions, volumes
 end
 

@@ -52,6 +52,10 @@ public abstract sealed class DartsweepException extends RuntimeException {
       case BORROWED -> new Borrowed(message);
       case WRITE_FAILED -> new WriteFailed(message);
       case NOT_CLOSED -> new NotClosed(message);
+      case REPEATED_VERTEX -> new RepeatedVertex(message);
+      case DUPLICATE_PART -> new DuplicatePart(message);
+      case NOT_MANIFOLD -> new NotManifold(message);
+      case NOT_ORIENTED -> new NotOriented(message);
       case OK -> throw new AssertionError(message);
     };
   }
@@ -305,6 +309,34 @@ public abstract sealed class DartsweepException extends RuntimeException {
   public static final class NotClosed extends DartsweepException {
     private NotClosed(String message) {
       super(Status.NOT_CLOSED, message);
+    }
+  }
+
+  /** An edge or face of a body repeats a vertex. */
+  public static final class RepeatedVertex extends DartsweepException {
+    private RepeatedVertex(String message) {
+      super(Status.REPEATED_VERTEX, message);
+    }
+  }
+
+  /** A body has an edge or face twice. */
+  public static final class DuplicatePart extends DartsweepException {
+    private DuplicatePart(String message) {
+      super(Status.DUPLICATE_PART, message);
+    }
+  }
+
+  /** A body would not be a manifold. */
+  public static final class NotManifold extends DartsweepException {
+    private NotManifold(String message) {
+      super(Status.NOT_MANIFOLD, message);
+    }
+  }
+
+  /** Faces of a body are turned against each other. */
+  public static final class NotOriented extends DartsweepException {
+    private NotOriented(String message) {
+      super(Status.NOT_ORIENTED, message);
     }
   }
 }
