@@ -14,7 +14,6 @@ void let_points_move(Environment<D>& env) {
     if (map.form(c) != Form::kSimplex) map.record(c)[0] &= ~kConvexBit;
   });
   drop_local_points(env);
-  env.obstacles.drop();
 }
 
 template <int D>

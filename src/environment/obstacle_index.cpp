@@ -25,8 +25,8 @@ void ObstacleIndex<D>::note_flood(const Environment<D>& env, size_t cells) const
   flooded_.fetch_add(cells, std::memory_order_relaxed);
 }
 
-/** Points move, and cells and marks change, while nobody reads. So nobody reads a tree for other points, or the list
- * while it gets longer. A new tree and the worn one that it replaces can be read at the same time. */
+/** Points move, and cells and marks change, while nobody reads. So nobody reads the boxes of a tree for other points,
+ * or the list while it gets longer. A new tree and the worn one that it replaces can be read at the same time. */
 template <int D>
 const CellTree<D>* ObstacleIndex<D>::renew(const Environment<D>& env) const noexcept {
   if (env.index.use() == TreeUse::kLeftOut) return nullptr;
@@ -53,18 +53,24 @@ const CellTree<D>* ObstacleIndex<D>::renew(const Environment<D>& env) const noex
   return tree_.load(std::memory_order_acquire);
 }
 
-/** A tree of all obstacles that there are. */
+/** A tree of all obstacles that there are. One for other points is written anew in its place, since readers who wait
+ * look at its version. */
 template <int D>
 void ObstacleIndex<D>::gather(const Environment<D>& env) const {
   Array<uint32_t> cells{Allocator<uint32_t>(memory_)};
   for_each_cell(env.map, [&](Cell c) {
     if (has_obstacle(env, c)) cells.push_back(env.map.index(c));
   });
-  release(tree_.exchange(nullptr));
   noted_.clear();
   vertices_.clear();
-  put(env, cells, nullptr);
   is_resolved_.store(true, std::memory_order_release);
+  CellTree<D>* const tree = tree_.load(std::memory_order_relaxed);
+  if (tree == nullptr) return put(env, cells, nullptr);
+  release(std::exchange(tree->older, nullptr));
+  tree->build(env, cells);
+  tree->made_before = 0;
+  tree->wear.store(0, std::memory_order_relaxed);
+  tree->version.store(env.points_version, std::memory_order_release);
 }
 
 /** Notes the cells at vertices that were noted. */
@@ -124,6 +130,7 @@ void ObstacleIndex<D>::put(const Environment<D>& env, const Array<uint32_t>& cel
 
 template <int D>
 void ObstacleIndex<D>::build(const Environment<D>& env) {
+  drop();
   gather(env);
 }
 

@@ -94,10 +94,10 @@ class Distances {
 };
 
 /** A cell to visit, and how near it may hold something. The nearest is first in a heap. */
-struct Visit {
+struct Waiting {
   double distance;
   uint32_t index;  // of the cell: the order of ties must not depend on where records lie
-  bool operator<(const Visit& o) const { return distance != o.distance ? distance > o.distance : index > o.index; }
+  bool operator<(const Waiting& o) const { return distance != o.distance ? distance > o.distance : index > o.index; }
 };
 
 }  // namespace dsw

@@ -15,7 +15,7 @@ class Flood {
         env_(distances.environment()),
         map_(env_.map),
         result_(result),
-        heap_(Allocator<Visit>(env_.memory)),
+        heap_(Allocator<Waiting>(env_.memory)),
         seen_(64, kNoCell, Allocator<uint32_t>(env_.memory)),
         best_(radius * distances.scale()) {
     heap_.push_back({0, map_.index(start)});
@@ -100,7 +100,7 @@ class Flood {
   const Environment<D>& env_;
   const Map<D>& map_;
   NearestResult& result_;
-  Array<Visit> heap_;
+  Array<Waiting> heap_;
   Array<uint32_t> seen_;
   size_t seen_count_ = 0;
   double best_;
@@ -108,7 +108,7 @@ class Flood {
   bool found_ = false;
 };
 
-constexpr uint32_t kFewCells = 16;  // are visited in the time that the tree of obstacles takes
+constexpr uint32_t kFewCells = 8;  // are visited in the time that the tree of obstacles takes
 
 }  // namespace
 

@@ -89,11 +89,16 @@ void NearestSearch<D>::look(Cell c) {
   if (sights_.size() > kMostSights / 2) forget_far();
 }
 
-/** Calls visit(cell, key) for passable facets through which the flood may enter a cell, and only where is_wanted(cell). */
+/** Calls visit(cell, key) for passable facets through which the flood may enter a cell, where is_wanted(cell). */
 template <int D>
-template <class Wanted, class Visitor>
-void NearestSearch<D>::for_each_way_in(Cell c, Wanted is_wanted, Visitor visit) const {
-  for (uint32_t f = 0, facets = map_.facets_of(c); f < facets; ++f) {
+template <class Wanted, class Visit>
+void NearestSearch<D>::for_each_way_in(Cell c, Wanted is_wanted, Visit visit) const {
+  const uint32_t facets = map_.facets_of(c);
+  for (uint32_t f = 0; f < facets; ++f) {
+    const HalfFacet o = map_.opposite(map_.half_facet(c, f));
+    if (o.valid()) __builtin_prefetch(&map_.words[o.word - o.word % kUnitWords<D>]);
+  }
+  for (uint32_t f = 0; f < facets; ++f) {
     const HalfFacet h = map_.half_facet(c, f);
     if (is_impassable(env_, h)) continue;
     const HalfFacet o = map_.opposite(h);
@@ -145,6 +150,7 @@ double NearestSearch<D>::level_of(Cell c) {
     const auto is_new = [&](Cell from) { return seen_.find(from.unit) == KeyTable::kNone; };
     for_each_way_in(step.cell, is_new, [&](Cell from, double key) {
       if (!(key <= limit)) return;
+      for (uint32_t i = 0, n = map_.vertices_of(from); i < n; ++i) __builtin_prefetch(env_.point(from, i));
       heap_.push_back({key, from, number});
       std::push_heap(heap_.begin(), heap_.end());
     });
@@ -195,7 +201,7 @@ bool NearestSearch<D>::take_lower(double end) {
 /** The sights from level `end`, as the flood comes to them. False: too much work. */
 template <int D>
 bool NearestSearch<D>::take_last(double end) {
-  Array<Visit> waiting{Allocator<Visit>(env_.memory)};
+  Array<Waiting> waiting{Allocator<Waiting>(env_.memory)};
   if (!find_last(end, waiting)) return false;
   if (waiting.empty()) return true;
   std::make_heap(waiting.begin(), waiting.end());
@@ -229,7 +235,7 @@ bool NearestSearch<D>::take_last(double end) {
 
 /** The cells of level `end` on which sights within `end` depend, and how lower levels lead to them. */
 template <int D>
-bool NearestSearch<D>::find_last(double end, Array<Visit>& waiting) {
+bool NearestSearch<D>::find_last(double end, Array<Waiting>& waiting) {
   for (const Sight& sight : sights_) {
     if (sight.level == end && sight.distance <= end) last_.insert(sight.cell.unit);
   }

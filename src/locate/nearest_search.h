@@ -2,25 +2,25 @@
 // What the flood of nearest.h finds, without the flood: the tree of obstacles says what is near, and a search back from
 // there says when the flood would come to it.
 //
-// The flood enters a cell through a facet only if the facet's distance, its key, is within the best distance so far, and
-// it takes the lowest key first, then the lowest cell. The level of a cell is the least number L for which passable
-// facets with keys up to L lead from the start to the cell; that of the start is 0. The flood enters all cells of a
-// level before any cell of a higher one, because a facet with a lower key always waits where such a cell is left. So
+// The flood enters a cell through a passable facet if the facet's distance, its key, is within the best distance so
+// far. It takes the lowest key first, then the lowest cell. The level of a cell is the least number L for which
+// passable facets with keys up to L lead from the start to the cell; that of the start is 0. The flood enters all cells
+// of a level before any cell of a higher one, because a facet with a low enough key waits as long as one is left.
 //
-// - let `reach` be a distance, and let all obstacles within it be known, each with the cells that see it;
-// - for each such sight let `due` be the larger one of the obstacle's distance and of the cell's level;
-// - let `end` be the least of these numbers, and let it be within `reach`.
+// A sight is an obstacle as one cell sees it. It is due at the larger one of its distance and its cell's level. Let all
+// sights within `reach` be known, and let `end` be the least number at which one of them is due. If `end` is within
+// `reach`, what the flood finds follows:
 //
-// Cells of lower levels than `end` see nothing nearer than `end`. The flood enters all of them, and the cells of level
-// `end` after them. If none of the cells of this level sees anything within `end`, then what is left are the sights at
-// distance `end` from lower levels: the first by name wins, and of two sights of one obstacle, which may differ in the
-// last bits, the one of the lower level. Else the cells of level `end` are entered here as the flood does it: cells that
-// no sight depends on change nothing, since they offer nothing and since waiting cells are ordered by key and cell only.
-// No cell of a higher level is entered, as the best distance is within `end` by then. None of this takes any distance to
-// be right: rounded numbers are compared as the flood compares them.
+// - Cells of levels below `end` see nothing nearer than `end`. So the flood enters all of them.
+// - Sights at distance `end` from these cells follow. The first by name wins. Of two sights of one obstacle, which may
+//   differ in the last bits, the one of the lower level wins, because the flood keeps the first.
+// - If cells of level `end` see something within `end`, they are entered here as the flood enters them, and with them
+//   those of their level on the ways to them. Other cells of this level offer nothing within `end`, and the order of
+//   waiting cells depends on key and cell alone, so leaving them out changes nothing.
+// - By then the best distance is within `end`, so no cell of a higher level is entered.
 //
-// The rounded distances of obstacles lie within 2^-44 of the environment's size from the true ones, so that boxes
-// (cell_tree.h) leave out nothing that is near enough.
+// No distance has to be right for this: rounded numbers are compared as the flood compares them. Only the tree relies
+// on rounding errors being small (cell_tree.h).
 
 #include "base/key_table.h"
 #include "locate/distances.h"
@@ -65,10 +65,10 @@ class NearestSearch {
   void note_way(uint32_t step);
   bool take_lower(double end);
   bool take_last(double end);
-  bool find_last(double end, Array<Visit>& waiting);
+  bool find_last(double end, Array<Waiting>& waiting);
   void offer(const Sight& sight);
-  template <class Wanted, class Visitor>
-  void for_each_way_in(Cell c, Wanted is_wanted, Visitor visit) const;
+  template <class Wanted, class Visit>
+  void for_each_way_in(Cell c, Wanted is_wanted, Visit visit) const;
 
   const Distances<D>& distances_;
   const Environment<D>& env_;
