@@ -17,6 +17,15 @@ bool ObstacleIndex<D>::is_current(const Environment<D>& env, const CellTree<D>& 
 }
 
 template <int D>
+uint32_t ObstacleIndex<D>::patience(const Environment<D>& env) const noexcept {
+  if (env.index.use() == TreeUse::kLeftOut) return kNoCell;
+  const bool counts = flooded_version_.load(std::memory_order_relaxed) == env.points_version;
+  const uint64_t done = counts ? flooded_.load(std::memory_order_relaxed) : 0;
+  const uint64_t most = kFirstFloods + env.map.cell_count / kFloodShare;
+  return static_cast<uint32_t>(done < most ? most - done : 0);
+}
+
+template <int D>
 void ObstacleIndex<D>::note_flood(const Environment<D>& env, size_t cells) const noexcept {
   if (env.index.use() == TreeUse::kLeftOut) return;
   if (flooded_version_.exchange(env.points_version, std::memory_order_relaxed) != env.points_version) {
@@ -29,14 +38,10 @@ void ObstacleIndex<D>::note_flood(const Environment<D>& env, size_t cells) const
  * or the list while it gets longer. A new tree and the worn one that it replaces can be read at the same time. */
 template <int D>
 const CellTree<D>* ObstacleIndex<D>::renew(const Environment<D>& env) const noexcept {
-  if (env.index.use() == TreeUse::kLeftOut) return nullptr;
   const auto is_for_points = [&](const CellTree<D>* tree) {
     return tree != nullptr && tree->version.load(std::memory_order_relaxed) == env.points_version;
   };
-  if (!is_for_points(tree_.load(std::memory_order_acquire)) &&
-      flooded_.load(std::memory_order_relaxed) < kFirstFloods + env.map.cell_count / kFloodShare) {
-    return nullptr;
-  }
+  if (!is_for_points(tree_.load(std::memory_order_acquire)) && patience(env) != 0) return nullptr;
   try {
     const std::lock_guard<std::mutex> lock(making_);
     const CellTree<D>* const tree = tree_.load(std::memory_order_acquire);

@@ -29,6 +29,8 @@ class ObstacleIndex {
   void for_each_beside(const CellTree<D>& tree, Look&& look) const {
     for (size_t i = tree.made_before; i < noted_.size(); ++i) look(noted_[i]);
   }
+  /** How many cells floods may visit before a tree is made; the largest number if none ever is. */
+  uint32_t patience(const Environment<D>& env) const noexcept;
   /** For readers who had no tree: how many cells they visited. */
   void note_flood(const Environment<D>& env, size_t cells) const noexcept;
 

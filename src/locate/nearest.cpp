@@ -128,18 +128,24 @@ bool find_nearest_far(const Environment<D>& env, const double* point, Cell start
   const Distances<D> distances(env, point);
   Flood<D> flood(distances, start, radius, result);
   if (flood.run(kFewCells)) return flood.finish();
-  if (const CellTree<D>* const tree = distances.scale() == 1 ? env.obstacles.find(env) : nullptr) {
+  if (distances.scale() == 1) {
+    const CellTree<D>* tree = env.obstacles.find(env);
+    if (tree == nullptr) {
+      const bool is_done = flood.run(env.obstacles.patience(env));
+      env.obstacles.note_flood(env, result.cells_visited);
+      if (is_done) return flood.finish();
+      tree = env.obstacles.find(env);
+    }
     NearestResult other;
-    NearestSearch<D> search(distances, *tree, point, start, radius);
-    const SearchEnd end = search.run(other);
-    other.cells_visited += result.cells_visited;
-    if (end != SearchEnd::kUnknown) result = other;
-    if (end != SearchEnd::kUnknown) return end == SearchEnd::kFound;
-    flood.run(kNoCell);
-  } else {
-    flood.run(kNoCell);
-    env.obstacles.note_flood(env, result.cells_visited);
+    const SearchEnd end =
+        tree == nullptr ? SearchEnd::kUnknown : NearestSearch<D>(distances, *tree, point, start, radius).run(other);
+    if (end != SearchEnd::kUnknown) {
+      other.cells_visited += result.cells_visited;
+      result = other;
+      return end == SearchEnd::kFound;
+    }
   }
+  flood.run(kNoCell);
   return flood.finish();
 }
 
